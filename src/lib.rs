@@ -1,0 +1,2 @@
+//! Motion planning that a person can watch.
+#![deny(missing_docs)]

@@ -1,0 +1,19 @@
+//! A closed disc.
+
+use super::{Aabb, Point};
+
+/// A closed, filled disc.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Disc {
+    /// The centre, in metres.
+    pub center: Point,
+    /// The radius, in metres, at least 0.
+    pub radius: f64,
+}
+
+impl Disc {
+    /// The smallest box around the disc.
+    pub fn aabb(&self) -> Aabb {
+        Aabb { min: self.center, max: self.center }.grown(self.radius)
+    }
+}

@@ -1,0 +1,152 @@
+//! A simple polygon, convex or concave, closed and filled.
+
+use super::{Aabb, Point, Segment, Vector, intersects_segment_segment, orientation};
+
+/// Why a list of points is not a simple polygon.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PolygonFault {
+    /// Fewer than three distinct vertices are left once repeated ones are dropped.
+    TooFewVertices,
+    /// All vertices lie on one line.
+    ZeroArea,
+    /// The edges that start at these two vertices (indices into the given points) touch or cross.
+    SelfCrossing(usize, usize),
+}
+
+/// A simple polygon with at least three vertices and positive area, counter-clockwise, without repeated vertices.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Polygon {
+    vertices: Vec<Point>,
+    aabb: Aabb,
+    convex: bool,
+}
+
+impl Polygon {
+    /// A polygon from its corners in either direction, open or closed (the first point repeated at the end). Points that
+    /// repeat their predecessor are dropped; nothing else is mended.
+    ///
+    /// # Errors
+    /// The [`PolygonFault`] where the points do not bound a simple polygon. Decided exactly.
+    ///
+    /// # Complexity
+    /// O(n log n + n s) for n points, s the most edges whose extents in x overlap one edge's.
+    pub fn new(points: &[Point]) -> Result<Self, PolygonFault> {
+        let mut kept: Vec<usize> = Vec::with_capacity(points.len());
+        for (i, p) in points.iter().enumerate() {
+            if kept.last().is_none_or(|&last| points[last] != *p) {
+                kept.push(i);
+            }
+        }
+        while kept.len() > 1 && points[kept[0]] == points[kept[kept.len() - 1]] {
+            kept.pop();
+        }
+        // Adding zero turns -0 into +0, so that equal coordinates are equal bits.
+        let mut vertices: Vec<Point> = kept.iter().map(|&i| Point::new(points[i].x + 0.0, points[i].y + 0.0)).collect();
+        if vertices.len() < 3 {
+            return Err(PolygonFault::TooFewVertices);
+        }
+        let n = vertices.len();
+        if (2..n).all(|i| orientation(vertices[0], vertices[1], vertices[i]) == 0.0) {
+            return Err(PolygonFault::ZeroArea);
+        }
+        if let Some((i, j)) = first_crossing(&vertices) {
+            return Err(PolygonFault::SelfCrossing(kept[i], kept[j]));
+        }
+        if !is_counter_clockwise(&vertices) {
+            vertices.reverse();
+        }
+        let convex = (0..n).all(|i| orientation(vertices[i], vertices[(i + 1) % n], vertices[(i + 2) % n]) >= 0.0);
+        let aabb = Aabb::around(vertices.iter().copied()).expect("three vertices at least");
+        Ok(Self { vertices, aabb, convex })
+    }
+
+    /// The corners, counter-clockwise, each once.
+    pub fn vertices(&self) -> &[Point] {
+        &self.vertices
+    }
+
+    /// The edges, counter-clockwise, the first from vertex 0.
+    pub fn edges(&self) -> impl Iterator<Item = Segment> + '_ {
+        let n = self.vertices.len();
+        (0..n).map(move |i| Segment::new(self.vertices[i], self.vertices[if i + 1 == n { 0 } else { i + 1 }]))
+    }
+
+    /// The smallest box around the polygon.
+    pub fn aabb(&self) -> &Aabb {
+        &self.aabb
+    }
+
+    /// Whether no corner turns to the right.
+    pub fn is_convex(&self) -> bool {
+        self.convex
+    }
+
+    /// Whether the point lies inside or on the border; exact. O(vertices).
+    pub fn contains(&self, p: Point) -> bool {
+        if !self.aabb.contains(p) {
+            return false;
+        }
+        let mut inside = false;
+        for edge in self.edges() {
+            let (a, b) = (edge.a, edge.b);
+            if a.y.min(b.y) > p.y || a.y.max(b.y) < p.y {
+                continue;
+            }
+            let side = orientation(a, b, p);
+            if side == 0.0 && edge.aabb().contains(p) {
+                return true;
+            }
+            if (a.y > p.y) != (b.y > p.y) && (side > 0.0) == (b.y > a.y) {
+                inside = !inside;
+            }
+        }
+        inside
+    }
+}
+
+/// The first pair of edges (by their first vertices) that share a point other than a common corner.
+fn first_crossing(vertices: &[Point]) -> Option<(usize, usize)> {
+    let n = vertices.len();
+    let edge = |i: usize| Segment::new(vertices[i], vertices[(i + 1) % n]);
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|&i, &j| edge(i).aabb().min.x.total_cmp(&edge(j).aabb().min.x).then(i.cmp(&j)));
+    let mut crossing: Option<(usize, usize)> = None;
+    for (at, &i) in order.iter().enumerate() {
+        let right = edge(i).aabb().max.x;
+        for &j in order[at + 1..].iter().take_while(|&&j| edge(j).aabb().min.x <= right) {
+            let pair = (i.min(j), i.max(j));
+            let touching = if pair.1 == pair.0 + 1 || (pair.0 == 0 && pair.1 == n - 1) {
+                folds_back(vertices, pair)
+            } else {
+                intersects_segment_segment(&edge(i), &edge(j))
+            };
+            if touching && crossing.is_none_or(|first| pair < first) {
+                crossing = Some(pair);
+            }
+        }
+    }
+    crossing
+}
+
+/// Whether two neighbouring edges overlap beyond their common corner.
+fn folds_back(vertices: &[Point], (i, j): (usize, usize)) -> bool {
+    let n = vertices.len();
+    let corner = if j == i + 1 { j } else { i };
+    let (before, at, after) = (vertices[(corner + n - 1) % n], vertices[corner], vertices[(corner + 1) % n]);
+    let (u, v): (Vector, Vector) = (before - at, after - at);
+    orientation(before, at, after) == 0.0 && u.dot(&v) > 0.0
+}
+
+/// The direction of a simple polygon, read exactly at its lowest, then leftmost corner.
+fn is_counter_clockwise(vertices: &[Point]) -> bool {
+    let n = vertices.len();
+    let lowest = (0..n)
+        .min_by(|&i, &j| {
+            let (a, b) = (vertices[i], vertices[j]);
+            a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x)).then(i.cmp(&j))
+        })
+        .expect("a polygon has vertices");
+    // That corner is a corner of the convex hull, so it turns strictly.
+    orientation(vertices[(lowest + n - 1) % n], vertices[lowest], vertices[(lowest + 1) % n]) > 0.0
+}

@@ -1,0 +1,165 @@
+//! A planar arm of revolute joints: a chain of capsules from a fixed base.
+
+use super::Part;
+use super::disc::not_finite;
+use crate::error::{Code, Error};
+use crate::geometry::Point;
+
+/// The largest number of links an arm may have.
+pub const MAX_LINKS: usize = 8;
+
+/// The largest coordinate, length or radius that a scenario may contain, in metres.
+const LARGEST: f64 = 1e6;
+
+/// An arm of 1 to [`MAX_LINKS`] links. A configuration holds one angle a joint, in radians, counter-clockwise, each
+/// relative to the link before. Links may overlap each other. A joint without limits is a circle; with limits it is an
+/// interval of the real line, in which nothing wraps.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Arm {
+    base: Point,
+    links: Vec<f64>,
+    radius: f64,
+    joint_limits: Option<Vec<[f64; 2]>>,
+}
+
+impl Arm {
+    /// An arm: base and lengths in metres, `radius` half the width of its links (0 makes them segments), joint limits in
+    /// radians, one pair a link where given.
+    ///
+    /// # Errors
+    /// `not-finite`, `out-of-range` or `wrong-dimension`, with a pointer into the `robot` object of a scenario: a number
+    /// that is not finite, coordinates beyond 1e6, no link or more than [`MAX_LINKS`], a length that is not positive, a
+    /// negative radius, limits that are not one increasing pair a link within [-100, 100].
+    pub fn new(base: Point, links: Vec<f64>, radius: f64, joint_limits: Option<Vec<[f64; 2]>>) -> Result<Self, Error> {
+        for (i, &coordinate) in base.coords.iter().enumerate() {
+            check_range(&format!("/base/{i}"), "a coordinate", coordinate, -LARGEST)?;
+        }
+        if links.is_empty() || links.len() > MAX_LINKS {
+            let sentence = format!("an arm has 1 to {MAX_LINKS} links, not {}", links.len());
+            return Err(Error::new(Code::OutOfRange, "/links", sentence));
+        }
+        for (i, &length) in links.iter().enumerate() {
+            let pointer = format!("/links/{i}");
+            check_range(&pointer, "the length of a link", length, 0.0)?;
+            if length == 0.0 {
+                return Err(Error::new(Code::OutOfRange, pointer, "the length of a link must be greater than 0"));
+            }
+        }
+        check_radius(radius)?;
+        if let Some(limits) = &joint_limits {
+            check_limits(limits, links.len())?;
+        }
+        Ok(Self { base: Point::new(base.x + 0.0, base.y + 0.0), links, radius: radius + 0.0, joint_limits })
+    }
+
+    /// Where the arm is fixed, in metres.
+    pub fn base(&self) -> Point {
+        self.base
+    }
+
+    /// The lengths of the links from the base outwards, in metres.
+    pub fn links(&self) -> &[f64] {
+        &self.links
+    }
+
+    /// Half the width of the links, in metres.
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// The limits (low, high) of each joint in radians, where the arm has limits.
+    pub fn joint_limits(&self) -> Option<&[[f64; 2]]> {
+        self.joint_limits.as_deref()
+    }
+
+    /// The sum of the links' lengths: how far from the base the tip can be, in metres.
+    pub fn reach(&self) -> f64 {
+        self.links.iter().sum()
+    }
+
+    /// The places of all joints at `q`, from the base to the tip, in metres: `links + 1` points, the rest of the array
+    /// repeats the tip. O(links).
+    pub fn joints(&self, q: &[f64]) -> [Point; MAX_LINKS + 1] {
+        let mut places = [self.base; MAX_LINKS + 1];
+        let (mut angle, mut at) = (0.0, self.base);
+        for (i, &length) in self.links.iter().enumerate() {
+            angle += q[i];
+            let (sin, cos) = libm::sincos(angle);
+            at = Point::new(at.x + length * cos, at.y + length * sin);
+            places[i + 1] = at;
+        }
+        places[self.links.len()..].fill(at);
+        places
+    }
+
+    /// The place of the tip at `q`, in metres.
+    pub fn end_effector(&self, q: &[f64]) -> Point {
+        self.joints(q)[self.links.len()]
+    }
+
+    /// The links at `q` as capsules, from the base outwards.
+    pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
+        let places = self.joints(q);
+        let link = |i: usize| Part::Capsule { a: places[i], b: places[i + 1], radius: self.radius };
+        (0..self.links.len()).map(link).collect()
+    }
+
+    /// How far any point of each link can travel, at most, while the joints turn by `delta` (radians, any size) at
+    /// constant rates: link i moves at most the sum over m <= i of L_m |sum over j <= m of delta_j|, since joint m swings
+    /// about the one before with the absolute rate of link m. In metres, one number a link. O(links).
+    ///
+    /// Source: the bound on displacement of Schwarzer, Saha and Latombe 2005, "Adaptive dynamic collision checking for
+    /// single and multiple articulated robots in complex environments", with signed rates.
+    pub fn travel(&self, delta: &[f64]) -> [f64; MAX_LINKS] {
+        let mut travel = [0.0; MAX_LINKS];
+        let (mut rate, mut sum) = (0.0, 0.0);
+        for (i, &length) in self.links.iter().enumerate() {
+            rate += delta[i];
+            sum += length * f64::abs(rate);
+            travel[i] = sum;
+        }
+        travel
+    }
+}
+
+/// Refuses what is not a finite number within [low, 1e6].
+fn check_range(pointer: &str, what: &str, value: f64, low: f64) -> Result<(), Error> {
+    if !value.is_finite() {
+        return Err(not_finite(pointer, what, value));
+    }
+    if !(low..=LARGEST).contains(&value) {
+        let sentence = format!("{what} must lie within [{low}, {LARGEST}], not {value}");
+        return Err(Error::new(Code::OutOfRange, pointer, sentence));
+    }
+    Ok(())
+}
+
+/// Refuses a radius that is not a finite number within [0, 1e6].
+pub(super) fn check_radius(radius: f64) -> Result<(), Error> {
+    check_range("/radius", "a radius", radius, 0.0)
+}
+
+/// Refuses limits that are not one increasing pair a link within [-100, 100].
+fn check_limits(limits: &[[f64; 2]], links: usize) -> Result<(), Error> {
+    if limits.len() != links {
+        let sentence = format!("joint_limits must hold one pair a link: {links}, not {}", limits.len());
+        return Err(Error::new(Code::WrongDimension, "/joint_limits", sentence));
+    }
+    for (i, &[low, high]) in limits.iter().enumerate() {
+        for (k, value) in [low, high].into_iter().enumerate() {
+            let pointer = format!("/joint_limits/{i}/{k}");
+            if !value.is_finite() {
+                return Err(not_finite(&pointer, "a joint limit", value));
+            }
+            if value.abs() > 100.0 {
+                let sentence = format!("a joint limit must lie within [-100, 100] radians, not {value}");
+                return Err(Error::new(Code::OutOfRange, pointer, sentence));
+            }
+        }
+        if low >= high {
+            let sentence = format!("the lower joint limit {low} must be less than the upper {high}");
+            return Err(Error::new(Code::OutOfRange, format!("/joint_limits/{i}"), sentence));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,11 @@
+//! Robots: kinematics, footprint, bound on motion. One file a robot.
+//!
+//! A robot knows its own shape and how far each of its parts can travel; it knows no obstacle and no planner.
+
+mod arm;
+mod disc;
+mod footprint;
+
+pub use arm::{Arm, MAX_LINKS};
+pub use disc::DiscRobot;
+pub use footprint::Part;

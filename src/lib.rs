@@ -4,7 +4,11 @@
 
 pub mod error;
 pub mod geometry;
+pub mod problem;
+pub mod random;
 pub mod robot;
 pub mod scenario;
+pub mod space;
+pub mod validity;
 
 pub use error::Error;

@@ -1,0 +1,59 @@
+//! The seeded, portable generator: the same seed gives the same draws on every platform, for good.
+//!
+//! Xoshiro256++ (Blackman and Vigna 2021, "Scrambled linear pseudorandom number generators"), seeded through SplitMix64.
+//! The draws from it are written here, so that no library's distribution can change a result.
+
+use rand_core::{Rng, SeedableRng};
+use rand_xoshiro::Xoshiro256PlusPlus;
+
+/// The largest seed: 2^53 - 1, the largest integer that JavaScript holds exactly.
+pub const MAX_SEED: u64 = (1 << 53) - 1;
+
+/// What a stream of random numbers is for. Streams of one seed never overlap: each lies 2^192 draws behind the last.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stream {
+    /// Samples of the configuration space.
+    Samples = 0,
+    /// Obstacles of a generated scenario.
+    Scenario = 1,
+    /// Which shortcuts of a path are tried.
+    Shortcut = 2,
+}
+
+/// A stream of random numbers.
+#[derive(Debug, Clone)]
+pub struct Random(Xoshiro256PlusPlus);
+
+impl Random {
+    /// The stream of `seed` for one purpose.
+    pub fn new(seed: u64, stream: Stream) -> Self {
+        let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
+        for _ in 0..stream as u32 {
+            generator.long_jump();
+        }
+        Self(generator)
+    }
+
+    /// The next 64 random bits.
+    pub fn bits(&mut self) -> u64 {
+        self.0.next_u64()
+    }
+
+    /// A number from [0, 1), a multiple of 2^-53.
+    pub fn uniform(&mut self) -> f64 {
+        const UNIT: f64 = 1.0 / (1u64 << 53) as f64;
+        (self.bits() >> 11) as f64 * UNIT
+    }
+
+    /// A whole number from 0 to `n` - 1, all equally likely (Lemire 2019, "Fast random integer generation in an
+    /// interval"); 0 where `n` is 0.
+    pub fn below(&mut self, n: u64) -> u64 {
+        let reject_below = n.wrapping_neg().checked_rem(n).unwrap_or(0);
+        loop {
+            let product = u128::from(self.bits()) * u128::from(n);
+            if product as u64 >= reject_below {
+                return (product >> 64) as u64;
+            }
+        }
+    }
+}

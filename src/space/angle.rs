@@ -1,0 +1,19 @@
+//! Angles on the circle.
+
+use std::f64::consts::{PI, TAU};
+
+/// The angle in (-pi, pi] that differs from the finite `angle` by whole turns. Exact for the double nearest to 2 pi.
+pub fn wrap(angle: f64) -> f64 {
+    let rest = libm::remainder(angle, TAU);
+    if rest <= -PI { PI } else { rest + 0.0 }
+}
+
+/// The distance between two angles the short way round, in [0, pi]; any finite angles, any number of turns.
+///
+/// ```
+/// assert_eq!(planarium::space::angular_distance(1.0, 5.0), 2.2831853071795862);
+/// ```
+pub fn angular_distance(a: f64, b: f64) -> f64 {
+    let gap = (wrap(a) - wrap(b)).abs();
+    if gap > PI { TAU - gap } else { gap }
+}

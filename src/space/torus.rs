@@ -1,0 +1,185 @@
+//! The space of an arm: a product of circles, and of intervals where joints have limits.
+
+use super::{Space, wrap};
+use crate::random::Random;
+use std::f64::consts::{PI, TAU};
+
+/// One joint.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Joint {
+    /// Turns without end; angles in (-pi, pi], differences the short way round.
+    Circle,
+    /// Turns between two limits, in radians; linear, nothing wraps.
+    Interval {
+        /// The lowest angle.
+        low: f64,
+        /// The highest angle.
+        high: f64,
+    },
+}
+
+/// How the distances of the joints make one distance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Metric {
+    /// Their sum.
+    Sum,
+    /// The square root of the sum of their squares.
+    Euclidean,
+}
+
+/// A product of up to `N` joints. States are angles in radians.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Torus<const N: usize> {
+    dimension: usize,
+    low: [f64; N],
+    high: [f64; N],
+    /// A gap wider than this is shorter the other way round: pi on a circle, infinite on an interval.
+    half: [f64; N],
+    metric: Metric,
+}
+
+impl<const N: usize> Torus<N> {
+    /// The space of the given joints.
+    ///
+    /// # Panics
+    /// Where there are more than `N` joints, or an interval is empty.
+    pub fn new(joints: &[Joint], metric: Metric) -> Self {
+        assert!(joints.len() <= N, "at most {N} joints, not {}", joints.len());
+        let mut space =
+            Self { dimension: joints.len(), low: [0.0; N], high: [0.0; N], half: [f64::INFINITY; N], metric };
+        for (i, joint) in joints.iter().enumerate() {
+            match *joint {
+                Joint::Circle => (space.low[i], space.high[i], space.half[i]) = (-PI, PI, PI),
+                Joint::Interval { low, high } => {
+                    assert!(low < high, "an interval from {low} to {high} is empty");
+                    (space.low[i], space.high[i]) = (low, high);
+                }
+            }
+        }
+        space
+    }
+
+    /// Whether joint `i` is a circle.
+    pub fn is_circle(&self, i: usize) -> bool {
+        self.half[i] == PI
+    }
+
+    /// The lowest and the highest angle of joint `i`, in radians.
+    pub fn range(&self, i: usize) -> [f64; 2] {
+        [self.low[i], self.high[i]]
+    }
+
+    /// The signed turn of each joint from `a` to `b`, the short way round on circles, in radians.
+    pub fn difference(&self, a: &[f64; N], b: &[f64; N]) -> [f64; N] {
+        std::array::from_fn(|i| {
+            let d = b[i] - a[i];
+            if d > self.half[i] {
+                d - TAU
+            } else if d < -self.half[i] {
+                d + TAU
+            } else {
+                d
+            }
+        })
+    }
+
+    /// The distance of joint `i` alone.
+    #[inline]
+    fn gap(&self, i: usize, a: f64, b: f64) -> f64 {
+        let gap = (a - b).abs();
+        if gap > self.half[i] { TAU - gap } else { gap }
+    }
+}
+
+impl<const N: usize> Space for Torus<N> {
+    type State = [f64; N];
+
+    fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    fn coordinates<'a>(&self, state: &'a [f64; N]) -> &'a [f64] {
+        &state[..self.dimension]
+    }
+
+    fn state(&self, coordinates: &[f64]) -> [f64; N] {
+        let mut state = [0.0; N];
+        for i in 0..self.dimension {
+            state[i] = if self.is_circle(i) { wrap(coordinates[i]) } else { coordinates[i] + 0.0 };
+        }
+        state
+    }
+
+    #[inline]
+    fn distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
+        let mut sum = 0.0;
+        match self.metric {
+            Metric::Sum => {
+                for i in 0..N {
+                    sum += self.gap(i, a[i], b[i]);
+                }
+                sum
+            }
+            Metric::Euclidean => {
+                for i in 0..N {
+                    let gap = self.gap(i, a[i], b[i]);
+                    sum += gap * gap;
+                }
+                sum.sqrt()
+            }
+        }
+    }
+
+    fn interpolate(&self, a: &[f64; N], b: &[f64; N], t: f64) -> [f64; N] {
+        if t == 0.0 {
+            return *a;
+        }
+        if t == 1.0 {
+            return *b;
+        }
+        let turn = self.difference(a, b);
+        std::array::from_fn(|i| {
+            let angle = a[i] + t * turn[i];
+            if angle > self.half[i] {
+                angle - TAU
+            } else if angle <= -self.half[i] {
+                angle + TAU
+            } else if self.half[i] == PI {
+                angle + 0.0
+            } else {
+                angle.clamp(self.low[i], self.high[i]) + 0.0
+            }
+        })
+    }
+
+    fn sample(&self, random: &mut Random) -> [f64; N] {
+        let mut state = [0.0; N];
+        for i in 0..self.dimension {
+            let u = random.uniform();
+            // From the top on a circle, so that pi can be drawn and -pi cannot.
+            let width = self.high[i] - self.low[i];
+            let angle = if self.is_circle(i) { PI - width * u } else { self.low[i] + width * u };
+            state[i] = angle.min(self.high[i]) + 0.0;
+        }
+        state
+    }
+
+    fn contains(&self, state: &[f64; N]) -> bool {
+        (0..self.dimension).all(|i| {
+            let [low, high] = self.range(i);
+            state[i] >= low && state[i] <= high && !(self.is_circle(i) && state[i] == low)
+        })
+    }
+
+    fn extent(&self) -> f64 {
+        let longest = |i: usize| if self.is_circle(i) { PI } else { self.high[i] - self.low[i] };
+        match self.metric {
+            Metric::Sum => (0..self.dimension).map(longest).sum(),
+            Metric::Euclidean => (0..self.dimension).map(|i| longest(i) * longest(i)).sum::<f64>().sqrt(),
+        }
+    }
+
+    fn turn(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
+        (0..self.dimension).filter(|&i| self.is_circle(i)).map(|i| self.gap(i, a[i], b[i])).fold(0.0, f64::max)
+    }
+}

@@ -2,8 +2,11 @@
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
 
+pub mod collision;
 pub mod error;
 pub mod geometry;
+pub mod graph;
+pub mod nearest;
 pub mod problem;
 pub mod random;
 pub mod robot;

@@ -7,11 +7,16 @@ pub mod error;
 pub mod geometry;
 pub mod graph;
 pub mod nearest;
+pub mod path;
+pub mod planner;
 pub mod problem;
 pub mod random;
+pub mod result;
 pub mod robot;
+pub mod run;
 pub mod scenario;
 pub mod space;
+pub mod stats;
 pub mod validity;
 
 pub use error::Error;

@@ -4,11 +4,15 @@
 
 pub mod error;
 pub mod geometry;
+pub mod path;
 pub mod problem;
 pub mod random;
+pub mod result;
 pub mod robot;
 pub mod scenario;
 pub mod space;
+pub mod stats;
+pub mod status;
 pub mod validity;
 
 pub use error::Error;

@@ -2,13 +2,18 @@
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
 
+pub mod collision;
 pub mod error;
 pub mod geometry;
+pub mod graph;
+pub mod nearest;
 pub mod path;
+pub mod planner;
 pub mod problem;
 pub mod random;
 pub mod result;
 pub mod robot;
+pub mod run;
 pub mod scenario;
 pub mod space;
 pub mod stats;

@@ -1,13 +1,11 @@
 //! The document that a run ends with: what was asked, the path, its length, the work, and a fingerprint of the growth.
 
 use crate::error::{Code, Error};
+use crate::random::MAX_SEED;
 use crate::stats::Stats;
 use crate::status::Status;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_path_to_error::{Path, Segment};
-
-/// The largest seed: the largest integer that every JSON reader keeps exactly.
-const LARGEST_SEED: u64 = (1 << 53) - 1;
 
 /// The result of a plan, in the order and under the names of its JSON form. Numbers are written with the fewest digits
 /// that parse back to the same bits.
@@ -61,8 +59,8 @@ impl ResultDocument {
 
     /// Refuses numbers of the right type and the wrong size.
     fn check(&self) -> Result<(), Error> {
-        if self.seed > LARGEST_SEED {
-            let sentence = format!("a seed is at most {LARGEST_SEED}, not {}", self.seed);
+        if self.seed > MAX_SEED {
+            let sentence = format!("a seed is at most {MAX_SEED}, not {}", self.seed);
             return Err(Error::new(Code::InvalidResult, "/seed", sentence));
         }
         let lengths = [

@@ -1,21 +1,21 @@
-//! How far a run has come.
+//! Where a run stands.
 
 use serde::{Deserialize, Serialize};
 
-/// How far a run has come.
+/// Where a run stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Status {
-    /// There is more to do.
+    /// More iterations may help.
     Running,
-    /// A path has been found.
+    /// A path was found.
     Solved,
-    /// The budget is spent and no path has been found.
+    /// The budget of iterations or samples is spent without a path.
     Exhausted,
 }
 
 impl Status {
-    /// The status as it stands in results: `running`, `solved` or `exhausted`.
+    /// The status as it is printed: `running`, `solved` or `exhausted`.
     pub fn as_str(self) -> &'static str {
         match self {
             Status::Running => "running",

@@ -1,0 +1,120 @@
+//! Collision of a translating disc: a point by exact predicates, a disc by one distance a motion.
+
+use super::obstacles::largest_coordinate;
+use super::{Obstacles, Tolerance};
+use crate::geometry::{Aabb, Point, Segment};
+use crate::robot::DiscRobot;
+use crate::scenario::World;
+use crate::validity::{Contact, Touched, Validity};
+use std::cell::Cell;
+
+/// How often a motion is halved to find where it first hits: to 2^-40 of its length.
+const HALVINGS: u32 = 40;
+
+/// What is free for a disc among obstacles.
+pub struct DiscValidity {
+    radius: f64,
+    obstacles: Obstacles,
+    bounds: Option<Aabb>,
+    eta: f64,
+    evaluations: Cell<u64>,
+}
+
+impl DiscValidity {
+    /// The disc in the world.
+    pub fn new(robot: &DiscRobot, world: &World) -> Self {
+        let obstacles = Obstacles::new(&world.obstacles);
+        let bounds = world.bounds.as_ref().map_or(0.0, largest_coordinate);
+        let scale = obstacles.largest_coordinate().max(bounds) + robot.radius();
+        let eta = Tolerance::new(scale, 0.0).eta;
+        Self { radius: robot.radius(), obstacles, bounds: world.bounds, eta, evaluations: Cell::new(0) }
+    }
+
+    /// Calls `found` with every obstacle that the disc touches while its centre moves along the segment, until it answers
+    /// false.
+    fn visit_touched(&self, swept: &Segment, mut found: impl FnMut(usize) -> bool) {
+        let mut go_on = true;
+        self.obstacles.candidates(&swept.aabb().grown(self.radius + self.eta), |i| {
+            if go_on {
+                self.evaluations.set(self.evaluations.get() + 1);
+                let touches = if self.radius == 0.0 {
+                    self.obstacles.touches_point(i, swept, self.eta)
+                } else {
+                    self.obstacles.distance(i, swept) - self.radius <= self.eta
+                };
+                if touches {
+                    go_on = found(i);
+                }
+            }
+        });
+    }
+
+    /// Whether the disc lies within the bounds, or touches them from within.
+    fn is_inside(&self, center: Point) -> bool {
+        let eta = if self.radius == 0.0 { 0.0 } else { self.eta };
+        self.bounds.as_ref().is_none_or(|bounds| bounds.depth(center) - self.radius >= -eta)
+    }
+
+    /// Whether the disc stays free while its centre moves along the segment. Bounds are convex: both ends inside suffice.
+    fn is_swept_free(&self, swept: &Segment) -> bool {
+        let mut free = self.is_inside(swept.a) && self.is_inside(swept.b);
+        if free {
+            self.visit_touched(swept, |_| {
+                free = false;
+                false
+            });
+        }
+        free
+    }
+}
+
+/// The segment between two configurations.
+fn segment(a: &[f64; 2], b: &[f64; 2]) -> Segment {
+    Segment::new(Point::new(a[0], a[1]), Point::new(b[0], b[1]))
+}
+
+impl Validity<[f64; 2]> for DiscValidity {
+    fn is_free(&self, q: &[f64; 2]) -> bool {
+        self.is_swept_free(&segment(q, q))
+    }
+
+    fn is_motion_free(&self, a: &[f64; 2], b: &[f64; 2]) -> bool {
+        self.is_swept_free(&segment(a, b))
+    }
+
+    fn first_hit(&self, a: &[f64; 2], b: &[f64; 2]) -> Option<f64> {
+        if self.is_motion_free(a, b) {
+            return None;
+        }
+        let at = |t: f64| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
+        let (mut free, mut hit) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (free + hit);
+            if self.is_swept_free(&segment(a, &at(middle))) {
+                free = middle;
+            } else {
+                hit = middle;
+            }
+        }
+        Some(free)
+    }
+
+    fn contacts(&self, q: &[f64; 2]) -> Vec<Contact> {
+        let mut touched = Vec::new();
+        self.visit_touched(&segment(q, q), |i| {
+            touched.push(i);
+            true
+        });
+        touched.sort_unstable();
+        let mut contacts: Vec<Contact> =
+            touched.into_iter().map(|i| Contact { part: 0, with: Touched::Obstacle(i) }).collect();
+        if !self.is_inside(Point::new(q[0], q[1])) {
+            contacts.push(Contact { part: 0, with: Touched::Bounds });
+        }
+        contacts
+    }
+
+    fn clearance_evaluations(&self) -> u64 {
+        self.evaluations.get()
+    }
+}

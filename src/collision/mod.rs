@@ -1,0 +1,22 @@
+//! Is a configuration free, which part touches what, is a motion free: the proof.
+//!
+//! Obstacles are closed and filled: contact is collision. Bounds are closed: contact with them is allowed.
+//!
+//! **Slack.** Every clearance is compared with `eta` = 1e-12 times the largest coordinate plus the reach. It covers the
+//! rounding of kinematics, midpoints, distances and bounds, each of which stays below 1e-14 of that scale. Nothing is
+//! promised about features smaller than `eta`; but for points, a configuration with clearance up to `eta` is in collision.
+//!
+//! **Tolerance.** A stretch that is still unproven when its bound on motion is below `tau` counts as hit: see
+//! [`Tolerance`]. So accepted means free along all of it, and only motions with a clearance below `tau` are refused
+//! without a collision.
+
+mod arm;
+mod disc;
+mod obstacles;
+mod proof;
+mod tolerance;
+
+pub use arm::{ArmValidity, joint_space};
+pub use disc::DiscValidity;
+pub use obstacles::Obstacles;
+pub use tolerance::Tolerance;

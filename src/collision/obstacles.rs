@@ -1,0 +1,101 @@
+//! The obstacles of a world, prepared for questions: a bounding volume hierarchy in front of exact shapes.
+
+use crate::geometry::{
+    Aabb, Point, Segment, distance_point_segment, distance_segment_polygon, intersects_segment_polygon,
+};
+use crate::scenario::Obstacle;
+use parry2d_f64::bounding_volume::Aabb as Box2;
+use parry2d_f64::math::Vector;
+use parry2d_f64::partitioning::{Bvh, BvhBuildStrategy};
+
+/// From how many obstacles on the hierarchy is asked; below, every box is. Both give the same candidates.
+const HIERARCHY_FROM: usize = 64;
+
+/// Obstacles with their boxes. The hierarchy only leaves out what is certainly apart; it decides no distance.
+#[derive(Clone)]
+pub struct Obstacles {
+    shapes: Vec<Obstacle>,
+    boxes: Vec<Aabb>,
+    hierarchy: Option<Bvh>,
+}
+
+impl Obstacles {
+    /// Prepares the obstacles. O(n log n).
+    pub fn new(shapes: &[Obstacle]) -> Self {
+        let boxes: Vec<Aabb> = shapes.iter().map(Obstacle::aabb).collect();
+        let hierarchy = (boxes.len() >= HIERARCHY_FROM).then(|| {
+            let leaves: Vec<Box2> = boxes.iter().map(to_parry).collect();
+            Bvh::from_leaves(BvhBuildStrategy::Binned, &leaves)
+        });
+        Self { shapes: shapes.to_vec(), boxes, hierarchy }
+    }
+
+    /// How many obstacles there are.
+    pub fn len(&self) -> usize {
+        self.shapes.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.shapes.is_empty()
+    }
+
+    /// The box around obstacle `i`.
+    pub fn aabb(&self, i: usize) -> &Aabb {
+        &self.boxes[i]
+    }
+
+    /// Calls `visit` with the index of every obstacle whose box meets the given one, in an order that depends on the
+    /// obstacles alone.
+    #[inline]
+    pub fn candidates(&self, near: &Aabb, mut visit: impl FnMut(usize)) {
+        match &self.hierarchy {
+            Some(hierarchy) => hierarchy.intersect_aabb(&to_parry(near)).for_each(|i| visit(i as usize)),
+            None => {
+                for (i, aabb) in self.boxes.iter().enumerate() {
+                    if aabb.intersects(near) {
+                        visit(i);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The distance from the segment to obstacle `i`, in metres; 0 or less where they share a point.
+    pub fn distance(&self, i: usize, segment: &Segment) -> f64 {
+        match &self.shapes[i] {
+            Obstacle::Disc(disc) => distance_point_segment(disc.center, segment) - disc.radius,
+            Obstacle::Polygon(polygon) => distance_segment_polygon(segment, polygon),
+        }
+    }
+
+    /// Whether a point that moves along the segment touches obstacle `i`: exact for polygons; within the slack `eta` for
+    /// discs, whose boundary no double can hit exactly.
+    pub fn touches_point(&self, i: usize, segment: &Segment, eta: f64) -> bool {
+        match &self.shapes[i] {
+            Obstacle::Disc(_) => self.distance(i, segment) <= eta,
+            Obstacle::Polygon(polygon) => intersects_segment_polygon(segment, polygon),
+        }
+    }
+
+    /// The distance from the segment to the nearest obstacle, in metres; infinite without obstacles. O(n).
+    pub fn clearance(&self, segment: &Segment) -> f64 {
+        (0..self.len()).map(|i| self.distance(i, segment)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The largest coordinate of any obstacle, in metres; 0 without obstacles.
+    pub fn largest_coordinate(&self) -> f64 {
+        self.boxes.iter().map(largest_coordinate).fold(0.0, f64::max)
+    }
+}
+
+/// The largest coordinate of the box, in metres.
+pub(super) fn largest_coordinate(aabb: &Aabb) -> f64 {
+    let of = |p: Point| p.x.abs().max(p.y.abs());
+    of(aabb.min).max(of(aabb.max))
+}
+
+/// The same box for the hierarchy.
+fn to_parry(aabb: &Aabb) -> Box2 {
+    Box2::new(Vector::new(aabb.min.x, aabb.min.y), Vector::new(aabb.max.x, aabb.max.y))
+}

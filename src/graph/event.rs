@@ -1,0 +1,31 @@
+//! What happened besides growth: samples rejected, edges refused, vertices expanded, solutions found.
+
+use super::VertexId;
+
+/// What kind of event it is; the number is the one that viewers see.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EventKind {
+    /// A sample in collision was thrown away; the state is the sample.
+    SampleRejected = 0,
+    /// A motion could not be proven free; from the vertex to the state (of the other vertex, where there is one).
+    EdgeRefused = 1,
+    /// The search expanded the vertex.
+    VertexExpanded = 2,
+    /// A solution was found at the vertex.
+    SolutionFound = 3,
+}
+
+/// One event.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event<S> {
+    /// What happened.
+    pub kind: EventKind,
+    /// In which iteration, from 1.
+    pub iteration: u32,
+    /// The vertex concerned, where there is one.
+    pub vertex: Option<VertexId>,
+    /// The other vertex, of an edge between two.
+    pub other: Option<VertexId>,
+    /// The configuration concerned: the sample, the target of the edge, the state of the vertex.
+    pub state: S,
+}

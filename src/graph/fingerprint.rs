@@ -1,0 +1,35 @@
+//! The fingerprint of a run: 64-bit FNV-1a (Fowler, Noll and Vo), byte by byte, little-endian.
+
+/// A hash in the making.
+#[derive(Debug, Clone, Copy)]
+pub struct Fingerprint(u64);
+
+impl Default for Fingerprint {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Fingerprint {
+    /// The hash of nothing.
+    pub fn new() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+
+    /// Adds a 64-bit integer.
+    pub fn integer(&mut self, value: u64) {
+        for byte in value.to_le_bytes() {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    }
+
+    /// Adds the bits of every number.
+    pub fn numbers(&mut self, values: &[f64]) {
+        values.iter().for_each(|value| self.integer(value.to_bits()));
+    }
+
+    /// The hash of all that was added.
+    pub fn value(self) -> u64 {
+        self.0
+    }
+}

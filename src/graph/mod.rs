@@ -1,0 +1,113 @@
+//! The append-only graph that planners grow and viewers follow, and the searches on it.
+//!
+//! Vertices, edges and events are only ever added, each with the iteration it was born in; a viewer asks for those since
+//! its cursor, so that a frame costs the growth and not the graph.
+
+mod adjacency;
+mod event;
+mod fingerprint;
+pub mod search;
+
+pub use adjacency::Adjacency;
+pub use event::{Event, EventKind};
+pub use fingerprint::Fingerprint;
+
+use crate::space::Space;
+
+/// The number of a vertex, from 0 in the order of birth; never reused.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct VertexId(pub u32);
+
+impl VertexId {
+    /// The number as an index.
+    #[inline]
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// Vertices, edges and events in the order of their creation.
+#[derive(Debug, Clone)]
+pub struct Graph<S: Space> {
+    states: Vec<S::State>,
+    vertex_births: Vec<u32>,
+    edges: Vec<[VertexId; 2]>,
+    edge_births: Vec<u32>,
+    events: Vec<Event<S::State>>,
+}
+
+impl<S: Space> Default for Graph<S> {
+    fn default() -> Self {
+        Self {
+            states: Vec::new(),
+            vertex_births: Vec::new(),
+            edges: Vec::new(),
+            edge_births: Vec::new(),
+            events: Vec::new(),
+        }
+    }
+}
+
+impl<S: Space> Graph<S> {
+    /// Adds a vertex born in the given iteration.
+    pub fn add_vertex(&mut self, iteration: u32, state: S::State) -> VertexId {
+        let id = VertexId(u32::try_from(self.states.len()).expect("fewer than 2^32 vertices"));
+        self.states.push(state);
+        self.vertex_births.push(iteration);
+        id
+    }
+
+    /// Adds an edge born in the given iteration; in a tree from parent to child.
+    pub fn add_edge(&mut self, iteration: u32, from: VertexId, to: VertexId) {
+        self.edges.push([from, to]);
+        self.edge_births.push(iteration);
+    }
+
+    /// Adds an event.
+    pub fn add_event(&mut self, event: Event<S::State>) {
+        self.events.push(event);
+    }
+
+    /// The states of the vertices.
+    pub fn states(&self) -> &[S::State] {
+        &self.states
+    }
+
+    /// The state of one vertex.
+    #[inline]
+    pub fn state(&self, vertex: VertexId) -> &S::State {
+        &self.states[vertex.index()]
+    }
+
+    /// The edges.
+    pub fn edges(&self) -> &[[VertexId; 2]] {
+        &self.edges
+    }
+
+    /// The events.
+    pub fn events(&self) -> &[Event<S::State>] {
+        &self.events
+    }
+
+    /// 64-bit FNV-1a over the little-endian bytes of everything in the order of its creation: all vertices (coordinates,
+    /// birth), then all edges (both ends, birth), then all events. O(size).
+    pub fn fingerprint(&self, space: &S) -> u64 {
+        let mut hash = Fingerprint::new();
+        for (state, &birth) in self.states.iter().zip(&self.vertex_births) {
+            hash.numbers(space.coordinates(state));
+            hash.integer(u64::from(birth));
+        }
+        for (&[from, to], &birth) in self.edges.iter().zip(&self.edge_births) {
+            [from.0, to.0, birth].into_iter().for_each(|id| hash.integer(u64::from(id)));
+        }
+        for event in &self.events {
+            hash.integer(event.kind as u64);
+            hash.integer(u64::from(event.iteration));
+            [event.vertex, event.other]
+                .into_iter()
+                .for_each(|id| hash.integer(id.map_or(u64::MAX, |id| u64::from(id.0))));
+            hash.numbers(space.coordinates(&event.state));
+        }
+        hash.value()
+    }
+}

@@ -1,0 +1,45 @@
+//! Nearest neighbours among states. Ties go to the lower vertex number, so every index gives the same answer.
+
+mod linear;
+
+pub use linear::LinearScan;
+
+use crate::graph::VertexId;
+use crate::space::Space;
+
+/// A neighbour and its distance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Neighbour {
+    /// The distance in the metric of the space.
+    pub distance: f64,
+    /// The vertex.
+    pub vertex: VertexId,
+}
+
+impl Neighbour {
+    /// Whether this neighbour comes before the other: by distance, then by vertex number.
+    #[inline]
+    pub fn is_before(&self, other: &Self) -> bool {
+        self.distance < other.distance || (self.distance == other.distance && self.vertex < other.vertex)
+    }
+}
+
+/// An index of states that grows.
+pub trait Nearest<S: Space> {
+    /// Adds a vertex; numbers must increase.
+    fn insert(&mut self, space: &S, vertex: VertexId, state: S::State);
+
+    /// How many vertices the index holds.
+    fn len(&self) -> usize;
+
+    /// Whether the index is empty.
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The vertex nearest to `state`; `None` where the index is empty.
+    fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour>;
+
+    /// The `k` vertices nearest to `state` (all, where there are fewer), nearest first, into `found`.
+    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>);
+}

@@ -2,10 +2,14 @@
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
 
+#[cfg(target_arch = "wasm32")]
+#[allow(missing_docs, unsafe_code)]
+pub mod bindings;
 pub mod collision;
 pub mod error;
 pub mod geometry;
 pub mod graph;
+pub mod inspect;
 pub mod nearest;
 pub mod path;
 pub mod planner;

@@ -2,6 +2,7 @@
 
 use super::parameters::{Fallback, Kind, ParameterInfo};
 use crate::error::{Code, Error};
+use serde_json::{Value as Json, json};
 
 /// What there is to know about a planner before it runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,8 +33,38 @@ pub fn planner_info(id: &str) -> Result<&'static PlannerInfo, Error> {
     })
 }
 
+/// The table of planners as JSON: a list of objects, each with its list of parameters; a default that depends on the space
+/// is null and told in `default_meaning`.
+pub fn catalogue() -> Json {
+    let planner = |info: &PlannerInfo| {
+        let parameters: Vec<Json> = info.parameters.iter().map(parameter_row).collect();
+        json!({ "id": info.id, "title": info.title, "summary": info.summary, "parameters": parameters })
+    };
+    PLANNERS.iter().map(planner).collect()
+}
+
+/// One parameter as JSON.
+fn parameter_row(info: &ParameterInfo) -> Json {
+    let (kind, min, max, choices) = match info.kind {
+        Kind::Integer { min, max } => ("integer", json!(min), json!(max), Json::Null),
+        Kind::Number { min, max } => ("number", json!(min), json!(max), Json::Null),
+        Kind::Choice(words) => ("choice", Json::Null, Json::Null, json!(words)),
+    };
+    let (default, default_meaning) = match info.default {
+        Fallback::Number(number) => (json!(number), Json::Null),
+        Fallback::Computed(words) => (Json::Null, json!(words)),
+    };
+    json!({
+        "name": info.name, "title": info.title, "kind": kind, "unit": info.unit, "min": min, "max": max,
+        "choices": choices, "default": default, "default_meaning": default_meaning, "meaning": info.meaning,
+    })
+}
+
 /// The planner taken where none is named.
 pub const DEFAULT_PLANNER: &str = "rrt-connect";
+
+/// The tolerance taken where none is given, as a fraction of the world's longer side.
+pub const DEFAULT_TOLERANCE: f64 = 1e-4;
 
 const PLANNERS: [PlannerInfo; 2] = [
     PlannerInfo {
@@ -100,7 +131,7 @@ const TOLERANCE: ParameterInfo = ParameterInfo {
     title: "Tolerance",
     kind: Kind::Number { min: 1e-9, max: 0.1 },
     unit: "of the world's longer side",
-    default: Fallback::Number(1e-4),
+    default: Fallback::Number(DEFAULT_TOLERANCE),
     meaning: "A motion that stays this near to an obstacle may be refused unproven; none that touches one is ever accepted.",
 };
 

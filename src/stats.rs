@@ -1,10 +1,9 @@
 //! What a run has done so far, as counts that are the same on every platform, and the seconds that a caller measured.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// The work of one planning run. Counts are part of what a seed decides; seconds are not.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Stats {
     /// Iterations made, as the planner counts them.
     pub iterations: u64,

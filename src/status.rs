@@ -1,9 +1,9 @@
 //! Where a run stands.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// Where a run stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Status {
     /// More iterations may help.

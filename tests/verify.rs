@@ -108,13 +108,15 @@ fn refused(verdict: Verdict, words: &[&str]) {
 fn a_wall_is_not_crossed_however_thin() {
     for thickness in [0.5, 1e-3, 1e-6, 1e-9, 1e-12] {
         let far = disc([3.0, 3.0], 0.1);
-        let across = rectangle([0.6, -thickness / 2.0], [0.9, thickness / 2.0]);
+        let across = rectangle([0.7, -thickness / 2.0], [0.9, thickness / 2.0]);
         for radius in [0.0, 0.05] {
             let verdict = judge_arm(&[far.clone(), across.clone()], &arm(&[1.0], radius), &[&[-1.0], &[-0.9], &[1.01]]);
             refused(verdict, &["edge 1", "link 0", "obstacle 1"]);
-            let verdict = judge_arm(&[across.clone()], &arm(&[0.3, 0.3, 0.4], radius), &[&[-1.0, 0.1, -0.1], &[1.03, 0.02, 0.0]]);
+            let verdict =
+                judge_arm(&[across.clone()], &arm(&[0.3, 0.3, 0.4], radius), &[&[-1.0, 0.1, -0.1], &[1.03, 0.02, 0.0]]);
             refused(verdict, &["edge 0", "link 2", "obstacle 0"]);
-            let verdict = judge_disc(&[far.clone(), across.clone()], radius, &[&[-1.0, -1.0], &[0.7, -1.0], &[0.71, 1.0]]);
+            let verdict =
+                judge_disc(&[far.clone(), across.clone()], radius, &[&[-1.0, -1.0], &[0.8, -1.0], &[0.81, 1.0]]);
             refused(verdict, &["edge 1", "obstacle 1"]);
         }
     }
@@ -277,7 +279,8 @@ fn malformed_paths_are_refused_by_name() {
         let text = good.to_json().replace("\"solved\"", &format!("{status:?}"));
         refused(judge(&ResultDocument::parse(&text).expect("a result")), &[status]);
     }
-    let other = verify(&scenario, &ResultDocument { scenario: "t".into(), ..good.clone() }).expect_err("another scenario");
+    let other =
+        verify(&scenario, &ResultDocument { scenario: "t".into(), ..good.clone() }).expect_err("another scenario");
     assert_eq!((other.code().as_str(), other.pointer()), ("invalid-result", "/scenario"));
     let other = verify(&scenario, &ResultDocument { query: "r".into(), ..good }).expect_err("another query");
     assert_eq!((other.code().as_str(), other.pointer()), ("unknown-query", "/query"));
@@ -286,7 +289,16 @@ fn malformed_paths_are_refused_by_name() {
 #[wasm_bindgen_test(unsupported = test)]
 fn concave_obstacles_keep_their_pockets() {
     // A cup, open at the top, from (-1, -1) to (1, 1), with walls of a fifth.
-    let cup = [polygon(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [0.8, 1.0], [0.8, -0.8], [-0.8, -0.8], [-0.8, 1.0], [-1.0, 1.0]])];
+    let cup = [polygon(&[
+        [-1.0, -1.0],
+        [1.0, -1.0],
+        [1.0, 1.0],
+        [0.8, 1.0],
+        [0.8, -0.8],
+        [-0.8, -0.8],
+        [-0.8, 1.0],
+        [-1.0, 1.0],
+    ])];
     clearance(judge_disc(&cup, 0.3, &[&[0.0, 3.0], &[0.0, 0.0], &[0.4, 0.0]]));
     refused(judge_disc(&cup, 0.0, &[&[0.0, 0.0], &[2.0, 0.0]]), &["edge 0", "obstacle 0"]);
     refused(judge_disc(&cup, 0.3, &[&[0.0, 0.0], &[0.6, 0.0]]), &["edge 0", "obstacle 0"]);
@@ -349,21 +361,21 @@ fn results_are_written_and_read_back_to_the_bit() {
 fn malformed_results_are_refused_with_a_pointer() {
     let good = result(&[&[0.0, 0.0], &[1.0, 0.0]], 1.0).to_json();
     let cases = [
-        ("\"seed\":1", "\"seed\":-1", "invalid-result", "/seed"),
-        ("\"seed\":1", "\"seed\":1.5", "invalid-result", "/seed"),
-        ("\"seed\":1", "\"seed\":9007199254740992", "invalid-result", "/seed"),
-        ("\"seed\":1,", "", "invalid-result", ""),
-        ("\"seed\":1,", "\"seed\":1,\"seed\":2,", "invalid-result", "/seed"),
-        ("\"seed\":1", "\"seed\":1,\"a/b~\":0", "invalid-result", "/a~1b~0"),
+        ("\"seed\":1", "\"seed\":-1", "out-of-range", "/seed"),
+        ("\"seed\":1", "\"seed\":1.5", "out-of-range", "/seed"),
+        ("\"seed\":1", "\"seed\":9007199254740992", "out-of-range", "/seed"),
+        ("\"seed\":1,", "", "missing-field", "/seed"),
+        ("\"seed\":1,", "\"seed\":1,\"seed\":2,", "duplicate-field", "/seed"),
+        ("\"seed\":1", "\"seed\":1,\"a/b~\":0", "unknown-field", "/a~1b~0"),
         ("\"solved\"", "\"done\"", "invalid-result", "/status"),
-        ("[1.0,0.0]", "[1.0,\"0\"]", "invalid-result", "/path/1/1"),
-        ("[1.0,0.0]", "[1.0,null]", "invalid-result", "/path/1/1"),
-        ("[1.0,0.0]", "7", "invalid-result", "/path/1"),
+        ("[1.0,0.0]", "[1.0,\"0\"]", "wrong-type", "/path/1/1"),
+        ("[1.0,0.0]", "[1.0,null]", "wrong-type", "/path/1/1"),
+        ("[1.0,0.0]", "7", "wrong-type", "/path/1"),
         ("[1.0,0.0]", "[1.0,1e999]", "invalid-json", "/path/1/1"),
-        ("\"length\":1.0", "\"length\":-1.0", "invalid-result", "/length"),
-        ("\"visited\":0", "\"visited\":-3", "invalid-result", "/stats/visited"),
-        ("\"visited\":0", "\"visits\":0", "invalid-result", "/stats/visits"),
-        ("\"build_seconds\":0.0", "\"build_seconds\":-1", "invalid-result", "/stats/build_seconds"),
+        ("\"length\":1.0", "\"length\":-1.0", "out-of-range", "/length"),
+        ("\"visited\":0", "\"visited\":-3", "out-of-range", "/stats/visited"),
+        ("\"visited\":0", "\"visits\":0", "unknown-field", "/stats/visits"),
+        ("\"build_seconds\":0.0", "\"build_seconds\":-1", "out-of-range", "/stats/build_seconds"),
         ("0123456789abcdef", "0123456789ABCDEF", "invalid-result", "/fingerprint"),
         ("0123456789abcdef", "+123456789abcdef", "invalid-result", "/fingerprint"),
         ("0123456789abcdef", "123", "invalid-result", "/fingerprint"),

@@ -6,6 +6,7 @@
 //! last place of the largest coordinate.
 
 mod aabb;
+mod crossing;
 mod disc;
 mod distance_point_segment;
 mod distance_segment_polygon;

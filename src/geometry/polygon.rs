@@ -1,6 +1,7 @@
 //! A simple polygon, convex or concave, closed and filled.
 
-use super::{Aabb, Point, Segment, Vector, intersects_segment_segment, orientation};
+use super::crossing::find_crossing;
+use super::{Aabb, Point, Segment, orientation};
 
 /// Why a list of points is not a simple polygon.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,7 +31,7 @@ impl Polygon {
     /// The [`PolygonFault`] where the points do not bound a simple polygon. Decided exactly.
     ///
     /// # Complexity
-    /// O(n log n + n s) for n points, s the most edges whose extents in x overlap one edge's.
+    /// O(n log n) predicates for n points.
     pub fn new(points: &[Point]) -> Result<Self, PolygonFault> {
         let mut kept: Vec<usize> = Vec::with_capacity(points.len());
         for (i, p) in points.iter().enumerate() {
@@ -50,7 +51,7 @@ impl Polygon {
         if (2..n).all(|i| orientation(vertices[0], vertices[1], vertices[i]) == 0.0) {
             return Err(PolygonFault::ZeroArea);
         }
-        if let Some((i, j)) = first_crossing(&vertices) {
+        if let Some((i, j)) = find_crossing(&vertices) {
             return Err(PolygonFault::SelfCrossing(kept[i], kept[j]));
         }
         if !is_counter_clockwise(&vertices) {
@@ -103,39 +104,6 @@ impl Polygon {
         }
         inside
     }
-}
-
-/// The first pair of edges (by their first vertices) that share a point other than a common corner.
-fn first_crossing(vertices: &[Point]) -> Option<(usize, usize)> {
-    let n = vertices.len();
-    let edge = |i: usize| Segment::new(vertices[i], vertices[(i + 1) % n]);
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|&i, &j| edge(i).aabb().min.x.total_cmp(&edge(j).aabb().min.x).then(i.cmp(&j)));
-    let mut crossing: Option<(usize, usize)> = None;
-    for (at, &i) in order.iter().enumerate() {
-        let right = edge(i).aabb().max.x;
-        for &j in order[at + 1..].iter().take_while(|&&j| edge(j).aabb().min.x <= right) {
-            let pair = (i.min(j), i.max(j));
-            let touching = if pair.1 == pair.0 + 1 || (pair.0 == 0 && pair.1 == n - 1) {
-                folds_back(vertices, pair)
-            } else {
-                intersects_segment_segment(&edge(i), &edge(j))
-            };
-            if touching && crossing.is_none_or(|first| pair < first) {
-                crossing = Some(pair);
-            }
-        }
-    }
-    crossing
-}
-
-/// Whether two neighbouring edges overlap beyond their common corner.
-fn folds_back(vertices: &[Point], (i, j): (usize, usize)) -> bool {
-    let n = vertices.len();
-    let corner = if j == i + 1 { j } else { i };
-    let (before, at, after) = (vertices[(corner + n - 1) % n], vertices[corner], vertices[(corner + 1) % n]);
-    let (u, v): (Vector, Vector) = (before - at, after - at);
-    orientation(before, at, after) == 0.0 && u.dot(&v) > 0.0
 }
 
 /// The direction of a simple polygon, read exactly at its lowest, then leftmost corner.

@@ -1,0 +1,105 @@
+//! The forest: an arm of unit links among equal triangles on a grid, as a course report had it.
+//!
+//! Each of the 4 R triangles has the corners (x, y), (x + 0.5, y), (x + 0.25, y + 0.5) with x and y on the half-unit grid in
+//! [-R, R), R the number of links. The report drew with repetition, dropped triangles with a corner on the base and left
+//! the rest to chance; here cells are distinct and a triangle that touches the base, the start or the goal is drawn again,
+//! so that every forest has all of its triangles and a question worth asking. A path need not exist.
+
+use super::free::is_clear_of;
+use super::{check_seed, integer, no_place, out_of_range, seed};
+use crate::error::Error;
+use crate::geometry::{Point, Polygon};
+use crate::random::{Random, Stream};
+use crate::robot::{Arm, MAX_LINKS};
+use crate::scenario::reader::Reader;
+use crate::scenario::{Node, Obstacle, Query, Robot, Scenario, World};
+
+/// After so many draws the generator gives up.
+const DRAWS: u32 = 10_000;
+
+/// What forest to grow.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ForestOptions {
+    /// How many links of length 1 the arm has: 1 to 8 (default 2).
+    pub links: usize,
+    /// The seed: 0 (default) to 2^53 - 1.
+    pub seed: u64,
+}
+
+impl Default for ForestOptions {
+    fn default() -> Self {
+        Self { links: 2, seed: 0 }
+    }
+}
+
+impl ForestOptions {
+    /// Reads `{"links": 2, "seed": 0}`; both may be left out.
+    pub(super) fn from_node(options: &Node) -> Result<Self, Error> {
+        let root = Reader::root(options);
+        let fields = root.object()?;
+        fields.only(&["links", "seed"])?;
+        let links = integer(&fields, "links", "the number of links", [1, MAX_LINKS as u64], 2)? as usize;
+        Ok(Self { links, seed: seed(&fields)? })
+    }
+}
+
+/// Grows a forest: 4 triangles a link, no bounds, one query, "report".
+///
+/// # Errors
+/// `out-of-range` with the pointer of the option, also where the triangles find no place within 10,000 draws.
+pub fn forest(options: &ForestOptions) -> Result<Scenario, Error> {
+    let ForestOptions { links, seed } = *options;
+    if !(1..=MAX_LINKS).contains(&links) {
+        return Err(out_of_range("links", "the number of links", 1, MAX_LINKS, links));
+    }
+    check_seed(seed)?;
+    let arm = Arm::new(Point::origin(), vec![1.0; links], 0.0, None)?;
+    let (start, goal) = ends(links);
+    let keep_clear = [arm.footprint(&start), arm.footprint(&goal)].concat();
+    let (count, side) = (4 * links, 4 * links as u64);
+    let mut random = Random::new(seed, Stream::Scenario);
+    let mut cells: Vec<(u64, u64)> = Vec::with_capacity(count);
+    let mut obstacles = Vec::with_capacity(count);
+    for _ in 0..DRAWS {
+        if obstacles.len() == count {
+            break;
+        }
+        let cell = (random.below(side), random.below(side));
+        let triangle = triangle(cell, links);
+        if !cells.contains(&cell) && is_clear_of(&triangle, &keep_clear, 0.0) {
+            cells.push(cell);
+            obstacles.push(Obstacle::Polygon(triangle));
+        }
+    }
+    if obstacles.len() < count {
+        return Err(no_place("seed", obstacles.len(), count, DRAWS));
+    }
+    Ok(Scenario {
+        name: format!("forest-{links}r-{seed}"),
+        title: Some(format!("{links}R arm in a forest of {count} triangles, seed {seed}")),
+        world: World { bounds: None, obstacles },
+        robot: Robot::Arm(arm),
+        queries: vec![Query { name: "report".to_owned(), start, goal }],
+    })
+}
+
+/// The triangle in a cell of the grid, counted from its lower left corner (-links, -links).
+fn triangle((column, row): (u64, u64), links: usize) -> Polygon {
+    let at = |cell: u64| 0.5 * cell as f64 - links as f64;
+    let (x, y) = (at(column), at(row));
+    let corners = [Point::new(x, y), Point::new(x + 0.5, y), Point::new(x + 0.25, y + 0.5)];
+    Polygon::new(&corners).expect("the three corners are not on one line")
+}
+
+/// Start and goal: those of the report for 2, 3 and 4 links; otherwise from a gentle curl to a zigzag on the other side.
+fn ends(links: usize) -> (Vec<f64>, Vec<f64>) {
+    match links {
+        2 => (vec![0.5, 5.0], vec![2.0, 1.0]),
+        3 => (vec![1.0, 0.5, 5.0], vec![4.0, 1.0, 1.0]),
+        4 => (vec![0.1, 0.2, 0.3, 0.4], vec![5.0, 1.0, 5.0, 0.5]),
+        _ => {
+            let goal = (0..links).map(|i| [3.0, 1.0, 5.5, 0.5][i % 4]).collect();
+            (vec![0.2; links], goal)
+        }
+    }
+}

@@ -1,0 +1,25 @@
+//! Whether an obstacle that has been drawn leaves a configuration free.
+
+use crate::geometry::{Point, Polygon, Segment, distance_segment_polygon};
+use crate::robot::Part;
+
+/// A clearance that any slack is far below, in metres.
+const SOME: f64 = 1e-9;
+
+/// Whether the polygon is farther than `gap` metres from all of the parts.
+pub(super) fn is_clear_of(polygon: &Polygon, parts: &[Part], gap: f64) -> bool {
+    parts.iter().all(|part| {
+        let (axis, radius) = match *part {
+            Part::Capsule { a, b, radius } => (Segment::new(a, b), radius),
+            Part::Disc { center, radius } => (Segment::new(center, center), radius),
+        };
+        distance_segment_polygon(&axis, polygon) - radius > gap + SOME
+    })
+}
+
+/// Whether the two polygons are farther than `gap` metres from each other. O(product of their vertices).
+pub(super) fn are_apart(p: &Polygon, q: &Polygon, gap: f64) -> bool {
+    let corner: Point = q.vertices()[0];
+    !p.aabb().grown(gap + SOME).intersects(q.aabb())
+        || (!p.contains(corner) && p.edges().all(|edge| distance_segment_polygon(&edge, q) > gap + SOME))
+}

@@ -1,0 +1,58 @@
+//! The queries: names, starts and goals.
+
+use super::LARGEST;
+use crate::error::{Code, Error};
+use crate::scenario::reader::{Reader, quoted};
+use crate::scenario::{Query, Robot};
+use std::collections::BTreeSet;
+
+/// Reads `queries` for the robot.
+pub(super) fn read(queries: &Reader, robot: &Robot) -> Result<Vec<Query>, Error> {
+    let mut names = BTreeSet::new();
+    let query = |item: Reader| {
+        let fields = item.object()?;
+        fields.only(&["name", "start", "goal"]).map_err(|error| explain_tolerance(error, robot))?;
+        let name = fields.required("name")?;
+        if !names.insert(name.name()?.to_owned()) {
+            let sentence = format!("another query is named {}, too", quoted(name.name()?));
+            return Err(name.error(Code::DuplicateName, sentence));
+        }
+        let start = read_configuration(&fields.required("start")?, robot)?;
+        let goal = read_configuration(&fields.required("goal")?, robot)?;
+        Ok(Query { name: name.name()?.to_owned(), start, goal })
+    };
+    queries.items()?.map(query).collect()
+}
+
+/// Says why a tolerance of the goal, which the contract has for other robots, is not known here.
+fn explain_tolerance(error: Error, robot: &Robot) -> Error {
+    if !error.pointer().ends_with("/goal_tolerance") {
+        return error;
+    }
+    let robot = match robot {
+        Robot::Arm(_) => "an arm",
+        Robot::Disc(_) => "a disc",
+    };
+    let sentence = format!("goal_tolerance is for rigid bodies and cars; {robot} reaches its goal exactly");
+    Error::new(error.code(), error.pointer(), sentence)
+}
+
+/// Reads a configuration of the robot: coordinates within 1e6 metres, angles within the joint's limits or, without limits,
+/// within 1e6 radians.
+fn read_configuration(configuration: &Reader, robot: &Robot) -> Result<Vec<f64>, Error> {
+    let items = configuration.items()?;
+    if items.len() != robot.dimension() {
+        let sentence = format!("a configuration of this robot has {} entries, not {}", robot.dimension(), items.len());
+        return Err(configuration.error(Code::WrongDimension, sentence));
+    }
+    let entry = |(i, item): (usize, Reader)| match robot {
+        Robot::Disc(_) => item.number_within("a coordinate", -LARGEST, LARGEST),
+        Robot::Arm(arm) => match arm.joint_limits() {
+            Some(limits) => {
+                item.number_within(&format!("the angle of joint {i}, by its limits,"), limits[i][0], limits[i][1])
+            }
+            None => item.number_within("an angle", -LARGEST, LARGEST),
+        },
+    };
+    items.enumerate().map(entry).collect()
+}

@@ -1,0 +1,159 @@
+//! The JSON Schema of the scenario document, generated from types that mirror it field by field.
+//!
+//! A schema can say what fields there are, of what type and within which ranges. What needs more (simple polygons, distinct
+//! names, dimensions, a free base) only [`Scenario::parse`](super::Scenario::parse) can say.
+
+#![allow(dead_code)] // The types below are only looked at by the generator of the schema.
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings, json_schema};
+
+/// The JSON Schema (draft 2020-12) of the documents that `Scenario::parse` accepts.
+pub fn schema() -> serde_json::Value {
+    SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<ScenarioDocument>().to_value()
+}
+
+/// A motion planning scenario: a world, a robot in it, and questions. Lengths in metres, angles in radians,
+/// counter-clockwise, y up.
+#[derive(JsonSchema)]
+#[schemars(title = "Planarium scenario", deny_unknown_fields)]
+struct ScenarioDocument {
+    /// Which contract the document follows.
+    #[schemars(schema_with = "format")]
+    format: String,
+    /// The name, used in results.
+    #[schemars(length(min = 1))]
+    name: String,
+    /// The title for people.
+    #[schemars(default, schema_with = "text")]
+    title: Option<String>,
+    /// Where the robot moves.
+    world: WorldDocument,
+    /// Who moves.
+    robot: RobotDocument,
+    /// From where to where; names are distinct.
+    queries: Vec<QueryDocument>,
+}
+
+/// Bounds and obstacles. Without bounds only an arm can be planned for.
+#[derive(JsonSchema)]
+#[schemars(rename = "World", deny_unknown_fields)]
+struct WorldDocument {
+    /// The closed box that the whole robot stays in; it may touch it. Required for a disc.
+    #[schemars(schema_with = "bounds")]
+    bounds: Option<BoundsDocument>,
+    /// Closed, filled obstacles: touching one is collision. All polygons together have at most 100000 vertices.
+    #[schemars(length(max = 10000))]
+    obstacles: Vec<ObstacleDocument>,
+}
+
+/// A box; min is less than max in both coordinates.
+#[derive(JsonSchema)]
+#[schemars(rename = "Bounds", deny_unknown_fields)]
+struct BoundsDocument {
+    /// The corner with the smallest coordinates.
+    min: PointDocument,
+    /// The corner with the largest coordinates.
+    max: PointDocument,
+}
+
+/// A point [x, y] in metres.
+#[derive(JsonSchema)]
+#[schemars(rename = "Point")]
+struct PointDocument(Coordinate, Coordinate);
+
+/// A coordinate in metres.
+#[derive(JsonSchema)]
+struct Coordinate(#[schemars(range(min = -1e6, max = 1e6))] f64);
+
+/// A closed, filled obstacle.
+#[derive(JsonSchema)]
+#[schemars(rename = "Obstacle", tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+enum ObstacleDocument {
+    /// A disc.
+    Disc {
+        /// The centre.
+        center: PointDocument,
+        /// The radius in metres.
+        #[schemars(schema_with = "positive")]
+        radius: f64,
+    },
+    /// A simple polygon, convex or concave, in either direction, open or closed.
+    Polygon {
+        /// The corners in order; at least three differ, edges do not touch or cross.
+        #[schemars(length(min = 3))]
+        vertices: Vec<PointDocument>,
+    },
+}
+
+/// The robot.
+#[derive(JsonSchema)]
+#[schemars(rename = "Robot", tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+enum RobotDocument {
+    /// A planar arm of revolute joints. A configuration holds one angle a link, each relative to the link before.
+    Arm {
+        /// Where the arm is fixed; no obstacle may lie within `radius` of it.
+        base: PointDocument,
+        /// The lengths of the links in metres, from the base outwards.
+        #[schemars(length(min = 1, max = 8), schema_with = "links")]
+        links: Vec<f64>,
+        /// Half the width of the links in metres; 0 makes them segments.
+        #[schemars(default, schema_with = "radius")]
+        radius: f64,
+        /// One pair (low, high) a link, low less than high, in radians: such a joint does not wrap. Without limits a joint is
+        /// a circle.
+        #[schemars(schema_with = "joint_limits")]
+        joint_limits: Option<Vec<(f64, f64)>>,
+    },
+    /// A disc that translates. A configuration is its centre [x, y].
+    Disc {
+        /// The radius in metres; 0 makes it a point.
+        #[schemars(schema_with = "radius")]
+        radius: f64,
+    },
+}
+
+/// One question.
+#[derive(JsonSchema)]
+#[schemars(rename = "Query", deny_unknown_fields)]
+struct QueryDocument {
+    /// The name, distinct within the scenario.
+    #[schemars(length(min = 1))]
+    name: String,
+    /// The configuration to start from: angles in any number of turns up to 1e6 radians, within their limits where the joint
+    /// has limits; coordinates in metres.
+    #[schemars(length(min = 1, max = 8), inner(range(min = -1e6, max = 1e6)))]
+    start: Vec<f64>,
+    /// The configuration to reach, exactly.
+    #[schemars(length(min = 1, max = 8), inner(range(min = -1e6, max = 1e6)))]
+    goal: Vec<f64>,
+}
+
+fn format(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "string", "const": super::FORMAT })
+}
+
+fn text(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "string" })
+}
+
+fn bounds(generator: &mut SchemaGenerator) -> Schema {
+    generator.subschema_for::<BoundsDocument>()
+}
+
+fn positive(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "number", "exclusiveMinimum": 0, "maximum": 1e6 })
+}
+
+fn radius(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "number", "minimum": 0, "maximum": 1e6 })
+}
+
+fn links(generator: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "array", "items": positive(generator) })
+}
+
+fn joint_limits(_: &mut SchemaGenerator) -> Schema {
+    let limit = json_schema!({ "type": "number", "minimum": -100, "maximum": 100 });
+    let pair = json_schema!({ "type": "array", "prefixItems": [limit, limit], "minItems": 2, "maxItems": 2 });
+    json_schema!({ "type": "array", "items": pair, "minItems": 1, "maxItems": 8 })
+}

@@ -21,6 +21,7 @@ pub mod run;
 pub mod scenario;
 pub mod space;
 pub mod stats;
+pub mod status;
 pub mod validity;
 
 pub use error::Error;

@@ -1,28 +1,28 @@
-//! What a run has counted.
+//! What a run has done so far, as counts that are the same on every platform, and the seconds that a caller measured.
 
 use serde::Serialize;
 
-/// Counts of one run. The seconds are filled in by whoever holds a clock; the core reads none.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+/// The work of one planning run. Counts are part of what a seed decides; seconds are not.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Stats {
-    /// Iterations made.
+    /// Iterations made, as the planner counts them.
     pub iterations: u64,
     /// Vertices of the graph.
     pub vertices: u64,
     /// Edges of the graph.
     pub edges: u64,
-    /// Configurations checked on their own.
+    /// Configurations tested for collision.
     pub configuration_checks: u64,
-    /// Motions checked.
+    /// Motions tested for collision.
     pub motion_checks: u64,
-    /// Nearest-neighbour queries.
+    /// Questions asked of the nearest-neighbour index.
     pub nearest_queries: u64,
-    /// Vertices expanded by a search.
+    /// Vertices that the search of the graph expanded.
     pub visited: u64,
-    /// Clearances of one part of the robot from one obstacle evaluated.
+    /// Times the clearance of a part has been evaluated.
     pub clearance_evaluations: u64,
-    /// Seconds spent growing.
+    /// Seconds spent on growing the graph; 0 where nobody measured: the core reads no clock.
     pub build_seconds: f64,
-    /// Seconds spent searching and shortening.
+    /// Seconds spent on searching the graph and shortening the path; 0 where nobody measured.
     pub search_seconds: f64,
 }

@@ -1,8 +1,10 @@
-//! Paths: length, splitting, proven shortcuts.
+//! Paths: length, splitting, proven shortcuts, and the independent judge.
 
 mod shortcut;
+mod verify;
 
 pub use shortcut::Shortcut;
+pub use verify::{Verdict, verify};
 
 use crate::space::Space;
 

@@ -13,32 +13,12 @@ pub use parameters::{Fallback, Kind, ParameterInfo, Parameters, Value};
 pub use prm::Prm;
 pub use rrt_connect::RrtConnect;
 
+pub use crate::status::Status;
+
 use crate::graph::{Graph, VertexId};
 use crate::problem::Problem;
 use crate::space::Space;
 use crate::validity::Validity;
-
-/// Where a run stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Status {
-    /// More iterations may help.
-    Running,
-    /// A path was found.
-    Solved,
-    /// The budget of iterations or samples is spent without a path.
-    Exhausted,
-}
-
-impl Status {
-    /// The status as it is printed.
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Status::Running => "running",
-            Status::Solved => "solved",
-            Status::Exhausted => "exhausted",
-        }
-    }
-}
 
 /// What a planner has asked so far.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

@@ -177,11 +177,11 @@ impl<S: Space, V: Validity<S::State>, P: Planner<S>> Run for Runner<S, V, P> {
             query: self.ticket.query.clone(),
             planner: self.ticket.planner.to_owned(),
             seed: self.ticket.seed,
-            status: self.status.as_str().to_owned(),
+            status: self.status,
             path: self.path(),
             length: self.length(),
             stats: self.stats(),
-            fingerprint: format!("{:016x}", self.fingerprint()),
+            fingerprint: self.fingerprint(),
         }
     }
 }

@@ -18,7 +18,7 @@ export class Field {
     const id = `parameter-${info.name}`;
     this.control = control(info, value, id);
     this.reason = make("p", { className: "reason", id: `${id}-reason`, hidden: true });
-    const meaning = make("p", { className: "hint", id: `${id}-meaning` }, info.meaning);
+    const meaning = make("p", { className: "hint", id: `${id}-meaning` }, info.meaning, automatic(info));
     this.control.setAttribute("aria-describedby", `${id}-meaning ${id}-reason`);
     this.control.addEventListener("change", () => { if (this.validate()) this.onChange(); });
     this.control.addEventListener("input", () => this.validate());
@@ -69,8 +69,8 @@ export class Field {
     const number = Number(text);
     if (badInput || !Number.isFinite(number)) return "This is not a number.";
     if (info.kind === "integer" && !Number.isInteger(number)) return `${text} is not a whole number.`;
-    if (!isMissing(info.min) && number < info.min) return `${text} is below ${info.min}.`;
-    if (!isMissing(info.max) && number > info.max) return `${text} is above ${info.max}.`;
+    if (info.min !== null && number < info.min) return `${text} is below ${info.min}.`;
+    if (info.max !== null && number > info.max) return `${text} is above ${info.max}.`;
     return "";
   }
 }
@@ -78,10 +78,17 @@ export class Field {
 /** @param {unknown} value */
 function isMissing(value) { return value === null || value === undefined; }
 
+/** What the planner takes where it is left to choose. @param {ParameterInfo} info */
+function automatic(info) {
+  const words = "default_meaning" in info ? info.default_meaning : null;
+  return typeof words === "string" ? ` Automatic: ${words}.` : "";
+}
+
 /** @param {ParameterInfo} info @param {number | string | boolean | null} value @param {string} id @returns {HTMLInputElement | HTMLSelectElement} */
 function control(info, value, id) {
   if (info.kind === "choice") {
     const select = make("select", { id });
+    if (isMissing(info.default)) select.append(make("option", { value: "" }, "automatic"));
     for (const choice of info.choices ?? []) select.append(make("option", { value: choice }, choice));
     if (!isMissing(value)) select.value = String(value);
     return select;

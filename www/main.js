@@ -61,6 +61,7 @@ async function start() {
   theatre = new Theatre({
     stage, transport, counters, panel, pose, notice, announcer: new Announcer(),
     tell: (sentence) => { story.textContent = sentence; },
+    legend: (trees) => { byId("legend-growth", HTMLElement).textContent = trees ? "trees" : "roadmap"; },
     turn: (inHand) => {
       turn.textContent = inHand ? "Watch again" : "Your turn";
       stageElement.classList.toggle("in-hand", inHand);

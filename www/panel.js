@@ -110,7 +110,7 @@ export class Panel {
   addSeedButton(field) {
     const button = make("button", { type: "button", id: "new-seed" }, "New seed");
     button.addEventListener("click", () => this.reseed());
-    field.row.after(button);
+    field.element.append(button);
   }
 
   /** @param {Field} field */

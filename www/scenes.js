@@ -5,27 +5,27 @@
 /** @type {SceneEntry[]} */
 export const SCENES = [
   {
-    id: "stones", title: "Two links among stones", algorithm: "prm", pace: 110, settings: { samples: 320, k: 9, seed: 4 },
-    story: "Each point is a pose of the arm that touches nothing, each line a motion proven free; together they become a map.",
+    id: "stones", title: "Two links among stones", algorithm: "prm", pace: 130, settings: { samples: 260, k: 9, seed: 4 },
+    story: "Each point is a pose that touches nothing, each line a motion proven free: a map grows.",
   },
   {
     id: "firs", title: "A clearing of firs", algorithm: "rrt-connect", pace: 14, settings: { step: 0.35, seed: 3 },
-    story: "Two trees, one rooted at the start and one at the goal, grow towards each other until they meet.",
+    story: "Two trees, rooted at the start and at the goal, reach for each other until they meet.",
   },
   {
     id: "shelf", title: "Into the shelf", algorithm: "rrt-connect", pace: 30, settings: { step: 0.3, seed: 2 },
-    story: "Three links have to come out of one compartment before they can go into the next.",
+    story: "Three links must draw back out of one compartment before they can enter the next.",
   },
   {
     id: "thicket", title: "Four links in a thicket", algorithm: "rrt-connect", pace: 30, settings: { step: 0.5, seed: 1 },
-    story: "Four joints make a space nobody can draw; the tree finds its way through it all the same.",
+    story: "Four joints span a space that nobody can draw; two trees find their way through it.",
   },
   {
-    id: "rings", title: "A disc in the rings", algorithm: "rrt-connect", pace: 40, settings: { step: 0.25, seed: 1 },
-    story: "A disc looks for the gates of five walls: every line is as wide as the disc, and proven clear.",
+    id: "rings", title: "A disc in the rings", algorithm: "prm", pace: 220, settings: { samples: 700, k: 8, seed: 1 },
+    story: "Every line is a way that the whole disc fits through; one leads inwards, gate by gate.",
   },
   {
-    id: "locked", title: "No way round", algorithm: "prm", pace: 160, settings: { samples: 350, k: 9, seed: 1 },
-    story: "Joint limits close the way round: the roadmap fills two rooms that no motion connects.",
+    id: "locked", title: "No way round", algorithm: "prm", pace: 150, settings: { samples: 300, k: 9, seed: 1 },
+    story: "Joint limits close the way round: the map fills two rooms that no motion connects.",
   },
 ];

@@ -28,6 +28,7 @@ const MEASURES = 20000;
  * @property {import("./announce.js").Announcer} announcer
  * @property {(sentence: string) => void} tell     the sentence above the stage
  * @property {(inHand: boolean) => void} turn      whose turn it is
+ * @property {(trees: boolean) => void} legend     what grows: trees or a roadmap
  *
  * @typedef {object} Programme   how a scenario is put on the stage
  * @property {string} algorithm
@@ -115,6 +116,7 @@ export class Theatre {
     try {
       picture.run = new Run(picture.scenario, panel.algorithm, settings);
       this.playing = play;
+      this.crew.legend(picture.run.isTree);
       counters.unsettle();
       counters.show(picture.run);
       this.tellStory();

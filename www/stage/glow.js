@@ -43,9 +43,9 @@ export class Glow {
     context.lineCap = "round";
     for (const spark of this.sparks.edge) {
       const left = remaining(spark, now);
-      context.globalAlpha = 0.85 * left;
+      context.globalAlpha = 0.75 * left;
       context.strokeStyle = palette.newest;
-      context.lineWidth = 1 + 1.4 * left;
+      context.lineWidth = 0.9 + 0.9 * left;
       line(context, spark.points);
     }
     context.setLineDash([3, 4]);

@@ -133,9 +133,8 @@ export class Workspace extends Pane {
     const hit = new Set(touching.map(({ part }) => part));
     drawTouchingParts(context, view, parts.filter((_, i) => hit.has(i)), palette, this.hatchOnPart);
     for (const index of hit) {
-      const part = parts[index];
-      const [x, y] = part.type === "disc" ? part.center : [(part.a[0] + part.b[0]) / 2, (part.a[1] + part.b[1]) / 2];
-      drawLabel(context, partName(picture.scenario, index), view.x(x), view.y(y), palette.collision, palette);
+      const [x, y] = labelPlace(view, parts[index]);
+      drawLabel(context, partName(picture.scenario, index), x, y, palette.collision, palette);
     }
     for (const obstacle of new Set(touching.map((pair) => pair.obstacle))) {
       if (obstacle === "bounds") continue;
@@ -170,6 +169,17 @@ export class Workspace extends Pane {
     }
     context.restore();
   }
+}
+
+/** Beside the middle of a part, CSS pixels. @param {View} view @param {import("../types.js").Part} part @returns {[number, number]} */
+function labelPlace(view, part) {
+  const clear = part.radius * view.scaleX + 16;
+  if (part.type === "disc") return [view.x(part.center[0]), view.y(part.center[1]) - clear];
+  const dx = view.x(part.b[0]) - view.x(part.a[0]);
+  const dy = view.y(part.b[1]) - view.y(part.a[1]);
+  const length = Math.hypot(dx, dy);
+  const side = dx >= 0 ? 1 : -1;
+  return [view.x(part.a[0]) + dx / 2 + (side * dy * clear * 1.5) / length, view.y(part.a[1]) + dy / 2 - (side * dx * clear) / length];
 }
 
 /** The nearest of 1, 2, 5 times a power of ten that is not below a length. @param {number} least */

@@ -1,9 +1,11 @@
 /** What stands on its own: the list of planners, and a fresh seed. */
 import { call } from "./runtime.js";
 
+/** @import { PlannerInfo } from "./types.js" */
+
 /**
  * The planners and their parameters, with title, meaning, unit, range and default of each.
- * @returns {import("./types.d.ts").PlannerInfo[]}
+ * @returns {PlannerInfo[]}
  */
 export function planners() {
   return call((core) => core.planners());

@@ -10,28 +10,28 @@ export { Planner } from "./planner.js";
 export { Scenario } from "./scenario.js";
 export { version } from "./version.js";
 
-/** @typedef {import("./types.d.ts").Status} Status */
-/** @typedef {import("./types.d.ts").Phase} Phase */
-/** @typedef {import("./types.d.ts").Point} Point */
-/** @typedef {import("./types.d.ts").Configuration} Configuration */
-/** @typedef {import("./types.d.ts").Box} Box */
-/** @typedef {import("./types.d.ts").Part} Part */
-/** @typedef {import("./types.d.ts").Touching} Touching */
-/** @typedef {import("./types.d.ts").Check} Check */
-/** @typedef {import("./types.d.ts").Obstacle} Obstacle */
-/** @typedef {import("./types.d.ts").World} World */
-/** @typedef {import("./types.d.ts").Robot} Robot */
-/** @typedef {import("./types.d.ts").Query} Query */
-/** @typedef {import("./types.d.ts").ScenarioDocument} ScenarioDocument */
-/** @typedef {import("./types.d.ts").PlannerInfo} PlannerInfo */
-/** @typedef {import("./types.d.ts").ParameterInfo} ParameterInfo */
-/** @typedef {import("./types.d.ts").PlannerOptions} PlannerOptions */
-/** @typedef {import("./types.d.ts").GenerateOptions} GenerateOptions */
-/** @typedef {import("./types.d.ts").CspaceOptions} CspaceOptions */
-/** @typedef {import("./types.d.ts").Stats} Stats */
-/** @typedef {import("./types.d.ts").ResultDocument} ResultDocument */
-/** @typedef {import("./types.d.ts").InitInput} InitInput */
-/** @typedef {import("./types.d.ts").InitSyncInput} InitSyncInput */
+/** @typedef {import("./types.js").Status} Status */
+/** @typedef {import("./types.js").Phase} Phase */
+/** @typedef {import("./types.js").Point} Point */
+/** @typedef {import("./types.js").Configuration} Configuration */
+/** @typedef {import("./types.js").Box} Box */
+/** @typedef {import("./types.js").Part} Part */
+/** @typedef {import("./types.js").Touching} Touching */
+/** @typedef {import("./types.js").Check} Check */
+/** @typedef {import("./types.js").Obstacle} Obstacle */
+/** @typedef {import("./types.js").World} World */
+/** @typedef {import("./types.js").Robot} Robot */
+/** @typedef {import("./types.js").Query} Query */
+/** @typedef {import("./types.js").ScenarioDocument} ScenarioDocument */
+/** @typedef {import("./types.js").PlannerInfo} PlannerInfo */
+/** @typedef {import("./types.js").ParameterInfo} ParameterInfo */
+/** @typedef {import("./types.js").PlannerOptions} PlannerOptions */
+/** @typedef {import("./types.js").GenerateOptions} GenerateOptions */
+/** @typedef {import("./types.js").CspaceOptions} CspaceOptions */
+/** @typedef {import("./types.js").Stats} Stats */
+/** @typedef {import("./types.js").ResultDocument} ResultDocument */
+/** @typedef {import("./types.js").InitInput} InitInput */
+/** @typedef {import("./types.js").InitSyncInput} InitSyncInput */
 
 /**
  * Loads Planarium. Call it once before anything else; further calls, also meanwhile, share the first load.

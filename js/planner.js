@@ -1,7 +1,11 @@
+/// <reference lib="esnext.disposable" preserve="true" />
 /** A planning run that is stepped from outside, and read by cursors. */
 import * as argument from "./arguments.js";
 import { PlanariumError } from "./error.js";
 import { Handle, key } from "./handle.js";
+
+/** @import { RawPlanner } from "./planarium_glue.js" */
+/** @import { Phase, ResultDocument, Stats, Status } from "./types.js" */
 
 /** Iterations in one call of the core at most: cheap iterations still outweigh the call, dear ones do not stall. */
 const LONGEST_SLICE = 64;
@@ -11,13 +15,13 @@ const SEARCHING = new Set(["searching", "shortcutting"]);
 
 /**
  * Makes the handle of a run.
- * @param {import("./planarium_glue.js").RawPlanner} raw
+ * @param {RawPlanner} raw
  * @returns {Planner}
  * @internal
  */
 export function makePlanner(raw) {
   // The constructor is private to callers, not to the package.
-  const Construct = /** @type {new (secret: symbol, raw: import("./planarium_glue.js").RawPlanner) => Planner} */ (
+  const Construct = /** @type {new (secret: symbol, raw: RawPlanner) => Planner} */ (
     /** @type {unknown} */ (Planner)
   );
   return new Construct(key, raw);
@@ -30,14 +34,14 @@ export function makePlanner(raw) {
  * Vertices, edges and events are only ever added. Vertex 0 is the start, vertex 1 the goal.
  */
 export class Planner {
-  /** @type {Handle<import("./planarium_glue.js").RawPlanner>} */
+  /** @type {Handle<RawPlanner>} */
   #handle;
   #buildMilliseconds = 0;
   #searchMilliseconds = 0;
 
   /**
    * @param {symbol} secret
-   * @param {import("./planarium_glue.js").RawPlanner} raw
+   * @param {RawPlanner} raw
    * @private
    */
   constructor(secret, raw) {
@@ -50,7 +54,7 @@ export class Planner {
   /**
    * Makes at most `n` iterations. Once solved or exhausted it does nothing more.
    * @param {number} n  an integer from 0 to 2^53 - 1
-   * @returns {import("./types.d.ts").Status}
+   * @returns {Status}
    */
   step(n) {
     return this.#handle.call((raw) => this.#advance(raw, argument.count(n, "n"), Infinity));
@@ -60,7 +64,7 @@ export class Planner {
    * Makes iterations for about `ms` milliseconds, and one at least. The clock is read after slices that are kept
    * below a quarter of the budget, so the overrun stays below that too.
    * @param {number} ms  0 or more
-   * @returns {import("./types.d.ts").Status}
+   * @returns {Status}
    */
   stepFor(ms) {
     return this.#handle.call((raw) => {
@@ -71,49 +75,49 @@ export class Planner {
     });
   }
 
-  /** Where the run stands. @returns {import("./types.d.ts").Status} */
+  /** Where the run stands. @returns {Status} */
   get status() {
-    return /** @type {import("./types.d.ts").Status} */ (this.#handle.call((raw) => raw.status));
+    return /** @type {Status} */ (this.#handle.call((raw) => raw.status()));
   }
 
-  /** What the planner is at: see `Phase`. @returns {import("./types.d.ts").Phase} */
+  /** What the planner is at: see `Phase`. @returns {Phase} */
   get phase() {
-    return /** @type {import("./types.d.ts").Phase} */ (this.#handle.call((raw) => raw.phase));
+    return /** @type {Phase} */ (this.#handle.call((raw) => raw.phase()));
   }
 
   /** Iterations made so far. @returns {number} */
   get iterations() {
-    return this.#handle.call((raw) => raw.iterations);
+    return this.#handle.call((raw) => raw.iterations());
   }
 
   /** Degrees of freedom: numbers in a row of `verticesSince` and `path`. @returns {number} */
   get dimension() {
-    return this.#handle.call((raw) => raw.dimension);
+    return this.#handle.call((raw) => raw.dimension());
   }
 
   /** Numbers in a row of `eventsSince`: 4 + `dimension`. @returns {number} */
   get eventWidth() {
-    return this.#handle.call((raw) => raw.event_width);
+    return this.#handle.call((raw) => raw.event_width());
   }
 
   /** Vertices so far. @returns {number} */
   get vertexCount() {
-    return this.#handle.call((raw) => raw.vertex_count);
+    return this.#handle.call((raw) => raw.vertex_count());
   }
 
   /** Edges so far. @returns {number} */
   get edgeCount() {
-    return this.#handle.call((raw) => raw.edge_count);
+    return this.#handle.call((raw) => raw.edge_count());
   }
 
   /** Events so far. @returns {number} */
   get eventCount() {
-    return this.#handle.call((raw) => raw.event_count);
+    return this.#handle.call((raw) => raw.event_count());
   }
 
   /**
    * The vertices from a row on: configurations, rows of `dimension` numbers. A fresh copy, yours to keep.
-   * @param {number} row  an integer from 0 to 2^53 - 1; past the last vertex the answer is empty
+   * @param {number} row  an integer from 0 to `vertexCount`
    * @returns {Float64Array}
    */
   verticesSince(row) {
@@ -122,7 +126,7 @@ export class Planner {
 
   /**
    * The edges from a row on: rows of two vertex numbers, (parent, child) in trees. A fresh copy, yours to keep.
-   * @param {number} row
+   * @param {number} row  an integer from 0 to `edgeCount`
    * @returns {Uint32Array}
    */
   edgesSince(row) {
@@ -137,7 +141,7 @@ export class Planner {
    * - 1: an edge was refused, from the vertex to the other vertex or, where that is -1, to the configuration
    * - 2: the search expanded the vertex
    * - 3: a solution was found; the vertex is where
-   * @param {number} row
+   * @param {number} row  an integer from 0 to `eventCount`
    * @returns {Float64Array}
    */
   eventsSince(row) {
@@ -155,7 +159,7 @@ export class Planner {
 
   /**
    * What was counted, and the time spent in `step` and `stepFor`.
-   * @returns {import("./types.d.ts").Stats}
+   * @returns {Stats}
    */
   stats() {
     return this.#timed(this.#handle.call((raw) => raw.stats()));
@@ -163,7 +167,7 @@ export class Planner {
 
   /**
    * The result document, the same as the command line prints.
-   * @returns {import("./types.d.ts").ResultDocument}
+   * @returns {ResultDocument}
    */
   result() {
     const result = this.#handle.call((raw) => raw.result());
@@ -193,21 +197,21 @@ export class Planner {
    * Steps in slices. The core reads no clock, so time is taken here, and booked on the phase a slice began in.
    * A slice doubles while two of it would fit a quarter of the budget, halves when it outgrew that, and starts from
    * one iteration in each phase, since the phases differ a hundredfold.
-   * @param {import("./planarium_glue.js").RawPlanner} raw
+   * @param {RawPlanner} raw
    * @param {number} iterations
    * @param {number} budget  milliseconds
-   * @returns {import("./types.d.ts").Status}
+   * @returns {Status}
    */
   #advance(raw, iterations, budget) {
     const began = performance.now();
     let now = began;
     let left = iterations;
     let slice = 1;
-    let phase = raw.phase;
+    let phase = raw.phase();
     while (left > 0) {
-      const before = raw.iterations;
+      const before = raw.iterations();
       raw.step(Math.min(slice, left));
-      const made = raw.iterations - before;
+      const made = raw.iterations() - before;
       const spent = performance.now() - now;
       now += spent;
       if (SEARCHING.has(phase)) this.#searchMilliseconds += spent;
@@ -215,16 +219,16 @@ export class Planner {
       left -= made;
       const room = Math.min(budget / 4, budget - (now - began));
       if (made === 0 || room <= 0) break;
-      const reached = raw.phase;
+      const reached = raw.phase();
       if (reached !== phase) slice = 1;
       else if (spent > room) slice = Math.max(1, slice >> 1);
       else if (2 * spent <= room) slice = Math.min(LONGEST_SLICE, 2 * slice);
       phase = reached;
     }
-    return /** @type {import("./types.d.ts").Status} */ (raw.status);
+    return /** @type {Status} */ (raw.status());
   }
 
-  /** @param {import("./types.d.ts").Stats} stats @returns {import("./types.d.ts").Stats} */
+  /** @param {Stats} stats @returns {Stats} */
   #timed(stats) {
     return { ...stats, build_seconds: this.#buildMilliseconds / 1000, search_seconds: this.#searchMilliseconds / 1000 };
   }

@@ -1,9 +1,13 @@
+/// <reference lib="esnext.disposable" preserve="true" />
 /** A scenario: the world, the robot in it, and the queries to plan for. */
 import * as argument from "./arguments.js";
 import { PlanariumError } from "./error.js";
 import { Handle, key } from "./handle.js";
 import { Planner, makePlanner } from "./planner.js";
 import { call } from "./runtime.js";
+
+/** @import { RawScenario } from "./planarium_glue.js" */
+/** @import { Box, Check, Configuration, CspaceOptions, GenerateOptions, Part, PlannerOptions, ScenarioDocument } from "./types.js" */
 
 /** Rows handed over at once by `endEffectors`, so that a long list does not make the core's memory grow. */
 const ROWS_AT_ONCE = 16384;
@@ -13,14 +17,14 @@ const ROWS_AT_ONCE = 16384;
  * Lengths are in metres, angles in radians, counter-clockwise, y points up.
  */
 export class Scenario {
-  /** @type {Handle<import("./planarium_glue.js").RawScenario>} */
+  /** @type {Handle<RawScenario>} */
   #handle;
   /** @type {number} */
   #dimension;
 
   /**
    * @param {symbol} secret
-   * @param {import("./planarium_glue.js").RawScenario} raw
+   * @param {RawScenario} raw
    * @private
    */
   constructor(secret, raw) {
@@ -28,7 +32,7 @@ export class Scenario {
       throw new PlanariumError("illegal-constructor", "A Scenario comes from Scenario.parse or Scenario.generate.");
     }
     this.#handle = new Handle(raw, "Scenario");
-    this.#dimension = raw.dimension;
+    this.#dimension = raw.dimension();
   }
 
   /**
@@ -46,7 +50,7 @@ export class Scenario {
    * Makes a scenario from a seed: a `forest` of triangles around an arm, or a `clutter` of convex polygons.
    * The same kind and options always make the same scenario.
    * @param {"forest" | "clutter"} kind
-   * @param {import("./types.d.ts").GenerateOptions} [options]
+   * @param {GenerateOptions} [options]
    * @returns {Scenario}
    * @throws {PlanariumError} `unknown-generator`, `unknown-parameter`, `out-of-range`, `wrong-type`
    */
@@ -56,27 +60,27 @@ export class Scenario {
 
   /** Name of the scenario. @returns {string} */
   get name() {
-    return this.#handle.call((raw) => raw.name);
+    return this.#handle.call((raw) => raw.name());
   }
 
   /** Title for people; the name where the document has none. @returns {string} */
   get title() {
-    return this.#handle.call((raw) => raw.title);
+    return this.#handle.call((raw) => raw.title());
   }
 
   /** What moves. @returns {"arm" | "disc"} */
   get robot() {
-    return /** @type {"arm" | "disc"} */ (this.#handle.call((raw) => raw.robot));
+    return /** @type {"arm" | "disc"} */ (this.#handle.call((raw) => raw.robot()));
   }
 
   /** Degrees of freedom: the length of a configuration. @returns {number} */
   get dimension() {
-    return this.#handle.call((raw) => raw.dimension);
+    return this.#handle.call((raw) => raw.dimension());
   }
 
   /**
    * The document, complete with its defaults.
-   * @returns {import("./types.d.ts").ScenarioDocument}
+   * @returns {ScenarioDocument}
    */
   document() {
     return this.#handle.call((raw) => raw.document());
@@ -84,7 +88,7 @@ export class Scenario {
 
   /**
    * The same as `document()`, so that `JSON.stringify(scenario)` writes the document.
-   * @returns {import("./types.d.ts").ScenarioDocument}
+   * @returns {ScenarioDocument}
    */
   toJSON() {
     return this.document();
@@ -92,16 +96,17 @@ export class Scenario {
 
   /**
    * The box worth drawing: the bounds, or what the arm can reach and the obstacles.
-   * @returns {import("./types.d.ts").Box}
+   * @returns {Box}
    */
   extent() {
-    return this.#handle.call((raw) => raw.extent());
+    const [left, low, right, high] = this.#handle.call((raw) => raw.extent());
+    return { min: [left, low], max: [right, high] };
   }
 
   /**
    * Whether a configuration is free, and every pair that touches where it is not.
-   * @param {import("./types.d.ts").Configuration} q
-   * @returns {import("./types.d.ts").Check}
+   * @param {Configuration} q
+   * @returns {Check}
    */
   check(q) {
     return this.#handle.call((raw) => raw.check(this.#configuration(q, "q")));
@@ -109,8 +114,8 @@ export class Scenario {
 
   /**
    * The robot's parts in the world at a configuration, to draw.
-   * @param {import("./types.d.ts").Configuration} q
-   * @returns {import("./types.d.ts").Part[]}
+   * @param {Configuration} q
+   * @returns {Part[]}
    */
   footprint(q) {
     return this.#handle.call((raw) => raw.footprint(this.#configuration(q, "q")));
@@ -118,7 +123,7 @@ export class Scenario {
 
   /**
    * The point that a picture of the workspace plots for a configuration: an arm's tip, a disc's centre.
-   * @param {import("./types.d.ts").Configuration} q
+   * @param {Configuration} q
    * @returns {[number, number]}
    */
   endEffector(q) {
@@ -146,8 +151,8 @@ export class Scenario {
 
   /**
    * The configuration at the fraction `t` of the motion from `a` to `b`; circles go the short way round.
-   * @param {import("./types.d.ts").Configuration} a
-   * @param {import("./types.d.ts").Configuration} b
+   * @param {Configuration} a
+   * @param {Configuration} b
    * @param {number} t  from 0 to 1
    * @returns {Float64Array}
    */
@@ -158,8 +163,8 @@ export class Scenario {
 
   /**
    * Distance between two configurations in the scenario's own metric.
-   * @param {import("./types.d.ts").Configuration} a
-   * @param {import("./types.d.ts").Configuration} b
+   * @param {Configuration} a
+   * @param {Configuration} b
    * @returns {number}
    */
   distance(a, b) {
@@ -169,8 +174,8 @@ export class Scenario {
   /**
    * Where the motion from `a` to `b` is first refused: the fraction at which the first stretch begins that could not
    * be proven free. All before it is proven. `null` means the whole motion is proven free.
-   * @param {import("./types.d.ts").Configuration} a
-   * @param {import("./types.d.ts").Configuration} b
+   * @param {Configuration} a
+   * @param {Configuration} b
    * @returns {number | null}
    */
   firstHit(a, b) {
@@ -180,7 +185,7 @@ export class Scenario {
   /**
    * Picture of the configuration space of an arm of two joints: one byte a cell, row by row from the lowest angles,
    * taken at cell centres; 1 is collision.
-   * @param {import("./types.d.ts").CspaceOptions} size
+   * @param {CspaceOptions} size
    * @returns {Uint8Array}
    * @throws {PlanariumError} `unsupported` for any other robot
    */
@@ -197,7 +202,8 @@ export class Scenario {
    * @throws {PlanariumError} `unsupported` for any robot but an arm of two joints
    */
   cspaceRange() {
-    return this.#handle.call((raw) => raw.cspace_range());
+    const [low1, high1, low2, high2] = this.#handle.call((raw) => raw.cspace_range());
+    return [[low1, high1], [low2, high2]];
   }
 
   /**
@@ -205,12 +211,12 @@ export class Scenario {
    * @returns {boolean[]}
    */
   circles() {
-    return this.#handle.call((raw) => raw.circles());
+    return Array.from(this.#handle.call((raw) => raw.circles()), (wraps) => wraps === 1);
   }
 
   /**
    * Starts a planner on one of the scenario's queries. The planner lives on when the scenario is freed.
-   * @param {import("./types.d.ts").PlannerOptions} [options]
+   * @param {PlannerOptions} [options]
    * @returns {Planner}
    * @throws {PlanariumError} `unknown-planner`, `unknown-query`, `unknown-parameter`, `out-of-range`,
    *   `start-in-collision`, `goal-in-collision` (the message names what touches what)

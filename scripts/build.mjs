@@ -121,7 +121,7 @@ function publicDeclarations() {
   const reached = new Set(["planarium.d.ts"]);
   for (const name of reached) {
     const text = readFileSync(join(types, name), "utf8");
-    for (const match of text.matchAll(/(?:from |import\()"\.\/(\w+)(?:\.d\.ts|\.js)"/g)) reached.add(`${match[1]}.d.ts`);
+    for (const match of text.matchAll(/(?:from |import\()"\.\/(\w+)\.js"/g)) reached.add(`${match[1]}.d.ts`);
   }
   return reached;
 }

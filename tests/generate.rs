@@ -18,7 +18,7 @@ fn hash(scenario: &Scenario) -> u64 {
 
 fn polygons(scenario: &Scenario) -> Vec<&planarium::geometry::Polygon> {
     let polygon = |obstacle| match obstacle {
-        &Obstacle::Polygon(ref polygon) => polygon,
+        Obstacle::Polygon(polygon) => polygon,
         Obstacle::Disc(_) => panic!("generators make polygons"),
     };
     scenario.world().obstacles.iter().map(polygon).collect()

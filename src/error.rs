@@ -52,9 +52,39 @@ pub enum Code {
     File,
     /// A result does not hold what the contract of results asks for.
     InvalidResult,
+    /// The arguments of the command line do not make sense (command line only).
+    Usage,
 }
 
 impl Code {
+    /// Every code, in the order of their declaration.
+    pub const ALL: [Code; 24] = [
+        Code::InvalidJson,
+        Code::UnknownFormat,
+        Code::UnknownField,
+        Code::MissingField,
+        Code::DuplicateField,
+        Code::WrongType,
+        Code::UnknownType,
+        Code::NotFinite,
+        Code::OutOfRange,
+        Code::WrongDimension,
+        Code::DegeneratePolygon,
+        Code::DuplicateName,
+        Code::BaseInCollision,
+        Code::TooLarge,
+        Code::StartInCollision,
+        Code::GoalInCollision,
+        Code::UnknownQuery,
+        Code::UnknownPlanner,
+        Code::UnknownParameter,
+        Code::UnknownGenerator,
+        Code::Unsupported,
+        Code::File,
+        Code::InvalidResult,
+        Code::Usage,
+    ];
+
     /// The code as it is printed: kebab-case, stable between versions.
     pub fn as_str(self) -> &'static str {
         match self {
@@ -81,6 +111,39 @@ impl Code {
             Code::Unsupported => "unsupported",
             Code::File => "file",
             Code::InvalidResult => "invalid-result",
+            Code::Usage => "usage",
+        }
+    }
+
+    /// What the code means, in a sentence for people.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Code::InvalidJson => "The text is not JSON, or a number in it does not fit a 64-bit float.",
+            Code::UnknownFormat => "The document says another format than planarium-scenario-1.",
+            Code::UnknownField => "A field that the contract does not know.",
+            Code::MissingField => "A field that the contract requires is absent.",
+            Code::DuplicateField => "A field or a parameter is given twice.",
+            Code::WrongType => "A value of another type than asked for.",
+            Code::UnknownType => "A type of obstacle, robot or shape that does not exist.",
+            Code::NotFinite => "A number that is not finite.",
+            Code::OutOfRange => "A number, a count or the length of a list is outside its range.",
+            Code::WrongDimension => "A configuration or a list of limits with the wrong number of entries.",
+            Code::DegeneratePolygon => {
+                "A polygon with fewer than three distinct vertices, without area, or with edges that cross."
+            }
+            Code::DuplicateName => "Two queries share a name.",
+            Code::BaseInCollision => "An obstacle lies within the arm's radius of its base, which never moves.",
+            Code::TooLarge => "More obstacles or vertices than the limits allow.",
+            Code::StartInCollision => "The start of the query touches something.",
+            Code::GoalInCollision => "The goal of the query touches something.",
+            Code::UnknownQuery => "The scenario has no query of that name, or none at all.",
+            Code::UnknownPlanner => "No planner has that id.",
+            Code::UnknownParameter => "There is no parameter of that name.",
+            Code::UnknownGenerator => "Nothing of that name can be generated.",
+            Code::Unsupported => "What was asked needs another robot.",
+            Code::File => "A file cannot be read or written (command line only).",
+            Code::InvalidResult => "A result does not hold what the contract of results asks for.",
+            Code::Usage => "The arguments do not make sense (command line only).",
         }
     }
 }

@@ -6,13 +6,25 @@ use super::{Obstacles, Tolerance};
 use crate::geometry::{Aabb, Segment};
 use crate::robot::Arm;
 use crate::scenario::World;
-use crate::space::{Space, Torus};
+use crate::space::{Joint, Metric, Space, Torus};
 use crate::validity::{Contact, Touched, Validity};
 use std::cell::RefCell;
 use std::f64::consts::PI;
 
 /// No edge turns a circle joint by this or more, in radians: there the short way round is ambiguous.
 const LONGEST_TURN: f64 = PI - 1e-9;
+
+/// The space of an arm: a circle a joint, or an interval where the arm has limits.
+///
+/// # Panics
+/// Where the arm has more than `N` links.
+pub fn joint_space<const N: usize>(arm: &Arm, metric: Metric) -> Torus<N> {
+    let joints: Vec<Joint> = match arm.joint_limits() {
+        Some(limits) => limits.iter().map(|&[low, high]| Joint::Interval { low, high }).collect(),
+        None => vec![Joint::Circle; arm.links().len()],
+    };
+    Torus::new(&joints, metric)
+}
 
 /// What is free for an arm among obstacles, over the space of its joints.
 pub struct ArmValidity<const N: usize> {

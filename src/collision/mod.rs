@@ -16,7 +16,7 @@ mod obstacles;
 mod proof;
 mod tolerance;
 
-pub use arm::ArmValidity;
+pub use arm::{ArmValidity, joint_space};
 pub use disc::DiscValidity;
 pub use obstacles::Obstacles;
 pub use tolerance::Tolerance;

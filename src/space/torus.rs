@@ -154,12 +154,11 @@ impl<const N: usize> Space for Torus<N> {
 
     fn sample(&self, random: &mut Random) -> [f64; N] {
         let mut state = [0.0; N];
-        for i in 0..self.dimension {
-            let u = random.uniform();
+        for (i, angle) in state.iter_mut().enumerate().take(self.dimension) {
+            let along = (self.high[i] - self.low[i]) * random.uniform();
             // From the top on a circle, so that pi can be drawn and -pi cannot.
-            let width = self.high[i] - self.low[i];
-            let angle = if self.is_circle(i) { PI - width * u } else { self.low[i] + width * u };
-            state[i] = angle.min(self.high[i]) + 0.0;
+            let drawn = if self.is_circle(i) { PI - along } else { self.low[i] + along };
+            *angle = drawn.min(self.high[i]) + 0.0;
         }
         state
     }

@@ -1,0 +1,150 @@
+//! The arguments, with their help.
+
+use clap::{Args, Parser, Subcommand};
+
+/// Motion planning that a person can watch: stepping planners with proven edges.
+#[derive(Parser)]
+#[command(
+    name = "planarium",
+    version,
+    about,
+    max_term_width = 110,
+    arg_required_else_help = true,
+    after_help = "\
+JSON goes to standard output, messages to standard error.
+Exit codes: 0 solved or valid; 1 not solved or not valid; 2 the input is wrong, and standard output
+holds {\"error\": {\"code\", \"message\", \"pointer\"}}. `planarium list` tells what the codes mean.
+
+Examples:
+  planarium generate forest --set links=3 --seed 4 --out forest.json
+  planarium plan forest.json --planner prm --set samples=700 --set k=30 --out result.json
+  planarium verify forest.json result.json"
+)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Subcommand)]
+pub enum Command {
+    /// Plan a path for one query of a scenario and print the result document
+    Plan(Plan),
+    /// Judge a result against its scenario, independently of the planners
+    Verify(Verify),
+    /// List the planners with their parameters, the generators, and the error codes
+    List(List),
+    /// Generate a scenario by seed and print it
+    Generate(Generate),
+    /// Print the JSON Schema of scenarios
+    #[cfg(feature = "schema")]
+    Schema,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+Exit codes: 0 solved; 1 exhausted, or still running when the time was up; 2 the input is wrong.
+
+Examples:
+  planarium plan arm.json
+  planarium plan arm.json --query report --planner prm --set samples=700 --set k=30 --seed 7
+  planarium generate clutter --seed 3 | planarium plan - --set shortcut=200 --max-seconds 2")]
+pub struct Plan {
+    /// The scenario, a JSON file; - reads it from standard input
+    pub file: String,
+
+    /// The query to answer, by name [default: the first of the scenario]
+    #[arg(long, value_name = "NAME")]
+    pub query: Option<String>,
+
+    /// The planner, by id; `planarium list` shows them all
+    #[arg(long, value_name = "ID", default_value = planarium::planner::DEFAULT_PLANNER)]
+    pub planner: String,
+
+    /// The seed: with scenario, planner and parameters it decides every bit of the result
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
+    pub seed: u64,
+
+    /// Set a parameter of the planner; may be repeated
+    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
+    pub set: Vec<(String, String)>,
+
+    /// Give up after so many iterations; the same as --set max_iterations=N
+    #[arg(long, value_name = "N")]
+    pub max_iterations: Option<u64>,
+
+    /// Stop after so many seconds with status "running"; the result tells the iterations made
+    #[arg(long, value_name = "S", value_parser = seconds)]
+    pub max_seconds: Option<f64>,
+
+    /// Write the result to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<String>,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+Prints {\"valid\": true, \"waypoints\", \"looks\", \"clearance\"} or {\"valid\": false, \"why\"}.
+Clearance is the smallest distance to an obstacle that was seen, in metres; null without obstacles.
+Exit codes: 0 valid; 1 not valid; 2 the input is wrong.
+
+Examples:
+  planarium verify arm.json result.json
+  planarium plan arm.json | planarium verify arm.json -")]
+pub struct Verify {
+    /// The scenario, a JSON file; - reads it from standard input
+    pub file: String,
+
+    /// The result document to judge; - reads it from standard input
+    pub result: String,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  planarium list
+  planarium list --json")]
+pub struct List {
+    /// Print JSON instead of tables
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+Options of forest: links. Options of clutter: robot (disc or arm), links, count, radius, smallest, largest, gap.
+
+Examples:
+  planarium generate forest --set links=4 --seed 1
+  planarium generate clutter --set robot=arm --set links=3 --seed 2 --out clutter.json")]
+pub struct Generate {
+    /// What to generate: forest or clutter
+    pub kind: String,
+
+    /// The seed: with the options it decides every bit of the scenario
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
+    pub seed: u64,
+
+    /// Set an option of the generator; may be repeated
+    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
+    pub set: Vec<(String, String)>,
+
+    /// Write the scenario to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<String>,
+}
+
+/// Reads KEY=VALUE.
+fn setting(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((key, value)) if !key.is_empty() => Ok((key.to_owned(), value.to_owned())),
+        _ => Err("a setting reads KEY=VALUE".to_owned()),
+    }
+}
+
+/// Reads a number of seconds, 0 or more.
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(seconds) if seconds.is_finite() && seconds >= 0.0 => Ok(seconds),
+        _ => Err("seconds are a number, 0 or more".to_owned()),
+    }
+}

@@ -1,0 +1,45 @@
+//! Reading and writing: files, standard input and output.
+
+use planarium::Error;
+use planarium::error::Code;
+use std::io::{self, ErrorKind, Read, Write};
+
+/// The text of the file; of standard input for `-`.
+pub fn read(name: &str) -> Result<String, Error> {
+    let text = if name == "-" {
+        let mut text = String::new();
+        io::stdin().lock().read_to_string(&mut text).map(|_| text)
+    } else {
+        std::fs::read_to_string(name)
+    };
+    text.map_err(|error| Error::new(Code::File, "", format!("cannot read {}: {error}", quoted(name))))
+}
+
+/// Writes the document and a line break to the file, or to standard output where no file is named.
+pub fn write(document: &str, file: Option<&str>) -> Result<(), Error> {
+    match file {
+        Some(name) => std::fs::write(name, format!("{document}\n"))
+            .map_err(|error| Error::new(Code::File, "", format!("cannot write {}: {error}", quoted(name)))),
+        None => print(document),
+    }
+}
+
+/// Writes the text and a line break to standard output. A reader that has gone away is no error.
+pub fn print(text: &str) -> Result<(), Error> {
+    let mut out = io::stdout().lock();
+    match writeln!(out, "{text}").and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Error::new(Code::File, "", format!("cannot write to standard output: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Tells a person something, on standard error. Where that is closed, nobody listens.
+pub fn say(message: &str) {
+    let _ = writeln!(io::stderr().lock(), "{message}");
+}
+
+fn quoted(name: &str) -> String {
+    if name == "-" { "standard input".to_owned() } else { format!("{name:?}") }
+}

@@ -1,0 +1,54 @@
+//! `planarium list`: what there is to choose from, and what the error codes mean.
+
+use crate::Answer;
+use crate::arguments::List;
+use crate::files;
+use planarium::error::Code;
+use planarium::planner::{Fallback, Kind, ParameterInfo, catalogue, planners};
+use planarium::scenario::generate::GENERATORS;
+use serde_json::json;
+use std::fmt::Write;
+
+/// Prints tables, or JSON.
+pub fn list(arguments: &List) -> Answer {
+    let text = if arguments.json { as_json() } else { as_tables() };
+    files::print(&text).map(|()| true)
+}
+
+fn as_json() -> String {
+    let errors: Vec<_> =
+        Code::ALL.iter().map(|code| json!({ "code": code.as_str(), "meaning": code.meaning() })).collect();
+    let document = json!({ "planners": catalogue(), "generators": GENERATORS, "errors": errors });
+    serde_json::to_string_pretty(&document).expect("tables of words and numbers are JSON")
+}
+
+fn as_tables() -> String {
+    let mut text = String::from("PLANNERS\n");
+    for planner in planners() {
+        let _ = writeln!(text, "\n  {} ({}): {}", planner.id, planner.title, planner.summary);
+        for parameter in planner.parameters {
+            let _ = writeln!(text, "    {:<15} {}", parameter.name, parameter.meaning);
+            let _ = writeln!(text, "    {:<15} {}", "", values(parameter));
+        }
+    }
+    let _ = writeln!(text, "\nGENERATORS\n\n  {}", GENERATORS.join(", "));
+    let _ = write!(text, "\nERROR CODES\n");
+    for code in Code::ALL {
+        let _ = write!(text, "\n  {:<18} {}", code.as_str(), code.meaning());
+    }
+    text
+}
+
+/// Type, range, unit and default in words.
+fn values(parameter: &ParameterInfo) -> String {
+    let values = match parameter.kind {
+        Kind::Integer { min, max } => format!("whole number from {min} to {max}"),
+        Kind::Number { min, max } => format!("number from {min} to {max}"),
+        Kind::Choice(words) => words.join(" or "),
+    };
+    let unit = if parameter.unit.is_empty() { String::new() } else { format!(", {}", parameter.unit) };
+    match parameter.default {
+        Fallback::Number(number) => format!("({values}{unit}; default {number})"),
+        Fallback::Computed(words) => format!("({values}{unit}; default: {words})"),
+    }
+}

@@ -1,0 +1,81 @@
+//! The command line: plan, verify, list, generate.
+//!
+//! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
+//! solved or not valid, 2 that the input is wrong; then standard output holds `{"error": {"code", "message", "pointer"}}`.
+#![forbid(unsafe_code)]
+
+mod arguments;
+mod files;
+mod generate;
+mod list;
+mod plan;
+mod progress;
+mod verify;
+
+use arguments::{Arguments, Command};
+use clap::Parser;
+use planarium::Error;
+use planarium::error::Code;
+use std::process::ExitCode;
+
+/// What a command that ran without error has to say: yes is exit code 0, no is 1.
+type Answer = Result<bool, Error>;
+
+fn main() -> ExitCode {
+    let answer = match Arguments::try_parse() {
+        Ok(arguments) => run(&arguments.command),
+        Err(error) if !error.use_stderr() => {
+            // Help or version, as asked for. Nothing is wrong where nobody reads it.
+            let _ = error.print();
+            return ExitCode::SUCCESS;
+        }
+        Err(error) => {
+            let _ = error.print();
+            return report(&usage(&error));
+        }
+    };
+    match answer {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(1),
+        Err(error) => {
+            files::say(&format!("error: {error}"));
+            report(&error)
+        }
+    }
+}
+
+fn run(command: &Command) -> Answer {
+    match command {
+        Command::Plan(arguments) => plan::plan(arguments),
+        Command::Verify(arguments) => verify::verify(arguments),
+        Command::List(arguments) => list::list(arguments),
+        Command::Generate(arguments) => generate::generate(arguments),
+        #[cfg(feature = "schema")]
+        Command::Schema => {
+            let schema = serde_json::to_string_pretty(&planarium::scenario::schema()).expect("a schema is JSON");
+            files::print(&schema).map(|()| true)
+        }
+    }
+}
+
+/// The error for arguments that clap refuses: its first sentence, without the decoration.
+fn usage(error: &clap::Error) -> Error {
+    let text = error.to_string();
+    let sentence = text.lines().next().unwrap_or_default().trim_start_matches("error: ");
+    let sentence = match error.kind() {
+        clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => "a command is missing",
+        _ => sentence,
+    };
+    Error::new(Code::Usage, "", sentence)
+}
+
+/// Prints the error as JSON; exit code 2.
+fn report(error: &Error) -> ExitCode {
+    let fields = serde_json::json!({
+        "error": { "code": error.code().as_str(), "message": error.message(), "pointer": error.pointer() }
+    });
+    if let Err(unwritten) = files::print(&fields.to_string()) {
+        files::say(&format!("error: {unwritten}"));
+    }
+    ExitCode::from(2)
+}

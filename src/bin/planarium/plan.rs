@@ -1,0 +1,80 @@
+//! `planarium plan`: drives a run in short slices, with a clock.
+
+use crate::Answer;
+use crate::arguments::Plan;
+use crate::files;
+use crate::progress::Progress;
+use planarium::result::ResultDocument;
+use planarium::run::{self, Options, Run, Status, Value};
+use planarium::scenario::Scenario;
+use std::time::{Duration, Instant};
+
+/// How long a slice of iterations should take: short against the limit of time, and against the phases of a planner.
+const SLICE: Duration = Duration::from_micros(500);
+
+/// Plans, prints the result; yes where it is solved.
+pub fn plan(arguments: &Plan) -> Answer {
+    let scenario = Scenario::parse(&files::read(&arguments.file)?)?;
+    let mut run = run::start(&scenario, &options(arguments))?;
+    let result = drive(run.as_mut(), arguments.max_seconds);
+    files::say(&summary(&result));
+    files::write(&result.to_json(), arguments.out.as_deref())?;
+    Ok(result.status == Status::Solved)
+}
+
+fn options(arguments: &Plan) -> Options {
+    let set = arguments.set.iter().map(|(key, value)| (key.clone(), Value::from_text(value)));
+    let most = arguments.max_iterations.map(|most| ("max_iterations".to_owned(), Value::Number(most as f64)));
+    Options {
+        planner: arguments.planner.clone(),
+        query: arguments.query.clone(),
+        seed: arguments.seed,
+        parameters: set.chain(most).collect(),
+    }
+}
+
+/// Steps until the run ends or the time is up, and measures: the search of the graph and the shortening of the path apart
+/// from the growth. Phases end within slices, so each time is right to a slice.
+fn drive(run: &mut dyn Run, max_seconds: Option<f64>) -> ResultDocument {
+    let progress = Progress::new(run);
+    let (mut build, mut search) = (Duration::ZERO, Duration::ZERO);
+    let is_up = |spent: Duration| max_seconds.is_some_and(|most| spent.as_secs_f64() >= most);
+    let begin = Instant::now();
+    let mut iterations = 1;
+    while run.status() == Status::Running && !is_up(begin.elapsed()) {
+        let spent = if matches!(run.phase(), "searching" | "shortcutting") { &mut search } else { &mut build };
+        let before = Instant::now();
+        run.step(iterations);
+        let took = before.elapsed();
+        *spent += took;
+        iterations = next_slice(iterations, took);
+        progress.show(run);
+    }
+    progress.finish();
+    let mut result = run.result();
+    (result.stats.build_seconds, result.stats.search_seconds) = (build.as_secs_f64(), search.as_secs_f64());
+    result
+}
+
+/// How many iterations to do next, after so many took that long: at most twice as many.
+fn next_slice(iterations: u64, took: Duration) -> u64 {
+    if took * 2 <= SLICE {
+        iterations.saturating_mul(2)
+    } else if took > SLICE {
+        let share = SLICE.as_secs_f64() / took.as_secs_f64();
+        ((iterations as f64 * share) as u64).max(1)
+    } else {
+        iterations
+    }
+}
+
+fn summary(result: &ResultDocument) -> String {
+    let stats = &result.stats;
+    let seconds = stats.build_seconds + stats.search_seconds;
+    let found = match result.status {
+        Status::Solved => format!("solved: {} waypoints, length {:.4}", result.path.len(), result.length),
+        Status::Exhausted => "exhausted: no path found".to_owned(),
+        Status::Running => "running: the time is up, no path found yet".to_owned(),
+    };
+    format!("{found}; {} iterations, {} vertices, {seconds:.3} s", stats.iterations, stats.vertices)
+}

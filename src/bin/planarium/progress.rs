@@ -1,0 +1,40 @@
+//! A progress bar on standard error, where that is a terminal.
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use planarium::run::Run;
+use std::io::{IsTerminal, stderr};
+
+/// How often the bar is drawn, a second.
+const DRAWS: u8 = 10;
+
+/// Shows how far a run has come towards its most iterations.
+pub struct Progress {
+    bar: Option<ProgressBar>,
+}
+
+impl Progress {
+    pub fn new(run: &dyn Run) -> Self {
+        let bar = stderr().is_terminal().then(|| {
+            let target = ProgressDrawTarget::stderr_with_hz(DRAWS);
+            let style = ProgressStyle::with_template("{bar:30} {human_pos}/{human_len} iterations  {elapsed}  {msg}")
+                .expect("the template is well-formed");
+            ProgressBar::with_draw_target(Some(run.max_iterations()), target).with_style(style)
+        });
+        Self { bar }
+    }
+
+    /// Draws the bar anew where it is time.
+    pub fn show(&self, run: &dyn Run) {
+        if let Some(bar) = &self.bar {
+            bar.set_message(format!("{}, {} vertices", run.phase(), run.vertex_count()));
+            bar.set_position(run.iterations());
+        }
+    }
+
+    /// Takes the bar away.
+    pub fn finish(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}

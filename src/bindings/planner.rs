@@ -1,0 +1,100 @@
+//! A planning run in JavaScript's hands.
+
+use super::convert::{count, cursor, to_object};
+use crate::run::{EVENT_HEAD, Run};
+use wasm_bindgen::prelude::*;
+
+/// A planning run. Arrays handed out are copies and stay valid.
+#[wasm_bindgen]
+pub struct RawPlanner {
+    run: Box<dyn Run>,
+}
+
+impl RawPlanner {
+    pub(super) fn new(run: Box<dyn Run>) -> Self {
+        Self { run }
+    }
+}
+
+#[wasm_bindgen]
+impl RawPlanner {
+    /// Does at most `iterations` iterations; answers the status.
+    pub fn step(&mut self, iterations: f64) -> Result<String, JsValue> {
+        Ok(self.run.step(count(iterations, "iterations")?).as_str().to_owned())
+    }
+
+    /// `running`, `solved` or `exhausted`.
+    pub fn status(&self) -> String {
+        self.run.status().as_str().to_owned()
+    }
+
+    /// What the run is busy with.
+    pub fn phase(&self) -> String {
+        self.run.phase().to_owned()
+    }
+
+    /// Iterations made so far.
+    pub fn iterations(&self) -> f64 {
+        self.run.iterations() as f64
+    }
+
+    /// Numbers a configuration.
+    pub fn dimension(&self) -> usize {
+        self.run.dimension()
+    }
+
+    /// Numbers an event row.
+    pub fn event_width(&self) -> usize {
+        EVENT_HEAD + self.run.dimension()
+    }
+
+    /// Vertices so far.
+    pub fn vertex_count(&self) -> usize {
+        self.run.vertex_count()
+    }
+
+    /// Edges so far.
+    pub fn edge_count(&self) -> usize {
+        self.run.edge_count()
+    }
+
+    /// Events so far.
+    pub fn event_count(&self) -> usize {
+        self.run.event_count()
+    }
+
+    /// The vertices from row `row` on, `dimension` numbers each.
+    pub fn vertices_since(&self, row: f64) -> Result<Vec<f64>, JsValue> {
+        Ok(self.run.vertices_since(cursor(row, self.run.vertex_count())?))
+    }
+
+    /// The edges from row `row` on, two vertex numbers each.
+    pub fn edges_since(&self, row: f64) -> Result<Vec<u32>, JsValue> {
+        Ok(self.run.edges_since(cursor(row, self.run.edge_count())?))
+    }
+
+    /// The events from row `row` on, `event_width` numbers each.
+    pub fn events_since(&self, row: f64) -> Result<Vec<f64>, JsValue> {
+        Ok(self.run.events_since(cursor(row, self.run.event_count())?))
+    }
+
+    /// The path, `dimension` numbers a waypoint; empty until solved.
+    pub fn path(&self) -> Vec<f64> {
+        self.run.path().concat()
+    }
+
+    /// What was counted, as a plain object.
+    pub fn stats(&self) -> Result<JsValue, JsValue> {
+        to_object(&self.run.stats())
+    }
+
+    /// The result document, as a plain object.
+    pub fn result(&self) -> Result<JsValue, JsValue> {
+        to_object(&self.run.result())
+    }
+
+    /// 16 hexadecimal digits over every vertex, edge and event.
+    pub fn fingerprint(&self) -> String {
+        format!("{:016x}", self.run.fingerprint())
+    }
+}

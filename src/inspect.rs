@@ -1,0 +1,217 @@
+//! Questions about a scenario outside any run: is a configuration free and why not, where is the robot, what does its
+//! configuration space look like. For viewers; planners ask through [`Validity`](crate::validity::Validity).
+
+use crate::collision::{ArmValidity, DiscValidity, joint_space};
+use crate::error::{Code, Error};
+use crate::geometry::{Aabb, Point};
+use crate::planner::{DEFAULT_TOLERANCE, Value};
+use crate::robot::{Arm, DiscRobot, MAX_LINKS, Part};
+use crate::scenario::{Obstacle, Robot, Scenario};
+use crate::space::{Euclidean, Metric, Space, Torus};
+use crate::validity::{Contact, Validity};
+
+/// The most cells that a picture of the configuration space has on a side.
+pub const MAX_CELLS: usize = 4096;
+
+/// Answers questions about one scenario. Every configuration must have the robot's number of finite entries, else the error
+/// is `wrong-dimension` or `not-finite` with the entry's pointer.
+pub struct Inspector {
+    robot: Inspected,
+    extent: Aabb,
+}
+
+/// The robot with its space and what is free in it. One a scenario, so its size does not matter.
+#[allow(clippy::large_enum_variant)]
+enum Inspected {
+    Arm { arm: Arm, space: Torus<MAX_LINKS>, validity: ArmValidity<MAX_LINKS> },
+    Disc { disc: DiscRobot, space: Euclidean<2>, validity: DiscValidity },
+}
+
+impl Inspector {
+    /// Prepares to answer questions about the scenario, with the default metric and tolerance.
+    pub fn new(scenario: &Scenario) -> Self {
+        let world = scenario.world();
+        let robot = match scenario.robot() {
+            Robot::Arm(arm) => {
+                let space = joint_space(arm, Metric::Sum);
+                let validity = ArmValidity::new(arm, space.clone(), world, DEFAULT_TOLERANCE);
+                Inspected::Arm { arm: arm.clone(), space, validity }
+            }
+            Robot::Disc(disc) => {
+                let bounds = world.bounds.expect("a disc has bounds");
+                let space = Euclidean::new([bounds.min.x, bounds.min.y], [bounds.max.x, bounds.max.y]);
+                Inspected::Disc { disc: disc.clone(), space, validity: DiscValidity::new(disc, world) }
+            }
+        };
+        Self { robot, extent: extent(scenario) }
+    }
+
+    /// How many numbers a configuration has.
+    pub fn dimension(&self) -> usize {
+        match &self.robot {
+            Inspected::Arm { space, .. } => space.dimension(),
+            Inspected::Disc { space, .. } => space.dimension(),
+        }
+    }
+
+    /// The box worth drawing: the bounds, or else all obstacles and all that the arm can reach.
+    pub fn extent(&self) -> Aabb {
+        self.extent
+    }
+
+    /// For every coordinate, whether it wraps.
+    pub fn circles(&self) -> Vec<bool> {
+        match &self.robot {
+            Inspected::Arm { space, .. } => (0..space.dimension()).map(|i| space.is_circle(i)).collect(),
+            Inspected::Disc { .. } => vec![false; 2],
+        }
+    }
+
+    /// Every part of the robot that touches something at `q`, and what; empty where `q` is free.
+    ///
+    /// # Errors
+    /// Of the configuration: see [`Inspector`].
+    pub fn check(&self, q: &[f64]) -> Result<Vec<Contact>, Error> {
+        self.refuse_configuration(q, "")?;
+        Ok(match &self.robot {
+            Inspected::Arm { space, validity, .. } => validity.contacts(&space.state(q)),
+            Inspected::Disc { space, validity, .. } => validity.contacts(&space.state(q)),
+        })
+    }
+
+    /// The parts of the robot at `q`.
+    ///
+    /// # Errors
+    /// Of the configuration: see [`Inspector`].
+    pub fn footprint(&self, q: &[f64]) -> Result<Vec<Part>, Error> {
+        self.refuse_configuration(q, "")?;
+        Ok(match &self.robot {
+            Inspected::Arm { arm, .. } => arm.footprint(q),
+            Inspected::Disc { disc, .. } => disc.footprint(q),
+        })
+    }
+
+    /// The tip of the arm, or the centre of the disc, at `q`.
+    ///
+    /// # Errors
+    /// Of the configuration: see [`Inspector`].
+    pub fn end_effector(&self, q: &[f64]) -> Result<Point, Error> {
+        self.refuse_configuration(q, "")?;
+        Ok(match &self.robot {
+            Inspected::Arm { arm, .. } => arm.end_effector(q),
+            Inspected::Disc { .. } => Point::new(q[0], q[1]),
+        })
+    }
+
+    /// The configuration a fraction `t` in [0, 1] along the motion from `a` to `b`.
+    ///
+    /// # Errors
+    /// Of the configurations (pointers `/a` and `/b`), and `out-of-range` for another `t`.
+    pub fn interpolate(&self, a: &[f64], b: &[f64], t: f64) -> Result<Vec<f64>, Error> {
+        self.refuse_motion(a, b)?;
+        if !(0.0..=1.0).contains(&t) {
+            return Err(Error::new(Code::OutOfRange, "/t", format!("t must lie within [0, 1], not {t}")));
+        }
+        fn at<S: Space>(space: &S, a: &[f64], b: &[f64], t: f64) -> Vec<f64> {
+            space.coordinates(&space.interpolate(&space.state(a), &space.state(b), t)).to_vec()
+        }
+        Ok(match &self.robot {
+            Inspected::Arm { space, .. } => at(space, a, b, t),
+            Inspected::Disc { space, .. } => at(space, a, b, t),
+        })
+    }
+
+    /// The distance from `a` to `b` in the default metric: radians summed over joints, or metres.
+    ///
+    /// # Errors
+    /// Of the configurations (pointers `/a` and `/b`).
+    pub fn distance(&self, a: &[f64], b: &[f64]) -> Result<f64, Error> {
+        self.refuse_motion(a, b)?;
+        Ok(match &self.robot {
+            Inspected::Arm { space, .. } => space.distance(&space.state(a), &space.state(b)),
+            Inspected::Disc { space, .. } => space.distance(&space.state(a), &space.state(b)),
+        })
+    }
+
+    /// Where, as a fraction, the motion from `a` to `b` first cannot be proven free; `None` where all of it is proven.
+    ///
+    /// # Errors
+    /// Of the configurations (pointers `/a` and `/b`).
+    pub fn first_hit(&self, a: &[f64], b: &[f64]) -> Result<Option<f64>, Error> {
+        self.refuse_motion(a, b)?;
+        Ok(match &self.robot {
+            Inspected::Arm { space, validity, .. } => validity.first_hit(&space.state(a), &space.state(b)),
+            Inspected::Disc { space, validity, .. } => validity.first_hit(&space.state(a), &space.state(b)),
+        })
+    }
+
+    /// The angles that the picture of the configuration space shows: low and high of each of the two joints.
+    ///
+    /// # Errors
+    /// `unsupported` for anything but an arm of two links.
+    pub fn configuration_space_range(&self) -> Result<[[f64; 2]; 2], Error> {
+        match &self.robot {
+            Inspected::Arm { space, .. } if space.dimension() == 2 => Ok([space.range(0), space.range(1)]),
+            _ => Err(Error::new(Code::Unsupported, "", "only an arm of two links has a square of configurations")),
+        }
+    }
+
+    /// The configuration space of an arm of two links as a picture: one byte a cell, 1 for collision, looked up at the
+    /// centre of the cell; row by row from the lowest angle of the second joint, each row from the lowest of the first.
+    ///
+    /// # Errors
+    /// `unsupported` for another robot; `out-of-range` for fewer than 1 or more than [`MAX_CELLS`] cells a side.
+    pub fn configuration_space(&self, width: usize, height: usize) -> Result<Vec<u8>, Error> {
+        let range = self.configuration_space_range()?;
+        for (pointer, cells) in [("/width", width), ("/height", height)] {
+            if cells == 0 || cells > MAX_CELLS {
+                let sentence = format!("a picture has 1 to {MAX_CELLS} cells a side, not {cells}");
+                return Err(Error::new(Code::OutOfRange, pointer, sentence));
+            }
+        }
+        let Inspected::Arm { space, validity, .. } = &self.robot else { unreachable!("only arms have a range") };
+        let center = |joint: usize, cell: usize, cells: usize| {
+            let [low, high] = range[joint];
+            low + (high - low) * ((cell as f64 + 0.5) / cells as f64)
+        };
+        let mut cells = Vec::with_capacity(width * height);
+        for row in 0..height {
+            for column in 0..width {
+                let q = [center(0, column, width), center(1, row, height)];
+                cells.push(u8::from(!validity.is_free(&space.state(&q))));
+            }
+        }
+        Ok(cells)
+    }
+
+    fn refuse_motion(&self, a: &[f64], b: &[f64]) -> Result<(), Error> {
+        self.refuse_configuration(a, "/a")?;
+        self.refuse_configuration(b, "/b")
+    }
+
+    fn refuse_configuration(&self, q: &[f64], pointer: &str) -> Result<(), Error> {
+        if q.len() != self.dimension() {
+            let sentence = format!("a configuration of this robot has {} numbers, not {}", self.dimension(), q.len());
+            return Err(Error::new(Code::WrongDimension, pointer, sentence));
+        }
+        match q.iter().position(|value| !value.is_finite()) {
+            Some(i) => {
+                let sentence = format!("a configuration holds finite numbers, not {}", Value::Number(q[i]));
+                Err(Error::new(Code::NotFinite, format!("{pointer}/{i}"), sentence))
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+/// The bounds, or else all obstacles and all that the arm can reach.
+fn extent(scenario: &Scenario) -> Aabb {
+    let world = scenario.world();
+    let reachable = match scenario.robot() {
+        Robot::Arm(arm) => Aabb::of(arm.base(), arm.base()).grown(arm.reach() + arm.radius()),
+        Robot::Disc(_) => return world.bounds.expect("a disc has bounds"),
+    };
+    world
+        .bounds
+        .unwrap_or_else(|| world.obstacles.iter().map(Obstacle::aabb).fold(reachable, |all, one| all.union(&one)))
+}

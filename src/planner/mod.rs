@@ -1,0 +1,53 @@
+//! Planners, one file an algorithm, all behind one small trait; and the table of their parameters.
+//!
+//! A planner sees a space and what is free in it, never a robot or an obstacle. It owns its graph and its generator, so
+//! that stepping in any slices gives the same result.
+
+mod catalogue;
+mod parameters;
+mod prm;
+mod rrt_connect;
+
+pub use catalogue::{DEFAULT_PLANNER, DEFAULT_TOLERANCE, PlannerInfo, catalogue, planner_info, planners};
+pub use parameters::{Fallback, Kind, ParameterInfo, Parameters, Value};
+pub use prm::Prm;
+pub use rrt_connect::RrtConnect;
+
+pub use crate::status::Status;
+
+use crate::graph::{Graph, VertexId};
+use crate::problem::Problem;
+use crate::space::Space;
+use crate::validity::Validity;
+
+/// What a planner has asked so far.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Configurations checked on their own.
+    pub configuration_checks: u64,
+    /// Motions checked.
+    pub motion_checks: u64,
+    /// Nearest-neighbour queries.
+    pub nearest_queries: u64,
+    /// Vertices expanded by a search.
+    pub visited: u64,
+}
+
+/// A planner over a space: a value that is stepped.
+pub trait Planner<S: Space> {
+    /// Does one iteration, number `iteration` (from 1): a sample tried, a vertex connected, a vertex expanded, with a bounded
+    /// number of motion checks. Called only while the status is `Running`.
+    fn iterate<V: Validity<S::State>>(&mut self, problem: &Problem<S, V>, iteration: u32) -> Status;
+
+    /// What the planner is busy with, in a word.
+    fn phase(&self) -> &'static str;
+
+    /// All that has grown so far.
+    fn graph(&self) -> &Graph<S>;
+
+    /// The vertices of the path from start to goal, once solved; empty before.
+    fn path(&self) -> Vec<VertexId>;
+
+    /// What was asked so far.
+    fn counters(&self) -> Counters;
+}

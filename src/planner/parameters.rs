@@ -1,0 +1,185 @@
+//! Parameters of planners: their table, and values checked against it.
+
+use crate::error::{Code, Error};
+
+/// What values a parameter takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// A whole number from `min` to `max`.
+    Integer {
+        /// The least value.
+        min: f64,
+        /// The greatest value.
+        max: f64,
+    },
+    /// A finite number from `min` to `max`.
+    Number {
+        /// The least value.
+        min: f64,
+        /// The greatest value.
+        max: f64,
+    },
+    /// One of a few words.
+    Choice(&'static [&'static str]),
+}
+
+/// What a parameter is when it is not given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Fallback {
+    /// This number.
+    Number(f64),
+    /// What depends on the space, told in words.
+    Computed(&'static str),
+}
+
+/// One row of a planner's table of parameters: what controls, help texts and checks are made from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ParameterInfo {
+    /// The name, in snake_case, the same everywhere.
+    pub name: &'static str,
+    /// The name for people.
+    pub title: &'static str,
+    /// Type and range.
+    pub kind: Kind,
+    /// The unit; empty for counts and words.
+    pub unit: &'static str,
+    /// The default.
+    pub default: Fallback,
+    /// What it means, in one sentence.
+    pub meaning: &'static str,
+}
+
+/// A value given for a parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// A number.
+    Number(f64),
+    /// A word.
+    Text(String),
+    /// Yes or no.
+    Boolean(bool),
+}
+
+impl Value {
+    /// The value that a text stands for: a number where it reads as one, true or false, else a word.
+    pub fn from_text(text: &str) -> Self {
+        match text {
+            "true" => Value::Boolean(true),
+            "false" => Value::Boolean(false),
+            _ => text.parse().map_or_else(|_| Value::Text(text.to_owned()), Value::Number),
+        }
+    }
+}
+
+impl std::fmt::Display for Value {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Value::Number(number) => write!(f, "{number}"),
+            Value::Text(text) => write!(f, "{text:?}"),
+            Value::Boolean(yes) => write!(f, "{yes}"),
+        }
+    }
+}
+
+/// Values for every parameter of one planner: those given, checked, and the defaults for the rest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parameters {
+    values: Vec<(&'static str, Option<Value>)>,
+}
+
+impl Parameters {
+    /// Checks the given values against the table.
+    ///
+    /// # Errors
+    /// `unknown-parameter`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`.
+    pub fn resolve(table: &[ParameterInfo], given: &[(String, Value)]) -> Result<Self, Error> {
+        let default = |info: &ParameterInfo| match info.default {
+            Fallback::Number(number) => Some(Value::Number(number)),
+            Fallback::Computed(_) => None,
+        };
+        let mut values: Vec<_> = table.iter().map(|info| (info.name, default(info))).collect();
+        for (i, (name, value)) in given.iter().enumerate() {
+            let Some(at) = table.iter().position(|info| info.name == name) else {
+                let known = table.iter().map(|info| info.name).collect::<Vec<_>>().join(", ");
+                let sentence = format!("there is no parameter {name:?}; this planner takes {known}");
+                return Err(Error::new(Code::UnknownParameter, pointer(name), sentence));
+            };
+            if given[..i].iter().any(|(earlier, _)| earlier == name) {
+                return Err(Error::new(Code::DuplicateField, pointer(name), format!("{name} is given twice")));
+            }
+            check(&table[at], value)?;
+            values[at].1 = Some(value.clone());
+        }
+        Ok(Self { values })
+    }
+
+    /// The number given for the parameter, or its default; `None` where the default depends on the space.
+    ///
+    /// # Panics
+    /// Where the planner has no such parameter, or it is not a number.
+    pub fn number(&self, name: &str) -> Option<f64> {
+        match self.get(name) {
+            Some(Value::Number(number)) => Some(*number),
+            None => None,
+            Some(other) => unreachable!("{name} is not a number but {other}"),
+        }
+    }
+
+    /// The whole number given for the parameter, or its default.
+    ///
+    /// # Panics
+    /// Where the planner has no such parameter, it is not a number, or its default depends on the space.
+    pub fn integer(&self, name: &str) -> u64 {
+        self.number(name).expect("counts have fixed defaults") as u64
+    }
+
+    /// The word given for the parameter; `None` where its default depends on the space.
+    ///
+    /// # Panics
+    /// Where the planner has no such parameter, or it is not a choice.
+    pub fn text(&self, name: &str) -> Option<&str> {
+        match self.get(name) {
+            Some(Value::Text(text)) => Some(text),
+            None => None,
+            Some(other) => unreachable!("{name} is not a word but {other}"),
+        }
+    }
+
+    fn get(&self, name: &str) -> Option<&Value> {
+        let found = self.values.iter().find(|(known, _)| *known == name);
+        found.unwrap_or_else(|| unreachable!("no parameter {name}")).1.as_ref()
+    }
+}
+
+/// The JSON pointer of a field at the top.
+fn pointer(name: &str) -> String {
+    format!("/{}", name.replace('~', "~0").replace('/', "~1"))
+}
+
+/// Refuses a value that the row does not allow.
+fn check(info: &ParameterInfo, value: &Value) -> Result<(), Error> {
+    let name = info.name;
+    let fail = |code, sentence: String| Err(Error::new(code, pointer(name), sentence));
+    match (info.kind, value) {
+        (Kind::Integer { min, max } | Kind::Number { min, max }, Value::Number(number)) => {
+            if !number.is_finite() {
+                return fail(Code::NotFinite, format!("{name} must be a finite number, not {number}"));
+            }
+            if matches!(info.kind, Kind::Integer { .. }) && *number != libm::trunc(*number) {
+                return fail(Code::OutOfRange, format!("{name} must be a whole number, not {number}"));
+            }
+            if !(min..=max).contains(number) {
+                return fail(Code::OutOfRange, format!("{name} must lie within [{min}, {max}], not {number}"));
+            }
+            Ok(())
+        }
+        (Kind::Integer { .. } | Kind::Number { .. }, _) => {
+            fail(Code::WrongType, format!("{name} must be a number, not {value}"))
+        }
+        (Kind::Choice(words), Value::Text(text)) if words.contains(&text.as_str()) => Ok(()),
+        (Kind::Choice(words), _) => {
+            let code = if matches!(value, Value::Text(_)) { Code::OutOfRange } else { Code::WrongType };
+            fail(code, format!("{name} must be one of {}, not {value}", words.join(", ")))
+        }
+    }
+}

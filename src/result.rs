@@ -1,0 +1,126 @@
+//! The document that a run ends with: what was asked, the path, its length, the work, and a fingerprint of the growth.
+
+use crate::error::{Code, Error};
+use crate::random::MAX_SEED;
+use crate::scenario::Node;
+use crate::scenario::reader::{Reader, quoted};
+use crate::stats::Stats;
+use crate::status::Status;
+use serde::{Serialize, Serializer};
+
+/// The result of a plan, in the order and under the names of its JSON form. Numbers are written with the fewest digits
+/// that parse back to the same bits.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ResultDocument {
+    /// The name of the scenario.
+    pub scenario: String,
+    /// The name of the query.
+    pub query: String,
+    /// The id of the planner.
+    pub planner: String,
+    /// The seed, at most 2^53 - 1.
+    pub seed: u64,
+    /// How the run ended.
+    pub status: Status,
+    /// The waypoints, one configuration each, from the start to the goal; empty unless solved.
+    pub path: Vec<Vec<f64>>,
+    /// The sum of the space's distances along the path; 0 without one.
+    pub length: f64,
+    /// The work done.
+    pub stats: Stats,
+    /// A hash over every vertex, edge and event; 16 lower-case hex digits in JSON.
+    #[serde(serialize_with = "write_fingerprint")]
+    pub fingerprint: u64,
+}
+
+/// The fields of a result.
+const FIELDS: &[&str] = &["scenario", "query", "planner", "seed", "status", "path", "length", "stats", "fingerprint"];
+
+/// The fields of its counts.
+const STATS: &[&str] = &[
+    "iterations",
+    "vertices",
+    "edges",
+    "configuration_checks",
+    "motion_checks",
+    "nearest_queries",
+    "visited",
+    "clearance_evaluations",
+    "build_seconds",
+    "search_seconds",
+];
+
+impl ResultDocument {
+    /// Reads a result document.
+    ///
+    /// # Errors
+    /// With the pointer of the offending value: the codes of [`Node::parse`], `unknown-field`, `missing-field`,
+    /// `wrong-type`, `not-finite`, `out-of-range` (a seed or a count above 2^53 - 1 or with a fraction, a negative length or
+    /// time), and `invalid-result` for a status or a fingerprint that is none. Whether the path is any good is for
+    /// [`verify`](crate::path::verify) to say.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        let node = Node::parse(text)?;
+        let root = Reader::root(&node);
+        let fields = root.object()?;
+        fields.only(FIELDS)?;
+        let text = |name| fields.required(name)?.string().map(str::to_owned);
+        Ok(Self {
+            scenario: text("scenario")?,
+            query: text("query")?,
+            planner: text("planner")?,
+            seed: fields.required("seed")?.integer("a seed", 0, MAX_SEED)?,
+            status: status(fields.required("status")?)?,
+            path: fields.required("path")?.items()?.map(|waypoint| waypoint.numbers()).collect::<Result<_, _>>()?,
+            length: fields.required("length")?.number_within("a length", 0.0, f64::MAX)?,
+            stats: stats(fields.required("stats")?)?,
+            fingerprint: fingerprint(fields.required("fingerprint")?)?,
+        })
+    }
+
+    /// The document as one line of JSON.
+    pub fn to_json(&self) -> String {
+        serde_json::to_string(self).expect("strings, numbers and lists can be written as JSON")
+    }
+}
+
+fn status(value: Reader) -> Result<Status, Error> {
+    let word = value.string()?;
+    let found = [Status::Running, Status::Solved, Status::Exhausted].into_iter().find(|status| status.as_str() == word);
+    found.ok_or_else(|| {
+        let sentence = format!("a status is running, solved or exhausted, not {}", quoted(word));
+        value.error(Code::InvalidResult, sentence)
+    })
+}
+
+fn stats(value: Reader) -> Result<Stats, Error> {
+    let fields = value.object()?;
+    fields.only(STATS)?;
+    let count = |name| fields.required(name)?.integer("a count", 0, MAX_SEED);
+    let seconds = |name| fields.required(name)?.number_within("a time", 0.0, f64::MAX);
+    Ok(Stats {
+        iterations: count("iterations")?,
+        vertices: count("vertices")?,
+        edges: count("edges")?,
+        configuration_checks: count("configuration_checks")?,
+        motion_checks: count("motion_checks")?,
+        nearest_queries: count("nearest_queries")?,
+        visited: count("visited")?,
+        clearance_evaluations: count("clearance_evaluations")?,
+        build_seconds: seconds("build_seconds")?,
+        search_seconds: seconds("search_seconds")?,
+    })
+}
+
+fn fingerprint(value: Reader) -> Result<u64, Error> {
+    let text = value.string()?;
+    let is_digit = |byte: u8| byte.is_ascii_digit() || (b'a'..=b'f').contains(&byte);
+    let digits = (text.len() == 16 && text.bytes().all(is_digit)).then(|| u64::from_str_radix(text, 16).ok());
+    digits.flatten().ok_or_else(|| {
+        let sentence = format!("a fingerprint is 16 lower-case hexadecimal digits, not {}", quoted(text));
+        value.error(Code::InvalidResult, sentence)
+    })
+}
+
+fn write_fingerprint<S: Serializer>(fingerprint: &u64, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&format!("{fingerprint:016x}"))
+}

@@ -1,0 +1,73 @@
+//! One planning run behind one object-safe face: what the bindings and the command line hold.
+//!
+//! Inside, planner, space and validity are generic and compiled for each combination; outside, a `Box<dyn Run>` costs one
+//! virtual call a slice.
+
+mod factory;
+mod options;
+mod runner;
+
+pub use factory::start;
+pub use options::Options;
+
+pub use crate::planner::{PlannerInfo, Status, Value, planners};
+
+use crate::result::ResultDocument;
+use crate::stats::Stats;
+
+/// Columns of an event row before its configuration: kind, iteration, vertex, other vertex.
+pub const EVENT_HEAD: usize = 4;
+
+/// A planning run: a value that is stepped and looked at. Rows are numbered from 0 in the order of creation.
+pub trait Run {
+    /// Does at most `iterations` iterations, and nothing once the status is no longer `Running`.
+    fn step(&mut self, iterations: u64) -> Status;
+
+    /// Where the run stands.
+    fn status(&self) -> Status;
+
+    /// What the run is busy with: a planner's phase, `shortcutting`, or `done`.
+    fn phase(&self) -> &'static str;
+
+    /// Iterations made so far.
+    fn iterations(&self) -> u64;
+
+    /// After how many iterations without a path the planner gives up.
+    fn max_iterations(&self) -> u64;
+
+    /// How many numbers a configuration has.
+    fn dimension(&self) -> usize;
+
+    /// How many vertices there are.
+    fn vertex_count(&self) -> usize;
+
+    /// How many edges there are.
+    fn edge_count(&self) -> usize;
+
+    /// How many events there are.
+    fn event_count(&self) -> usize;
+
+    /// The vertices from row `row` on: `dimension` numbers each.
+    fn vertices_since(&self, row: usize) -> Vec<f64>;
+
+    /// The edges from row `row` on: two vertex numbers each.
+    fn edges_since(&self, row: usize) -> Vec<u32>;
+
+    /// The events from row `row` on: kind, iteration, vertex or -1, other vertex or -1, and a configuration each.
+    fn events_since(&self, row: usize) -> Vec<f64>;
+
+    /// The path from start to goal, split so that no step turns a circle joint by more than 3 radians; empty until solved.
+    fn path(&self) -> Vec<Vec<f64>>;
+
+    /// The length of the path in the metric of the space; 0 until solved.
+    fn length(&self) -> f64;
+
+    /// What was counted; seconds are 0, as the core reads no clock.
+    fn stats(&self) -> Stats;
+
+    /// 64 bits over every vertex, edge and event so far. O(size).
+    fn fingerprint(&self) -> u64;
+
+    /// All of it as a document; seconds are 0.
+    fn result(&self) -> ResultDocument;
+}

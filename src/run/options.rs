@@ -1,0 +1,57 @@
+//! What a run is asked to do.
+
+use super::Value;
+use crate::error::{Code, Error};
+use crate::planner::DEFAULT_PLANNER;
+use crate::random::MAX_SEED;
+use crate::scenario::{Query, Scenario};
+
+/// Planner, query, seed and parameters of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// The id of the planner.
+    pub planner: String,
+    /// The name of the query; the first of the scenario where there is none.
+    pub query: Option<String>,
+    /// The seed, up to 2^53 - 1.
+    pub seed: u64,
+    /// Parameters by name; the rest take their defaults.
+    pub parameters: Vec<(String, Value)>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { planner: DEFAULT_PLANNER.to_owned(), query: None, seed: 0, parameters: Vec::new() }
+    }
+}
+
+impl Options {
+    /// The query that is meant.
+    ///
+    /// # Errors
+    /// `unknown-query`, pointer `/query`, naming those that exist.
+    pub fn find_query<'a>(&self, scenario: &'a Scenario) -> Result<&'a Query, Error> {
+        let queries = scenario.queries();
+        let found = match &self.query {
+            Some(name) => queries.iter().find(|query| query.name == *name),
+            None => queries.first(),
+        };
+        found.ok_or_else(|| {
+            let known: Vec<&str> = queries.iter().map(|query| query.name.as_str()).collect();
+            let sentence = match &self.query {
+                Some(name) => format!("there is no query {name:?} in this scenario; there are {known:?}"),
+                None => "this scenario has no query".to_owned(),
+            };
+            Error::new(Code::UnknownQuery, "/query", sentence)
+        })
+    }
+
+    /// Refuses a seed that JavaScript could not hold.
+    pub(super) fn check_seed(&self) -> Result<(), Error> {
+        if self.seed <= MAX_SEED {
+            return Ok(());
+        }
+        let sentence = format!("a seed lies within [0, {MAX_SEED}], not {}", self.seed);
+        Err(Error::new(Code::OutOfRange, "/seed", sentence))
+    }
+}

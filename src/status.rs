@@ -1,0 +1,26 @@
+//! Where a run stands.
+
+use serde::Serialize;
+
+/// Where a run stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Status {
+    /// More iterations may help.
+    Running,
+    /// A path was found.
+    Solved,
+    /// The budget of iterations or samples is spent without a path.
+    Exhausted,
+}
+
+impl Status {
+    /// The status as it is printed: `running`, `solved` or `exhausted`.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Status::Running => "running",
+            Status::Solved => "solved",
+            Status::Exhausted => "exhausted",
+        }
+    }
+}

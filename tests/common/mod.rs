@@ -1,0 +1,101 @@
+//! What several tests share: small worlds and runs to the end.
+#![allow(dead_code)] // each test uses some of it
+
+use planarium::run::{self, Options, Run, Value};
+use planarium::scenario::Scenario;
+
+/// How many seeds a law is tried on: many natively, few where a browser waits.
+pub const fn seeds(native: u64) -> u64 {
+    if cfg!(target_arch = "wasm32") { if native < 10 { native } else { 10 } } else { native }
+}
+
+/// A two-link arm at the origin whose plane is cut by a wall of the given thickness to the right of the base: the straight
+/// motion from above the wall to below it is blocked, the way round the back is free.
+pub fn arm_and_wall(thickness: f64) -> Scenario {
+    let half = thickness / 2.0;
+    parse(&format!(
+        r#"{{ "format": "planarium-scenario-1", "name": "arm-and-wall",
+            "world": {{ "obstacles": [ {{ "type": "polygon",
+                "vertices": [[0.7, -{half:e}], [3, -{half:e}], [3, {half:e}], [0.7, {half:e}]] }} ] }},
+            "robot": {{ "type": "arm", "base": [0, 0], "links": [1, 0.8] }},
+            "queries": [ {{ "name": "round", "start": [0.6, 0.2], "goal": [-0.6, -0.2] }} ] }}"#
+    ))
+}
+
+/// The same with links of radius 0.05.
+pub fn thick_arm_and_wall(thickness: f64) -> Scenario {
+    let half = thickness / 2.0;
+    parse(&format!(
+        r#"{{ "format": "planarium-scenario-1", "name": "thick-arm-and-wall",
+            "world": {{ "bounds": {{ "min": [-2, -2], "max": [2, 2] }}, "obstacles": [ {{ "type": "polygon",
+                "vertices": [[0.7, -{half:e}], [3, -{half:e}], [3, {half:e}], [0.7, {half:e}]] }} ] }},
+            "robot": {{ "type": "arm", "base": [0, 0], "links": [1, 0.8], "radius": 0.05 }},
+            "queries": [ {{ "name": "round", "start": [0.6, 0.2], "goal": [-0.6, -0.2] }} ] }}"#
+    ))
+}
+
+/// A disc of the given radius in a box of side 10, cut by a wall of the given thickness with a door of width 1 near the top.
+pub fn disc_and_wall(radius: f64, thickness: f64) -> Scenario {
+    let (left, right) = (5.0 - thickness / 2.0, 5.0 + thickness / 2.0);
+    parse(&format!(
+        r#"{{ "format": "planarium-scenario-1", "name": "disc-and-wall",
+            "world": {{ "bounds": {{ "min": [0, 0], "max": [10, 10] }}, "obstacles": [
+                {{ "type": "polygon", "vertices": [[{left:?}, 0], [{right:?}, 0], [{right:?}, 8], [{left:?}, 8]] }},
+                {{ "type": "polygon", "vertices": [[{left:?}, 9], [{right:?}, 9], [{right:?}, 10], [{left:?}, 10]] }} ] }},
+            "robot": {{ "type": "disc", "radius": {radius:?} }},
+            "queries": [ {{ "name": "through", "start": [1, 1], "goal": [9, 1] }} ] }}"#
+    ))
+}
+
+/// An arm whose start and goal are free but cut off from each other by two walls that it cannot pass.
+pub fn no_way() -> Scenario {
+    parse(
+        r#"{ "format": "planarium-scenario-1", "name": "no-way",
+            "world": { "obstacles": [
+                { "type": "polygon", "vertices": [[0.3, -0.1], [0.5, -0.1], [0.5, 0.1], [0.3, 0.1]] },
+                { "type": "disc", "center": [-0.4, 0], "radius": 0.1 } ] },
+            "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
+            "queries": [ { "name": "never", "start": [1.5, 0], "goal": [-1.5, 0] } ] }"#,
+    )
+}
+
+/// Arms of one to eight links among discs and polygons, some with limits, thick and thin.
+pub fn arm_of(links: usize, limits: bool, radius: f64) -> Scenario {
+    let length = 1.6 / links as f64;
+    let list = |x: &str| vec![x; links].join(",");
+    let limits = if limits { format!(r#", "joint_limits": [{}]"#, list("[-3.5, 3.5]")) } else { String::new() };
+    // A single link sweeps past everything within its reach, so for it nothing may stand below.
+    let below = match links {
+        1 => "",
+        _ => {
+            r#", { "type": "polygon", "vertices": [[-0.9, -1.2], [-0.5, -1.1], [-0.7, -0.9], [-0.6, -0.5], [-1.0, -0.6]] }"#
+        }
+    };
+    let (start, goal) = (vec!["0.15"; links].join(","), format!("2.9{}", ",-0.1".repeat(links - 1)));
+    parse(&format!(
+        r#"{{ "format": "planarium-scenario-1", "name": "arm-of-{links}",
+            "world": {{ "obstacles": [
+                {{ "type": "disc", "center": [0.1, 1.3], "radius": 0.2 }}{below} ] }},
+            "robot": {{ "type": "arm", "base": [0, 0], "links": [{}], "radius": {radius:?}{limits} }},
+            "queries": [ {{ "name": "over", "start": [{start}], "goal": [{goal}] }} ] }}"#,
+        list(&format!("{length:?}"))
+    ))
+}
+
+/// Parses a scenario that is right.
+pub fn parse(text: &str) -> Scenario {
+    Scenario::parse(text).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+/// Begins a run of the scenario's first query.
+pub fn begin(scenario: &Scenario, planner: &str, seed: u64, parameters: &[(&str, f64)]) -> Box<dyn Run> {
+    let parameters = parameters.iter().map(|&(name, value)| (name.to_owned(), Value::Number(value))).collect();
+    let options = Options { planner: planner.to_owned(), query: None, seed, parameters };
+    run::start(scenario, &options).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Runs to the end.
+pub fn finish(mut run: Box<dyn Run>) -> Box<dyn Run> {
+    run.step(u64::MAX);
+    run
+}

@@ -1,0 +1,246 @@
+//! The laws that every planner obeys, on native, Node and Chrome alike: slicing, never a wrong yes, paths that are what they
+//! are said to be.
+
+mod common;
+
+use common::{arm_and_wall, arm_of, begin, disc_and_wall, finish, no_way, seeds};
+use planarium::run::{Options, Run, Status, Value, start};
+use planarium::scenario::Scenario;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const PLANNERS: [(&str, &[(&str, f64)]); 3] =
+    [("prm", &[("samples", 150.0), ("k", 8.0)]), ("rrt-connect", &[]), ("rrt-connect", &[("shortcut", 40.0)])];
+
+fn worlds() -> Vec<Scenario> {
+    vec![
+        arm_and_wall(0.1),
+        disc_and_wall(0.0, 0.5),
+        disc_and_wall(0.3, 0.5),
+        arm_of(3, true, 0.03),
+        arm_of(5, false, 0.0),
+    ]
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn slicing_never_changes_the_result() {
+    for world in worlds() {
+        for (planner, parameters) in PLANNERS {
+            let whole = finish(begin(&world, planner, 5, parameters));
+            for slice in [1, 7, 1000] {
+                let mut run = begin(&world, planner, 5, parameters);
+                while run.step(slice) == Status::Running {}
+                assert_eq!(
+                    run.fingerprint(),
+                    whole.fingerprint(),
+                    "{planner} in slices of {slice} on {}",
+                    world.name()
+                );
+                assert_eq!(run.stats(), whole.stats());
+                assert_eq!(run.path(), whole.path());
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_step_does_at_most_what_it_was_asked_and_nothing_once_done() {
+    let mut run = begin(&arm_and_wall(0.1), "prm", 1, &[("samples", 50.0)]);
+    for asked in [0, 1, 1, 5, 20] {
+        let before = run.iterations();
+        run.step(asked);
+        assert_eq!(run.iterations(), before + asked);
+    }
+    run.step(u64::MAX);
+    let (iterations, fingerprint) = (run.iterations(), run.fingerprint());
+    run.step(100);
+    assert_eq!((run.iterations(), run.fingerprint()), (iterations, fingerprint), "a finished run stays as it is");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_new_is_all_there_is_whatever_the_cursor() {
+    for (planner, parameters) in PLANNERS {
+        let mut run = begin(&arm_of(3, false, 0.0), planner, 3, parameters);
+        let (mut vertices, mut edges, mut events) = (Vec::new(), Vec::new(), Vec::new());
+        loop {
+            let width = 4 + run.dimension();
+            vertices.extend(run.vertices_since(vertices.len() / run.dimension()));
+            edges.extend(run.edges_since(edges.len() / 2));
+            events.extend(run.events_since(events.len() / width));
+            assert_eq!(vertices.len(), run.vertex_count() * run.dimension());
+            assert_eq!(edges.len(), run.edge_count() * 2);
+            assert_eq!(events.len(), run.event_count() * width);
+            if run.step(13) != Status::Running && vertices.len() == run.vertex_count() * run.dimension() {
+                break;
+            }
+        }
+        let rest = run.events_since(events.len() / (4 + run.dimension()));
+        events.extend(rest);
+        assert_eq!(run.vertices_since(0), vertices);
+        assert_eq!(run.events_since(0), events);
+        assert!(run.vertices_since(run.vertex_count()).is_empty());
+        assert!(
+            run.edges_since(0).iter().all(|&v| (v as usize) < run.vertex_count()),
+            "edges join vertices that exist"
+        );
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_path_leads_from_start_to_goal_along_edges_of_the_graph() {
+    for world in worlds() {
+        for (planner, parameters) in [PLANNERS[0], PLANNERS[1]] {
+            let run = finish(begin(&world, planner, 2, parameters));
+            assert_eq!(run.status(), Status::Solved, "{planner} on {}", world.name());
+            let rows = run.vertices_since(0);
+            let vertices: Vec<&[f64]> = rows.chunks(run.dimension()).collect();
+            let path = run.path();
+            assert_eq!(path[0], vertices[0], "vertex 0 is the start");
+            assert_eq!(path[path.len() - 1], vertices[1], "vertex 1 is the goal");
+            let number = |q: &Vec<f64>| vertices.iter().position(|v| v == q);
+            let edges = run.edges_since(0);
+            let mut joined = edges.chunks(2).map(|edge| (edge[0] as usize, edge[1] as usize));
+            for pair in path.windows(2) {
+                // Waypoints that split a long turn are no vertices.
+                if let (Some(a), Some(b)) = (number(&pair[0]), number(&pair[1])) {
+                    let is_edge = joined.clone().any(|edge| edge == (a, b) || edge == (b, a));
+                    assert!(is_edge, "{planner}: {a} and {b} are neighbours on the path and in the graph");
+                }
+            }
+            assert!(joined.all(|(a, b)| a != b), "no vertex is joined to itself");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_roadmap_tries_every_pair_once() {
+    let run = finish(begin(&arm_of(2, false, 0.0), "prm", 9, &[("samples", 120.0), ("k", 10.0)]));
+    let mut pairs: Vec<[u32; 2]> = run.edges_since(0).chunks(2).map(|e| [e[0].min(e[1]), e[0].max(e[1])]).collect();
+    let width = 4 + run.dimension();
+    for event in run.events_since(0).chunks(width).filter(|event| event[0] == 1.0) {
+        pairs.push([event[2].min(event[3]) as u32, event[2].max(event[3]) as u32]);
+    }
+    assert_eq!(pairs.len() as u64, run.stats().motion_checks, "each motion check ends as an edge or as a refusal");
+    let tried = pairs.len();
+    pairs.sort_unstable();
+    pairs.dedup();
+    assert_eq!(pairs.len(), tried, "no pair twice");
+    assert_eq!(run.stats().nearest_queries, 122);
+
+    // By brute force: a pair is tried where either is among the ten nearest of the other.
+    let rows = run.vertices_since(0);
+    let vertices: Vec<&[f64]> = rows.chunks(2).collect();
+    let distance =
+        |a: &[f64], b: &[f64]| -> f64 { (0..2).map(|i| planarium::space::angular_distance(a[i], b[i])).sum() };
+    let nearest = |v: usize| -> Vec<usize> {
+        let mut others: Vec<usize> = (0..vertices.len()).filter(|&other| other != v).collect();
+        others.sort_by(|&i, &j| {
+            distance(vertices[v], vertices[i]).total_cmp(&distance(vertices[v], vertices[j])).then(i.cmp(&j))
+        });
+        others.truncate(10);
+        others
+    };
+    let mut expected: Vec<[u32; 2]> = (0..vertices.len())
+        .flat_map(|v| nearest(v).into_iter().map(move |other| [v.min(other) as u32, v.max(other) as u32]))
+        .collect();
+    expected.sort_unstable();
+    expected.dedup();
+    assert_eq!(pairs, expected);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn an_impossible_query_is_never_solved() {
+    for seed in 0..seeds(20) {
+        let prm = finish(begin(&no_way(), "prm", seed, &[("samples", 200.0)]));
+        assert_eq!(prm.status(), Status::Exhausted, "a roadmap whose search fails is exhausted");
+        let rrt = finish(begin(&no_way(), "rrt-connect", seed, &[("max_iterations", 400.0)]));
+        assert_eq!(rrt.status(), Status::Exhausted);
+        assert_eq!(rrt.iterations(), 400, "when the budget ends");
+        assert!(rrt.path().is_empty() && rrt.length() == 0.0, "an unsolved run has no path");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_start_or_goal_in_collision_is_refused_with_the_pair_named() {
+    let text = r#"{ "format": "planarium-scenario-1", "name": "blocked",
+        "world": { "obstacles": [ { "type": "disc", "center": [9, 9], "radius": 1 }, { "type": "disc", "center": [1.5, 0], "radius": 0.2 } ] },
+        "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
+        "queries": [ { "name": "from", "start": [0, 0], "goal": [2, 0] }, { "name": "to", "start": [2, 0], "goal": [0, 0] } ] }"#;
+    let world = common::parse(text);
+    for (query, code, pointer) in
+        [("from", "start-in-collision", "/queries/0/start"), ("to", "goal-in-collision", "/queries/1/goal")]
+    {
+        for planner in ["prm", "rrt-connect"] {
+            let options = Options { planner: planner.into(), query: Some(query.into()), ..Options::default() };
+            let error = start(&world, &options).err().expect("refused");
+            assert_eq!((error.code().as_str(), error.pointer()), (code, pointer));
+            assert!(error.message().contains("part 1 touches obstacle 1"), "{error}");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn options_that_make_no_sense_are_refused_with_code_and_pointer() {
+    let world = arm_and_wall(0.1);
+    let number = Value::Number;
+    let cases: [(&str, &str, Value, &str); 10] = [
+        ("prm", "k", number(0.0), "out-of-range"),
+        ("prm", "k", number(2.5), "out-of-range"),
+        ("prm", "samples", number(-1.0), "out-of-range"),
+        ("prm", "samples", number(f64::NAN), "not-finite"),
+        ("prm", "step", number(0.1), "unknown-parameter"),
+        ("prm", "k", Value::Text("many".into()), "wrong-type"),
+        ("rrt-connect", "step", number(f64::INFINITY), "not-finite"),
+        ("rrt-connect", "step", number(1e-5), "out-of-range"),
+        ("rrt-connect", "metric", Value::Text("taxi".into()), "out-of-range"),
+        ("rrt-connect", "max_iterations", number(0.0), "out-of-range"),
+    ];
+    for (planner, name, value, code) in cases {
+        let parameters = vec![(name.to_owned(), value)];
+        let options = Options { planner: planner.into(), parameters, ..Options::default() };
+        let error = start(&world, &options).err().expect("refused");
+        assert_eq!((error.code().as_str(), error.pointer()), (code, format!("/{name}").as_str()), "{error}");
+    }
+    let refused = |options: Options| start(&world, &options).err().expect("refused").code().as_str();
+    assert_eq!(refused(Options { planner: "a-star".into(), ..Options::default() }), "unknown-planner");
+    assert_eq!(refused(Options { query: Some("nowhere".into()), ..Options::default() }), "unknown-query");
+    assert_eq!(refused(Options { seed: 1 << 53, ..Options::default() }), "out-of-range");
+    let twice = vec![("step".to_owned(), number(1.0)), ("step".to_owned(), number(2.0))];
+    assert_eq!(refused(Options { parameters: twice, ..Options::default() }), "duplicate-field");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn shortcuts_make_a_path_shorter_and_leave_the_graph_alone() {
+    for seed in 0..seeds(20) {
+        let world = disc_and_wall(0.2, 0.3);
+        let raw = finish(begin(&world, "rrt-connect", seed, &[]));
+        let short = finish(begin(&world, "rrt-connect", seed, &[("shortcut", 100.0)]));
+        assert!(short.length() <= raw.length());
+        assert_eq!(short.fingerprint(), raw.fingerprint());
+        assert_eq!(short.iterations(), raw.iterations() + 100);
+        assert_eq!(short.path()[0], raw.path()[0]);
+        assert_eq!(short.path().last(), raw.path().last());
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn an_arm_of_any_number_of_links_plans() {
+    for links in 1..=8 {
+        for planner in ["prm", "rrt-connect"] {
+            let run = finish(begin(&arm_of(links, links % 2 == 0, 0.02), planner, 1, &[]));
+            assert_eq!(run.status(), Status::Solved, "{links} links, {planner}");
+            assert_eq!(run.dimension(), links);
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn no_step_of_an_emitted_path_turns_a_joint_by_more_than_three_radians() {
+    for seed in 0..seeds(50) {
+        let run = finish(begin(&arm_of(2, false, 0.0), "rrt-connect", seed, &[("step", 7.0)]));
+        for pair in run.path().windows(2) {
+            for (a, b) in pair[0].iter().zip(&pair[1]) {
+                assert!(planarium::space::angular_distance(*a, *b) <= 3.0);
+            }
+        }
+    }
+}

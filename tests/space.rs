@@ -1,0 +1,131 @@
+//! The laws that every configuration space obeys, on native, Node and Chrome alike.
+
+use planarium::random::{Random, Stream};
+use planarium::space::{Euclidean, Joint, Metric, Space, Torus, angular_distance, wrap};
+use std::f64::consts::{PI, TAU};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const CASES: usize = 2000;
+
+fn mixed(metric: Metric) -> Torus<4> {
+    Torus::new(&[Joint::Circle, Joint::Interval { low: -4.0, high: 7.5 }, Joint::Circle], metric)
+}
+
+fn toruses() -> Vec<Torus<4>> {
+    let joints = [Joint::Circle; 4];
+    [Metric::Sum, Metric::Euclidean]
+        .into_iter()
+        .flat_map(|metric| [Torus::new(&joints, metric), Torus::new(&joints[..3], metric), mixed(metric)])
+        .collect()
+}
+
+/// Every law on one space; `slack` is what rounding may cost.
+fn obeys_the_laws<S: Space>(space: &S) {
+    let mut random = Random::new(7, Stream::Samples);
+    let slack = 1e-14 * (1.0 + space.extent());
+    for _ in 0..CASES {
+        let [a, b, c] = [0; 3].map(|_| space.sample(&mut random));
+        let t = random.uniform();
+        let d = |x: &S::State, y: &S::State| space.distance(x, y);
+
+        assert!(space.contains(&a), "a sample lies in the space: {a:?}");
+        assert_eq!(space.state(space.coordinates(&a)), a, "a sample is canonical");
+        assert_eq!(d(&a, &a), 0.0, "a state is at distance 0 from itself");
+        assert_eq!(d(&a, &b).to_bits(), d(&b, &a).to_bits(), "symmetry, to the bit");
+        assert!(d(&a, &c) <= d(&a, &b) + d(&b, &c) + slack, "triangle inequality");
+        assert!(d(&a, &b) <= space.extent() + slack, "the extent is the largest distance");
+
+        assert_eq!(space.interpolate(&a, &b, 0.0), a, "interpolation starts at the start");
+        assert_eq!(space.interpolate(&a, &b, 1.0), b, "and ends at the end");
+        let at = space.interpolate(&a, &b, t);
+        assert!(space.contains(&at), "a state on the way lies in the space");
+        assert_eq!(space.state(space.coordinates(&at)), at, "and is canonical");
+        assert!((d(&a, &at) - t * d(&a, &b)).abs() <= slack, "a fraction t of the way is a fraction t of the distance");
+        assert!((d(&at, &b) - (1.0 - t) * d(&a, &b)).abs() <= slack, "and the rest is the rest");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_torus_obeys_the_laws_in_both_metrics_with_and_without_limits() {
+    toruses().iter().for_each(obeys_the_laws);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_euclidean_box_obeys_the_laws() {
+    obeys_the_laws(&Euclidean::new([-3.0, 0.5], [2.0, 9.0]));
+    obeys_the_laws(&Euclidean::new([0.0, 0.0, -1e6], [1.0, 1e-3, 1e6]));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_reports_distance_from_1_to_5_goes_the_short_way_round() {
+    let expected: f64 = 2.2831853071795862;
+    let ulp = f64::from_bits(expected.to_bits() + 1) - expected;
+    assert!((angular_distance(1.0, 5.0) - expected).abs() <= ulp);
+    let circle = Torus::<2>::new(&[Joint::Circle], Metric::Sum);
+    assert!((circle.distance(&circle.state(&[1.0]), &circle.state(&[5.0])) - expected).abs() <= ulp);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn whole_turns_change_nothing() {
+    for turns in [-1000.0, -2.0, -1.0, 0.0, 1.0, 3.0, 1000.0] {
+        for angle in [0.0, 1.0, 3.0, -3.0, 0.5 * PI] {
+            assert!((wrap(angle + turns * TAU) - angle).abs() < 1e-12, "{angle} after {turns} turns");
+            assert!((angular_distance(1.0 + turns * TAU, 5.0) - 2.2831853071795862).abs() < 1e-12);
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn an_angle_is_wrapped_into_the_half_open_circle() {
+    assert_eq!(wrap(PI), PI);
+    assert_eq!(wrap(-PI), PI, "-pi is pi");
+    assert_eq!(wrap(TAU).to_bits(), 0.0f64.to_bits(), "a whole turn is +0");
+    assert_eq!(wrap(-0.0).to_bits(), 0.0f64.to_bits(), "-0 is +0");
+    assert!(wrap(1e300).abs() <= PI);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_circle_wraps_and_an_interval_does_not() {
+    let space = mixed(Metric::Sum);
+    let (a, b) = (space.state(&[3.0, -3.0, 0.0]), space.state(&[-3.0, 3.0, 0.0]));
+    assert!(
+        (space.distance(&a, &b) - (TAU - 6.0 + 6.0)).abs() < 1e-14,
+        "the short way on the circle, the whole way else"
+    );
+    let middle = space.interpolate(&a, &b, 0.5);
+    assert!((middle[0].abs() - PI).abs() < 1e-14, "the circle's middle is at pi");
+    assert!(middle[1].abs() < 1e-14, "the interval's middle is at 0");
+    assert_eq!(space.state(&[0.0, 7.0, 0.0])[1], 7.0, "an interval's values are literal");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn padding_changes_no_bit() {
+    let joints = [Joint::Circle, Joint::Interval { low: -2.0, high: 5.0 }, Joint::Circle];
+    for metric in [Metric::Sum, Metric::Euclidean] {
+        let (tight, padded) = (Torus::<3>::new(&joints, metric), Torus::<8>::new(&joints, metric));
+        let (mut one, mut other) = (Random::new(3, Stream::Samples), Random::new(3, Stream::Samples));
+        for _ in 0..CASES {
+            let (a, b) = (tight.sample(&mut one), tight.sample(&mut one));
+            let (c, d) = (padded.sample(&mut other), padded.sample(&mut other));
+            assert_eq!(tight.coordinates(&a), padded.coordinates(&c));
+            assert_eq!(tight.distance(&a, &b).to_bits(), padded.distance(&c, &d).to_bits());
+            assert_eq!(
+                tight.coordinates(&tight.interpolate(&a, &b, 0.3)),
+                padded.coordinates(&padded.interpolate(&c, &d, 0.3))
+            );
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn streams_of_one_seed_differ_and_each_is_the_same_again() {
+    let first = |seed, stream| Random::new(seed, stream).bits();
+    assert_eq!(first(1, Stream::Samples), first(1, Stream::Samples));
+    assert_ne!(first(1, Stream::Samples), first(2, Stream::Samples));
+    assert_ne!(first(1, Stream::Samples), first(1, Stream::Shortcut));
+    let mut random = Random::new(11, Stream::Samples);
+    assert!((0..CASES).all(|_| (0.0..1.0).contains(&random.uniform())));
+    let mut seen = [0usize; 5];
+    (0..5000).for_each(|_| seen[random.below(5) as usize] += 1);
+    assert!(seen.iter().all(|&count| (800..1200).contains(&count)), "all of five about equally often: {seen:?}");
+}

@@ -1,6 +1,6 @@
 //! Scenarios by seed: what forests and clutter promise.
 
-use planarium::geometry::{Segment, distance_segment_polygon, intersects_segment_polygon};
+use planarium::geometry::{Polygon, Segment, distance_segment_polygon, intersects_segment_polygon};
 use planarium::robot::Part;
 use planarium::scenario::generate::{ClutterOptions, ClutterRobot, ForestOptions, clutter, forest, generate};
 use planarium::scenario::{Node, Obstacle, Robot, Scenario};
@@ -16,12 +16,13 @@ fn hash(scenario: &Scenario) -> u64 {
     scenario.to_json_string().bytes().fold(0xcbf2_9ce4_8422_2325, step)
 }
 
-fn polygons(scenario: &Scenario) -> Vec<&planarium::geometry::Polygon> {
-    let polygon = |obstacle| match obstacle {
-        Obstacle::Polygon(polygon) => polygon,
-        Obstacle::Disc(_) => panic!("generators make polygons"),
-    };
-    scenario.world().obstacles.iter().map(polygon).collect()
+fn polygons(scenario: &Scenario) -> Vec<&Polygon> {
+    let mut polygons = Vec::new();
+    for obstacle in &scenario.world().obstacles {
+        let Obstacle::Polygon(polygon) = obstacle else { panic!("generators make polygons") };
+        polygons.push(polygon);
+    }
+    polygons
 }
 
 fn footprint(robot: &Robot, q: &[f64]) -> Vec<Part> {

@@ -8,14 +8,17 @@ use planarium::run::{Options, Run, Status, Value, start};
 use planarium::scenario::Scenario;
 use wasm_bindgen_test::wasm_bindgen_test;
 
-const PLANNERS: [(&str, &[(&str, f64)]); 3] = [
-    ("prm", &[("samples", 150.0), ("k", 8.0)]),
-    ("rrt-connect", &[]),
-    ("rrt-connect", &[("shortcut", 40.0)]),
-];
+const PLANNERS: [(&str, &[(&str, f64)]); 3] =
+    [("prm", &[("samples", 150.0), ("k", 8.0)]), ("rrt-connect", &[]), ("rrt-connect", &[("shortcut", 40.0)])];
 
 fn worlds() -> Vec<Scenario> {
-    vec![arm_and_wall(0.1), disc_and_wall(0.0, 0.5), disc_and_wall(0.3, 0.5), arm_of(3, true, 0.03), arm_of(5, false, 0.0)]
+    vec![
+        arm_and_wall(0.1),
+        disc_and_wall(0.0, 0.5),
+        disc_and_wall(0.3, 0.5),
+        arm_of(3, true, 0.03),
+        arm_of(5, false, 0.0),
+    ]
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -26,7 +29,12 @@ fn slicing_never_changes_the_result() {
             for slice in [1, 7, 1000] {
                 let mut run = begin(&world, planner, 5, parameters);
                 while run.step(slice) == Status::Running {}
-                assert_eq!(run.fingerprint(), whole.fingerprint(), "{planner} in slices of {slice} on {}", world.name());
+                assert_eq!(
+                    run.fingerprint(),
+                    whole.fingerprint(),
+                    "{planner} in slices of {slice} on {}",
+                    world.name()
+                );
                 assert_eq!(run.stats(), whole.stats());
                 assert_eq!(run.path(), whole.path());
             }
@@ -70,7 +78,10 @@ fn what_is_new_is_all_there_is_whatever_the_cursor() {
         assert_eq!(run.vertices_since(0), vertices);
         assert_eq!(run.events_since(0), events);
         assert!(run.vertices_since(run.vertex_count()).is_empty());
-        assert!(run.edges_since(0).iter().all(|&v| (v as usize) < run.vertex_count()), "edges join vertices that exist");
+        assert!(
+            run.edges_since(0).iter().all(|&v| (v as usize) < run.vertex_count()),
+            "edges join vertices that exist"
+        );
     }
 }
 
@@ -118,9 +129,8 @@ fn the_roadmap_tries_every_pair_once() {
     // By brute force: a pair is tried where either is among the ten nearest of the other.
     let rows = run.vertices_since(0);
     let vertices: Vec<&[f64]> = rows.chunks(2).collect();
-    let distance = |a: &[f64], b: &[f64]| -> f64 {
-        (0..2).map(|i| planarium::space::angular_distance(a[i], b[i])).sum()
-    };
+    let distance =
+        |a: &[f64], b: &[f64]| -> f64 { (0..2).map(|i| planarium::space::angular_distance(a[i], b[i])).sum() };
     let nearest = |v: usize| -> Vec<usize> {
         let mut others: Vec<usize> = (0..vertices.len()).filter(|&other| other != v).collect();
         others.sort_by(|&i, &j| {

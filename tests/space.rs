@@ -88,7 +88,10 @@ fn an_angle_is_wrapped_into_the_half_open_circle() {
 fn a_circle_wraps_and_an_interval_does_not() {
     let space = mixed(Metric::Sum);
     let (a, b) = (space.state(&[3.0, -3.0, 0.0]), space.state(&[-3.0, 3.0, 0.0]));
-    assert!((space.distance(&a, &b) - (TAU - 6.0 + 6.0)).abs() < 1e-14, "the short way on the circle, the whole way else");
+    assert!(
+        (space.distance(&a, &b) - (TAU - 6.0 + 6.0)).abs() < 1e-14,
+        "the short way on the circle, the whole way else"
+    );
     let middle = space.interpolate(&a, &b, 0.5);
     assert!((middle[0].abs() - PI).abs() < 1e-14, "the circle's middle is at pi");
     assert!(middle[1].abs() < 1e-14, "the interval's middle is at 0");

@@ -47,7 +47,8 @@ pub(super) fn entries(object: &JsValue) -> Result<Vec<(String, JsValue)>, JsValu
     let Some(object) = object.dyn_ref::<js_sys::Object>().filter(|_| !js_sys::Array::is_array(object)) else {
         return Err(throw(Error::new(Code::WrongType, "", "options must be an object")));
     };
-    let entries = js_sys::Object::entries(object).iter().map(|entry| {
+    let listed = js_sys::Object::entries(object);
+    let entries = listed.iter().map(|entry| {
         let pair: js_sys::Array = entry.unchecked_into();
         (pair.get(0).as_string().unwrap_or_default(), pair.get(1))
     });

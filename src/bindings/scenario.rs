@@ -41,7 +41,7 @@ impl RawScenario {
     /// Generates a scenario: `forest` or `clutter`, with options as a plain object.
     pub fn generate(kind: &str, options: JsValue) -> Result<RawScenario, JsValue> {
         let node = node(options)?;
-        crate::scenario::generate(kind, &node).map(Self::new).map_err(throw)
+        crate::scenario::generate::generate(kind, &node).map(Self::new).map_err(throw)
     }
 
     /// The name.

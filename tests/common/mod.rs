@@ -64,12 +64,18 @@ pub fn arm_of(links: usize, limits: bool, radius: f64) -> Scenario {
     let length = 1.6 / links as f64;
     let list = |x: &str| vec![x; links].join(",");
     let limits = if limits { format!(r#", "joint_limits": [{}]"#, list("[-3.5, 3.5]")) } else { String::new() };
+    // A single link sweeps past everything within its reach, so for it nothing may stand below.
+    let below = match links {
+        1 => "",
+        _ => {
+            r#", { "type": "polygon", "vertices": [[-0.9, -1.2], [-0.5, -1.1], [-0.7, -0.9], [-0.6, -0.5], [-1.0, -0.6]] }"#
+        }
+    };
     let (start, goal) = (vec!["0.15"; links].join(","), format!("2.9{}", ",-0.1".repeat(links - 1)));
     parse(&format!(
         r#"{{ "format": "planarium-scenario-1", "name": "arm-of-{links}",
             "world": {{ "obstacles": [
-                {{ "type": "disc", "center": [0.1, 1.3], "radius": 0.2 }},
-                {{ "type": "polygon", "vertices": [[-0.9, -1.2], [-0.5, -1.1], [-0.7, -0.9], [-0.6, -0.5], [-1.0, -0.6]] }} ] }},
+                {{ "type": "disc", "center": [0.1, 1.3], "radius": 0.2 }}{below} ] }},
             "robot": {{ "type": "arm", "base": [0, 0], "links": [{}], "radius": {radius:?}{limits} }},
             "queries": [ {{ "name": "over", "start": [{start}], "goal": [{goal}] }} ] }}"#,
         list(&format!("{length:?}"))

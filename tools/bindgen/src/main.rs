@@ -12,7 +12,8 @@ fn main() -> ExitCode {
         return ExitCode::from(2);
     };
     let mut bindgen = wasm_bindgen_cli_support::Bindgen::new();
-    bindgen.input_path(input).typescript(true).out_name("planarium");
+    // After a trap the package makes a fresh instance; the reset function is how.
+    bindgen.input_path(input).typescript(true).reset_state_function(true).out_name("planarium");
     match bindgen.web(true).and_then(|bindgen| bindgen.generate(out)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

@@ -1,0 +1,183 @@
+/**
+ * What callers hand over, made safe before it reaches the core: right type, right length, finite.
+ * Each function returns a fresh value, so nothing a caller holds is ever shared with the core.
+ */
+import { PlanariumError } from "./error.js";
+
+/** Longest scenario text that is read, in characters. */
+const LONGEST_TEXT = 32 * 1024 * 1024;
+
+/**
+ * A count: an integer from 0 to 2^53 - 1.
+ * @param {unknown} value
+ * @param {string} name  of the argument, for the message and the pointer
+ * @returns {number}
+ */
+export function count(value, name) {
+  const number = finite(value, `/${name}`);
+  if (!Number.isSafeInteger(number) || number < 0) {
+    throw new PlanariumError("out-of-range", `\`${name}\` must be an integer from 0 to 2^53 - 1, not ${number}.`, `/${name}`);
+  }
+  return number;
+}
+
+/**
+ * A finite number.
+ * @param {unknown} value
+ * @param {string} pointer
+ * @returns {number}
+ */
+export function finite(value, pointer) {
+  if (typeof value !== "number") {
+    throw new PlanariumError("wrong-type", `A number is wanted at ${pointer}, not ${show(value)}.`, pointer);
+  }
+  if (!Number.isFinite(value)) {
+    throw new PlanariumError("not-finite", `The number at ${pointer} must be finite, not ${value}.`, pointer);
+  }
+  return value;
+}
+
+/**
+ * One configuration: an array of `dimension` finite numbers.
+ * @param {unknown} value
+ * @param {number} dimension
+ * @param {string} name
+ * @returns {Float64Array}
+ */
+export function configuration(value, dimension, name) {
+  const copy = numbers(value, name, dimension);
+  if (copy.length !== dimension) {
+    throw new PlanariumError(
+      "wrong-dimension",
+      `\`${name}\` must have ${dimension} ${dimension === 1 ? "number" : "numbers"}, one per degree of freedom, not ${copy.length}.`,
+      `/${name}`,
+    );
+  }
+  return copy;
+}
+
+/**
+ * Rows of `dimension` finite numbers, one after the other.
+ * @param {unknown} value
+ * @param {number} dimension
+ * @param {string} name
+ * @returns {Float64Array}
+ */
+export function rows(value, dimension, name) {
+  const copy = numbers(value, name);
+  if (copy.length % dimension !== 0) {
+    throw new PlanariumError(
+      "wrong-dimension",
+      `\`${name}\` must have whole rows of ${dimension} numbers; ${copy.length} numbers are not.`,
+      `/${name}`,
+    );
+  }
+  return copy;
+}
+
+/**
+ * A short string, a name.
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {string}
+ */
+export function text(value, name) {
+  if (typeof value !== "string") {
+    throw new PlanariumError("wrong-type", `\`${name}\` must be a string, not ${show(value)}.`, `/${name}`);
+  }
+  return value;
+}
+
+/**
+ * A document as JSON text: as it is, or written from an object.
+ * @param {unknown} value
+ * @returns {string}
+ */
+export function documentText(value) {
+  const written = typeof value === "string" ? value : json(value);
+  if (written.length > LONGEST_TEXT) {
+    throw new PlanariumError("too-large", `A scenario of ${written.length} characters is too large; ${LONGEST_TEXT} are read at most.`);
+  }
+  return written;
+}
+
+/**
+ * Options: a plain copy of an object of JSON values; nothing at all means none.
+ * @param {unknown} value
+ * @returns {Record<string, unknown>}
+ */
+export function options(value) {
+  if (value === undefined) return {};
+  const copy = JSON.parse(json(value));
+  if (typeof copy !== "object" || copy === null || Array.isArray(copy)) {
+    throw new PlanariumError("wrong-type", `Options are an object, not ${show(value)}.`);
+  }
+  return copy;
+}
+
+/**
+ * A value as JSON text. JSON has no word for NaN and infinity, so they are refused by name instead of turning into null.
+ * Fields that are `undefined` count as absent, as everywhere in JSON.
+ * @param {unknown} value
+ * @returns {string}
+ */
+function json(value) {
+  let written;
+  try {
+    written = JSON.stringify(value);
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    throw new PlanariumError("invalid-json", `This object cannot be written as JSON: ${reason}`, "", { cause: error });
+  }
+  if (written === undefined) {
+    throw new PlanariumError("wrong-type", `An object is wanted, not ${show(value)}.`);
+  }
+  // Every number that is not finite has become a null; look for them only where there is one.
+  if (written.includes("null")) refuseNonFinite(value, "");
+  return written;
+}
+
+/**
+ * @param {unknown} value
+ * @param {string} pointer
+ */
+function refuseNonFinite(value, pointer) {
+  if (typeof value === "number") finite(value, pointer);
+  if (typeof value !== "object" || value === null) return;
+  for (const [key, inner] of Object.entries(value)) {
+    refuseNonFinite(inner, `${pointer}/${key.replaceAll("~", "~0").replaceAll("/", "~1")}`);
+  }
+}
+
+/**
+ * A copy of an array of finite numbers. Whatever the caller's own getters and proxies throw is wrapped.
+ * @param {unknown} value
+ * @param {string} name
+ * @param {number} [wanted]  the only length that is wanted; an array of another length is not read
+ * @returns {Float64Array}
+ */
+function numbers(value, name, wanted) {
+  try {
+    const isList = Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
+    if (!isList) {
+      throw new PlanariumError("wrong-type", `\`${name}\` must be an array of numbers, not ${show(value)}.`, `/${name}`);
+    }
+    const list = /** @type {ArrayLike<unknown>} */ (/** @type {unknown} */ (value));
+    const copy = new Float64Array(list.length);
+    if (wanted !== undefined && copy.length !== wanted) return copy;
+    for (let i = 0; i < copy.length; i += 1) copy[i] = finite(list[i], `/${name}/${i}`);
+    return copy;
+  } catch (error) {
+    if (error instanceof PlanariumError) throw error;
+    const reason = error instanceof Error ? error.message : String(error);
+    throw new PlanariumError("wrong-type", `\`${name}\` cannot be read: ${reason}`, `/${name}`, { cause: error });
+  }
+}
+
+/** A value for a message: short, and never by way of the caller's own code. @param {unknown} value */
+function show(value) {
+  if (typeof value === "string") return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}...` : value);
+  if (typeof value === "function") return "a function";
+  if (typeof value === "object" && value !== null) return "an object";
+  return typeof value === "bigint" ? `${value}n` : String(value);
+}

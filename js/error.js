@@ -1,0 +1,39 @@
+/** The one error type of the package. */
+
+/**
+ * What the package throws, always: a stable code, a sentence with the offending value, and where it stands.
+ *
+ * The codes are those of the crate (`invalid-json`, `unknown-field`, `start-in-collision`, ...), and five of the
+ * package itself: `not-initialised` (call `init` first), `init-failed` (the WebAssembly file could not be loaded),
+ * `freed` (the handle was used after `free`), `illegal-constructor` (handles come from `Scenario.parse`,
+ * `Scenario.generate` and `scenario.planner`) and `internal` (a fault in Planarium: please report it).
+ */
+export class PlanariumError extends Error {
+  /**
+   * @param {string} code     stable, in kebab-case; programs may match on it
+   * @param {string} message  a sentence for people
+   * @param {string} [pointer]  JSON pointer (RFC 6901) of the offending value; empty where the whole is meant
+   * @param {ErrorOptions} [options]  the `cause`, where there is one
+   */
+  constructor(code, message, pointer = "", options = undefined) {
+    super(message, options);
+    /** Always `"PlanariumError"`. @type {string} */
+    this.name = "PlanariumError";
+    /** Stable code in kebab-case, for programs. @type {string} */
+    this.code = code;
+    /** JSON pointer of the offending value in the document or the arguments; empty where the whole is meant. @type {string} */
+    this.pointer = pointer;
+  }
+}
+
+/**
+ * Whether an error came from the core, which marks its own with a code and a pointer.
+ * @param {unknown} error
+ * @returns {error is { code: string, pointer: string, message: string }}
+ * @internal
+ */
+export function isFromCore(error) {
+  return error instanceof Error
+    && "code" in error && typeof error.code === "string"
+    && "pointer" in error && typeof error.pointer === "string";
+}

@@ -1,0 +1,20 @@
+/** What stands on its own: the list of planners, and a fresh seed. */
+import { call } from "./runtime.js";
+
+/** @import { PlannerInfo } from "./types.js" */
+
+/**
+ * The planners and their parameters, with title, meaning, unit, range and default of each.
+ * @returns {PlannerInfo[]}
+ */
+export function planners() {
+  return call((core) => core.planners());
+}
+
+/**
+ * A seed from the platform's entropy: an integer from 0 to 2^53 - 1.
+ * @returns {number}
+ */
+export function freshSeed() {
+  return call((core) => core.fresh_seed());
+}

@@ -1,0 +1,60 @@
+/**
+ * Planarium for browsers, workers and bundlers: `await init()` fetches `planarium_bg.wasm` from beside this file.
+ * Importing it does nothing else.
+ */
+import { load, loadSync } from "./runtime.js";
+
+export { PlanariumError } from "./error.js";
+export { freshSeed, planners } from "./functions.js";
+export { Planner } from "./planner.js";
+export { Scenario } from "./scenario.js";
+export { version } from "./version.js";
+
+/** @typedef {import("./types.js").Status} Status */
+/** @typedef {import("./types.js").Phase} Phase */
+/** @typedef {import("./types.js").Point} Point */
+/** @typedef {import("./types.js").Configuration} Configuration */
+/** @typedef {import("./types.js").Box} Box */
+/** @typedef {import("./types.js").Part} Part */
+/** @typedef {import("./types.js").Touching} Touching */
+/** @typedef {import("./types.js").Check} Check */
+/** @typedef {import("./types.js").Obstacle} Obstacle */
+/** @typedef {import("./types.js").World} World */
+/** @typedef {import("./types.js").Robot} Robot */
+/** @typedef {import("./types.js").Query} Query */
+/** @typedef {import("./types.js").ScenarioDocument} ScenarioDocument */
+/** @typedef {import("./types.js").PlannerInfo} PlannerInfo */
+/** @typedef {import("./types.js").ParameterInfo} ParameterInfo */
+/** @typedef {import("./types.js").PlannerOptions} PlannerOptions */
+/** @typedef {import("./types.js").GenerateOptions} GenerateOptions */
+/** @typedef {import("./types.js").CspaceOptions} CspaceOptions */
+/** @typedef {import("./types.js").Stats} Stats */
+/** @typedef {import("./types.js").ResultDocument} ResultDocument */
+/** @typedef {import("./types.js").InitInput} InitInput */
+/** @typedef {import("./types.js").InitSyncInput} InitSyncInput */
+
+/**
+ * Loads Planarium. Call it once before anything else; further calls, also meanwhile, share the first load.
+ * In Node the package is ready on import and this resolves at once.
+ *
+ * After an error with the code `internal` the core is lost; calling `init` again makes a fresh one.
+ *
+ * @param {InitInput | Promise<InitInput> | { module_or_path: InitInput | Promise<InitInput> }} [input]
+ *   where `planarium_bg.wasm` is: a URL, a Request, a Response, its bytes, or the compiled module.
+ *   By default the file beside this one.
+ * @returns {Promise<void>}
+ * @throws {PlanariumError} rejects with the code `init-failed`; the next call tries again
+ */
+export default async function init(input) {
+  await load(input ?? new URL("./planarium_bg.wasm", import.meta.url));
+}
+
+/**
+ * Loads Planarium at once from bytes or a compiled module, where nothing can be awaited.
+ * @param {InitSyncInput | { module: InitSyncInput }} module
+ * @returns {void}
+ * @throws {PlanariumError} `init-failed`
+ */
+export function initSync(module) {
+  loadSync(module);
+}

@@ -1,0 +1,235 @@
+/// <reference lib="esnext.disposable" preserve="true" />
+/** A planning run that is stepped from outside, and read by cursors. */
+import * as argument from "./arguments.js";
+import { PlanariumError } from "./error.js";
+import { Handle, key } from "./handle.js";
+
+/** @import { RawPlanner } from "./planarium_glue.js" */
+/** @import { Phase, ResultDocument, Stats, Status } from "./types.js" */
+
+/** Iterations in one call of the core at most: cheap iterations still outweigh the call, dear ones do not stall. */
+const LONGEST_SLICE = 64;
+
+/** Phases whose time counts as search; all others build. */
+const SEARCHING = new Set(["searching", "shortcutting"]);
+
+/**
+ * Makes the handle of a run.
+ * @param {RawPlanner} raw
+ * @returns {Planner}
+ * @internal
+ */
+export function makePlanner(raw) {
+  // The constructor is private to callers, not to the package.
+  const Construct = /** @type {new (secret: symbol, raw: RawPlanner) => Planner} */ (
+    /** @type {unknown} */ (Planner)
+  );
+  return new Construct(key, raw);
+}
+
+/**
+ * One run of one planner. It does nothing by itself: each `step` makes some iterations, and whoever watches asks for
+ * what is new since a cursor. How the iterations are cut into steps never changes the result.
+ *
+ * Vertices, edges and events are only ever added. Vertex 0 is the start, vertex 1 the goal.
+ */
+export class Planner {
+  /** @type {Handle<RawPlanner>} */
+  #handle;
+  #buildMilliseconds = 0;
+  #searchMilliseconds = 0;
+
+  /**
+   * @param {symbol} secret
+   * @param {RawPlanner} raw
+   * @private
+   */
+  constructor(secret, raw) {
+    if (secret !== key) {
+      throw new PlanariumError("illegal-constructor", "A Planner comes from scenario.planner(options).");
+    }
+    this.#handle = new Handle(raw, "Planner");
+  }
+
+  /**
+   * Makes at most `n` iterations. Once solved or exhausted it does nothing more.
+   * @param {number} n  an integer from 0 to 2^53 - 1
+   * @returns {Status}
+   */
+  step(n) {
+    return this.#handle.call((raw) => this.#advance(raw, argument.count(n, "n"), Infinity));
+  }
+
+  /**
+   * Makes iterations for about `ms` milliseconds, and one at least. The clock is read after slices that are kept
+   * below a quarter of the budget, so the overrun stays below that too.
+   * @param {number} ms  0 or more
+   * @returns {Status}
+   */
+  stepFor(ms) {
+    return this.#handle.call((raw) => {
+      if (argument.finite(ms, "/ms") < 0) {
+        throw new PlanariumError("out-of-range", `\`ms\` must be 0 or more, not ${ms}.`, "/ms");
+      }
+      return this.#advance(raw, Infinity, ms);
+    });
+  }
+
+  /** Where the run stands. @returns {Status} */
+  get status() {
+    return /** @type {Status} */ (this.#handle.call((raw) => raw.status()));
+  }
+
+  /** What the planner is at: see `Phase`. @returns {Phase} */
+  get phase() {
+    return /** @type {Phase} */ (this.#handle.call((raw) => raw.phase()));
+  }
+
+  /** Iterations made so far. @returns {number} */
+  get iterations() {
+    return this.#handle.call((raw) => raw.iterations());
+  }
+
+  /** Degrees of freedom: numbers in a row of `verticesSince` and `path`. @returns {number} */
+  get dimension() {
+    return this.#handle.call((raw) => raw.dimension());
+  }
+
+  /** Numbers in a row of `eventsSince`: 4 + `dimension`. @returns {number} */
+  get eventWidth() {
+    return this.#handle.call((raw) => raw.event_width());
+  }
+
+  /** Vertices so far. @returns {number} */
+  get vertexCount() {
+    return this.#handle.call((raw) => raw.vertex_count());
+  }
+
+  /** Edges so far. @returns {number} */
+  get edgeCount() {
+    return this.#handle.call((raw) => raw.edge_count());
+  }
+
+  /** Events so far. @returns {number} */
+  get eventCount() {
+    return this.#handle.call((raw) => raw.event_count());
+  }
+
+  /**
+   * The vertices from a row on: configurations, rows of `dimension` numbers. A fresh copy, yours to keep.
+   * @param {number} row  an integer from 0 to `vertexCount`
+   * @returns {Float64Array}
+   */
+  verticesSince(row) {
+    return this.#handle.call((raw) => raw.vertices_since(argument.count(row, "row")));
+  }
+
+  /**
+   * The edges from a row on: rows of two vertex numbers, (parent, child) in trees. A fresh copy, yours to keep.
+   * @param {number} row  an integer from 0 to `edgeCount`
+   * @returns {Uint32Array}
+   */
+  edgesSince(row) {
+    return this.#handle.call((raw) => raw.edges_since(argument.count(row, "row")));
+  }
+
+  /**
+   * The events from a row on: rows of `eventWidth` numbers (kind, iteration, vertex or -1, other vertex or -1,
+   * configuration). A fresh copy, yours to keep. Kinds:
+   *
+   * - 0: a sample was rejected; the configuration is the sample
+   * - 1: an edge was refused, from the vertex to the other vertex or, where that is -1, to the configuration
+   * - 2: the search expanded the vertex
+   * - 3: a solution was found; the vertex is where
+   * @param {number} row  an integer from 0 to `eventCount`
+   * @returns {Float64Array}
+   */
+  eventsSince(row) {
+    return this.#handle.call((raw) => raw.events_since(argument.count(row, "row")));
+  }
+
+  /**
+   * The path: rows of `dimension` numbers, empty until solved. Between rows motion is linear, circles the short way
+   * round, and no step turns a joint by more than 3 rad.
+   * @returns {Float64Array}
+   */
+  path() {
+    return this.#handle.call((raw) => raw.path());
+  }
+
+  /**
+   * What was counted, and the time spent in `step` and `stepFor`.
+   * @returns {Stats}
+   */
+  stats() {
+    return this.#timed(this.#handle.call((raw) => raw.stats()));
+  }
+
+  /**
+   * The result document, the same as the command line prints.
+   * @returns {ResultDocument}
+   */
+  result() {
+    const result = this.#handle.call((raw) => raw.result());
+    return { ...result, stats: this.#timed(result.stats) };
+  }
+
+  /**
+   * 16 hexadecimal digits over every vertex, edge and event in order: equal runs have equal fingerprints, on every
+   * platform.
+   * @returns {string}
+   */
+  fingerprint() {
+    return this.#handle.call((raw) => raw.fingerprint());
+  }
+
+  /** Gives the memory back. Any use afterwards throws `freed`; freeing twice does nothing. @returns {void} */
+  free() {
+    this.#handle.free();
+  }
+
+  /** The same as `free`, for `using`. @returns {void} */
+  [Symbol.dispose]() {
+    this.#handle.free();
+  }
+
+  /**
+   * Steps in slices. The core reads no clock, so time is taken here, and booked on the phase a slice began in.
+   * A slice doubles while two of it would fit a quarter of the budget, halves when it outgrew that, and starts from
+   * one iteration in each phase, since the phases differ a hundredfold.
+   * @param {RawPlanner} raw
+   * @param {number} iterations
+   * @param {number} budget  milliseconds
+   * @returns {Status}
+   */
+  #advance(raw, iterations, budget) {
+    const began = performance.now();
+    let now = began;
+    let left = iterations;
+    let slice = 1;
+    let phase = raw.phase();
+    while (left > 0) {
+      const before = raw.iterations();
+      raw.step(Math.min(slice, left));
+      const made = raw.iterations() - before;
+      const spent = performance.now() - now;
+      now += spent;
+      if (SEARCHING.has(phase)) this.#searchMilliseconds += spent;
+      else this.#buildMilliseconds += spent;
+      left -= made;
+      const room = Math.min(budget / 4, budget - (now - began));
+      if (made === 0 || room <= 0) break;
+      const reached = raw.phase();
+      if (reached !== phase) slice = 1;
+      else if (spent > room) slice = Math.max(1, slice >> 1);
+      else if (2 * spent <= room) slice = Math.min(LONGEST_SLICE, 2 * slice);
+      phase = reached;
+    }
+    return /** @type {Status} */ (raw.status());
+  }
+
+  /** @param {Stats} stats @returns {Stats} */
+  #timed(stats) {
+    return { ...stats, build_seconds: this.#buildMilliseconds / 1000, search_seconds: this.#searchMilliseconds / 1000 };
+  }
+}

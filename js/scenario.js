@@ -1,0 +1,245 @@
+/// <reference lib="esnext.disposable" preserve="true" />
+/** A scenario: the world, the robot in it, and the queries to plan for. */
+import * as argument from "./arguments.js";
+import { PlanariumError } from "./error.js";
+import { Handle, key } from "./handle.js";
+import { Planner, makePlanner } from "./planner.js";
+import { call } from "./runtime.js";
+
+/** @import { RawScenario } from "./planarium_glue.js" */
+/** @import { Box, Check, Configuration, CspaceOptions, GenerateOptions, Part, PlannerOptions, ScenarioDocument } from "./types.js" */
+
+/** Rows handed over at once by `endEffectors`, so that a long list does not make the core's memory grow. */
+const ROWS_AT_ONCE = 16384;
+
+/**
+ * A parsed, checked scenario: it answers questions about configurations and motions, and makes planners.
+ * Lengths are in metres, angles in radians, counter-clockwise, y points up.
+ */
+export class Scenario {
+  /** @type {Handle<RawScenario>} */
+  #handle;
+  /** @type {number} */
+  #dimension;
+
+  /**
+   * @param {symbol} secret
+   * @param {RawScenario} raw
+   * @private
+   */
+  constructor(secret, raw) {
+    if (secret !== key) {
+      throw new PlanariumError("illegal-constructor", "A Scenario comes from Scenario.parse or Scenario.generate.");
+    }
+    this.#handle = new Handle(raw, "Scenario");
+    this.#dimension = raw.dimension();
+  }
+
+  /**
+   * Reads a scenario document.
+   * @param {string | object} input  JSON text, or the document as an object
+   * @returns {Scenario}
+   * @throws {PlanariumError} what is wrong, with a JSON pointer to it: `invalid-json`, `unknown-field`,
+   *   `missing-field`, `wrong-type`, `out-of-range`, `degenerate-polygon`, `base-in-collision`, ...
+   */
+  static parse(input) {
+    return call((core) => new Scenario(key, core.RawScenario.parse(argument.documentText(input))));
+  }
+
+  /**
+   * Makes a scenario from a seed: a `forest` of triangles around an arm, or a `clutter` of convex polygons.
+   * The same kind and options always make the same scenario.
+   * @param {"forest" | "clutter"} kind
+   * @param {GenerateOptions} [options]
+   * @returns {Scenario}
+   * @throws {PlanariumError} `unknown-generator`, `unknown-parameter`, `out-of-range`, `wrong-type`
+   */
+  static generate(kind, options) {
+    return call((core) => new Scenario(key, core.RawScenario.generate(argument.text(kind, "kind"), argument.options(options))));
+  }
+
+  /** Name of the scenario. @returns {string} */
+  get name() {
+    return this.#handle.call((raw) => raw.name());
+  }
+
+  /** Title for people; the name where the document has none. @returns {string} */
+  get title() {
+    return this.#handle.call((raw) => raw.title());
+  }
+
+  /** What moves. @returns {"arm" | "disc"} */
+  get robot() {
+    return /** @type {"arm" | "disc"} */ (this.#handle.call((raw) => raw.robot()));
+  }
+
+  /** Degrees of freedom: the length of a configuration. @returns {number} */
+  get dimension() {
+    return this.#handle.call((raw) => raw.dimension());
+  }
+
+  /**
+   * The document, complete with its defaults.
+   * @returns {ScenarioDocument}
+   */
+  document() {
+    return this.#handle.call((raw) => raw.document());
+  }
+
+  /**
+   * The same as `document()`, so that `JSON.stringify(scenario)` writes the document.
+   * @returns {ScenarioDocument}
+   */
+  toJSON() {
+    return this.document();
+  }
+
+  /**
+   * The box worth drawing: the bounds, or what the arm can reach and the obstacles.
+   * @returns {Box}
+   */
+  extent() {
+    const [left, low, right, high] = this.#handle.call((raw) => raw.extent());
+    return { min: [left, low], max: [right, high] };
+  }
+
+  /**
+   * Whether a configuration is free, and every pair that touches where it is not.
+   * @param {Configuration} q
+   * @returns {Check}
+   */
+  check(q) {
+    return this.#handle.call((raw) => raw.check(this.#configuration(q, "q")));
+  }
+
+  /**
+   * The robot's parts in the world at a configuration, to draw.
+   * @param {Configuration} q
+   * @returns {Part[]}
+   */
+  footprint(q) {
+    return this.#handle.call((raw) => raw.footprint(this.#configuration(q, "q")));
+  }
+
+  /**
+   * The point that a picture of the workspace plots for a configuration: an arm's tip, a disc's centre.
+   * @param {Configuration} q
+   * @returns {[number, number]}
+   */
+  endEffector(q) {
+    const [x, y] = this.#handle.call((raw) => raw.end_effector(this.#configuration(q, "q")));
+    return [x, y];
+  }
+
+  /**
+   * `endEffector` for many configurations in one call.
+   * @param {Float64Array | readonly number[]} vertices  rows of `dimension` numbers
+   * @returns {Float64Array} rows of two numbers, x and y
+   */
+  endEffectors(vertices) {
+    return this.#handle.call((raw) => {
+      const dimension = this.#dimension;
+      const given = argument.rows(vertices, dimension, "vertices");
+      const points = new Float64Array((given.length / dimension) * 2);
+      for (let row = 0; row * dimension < given.length; row += ROWS_AT_ONCE) {
+        const block = given.subarray(row * dimension, (row + ROWS_AT_ONCE) * dimension);
+        points.set(raw.end_effectors(block), row * 2);
+      }
+      return points;
+    });
+  }
+
+  /**
+   * The configuration at the fraction `t` of the motion from `a` to `b`; circles go the short way round.
+   * @param {Configuration} a
+   * @param {Configuration} b
+   * @param {number} t  from 0 to 1
+   * @returns {Float64Array}
+   */
+  interpolate(a, b, t) {
+    return this.#handle.call((raw) =>
+      raw.interpolate(this.#configuration(a, "a"), this.#configuration(b, "b"), argument.finite(t, "/t")));
+  }
+
+  /**
+   * Distance between two configurations in the scenario's own metric.
+   * @param {Configuration} a
+   * @param {Configuration} b
+   * @returns {number}
+   */
+  distance(a, b) {
+    return this.#handle.call((raw) => raw.distance(this.#configuration(a, "a"), this.#configuration(b, "b")));
+  }
+
+  /**
+   * Where the motion from `a` to `b` is first refused: the fraction at which the first stretch begins that could not
+   * be proven free. All before it is proven. `null` means the whole motion is proven free.
+   * @param {Configuration} a
+   * @param {Configuration} b
+   * @returns {number | null}
+   */
+  firstHit(a, b) {
+    return this.#handle.call((raw) => raw.first_hit(this.#configuration(a, "a"), this.#configuration(b, "b"))) ?? null;
+  }
+
+  /**
+   * Picture of the configuration space of an arm of two joints: one byte a cell, row by row from the lowest angles,
+   * taken at cell centres; 1 is collision.
+   * @param {CspaceOptions} size
+   * @returns {Uint8Array}
+   * @throws {PlanariumError} `unsupported` for any other robot
+   */
+  cspace(size) {
+    return this.#handle.call((raw) => {
+      const { width, height } = argument.options(size);
+      return raw.cspace(argument.count(width, "width"), argument.count(height, "height"));
+    });
+  }
+
+  /**
+   * The angles that the picture of `cspace` spans: -pi to pi for a circle, the limits for a joint that has them.
+   * @returns {[[number, number], [number, number]]}
+   * @throws {PlanariumError} `unsupported` for any robot but an arm of two joints
+   */
+  cspaceRange() {
+    const [low1, high1, low2, high2] = this.#handle.call((raw) => raw.cspace_range());
+    return [[low1, high1], [low2, high2]];
+  }
+
+  /**
+   * For each coordinate of a configuration, whether it is a circle (an angle that wraps).
+   * @returns {boolean[]}
+   */
+  circles() {
+    return Array.from(this.#handle.call((raw) => raw.circles()), (wraps) => wraps === 1);
+  }
+
+  /**
+   * Starts a planner on one of the scenario's queries. The planner lives on when the scenario is freed.
+   * @param {PlannerOptions} [options]
+   * @returns {Planner}
+   * @throws {PlanariumError} `unknown-planner`, `unknown-query`, `unknown-parameter`, `out-of-range`,
+   *   `start-in-collision`, `goal-in-collision` (the message names what touches what)
+   */
+  planner(options) {
+    return this.#handle.call((raw) => makePlanner(raw.planner(argument.options(options))));
+  }
+
+  /** Gives the memory back. Any use afterwards throws `freed`; freeing twice does nothing. @returns {void} */
+  free() {
+    this.#handle.free();
+  }
+
+  /** The same as `free`, for `using`. @returns {void} */
+  [Symbol.dispose]() {
+    this.#handle.free();
+  }
+
+  /**
+   * @param {unknown} value
+   * @param {string} name
+   */
+  #configuration(value, name) {
+    return argument.configuration(value, this.#dimension, name);
+  }
+}

@@ -1,0 +1,235 @@
+/**
+ * The documents and records of the package. Lengths are in metres, angles in radians, counter-clockwise, y points up.
+ */
+
+/** Where a run stands: it goes on, it has found a path, or its budget of iterations is spent. */
+export type Status = "running" | "solved" | "exhausted";
+
+/**
+ * What a planner is at. `prm`: sampling, connecting, searching, shortcutting, done.
+ * `rrt-connect`: growing, shortcutting, done.
+ */
+export type Phase = "sampling" | "connecting" | "searching" | "growing" | "shortcutting" | "done";
+
+/** A point of the plane: x, y. */
+export type Point = [number, number];
+
+/** A configuration: one number per degree of freedom (the joints of an arm; x and y of a disc). */
+export type Configuration = readonly number[] | Float64Array;
+
+/** A box along the axes. */
+export interface Box {
+  /** Lower left corner. */
+  min: Point;
+  /** Upper right corner. */
+  max: Point;
+}
+
+/** One moving part of a robot, in the world: a link with round ends (radius 0 is a segment), or a disc (radius 0 is a point). */
+export type Part =
+  | { type: "capsule"; a: Point; b: Point; radius: number }
+  | { type: "disc"; center: Point; radius: number };
+
+/** One pair that touches. */
+export interface Touching {
+  /** Index of the part in `footprint`. */
+  part: number;
+  /** Index of the obstacle in the document, or the bounds of the world. */
+  obstacle: number | "bounds";
+}
+
+/** Whether a configuration is free, and what touches where it is not. */
+export interface Check {
+  /** Nothing touches. */
+  free: boolean;
+  /** Every pair that touches. */
+  touching: Touching[];
+}
+
+/** A filled obstacle; touching it is collision. */
+export type Obstacle =
+  | { type: "polygon"; vertices: Point[] }
+  | { type: "disc"; center: Point; radius: number };
+
+/** What the robot moves in. */
+export interface World {
+  /** The robot stays inside, and may touch them. Required for a disc. */
+  bounds?: Box;
+  /** May be empty. */
+  obstacles: Obstacle[];
+}
+
+/** What moves: a planar arm of 1 to 8 links, or a disc (radius 0 is a point). */
+export type Robot =
+  | {
+      type: "arm";
+      /** Where the first joint is. */
+      base: Point;
+      /** Lengths of the links. */
+      links: number[];
+      /** Half the thickness of the links; 0 where absent. */
+      radius?: number;
+      /** One interval per joint; without them each joint is a circle. */
+      joint_limits?: Point[];
+    }
+  | { type: "disc"; radius: number };
+
+/** A motion that is asked for. */
+export interface Query {
+  /** Unique in its scenario. */
+  name: string;
+  /** Configuration to start from. */
+  start: number[];
+  /** Configuration to reach. */
+  goal: number[];
+}
+
+/** A scenario as a document, in the format `planarium-scenario-1`; its JSON Schema is `planarium/scenario.schema.json`. */
+export interface ScenarioDocument {
+  /** Names the format and its version. */
+  format: "planarium-scenario-1";
+  /** Short name. */
+  name: string;
+  /** Title for people. */
+  title?: string;
+  /** Obstacles and bounds. */
+  world: World;
+  /** What moves. */
+  robot: Robot;
+  /** May be empty. */
+  queries: Query[];
+}
+
+/** A planner, as a page would offer it. */
+export interface PlannerInfo {
+  /** What `algorithm` takes. */
+  id: string;
+  /** Title for people. */
+  title: string;
+  /** What it does, in a sentence or two. */
+  summary: string;
+  /** What can be set. */
+  parameters: ParameterInfo[];
+}
+
+/** One parameter of a planner. */
+export interface ParameterInfo {
+  /** Key in the options. */
+  name: string;
+  /** Title for people. */
+  title: string;
+  /** What values it takes. */
+  kind: "integer" | "number" | "boolean" | "choice";
+  /** Unit, or an empty string. */
+  unit: string;
+  /** Least value of a number; null where there is none. */
+  min: number | null;
+  /** Greatest value of a number; null where there is none. */
+  max: number | null;
+  /** Value where it is not set; null where it depends on the scenario. */
+  default: number | boolean | string | null;
+  /** What a choice may be. */
+  choices?: string[];
+  /** What it does. */
+  meaning: string;
+}
+
+/** How to plan: the common options, and the planner's own parameters by name (see `planners()`). */
+export interface PlannerOptions {
+  /** Id of the planner; `rrt-connect` where absent. */
+  algorithm?: string;
+  /** Name of the query; the first where absent. */
+  query?: string;
+  /** Integer from 0 to 2^53 - 1; 0 where absent. The same seed gives the same run, bit for bit. */
+  seed?: number;
+  /** How an arm's joint distances are put together; `sum` where absent. */
+  metric?: "sum" | "euclidean";
+  /** Budget of iterations; 100,000 where absent. */
+  max_iterations?: number;
+  /** Any other parameter of the planner. */
+  [parameter: string]: number | string | boolean | undefined;
+}
+
+/** Options of `Scenario.generate`. */
+export interface GenerateOptions {
+  /** Integer from 0 to 2^53 - 1; 0 where absent. */
+  seed?: number;
+  /** Links of the arm. */
+  links?: number;
+  /** Any other option of the generator. */
+  [option: string]: number | string | boolean | undefined;
+}
+
+/** Size of a picture of the configuration space, in cells. */
+export interface CspaceOptions {
+  /** Cells along the first joint. */
+  width: number;
+  /** Cells along the second joint. */
+  height: number;
+}
+
+/** What a run has counted. */
+export interface Stats {
+  /** Iterations made. */
+  iterations: number;
+  /** Vertices in the graph. */
+  vertices: number;
+  /** Edges in the graph. */
+  edges: number;
+  /** Configurations tested for collision by themselves. */
+  configuration_checks: number;
+  /** Motions tested. */
+  motion_checks: number;
+  /** Questions to the index of neighbours. */
+  nearest_queries: number;
+  /** Vertices that the search expanded. */
+  visited: number;
+  /** Distances to obstacles computed for the proofs. */
+  clearance_evaluations: number;
+  /** Seconds spent building the graph, in this handle's own steps. */
+  build_seconds: number;
+  /** Seconds spent searching it and shortening the path. */
+  search_seconds: number;
+}
+
+/** The result of a run, the same as the command line prints. */
+export interface ResultDocument {
+  /** Name of the scenario. */
+  scenario: string;
+  /** Name of the query. */
+  query: string;
+  /** Id of the planner. */
+  planner: string;
+  /** Seed of the run. */
+  seed: number;
+  /** Where the run stands. */
+  status: Status;
+  /** Waypoints; empty unless solved. */
+  path: number[][];
+  /** Length of the path in the metric of the run. */
+  length: number;
+  /** What was counted. */
+  stats: Stats;
+  /** 16 hexadecimal digits over every vertex, edge and event. */
+  fingerprint: string;
+}
+
+/** Something with a URL that can be fetched: a `URL` or a `Request`. */
+export type Fetchable = { readonly href: string } | { readonly url: string; readonly method: string };
+
+/** What a `Response` is, as far as it matters here. */
+export interface WasmResponse {
+  /** Whether the server answered with the file. */
+  readonly ok: boolean;
+  /** Reads the bytes. */
+  arrayBuffer(): Promise<ArrayBuffer>;
+}
+
+/** What `init` can load: a URL, a `Request`, a `Response`, the bytes, or a compiled `WebAssembly.Module`. */
+export type InitInput = string | Fetchable | WasmResponse | InitSyncInput;
+
+/**
+ * What `initSync` can load: the bytes, or a compiled `WebAssembly.Module`, which is written as `object` here so that
+ * these types also serve programs without the DOM library.
+ */
+export type InitSyncInput = ArrayBuffer | ArrayBufferView | object;

@@ -1,0 +1,139 @@
+/**
+ * From Rust and JavaScript to what is served and published:
+ *
+ *   dist/glue/     wasm-bindgen's output, optimized
+ *   dist/types/    declarations of the package, from the JSDoc types
+ *   dist/package/  what `npm pack` publishes
+ *   dist/page/     the static page
+ *
+ * `node scripts/build.mjs` builds all, `node scripts/build.mjs package` leaves the page out.
+ */
+import { createHash } from "node:crypto";
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { basename, join } from "node:path";
+import { Problem, ask, isMain, root, run, script } from "./run.mjs";
+import { ensureNodeModules, ensureWasmTarget, lockedVersion } from "./setup.mjs";
+
+const dist = join(root, "dist");
+const glue = join(dist, "glue");
+const types = join(dist, "types", "planarium");
+
+/** Best of -O2, -O3, -O4, -Os and -Oz in size and speed together; the features are those that rustc has written into the module. */
+const OPTIMIZE = ["-O3"];
+
+/** The tool runs for a second and is compiled once: optimizing it and its dependencies would cost more than it gives. */
+const QUICK_TOOL = ["--config", "profile.dev.package.\"*\".opt-level=0", "--config", "profile.dev.debug=0"];
+
+/** Compiles the crate and assembles the package. */
+export async function buildPackage() {
+  await ensureNodeModules();
+  await ensureWasmTarget();
+  requireOneBindgen();
+  await makeGlue(await compileCrate());
+  await makeTypes();
+  await assemblePackage();
+}
+
+/** Assembles the page around the package. */
+export function assemblePage() {
+  const page = join(root, "www");
+  const out = join(dist, "page");
+  requireFile(join(page, "index.html"));
+  rmSync(out, { recursive: true, force: true });
+  cpSync(page, out, { recursive: true, filter: (path) => !path.endsWith("tsconfig.json") && !path.endsWith(".md") });
+  const isForBrowsers = (/** @type {string} */ name) => name !== "node.js" && (name.endsWith(".js") || name.endsWith(".wasm"));
+  mkdirSync(join(out, "planarium"), { recursive: true });
+  for (const name of readdirSync(join(dist, "package")).filter(isForBrowsers)) {
+    cpSync(join(dist, "package", name), join(out, "planarium", name));
+  }
+}
+
+/** The glue and the crate must come from the same wasm-bindgen, or they do not understand each other. */
+function requireOneBindgen() {
+  const crate = lockedVersion("wasm-bindgen");
+  const tool = lockedVersion("wasm-bindgen-cli-support");
+  if (crate !== tool) {
+    throw new Problem(
+      `wasm-bindgen is ${crate} in the crate but ${tool} in tools/bindgen. Set both to one version in Cargo.toml and tools/bindgen/Cargo.toml.`,
+    );
+  }
+}
+
+/** @returns {Promise<string>} path of the compiled module */
+async function compileCrate() {
+  await run("cargo", ["build", "--release", "--target", "wasm32-unknown-unknown", "--lib", "--locked"]);
+  const metadata = ask("cargo", ["metadata", "--format-version", "1", "--no-deps", "--locked"]);
+  if (metadata === undefined) throw new Problem("`cargo metadata` failed.");
+  return join(JSON.parse(metadata).target_directory, "wasm32-unknown-unknown", "release", "planarium.wasm");
+}
+
+/**
+ * Writes the glue and the optimized module, unless they are there already for this very input.
+ * @param {string} wasm
+ */
+async function makeGlue(wasm) {
+  const tool = readFileSync(join(root, "tools", "bindgen", "src", "main.rs"));
+  const binaryen = readFileSync(join(root, "node_modules", "binaryen", "package.json"));
+  const stamp = createHash("sha256").update(readFileSync(wasm)).update(tool).update(binaryen).update(OPTIMIZE.join(" "))
+    .update(lockedVersion("wasm-bindgen")).digest("hex");
+  const stampFile = join(glue, "stamp");
+  if (existsSync(stampFile) && readFileSync(stampFile, "utf8") === stamp) return;
+
+  rmSync(glue, { recursive: true, force: true });
+  mkdirSync(glue, { recursive: true });
+  await run("cargo", [...QUICK_TOOL, "run", "--quiet", "--locked", "-p", "planarium-bindgen", "--", wasm, glue]);
+  // The package's own entry is planarium.js; the generated file steps back.
+  const script = readFileSync(join(glue, "planarium.js"), "utf8").replace(/^\/\* @ts-self-types=.*\*\/\n/, "");
+  writeFileSync(join(glue, "planarium_glue.js"), script);
+  rmSync(join(glue, "planarium.js"));
+  renameSync(join(glue, "planarium.d.ts"), join(glue, "planarium_glue.d.ts"));
+
+  const module = join(glue, "planarium_bg.wasm");
+  const optimized = join(glue, "optimized.wasm");
+  await run(process.execPath, [join(root, "node_modules", "binaryen", "bin", "wasm-opt"), ...OPTIMIZE, module, "-o", optimized]);
+  renameSync(optimized, module);
+  writeFileSync(stampFile, stamp);
+}
+
+/** Checks the JavaScript layer against the generated glue and writes its declarations. */
+async function makeTypes() {
+  rmSync(types, { recursive: true, force: true });
+  await run(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "-p", "js"]);
+  cpSync(join(root, "js", "types.d.ts"), join(types, "types.d.ts"));
+}
+
+async function assemblePackage() {
+  const out = join(dist, "package");
+  requireFile(join(root, "schema", "scenario.schema.json"));
+  rmSync(out, { recursive: true, force: true });
+  mkdirSync(out, { recursive: true });
+  const sources = readdirSync(join(root, "js")).filter((name) => name.endsWith(".js")).map((name) => join(root, "js", name));
+  for (const file of [...sources, join(glue, "planarium_glue.js"), join(glue, "planarium_bg.wasm")]) {
+    cpSync(file, join(out, basename(file)));
+  }
+  for (const name of publicDeclarations()) cpSync(join(types, name), join(out, name));
+  const { writeNotices } = await import("./notices.mjs");
+  writeNotices(join(out, "THIRD-PARTY-NOTICES.txt"));
+}
+
+/** The declarations that the entry reaches; those of inner modules stay at home. */
+function publicDeclarations() {
+  const reached = new Set(["planarium.d.ts"]);
+  for (const name of reached) {
+    const text = readFileSync(join(types, name), "utf8");
+    for (const match of text.matchAll(/(?:from |import\()"\.\/(\w+)\.js"/g)) reached.add(`${match[1]}.d.ts`);
+  }
+  return reached;
+}
+
+/** @param {string} path */
+function requireFile(path) {
+  if (!existsSync(path)) throw new Problem(`${path} is missing.`);
+}
+
+if (isMain(import.meta.url)) {
+  await script(async () => {
+    await buildPackage();
+    if (process.argv[2] !== "package") assemblePage();
+  });
+}

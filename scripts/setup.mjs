@@ -1,0 +1,150 @@
+/**
+ * What the build and the tests need beyond rustup, a C linker and Node: looked for first, installed once.
+ * `node scripts/setup.mjs` installs everything; `npm start` and `npm test` call what they need.
+ */
+import { existsSync, readFileSync, statSync } from "node:fs";
+import { homedir } from "node:os";
+import { delimiter, join } from "node:path";
+import { Problem, ask, isMain, root, run, script } from "./run.mjs";
+
+/** The version of wasm-pack that the tests were written with. */
+const WASM_PACK = "0.15.1";
+
+const WASM_TARGET = "wasm32-unknown-unknown";
+
+/** Where `cargo install` puts programs. */
+export const cargoBin = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "bin");
+
+/** Fails unless Cargo and a linker are there; nothing here can install a compiler. */
+export function requireCompilers() {
+  if (ask("cargo", ["--version"]) === undefined) {
+    throw new Problem("`cargo` is missing. Install Rust with rustup: https://rustup.rs");
+  }
+  if (ask("cc", ["--version"]) === undefined) {
+    throw new Problem("A C linker (`cc`) is missing. On Debian or Ubuntu: sudo apt-get install build-essential");
+  }
+}
+
+/** Installs the npm development tools from the lock file, unless they are there and no older than it. */
+export async function ensureNodeModules() {
+  const installed = join(root, "node_modules", ".package-lock.json");
+  const lock = join(root, "package-lock.json");
+  if (existsSync(installed) && statSync(installed).mtimeMs >= statSync(lock).mtimeMs) return;
+  say("installing the npm development tools");
+  await run("npm", ["ci", "--ignore-scripts", "--no-audit", "--no-fund"]);
+}
+
+/** Adds Rust's WebAssembly target. */
+export async function ensureWasmTarget() {
+  requireCompilers();
+  const sysroot = ask("rustc", ["--print", "sysroot"]) ?? "";
+  if (existsSync(join(sysroot, "lib", "rustlib", WASM_TARGET))) return;
+  say(`adding the Rust target ${WASM_TARGET}`);
+  await run("rustup", ["target", "add", WASM_TARGET]);
+}
+
+/** Adds rustfmt and clippy. */
+export async function ensureRustComponents() {
+  for (const [component, command] of [["rustfmt", "rustfmt"], ["clippy", "clippy-driver"]]) {
+    if (ask(command, ["--version"]) !== undefined) continue;
+    say(`adding ${component}`);
+    await run("rustup", ["component", "add", component]);
+  }
+}
+
+/** Installs wasm-bindgen's test runner, in the very version of the crate. */
+export async function ensureWasmBindgen() {
+  const version = lockedVersion("wasm-bindgen");
+  const wanted = ["wasm-bindgen", "wasm-bindgen-test-runner"];
+  if (wanted.every((program) => ask(join(cargoBin, program), ["--version"])?.endsWith(` ${version}`))) return;
+  say(`installing wasm-bindgen-cli ${version} (some minutes, once)`);
+  await run("cargo", ["install", "wasm-bindgen-cli", "--version", version, "--force"]);
+}
+
+/** Installs wasm-pack. */
+export async function ensureWasmPack() {
+  if (ask(join(cargoBin, "wasm-pack"), ["--version"])?.endsWith(` ${WASM_PACK}`)) return;
+  say(`installing wasm-pack ${WASM_PACK} (some minutes, once)`);
+  await run("cargo", ["install", "wasm-pack", "--version", WASM_PACK, "--force", "--locked"]);
+}
+
+/**
+ * Finds Chromium and its driver; installs them where apt-get may.
+ * @returns {Promise<{ chromium: string, chromedriver: string }>}
+ */
+export async function ensureBrowser() {
+  const found = findBrowser();
+  if (found !== undefined) return found;
+  const install = ["apt-get", "install", "-y", "--no-install-recommends", "chromium", "chromium-driver"];
+  const byHand = `sudo ${install.join(" ")}`;
+  const prefix = process.getuid?.() === 0 ? [] : ["sudo", "-n"];
+  const mayInstall = find("apt-get") !== undefined && (prefix.length === 0 || ask("sudo", ["-n", "true"]) !== undefined);
+  if (!mayInstall) throw new Problem(`Chromium and chromedriver are missing, and installing them needs rights. Run:\n  ${byHand}`);
+  say("installing Chromium and chromedriver");
+  const env = { DEBIAN_FRONTEND: "noninteractive" };
+  for (const line of [["apt-get", "update"], install]) {
+    const [command, ...args] = [...prefix, ...line];
+    await run(command, args, { env });
+  }
+  const installed = findBrowser();
+  if (installed === undefined) {
+    throw new Problem("Chromium was installed but is not on the PATH; set CHROMIUM and CHROMEDRIVER to the two programs.");
+  }
+  return installed;
+}
+
+/**
+ * Chromium and its driver, from the variables CHROMIUM and CHROMEDRIVER or from the PATH.
+ * @returns {{ chromium: string, chromedriver: string } | undefined}
+ */
+export function findBrowser() {
+  const chromium = process.env.CHROMIUM ?? find("chromium", "chromium-browser", "google-chrome-stable", "google-chrome");
+  const chromedriver = process.env.CHROMEDRIVER ?? find("chromedriver");
+  return chromium !== undefined && chromedriver !== undefined ? { chromium, chromedriver } : undefined;
+}
+
+/**
+ * The version of a crate in the lock file.
+ * @param {string} crate
+ * @returns {string}
+ */
+export function lockedVersion(crate) {
+  const lock = readFileSync(join(root, "Cargo.lock"), "utf8");
+  const versions = [...lock.matchAll(new RegExp(`^name = "${crate}"\nversion = "(.+)"$`, "gm"))].map((match) => match[1]);
+  if (versions.length !== 1) {
+    throw new Problem(`Cargo.lock must hold one version of ${crate}, and holds ${versions.length}: ${versions.join(", ")}`);
+  }
+  return versions[0];
+}
+
+/**
+ * Path of the first of some programs that is on the PATH.
+ * @param {string[]} programs
+ * @returns {string | undefined}
+ */
+function find(...programs) {
+  const folders = (process.env.PATH ?? "").split(delimiter).filter((folder) => folder !== "");
+  for (const program of programs) {
+    for (const folder of folders) {
+      const path = join(folder, program);
+      if (existsSync(path)) return path;
+    }
+  }
+  return undefined;
+}
+
+/** @param {string} what */
+function say(what) {
+  console.error(`set-up: ${what}`);
+}
+
+if (isMain(import.meta.url)) {
+  await script(async () => {
+    await ensureNodeModules();
+    await ensureWasmTarget();
+    await ensureRustComponents();
+    await ensureWasmBindgen();
+    await ensureWasmPack();
+    await ensureBrowser();
+  });
+}

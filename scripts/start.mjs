@@ -1,0 +1,23 @@
+/** `npm start`: sets up, builds and serves the page on PORT (8080). */
+import { join } from "node:path";
+import { assemblePage, buildPackage } from "./build.mjs";
+import { Problem, root, script } from "./run.mjs";
+import { requireFreePort, serve } from "./serve.mjs";
+
+await script(async () => {
+  const port = wantedPort();
+  // A taken port is named now, not after the build.
+  await requireFreePort(port);
+  await buildPackage();
+  assemblePage();
+  const { url } = await serve({ root: join(root, "dist", "page"), port });
+  console.log(`\nPlanarium is at ${url} (Ctrl+C stops it)`);
+});
+
+/** @returns {number} */
+function wantedPort() {
+  const text = process.env.PORT ?? "8080";
+  const port = Number(text);
+  if (!/^\d+$/.test(text) || port > 65535) throw new Problem(`PORT must be a number from 0 to 65535, not \`${text}\`.`);
+  return port;
+}

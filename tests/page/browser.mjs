@@ -1,0 +1,145 @@
+/** Chromium and the built page, for the tests of the page: every page opened here is watched for errors and for requests that leave the site. */
+import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+import { serve } from "../../scripts/serve.mjs";
+
+export const root = fileURLToPath(new URL("../../", import.meta.url));
+export const pageRoot = fileURLToPath(new URL("../../dist/page", import.meta.url));
+
+/** @typedef {import("playwright-core").Page} Page */
+/** @typedef {import("playwright-core").BrowserContextOptions} Options */
+
+/** @type {import("playwright-core").Browser | undefined} */
+let browser;
+/** @type {Awaited<ReturnType<typeof serve>> | undefined} */
+let server;
+
+/** Starts browser and server. Chromium is taken from CHROMIUM or from where Debian puts it. */
+export async function start() {
+  assert.ok(existsSync(pageRoot), "dist/page is missing: run `npm run build` first");
+  server = await serve({ root: pageRoot, port: 0 });
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
+}
+
+export async function stop() {
+  await browser?.close();
+  await server?.close();
+}
+
+/**
+ * Opens the page in a context of its own, runs a test on it, and holds it to silence: no error on the console, nothing thrown,
+ * no request to anywhere else.
+ * @param {Options} options  `reducedMotion: "reduce"` opens it paused
+ * @param {(page: Page, url: string) => Promise<void>} test
+ * @param {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean }} [more]
+ */
+export async function onPage(options, test, { before, expectErrors = false } = {}) {
+  assert.ok(browser && server, "start() comes first");
+  const url = server.url;
+  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, ...options });
+  const page = await context.newPage();
+  page.setDefaultTimeout(20_000);
+  /** @type {string[]} */
+  const faults = [];
+  page.on("console", (message) => { if (message.type() === "error" || message.type() === "warning") faults.push(`console: ${message.text()}`); });
+  page.on("pageerror", (error) => faults.push(`thrown: ${error.message}`));
+  page.on("request", (request) => {
+    const { protocol, origin } = new URL(request.url());
+    if (protocol !== "data:" && protocol !== "blob:" && origin !== new URL(url).origin) faults.push(`request to ${request.url()}`);
+  });
+  try {
+    await before?.(page);
+    await page.goto(url);
+    await test(page, url);
+    if (!expectErrors) assert.deepEqual(faults, []);
+  } finally {
+    await context.close();
+  }
+}
+
+/** A page that waits at iteration 0. @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] */
+export async function onPausedPage(test, options = {}) {
+  await onPage({ reducedMotion: "reduce", ...options }, async (page, url) => {
+    await page.waitForSelector("#counters[data-status=running]");
+    await test(page, url);
+  });
+}
+
+/** The numbers of the run. @param {Page} page */
+export async function counters(page) {
+  return page.locator("#counters").evaluate((element) => {
+    const { status, phase, iterations, vertices, edges, fingerprint, length } = /** @type {HTMLElement} */ (element).dataset;
+    return {
+      status: status ?? "", phase: phase ?? "", iterations: Number(iterations), vertices: Number(vertices), edges: Number(edges),
+      fingerprint: fingerprint ?? "", length: length === undefined ? NaN : Number(length),
+    };
+  });
+}
+
+/** Waits until the run rests with all of it drawn. @param {Page} page */
+export async function atRest(page) {
+  await page.waitForSelector("#counters[data-fingerprint]", { timeout: 60_000, state: "attached" });
+  return counters(page);
+}
+
+/** Runs to the end and waits for it. @param {Page} page */
+export async function finish(page) {
+  await page.click("#finish");
+  await page.waitForSelector("#counters[data-status=solved], #counters[data-status=exhausted]", { timeout: 60_000, state: "attached" });
+  return atRest(page);
+}
+
+/** Puts a scene on the stage. @param {Page} page @param {string} id */
+export async function chooseScene(page, id) {
+  await page.locator(`input[name=scene][value=${id}]`).check({ force: true });
+  await page.waitForSelector(`body[data-scene=${id}]`);
+  await page.waitForSelector("#counters[data-status=running]");
+}
+
+/** Types a value into a parameter and leaves the field. @param {Page} page @param {string} name @param {string} value */
+export async function setParameter(page, name, value) {
+  const field = page.locator(`#parameter-${name}`);
+  await field.fill(value);
+  await field.blur();
+}
+
+/** Hands a file to the page as if it were picked. @param {Page} page @param {string} name @param {string} text */
+export async function pickFile(page, name, text) {
+  await page.setInputFiles("#file", { name, mimeType: "application/json", buffer: Buffer.from(text) });
+}
+
+/** Drops a file on the page. @param {Page} page @param {string} name @param {string} text */
+export async function dropFile(page, name, text) {
+  await page.evaluate(([fileName, content]) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([content], fileName, { type: "application/json" }));
+    for (const type of ["dragenter", "dragover", "drop"]) {
+      document.body.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: transfer }));
+    }
+  }, [name, text]);
+}
+
+/**
+ * How many pixels of a layer have (nearly) the colour of a custom property.
+ * @param {Page} page @param {"workspace" | "cspace"} pane @param {"ground" | "growth" | "top"} layer @param {string} property  without its dashes
+ */
+export async function pixelsOf(page, pane, layer, property) {
+  return page.evaluate(([paneId, layerName, name]) => {
+    const probe = document.createElement("span");
+    probe.style.color = `var(--${name})`;
+    document.body.append(probe);
+    const wanted = (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).map(Number);
+    probe.remove();
+    const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(`#${paneId} canvas[data-layer=${layerName}]`));
+    const context = canvas.getContext("2d");
+    if (!context) return -1;
+    const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      if (data[i + 3] > 200 && [0, 1, 2].every((k) => Math.abs(data[i + k] - wanted[k]) < 12)) count++;
+    }
+    return count;
+  }, [pane, layer, property]);
+}

@@ -1,0 +1,103 @@
+/**
+ * One parameter of a planner as a native control with its label, its meaning and, when the value is refused, the reason
+ * beside it. A value that is refused is never handed on.
+ */
+import { make } from "./dom.js";
+
+/** @typedef {import("./types.js").ParameterInfo} ParameterInfo */
+
+export class Field {
+  /**
+   * @param {ParameterInfo} info
+   * @param {number | string | boolean | null} value   null: the planner's own choice
+   * @param {() => void} onChange   a valid value was given
+   */
+  constructor(info, value, onChange) {
+    this.info = info;
+    this.onChange = onChange;
+    const id = `parameter-${info.name}`;
+    this.control = control(info, value, id);
+    this.reason = make("p", { className: "reason", id: `${id}-reason`, hidden: true });
+    const meaning = make("p", { className: "hint", id: `${id}-meaning` }, info.meaning, automatic(info));
+    this.control.setAttribute("aria-describedby", `${id}-meaning ${id}-reason`);
+    this.control.addEventListener("change", () => { if (this.validate()) this.onChange(); });
+    this.control.addEventListener("input", () => this.validate());
+    const name = make("span", { className: "name" }, info.title || info.name);
+    if (info.unit) name.append(make("span", { className: "unit" }, ` ${info.unit}`));
+    this.row = make("label", { className: "row", htmlFor: id }, name, this.control);
+    this.element = make("div", { className: "field" }, this.row, this.reason, meaning);
+  }
+
+  /** The value, or undefined where the planner is left to choose. @returns {number | string | boolean | undefined} */
+  get value() {
+    const { control, info } = this;
+    if (control instanceof HTMLInputElement && control.type === "checkbox") return control.checked;
+    const text = control.value.trim();
+    if (text === "") return undefined;
+    return info.kind === "choice" ? text : Number(text);
+  }
+
+  /** Puts a value in. @param {number | string | boolean} value */
+  set(value) {
+    if (this.control instanceof HTMLInputElement && this.control.type === "checkbox") this.control.checked = value === true;
+    else this.control.value = String(value);
+    this.validate();
+  }
+
+  /** Shows why a value is refused, or nothing. @param {string} reason */
+  refuse(reason) {
+    this.reason.textContent = reason;
+    this.reason.hidden = reason === "";
+    if (reason === "") this.control.removeAttribute("aria-invalid");
+    else this.control.setAttribute("aria-invalid", "true");
+  }
+
+  /** Is the value in the field a good one? Says so beside it. */
+  validate() {
+    const reason = this.fault();
+    this.refuse(reason);
+    return reason === "";
+  }
+
+  /** What is wrong with the value, or nothing. @returns {string} */
+  fault() {
+    const { control, info } = this;
+    if (info.kind === "choice" || info.kind === "boolean") return "";
+    const text = control.value.trim();
+    const badInput = control.validity.badInput;
+    if (text === "" && !badInput) return isMissing(info.default) ? "" : `Give ${info.kind === "integer" ? "a whole number" : "a number"}.`;
+    const number = Number(text);
+    if (badInput || !Number.isFinite(number)) return "This is not a number.";
+    if (info.kind === "integer" && !Number.isInteger(number)) return `${text} is not a whole number.`;
+    if (info.min !== null && number < info.min) return `${text} is below ${info.min}.`;
+    if (info.max !== null && number > info.max) return `${text} is above ${info.max}.`;
+    return "";
+  }
+}
+
+/** @param {unknown} value */
+function isMissing(value) { return value === null || value === undefined; }
+
+/** What the planner takes where it is left to choose. @param {ParameterInfo} info */
+function automatic(info) {
+  const words = "default_meaning" in info ? info.default_meaning : null;
+  return typeof words === "string" ? ` Automatic: ${words}.` : "";
+}
+
+/** @param {ParameterInfo} info @param {number | string | boolean | null} value @param {string} id @returns {HTMLInputElement | HTMLSelectElement} */
+function control(info, value, id) {
+  if (info.kind === "choice") {
+    const select = make("select", { id });
+    if (isMissing(info.default)) select.append(make("option", { value: "" }, "automatic"));
+    for (const choice of info.choices ?? []) select.append(make("option", { value: choice }, choice));
+    if (!isMissing(value)) select.value = String(value);
+    return select;
+  }
+  if (info.kind === "boolean") return make("input", { id, type: "checkbox", checked: value === true });
+  const input = make("input", {
+    id, type: "number", step: info.kind === "integer" ? "1" : "any", autocomplete: "off",
+    inputMode: info.kind === "integer" ? "numeric" : "decimal", value: isMissing(value) ? "" : String(value),
+  });
+  if (isMissing(value)) input.placeholder = "automatic";
+  return input;
+}

@@ -1,0 +1,131 @@
+/**
+ * The settings: which planner, its parameters, the seed, the query. Built from the planners' own tables, so a planner
+ * that the core learns appears here by itself.
+ */
+import { byId, make } from "./dom.js";
+import { Field } from "./field.js";
+
+/** @typedef {import("./types.js").Library} Library */
+/** @typedef {import("./types.js").Settings} Settings */
+/** @typedef {import("./types.js").ParameterInfo} ParameterInfo */
+
+/** Parameters worth a place of their own; the others stand under "More parameters". */
+const FIRST = new Set(["k", "samples", "radius", "step", "goal_bias", "seed"]);
+
+export class Panel {
+  /**
+   * @param {Library} library
+   * @param {() => void} onChange   a setting that makes a new run was changed
+   */
+  constructor(library, onChange) {
+    this.library = library;
+    this.onChange = onChange;
+    this.infos = library.planners();
+    this.planner = byId("planner", HTMLSelectElement);
+    this.summary = byId("planner-summary", HTMLElement);
+    this.first = byId("parameters", HTMLElement);
+    this.rest = byId("more-parameters", HTMLElement);
+    this.more = byId("more", HTMLDetailsElement);
+    this.queryRow = byId("query-row", HTMLElement);
+    this.query = byId("query", HTMLSelectElement);
+    /** @type {Field[]} */
+    this.fields = [];
+    /** What was given by hand or by a scene, by name: kept when the planner changes. @type {Settings} */
+    this.given = {};
+    for (const info of this.infos) this.planner.append(make("option", { value: info.id }, info.title));
+    this.planner.addEventListener("change", () => {
+      this.build();
+      onChange();
+    });
+    this.query.addEventListener("change", onChange);
+    this.planner.disabled = false;
+    this.build();
+  }
+
+  /** A scene's own planner and parameters, the rest at their defaults. @param {string} algorithm @param {Settings} settings */
+  suggest(algorithm, settings) {
+    this.planner.value = algorithm;
+    this.given = { ...settings };
+    this.build();
+  }
+
+  /** The queries of a scenario. @param {string[]} names */
+  offerQueries(names) {
+    this.query.replaceChildren(...names.map((name) => make("option", { value: name }, name)));
+    this.queryRow.hidden = names.length < 2;
+  }
+
+  get algorithm() { return this.planner.value; }
+
+  /** Everything a run needs, or null while a field holds a value that is refused. @returns {Settings | null} */
+  get settings() {
+    /** @type {Settings} */
+    const settings = {};
+    if (this.query.value !== "") settings.query = this.query.value;
+    for (const field of this.fields) {
+      if (!field.validate()) return null;
+      const value = field.value;
+      if (value !== undefined) settings[field.info.name] = value;
+    }
+    return settings;
+  }
+
+  /** Says beside a field why the core refused its value. @param {string} pointer  JSON pointer into the options @param {string} reason @returns {boolean} whether there is such a field */
+  refuse(pointer, reason) {
+    const field = this.fields.find(({ info }) => `/${info.name}` === pointer);
+    if (!field) return false;
+    field.refuse(reason);
+    if (this.rest.contains(field.element)) this.more.open = true;
+    return true;
+  }
+
+  /** A seed nobody has seen. */
+  reseed() {
+    const field = this.fields.find(({ info }) => info.name === "seed");
+    if (!field) return;
+    field.set(this.library.freshSeed());
+    this.keep(field);
+    this.onChange();
+  }
+
+  /** Makes the fields of the chosen planner. */
+  build() {
+    const info = this.infos.find(({ id }) => id === this.planner.value) ?? this.infos[0];
+    this.summary.textContent = info.summary;
+    this.first.replaceChildren();
+    this.rest.replaceChildren();
+    this.fields = withSeed(info.parameters).map((parameter) => {
+      const field = new Field(parameter, this.given[parameter.name] ?? parameter.default, () => {
+        this.keep(field);
+        this.onChange();
+      });
+      if (parameter.name === "seed") this.addSeedButton(field);
+      (FIRST.has(parameter.name) ? this.first : this.rest).append(field.element);
+      return field;
+    });
+    this.more.hidden = this.rest.childElementCount === 0;
+  }
+
+  /** @param {Field} field */
+  addSeedButton(field) {
+    const button = make("button", { type: "button", id: "new-seed" }, "New seed");
+    button.addEventListener("click", () => this.reseed());
+    field.element.append(button);
+  }
+
+  /** @param {Field} field */
+  keep(field) {
+    const value = field.value;
+    if (value === undefined) delete this.given[field.info.name];
+    else this.given[field.info.name] = value;
+  }
+}
+
+/** Every planner takes a seed, whether its table lists it or not. @param {ParameterInfo[]} parameters @returns {ParameterInfo[]} */
+function withSeed(parameters) {
+  if (parameters.some(({ name }) => name === "seed")) return parameters;
+  return [...parameters, {
+    name: "seed", title: "Seed", kind: "integer", unit: "", min: 0, max: Number.MAX_SAFE_INTEGER, default: 0,
+    meaning: "Decides every random draw: the same seed gives the same run, bit for bit.",
+  }];
+}

@@ -1,0 +1,264 @@
+/**
+ * The configuration space of an arm of two joints: a square of two angles. Obstacles are the poses that touch something,
+ * computed by the core; a motion that leaves the square on one side comes back on the other.
+ */
+import { Pane } from "./pane.js";
+import { shownPose } from "./picture.js";
+import { unrolled } from "./trace.js";
+import { View } from "./view.js";
+
+/** @typedef {import("./picture.js").Picture} Picture */
+
+const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };
+/** Cells a side of the obstacle image. */
+const CELLS = 256;
+
+export class CSpace extends Pane {
+  /** @param {HTMLElement} figure */
+  constructor(figure) {
+    super(figure);
+    /** @type {boolean[]} */
+    this.circles = [];
+    /** @type {{ scenario: object, mask: Float32Array } | null} */
+    this.cells = null;
+  }
+
+  /** Has a scenario such a square? @param {import("../types.js").Scenario} scenario */
+  static fits(scenario) { return scenario.robot === "arm" && scenario.dimension === 2; }
+
+  /** @param {Picture} picture @param {number} width @param {number} height @override */
+  makeView(picture, width, height) {
+    const [[x0, x1], [y0, y1]] = picture.scenario.cspaceRange();
+    return new View({ min: [x0, y0], max: [x1, y1] }, width, height, MARGIN, true);
+  }
+
+  /** @param {Picture} picture @override */
+  prepare(picture) {
+    this.circles = picture.scenario.circles();
+    if (this.cells?.scenario !== picture.scenario) {
+      const bytes = picture.scenario.cspace({ width: CELLS, height: CELLS });
+      this.cells = { scenario: picture.scenario, mask: soften(bytes, CELLS) };
+    }
+    this.clip(this.growth.context);
+  }
+
+  /** @param {CanvasRenderingContext2D} context @override */
+  clip(context) {
+    const { x, y, width, height } = this.frame();
+    context.beginPath();
+    context.rect(x, y, width, height);
+    context.clip();
+  }
+
+  /** The square in CSS pixels. */
+  frame() {
+    const view = /** @type {View} */ (this.view);
+    const { min, max } = view.box;
+    return { x: view.x(min[0]), y: view.y(max[1]), width: (max[0] - min[0]) * view.scaleX, height: (max[1] - min[1]) * view.scaleY };
+  }
+
+  /** @param {Float64Array} rows @override */
+  pixels(rows) {
+    const view = /** @type {View} */ (this.view);
+    const points = new Float64Array(rows.length);
+    for (let i = 0; i < rows.length; i += 2) {
+      points[i] = view.x(rows[i]);
+      points[i + 1] = view.y(rows[i + 1]);
+    }
+    return points;
+  }
+
+  /** @param {Float64Array} ends @override */
+  lines(ends) {
+    const view = /** @type {View} */ (this.view);
+    /** @type {number[]} */
+    const points = [];
+    const firsts = new Uint32Array(ends.length / 4 + 1);
+    for (let m = 0; 4 * m < ends.length; m++) {
+      let copies = 0;
+      unrolled(ends, 4 * m, this.circles, (x0, y0, x1, y1) => {
+        if (copies++ > 0) points.push(NaN, NaN);
+        points.push(view.x(x0), view.y(y0), view.x(x1), view.y(y1));
+      });
+      firsts[m + 1] = points.length / 2;
+    }
+    return { points: Float64Array.from(points), firsts };
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {Picture} _picture @override */
+  drawGround(context, _picture) {
+    const { palette, cells } = this;
+    if (!palette || !cells) return;
+    const { x, y, width, height } = this.frame();
+    const image = paint(cells.mask, CELLS, Math.round(width * this.ground.ratio), Math.round(height * this.ground.ratio), palette);
+    context.drawImage(image, x, y, width, height);
+    context.strokeStyle = palette["obstacle-edge"];
+    context.lineWidth = 1;
+    context.strokeRect(x, y, width, height);
+    this.drawTicks(context);
+  }
+
+  /** @param {CanvasRenderingContext2D} context */
+  drawTicks(context) {
+    const { palette, view } = this;
+    if (!palette || !view) return;
+    const { x, y, width, height } = this.frame();
+    context.fillStyle = palette.quiet;
+    context.strokeStyle = palette["obstacle-edge"];
+    context.font = "12px system-ui, sans-serif";
+    context.textBaseline = "top";
+    for (const { value, text } of ticks(view.box.min[0], view.box.max[0])) {
+      const at = view.x(value);
+      tick(context, at, y + height, at, y + height + 4);
+      context.textAlign = "center";
+      context.fillText(text, at, y + height + 7);
+    }
+    context.textBaseline = "middle";
+    context.textAlign = "right";
+    for (const { value, text } of ticks(view.box.min[1], view.box.max[1])) {
+      const at = view.y(value);
+      tick(context, x - 4, at, x, at);
+      context.fillText(text, x - 8, at);
+    }
+    context.textBaseline = "top";
+    context.textAlign = "center";
+    context.fillText("joint 0", x + width * 0.375, y + height + 7);
+    context.save();
+    context.translate(x - 22, y + height * 0.375);
+    context.rotate(-Math.PI / 2);
+    context.fillText("joint 1", 0, 0);
+    context.restore();
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {Picture} picture @override */
+  drawRobot(context, picture) {
+    const { palette, view } = this;
+    const pose = shownPose(picture);
+    if (!palette || !view || !pose) return;
+    const hit = picture.hand !== null && picture.check !== null && !picture.check.free;
+    const px = view.x(pose[0]);
+    const py = view.y(pose[1]);
+    const { x, y, width, height } = this.frame();
+    context.save();
+    context.strokeStyle = hit ? palette.collision : palette.robot;
+    context.globalAlpha = 0.35;
+    context.lineWidth = 1;
+    context.setLineDash([2, 4]);
+    context.beginPath();
+    context.moveTo(px, y);
+    context.lineTo(px, y + height);
+    context.moveTo(x, py);
+    context.lineTo(x + width, py);
+    context.stroke();
+    context.setLineDash([]);
+    context.globalAlpha = 1;
+    context.beginPath();
+    context.arc(px, py, 6.5, 0, 2 * Math.PI);
+    context.fillStyle = hit ? palette.collision : palette.robot;
+    context.fill();
+    context.strokeStyle = palette.stage;
+    context.lineWidth = 2;
+    context.stroke();
+    if (hit) {
+      context.strokeStyle = palette.stage;
+      context.beginPath();
+      context.moveTo(px - 2.6, py - 2.6);
+      context.lineTo(px + 2.6, py + 2.6);
+      context.moveTo(px - 2.6, py + 2.6);
+      context.lineTo(px + 2.6, py - 2.6);
+      context.stroke();
+    }
+    context.restore();
+  }
+}
+
+/** @param {CanvasRenderingContext2D} context @param {number} x0 @param {number} y0 @param {number} x1 @param {number} y1 */
+function tick(context, x0, y0, x1, y1) {
+  context.beginPath();
+  context.moveTo(x0, y0);
+  context.lineTo(x1, y1);
+  context.stroke();
+}
+
+/** Multiples of a quarter or half turn within a range of angles. @param {number} low @param {number} high */
+function ticks(low, high) {
+  const unit = high - low > 4 * Math.PI + 0.01 ? 2 * Math.PI : Math.PI;
+  const marks = [];
+  for (let i = Math.ceil(low / unit - 1e-9); i * unit <= high + 1e-9; i++) {
+    const turns = (i * unit) / Math.PI;
+    const text = turns === 0 ? "0" : `${turns < 0 ? "\u2212" : ""}${Math.abs(turns) === 1 ? "" : Math.abs(turns)}\u03c0`;
+    marks.push({ value: i * unit, text });
+  }
+  return marks;
+}
+
+/** Rounds the stairs of a mask of cells: each becomes the weighted mean of its neighbourhood. @param {Uint8Array} bytes @param {number} side */
+function soften(bytes, side) {
+  const pass = new Float32Array(side * side);
+  const mask = new Float32Array(side * side);
+  const clamp = (/** @type {number} */ i) => Math.min(side - 1, Math.max(0, i));
+  for (let r = 0; r < side; r++) {
+    for (let c = 0; c < side; c++) {
+      pass[r * side + c] = (bytes[r * side + clamp(c - 1)] + 2 * bytes[r * side + c] + bytes[r * side + clamp(c + 1)]) / 4;
+    }
+  }
+  for (let r = 0; r < side; r++) {
+    for (let c = 0; c < side; c++) {
+      mask[r * side + c] = (pass[clamp(r - 1) * side + c] + 2 * pass[r * side + c] + pass[clamp(r + 1) * side + c]) / 4;
+    }
+  }
+  return mask;
+}
+
+/**
+ * The mask as an image of the screen's own pixels: filled where more than half is collision, with a fine edge.
+ * @param {Float32Array} mask  rows from the lowest angles
+ * @param {number} side @param {number} width @param {number} height  device pixels
+ * @param {import("./palette.js").Palette} palette
+ */
+function paint(mask, side, width, height, palette) {
+  const canvas = document.createElement("canvas");
+  canvas.width = Math.max(1, width);
+  canvas.height = Math.max(1, height);
+  const context = canvas.getContext("2d");
+  if (!context) return canvas;
+  const image = context.createImageData(canvas.width, canvas.height);
+  const inner = bytesOf(palette.obstacle);
+  const edge = bytesOf(palette["obstacle-edge"]);
+  const cell = Math.min(width, height) / side;
+  const pixels = image.data;
+  for (let py = 0; py < canvas.height; py++) {
+    const gy = Math.min(side - 1, Math.max(0, (1 - (py + 0.5) / canvas.height) * side - 0.5));
+    const r0 = Math.floor(gy);
+    const r1 = Math.min(side - 1, r0 + 1);
+    const fy = gy - r0;
+    for (let px = 0; px < canvas.width; px++) {
+      const gx = Math.min(side - 1, Math.max(0, ((px + 0.5) / canvas.width) * side - 0.5));
+      const c0 = Math.floor(gx);
+      const c1 = Math.min(side - 1, c0 + 1);
+      const fx = gx - c0;
+      const low = mask[r0 * side + c0] * (1 - fx) + mask[r0 * side + c1] * fx;
+      const high = mask[r1 * side + c0] * (1 - fx) + mask[r1 * side + c1] * fx;
+      const depth = (low * (1 - fy) + high * fy - 0.42) * cell * 2.4 + 0.5;
+      if (depth <= 0) continue;
+      const rim = Math.min(1, Math.max(0, (depth - 1.2) / 1.2));
+      const at = 4 * (py * canvas.width + px);
+      for (let k = 0; k < 3; k++) pixels[at + k] = edge[k] * (1 - rim) + inner[k] * rim;
+      pixels[at + 3] = 255 * Math.min(1, depth);
+    }
+  }
+  context.putImageData(image, 0, 0);
+  return canvas;
+}
+
+/** Red, green and blue of a resolved CSS colour. @param {string} colour @returns {[number, number, number]} */
+function bytesOf(colour) {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 1;
+  const context = canvas.getContext("2d");
+  if (!context) return [0, 0, 0];
+  context.fillStyle = colour;
+  context.fillRect(0, 0, 1, 1);
+  const [r, g, b] = context.getImageData(0, 0, 1, 1).data;
+  return [r, g, b];
+}

@@ -1,0 +1,295 @@
+/**
+ * A pane draws one picture of the run on three layers: the ground, once a layout; the growth, which is only added to as
+ * vertices and edges arrive; the top, light enough to be redrawn each frame. Workspace and configuration space differ in
+ * their ground and in how a configuration and a motion become pixels.
+ */
+import { SIDE, EVENT } from "../run.js";
+import { Glow } from "./glow.js";
+import { hatch } from "./hatch.js";
+import { Layer } from "./layer.js";
+import { drawGoal, drawStart } from "./shapes.js";
+
+/** @typedef {import("./picture.js").Picture} Picture */
+/** @typedef {import("./palette.js").Palette} Palette */
+/** @typedef {{ points: Float64Array, firsts: Uint32Array }} Lines  line i: pixels x, y in turn, points firsts[i] up to firsts[i + 1]; NaN lifts the pen */
+
+/** Edges inked before the clock is looked at again. */
+const BATCH = 48;
+/** Vertices dotted before the clock is looked at again. */
+const DOTS = 256;
+
+export class Pane {
+  /** @param {HTMLElement} figure  with a `.sheet` inside */
+  constructor(figure) {
+    this.figure = figure;
+    this.sheet = /** @type {HTMLElement} */ (figure.querySelector(".sheet"));
+    this.ground = new Layer(this.sheet, "ground");
+    this.growth = new Layer(this.sheet, "growth");
+    this.top = new Layer(this.sheet, "top");
+    this.top.canvas.removeAttribute("aria-hidden");
+    this.top.canvas.setAttribute("role", "img");
+    this.glow = new Glow();
+    /** @type {Picture | null} */
+    this.picture = null;
+    /** @type {Palette | null} */
+    this.palette = null;
+    /** @type {import("./view.js").View | null} */
+    this.view = null;
+    /** @type {CanvasPattern | null} */
+    this.hatchOnPart = null;
+    /** @type {CanvasPattern | null} */
+    this.hatchOnObstacle = null;
+    this.drawn = { vertices: 0, edges: 0, expanded: 0 };
+    /** What was born before these counts does not glow (it is being redrawn). */
+    this.old = { vertices: 0, edges: 0 };
+    /** @type {{ journey: import("../animate.js").Journey, lines: Lines } | null} */
+    this.pathLines = null;
+  }
+
+  // What a kind of pane must say of itself.
+
+  /** @param {Picture} _picture @param {number} _width @param {number} _height @returns {import("./view.js").View} */
+  makeView(_picture, _width, _height) { throw new Error("a pane must make its view"); }
+  /** @param {CanvasRenderingContext2D} _context @param {Picture} _picture */
+  drawGround(_context, _picture) {}
+  /** Configurations to pixels. @param {Float64Array} _rows @returns {Float64Array} */
+  pixels(_rows) { throw new Error("a pane must place configurations"); }
+  /** Motions to lines in pixels. @param {Float64Array} _ends  rows of from, to @returns {Lines} */
+  lines(_ends) { throw new Error("a pane must trace motions"); }
+  /** The robot, above everything else. @param {CanvasRenderingContext2D} _context @param {Picture} _picture */
+  drawRobot(_context, _picture) {}
+
+  /** Fits the layers to the sheet and draws all anew. @param {Picture} picture @param {Palette} palette @param {number} ratio */
+  layout(picture, palette, ratio) {
+    this.picture = picture;
+    this.palette = palette;
+    const { width, height } = this.sheet.getBoundingClientRect();
+    if (width < 1 || height < 1) return;
+    for (const layer of [this.ground, this.growth, this.top]) layer.fit(width, height, ratio);
+    this.view = this.makeView(picture, width, height);
+    this.hatchOnPart = hatch(this.top.context, palette.stage, ratio);
+    this.hatchOnObstacle = hatch(this.top.context, palette.collision, ratio);
+    this.pathLines = null;
+    this.glow.clear();
+    this.prepare(picture);
+    this.drawGround(this.ground.context, picture);
+    this.drawn = { vertices: 0, edges: 0, expanded: 0 };
+    this.old = { vertices: picture.run?.vertices.count ?? 0, edges: picture.run?.edges.count ?? 0 };
+  }
+
+  /** Called after each fit, before anything is drawn. @param {Picture} _picture */
+  prepare(_picture) {}
+
+  /** A new run on the same ground. */
+  restart() {
+    this.growth.clear();
+    this.glow.clear();
+    this.pathLines = null;
+    this.drawn = { vertices: 0, edges: 0, expanded: 0 };
+    this.old = { vertices: 0, edges: 0 };
+  }
+
+  /** Has everything grown so far been inked? */
+  get caughtUp() {
+    const run = this.picture?.run;
+    if (!run || !this.view) return true;
+    return this.drawn.vertices >= run.vertices.count && this.drawn.edges >= run.edges.count && this.drawn.expanded >= run.expanded.count;
+  }
+
+  /** Inks what is new, until the clock passes `until`; at least one batch of each. @param {number} now @param {number} until */
+  grow(now, until) {
+    const run = this.picture?.run;
+    if (!run || !this.view || !this.palette) return;
+    do { this.growEdges(run, now); } while (this.drawn.edges < run.edges.count && performance.now() < until);
+    do { this.growVertices(run, now); } while (this.drawn.vertices < run.vertices.count && performance.now() < until);
+    this.growExpanded(run);
+    this.flash(run, now);
+  }
+
+  /** @param {import("../run.js").Run} run @param {number} now */
+  growEdges(run, now) {
+    const first = this.drawn.edges;
+    const end = Math.min(run.edges.count, first + BATCH);
+    if (end === first) return;
+    const n = run.dimension;
+    const ends = new Float64Array((end - first) * 2 * n);
+    for (let e = first; e < end; e++) {
+      const [from, to] = run.edges.row(e);
+      ends.set(run.vertices.row(from), (e - first) * 2 * n);
+      ends.set(run.vertices.row(to), (e - first) * 2 * n + n);
+    }
+    const { points, firsts } = this.lines(ends);
+    const context = this.growth.context;
+    context.lineWidth = run.isTree ? 1.15 : 0.8;
+    context.lineCap = "round";
+    context.lineJoin = "round";
+    context.globalAlpha = run.isTree ? 0.9 : 0.42;
+    let side = -1;
+    for (let e = first; e < end; e++) {
+      const its = run.sides.data[run.edges.data[2 * e]];
+      if (its !== side) {
+        side = its;
+        context.strokeStyle = this.sideColour(side);
+      }
+      strokeLine(context, points, firsts[e - first], firsts[e - first + 1]);
+    }
+    context.globalAlpha = 1;
+    this.drawn.edges = end;
+    const glowing = Math.max(first, this.old.edges, run.edges.count - this.glow.room("edge"));
+    for (let e = glowing; e < end; e++) {
+      this.glow.add("edge", now, points.slice(2 * firsts[e - first], 2 * firsts[e - first + 1]));
+    }
+  }
+
+  /** @param {import("../run.js").Run} run @param {number} now */
+  growVertices(run, now) {
+    const first = this.drawn.vertices;
+    const end = Math.min(run.vertices.count, first + DOTS);
+    if (end === first) return;
+    const points = this.pixels(run.vertices.slice(first, end));
+    this.dots(points, run.isTree ? 1.7 : 1.5, (i) => this.sideColour(run.sides.data[first + i]));
+    this.drawn.vertices = end;
+    const glowing = Math.max(first, this.old.vertices, run.vertices.count - this.glow.room("vertex"));
+    for (let v = glowing; v < end; v++) this.glow.add("vertex", now, points.slice(2 * (v - first), 2 * (v - first) + 2));
+  }
+
+  /** Vertices that the search has expanded stand out of the roadmap. @param {import("../run.js").Run} run */
+  growExpanded(run) {
+    const first = this.drawn.expanded;
+    const end = Math.min(run.expanded.count, first + DOTS);
+    if (end === first) return;
+    const n = run.dimension;
+    const rows = new Float64Array((end - first) * n);
+    for (let i = first; i < end; i++) rows.set(run.vertices.row(run.expanded.data[i]), (i - first) * n);
+    const ink = this.palette?.ink ?? "";
+    this.dots(this.pixels(rows), 2.1, () => ink);
+    this.drawn.expanded = end;
+  }
+
+  /** Samples refused flash as crosses, edges refused as broken lines. @param {import("../run.js").Run} run @param {number} now */
+  flash(run, now) {
+    const fresh = run.fresh;
+    const n = run.dimension;
+    const width = run.planner.eventWidth;
+    let crosses = this.glow.room("rejected");
+    let broken = this.glow.room("refused");
+    /** @type {number[]} */
+    const samples = [];
+    /** @type {number[]} */
+    const ends = [];
+    for (let i = fresh.length - width; i >= 0 && (crosses > 0 || broken > 0); i -= width) {
+      const configuration = fresh.subarray(i + 4, i + 4 + n);
+      if (fresh[i] === EVENT.rejected && crosses-- > 0) samples.push(...configuration);
+      else if (fresh[i] === EVENT.refused && fresh[i + 2] >= 0 && broken-- > 0) ends.push(...run.vertices.row(fresh[i + 2]), ...configuration);
+    }
+    if (samples.length > 0) {
+      const points = this.pixels(Float64Array.from(samples));
+      for (let i = 0; i < points.length; i += 2) this.glow.add("rejected", now, points.slice(i, i + 2));
+    }
+    if (ends.length > 0) {
+      const { points, firsts } = this.lines(Float64Array.from(ends));
+      for (let i = 0; i + 1 < firsts.length; i++) this.glow.add("refused", now, points.slice(2 * firsts[i], 2 * firsts[i + 1]));
+    }
+  }
+
+  /** @param {Float64Array} points @param {number} radius @param {(index: number) => string} colour */
+  dots(points, radius, colour) {
+    const context = this.growth.context;
+    let current = "";
+    for (let i = 0; i < points.length / 2; i++) {
+      const wanted = colour(i);
+      if (wanted !== current) context.fillStyle = current = wanted;
+      context.beginPath();
+      context.arc(points[2 * i], points[2 * i + 1], radius, 0, 2 * Math.PI);
+      context.fill();
+    }
+  }
+
+  /** @param {number} side */
+  sideColour(side) {
+    const palette = /** @type {Palette} */ (this.palette);
+    if (side === SIDE.start) return palette.start;
+    return side === SIDE.goal ? palette.goal : palette.growth;
+  }
+
+  /** Redraws the top: glow, path, marks, robot. @param {number} now */
+  drawTop(now) {
+    const { picture, palette, view } = this;
+    if (!picture || !palette || !view) return;
+    const context = this.top.context;
+    this.top.clear();
+    context.save();
+    this.clip(context);
+    this.glow.draw(context, palette, now);
+    if (picture.journey) this.drawPath(context, picture.journey, palette);
+    context.restore();
+    this.drawMarks(context, picture, palette);
+    this.drawRobot(context, picture);
+  }
+
+  /** Keeps what crosses the border of the picture inside. @param {CanvasRenderingContext2D} _context */
+  clip(_context) {}
+
+  /** @param {CanvasRenderingContext2D} context @param {import("../animate.js").Journey} journey @param {Palette} palette */
+  drawPath(context, journey, palette) {
+    if (this.pathLines?.journey !== journey) {
+      const { rows, parts } = journey.samples;
+      const n = journey.scenario.dimension;
+      const ends = new Float64Array(Math.max(0, parts.length - 1) * 2 * n);
+      for (let i = 0; i + 1 < parts.length; i++) ends.set(rows.subarray(i * n, (i + 2) * n), i * 2 * n);
+      this.pathLines = { journey, lines: this.lines(ends) };
+    }
+    const { lines } = this.pathLines;
+    const parts = journey.samples.parts;
+    let pieces = 0;
+    while (pieces + 1 < parts.length && parts[pieces + 1] <= journey.drawn) pieces++;
+    context.save();
+    context.lineCap = "round";
+    context.lineJoin = "round";
+    for (const [width, colour, alpha] of /** @type {[number, string, number][]} */ ([[8, palette.stage, 0.75], [3.4, palette.path, 1]])) {
+      context.lineWidth = width;
+      context.strokeStyle = colour;
+      context.globalAlpha = alpha;
+      context.beginPath();
+      tracePen(context, lines.points, 0, lines.firsts[pieces]);
+      context.stroke();
+    }
+    context.restore();
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {Picture} picture @param {Palette} palette */
+  drawMarks(context, picture, palette) {
+    if (picture.start) {
+      const [x, y] = this.pixels(Float64Array.from(picture.start));
+      drawStart(context, x, y, palette);
+    }
+    if (picture.goal) {
+      const [x, y] = this.pixels(Float64Array.from(picture.goal));
+      drawGoal(context, x, y, palette);
+    }
+  }
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Float64Array} points @param {number} first @param {number} end */
+function strokeLine(context, points, first, end) {
+  context.beginPath();
+  tracePen(context, points, first, end);
+  context.stroke();
+}
+
+/** Adds the points to the path; the pen lifts at NaN and between pieces that do not meet. @param {CanvasRenderingContext2D} context @param {Float64Array} points @param {number} first @param {number} end */
+function tracePen(context, points, first, end) {
+  let penX = NaN;
+  let penY = NaN;
+  let down = false;
+  for (let i = first; i < end; i++) {
+    const x = points[2 * i];
+    const y = points[2 * i + 1];
+    if (Number.isNaN(x)) { down = false; continue; }
+    if (!down && !(x === penX && y === penY)) context.moveTo(x, y);
+    else if (down) context.lineTo(x, y);
+    penX = x;
+    penY = y;
+    down = true;
+  }
+}

@@ -1,0 +1,89 @@
+/**
+ * How a straight motion between two configurations looks in a picture: the curve of the end-effector in the workspace,
+ * and straight lines, one for each sheet of the unrolled torus, in configuration space.
+ */
+
+const TURN = 2 * Math.PI;
+/** Longest turn of one joint in one straight piece of a drawn curve, radians. */
+const PIECE = 0.14;
+
+/** The signed way from one coordinate to another: the short way round on a circle. @param {number} from @param {number} to @param {boolean} circle */
+export function way(from, to, circle) {
+  let turn = to - from;
+  if (circle) {
+    turn %= TURN;
+    if (turn > Math.PI) turn -= TURN;
+    else if (turn <= -Math.PI) turn += TURN;
+  }
+  return turn;
+}
+
+/** Curves of the end-effector along motions. */
+export class Tracer {
+  /** @param {import("../types.js").Scenario} scenario */
+  constructor(scenario) {
+    this.scenario = scenario;
+    this.circles = scenario.circles();
+    this.straight = scenario.robot === "disc";
+  }
+
+  /**
+   * The end-effector's curves along many motions, fetched in one call.
+   * @param {Float64Array} ends  rows of 2 * dimension: from, to
+   * @returns {{ points: Float64Array, firsts: Uint32Array }}  points of the plane, x and y in turn; curve i has the points from firsts[i] up to firsts[i + 1]
+   */
+  curves(ends) {
+    const n = this.circles.length;
+    const motions = ends.length / (2 * n);
+    const firsts = new Uint32Array(motions + 1);
+    for (let m = 0; m < motions; m++) firsts[m + 1] = firsts[m] + 1 + this.pieces(ends, 2 * n * m);
+    const rows = new Float64Array(firsts[motions] * n);
+    for (let m = 0; m < motions; m++) {
+      const from = 2 * n * m;
+      const pieces = firsts[m + 1] - firsts[m] - 1;
+      for (let j = 0; j < n; j++) {
+        const begin = ends[from + j];
+        const turn = way(begin, ends[from + n + j], this.circles[j]);
+        for (let p = 0; p <= pieces; p++) rows[(firsts[m] + p) * n + j] = begin + (turn * p) / pieces;
+      }
+    }
+    return { points: this.scenario.endEffectors(rows), firsts };
+  }
+
+  /** @param {Float64Array} ends @param {number} from */
+  pieces(ends, from) {
+    if (this.straight) return 1;
+    const n = this.circles.length;
+    let most = 0;
+    for (let j = 0; j < n; j++) most = Math.max(most, Math.abs(way(ends[from + j], ends[from + n + j], this.circles[j])));
+    return Math.max(1, Math.min(24, Math.ceil(most / PIECE)));
+  }
+}
+
+/**
+ * The straight lines that show one motion of two joints on the square: one line, and where it leaves the square its copies,
+ * a whole turn away, that come in on the opposite side. Whoever draws them clips to the square.
+ * @param {ArrayLike<number>} ends  from (2), to (2), starting at `at`
+ * @param {number} at
+ * @param {boolean[]} circles
+ * @param {(x0: number, y0: number, x1: number, y1: number) => void} draw
+ */
+export function unrolled(ends, at, circles, draw) {
+  const x0 = ends[at];
+  const y0 = ends[at + 1];
+  const x1 = x0 + way(x0, ends[at + 2], circles[0]);
+  const y1 = y0 + way(y0, ends[at + 3], circles[1]);
+  const shiftX = circles[0] ? leaves(x1) : 0;
+  const shiftY = circles[1] ? leaves(y1) : 0;
+  draw(x0, y0, x1, y1);
+  if (shiftX !== 0) draw(x0 + shiftX, y0, x1 + shiftX, y1);
+  if (shiftY !== 0) draw(x0, y0 + shiftY, x1, y1 + shiftY);
+  if (shiftX !== 0 && shiftY !== 0) draw(x0 + shiftX, y0 + shiftY, x1 + shiftX, y1 + shiftY);
+}
+
+/** The turn that brings an angle back between -pi and pi. @param {number} angle */
+function leaves(angle) {
+  if (angle > Math.PI) return -TURN;
+  if (angle < -Math.PI) return TURN;
+  return 0;
+}

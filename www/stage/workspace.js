@@ -1,0 +1,190 @@
+/** The workspace: the world as it is, the robot in it, and the end-effector's image of every vertex and edge. */
+import { obstacleName, partName } from "../names.js";
+import { Pane } from "./pane.js";
+import { shownPose } from "./picture.js";
+import { drawGhost, drawLabel, drawObstacles, drawRobot, drawTouchingParts, obstacleMiddle, obstaclePath } from "./shapes.js";
+import { Tracer } from "./trace.js";
+import { View } from "./view.js";
+
+/** @typedef {import("./picture.js").Picture} Picture */
+
+const MARGIN = { left: 14, right: 14, top: 14, bottom: 14 };
+/** Poses shown along a solved path. */
+const STROBE = 9;
+
+export class Workspace extends Pane {
+  /** @param {HTMLElement} figure */
+  constructor(figure) {
+    super(figure);
+    /** @type {Tracer | null} */
+    this.tracer = null;
+  }
+
+  /** @param {Picture} picture @param {number} width @param {number} height @override */
+  makeView(picture, width, height) {
+    return new View(picture.scenario.extent(), width, height, MARGIN, false);
+  }
+
+  /** @param {Picture} picture @override */
+  prepare(picture) { this.tracer = new Tracer(picture.scenario); }
+
+  /** @param {Float64Array} rows @override */
+  pixels(rows) {
+    return this.place(/** @type {Picture} */ (this.picture).scenario.endEffectors(rows));
+  }
+
+  /** @param {Float64Array} ends @override */
+  lines(ends) {
+    const { points, firsts } = /** @type {Tracer} */ (this.tracer).curves(ends);
+    return { points: this.place(points), firsts };
+  }
+
+  /** Points of the plane to pixels, in place. @param {Float64Array} points */
+  place(points) {
+    const view = /** @type {View} */ (this.view);
+    for (let i = 0; i < points.length; i += 2) {
+      points[i] = view.x(points[i]);
+      points[i + 1] = view.y(points[i + 1]);
+    }
+    return points;
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {Picture} picture @override */
+  drawGround(context, picture) {
+    const { view, palette } = this;
+    if (!view || !palette) return;
+    const { world, robot } = picture.document;
+    this.drawScale(context);
+    context.lineWidth = 1;
+    if (world.bounds) {
+      context.strokeStyle = palette["obstacle-edge"];
+      context.lineWidth = 1.5;
+      const { min, max } = world.bounds;
+      context.strokeRect(view.x(min[0]), view.y(max[1]), (max[0] - min[0]) * view.scaleX, (max[1] - min[1]) * view.scaleY);
+    } else if (robot.type === "arm") {
+      const reach = robot.links.reduce((sum, link) => sum + link, robot.radius ?? 0);
+      context.strokeStyle = palette.line;
+      context.setLineDash([2, 5]);
+      context.beginPath();
+      context.arc(view.x(robot.base[0]), view.y(robot.base[1]), reach * view.scaleX, 0, 2 * Math.PI);
+      context.stroke();
+      context.setLineDash([]);
+    }
+    drawObstacles(context, view, world.obstacles, palette);
+    const { start, goal, scenario } = picture;
+    const thin = (robot.radius ?? 0) * view.scaleX < 1.6;
+    const width = thin ? 2 : 1.5;
+    if (goal) drawGhost(context, view, scenario.footprint(goal), { colour: palette.goal, fill: 0.14, stroke: 0.95, dash: [5, 4], width });
+    if (start) drawGhost(context, view, scenario.footprint(start), { colour: palette.start, fill: 0.16, stroke: 0.95, dash: [], width });
+    if (robot.type === "arm") this.drawBase(context, robot.base);
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {ArrayLike<number>} base */
+  drawBase(context, base) {
+    const { view, palette } = this;
+    if (!view || !palette) return;
+    context.beginPath();
+    context.arc(view.x(base[0]), view.y(base[1]), 4.5, 0, 2 * Math.PI);
+    context.fillStyle = palette.ink;
+    context.fill();
+    context.beginPath();
+    context.arc(view.x(base[0]), view.y(base[1]), 8.5, 0, 2 * Math.PI);
+    context.strokeStyle = palette.ink;
+    context.lineWidth = 1;
+    context.stroke();
+  }
+
+  /** A grid of faint dots. @param {CanvasRenderingContext2D} context */
+  drawScale(context) {
+    const { view, palette } = this;
+    if (!view || !palette) return;
+    const step = niceStep(46 / view.scaleX);
+    const [left, bottom] = view.toPlane(0, view.height);
+    const [right, top] = view.toPlane(view.width, 0);
+    context.fillStyle = palette.line;
+    for (let x = Math.ceil(left / step) * step; x <= right; x += step) {
+      for (let y = Math.ceil(bottom / step) * step; y <= top; y += step) {
+        context.fillRect(view.x(x) - 0.75, view.y(y) - 0.75, 1.5, 1.5);
+      }
+    }
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {import("../animate.js").Journey} journey @param {import("./palette.js").Palette} palette @override */
+  drawPath(context, journey, palette) {
+    if (this.view && journey.scenario.robot === "arm") {
+      const style = { colour: palette.path, fill: 0.035, stroke: 0.3, dash: [], width: 1 };
+      for (let i = 1; i < STROBE; i++) {
+        if (i / STROBE > journey.drawn) break;
+        drawGhost(context, this.view, journey.scenario.footprint(journey.configuration(i / STROBE)), style);
+      }
+    }
+    super.drawPath(context, journey, palette);
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {Picture} picture @override */
+  drawRobot(context, picture) {
+    const { view, palette } = this;
+    const pose = shownPose(picture);
+    if (!view || !palette || !pose) return;
+    const parts = picture.scenario.footprint(pose);
+    const touching = picture.hand && picture.check ? picture.check.touching : [];
+    for (const { obstacle } of touching) this.drawTouched(context, picture, obstacle);
+    drawRobot(context, view, parts, palette);
+    const hit = new Set(touching.map(({ part }) => part));
+    drawTouchingParts(context, view, parts.filter((_, i) => hit.has(i)), palette, this.hatchOnPart);
+    for (const index of hit) {
+      const [x, y] = labelPlace(view, parts[index]);
+      drawLabel(context, partName(picture.scenario, index), x, y, palette.collision, palette);
+    }
+    for (const obstacle of new Set(touching.map((pair) => pair.obstacle))) {
+      if (obstacle === "bounds") continue;
+      const [x, y] = obstacleMiddle(picture.document.world.obstacles[obstacle]);
+      drawLabel(context, obstacleName(obstacle), view.x(x), view.y(y), palette.collision, palette);
+    }
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {Picture} picture @param {number | "bounds"} obstacle */
+  drawTouched(context, picture, obstacle) {
+    const { view, palette } = this;
+    if (!view || !palette) return;
+    context.save();
+    context.strokeStyle = palette.collision;
+    context.lineWidth = 2;
+    const { bounds, obstacles } = picture.document.world;
+    if (obstacle === "bounds") {
+      if (bounds) {
+        context.setLineDash([8, 5]);
+        context.lineWidth = 3;
+        context.strokeRect(view.x(bounds.min[0]), view.y(bounds.max[1]), (bounds.max[0] - bounds.min[0]) * view.scaleX, (bounds.max[1] - bounds.min[1]) * view.scaleY);
+      }
+    } else {
+      obstaclePath(context, view, obstacles[obstacle]);
+      if (this.hatchOnObstacle) {
+        context.fillStyle = this.hatchOnObstacle;
+        context.globalAlpha = 0.55;
+        context.fill();
+        context.globalAlpha = 1;
+      }
+      context.stroke();
+    }
+    context.restore();
+  }
+}
+
+/** Beside the middle of a part, CSS pixels. @param {View} view @param {import("../types.js").Part} part @returns {[number, number]} */
+function labelPlace(view, part) {
+  const clear = part.radius * view.scaleX + 16;
+  if (part.type === "disc") return [view.x(part.center[0]), view.y(part.center[1]) - clear];
+  const dx = view.x(part.b[0]) - view.x(part.a[0]);
+  const dy = view.y(part.b[1]) - view.y(part.a[1]);
+  const length = Math.hypot(dx, dy);
+  const side = dx >= 0 ? 1 : -1;
+  return [view.x(part.a[0]) + dx / 2 + (side * dy * clear * 1.5) / length, view.y(part.a[1]) + dy / 2 - (side * dx * clear) / length];
+}
+
+/** The nearest of 1, 2, 5 times a power of ten that is not below a length. @param {number} least */
+function niceStep(least) {
+  const power = 10 ** Math.floor(Math.log10(least));
+  for (const factor of [1, 2, 5]) if (factor * power >= least) return factor * power;
+  return 10 * power;
+}

@@ -112,8 +112,11 @@ fn a_wall_is_not_crossed_however_thin() {
         for radius in [0.0, 0.05] {
             let verdict = judge_arm(&[far.clone(), across.clone()], &arm(&[1.0], radius), &[&[-1.0], &[-0.9], &[1.01]]);
             refused(verdict, &["edge 1", "link 0", "obstacle 1"]);
-            let verdict =
-                judge_arm(&[across.clone()], &arm(&[0.3, 0.3, 0.4], radius), &[&[-1.0, 0.1, -0.1], &[1.03, 0.02, 0.0]]);
+            let verdict = judge_arm(
+                std::slice::from_ref(&across),
+                &arm(&[0.3, 0.3, 0.4], radius),
+                &[&[-1.0, 0.1, -0.1], &[1.03, 0.02, 0.0]],
+            );
             refused(verdict, &["edge 0", "link 2", "obstacle 0"]);
             let verdict =
                 judge_disc(&[far.clone(), across.clone()], radius, &[&[-1.0, -1.0], &[0.8, -1.0], &[0.81, 1.0]]);
@@ -127,7 +130,10 @@ fn a_speck_between_two_looks_is_seen() {
     for size in [1e-3, 1e-6, 1e-9] {
         let speck = polygon(&[[0.7123, 0.0], [0.7123 + size, 0.0], [0.7123, size]]);
         for obstacle in [speck, disc([0.7123, 0.0], size)] {
-            refused(judge_arm(&[obstacle.clone()], &arm(&[1.0], 0.0), &[&[-1.0], &[0.77]]), &["link 0", "obstacle 0"]);
+            refused(
+                judge_arm(std::slice::from_ref(&obstacle), &arm(&[1.0], 0.0), &[&[-1.0], &[0.77]]),
+                &["link 0", "obstacle 0"],
+            );
             refused(judge_disc(&[obstacle], 0.0, &[&[0.7123, -1.0], &[0.7123, 1.0]]), &["edge 0", "obstacle 0"]);
         }
     }

@@ -14,7 +14,8 @@ pub const LONGEST_TURN: f64 = 3.0;
 
 /// The length of a path: the sum of the space's distances between its states.
 pub fn length<S: Space>(space: &S, path: &[S::State]) -> f64 {
-    path.windows(2).map(|pair| space.distance(&pair[0], &pair[1])).sum()
+    // The sum of nothing is -0.
+    path.windows(2).map(|pair| space.distance(&pair[0], &pair[1])).sum::<f64>() + 0.0
 }
 
 /// The same path with steps that turn a circle joint by more than [`LONGEST_TURN`] halved.

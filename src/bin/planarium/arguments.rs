@@ -61,7 +61,7 @@ pub struct Plan {
     pub planner: String,
 
     /// The seed: with scenario, planner and parameters it decides every bit of the result
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
     pub seed: u64,
 
     /// Set a parameter of the planner; may be repeated
@@ -69,11 +69,11 @@ pub struct Plan {
     pub set: Vec<(String, String)>,
 
     /// Give up after so many iterations; the same as --set max_iterations=N
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub max_iterations: Option<u64>,
 
     /// Stop after so many seconds with status "running"; the result tells the iterations made
-    #[arg(long, value_name = "S", value_parser = seconds)]
+    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = seconds)]
     pub max_seconds: Option<f64>,
 
     /// Write the result to this file instead of standard output
@@ -121,7 +121,7 @@ pub struct Generate {
     pub kind: String,
 
     /// The seed: with the options it decides every bit of the scenario
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
     pub seed: u64,
 
     /// Set an option of the generator; may be repeated

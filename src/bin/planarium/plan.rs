@@ -9,16 +9,19 @@ use planarium::run::{self, Options, Run, Status, Value};
 use planarium::scenario::Scenario;
 use std::time::{Duration, Instant};
 
-/// How long a slice of iterations should take: short against the limit of time, and against the phases of a planner.
+/// How long a slice of iterations should take: short against the limit of time.
 const SLICE: Duration = Duration::from_micros(500);
+
+/// The most iterations of a slice: few against the phases of a planner, enough that the clock costs nothing.
+const MOST: u64 = 16;
 
 /// Plans, prints the result; yes where it is solved.
 pub fn plan(arguments: &Plan) -> Answer {
     let scenario = Scenario::parse(&files::read(&arguments.file)?)?;
     let mut run = run::start(&scenario, &options(arguments))?;
     let result = drive(run.as_mut(), arguments.max_seconds);
-    files::say(&summary(&result));
     files::write(&result.to_json(), arguments.out.as_deref())?;
+    files::say(&summary(&result));
     Ok(result.status == Status::Solved)
 }
 
@@ -34,9 +37,9 @@ fn options(arguments: &Plan) -> Options {
 }
 
 /// Steps until the run ends or the time is up, and measures: the search of the graph and the shortening of the path apart
-/// from the growth. Phases end within slices, so each time is right to a slice.
+/// from the growth. A phase may end within a slice, so each time is right to a slice.
 fn drive(run: &mut dyn Run, max_seconds: Option<f64>) -> ResultDocument {
-    let progress = Progress::new(run);
+    let mut progress = Progress::new(run);
     let (mut build, mut search) = (Duration::ZERO, Duration::ZERO);
     let is_up = |spent: Duration| max_seconds.is_some_and(|most| spent.as_secs_f64() >= most);
     let begin = Instant::now();
@@ -56,16 +59,11 @@ fn drive(run: &mut dyn Run, max_seconds: Option<f64>) -> ResultDocument {
     result
 }
 
-/// How many iterations to do next, after so many took that long: at most twice as many.
+/// How many iterations to do next, after so many took that long.
 fn next_slice(iterations: u64, took: Duration) -> u64 {
-    if took * 2 <= SLICE {
-        iterations.saturating_mul(2)
-    } else if took > SLICE {
-        let share = SLICE.as_secs_f64() / took.as_secs_f64();
-        ((iterations as f64 * share) as u64).max(1)
-    } else {
-        iterations
-    }
+    let longer = if took * 2 <= SLICE { iterations * 2 } else { iterations };
+    let fitting = if took > SLICE { iterations / 2 } else { longer };
+    fitting.clamp(1, MOST)
 }
 
 fn summary(result: &ResultDocument) -> String {

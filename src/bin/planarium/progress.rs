@@ -3,29 +3,33 @@
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use planarium::run::Run;
 use std::io::{IsTerminal, stderr};
+use std::time::{Duration, Instant};
 
-/// How often the bar is drawn, a second.
-const DRAWS: u8 = 10;
+/// How long a drawing of the bar stands.
+const STANDS: Duration = Duration::from_millis(100);
 
 /// Shows how far a run has come towards its most iterations.
 pub struct Progress {
     bar: Option<ProgressBar>,
+    drawn: Instant,
 }
 
 impl Progress {
     pub fn new(run: &dyn Run) -> Self {
         let bar = stderr().is_terminal().then(|| {
-            let target = ProgressDrawTarget::stderr_with_hz(DRAWS);
+            let target = ProgressDrawTarget::stderr();
             let style = ProgressStyle::with_template("{bar:30} {human_pos}/{human_len} iterations  {elapsed}  {msg}")
                 .expect("the template is well-formed");
             ProgressBar::with_draw_target(Some(run.max_iterations()), target).with_style(style)
         });
-        Self { bar }
+        Self { bar, drawn: Instant::now() }
     }
 
     /// Draws the bar anew where it is time.
-    pub fn show(&self, run: &dyn Run) {
-        if let Some(bar) = &self.bar {
+    pub fn show(&mut self, run: &dyn Run) {
+        let is_due = |_: &&ProgressBar| self.drawn.elapsed() >= STANDS;
+        if let Some(bar) = self.bar.as_ref().filter(is_due) {
+            self.drawn = Instant::now();
             bar.set_message(format!("{}, {} vertices", run.phase(), run.vertex_count()));
             bar.set_position(run.iterations());
         }

@@ -1,0 +1,123 @@
+//! The shared scenarios against what is known about them: which queries have a path, which start or end in collision.
+//! They are not part of this repository; the environment variable `PLANARIUM_SCENARIOS` names their folder.
+#![cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
+
+use planarium::path::{Verdict, verify};
+use planarium::result::ResultDocument;
+use planarium::scenario::Scenario;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// Arm scenarios with queries that have a path.
+const SOLVABLE: &[(&str, &[&str])] = &[
+    ("arm2-class", &["report-1", "comparison-3"]),
+    ("arm2-environment1", &["rrt-2", "rrt-3", "prm-2", "prm-3"]),
+    ("arm2-environment2", &["rrt-5", "prm-4", "prm-5"]),
+    ("forest-3r-1", &["report"]),
+    ("forest-3r-2", &["report"]),
+    ("forest-4r-1", &["report"]),
+    ("forest-4r-2", &["report"]),
+];
+
+/// Queries that start or end in collision: the code, and what must be named.
+const COLLIDING: &[(&str, &str, &str, &str)] = &[
+    ("arm2-class", "comparison-1", "start-in-collision", "part 1 touches obstacle 1"),
+    ("arm2-class", "comparison-2", "goal-in-collision", "part 0 touches obstacle 0"),
+    ("arm2-class", "comparison-4", "goal-in-collision", "part 0 touches obstacle 0"),
+    ("arm2-class", "comparison-5", "goal-in-collision", "part 0 touches obstacle 0"),
+    ("arm2-environment2", "rrt-4", "start-in-collision", "part 1 touches obstacle 2"),
+];
+
+const PLANNERS: [&str; 2] = ["prm", "rrt-connect"];
+
+/// The folder of the scenarios; says aloud, past the capture of the test harness, where it is not told.
+fn folder(test: &str) -> Option<PathBuf> {
+    let folder = std::env::var_os("PLANARIUM_SCENARIOS").filter(|folder| !folder.is_empty()).map(PathBuf::from);
+    if folder.is_none() {
+        let line = format!("\nSKIPPED {test}: PLANARIUM_SCENARIOS is not set\n");
+        let _ = std::io::stderr().write_all(line.as_bytes());
+    }
+    folder
+}
+
+/// Plans with the default settings.
+fn plan(scenario: &Path, query: &str, planner: &str, seed: u64) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_planarium"));
+    command.arg("plan").arg(scenario).args(["--query", query, "--planner", planner, "--seed", &seed.to_string()]);
+    command.output().expect("the program runs")
+}
+
+fn read(path: &Path) -> String {
+    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+#[test]
+fn every_solvable_query_is_solved_and_the_judge_agrees() {
+    let Some(folder) = folder("every_solvable_query_is_solved_and_the_judge_agrees") else { return };
+    let mut judged = 0;
+    for (name, queries) in SOLVABLE {
+        let file = folder.join(format!("{name}.json"));
+        let scenario = Scenario::parse(&read(&file)).expect("the scenario is in order");
+        for query in *queries {
+            for (planner, seed) in PLANNERS.into_iter().flat_map(|planner| (1..=10).map(move |seed| (planner, seed))) {
+                let output = plan(&file, query, planner, seed);
+                let text = String::from_utf8(output.stdout).expect("JSON is text");
+                let what = format!("{name} {query} {planner} seed {seed}");
+                assert_eq!(output.status.code(), Some(0), "{what}: {}", String::from_utf8_lossy(&output.stderr));
+                let result = ResultDocument::parse(&text).expect("a result");
+                let verdict = verify(&scenario, &result).expect("a verdict");
+                assert!(matches!(verdict, Verdict::Valid { .. }), "{what}: {verdict:?}");
+                judged += 1;
+            }
+        }
+    }
+    assert_eq!(judged, 260);
+}
+
+#[test]
+fn a_query_in_collision_is_refused_by_name() {
+    let Some(folder) = folder("a_query_in_collision_is_refused_by_name") else { return };
+    for (name, query, code, contact) in COLLIDING {
+        for planner in PLANNERS {
+            let output = plan(&folder.join(format!("{name}.json")), query, planner, 1);
+            let document: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+            assert_eq!(output.status.code(), Some(2), "{name} {query}: {document}");
+            assert_eq!(document["error"]["code"], *code, "{name} {query}");
+            let message = document["error"]["message"].as_str().expect("a message");
+            assert!(message.contains(contact), "{name} {query}: {message}");
+        }
+    }
+}
+
+#[test]
+fn a_query_without_a_path_is_never_solved() {
+    let Some(folder) = folder("a_query_without_a_path_is_never_solved") else { return };
+    // In forest-2r-2 the first link can go from start to goal only through the angle pi / 2, where its tip, at (0, 1),
+    // touches the corner of obstacle 2 there; the other way round obstacle 6 bars a quarter of its turn. Obstacles are
+    // closed: no path. A grid over the angles steps over that one angle and joins both sides.
+    for name in ["forest-2r-1", "forest-2r-2"] {
+        for planner in PLANNERS {
+            let output = plan(&folder.join(format!("{name}.json")), "report", planner, 1);
+            let document: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+            assert_eq!(
+                (output.status.code(), document["status"].as_str()),
+                (Some(1), Some("exhausted")),
+                "{name} {planner}"
+            );
+        }
+    }
+    // With the first link a millimetre shorter there is a path.
+    let text = read(&folder.join("forest-2r-2.json"));
+    let mut shorter: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    shorter["robot"]["links"][0] = 0.999.into();
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("forest-2r-2-shorter.json");
+    std::fs::write(&file, shorter.to_string()).expect("the folder for test files can be written");
+    let scenario = Scenario::parse(&read(&file)).expect("the scenario is in order");
+    for (planner, seed) in PLANNERS.into_iter().flat_map(|planner| (1..=3).map(move |seed| (planner, seed))) {
+        let output = plan(&file, "report", planner, seed);
+        let result = ResultDocument::parse(&String::from_utf8_lossy(&output.stdout)).expect("a result");
+        let verdict = verify(&scenario, &result).expect("a verdict");
+        assert!(matches!(verdict, Verdict::Valid { .. }), "{planner} seed {seed}: {verdict:?}");
+    }
+}

@@ -1,7 +1,7 @@
 //! What a scenario document may hold, what is refused, with which code and where, and how it is written again.
 
 use planarium::Error;
-use planarium::scenario::{FORMAT, LARGEST, MAX_OBSTACLES, MAX_VERTICES, Node, Obstacle, Robot, Scenario};
+use planarium::scenario::{FORMAT, LARGEST, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Robot, Scenario};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// A document with every field that a scenario with an arm may have.
@@ -391,6 +391,7 @@ fn the_limits_are_those_of_the_contract() {
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
     use super::*;
+    use planarium::scenario::Node;
     use proptest::prelude::*;
 
     /// The scenarios of `PLANARIUM_SCENARIOS`, by name, where it is set.

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{arm_and_wall, arm_of, begin, disc_and_wall, finish, no_way, seeds};
-use planarium::run::{Options, Run, Status, Value, start};
+use planarium::run::{Options, Status, Value, start};
 use planarium::scenario::Scenario;
 use wasm_bindgen_test::wasm_bindgen_test;
 

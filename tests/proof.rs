@@ -39,7 +39,7 @@ fn no_path_crosses_a_wall(world: impl Fn(f64) -> Scenario, planner: &str, parame
     assert!(solved * 10 >= all * 9, "{planner} solved only {solved} of {all}: too few paths were judged");
 }
 
-const ROADMAP: &[(&str, f64)] = &[("samples", 150.0), ("k", 8.0)];
+const ROADMAP: &[(&str, f64)] = &[("samples", 250.0), ("k", 8.0)];
 
 #[wasm_bindgen_test(unsupported = test)]
 fn no_roadmap_path_of_a_thin_arm_crosses_a_wall() {
@@ -171,7 +171,8 @@ fn all_before_the_first_hit_is_free_and_none_is_told_for_a_free_motion() {
                     assert!(!validity.is_motion_free(&a, &b));
                     assert!((0.0..1.0).contains(&t));
                     hits += 1;
-                    for i in 0..=100 {
+                    // A motion that begins in collision has nothing before its hit.
+                    for i in (0..=100).filter(|_| t > 0.0) {
                         let q = space.interpolate(&a, &b, t * f64::from(i) / 101.0);
                         assert!(validity.is_free(&q), "{}: {a:?} to {b:?} hits at {t}, yet before", world.name());
                     }

@@ -6,7 +6,7 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Code {
-    /// The text is not JSON, or a number in it does not fit a 64-bit float.
+    /// The text is not JSON, a number in it does not fit a 64-bit float, or a value given has no counterpart in JSON.
     InvalidJson,
     /// The document says another `format` than `planarium-scenario-1`.
     UnknownFormat,

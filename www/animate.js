@@ -3,7 +3,7 @@
  * drives back and rests, at constant speed in the metric that the path was measured in.
  */
 
-/** @typedef {import("./types.js").Scenario} Scenario */
+/** @import { Scenario } from "./types.js" */
 
 /** Seconds for the line to draw itself. */
 const DRAWING = 1.4;

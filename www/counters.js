@@ -1,7 +1,7 @@
 /** The numbers of the run in one line, and the same numbers as data attributes for whoever watches the page. */
 import { byId } from "./dom.js";
 
-/** @typedef {import("./run.js").Run} Run */
+/** @import { Run } from "./run.js" */
 
 export class Counters {
   constructor() {
@@ -68,8 +68,10 @@ export class Counters {
   }
 }
 
+const digits = new Intl.NumberFormat("en");
+
 /** @param {number} count */
-function grouped(count) { return count.toLocaleString("en"); }
+function grouped(count) { return digits.format(count); }
 
 /** @param {HTMLElement} element @param {string} text */
 function write(element, text) {

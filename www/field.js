@@ -4,7 +4,7 @@
  */
 import { make } from "./dom.js";
 
-/** @typedef {import("./types.js").ParameterInfo} ParameterInfo */
+/** @import { ParameterInfo } from "./types.js" */
 
 export class Field {
   /**

@@ -5,8 +5,7 @@ import { readPalette } from "./stage/palette.js";
 import { drawGhost, drawObstacles } from "./stage/shapes.js";
 import { View } from "./stage/view.js";
 
-/** @typedef {import("./types.js").SceneEntry} SceneEntry */
-/** @typedef {import("./types.js").Scenario} Scenario */
+/** @import { Scenario, SceneEntry } from "./types.js" */
 
 /** Side of a thumbnail, CSS pixels. */
 const SIDE = 84;

@@ -25,8 +25,7 @@ import { Theatre } from "./theatre.js";
 import { watchTheme } from "./theme.js";
 import { Transport } from "./transport.js";
 
-/** @typedef {import("./types.js").Library} Library */
-/** @typedef {import("./types.js").SceneEntry} SceneEntry */
+/** @import { Library, SceneEntry } from "./types.js" */
 
 const counters = new Counters();
 const notice = new Notice();

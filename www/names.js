@@ -1,7 +1,6 @@
 /** What the page calls the things that can touch, counted from 0 as in the scenario document. */
 
-/** @typedef {import("./types.js").Scenario} Scenario */
-/** @typedef {import("./types.js").Check} Check */
+/** @import { Check, Scenario } from "./types.js" */
 
 /** @param {Scenario} scenario @param {number} part */
 export function partName(scenario, part) {

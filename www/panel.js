@@ -5,9 +5,7 @@
 import { byId, make } from "./dom.js";
 import { Field } from "./field.js";
 
-/** @typedef {import("./types.js").Library} Library */
-/** @typedef {import("./types.js").Settings} Settings */
-/** @typedef {import("./types.js").ParameterInfo} ParameterInfo */
+/** @import { Library, ParameterInfo, Settings } from "./types.js" */
 
 /** Parameters worth a place of their own; the others stand under "More parameters". */
 const FIRST = new Set(["k", "samples", "radius", "step", "goal_bias", "seed"]);

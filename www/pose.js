@@ -2,7 +2,7 @@
 import { byId, make } from "./dom.js";
 import { jointLimits } from "./stage/grip.js";
 
-/** @typedef {import("./stage/picture.js").Picture} Picture */
+/** @import { Picture } from "./stage/picture.js" */
 /** @typedef {{ range: HTMLInputElement, number: HTMLInputElement, low: number, high: number }} Coordinate */
 
 export class Pose {

@@ -4,14 +4,19 @@
  */
 import { Rows } from "./rows.js";
 
-/** @typedef {import("./types.js").Scenario} Scenario */
-/** @typedef {import("./types.js").Settings} Settings */
+/** @import { Scenario, Settings } from "./types.js" */
 
 /** Kinds of event, as the package numbers them. */
 export const EVENT = { rejected: 0, refused: 1, expanded: 2, solved: 3 };
 
 /** Which root a vertex hangs from: none yet (a roadmap), the start, the goal. */
 export const SIDE = { none: 0, start: 1, goal: 2 };
+
+/** Iterations in one slice at most. */
+const LONGEST = 64;
+
+/** What one call of `advance` may grow at most, so that it can be drawn within the frame. */
+const BURST = { vertices: 400, edges: 240 };
 
 export class Run {
   /**
@@ -43,7 +48,7 @@ export class Run {
   get iterations() { return this.planner.iterations; }
 
   /**
-   * Steps until `wanted` iterations are made, the run ends, or the clock passes `until`.
+   * Steps until `wanted` iterations are made, the run ends, the clock passes `until`, or as much has grown as a frame can draw.
    * Slices are small at first and grow as long as they prove cheap, so that one slice never takes a frame.
    * @param {number} wanted  iterations; may be Infinity
    * @param {number} until   on the clock of performance.now(), milliseconds
@@ -52,8 +57,9 @@ export class Run {
   advance(wanted, until) {
     const planner = this.planner;
     const first = planner.iterations;
+    const most = { vertices: planner.vertexCount + BURST.vertices, edges: planner.edgeCount + BURST.edges };
     let slice = 1;
-    while (planner.status === "running") {
+    while (planner.status === "running" && planner.vertexCount < most.vertices && planner.edgeCount < most.edges) {
       const left = wanted - (planner.iterations - first);
       if (left <= 0) break;
       const began = performance.now();
@@ -64,7 +70,7 @@ export class Run {
       const ended = performance.now();
       const perIteration = (ended - began) / (planner.iterations - made);
       const room = (until - ended) / (2 * Math.max(perIteration, 1e-4));
-      slice = Math.max(1, Math.min(2 * slice, Math.floor(room)));
+      slice = Math.max(1, Math.min(2 * slice, LONGEST, Math.floor(room)));
     }
     return planner.iterations - first;
   }

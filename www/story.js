@@ -1,9 +1,8 @@
 /** The page's sentences: what is to be seen just now. */
 import { touchingSentence } from "./names.js";
 
-/** @typedef {import("./run.js").Run} Run */
-/** @typedef {import("./types.js").Scenario} Scenario */
-/** @typedef {import("./types.js").Check} Check */
+/** @import { Run } from "./run.js" */
+/** @import { Check, Scenario } from "./types.js" */
 
 /** A run that has ended. @param {Run} run @param {number} length */
 export function ending(run, length) {
@@ -14,7 +13,7 @@ export function ending(run, length) {
   }
   return run.isTree
     ? `No path after ${iterations} iterations: the two trees never met.`
-    : `No path: after ${iterations} iterations nothing in this roadmap joins the start to the goal.`;
+    : `No path: the search has been to every vertex it can reach, the bold ones, and the goal is not among them.`;
 }
 
 /** What to do with the robot in the hand. @param {Scenario} scenario @param {boolean} square  is there a configuration square beside the workspace */

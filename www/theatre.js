@@ -6,26 +6,31 @@ import { Journey } from "./animate.js";
 import { Run } from "./run.js";
 import * as story from "./story.js";
 
-/** @typedef {import("./types.js").Library} Library */
-/** @typedef {import("./types.js").Scenario} Scenario */
-/** @typedef {import("./types.js").Settings} Settings */
-/** @typedef {import("./stage/picture.js").Picture} Picture */
+/** @import { Configuration, Scenario, Settings } from "./types.js" */
+/** @import { Picture } from "./stage/picture.js" */
+/** @import { Stage } from "./stage/stage.js" */
+/** @import { Transport } from "./transport.js" */
+/** @import { Counters } from "./counters.js" */
+/** @import { Panel } from "./panel.js" */
+/** @import { Pose } from "./pose.js" */
+/** @import { Notice } from "./notice.js" */
+/** @import { Announcer } from "./announce.js" */
 
-/** Milliseconds of planning in a frame, and when inking new growth stops. */
-const PLANNING = 3.5;
+/** Milliseconds of planning in a frame at most, and when inking new growth stops. */
+const PLANNING = 6;
 const FRAME = 7;
 /** Measures kept in the browser's timeline before it is emptied. */
 const MEASURES = 20000;
 
 /**
  * @typedef {object} Crew   those who show what goes on
- * @property {import("./stage/stage.js").Stage} stage
- * @property {import("./transport.js").Transport} transport
- * @property {import("./counters.js").Counters} counters
- * @property {import("./panel.js").Panel} panel
- * @property {import("./pose.js").Pose} pose
- * @property {import("./notice.js").Notice} notice
- * @property {import("./announce.js").Announcer} announcer
+ * @property {Stage} stage
+ * @property {Transport} transport
+ * @property {Counters} counters
+ * @property {Panel} panel
+ * @property {Pose} pose
+ * @property {Notice} notice
+ * @property {Announcer} announcer
  * @property {(sentence: string) => void} tell     the sentence above the stage
  * @property {(inHand: boolean) => void} turn      whose turn it is
  * @property {(trees: boolean) => void} legend     what grows: trees or a roadmap
@@ -113,18 +118,17 @@ export class Theatre {
     this.rushing = false;
     this.playing = false;
     notice.hide();
+    this.stir();
     try {
       picture.run = new Run(picture.scenario, panel.algorithm, settings);
       this.playing = play;
       this.crew.legend(picture.run.isTree);
-      counters.unsettle();
       counters.show(picture.run);
       this.tellStory();
     } catch (error) {
       counters.none("none");
       this.refused(error);
     }
-    this.settled = false;
     stage.restart();
     this.showTransport();
     transport.showAlong(0);
@@ -151,6 +155,12 @@ export class Theatre {
     }
   }
 
+  /** The run moves, or is about to: what was told of it at rest no longer holds. */
+  stir() {
+    if (this.settled) this.crew.counters.unsettle();
+    this.settled = false;
+  }
+
   // The transport.
 
   toggle() {
@@ -164,6 +174,7 @@ export class Theatre {
     this.release();
     this.tellStory();
     this.playing = true;
+    if (picture.run.status === "running") this.stir();
     this.showTransport();
     this.wake();
   }
@@ -181,6 +192,7 @@ export class Theatre {
     if (this.picture?.run?.status !== "running") return;
     if (this.playing) this.pause();
     this.owed = Math.floor(this.owed) + iterations;
+    this.stir();
     this.wake();
   }
 
@@ -189,6 +201,7 @@ export class Theatre {
     this.release();
     this.rushing = true;
     this.playing = true;
+    this.stir();
     this.showTransport();
     this.wake();
   }
@@ -260,7 +273,7 @@ export class Theatre {
     this.wake();
   }
 
-  /** Is a pose at the goal, as nearly as a hand can put it there? @param {ArrayLike<number>} goal @param {Float64Array} at */
+  /** Is a pose at the goal, as nearly as a hand can put it there? @param {Configuration} goal @param {Float64Array} at */
   isAt(goal, at) {
     const { scenario } = /** @type {Picture} */ (this.picture);
     const { min, max } = scenario.extent();
@@ -295,21 +308,22 @@ export class Theatre {
     const elapsed = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = now;
     const { stage, counters } = this.crew;
-    const working = this.plan(picture, elapsed, began + PLANNING) || !stage.caughtUp;
+    const planned = this.plan(picture, elapsed, began + PLANNING);
+    const working = planned || !stage.caughtUp;
     if (picture.journey && this.playing) this.travel(picture.journey, elapsed);
     stage.frame(now, began + FRAME);
     const run = picture.run;
     if (run) {
       run.fresh = new Float64Array(0);
-      if (working) counters.show(run);
+      if (planned) {
+        this.stir();
+        counters.show(run);
+      }
       const atRest = this.owed < 1 && (!this.playing || run.status !== "running");
       if (atRest && !this.settled && stage.caughtUp) {
         this.settled = true;
         counters.settle(run);
         this.describe();
-      } else if (!atRest && this.settled) {
-        this.settled = false;
-        counters.unsettle();
       }
     }
     if (working) this.measure(began);

@@ -7,6 +7,7 @@
  * @typedef {ReturnType<Scenario["footprint"]>[number]} Part   one moving part, in world coordinates
  * @typedef {ReturnType<Scenario["document"]>} ScenarioDocument
  * @typedef {ScenarioDocument["world"]["obstacles"][number]} Obstacle
+ * @typedef {readonly number[] | Float64Array} Configuration   one number a degree of freedom
  * @typedef {ReturnType<Scenario["check"]>} Check               which part touches what
  * @typedef {ReturnType<typeof import("./planarium/planarium.js").planners>[number]} PlannerInfo
  * @typedef {PlannerInfo["parameters"][number]} ParameterInfo

@@ -1,7 +1,8 @@
 //! Collision of an arm: which link touches what, and which motions are free.
 
 use super::obstacles::largest_coordinate;
-use super::proof::{Proof, Work};
+use super::proof::separation::Work;
+use super::proof::{Motion, Setting, distance, separation};
 use super::{Obstacles, Tolerance};
 use crate::geometry::{Aabb, Segment};
 use crate::robot::Arm;
@@ -94,20 +95,26 @@ impl<const N: usize> ArmValidity<N> {
         }
     }
 
+    /// The same verdicts by the proof by distances: slower and simpler, the oracle of the tests. Where the first stretch of
+    /// the motion begins that it cannot prove free; `None` where it proves all.
+    pub fn first_hit_by_distances(&self, a: &[f64; N], b: &[f64; N]) -> Option<f64> {
+        let first_hit = |setting: &Setting, motion: &Motion, work: &mut Work| {
+            distance::first_hit(setting, motion, &mut work.evaluations)
+        };
+        self.prove(a, b, first_hit).unwrap_or(Some(0.0))
+    }
+
     /// Runs `prove` on the motion from `a` to `b`; `None` where the short way round is ambiguous.
-    fn prove<T>(&self, a: &[f64; N], b: &[f64; N], prove: impl FnOnce(&mut Proof, &[f64], &[f64]) -> T) -> Option<T> {
+    #[inline]
+    fn prove<T>(&self, a: &[f64; N], b: &[f64; N], prove: impl FnOnce(&Setting, &Motion, &mut Work) -> T) -> Option<T> {
         if self.space.turn(a, b) >= LONGEST_TURN {
             return None;
         }
         let delta = self.space.difference(a, b);
-        let mut proof = Proof {
-            arm: &self.arm,
-            obstacles: &self.obstacles,
-            bounds: self.bounds.as_ref(),
-            tolerance: self.tolerance,
-            work: &mut self.work.borrow_mut(),
-        };
-        Some(prove(&mut proof, self.space.coordinates(a), self.space.coordinates(&delta)))
+        let motion = Motion { from: self.space.coordinates(a), delta: self.space.coordinates(&delta) };
+        let bounds = self.bounds.as_ref();
+        let setting = Setting { arm: &self.arm, obstacles: &self.obstacles, bounds, tolerance: self.tolerance };
+        Some(prove(&setting, &motion, &mut self.work.borrow_mut()))
     }
 }
 
@@ -122,11 +129,11 @@ impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
     }
 
     fn is_motion_free(&self, a: &[f64; N], b: &[f64; N]) -> bool {
-        self.prove(a, b, |proof, from, delta| proof.is_free(from, delta)).unwrap_or(false)
+        self.prove(a, b, separation::is_free).unwrap_or(false)
     }
 
     fn first_hit(&self, a: &[f64; N], b: &[f64; N]) -> Option<f64> {
-        self.prove(a, b, |proof, from, delta| proof.first_hit(from, delta)).unwrap_or(Some(0.0))
+        self.prove(a, b, separation::first_hit).unwrap_or(Some(0.0))
     }
 
     fn contacts(&self, q: &[f64; N]) -> Vec<Contact> {

@@ -1,11 +1,12 @@
 //! The obstacles of a world, prepared for questions: a bounding volume hierarchy in front of exact shapes.
 
 use crate::geometry::{
-    Aabb, Point, Segment, distance_point_segment, distance_segment_polygon, intersects_segment_polygon,
+    Aabb, Disc, Point, Polygon, Segment, Vector, distance_point_segment, distance_segment_polygon,
+    intersects_segment_polygon,
 };
 use crate::scenario::Obstacle;
 use parry2d_f64::bounding_volume::Aabb as Box2;
-use parry2d_f64::math::Vector;
+use parry2d_f64::math::Vector as Corner;
 use parry2d_f64::partitioning::{Bvh, BvhBuildStrategy};
 
 /// From how many obstacles on the hierarchy is asked; below, every box is. Both give the same candidates.
@@ -17,6 +18,28 @@ pub struct Obstacles {
     shapes: Vec<Obstacle>,
     boxes: Vec<Aabb>,
     hierarchy: Option<Bvh>,
+    /// The faces of all convex polygons, and where those of each obstacle stand.
+    faces: Vec<Face>,
+    ranges: Vec<(u32, u32)>,
+}
+
+/// One face of a convex polygon: its outward unit normal, the polygon's support in that direction, and the corner the face
+/// starts from.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Face {
+    pub normal: Vector,
+    pub support: f64,
+    pub corner: Point,
+}
+
+/// An obstacle as a proof by separating lines sees it.
+pub(super) enum Solid<'a> {
+    /// A convex polygon by its faces.
+    Convex(&'a [Face]),
+    /// A disc.
+    Disc(Disc),
+    /// A concave polygon, which no single line need separate.
+    Concave,
 }
 
 impl Obstacles {
@@ -27,7 +50,29 @@ impl Obstacles {
             let leaves: Vec<Box2> = boxes.iter().map(to_parry).collect();
             Bvh::from_leaves(BvhBuildStrategy::Binned, &leaves)
         });
-        Self { shapes: shapes.to_vec(), boxes, hierarchy }
+        let mut faces = Vec::new();
+        let mut ranges = Vec::with_capacity(shapes.len());
+        for shape in shapes {
+            let first = faces.len() as u32;
+            if let Obstacle::Polygon(polygon) = shape
+                && polygon.is_convex()
+            {
+                faces.extend(faces_of(polygon));
+            }
+            ranges.push((first, faces.len() as u32));
+        }
+        Self { shapes: shapes.to_vec(), boxes, hierarchy, faces, ranges }
+    }
+
+    /// Obstacle `i` as a proof by separating lines sees it.
+    #[inline]
+    pub(super) fn solid(&self, i: usize) -> Solid<'_> {
+        let (first, end) = self.ranges[i];
+        match &self.shapes[i] {
+            Obstacle::Polygon(_) if first < end => Solid::Convex(&self.faces[first as usize..end as usize]),
+            Obstacle::Polygon(_) => Solid::Concave,
+            Obstacle::Disc(disc) => Solid::Disc(*disc),
+        }
     }
 
     /// How many obstacles there are.
@@ -97,5 +142,17 @@ pub(super) fn largest_coordinate(aabb: &Aabb) -> f64 {
 
 /// The same box for the hierarchy.
 fn to_parry(aabb: &Aabb) -> Box2 {
-    Box2::new(Vector::new(aabb.min.x, aabb.min.y), Vector::new(aabb.max.x, aabb.max.y))
+    Box2::new(Corner::new(aabb.min.x, aabb.min.y), Corner::new(aabb.max.x, aabb.max.y))
+}
+
+/// The faces of a convex polygon. The support is the largest over all corners, so that rounding of the normal cannot let a
+/// corner stick out.
+fn faces_of(polygon: &Polygon) -> impl Iterator<Item = Face> {
+    polygon.edges().map(|edge| {
+        let along = (edge.b - edge.a).normalize();
+        let normal = Vector::new(along.y, -along.x);
+        let support =
+            polygon.vertices().iter().map(|corner| normal.dot(&corner.coords)).fold(f64::NEG_INFINITY, f64::max);
+        Face { normal, support, corner: edge.a }
+    })
 }

@@ -5,11 +5,28 @@
 
 #![allow(dead_code)] // The types below are only looked at by the generator of the schema.
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings, json_schema};
+use schemars::generate::SchemaSettings;
+use schemars::transform::RecursiveTransform;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
 /// The JSON Schema (draft 2020-12) of the documents that `Scenario::parse` accepts.
 pub fn schema() -> serde_json::Value {
-    SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<ScenarioDocument>().to_value()
+    let settings = SchemaSettings::draft2020_12().with_transform(RecursiveTransform(tidy));
+    settings.into_generator().into_root_schema_for::<ScenarioDocument>().to_value()
+}
+
+/// Takes out what the types of Rust bring along: the default of what may be absent, which is no value; formats of numbers,
+/// which JSON does not have; and the line breaks of comments.
+fn tidy(schema: &mut Schema) {
+    if schema.get("default").is_some_and(serde_json::Value::is_null) {
+        schema.remove("default");
+    }
+    if schema.get("type").is_some_and(|kind| kind == "number") {
+        schema.remove("format");
+    }
+    if let Some(serde_json::Value::String(text)) = schema.get_mut("description") {
+        *text = text.replace('\n', " ");
+    }
 }
 
 /// A motion planning scenario: a world, a robot in it, and questions. Lengths in metres, angles in radians,
@@ -39,7 +56,7 @@ struct ScenarioDocument {
 #[schemars(rename = "World", deny_unknown_fields)]
 struct WorldDocument {
     /// The closed box that the whole robot stays in; it may touch it. Required for a disc.
-    #[schemars(schema_with = "bounds")]
+    #[schemars(default, schema_with = "bounds")]
     bounds: Option<BoundsDocument>,
     /// Closed, filled obstacles: touching one is collision. All polygons together have at most 100000 vertices.
     #[schemars(length(max = 10000))]
@@ -101,7 +118,7 @@ enum RobotDocument {
         radius: f64,
         /// One pair (low, high) a link, low less than high, in radians: such a joint does not wrap. Without limits a joint is
         /// a circle.
-        #[schemars(schema_with = "joint_limits")]
+        #[schemars(default, schema_with = "joint_limits")]
         joint_limits: Option<Vec<(f64, f64)>>,
     },
     /// A disc that translates. A configuration is its centre [x, y].

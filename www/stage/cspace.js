@@ -7,11 +7,13 @@ import { shownPose } from "./picture.js";
 import { unrolled } from "./trace.js";
 import { View } from "./view.js";
 
-/** @typedef {import("./picture.js").Picture} Picture */
+/** @import { Picture } from "./picture.js" */
+/** @import { Scenario } from "../types.js" */
+/** @import { Palette } from "./palette.js" */
 
 const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };
-/** Cells a side of the obstacle image. */
-const CELLS = 256;
+/** Cells a side of the obstacle image: as many as the screen is worth, within reason (the core takes some 0.3 us a cell). */
+const CELLS = { least: 256, most: 512, pixels: 2 };
 
 export class CSpace extends Pane {
   /** @param {HTMLElement} figure */
@@ -19,11 +21,11 @@ export class CSpace extends Pane {
     super(figure);
     /** @type {boolean[]} */
     this.circles = [];
-    /** @type {{ scenario: object, mask: Float32Array } | null} */
+    /** @type {{ scenario: object, side: number, mask: Float32Array } | null} */
     this.cells = null;
   }
 
-  /** Has a scenario such a square? @param {import("../types.js").Scenario} scenario */
+  /** Has a scenario such a square? @param {Scenario} scenario */
   static fits(scenario) { return scenario.robot === "arm" && scenario.dimension === 2; }
 
   /** @param {Picture} picture @param {number} width @param {number} height @override */
@@ -35,9 +37,10 @@ export class CSpace extends Pane {
   /** @param {Picture} picture @override */
   prepare(picture) {
     this.circles = picture.scenario.circles();
-    if (this.cells?.scenario !== picture.scenario) {
-      const bytes = picture.scenario.cspace({ width: CELLS, height: CELLS });
-      this.cells = { scenario: picture.scenario, mask: soften(bytes, CELLS) };
+    const wanted = (this.frame().width * this.ground.ratio) / CELLS.pixels;
+    const side = Math.round(Math.min(CELLS.most, Math.max(CELLS.least, wanted)));
+    if (this.cells?.scenario !== picture.scenario || this.cells.side * 1.4 < side) {
+      this.cells = { scenario: picture.scenario, side, mask: soften(picture.scenario.cspace({ width: side, height: side }), side) };
     }
     this.clip(this.growth.context);
   }
@@ -90,7 +93,7 @@ export class CSpace extends Pane {
     const { palette, cells } = this;
     if (!palette || !cells) return;
     const { x, y, width, height } = this.frame();
-    const image = paint(cells.mask, CELLS, Math.round(width * this.ground.ratio), Math.round(height * this.ground.ratio), palette);
+    const image = paint(cells.mask, cells.side, Math.round(width * this.ground.ratio), Math.round(height * this.ground.ratio), palette);
     context.drawImage(image, x, y, width, height);
     context.strokeStyle = palette["obstacle-edge"];
     context.lineWidth = 1;
@@ -214,7 +217,7 @@ function soften(bytes, side) {
  * The mask as an image of the screen's own pixels: filled where more than half is collision, with a fine edge.
  * @param {Float32Array} mask  rows from the lowest angles
  * @param {number} side @param {number} width @param {number} height  device pixels
- * @param {import("./palette.js").Palette} palette
+ * @param {Palette} palette
  */
 function paint(mask, side, width, height, palette) {
   const canvas = document.createElement("canvas");

@@ -3,6 +3,8 @@
  * Only the newest few are kept, so a burst of growth costs no more than a trickle.
  */
 
+/** @import { Palette } from "./palette.js" */
+
 /** Milliseconds until a glow has settled. */
 const LIFE = 520;
 const MOST = { vertex: 140, edge: 90, rejected: 40, refused: 40 };
@@ -34,7 +36,7 @@ export class Glow {
   /** Is anything still glowing? */
   get alive() { return Object.values(this.sparks).some((list) => list.length > 0); }
 
-  /** @param {CanvasRenderingContext2D} context @param {import("./palette.js").Palette} palette @param {number} now */
+  /** @param {CanvasRenderingContext2D} context @param {Palette} palette @param {number} now */
   draw(context, palette, now) {
     for (const list of Object.values(this.sparks)) {
       while (list.length > 0 && now - list[0].born > LIFE) list.shift();

@@ -4,8 +4,8 @@
  */
 import { shownPose } from "./picture.js";
 
-/** @typedef {import("./pane.js").Pane} Pane */
-/** @typedef {import("./picture.js").Picture} Picture */
+/** @import { Pane } from "./pane.js" */
+/** @import { Picture } from "./picture.js" */
 
 /** How near to a part a pointer must be to hold it, CSS pixels. */
 const REACH = 18;

@@ -9,8 +9,11 @@ import { hatch } from "./hatch.js";
 import { Layer } from "./layer.js";
 import { drawGoal, drawStart } from "./shapes.js";
 
-/** @typedef {import("./picture.js").Picture} Picture */
-/** @typedef {import("./palette.js").Palette} Palette */
+/** @import { Picture } from "./picture.js" */
+/** @import { Palette } from "./palette.js" */
+/** @import { View } from "./view.js" */
+/** @import { Journey } from "../animate.js" */
+/** @import { Run } from "../run.js" */
 /** @typedef {{ points: Float64Array, firsts: Uint32Array }} Lines  line i: pixels x, y in turn, points firsts[i] up to firsts[i + 1]; NaN lifts the pen */
 
 /** Edges inked before the clock is looked at again. */
@@ -33,7 +36,7 @@ export class Pane {
     this.picture = null;
     /** @type {Palette | null} */
     this.palette = null;
-    /** @type {import("./view.js").View | null} */
+    /** @type {View | null} */
     this.view = null;
     /** @type {CanvasPattern | null} */
     this.hatchOnPart = null;
@@ -42,13 +45,13 @@ export class Pane {
     this.drawn = { vertices: 0, edges: 0, expanded: 0 };
     /** What was born before these counts does not glow (it is being redrawn). */
     this.old = { vertices: 0, edges: 0 };
-    /** @type {{ journey: import("../animate.js").Journey, lines: Lines } | null} */
+    /** @type {{ journey: Journey, lines: Lines } | null} */
     this.pathLines = null;
   }
 
   // What a kind of pane must say of itself.
 
-  /** @param {Picture} _picture @param {number} _width @param {number} _height @returns {import("./view.js").View} */
+  /** @param {Picture} _picture @param {number} _width @param {number} _height @returns {View} */
   makeView(_picture, _width, _height) { throw new Error("a pane must make its view"); }
   /** @param {CanvasRenderingContext2D} _context @param {Picture} _picture */
   drawGround(_context, _picture) {}
@@ -106,7 +109,7 @@ export class Pane {
     this.flash(run, now);
   }
 
-  /** @param {import("../run.js").Run} run @param {number} now */
+  /** @param {Run} run @param {number} now */
   growEdges(run, now) {
     const first = this.drawn.edges;
     const end = Math.min(run.edges.count, first + BATCH);
@@ -141,7 +144,7 @@ export class Pane {
     }
   }
 
-  /** @param {import("../run.js").Run} run @param {number} now */
+  /** @param {Run} run @param {number} now */
   growVertices(run, now) {
     const first = this.drawn.vertices;
     const end = Math.min(run.vertices.count, first + DOTS);
@@ -153,7 +156,7 @@ export class Pane {
     for (let v = glowing; v < end; v++) this.glow.add("vertex", now, points.slice(2 * (v - first), 2 * (v - first) + 2));
   }
 
-  /** Vertices that the search has expanded stand out of the roadmap. @param {import("../run.js").Run} run */
+  /** Vertices that the search has expanded stand out of the roadmap. @param {Run} run */
   growExpanded(run) {
     const first = this.drawn.expanded;
     const end = Math.min(run.expanded.count, first + DOTS);
@@ -166,7 +169,7 @@ export class Pane {
     this.drawn.expanded = end;
   }
 
-  /** Samples refused flash as crosses, edges refused as broken lines. @param {import("../run.js").Run} run @param {number} now */
+  /** Samples refused flash as crosses, edges refused as broken lines. @param {Run} run @param {number} now */
   flash(run, now) {
     const fresh = run.fresh;
     const n = run.dimension;
@@ -230,7 +233,7 @@ export class Pane {
   /** Keeps what crosses the border of the picture inside. @param {CanvasRenderingContext2D} _context */
   clip(_context) {}
 
-  /** @param {CanvasRenderingContext2D} context @param {import("../animate.js").Journey} journey @param {Palette} palette */
+  /** @param {CanvasRenderingContext2D} context @param {Journey} journey @param {Palette} palette */
   drawPath(context, journey, palette) {
     if (this.pathLines?.journey !== journey) {
       const { rows, parts } = journey.samples;

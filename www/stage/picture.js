@@ -2,15 +2,19 @@
  * What the stage shows: the one value that every pane reads and only the page's wiring writes.
  *
  * @typedef {object} Picture
- * @property {import("../types.js").Scenario} scenario
- * @property {import("../types.js").ScenarioDocument} document
- * @property {ArrayLike<number> | null} start   of the query asked
- * @property {ArrayLike<number> | null} goal
- * @property {import("../run.js").Run | null} run
- * @property {import("../animate.js").Journey | null} journey   once solved
+ * @property {Scenario} scenario
+ * @property {ScenarioDocument} document
+ * @property {Configuration | null} start   of the query asked
+ * @property {Configuration | null} goal
+ * @property {Run | null} run
+ * @property {Journey | null} journey   once solved
  * @property {Float64Array | null} hand         the pose held by hand, if any
- * @property {import("../types.js").Check | null} check  of the pose held by hand
+ * @property {Check | null} check  of the pose held by hand
  */
+
+/** @import { Check, Configuration, Scenario, ScenarioDocument } from "../types.js" */
+/** @import { Run } from "../run.js" */
+/** @import { Journey } from "../animate.js" */
 
 /** Where the robot is to be drawn, if anywhere. @param {Picture} picture @returns {Float64Array | null} */
 export function shownPose(picture) {

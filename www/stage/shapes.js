@@ -1,9 +1,8 @@
 /** Paths of obstacles, robot parts and marks in CSS pixels, and how they are inked. */
 
-/** @typedef {import("./view.js").View} View */
-/** @typedef {import("../types.js").Obstacle} Obstacle */
-/** @typedef {import("../types.js").Part} Part */
-/** @typedef {import("./palette.js").Palette} Palette */
+/** @import { View } from "./view.js" */
+/** @import { Obstacle, Part } from "../types.js" */
+/** @import { Palette } from "./palette.js" */
 /** @typedef {CanvasRenderingContext2D} Context */
 
 /** A part thinner than this on the screen is drawn as a line, CSS pixels. */

@@ -7,7 +7,7 @@ import { Grip } from "./grip.js";
 import { readPalette } from "./palette.js";
 import { Workspace } from "./workspace.js";
 
-/** @typedef {import("./picture.js").Picture} Picture */
+/** @import { Picture } from "./picture.js" */
 
 export class Stage {
   /**

@@ -3,6 +3,8 @@
  * and straight lines, one for each sheet of the unrolled torus, in configuration space.
  */
 
+/** @import { Scenario } from "../types.js" */
+
 const TURN = 2 * Math.PI;
 /** Longest turn of one joint in one straight piece of a drawn curve, radians. */
 const PIECE = 0.14;
@@ -20,7 +22,7 @@ export function way(from, to, circle) {
 
 /** Curves of the end-effector along motions. */
 export class Tracer {
-  /** @param {import("../types.js").Scenario} scenario */
+  /** @param {Scenario} scenario */
   constructor(scenario) {
     this.scenario = scenario;
     this.circles = scenario.circles();

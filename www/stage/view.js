@@ -1,7 +1,9 @@
 /** A map between a box of the plane (y up) and the CSS pixels of a sheet (y down). */
+
+/** @import { Box } from "../types.js" */
 export class View {
   /**
-   * @param {import("../types.js").Box} box
+   * @param {Box} box
    * @param {number} width   of the sheet, CSS pixels
    * @param {number} height
    * @param {{ left: number, right: number, top: number, bottom: number }} margin  kept clear, CSS pixels

@@ -6,7 +6,10 @@ import { drawGhost, drawLabel, drawObstacles, drawRobot, drawTouchingParts, obst
 import { Tracer } from "./trace.js";
 import { View } from "./view.js";
 
-/** @typedef {import("./picture.js").Picture} Picture */
+/** @import { Picture } from "./picture.js" */
+/** @import { Journey } from "../animate.js" */
+/** @import { Palette } from "./palette.js" */
+/** @import { Part } from "../types.js" */
 
 const MARGIN = { left: 14, right: 14, top: 14, bottom: 14 };
 /** Poses shown along a solved path. */
@@ -109,7 +112,7 @@ export class Workspace extends Pane {
     }
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {import("../animate.js").Journey} journey @param {import("./palette.js").Palette} palette @override */
+  /** @param {CanvasRenderingContext2D} context @param {Journey} journey @param {Palette} palette @override */
   drawPath(context, journey, palette) {
     if (this.view && journey.scenario.robot === "arm") {
       const style = { colour: palette.path, fill: 0.035, stroke: 0.3, dash: [], width: 1 };
@@ -171,7 +174,7 @@ export class Workspace extends Pane {
   }
 }
 
-/** Beside the middle of a part, CSS pixels. @param {View} view @param {import("../types.js").Part} part @returns {[number, number]} */
+/** Beside the middle of a part, CSS pixels. @param {View} view @param {Part} part @returns {[number, number]} */
 function labelPlace(view, part) {
   const clear = part.radius * view.scaleX + 16;
   if (part.type === "disc") return [view.x(part.center[0]), view.y(part.center[1]) - clear];

@@ -1,0 +1,31 @@
+//! The proof that a motion of an arm is free.
+//!
+//! In the middle of a stretch of motion it is known where the links are, and a bound on how far they can travel to either
+//! end. Where a link is farther from an obstacle than it can travel, the two are apart on the whole stretch; otherwise the
+//! stretch is halved and looked at again. (Schwarzer, Saha and Latombe 2005, "Adaptive dynamic collision checking for
+//! single and multiple articulated robots in complex environments"; LaValle 2006, "Planning Algorithms", section 5.3.4.)
+//!
+//! [`distance`] is that idea in its simplest form and the oracle of the tests; [`separation`] is the one that planners use.
+
+pub(super) mod distance;
+pub(super) mod separation;
+
+use super::{Obstacles, Tolerance};
+use crate::geometry::Aabb;
+use crate::robot::Arm;
+
+/// An arm in its world, as a proof sees it.
+#[derive(Clone, Copy)]
+pub(super) struct Setting<'a> {
+    pub arm: &'a Arm,
+    pub obstacles: &'a Obstacles,
+    pub bounds: Option<&'a Aabb>,
+    pub tolerance: Tolerance,
+}
+
+/// A motion: from a configuration, every joint turning at a constant rate by `delta` radians in all.
+#[derive(Clone, Copy)]
+pub(super) struct Motion<'a> {
+    pub from: &'a [f64],
+    pub delta: &'a [f64],
+}

@@ -1,0 +1,144 @@
+/** The page's modules that need no browser. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { Scenario } from "../../dist/package/node.js";
+import { Journey } from "../../www/animate.js";
+import { touchingSentence } from "../../www/names.js";
+import { Rows } from "../../www/rows.js";
+import { Run, SIDE } from "../../www/run.js";
+import { SCENES } from "../../www/scenes.js";
+import { Tracer, unrolled, way } from "../../www/stage/trace.js";
+import { View } from "../../www/stage/view.js";
+import { root } from "./browser.mjs";
+
+/** One of the page's scenes. The package is typed twice, as published and as the page imports it. @param {string} id */
+function load(id) {
+  const scenario = Scenario.parse(readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8"));
+  return /** @type {import("../../www/types.js").Scenario} */ (/** @type {unknown} */ (scenario));
+}
+
+/** The lines that show one motion. @param {number[]} ends @param {boolean[]} circles */
+function linesOf(ends, circles) {
+  /** @type {number[][]} */
+  const lines = [];
+  unrolled(ends, 0, circles, (...line) => lines.push(line.map((v) => Math.round(v * 1000) / 1000)));
+  return lines;
+}
+
+test("an edge within the square is one line; one across a border is drawn on both sides; one across a corner on all four", () => {
+  const circles = [true, true];
+  assert.deepEqual(linesOf([0, 0, 1, 1], circles), [[0, 0, 1, 1]]);
+  assert.deepEqual(linesOf([3, 0, -3, 0.5], circles), [[3, 0, 3.283, 0.5], [-3.283, 0, -3, 0.5]]);
+  assert.deepEqual(linesOf([0, -3, 0.5, 3], circles), [[0, -3, 0.5, -3.283], [0, 3.283, 0.5, 3]]);
+  const corner = linesOf([3, 3, -3, -3], circles);
+  assert.equal(corner.length, 4);
+  assert.deepEqual(corner[3], [-3.283, -3.283, -3, -3]);
+  assert.deepEqual(linesOf([3, 0, -3, 0.5], [false, false]), [[3, 0, -3, 0.5]], "a joint with limits does not wrap");
+});
+
+test("the way between two angles is the short one, signed", () => {
+  assert.ok(Math.abs(way(3, -3, true) - (2 * Math.PI - 6)) < 1e-12);
+  assert.ok(Math.abs(way(-3, 3, true) + (2 * Math.PI - 6)) < 1e-12);
+  assert.equal(way(3, -3, false), -6);
+});
+
+test("traced curves end where the core says, and follow its interpolation", () => {
+  const scenario = load("thicket");
+  const { start, goal } = scenario.document().queries[0];
+  const { points, firsts } = new Tracer(scenario).curves(Float64Array.from([...start, ...goal, ...goal, ...start]));
+  assert.deepEqual([...points.slice(0, 2)], [...scenario.endEffector(start)]);
+  const last = firsts[1] - 1;
+  for (let i = 0; i <= last; i++) {
+    const [x, y] = scenario.endEffector(scenario.interpolate(start, goal, i / last));
+    assert.ok(Math.hypot(points[2 * i] - x, points[2 * i + 1] - y) < 1e-9, `point ${i}`);
+  }
+  assert.equal(firsts[2], 2 * firsts[1]);
+});
+
+test("rows grow and keep what they hold", () => {
+  const rows = new Rows((n) => new Uint32Array(n), 2);
+  for (let i = 0; i < 3000; i++) rows.add([i, i + 1]);
+  rows.add(Uint32Array.from({ length: 20_000 }, (_, i) => i));
+  assert.equal(rows.count, 13_000);
+  assert.deepEqual([...rows.row(2999)], [2999, 3000]);
+  assert.deepEqual([...rows.slice(3000, 3002)], [0, 1, 2, 3]);
+});
+
+test("a run fetched in slices holds what the planner holds, and every tree vertex hangs from a root", () => {
+  for (const { id, algorithm, settings } of SCENES) {
+    const scenario = load(id);
+    const run = new Run(scenario, algorithm, settings);
+    while (run.status === "running") {
+      run.advance(7, Infinity);
+      run.fetch();
+    }
+    assert.deepEqual(run.vertices.slice(0, run.vertices.count), run.planner.verticesSince(0));
+    assert.deepEqual(run.edges.slice(0, run.edges.count), run.planner.edgesSince(0));
+    const sides = new Set(run.sides.slice(0, run.sides.count));
+    assert.deepEqual(sides, new Set(run.isTree ? [SIDE.start, SIDE.goal] : [SIDE.none]), id);
+    if (algorithm === "prm") assert.ok(run.expanded.count > 0);
+    run.free();
+    scenario.free();
+  }
+});
+
+test("advance makes exactly as many iterations as it is asked for, and stops at the clock", () => {
+  const scenario = load("stones");
+  const run = new Run(scenario, "prm", { samples: 400 });
+  assert.equal(run.advance(137, Infinity), 137);
+  assert.equal(run.iterations, 137);
+  assert.equal(run.advance(Infinity, performance.now() - 1), 0);
+});
+
+test("a journey runs from start to goal at constant speed, rests, and comes back", () => {
+  const scenario = load("stones");
+  const planner = scenario.planner({ algorithm: "rrt-connect", seed: 1 });
+  while (planner.step(100) === "running");
+  const journey = new Journey(scenario, planner.path());
+  const { start, goal } = scenario.document().queries[0];
+  assert.ok(Math.abs(journey.length - planner.result().length) < 1e-9);
+  assert.ok(scenario.distance(journey.configuration(0), start) < 1e-12);
+  assert.ok(scenario.distance(journey.configuration(1), goal) < 1e-12);
+  const steps = 200;
+  for (let i = 0; i < steps; i++) {
+    const moved = scenario.distance(journey.configuration(i / steps), journey.configuration((i + 1) / steps));
+    assert.ok(moved <= journey.length / steps + 1e-9, "no jump");
+    assert.ok(scenario.check(journey.configuration(i / steps)).free, "the drawn robot is where the proof is");
+  }
+  for (let i = 0; i < 100 && journey.drawn < 1; i++) journey.advance(0.1);
+  assert.ok(journey.at === 0, "it waits until the line is drawn");
+  /** @type {number[]} */
+  const ends = [];
+  for (let t = 0; t < 2 * journey.duration + 3; t += 0.02) {
+    journey.advance(0.02);
+    if (Number.isInteger(journey.at) && ends.at(-1) !== journey.at) ends.push(journey.at);
+  }
+  assert.deepEqual(ends, [1, 0]);
+});
+
+test("a view maps the plane to pixels and back", () => {
+  const view = new View({ min: [-2, -1], max: [2, 1] }, 400, 400, { left: 0, right: 0, top: 0, bottom: 0 }, false);
+  assert.equal(view.x(-2), 0);
+  assert.equal(view.y(0), 200);
+  assert.ok(view.y(1) < view.y(-1), "y points up");
+  const [x, y] = view.toPlane(view.x(0.3), view.y(-0.7));
+  assert.ok(Math.abs(x - 0.3) < 1e-12 && Math.abs(y + 0.7) < 1e-12);
+});
+
+test("a collision is told as who touches what", () => {
+  const scenario = load("stones");
+  assert.equal(touchingSentence(scenario, { free: false, touching: [{ part: 1, obstacle: 3 }, { part: 0, obstacle: "bounds" }] }), "link 1 touches obstacle 3, link 0 leaves the bounds");
+});
+
+test("every scene's start and goal are free, and its settings are parameters of its planner", () => {
+  for (const { id, algorithm, settings, title } of SCENES) {
+    const scenario = load(id);
+    assert.equal(scenario.title, title);
+    for (const query of scenario.document().queries) {
+      assert.ok(scenario.check(query.start).free && scenario.check(query.goal).free, `${id} ${query.name}`);
+      scenario.planner({ ...settings, algorithm, query: query.name }).free();
+    }
+  }
+});

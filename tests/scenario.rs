@@ -1,0 +1,499 @@
+//! What a scenario document may hold, what is refused, with which code and where, and how it is written again.
+
+use planarium::Error;
+use planarium::scenario::{FORMAT, LARGEST, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Robot, Scenario};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// A document with every field that a scenario with an arm may have.
+const ARM: &str = r#"{
+  "format": "planarium-scenario-1", "name": "arm", "title": "An arm",
+  "world": {
+    "bounds": {"min": [-3, -3], "max": [3, 3]},
+    "obstacles": [
+      {"type": "disc", "center": [2, 0], "radius": 0.25},
+      {"type": "polygon", "vertices": [[1, 1], [2, 1], [2, 2], [1.5, 1.25], [1, 2]]}
+    ]
+  },
+  "robot": {"type": "arm", "base": [0, 0], "links": [1, 0.5], "radius": 0.05, "joint_limits": [[-1, 1], [-2, 2]]},
+  "queries": [{"name": "first", "start": [-1, 0], "goal": [1, 2]}, {"name": "second", "start": [0, 0], "goal": [0, 1]}]
+}"#;
+
+/// A document with every field that a scenario with a disc may have.
+const DISC: &str = r#"{
+  "format": "planarium-scenario-1", "name": "disc", "title": "A disc",
+  "world": {"bounds": {"min": [0, 0], "max": [2, 2]}, "obstacles": [{"type": "disc", "center": [1, 1], "radius": 0.5}]},
+  "robot": {"type": "disc", "radius": 0.1},
+  "queries": [{"name": "across", "start": [0.2, 0.2], "goal": [1.8, 1.8]}]
+}"#;
+
+/// A change to the first place where a piece of a document stands.
+fn with(document: &str, piece: &str, replacement: &str) -> String {
+    assert!(document.contains(piece), "{piece} does not stand in {document}");
+    document.replacen(piece, replacement, 1)
+}
+
+fn refusal(document: &str) -> Error {
+    match Scenario::parse(document) {
+        Err(error) => error,
+        Ok(_) => panic!("this was accepted: {}", &document[..document.len().min(2000)]),
+    }
+}
+
+/// Replacement for a piece of a document; the code, the pointer, and a part of the sentence that must come of it.
+type Case = (&'static str, &'static str, &'static str, &'static str, &'static str);
+
+fn check_refusals(document: &str, cases: &[Case]) {
+    Scenario::parse(document).expect("the document without a change is right");
+    for &(piece, replacement, code, pointer, words) in cases {
+        let error = refusal(&with(document, piece, replacement));
+        let found = (error.code().as_str(), error.pointer());
+        assert_eq!(found, (code, pointer), "{piece} -> {replacement}: {error}");
+        assert!(error.message().contains(words), "{piece} -> {replacement}: {words:?} is not in {error}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_document_becomes_a_scenario() {
+    let scenario = Scenario::parse(ARM).unwrap();
+    assert_eq!((scenario.name(), scenario.title()), ("arm", "An arm"));
+    let Robot::Arm(arm) = scenario.robot() else { panic!("an arm") };
+    assert_eq!((arm.links(), arm.radius(), arm.reach()), (&[1.0, 0.5][..], 0.05, 1.5));
+    assert_eq!(arm.joint_limits(), Some(&[[-1.0, 1.0], [-2.0, 2.0]][..]));
+    assert_eq!(scenario.world().obstacles.len(), 2);
+    assert_eq!(scenario.queries()[1].goal, [0.0, 1.0]);
+    let scenario = Scenario::parse(DISC).unwrap();
+    let Robot::Disc(disc) = scenario.robot() else { panic!("a disc") };
+    assert_eq!((disc.radius(), scenario.robot().dimension()), (0.1, 2));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_optional_may_be_left_out() {
+    for piece in [
+        r#""title": "An arm","#,
+        r#""bounds": {"min": [-3, -3], "max": [3, 3]},"#,
+        r#", "radius": 0.05"#,
+        r#", "joint_limits": [[-1, 1], [-2, 2]]"#,
+    ] {
+        Scenario::parse(&with(ARM, piece, "")).expect(piece);
+    }
+    let bare = with(ARM, r#", "radius": 0.05"#, "");
+    let Robot::Arm(arm) = Scenario::parse(&bare).unwrap().robot().clone() else { panic!("an arm") };
+    assert_eq!(arm.radius(), 0.0);
+    assert_eq!(Scenario::parse(&with(ARM, r#""title": "An arm","#, "")).unwrap().title(), "arm");
+    let empty = r#"{"format": "planarium-scenario-1", "name": "n", "world": {"obstacles": []},
+        "robot": {"type": "arm", "base": [0, 0], "links": [1]}, "queries": []}"#;
+    assert!(Scenario::parse(empty).unwrap().queries().is_empty());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_required_must_be_there() {
+    check_refusals(
+        ARM,
+        &[
+            (r#""format": "planarium-scenario-1","#, "", "missing-field", "/format", "format"),
+            (r#""name": "arm","#, "", "missing-field", "/name", "name"),
+            (r#""min": [-3, -3], "#, "", "missing-field", "/world/bounds/min", "min"),
+            (r#", "max": [3, 3]"#, "", "missing-field", "/world/bounds/max", "max"),
+            (r#""type": "disc", "#, "", "missing-field", "/world/obstacles/0/type", "type"),
+            (r#""center": [2, 0], "#, "", "missing-field", "/world/obstacles/0/center", "center"),
+            (r#", "radius": 0.25"#, "", "missing-field", "/world/obstacles/0/radius", "radius"),
+            (r#""type": "arm", "#, "", "missing-field", "/robot/type", "type"),
+            (r#""base": [0, 0], "#, "", "missing-field", "/robot/base", "base"),
+            (r#""links": [1, 0.5], "#, "", "missing-field", "/robot/links", "links"),
+            (r#""name": "first", "#, "", "missing-field", "/queries/0/name", "name"),
+            (r#""start": [-1, 0], "#, "", "missing-field", "/queries/0/start", "start"),
+            (r#", "goal": [1, 2]"#, "", "missing-field", "/queries/0/goal", "goal"),
+        ],
+    );
+    check_refusals(
+        DISC,
+        &[
+            (r#", "radius": 0.1"#, "", "missing-field", "/robot/radius", "radius"),
+            (
+                r#""bounds": {"min": [0, 0], "max": [2, 2]}, "#,
+                "",
+                "missing-field",
+                "/world/bounds",
+                "only an arm can do without",
+            ),
+        ],
+    );
+    let without = |from: &str, to: &str| {
+        let (start, end) = (ARM.find(from).unwrap(), ARM.find(to).unwrap());
+        refusal(&format!("{}{}", &ARM[..start], &ARM[end..])).pointer().to_owned()
+    };
+    assert_eq!(without(r#""world""#, r#""robot""#), "/world");
+    assert_eq!(without(r#""robot""#, r#""queries""#), "/robot");
+    let end = ARM.find(r#", "radius": 0.05"#).unwrap();
+    let cut = format!("{}}}, \"queries\": []}}", &ARM[..end]);
+    Scenario::parse(&cut).unwrap();
+    assert_eq!(refusal(&with(&cut, r#", "queries": []"#, "")).pointer(), "/queries");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_the_contract_does_not_know_is_refused() {
+    check_refusals(
+        ARM,
+        &[
+            ("planarium-scenario-1", "planarium-scenario-2", "unknown-format", "/format", "planarium-scenario-2"),
+            (r#""format": "#, r#""seed": 1, "format": "#, "unknown-field", "/seed", "seed"),
+            (r#""bounds""#, r#""bound""#, "unknown-field", "/world/bound", "bound"),
+            (r#""min""#, r#""low": 0, "min""#, "unknown-field", "/world/bounds/low", "low"),
+            (r#""center""#, r#""centre""#, "unknown-field", "/world/obstacles/0/centre", "centre"),
+            (r#""vertices""#, r#""closed": true, "vertices""#, "unknown-field", "/world/obstacles/1/closed", "closed"),
+            (r#""links""#, r#""a/b~c": 1, "links""#, "unknown-field", "/robot/a~1b~0c", "a/b~c"),
+            (r#""start""#, r#""from""#, "unknown-field", "/queries/0/from", "known are name, start, goal"),
+            (
+                r#""start""#,
+                r#""goal_tolerance": {"translation": 0.1, "rotation": 0.5}, "start""#,
+                "unknown-field",
+                "/queries/0/goal_tolerance",
+                "an arm reaches its goal exactly",
+            ),
+            (r#""type": "disc""#, r#""type": "circle""#, "unknown-type", "/world/obstacles/0/type", "circle"),
+            (r#""type": "arm""#, r#""type": "snake""#, "unknown-type", "/robot/type", "snake"),
+            (r#""type": "arm""#, r#""type": "rigid_body""#, "unsupported", "/robot/type", "arms and discs"),
+            (r#""type": "arm""#, r#""type": "car""#, "unsupported", "/robot/type", "arms and discs"),
+        ],
+    );
+    check_refusals(
+        DISC,
+        &[(r#""radius": 0.1"#, r#""radius": 0.1, "base": [1, 1]"#, "unknown-field", "/robot/base", "base")],
+    );
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_value_of_another_type_is_refused_and_named() {
+    check_refusals(
+        ARM,
+        &[
+            (r#""planarium-scenario-1""#, "1", "wrong-type", "/format", "the number 1"),
+            (r#""name": "arm""#, r#""name": null"#, "wrong-type", "/name", "null"),
+            (r#""title": "An arm""#, r#""title": null"#, "wrong-type", "/title", "null"),
+            (r#"{"min": [-3, -3], "max": [3, 3]}"#, "[0, 1]", "wrong-type", "/world/bounds", "an array of 2"),
+            (r#""min": [-3, -3]"#, r#""min": -3"#, "wrong-type", "/world/bounds/min", "the number -3"),
+            ("[-3, -3]", r#"["-3", -3]"#, "wrong-type", "/world/bounds/min/0", r#"the string "-3""#),
+            ("[2, 0]", "[2, true]", "wrong-type", "/world/obstacles/0/center/1", "true"),
+            ("[[1, 1], [2, 1]", "[1, [2, 1]", "wrong-type", "/world/obstacles/1/vertices/0", "the number 1"),
+            (r#""type": "arm""#, r#""type": {}"#, "wrong-type", "/robot/type", "an object"),
+            ("[1, 0.5]", "1.5", "wrong-type", "/robot/links", "the number 1.5"),
+            ("[1, 0.5]", "[1, null]", "wrong-type", "/robot/links/1", "null"),
+            ("[[-1, 1], [-2, 2]]", "null", "wrong-type", "/robot/joint_limits", "null"),
+            ("[[-1, 1], [-2, 2]]", "[-1, 1]", "wrong-type", "/robot/joint_limits/0", "the number -1"),
+            (r#""first""#, "7", "wrong-type", "/queries/0/name", "the number 7"),
+            (r#""start": [-1, 0]"#, r#""start": "home""#, "wrong-type", "/queries/0/start", r#"the string "home""#),
+        ],
+    );
+    for (document, words) in [("[]", "an array of 0"), ("3", "the number 3"), (r#""text""#, "the string")] {
+        let error = refusal(document);
+        assert_eq!((error.code().as_str(), error.pointer()), ("wrong-type", ""));
+        assert!(error.message().contains(words), "{error}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_number_outside_its_range_is_refused() {
+    let out = "out-of-range";
+    check_refusals(
+        ARM,
+        &[
+            (r#""name": "arm""#, r#""name": """#, out, "/name", "empty"),
+            (r#""first""#, r#""""#, out, "/queries/0/name", "empty"),
+            ("[3, 3]", "[3, -3]", out, "/world/bounds", "in y the bounds run from -3 to -3"),
+            ("[3, 3]", "[-4, 3]", out, "/world/bounds", "in x the bounds run from -3 to -4"),
+            ("[3, 3]", "[3, 1000000.1]", out, "/world/bounds/max/1", "1000000.1"),
+            ("[2, 0]", "[-1e7, 0]", out, "/world/obstacles/0/center/0", "-10000000"),
+            (r#""radius": 0.25"#, r#""radius": 0"#, out, "/world/obstacles/0/radius", "greater than 0"),
+            (r#""radius": 0.25"#, r#""radius": -0.25"#, out, "/world/obstacles/0/radius", "-0.25"),
+            ("[1.5, 1.25]", "[1.5, 2e6]", out, "/world/obstacles/1/vertices/3/1", "2000000"),
+            (r#""base": [0, 0]"#, r#""base": [0, 1e300]"#, out, "/robot/base/1", "1000000"),
+            ("[1, 0.5]", "[]", out, "/robot/links", "1 to 8 links, not 0"),
+            ("[1, 0.5]", "[1, 1, 1, 1, 1, 1, 1, 1, 1]", out, "/robot/links", "1 to 8 links, not 9"),
+            ("[1, 0.5]", "[1, 0]", out, "/robot/links/1", "greater than 0"),
+            ("[1, 0.5]", "[1, -0.5]", out, "/robot/links/1", "-0.5"),
+            (r#""radius": 0.05"#, r#""radius": -0.05"#, out, "/robot/radius", "-0.05"),
+            ("[-2, 2]", "[2, 2]", out, "/robot/joint_limits/1", "less than"),
+            ("[-2, 2]", "[3, 2]", out, "/robot/joint_limits/1", "the lower joint limit 3"),
+            ("[-2, 2]", "[-2, 101]", out, "/robot/joint_limits/1/1", "101"),
+            (r#""start": [-1, 0]"#, r#""start": [-1.5, 0]"#, out, "/queries/0/start/0", "joint 0"),
+            // Limited joints do not wrap: 5.3 is -0.98 one turn on, but is not within [-1, 1].
+            (r#""goal": [1, 2]"#, r#""goal": [5.3, 2]"#, out, "/queries/0/goal/0", "5.3"),
+        ],
+    );
+    check_refusals(
+        DISC,
+        &[
+            (r#""radius": 0.1"#, r#""radius": -1"#, out, "/robot/radius", "-1"),
+            ("[1.8, 1.8]", "[1.8, 1e6001]", "invalid-json", "/queries/0/goal/1", "1e6001"),
+            ("[1.8, 1.8]", "[1.8, 1e7]", out, "/queries/0/goal/1", "10000000"),
+        ],
+    );
+    let free = with(ARM, r#", "joint_limits": [[-1, 1], [-2, 2]]"#, "");
+    check_refusals(&free, &[("[-1, 0]", "[-1, 1000001]", out, "/queries/0/start/1", "1000001")]);
+    Scenario::parse(&with(&free, "[-1, 0]", "[100, -1e6]")).expect("a circle joint takes any number of turns");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_list_of_another_length_is_refused() {
+    let wrong = "wrong-dimension";
+    check_refusals(
+        ARM,
+        &[
+            ("[-3, -3]", "[-3]", wrong, "/world/bounds/min", "2 entries, not 1"),
+            ("[2, 0]", "[2, 0, 0]", wrong, "/world/obstacles/0/center", "2 entries, not 3"),
+            ("[1.5, 1.25]", "[]", wrong, "/world/obstacles/1/vertices/3", "2 entries, not 0"),
+            ("[[-1, 1], [-2, 2]]", "[[-1, 1]]", wrong, "/robot/joint_limits", "2, not 1"),
+            ("[-2, 2]", "[2]", wrong, "/robot/joint_limits/1", "2 entries, not 1"),
+            (r#""start": [-1, 0]"#, r#""start": [-1]"#, wrong, "/queries/0/start", "2 entries, not 1"),
+            (r#""goal": [1, 2]"#, r#""goal": [1, 2, 3]"#, wrong, "/queries/0/goal", "2 entries, not 3"),
+        ],
+    );
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn two_queries_do_not_share_a_name() {
+    check_refusals(ARM, &[(r#""second""#, r#""first""#, "duplicate-name", "/queries/1/name", r#""first""#)]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_polygon_that_is_none_is_refused() {
+    let at = "/world/obstacles/1/vertices";
+    let polygon = "[[1, 1], [2, 1], [2, 2], [1.5, 1.25], [1, 2]]";
+    let bad = "degenerate-polygon";
+    check_refusals(
+        ARM,
+        &[
+            (polygon, "[]", bad, at, "three distinct"),
+            (polygon, "[[1, 1], [2, 1]]", bad, at, "three distinct"),
+            (polygon, "[[1, 1], [2, 1], [2, 1], [1, 1]]", bad, at, "three distinct"),
+            (polygon, "[[1, 1], [2, 1], [3, 1]]", bad, at, "on one line"),
+            (polygon, "[[1, 1], [2, 2], [2, 1], [1, 2]]", bad, at, "from vertex 0 and from vertex 2"),
+            (polygon, "[[1, 1], [2, 1], [3, 1], [2, 1], [1, 2]]", bad, at, "touch or cross"),
+        ],
+    );
+    // In either direction, open or closed, the polygon is the same.
+    let reference = Scenario::parse(ARM).unwrap();
+    for same in [
+        "[[1, 1], [2, 1], [2, 2], [1.5, 1.25], [1, 2], [1, 1]]",
+        "[[1, 1], [1, 1], [2, 1], [2, 2], [1.5, 1.25], [1, 2]]",
+    ] {
+        assert_eq!(Scenario::parse(&with(ARM, polygon, same)).unwrap(), reference);
+    }
+    let reversed = Scenario::parse(&with(ARM, polygon, "[[1, 2], [1.5, 1.25], [2, 2], [2, 1], [1, 1]]")).unwrap();
+    assert_eq!(reversed, reference);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn nothing_may_touch_the_base_of_an_arm() {
+    let arm = |base: &str, radius: &str, obstacle: &str, bounds: &str| {
+        format!(
+            r#"{{"format": "{FORMAT}", "name": "n", "world": {{{bounds} "obstacles": [
+            {{"type": "disc", "center": [50, 50], "radius": 1}}, {obstacle}]}},
+            "robot": {{"type": "arm", "base": {base}, "links": [1], "radius": {radius}}}, "queries": []}}"#
+        )
+    };
+    let disc = r#"{"type": "disc", "center": [2, 0], "radius": 1}"#;
+    let square = r#"{"type": "polygon", "vertices": [[-1, -1], [1, -1], [1, 1], [-1, 1]]}"#;
+    let bounds = r#""bounds": {"min": [-3, -3], "max": [60, 60]},"#;
+    for (base, radius, obstacle) in [
+        ("[2, 0.5]", "0", disc),
+        ("[1, 0]", "0", disc),
+        ("[0, 0]", "1", disc),
+        ("[0.9999999999999, 0]", "0", disc),
+        ("[0, 0]", "0", square),
+        ("[1, 0.5]", "0", square),
+        ("[1.25, 0.5]", "0.25", square),
+        ("[1, 1]", "0", square),
+    ] {
+        let error = refusal(&arm(base, radius, obstacle, ""));
+        assert_eq!((error.code().as_str(), error.pointer()), ("base-in-collision", "/world/obstacles/1"), "{error}");
+        assert!(error.message().contains("obstacle 1"), "{error}");
+    }
+    for (base, radius, obstacle) in
+        [("[0, 0]", "0.999999", disc), ("[1.250001, 0.5]", "0.25", square), ("[1, 1.000001]", "0", square)]
+    {
+        Scenario::parse(&arm(base, radius, obstacle, bounds)).expect(base);
+    }
+    // The bounds may be touched, but not crossed.
+    Scenario::parse(&arm("[-2.75, 5]", "0.25", disc, bounds)).expect("the base touches the bounds");
+    for (base, radius) in [("[-4, 5]", "0"), ("[-2.75, 5]", "0.2500001"), ("[5, 60.1]", "0")] {
+        let error = refusal(&arm(base, radius, disc, bounds));
+        assert_eq!((error.code().as_str(), error.pointer()), ("base-in-collision", "/robot/base"), "{error}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_start_or_goal_in_collision_is_left_to_the_planner() {
+    Scenario::parse(&with(DISC, "[0.2, 0.2]", "[1, 1]")).expect("the start lies in the obstacle");
+    Scenario::parse(&with(DISC, "[0.2, 0.2]", "[-5, 1]")).expect("the start lies outside the bounds");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn too_many_obstacles_or_vertices_are_refused() {
+    let world = |obstacles: String| {
+        let disc = r#"{"type": "disc", "center": [1, 1], "radius": 0.5}"#;
+        with(DISC, disc, &obstacles)
+    };
+    let discs = |n: usize| vec![r#"{"type":"disc","center":[1,1],"radius":0.5}"#; n].join(",");
+    assert_eq!(Scenario::parse(&world(discs(MAX_OBSTACLES))).unwrap().world().obstacles.len(), MAX_OBSTACLES);
+    let error = refusal(&world(discs(MAX_OBSTACLES + 1)));
+    assert_eq!((error.code().as_str(), error.pointer()), ("too-large", "/world/obstacles"), "{error}");
+    assert!(error.message().contains("10001"));
+
+    // A comb of so many vertices, at most a millionth apart.
+    let comb = |n: usize| {
+        let corner = |i: usize| format!("[{},{}]", i as f64 * 1e-6, 1 + i % 2);
+        let corners: Vec<String> = (0..n - 2).map(corner).chain(["[1,3]".to_owned(), "[0,3]".to_owned()]).collect();
+        format!(r#"{{"type":"polygon","vertices":[{}]}}"#, corners.join(","))
+    };
+    let half = MAX_VERTICES / 2;
+    Scenario::parse(&world(format!("{},{}", comb(half), comb(half)))).expect("as many vertices as allowed");
+    let error = refusal(&world(format!("{},{}", comb(half), comb(half + 1))));
+    assert_eq!((error.code().as_str(), error.pointer()), ("too-large", "/world/obstacles/1/vertices"), "{error}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_written_scenario_reads_back_as_the_same() {
+    for document in [ARM, DISC, &with(ARM, r#""title": "An arm","#, "")] {
+        let scenario = Scenario::parse(document).unwrap();
+        let text = scenario.to_json_string();
+        let again = Scenario::parse(&text).unwrap();
+        assert_eq!(again, scenario);
+        assert_eq!(again.to_json_string(), text);
+        assert_eq!(Scenario::from_node(&scenario.to_node()), Ok(scenario.clone()));
+        assert_eq!(Scenario::parse(&scenario.to_json().to_string()), Ok(scenario));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_written_form_is_the_contract_in_order_with_defaults_and_without_repeats() {
+    let given = r#"{"queries": [{"goal": [0.30000000000000004], "start": [-0.0], "name": "q\u0041/\""}],
+        "robot": {"links": [1.0], "base": [0.0, 1e-7], "type": "arm"},
+        "world": {"obstacles": [{"vertices": [[2, 2], [2, 3], [3, 2], [2, 2]], "type": "polygon"},
+                                {"radius": 0.5, "center": [-5, 1e6], "type": "disc"}]},
+        "name": "n", "format": "planarium-scenario-1"}"#;
+    let expected = concat!(
+        r#"{"format":"planarium-scenario-1","name":"n","world":{"obstacles":["#,
+        r#"{"type":"polygon","vertices":[[3,2],[2,3],[2,2]]},{"type":"disc","center":[-5,1000000],"radius":0.5}]},"#,
+        r#""robot":{"type":"arm","base":[0,1e-7],"links":[1],"radius":0},"#,
+        r#""queries":[{"name":"qA/\"","start":[0],"goal":[0.30000000000000004]}]}"#
+    );
+    assert_eq!(Scenario::parse(given).unwrap().to_json_string(), expected);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_limits_are_those_of_the_contract() {
+    assert_eq!((MAX_OBSTACLES, MAX_VERTICES, LARGEST), (10_000, 100_000, 1e6));
+    let edge = with(DISC, r#"[1, 1], "radius": 0.5"#, r#"[-1e6, 1e6], "radius": 1e6"#);
+    assert!(matches!(Scenario::parse(&edge).unwrap().world().obstacles[0], Obstacle::Disc(disc) if disc.radius == 1e6));
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+mod native {
+    use super::*;
+    use planarium::scenario::Node;
+    use proptest::prelude::*;
+
+    /// The scenarios of `PLANARIUM_SCENARIOS`, by name, where it is set.
+    fn shared() -> Vec<(String, String)> {
+        let Some(folder) = std::env::var_os("PLANARIUM_SCENARIOS") else {
+            println!("PLANARIUM_SCENARIOS is not set: the shared scenarios are not looked at");
+            eprintln!("PLANARIUM_SCENARIOS is not set: the shared scenarios are not looked at");
+            return Vec::new();
+        };
+        let files = std::fs::read_dir(folder).expect("PLANARIUM_SCENARIOS names a folder");
+        let mut found = Vec::new();
+        for path in files.map(|file| file.unwrap().path()).filter(|path| path.extension().is_some_and(|e| e == "json"))
+        {
+            let text = std::fs::read_to_string(&path).unwrap();
+            if text.contains(FORMAT) {
+                found.push((path.file_stem().unwrap().to_string_lossy().into_owned(), text));
+            }
+        }
+        assert!(found.len() >= 9, "there are shared scenarios");
+        found
+    }
+
+    #[test]
+    fn the_shared_scenarios_are_read_but_for_bodies_and_cars() {
+        for (name, text) in shared() {
+            match Scenario::parse(&text) {
+                Ok(scenario) => {
+                    assert_eq!(scenario.name(), name);
+                    assert!(!scenario.queries().is_empty());
+                    assert_eq!(Scenario::parse(&scenario.to_json_string()), Ok(scenario));
+                }
+                Err(error) => {
+                    assert!(name.starts_with("rigid-") || name.starts_with("car-"), "{name}: {error}");
+                    assert_eq!((error.code().as_str(), error.pointer()), ("unsupported", "/robot/type"));
+                }
+            }
+        }
+    }
+
+    /// Any JSON value, most often a small one.
+    fn any_node() -> impl Strategy<Value = Node> {
+        let leaf = prop_oneof![
+            Just(Node::Null),
+            any::<bool>().prop_map(Node::Bool),
+            any::<f64>().prop_map(Node::Number),
+            (-4i8..5).prop_map(|n| Node::Number(n.into())),
+            prop_oneof![Just("disc"), Just("polygon"), Just("arm"), Just("")].prop_map(|s| Node::String(s.to_owned())),
+        ];
+        leaf.prop_recursive(3, 12, 4, |inner| {
+            let name = prop_oneof![Just("type"), Just("radius"), Just("min"), Just("name"), Just("start")];
+            let fields = prop::collection::vec((name.prop_map(str::to_owned), inner.clone()), 0..4);
+            prop_oneof![prop::collection::vec(inner, 0..4).prop_map(Node::Array), fields.prop_map(Node::Object)]
+        })
+    }
+
+    /// Puts `value` in the place of the `at`-th value of the tree, counted depth first; or leaves it out, or doubles it.
+    fn mutate(node: &mut Node, at: &mut usize, value: &Node, how: u8) {
+        if *at == 0 {
+            *node = value.clone();
+        }
+        *at = at.wrapping_sub(1);
+        match node {
+            Node::Array(items) => {
+                if *at < items.len() && how == 1 {
+                    items.remove(*at);
+                }
+                if *at < items.len() && how == 2 {
+                    items.push(items[*at].clone());
+                }
+                items.iter_mut().for_each(|item| mutate(item, at, value, how));
+            }
+            Node::Object(fields) => {
+                if *at < fields.len() && how == 1 {
+                    fields.remove(*at);
+                }
+                fields.iter_mut().for_each(|(_, item)| mutate(item, at, value, how));
+            }
+            _ => {}
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn no_change_to_a_document_makes_the_parser_panic(at in 0usize..70, value in any_node(), how in 0u8..3) {
+            for document in [ARM, DISC] {
+                let mut node = Node::parse(document).unwrap();
+                mutate(&mut node, &mut at.clone(), &value, how);
+                match Scenario::from_node(&node) {
+                    Ok(scenario) => prop_assert_eq!(Scenario::parse(&scenario.to_json_string()), Ok(scenario)),
+                    Err(error) => prop_assert!(error.pointer().is_empty() || error.pointer().starts_with('/')),
+                }
+            }
+        }
+
+        #[test]
+        fn no_text_makes_the_parser_panic(cut in 0usize..600, insert in "[\\[\\]{}:,\"\\\\0-9eE.+\\-a-z\u{e9}\u{1F600} ]{0,6}") {
+            let cut = (0..=cut.min(ARM.len())).rev().find(|&i| ARM.is_char_boundary(i)).unwrap();
+            let _ = Scenario::parse(&format!("{}{insert}{}", &ARM[..cut], &ARM[cut..]));
+            let _ = Scenario::parse(&format!("{}{insert}", &ARM[..cut]));
+            let _ = Node::parse(&insert);
+        }
+    }
+}

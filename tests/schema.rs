@@ -1,0 +1,236 @@
+//! The committed JSON Schema is the one that the types give, and it says what the parser holds.
+//!
+//! `PLANARIUM_BLESS=1 cargo test --features schema --test schema` writes it anew.
+
+#![cfg(all(feature = "schema", not(target_arch = "wasm32")))]
+
+use planarium::scenario::generate::{ClutterOptions, ForestOptions, clutter, forest};
+use planarium::scenario::{Scenario, schema};
+use serde_json::{Value, json};
+
+const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/schema/scenario.schema.json");
+
+/// Whether the value follows the schema: as much of JSON Schema as this schema uses. A keyword that is not known here is a
+/// failure, so that none goes unchecked.
+fn follows(root: &Value, schema: &Value, value: &Value) -> bool {
+    let keywords = schema.as_object().expect("a schema is an object");
+    keywords.iter().all(|(keyword, rule)| match keyword.as_str() {
+        "$schema" | "$defs" | "title" | "description" | "default" => true,
+        "$ref" => {
+            let pointer = rule.as_str().and_then(|path| path.strip_prefix('#')).expect("a pointer into the schema");
+            follows(root, root.pointer(pointer).expect("the definition is there"), value)
+        }
+        "oneOf" => rule.as_array().unwrap().iter().filter(|one| follows(root, one, value)).count() == 1,
+        "const" => rule == value,
+        "type" => match rule.as_str().expect("one type") {
+            "object" => value.is_object(),
+            "array" => value.is_array(),
+            "string" => value.is_string(),
+            "number" => value.is_number(),
+            other => panic!("no value of this document has the type {other}"),
+        },
+        "required" => value.as_object().is_none_or(|object| {
+            rule.as_array().unwrap().iter().all(|name| object.contains_key(name.as_str().unwrap()))
+        }),
+        "properties" => value.as_object().is_none_or(|object| {
+            let known = |(name, field): (&String, &Value)| rule.get(name).is_none_or(|rule| follows(root, rule, field));
+            object.iter().all(known)
+        }),
+        "additionalProperties" => {
+            assert_eq!(rule, &json!(false));
+            value.as_object().is_none_or(|object| object.keys().all(|name| keywords["properties"].get(name).is_some()))
+        }
+        "items" => {
+            let first = keywords.get("prefixItems").map_or(0, |prefix| prefix.as_array().unwrap().len());
+            value.as_array().is_none_or(|items| items.iter().skip(first).all(|item| follows(root, rule, item)))
+        }
+        "prefixItems" => value.as_array().is_none_or(|items| {
+            rule.as_array().unwrap().iter().zip(items).all(|(rule, item)| follows(root, rule, item))
+        }),
+        "minItems" => value.as_array().is_none_or(|items| items.len() >= rule.as_u64().unwrap() as usize),
+        "maxItems" => value.as_array().is_none_or(|items| items.len() <= rule.as_u64().unwrap() as usize),
+        "minLength" => value.as_str().is_none_or(|text| text.len() >= rule.as_u64().unwrap() as usize),
+        "minimum" => value.as_f64().is_none_or(|number| number >= rule.as_f64().unwrap()),
+        "maximum" => value.as_f64().is_none_or(|number| number <= rule.as_f64().unwrap()),
+        "exclusiveMinimum" => value.as_f64().is_none_or(|number| number > rule.as_f64().unwrap()),
+        other => panic!("the keyword {other} is not known to this test"),
+    })
+}
+
+fn is_valid(value: &Value) -> bool {
+    let schema = schema();
+    follows(&schema, &schema, value)
+}
+
+fn arm() -> Value {
+    json!({
+        "format": "planarium-scenario-1", "name": "n", "title": "t",
+        "world": {
+            "bounds": {"min": [-3, -3], "max": [3, 3]},
+            "obstacles": [
+                {"type": "disc", "center": [2, 0], "radius": 0.25},
+                {"type": "polygon", "vertices": [[1, 1], [2, 1], [1, 2]]}
+            ]
+        },
+        "robot": {"type": "arm", "base": [0, 0], "links": [1, 0.5], "radius": 0.05, "joint_limits": [[-1, 1], [-2, 2]]},
+        "queries": [{"name": "q", "start": [-1, 0], "goal": [1, 2]}]
+    })
+}
+
+fn disc() -> Value {
+    let mut document = arm();
+    document["robot"] = json!({"type": "disc", "radius": 0.1});
+    document
+}
+
+#[test]
+fn the_committed_schema_is_that_of_the_types() {
+    let text = format!("{}\n", serde_json::to_string_pretty(&schema()).unwrap());
+    if std::env::var_os("PLANARIUM_BLESS").is_some() {
+        std::fs::write(PATH, &text).unwrap();
+    }
+    let committed = std::fs::read_to_string(PATH).expect("the schema is committed");
+    assert!(committed == text, "schema/scenario.schema.json is out of date: run this test with PLANARIUM_BLESS=1");
+}
+
+/// Every object of the document, by its JSON pointer.
+fn objects(value: &Value, pointer: String, found: &mut Vec<String>) {
+    match value {
+        Value::Object(fields) => {
+            fields.iter().for_each(|(name, field)| objects(field, format!("{pointer}/{name}"), found));
+            found.push(pointer);
+        }
+        Value::Array(items) => {
+            items.iter().enumerate().for_each(|(i, item)| objects(item, format!("{pointer}/{i}"), found));
+        }
+        _ => {}
+    }
+}
+
+#[test]
+fn schema_and_parser_know_and_require_the_same_fields() {
+    let mut removed = [0, 0];
+    for document in [arm(), disc()] {
+        assert!(is_valid(&document));
+        Scenario::parse(&document.to_string()).unwrap();
+        let mut places = Vec::new();
+        objects(&document, String::new(), &mut places);
+        assert_eq!(places.len(), 7);
+        for place in places {
+            let mut more = document.clone();
+            more.pointer_mut(&place).unwrap()["something"] = json!(1);
+            assert!(!is_valid(&more), "{place}");
+            assert_eq!(Scenario::parse(&more.to_string()).unwrap_err().pointer(), format!("{place}/something"));
+            for name in document.pointer(&place).unwrap().as_object().unwrap().keys() {
+                // What only an arm may leave out, a schema without conditions lets a disc leave out, too.
+                if name == "bounds" && document == disc() {
+                    continue;
+                }
+                let mut less = document.clone();
+                less.pointer_mut(&place).unwrap().as_object_mut().unwrap().remove(name);
+                let accepted = Scenario::parse(&less.to_string()).is_ok();
+                assert_eq!(is_valid(&less), accepted, "without {place}/{name}");
+                removed[usize::from(accepted)] += 1;
+            }
+        }
+    }
+    // Optional: title twice, bounds, radius and limits of the arm.
+    assert_eq!(removed[1], 5);
+    assert!(removed[0] > 25);
+    // Every property of the schema stands in one of the two documents.
+    let mut known = std::collections::BTreeSet::new();
+    for place in ["", "/$defs/World", "/$defs/Bounds", "/$defs/Query"] {
+        known.extend(schema().pointer(&format!("{place}/properties")).unwrap().as_object().unwrap().keys().cloned());
+    }
+    for union in ["Obstacle", "Robot"] {
+        for one in schema()["$defs"][union]["oneOf"].as_array().unwrap() {
+            known.extend(one["properties"].as_object().unwrap().keys().cloned());
+        }
+    }
+    let mentioned = format!("{}{}", arm(), disc());
+    for name in known {
+        assert!(mentioned.contains(&format!("{name:?}:")), "{name}");
+    }
+}
+
+#[test]
+fn schema_and_parser_refuse_the_same_values() {
+    let cases = [
+        ("/format", json!("planarium-scenario-2")),
+        ("/format", json!(1)),
+        ("/name", json!("")),
+        ("/name", json!(null)),
+        ("/title", json!(null)),
+        ("/world", json!([])),
+        ("/world/bounds", json!(null)),
+        ("/world/bounds/min", json!([0])),
+        ("/world/bounds/min", json!([0, 0, 0])),
+        ("/world/bounds/min/0", json!(-1.1e6)),
+        ("/world/bounds/max/1", json!(1.1e6)),
+        ("/world/obstacles", json!({})),
+        ("/world/obstacles", json!(vec![json!({"type": "disc", "center": [2, 0], "radius": 0.25}); 10_001])),
+        ("/world/obstacles/0/type", json!("circle")),
+        ("/world/obstacles/0/radius", json!(0)),
+        ("/world/obstacles/0/radius", json!("1")),
+        ("/world/obstacles/0/radius", json!(1e7)),
+        ("/world/obstacles/1/vertices", json!([[1, 1], [2, 1]])),
+        ("/world/obstacles/1/vertices/0/0", json!("1")),
+        ("/robot/type", json!("rigid_body")),
+        ("/robot/type", json!("car")),
+        ("/robot/base", json!([0])),
+        ("/robot/links", json!([])),
+        ("/robot/links", json!([1, 1, 1, 1, 1, 1, 1, 1, 1])),
+        ("/robot/links/0", json!(0)),
+        ("/robot/links/0", json!(true)),
+        ("/robot/radius", json!(-0.1)),
+        ("/robot/joint_limits", json!([])),
+        ("/robot/joint_limits", json!(null)),
+        ("/robot/joint_limits/0", json!([-1])),
+        ("/robot/joint_limits/0", json!([-1, 0, 1])),
+        ("/robot/joint_limits/0/0", json!(-101)),
+        ("/queries", json!(null)),
+        ("/queries/0/name", json!("")),
+        ("/queries/0/start", json!([])),
+        ("/queries/0/start", json!("home")),
+        ("/queries/0/goal/0", json!(null)),
+        ("/queries/0/goal/0", json!(1e7)),
+    ];
+    for (place, value) in cases {
+        let mut document = arm();
+        *document.pointer_mut(place).expect(place) = value;
+        let shown: String = document.pointer(place).unwrap().to_string().chars().take(100).collect();
+        assert!(!is_valid(&document), "the schema accepts {place} = {shown}");
+        assert!(Scenario::parse(&document.to_string()).is_err(), "the parser accepts {place} = {shown}");
+    }
+}
+
+#[test]
+fn what_is_written_follows_the_schema() {
+    for seed in 0..10 {
+        let links = 1 + seed as usize % 8;
+        assert!(is_valid(&forest(&ForestOptions { links, seed }).unwrap().to_json()));
+        assert!(is_valid(&clutter(&ClutterOptions { seed, ..ClutterOptions::default() }).unwrap().to_json()));
+    }
+    for document in [arm(), disc()] {
+        assert!(is_valid(&Scenario::parse(&document.to_string()).unwrap().to_json()));
+    }
+}
+
+#[test]
+fn the_shared_scenarios_follow_the_schema_where_the_parser_accepts_them() {
+    let Some(folder) = std::env::var_os("PLANARIUM_SCENARIOS") else {
+        eprintln!("PLANARIUM_SCENARIOS is not set: the shared scenarios are not looked at");
+        return;
+    };
+    let mut seen = 0;
+    for file in std::fs::read_dir(folder).expect("PLANARIUM_SCENARIOS names a folder") {
+        let path = file.unwrap().path();
+        if path.extension().is_some_and(|extension| extension == "json") {
+            let text = std::fs::read_to_string(&path).unwrap();
+            let accepted = Scenario::parse(&text).is_ok();
+            assert_eq!(is_valid(&serde_json::from_str(&text).unwrap()), accepted, "{}", path.display());
+            seen += usize::from(accepted);
+        }
+    }
+    assert!(seen > 0, "there are shared scenarios with arms");
+}

@@ -1,4 +1,5 @@
-//! The independent judge of paths, on native, Node and Chrome alike: hand-made paths, valid and not.
+//! The independent judge of paths, on native, Node and Chrome alike: hand-made paths, valid and not. Ends of motions are
+//! odd, so that no look falls just where an obstacle is.
 
 use planarium::path::{Verdict, verify};
 use planarium::result::ResultDocument;
@@ -110,12 +111,13 @@ fn a_wall_is_not_crossed_however_thin() {
         let far = disc([3.0, 3.0], 0.1);
         let across = rectangle([0.7, -thickness / 2.0], [0.9, thickness / 2.0]);
         for radius in [0.0, 0.05] {
-            let verdict = judge_arm(&[far.clone(), across.clone()], &arm(&[1.0], radius), &[&[-1.0], &[-0.9], &[1.01]]);
+            let verdict =
+                judge_arm(&[far.clone(), across.clone()], &arm(&[1.0], radius), &[&[-1.0], &[-0.9], &[1.0137]]);
             refused(verdict, &["edge 1", "link 0", "obstacle 1"]);
             let verdict = judge_arm(
                 std::slice::from_ref(&across),
                 &arm(&[0.3, 0.3, 0.4], radius),
-                &[&[-1.0, 0.1, -0.1], &[1.03, 0.02, 0.0]],
+                &[&[-1.0, 0.1, -0.1], &[1.0371, 0.0213, 0.0]],
             );
             refused(verdict, &["edge 0", "link 2", "obstacle 0"]);
             let verdict =
@@ -131,7 +133,7 @@ fn a_speck_between_two_looks_is_seen() {
         let speck = polygon(&[[0.7123, 0.0], [0.7123 + size, 0.0], [0.7123, size]]);
         for obstacle in [speck, disc([0.7123, 0.0], size)] {
             refused(
-                judge_arm(std::slice::from_ref(&obstacle), &arm(&[1.0], 0.0), &[&[-1.0], &[0.77]]),
+                judge_arm(std::slice::from_ref(&obstacle), &arm(&[1.0], 0.0), &[&[-1.0], &[0.7713]]),
                 &["link 0", "obstacle 0"],
             );
             refused(judge_disc(&[obstacle], 0.0, &[&[0.7123, -1.0], &[0.7123, 1.0]]), &["edge 0", "obstacle 0"]);
@@ -142,14 +144,15 @@ fn a_speck_between_two_looks_is_seen() {
 #[wasm_bindgen_test(unsupported = test)]
 fn touching_a_corner_is_collision_and_passing_it_is_not() {
     let corner = |x: f64| polygon(&[[x, 0.0], [2.0, -1.0], [2.0, 1.0]]);
-    let sweep: &[&[f64]] = &[&[-0.5], &[0.6]];
+    let sweep: &[&[f64]] = &[&[-0.5], &[0.6137]];
     // The tip comes to (1, 0), or a hair short of the corner there.
     for x in [0.9, 1.0 - 1e-9, 1.0, 1.0 + 1e-14] {
         refused(judge_arm(&[corner(x)], &arm(&[1.0], 0.0), sweep), &["edge 0", "link 0", "obstacle 0"]);
     }
     for gap in [1e-10, 1e-8, 1e-6, 1e-3] {
         let seen = clearance(judge_arm(&[corner(1.0 + gap)], &arm(&[1.0], 0.0), sweep));
-        assert!((0.9 * gap..gap + 1e-5).contains(&seen), "clearance {seen} past a gap of {gap}");
+        // Half the motion between two looks, at most, is added to the true one.
+        assert!((0.9 * gap..gap + 1e-3).contains(&seen), "clearance {seen} past a gap of {gap}");
     }
     let thick = arm(&[1.0], 0.125);
     refused(judge_arm(&[corner(1.125)], &thick, sweep), &["link 0", "obstacle 0"]);
@@ -185,7 +188,7 @@ fn a_tip_may_slide_along_a_wall_but_not_on_it() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn bounds_may_be_touched_but_not_left() {
-    let path: &[&[f64]] = &[&[-0.5], &[0.6]];
+    let path: &[&[f64]] = &[&[-0.5], &[0.6137]];
     let judge = |x: f64, radius: f64| {
         judge_in(Some([[-1.0, -1.0], [x, 1.0]]), &[], &arm(&[1.0], radius), path, circle_length(path))
     };

@@ -42,7 +42,8 @@ pub enum Verdict {
         waypoints: usize,
         /// How many times the judge looked at the robot; for a disc, swept segments.
         looks: u64,
-        /// The smallest distance to an obstacle that was seen, in metres; infinite without obstacles.
+        /// The smallest distance to an obstacle that was seen, in metres; infinite without obstacles. For a disc it is
+        /// the true one; for an arm the true one is smaller by no more than half the motion between two looks.
         clearance: f64,
     },
     /// The path is refused.

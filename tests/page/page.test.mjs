@@ -180,6 +180,7 @@ describe("settings", () => {
         await setParameter(page, "k", "9");
         await setParameter(page, "samples", "260");
         await setParameter(page, "seed", "0");
+        await page.click("#reset");
         await page.click("#step-10");
         assert.equal((await atRest(page)).fingerprint, fingerprint);
       }

@@ -138,19 +138,15 @@ export class Theatre {
 
   /** The core would not plan this: says why, and shows a start or goal that touches something. @param {unknown} error */
   refused(error) {
-    const { panel, notice, pose, tell } = this.crew;
+    const { panel, notice, tell } = this.crew;
     const picture = this.picture;
     const pointer = error instanceof Error && "pointer" in error ? String(error.pointer) : "";
     if (!panel.refuse(pointer, error instanceof Error ? error.message : String(error))) notice.show("This cannot be planned.", error);
     tell(picture ? `${picture.scenario.title || picture.scenario.name}.` : "");
     for (const end of [picture?.start, picture?.goal]) {
       if (!picture || !end || end.length !== picture.scenario.dimension) continue;
-      const check = picture.scenario.check(end);
-      if (check.free) continue;
-      picture.hand = Float64Array.from(end);
-      picture.check = check;
-      pose.show(picture.hand);
-      pose.tell(story.poseSentence(picture.scenario, check), false);
+      if (picture.scenario.check(end).free) continue;
+      this.hold(Float64Array.from(end));
       return;
     }
   }

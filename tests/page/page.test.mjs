@@ -115,7 +115,7 @@ describe("transport", () => {
 
 describe("settings", () => {
   test("the page's run is the package's run, bit for bit", async () => {
-    const { Scenario } = await import("../../dist/package/node.js");
+    const { Scenario } = await import("planarium");
     await onPausedPage(async (page) => {
       for (const { id, algorithm, settings } of SCENES) {
         await chooseScene(page, id);

@@ -3,6 +3,9 @@ import { byId } from "./dom.js";
 
 /** @import { Run } from "./run.js" */
 
+/** Milliseconds between two changes of the text. */
+const READABLE = 80;
+
 export class Counters {
   constructor() {
     this.element = byId("counters", HTMLElement);
@@ -15,9 +18,10 @@ export class Counters {
     this.lengthRow = byId("count-length-row", HTMLElement);
     this.fingerprint = byId("count-fingerprint", HTMLElement);
     this.fingerprintRow = byId("count-fingerprint-row", HTMLElement);
+    this.written = -Infinity;
   }
 
-  /** @param {Run} run */
+  /** The numbers of a moving run; the text follows a few times a second, as fast as it can be read. @param {Run} run */
   show(run) {
     const { planner } = run;
     const { dataset } = this.element;
@@ -26,6 +30,14 @@ export class Counters {
     dataset.iterations = String(planner.iterations);
     dataset.vertices = String(planner.vertexCount);
     dataset.edges = String(planner.edgeCount);
+    const now = performance.now();
+    if (now - this.written < READABLE) return;
+    this.written = now;
+    this.write(run);
+  }
+
+  /** @param {Run} run */
+  write({ planner }) {
     write(this.phase, planner.status === "running" ? planner.phase : planner.status);
     write(this.iterations, grouped(planner.iterations));
     write(this.vertices, grouped(planner.vertexCount));
@@ -35,6 +47,7 @@ export class Counters {
 
   /** What is only told of a run at rest: it says the whole run in sixteen digits. @param {Run} run */
   settle(run) {
+    this.write(run);
     const solved = run.status === "solved";
     const fingerprint = run.planner.fingerprint();
     this.element.dataset.fingerprint = fingerprint;

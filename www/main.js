@@ -68,7 +68,7 @@ async function start() {
   }, calm);
 
   const gallery = new Gallery((entry) => void choose(entry));
-  turn.addEventListener("click", () => theatre.takeTurn());
+  turn.addEventListener("click", (event) => theatre.takeTurn(event.detail === 0));
   turn.disabled = false;
   watchKeys([stageElement, transport.bar], {
     " ": () => theatre.toggle(),

@@ -17,8 +17,8 @@ import * as story from "./story.js";
 /** @import { Announcer } from "./announce.js" */
 
 /** Milliseconds of planning in a frame at most, and when inking new growth stops. */
-const PLANNING = 6;
-const FRAME = 7;
+const PLANNING = 4.5;
+const FRAME = 6;
 /** Measures kept in the browser's timeline before it is emptied. */
 const MEASURES = 20000;
 
@@ -138,19 +138,15 @@ export class Theatre {
 
   /** The core would not plan this: says why, and shows a start or goal that touches something. @param {unknown} error */
   refused(error) {
-    const { panel, notice, pose, tell } = this.crew;
+    const { panel, notice, tell } = this.crew;
     const picture = this.picture;
     const pointer = error instanceof Error && "pointer" in error ? String(error.pointer) : "";
     if (!panel.refuse(pointer, error instanceof Error ? error.message : String(error))) notice.show("This cannot be planned.", error);
     tell(picture ? `${picture.scenario.title || picture.scenario.name}.` : "");
     for (const end of [picture?.start, picture?.goal]) {
       if (!picture || !end || end.length !== picture.scenario.dimension) continue;
-      const check = picture.scenario.check(end);
-      if (check.free) continue;
-      picture.hand = Float64Array.from(end);
-      picture.check = check;
-      pose.show(picture.hand);
-      pose.tell(story.poseSentence(picture.scenario, check), false);
+      if (picture.scenario.check(end).free) continue;
+      this.hold(Float64Array.from(end));
       return;
     }
   }
@@ -215,14 +211,15 @@ export class Theatre {
     this.release();
     this.playing = false;
     journey.seek(part);
+    this.crew.pose.show(journey.configuration(part));
     this.showTransport();
     this.wake();
   }
 
   // The robot in the hand.
 
-  /** The reader's turn, or the planner's again. */
-  takeTurn() {
+  /** The reader's turn, or the planner's again. @param {boolean} byKeyboard  then the focus goes to the first joint */
+  takeTurn(byKeyboard) {
     const picture = this.picture;
     if (!picture) return;
     if (picture.hand) {
@@ -232,18 +229,17 @@ export class Theatre {
       this.wake();
       return;
     }
-    const { stage, pose, tell } = this.crew;
+    const { pose } = this.crew;
     const start = picture.start ?? pose.coordinates.map(({ low, high }) => (low + high) / 2);
     this.hold(Float64Array.from(start));
-    tell(story.invitation(picture.scenario, stage.panes.length > 1));
-    pose.focus();
+    if (byKeyboard) pose.focus();
   }
 
   /** The robot is held at a pose. @param {Float64Array} at */
   hold(at) {
     const picture = this.picture;
     if (!picture) return;
-    const { pose, tell, announcer, turn } = this.crew;
+    const { stage, pose, tell, announcer, turn } = this.crew;
     if (!picture.hand) {
       this.touches = 0;
       this.arrived = false;
@@ -267,9 +263,10 @@ export class Theatre {
     }
     if (picture.goal && check.free && !this.arrived && this.isAt(picture.goal, at)) {
       this.arrived = true;
-      tell(story.arrival(this.touches));
       announcer.say(story.arrival(this.touches));
     }
+    if (!check.free) tell(sentence);
+    else tell(this.arrived ? story.arrival(this.touches) : story.invitation(picture.scenario, stage.panes.length > 1));
     this.wake();
   }
 

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { Scenario } from "../../dist/package/node.js";
+import { Scenario } from "planarium";
 import { Journey } from "../../www/animate.js";
 import { touchingSentence } from "../../www/names.js";
 import { Rows } from "../../www/rows.js";

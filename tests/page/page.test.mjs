@@ -115,7 +115,7 @@ describe("transport", () => {
 
 describe("settings", () => {
   test("the page's run is the package's run, bit for bit", async () => {
-    const { Scenario } = await import("../../dist/package/node.js");
+    const { Scenario } = await import("planarium");
     await onPausedPage(async (page) => {
       for (const { id, algorithm, settings } of SCENES) {
         await chooseScene(page, id);
@@ -180,6 +180,7 @@ describe("settings", () => {
         await setParameter(page, "k", "9");
         await setParameter(page, "samples", "260");
         await setParameter(page, "seed", "0");
+        await page.click("#reset");
         await page.click("#step-10");
         assert.equal((await atRest(page)).fingerprint, fingerprint);
       }

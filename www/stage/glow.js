@@ -7,7 +7,7 @@
 
 /** Milliseconds until a glow has settled. */
 const LIFE = 520;
-const MOST = { vertex: 140, edge: 90, rejected: 40, refused: 40 };
+const MOST = { vertex: 140, edge: 70, rejected: 40, refused: 30 };
 
 /** @typedef {keyof typeof MOST} GlowKind */
 /** @typedef {{ kind: GlowKind, born: number, points: Float64Array }} Spark   `points` in CSS pixels, x and y in turn */
@@ -43,11 +43,16 @@ export class Glow {
     }
     context.save();
     context.lineCap = "round";
+    context.lineJoin = "round";
     for (const spark of this.sparks.edge) {
       const left = remaining(spark, now);
-      context.globalAlpha = 0.75 * left;
+      context.globalAlpha = 0.32 * left;
+      context.strokeStyle = palette.halo;
+      context.lineWidth = 1 + 3.5 * left;
+      line(context, spark.points);
+      context.globalAlpha = 0.8 * left;
       context.strokeStyle = palette.newest;
-      context.lineWidth = 0.9 + 0.9 * left;
+      context.lineWidth = 1;
       line(context, spark.points);
     }
     context.setLineDash([3, 4]);

@@ -38,6 +38,8 @@ export class Pane {
     this.palette = null;
     /** @type {View | null} */
     this.view = null;
+    /** How fine dots and lines are: 1 on a middling sheet, less on a small one. */
+    this.fineness = 1;
     /** @type {CanvasPattern | null} */
     this.hatchOnPart = null;
     /** @type {CanvasPattern | null} */
@@ -70,6 +72,7 @@ export class Pane {
     if (width < 1 || height < 1) return;
     for (const layer of [this.ground, this.growth, this.top]) layer.fit(width, height, ratio);
     this.view = this.makeView(picture, width, height);
+    this.fineness = Math.min(1.5, Math.max(0.72, Math.min(width, height) / 460));
     this.hatchOnPart = hatch(this.top.context, palette.stage, ratio);
     this.hatchOnObstacle = hatch(this.top.context, palette.collision, ratio);
     this.pathLines = null;
@@ -123,7 +126,7 @@ export class Pane {
     }
     const { points, firsts } = this.lines(ends);
     const context = this.growth.context;
-    context.lineWidth = run.isTree ? 1.15 : 0.8;
+    context.lineWidth = (run.isTree ? 1.2 : 0.8) * Math.max(0.85, this.fineness);
     context.lineCap = "round";
     context.lineJoin = "round";
     context.globalAlpha = run.isTree ? 0.9 : 0.42;
@@ -150,7 +153,7 @@ export class Pane {
     const end = Math.min(run.vertices.count, first + DOTS);
     if (end === first) return;
     const points = this.pixels(run.vertices.slice(first, end));
-    this.dots(points, run.isTree ? 1.7 : 1.5, (i) => this.sideColour(run.sides.data[first + i]));
+    this.dots(points, run.isTree ? 1.8 : 1.5, (i) => this.sideColour(run.sides.data[first + i]));
     this.drawn.vertices = end;
     const glowing = Math.max(first, this.old.vertices, run.vertices.count - this.glow.room("vertex"));
     for (let v = glowing; v < end; v++) this.glow.add("vertex", now, points.slice(2 * (v - first), 2 * (v - first) + 2));
@@ -203,7 +206,7 @@ export class Pane {
       const wanted = colour(i);
       if (wanted !== current) context.fillStyle = current = wanted;
       context.beginPath();
-      context.arc(points[2 * i], points[2 * i + 1], radius, 0, 2 * Math.PI);
+      context.arc(points[2 * i], points[2 * i + 1], radius * this.fineness, 0, 2 * Math.PI);
       context.fill();
     }
   }

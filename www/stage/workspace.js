@@ -9,7 +9,7 @@ import { View } from "./view.js";
 /** @import { Picture } from "./picture.js" */
 /** @import { Journey } from "../animate.js" */
 /** @import { Palette } from "./palette.js" */
-/** @import { Part } from "../types.js" */
+/** @import { Obstacle, Part } from "../types.js" */
 
 const MARGIN = { left: 14, right: 14, top: 14, bottom: 14 };
 /** Poses shown along a solved path. */
@@ -139,10 +139,12 @@ export class Workspace extends Pane {
       const [x, y] = labelPlace(view, parts[index]);
       drawLabel(context, partName(picture.scenario, index), x, y, palette.collision, palette);
     }
-    for (const obstacle of new Set(touching.map((pair) => pair.obstacle))) {
-      if (obstacle === "bounds") continue;
-      const [x, y] = obstacleMiddle(picture.document.world.obstacles[obstacle]);
-      drawLabel(context, obstacleName(obstacle), view.x(x), view.y(y), palette.collision, palette);
+    const named = new Set();
+    for (const { part, obstacle } of touching) {
+      if (obstacle === "bounds" || named.has(obstacle)) continue;
+      named.add(obstacle);
+      const [x, y] = obstaclePlace(view, picture.document.world.obstacles[obstacle], parts[part]);
+      drawLabel(context, obstacleName(obstacle), x, y, palette.collision, palette);
     }
   }
 
@@ -172,6 +174,26 @@ export class Workspace extends Pane {
     }
     context.restore();
   }
+}
+
+/** Where to name an obstacle: in its middle, or where that is not inside of it, below its vertex nearest to the part. @param {View} view @param {Obstacle} obstacle @param {Part} part @returns {[number, number]} */
+function obstaclePlace(view, obstacle, part) {
+  const [x, y] = obstacleMiddle(obstacle);
+  if (obstacle.type === "disc" || contains(obstacle.vertices, x, y)) return [view.x(x), view.y(y)];
+  const [px, py] = part.type === "disc" ? part.center : part.b;
+  const distance = (/** @type {[number, number]} */ vertex) => Math.hypot(vertex[0] - px, vertex[1] - py);
+  const nearest = obstacle.vertices.reduce((best, vertex) => (distance(vertex) < distance(best) ? vertex : best));
+  return [view.x(nearest[0]), view.y(nearest[1]) + 26];
+}
+
+/** Is a point inside a polygon? @param {[number, number][]} vertices @param {number} x @param {number} y */
+function contains(vertices, x, y) {
+  let inside = false;
+  vertices.forEach(([ax, ay], i) => {
+    const [bx, by] = vertices[(i + 1) % vertices.length];
+    if (ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax)) inside = !inside;
+  });
+  return inside;
 }
 
 /** Beside the middle of a part, CSS pixels. @param {View} view @param {Part} part @returns {[number, number]} */

@@ -45,15 +45,11 @@ export function finite(value, pointer) {
  * @returns {Float64Array}
  */
 export function configuration(value, dimension, name) {
-  const copy = numbers(value, name, dimension);
-  if (copy.length !== dimension) {
-    throw new PlanariumError(
-      "wrong-dimension",
-      `\`${name}\` must have ${dimension} ${dimension === 1 ? "number" : "numbers"}, one per degree of freedom, not ${copy.length}.`,
-      `/${name}`,
-    );
-  }
-  return copy;
+  return numbers(value, name, (length) => {
+    if (length === dimension) return;
+    const wanted = `${dimension} ${dimension === 1 ? "number" : "numbers"}, one per degree of freedom`;
+    throw new PlanariumError("wrong-dimension", `\`${name}\` must have ${wanted}, not ${length}.`, `/${name}`);
+  });
 }
 
 /**
@@ -64,15 +60,11 @@ export function configuration(value, dimension, name) {
  * @returns {Float64Array}
  */
 export function rows(value, dimension, name) {
-  const copy = numbers(value, name);
-  if (copy.length % dimension !== 0) {
-    throw new PlanariumError(
-      "wrong-dimension",
-      `\`${name}\` must have whole rows of ${dimension} numbers; ${copy.length} numbers are not.`,
-      `/${name}`,
-    );
-  }
-  return copy;
+  return numbers(value, name, (length) => {
+    if (length % dimension === 0) return;
+    const sentence = `\`${name}\` must have whole rows of ${dimension} numbers; ${length} numbers are not.`;
+    throw new PlanariumError("wrong-dimension", sentence, `/${name}`);
+  });
 }
 
 /**
@@ -153,18 +145,18 @@ function refuseNonFinite(value, pointer) {
  * A copy of an array of finite numbers. Whatever the caller's own getters and proxies throw is wrapped.
  * @param {unknown} value
  * @param {string} name
- * @param {number} [wanted]  the only length that is wanted; an array of another length is not read
+ * @param {(length: number) => void} checkLength  throws before anything is read
  * @returns {Float64Array}
  */
-function numbers(value, name, wanted) {
+function numbers(value, name, checkLength) {
   try {
     const isList = Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
     if (!isList) {
       throw new PlanariumError("wrong-type", `\`${name}\` must be an array of numbers, not ${show(value)}.`, `/${name}`);
     }
     const list = /** @type {ArrayLike<unknown>} */ (/** @type {unknown} */ (value));
+    checkLength(list.length);
     const copy = new Float64Array(list.length);
-    if (wanted !== undefined && copy.length !== wanted) return copy;
     for (let i = 0; i < copy.length; i += 1) copy[i] = finite(list[i], `/${name}/${i}`);
     return copy;
   } catch (error) {

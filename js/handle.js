@@ -1,6 +1,6 @@
 /** What a handle holds: an object of the core, alive until it is freed or its instance is lost. */
 import { PlanariumError } from "./error.js";
-import { call, currentInstance } from "./runtime.js";
+import { call, currentInstance, isSound } from "./runtime.js";
 
 /** Only the package's own code has this, so only it can make handles. */
 export const key = Symbol("planarium");
@@ -47,6 +47,6 @@ export class Handle {
   free() {
     const raw = this.#raw;
     this.#raw = undefined;
-    if (raw !== undefined && this.#instance === currentInstance()) call(() => raw.free());
+    if (raw !== undefined && this.#instance === currentInstance() && isSound()) call(() => raw.free());
   }
 }

@@ -31,7 +31,9 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").Stats} Stats */
 /** @typedef {import("./types.js").ResultDocument} ResultDocument */
 /** @typedef {import("./types.js").InitInput} InitInput */
+/** @typedef {import("./types.js").InitOptions} InitOptions */
 /** @typedef {import("./types.js").InitSyncInput} InitSyncInput */
+/** @typedef {import("./types.js").InitSyncOptions} InitSyncOptions */
 
 /**
  * Loads Planarium. Call it once before anything else; further calls, also meanwhile, share the first load.
@@ -39,7 +41,7 @@ export { version } from "./version.js";
  *
  * After an error with the code `internal` the core is lost; calling `init` again makes a fresh one.
  *
- * @param {InitInput | Promise<InitInput> | { module_or_path: InitInput | Promise<InitInput> }} [input]
+ * @param {InitInput | Promise<InitInput> | InitOptions} [input]
  *   where `planarium_bg.wasm` is: a URL, a Request, a Response, its bytes, or the compiled module.
  *   By default the file beside this one.
  * @returns {Promise<void>}
@@ -51,7 +53,7 @@ export default async function init(input) {
 
 /**
  * Loads Planarium at once from bytes or a compiled module, where nothing can be awaited.
- * @param {InitSyncInput | { module: InitSyncInput }} module
+ * @param {InitSyncInput | InitSyncOptions} module
  * @returns {void}
  * @throws {PlanariumError} `init-failed`
  */

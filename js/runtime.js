@@ -19,6 +19,11 @@ export function currentInstance() {
   return instance;
 }
 
+/** Whether the instance in use can still be called. */
+export function isSound() {
+  return instance > 0 && fault === undefined;
+}
+
 /**
  * Calls the core. Its errors, and only they, come out as `PlanariumError`.
  * @template T

@@ -52,7 +52,7 @@ export class Scenario {
    * @param {"forest" | "clutter"} kind
    * @param {GenerateOptions} [options]
    * @returns {Scenario}
-   * @throws {PlanariumError} `unknown-generator`, `unknown-parameter`, `out-of-range`, `wrong-type`
+   * @throws {PlanariumError} `unknown-generator`, `unknown-field`, `out-of-range`, `wrong-type`
    */
   static generate(kind, options) {
     return call((core) => new Scenario(key, core.RawScenario.generate(argument.text(kind, "kind"), argument.options(options))));

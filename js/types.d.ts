@@ -84,7 +84,10 @@ export interface Query {
   goal: number[];
 }
 
-/** A scenario as a document, in the format `planarium-scenario-1`; its JSON Schema is `planarium/scenario.schema.json`. */
+/**
+ * A scenario as a document, in the format `planarium-scenario-1`; its JSON Schema is `planarium/scenario.schema.json`.
+ * `document()` gives it with `title` and `radius` filled in.
+ */
 export interface ScenarioDocument {
   /** Names the format and its version. */
   format: "planarium-scenario-1";
@@ -126,10 +129,12 @@ export interface ParameterInfo {
   min: number | null;
   /** Greatest value of a number; null where there is none. */
   max: number | null;
-  /** Value where it is not set; null where it depends on the scenario. */
+  /** Value where it is not set; null where that depends on the scenario. */
   default: number | boolean | string | null;
-  /** What a choice may be. */
-  choices?: string[];
+  /** What the default depends on, in words; null where `default` says it. */
+  default_meaning: string | null;
+  /** What a choice may be; null for other kinds. */
+  choices: string[] | null;
   /** What it does. */
   meaning: string;
 }
@@ -233,3 +238,15 @@ export type InitInput = string | Fetchable | WasmResponse | InitSyncInput;
  * these types also serve programs without the DOM library.
  */
 export type InitSyncInput = ArrayBuffer | ArrayBufferView | object;
+
+/** The object that wasm-bindgen's own loaders ask for; `init` takes it too. */
+export interface InitOptions {
+  /** What to load. */
+  module_or_path: InitInput | Promise<InitInput>;
+}
+
+/** The object that wasm-bindgen's own loaders ask for; `initSync` takes it too. */
+export interface InitSyncOptions {
+  /** What to load. */
+  module: InitSyncInput;
+}

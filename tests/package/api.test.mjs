@@ -1,0 +1,296 @@
+/** What the package does, member by member. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import init, { Planner, Scenario, freshSeed, initSync, planners, version } from "planarium";
+import { arm, disc, finish } from "./scenes.mjs";
+
+const close = (/** @type {number} */ a, /** @type {number} */ b) => assert.ok(Math.abs(a - b) < 1e-12, `${a} is not ${b}`);
+
+test("in Node the package is ready on import; init and initSync change nothing", async () => {
+  const scenario = Scenario.parse(arm);
+  await init();
+  await Promise.all([init(), init("nowhere")]);
+  initSync(new Uint8Array(0));
+  assert.equal(scenario.name, "two-joints");
+  assert.match(version, /^\d+\.\d+\.\d+$/);
+});
+
+test("planners() lists both planners with complete parameters", () => {
+  const list = planners();
+  assert.deepEqual(list.map(({ id }) => id).sort(), ["prm", "rrt-connect"]);
+  for (const { title, summary, parameters } of list) {
+    assert.ok(title.length > 0 && summary.length > 0);
+    assert.ok(parameters.some(({ name }) => name === "max_iterations"));
+    for (const parameter of parameters) {
+      assert.match(parameter.name, /^[a-z][a-z_]*$/);
+      assert.ok(parameter.title.length > 0 && parameter.meaning.length > 0, parameter.name);
+      assert.ok(["integer", "number", "boolean", "choice"].includes(parameter.kind), parameter.kind);
+      assert.equal(typeof parameter.unit, "string");
+      assert.equal(parameter.kind === "choice", Array.isArray(parameter.choices));
+      for (const bound of [parameter.min, parameter.max]) assert.ok(bound === null || Number.isFinite(bound));
+      assert.ok(parameter.default !== undefined && (parameter.default !== null || typeof parameter.default_meaning === "string"), parameter.name);
+    }
+  }
+});
+
+test("every parameter of every planner takes its default, its choices and its ends, unless the scenario narrows them", () => {
+  const scenario = Scenario.parse(arm);
+  for (const { id, parameters } of planners()) {
+    for (const { name, min, max, default: value, choices } of parameters) {
+      for (const setting of [value, ...(choices ?? [])]) {
+        if (setting !== null) assert.equal(scenario.planner({ algorithm: id, [name]: setting }).iterations, 0, `${id} ${name} = ${setting}`);
+      }
+      for (const [inside, outside] of [[min, -1], [max, 1]]) {
+        if (inside === null || outside === null) continue;
+        const beyond = inside + outside * Math.max(1, Math.abs(inside));
+        assert.throws(() => scenario.planner({ algorithm: id, [name]: beyond }), { code: "out-of-range", pointer: `/${name}` }, `${id} ${name} = ${beyond}`);
+        if (name !== "step") assert.equal(scenario.planner({ algorithm: id, [name]: inside }).iterations, 0, `${id} ${name} = ${inside}`);
+      }
+    }
+  }
+});
+
+test("freshSeed() gives integers below 2^53, not the same ones", () => {
+  const seeds = new Set(Array.from({ length: 50 }, freshSeed));
+  for (const seed of seeds) assert.ok(Number.isSafeInteger(seed) && seed >= 0);
+  assert.equal(seeds.size, 50);
+});
+
+test("a scenario says what it is", () => {
+  const one = Scenario.parse(arm);
+  assert.deepEqual([one.name, one.robot, one.dimension], ["two-joints", "arm", 2]);
+  const other = Scenario.parse(JSON.stringify(disc));
+  assert.deepEqual([other.name, other.title, other.robot, other.dimension], ["round-the-wall", "Round the wall", "disc", 2]);
+  assert.deepEqual(other.circles(), [false, false]);
+  assert.deepEqual(one.circles(), [true, true]);
+  assert.deepEqual(other.extent(), disc.world.bounds);
+});
+
+test("text, object and scenario lead to the same document, which can be read again", () => {
+  for (const scene of [arm, disc]) {
+    const document = Scenario.parse(scene).document();
+    assert.deepEqual(Scenario.parse(JSON.stringify(scene)).document(), document);
+    assert.deepEqual(Scenario.parse(document).document(), document);
+    assert.deepEqual(JSON.parse(JSON.stringify(Scenario.parse(scene))), document);
+    assert.deepEqual(Scenario.parse(Scenario.parse(scene)).document(), document);
+    assert.deepEqual(document.queries, scene.queries);
+  }
+});
+
+test("numbers in objects arrive exactly", () => {
+  const start = [0.1 + 0.2, 1 / 3];
+  const document = Scenario.parse({ ...arm, queries: [{ name: "q", start, goal: [Math.PI / 7, 5e-324] }] }).document();
+  assert.deepEqual(document.queries[0].start, start);
+  assert.deepEqual(document.queries[0].goal, [Math.PI / 7, 5e-324]);
+});
+
+test("the same seed generates the same scenario, another seed another one", () => {
+  for (const kind of /** @type {const} */ (["forest", "clutter"])) {
+    const make = (/** @type {number} */ seed) => JSON.stringify(Scenario.generate(kind, { seed }));
+    assert.equal(make(1), make(1));
+    assert.notEqual(make(1), make(2));
+  }
+  assert.equal(Scenario.generate("forest", { seed: 1, links: 4 }).dimension, 4);
+});
+
+test("check names every pair that touches", () => {
+  const scenario = Scenario.parse(arm);
+  assert.deepEqual(scenario.check([0, 0]), { free: true, touching: [] });
+  const { free, touching } = scenario.check(new Float64Array([0.5, 0]));
+  assert.equal(free, false);
+  assert.deepEqual(touching, [{ part: 1, obstacle: 0 }]);
+  assert.deepEqual(Scenario.parse(disc).check([0.1, 5]).touching, [{ part: 0, obstacle: "bounds" }]);
+});
+
+test("footprint and endEffector place the parts", () => {
+  const scenario = Scenario.parse(arm);
+  const [first, second] = scenario.footprint([Math.PI / 2, 0]);
+  assert.ok(first.type === "capsule" && second.type === "capsule");
+  assert.equal(first.radius, 0.05);
+  close(first.b[0], 0);
+  close(first.b[1], 1);
+  close(second.b[1], 1.8);
+  const tip = scenario.endEffector([Math.PI / 2, 0]);
+  close(tip[0], second.b[0]);
+  close(tip[1], second.b[1]);
+  assert.deepEqual(Scenario.parse(disc).footprint([1, 2]), [{ type: "disc", center: [1, 2], radius: 0.4 }]);
+  assert.deepEqual(Scenario.parse(disc).endEffector([1, 2]), [1, 2]);
+});
+
+test("endEffectors equals endEffector row by row, also for more rows than go over at once", () => {
+  const scenario = Scenario.parse(arm);
+  const rows = Float64Array.from({ length: 2 * 40_000 }, (_, i) => ((i * 7919) % 6283) / 1000 - Math.PI);
+  const tips = scenario.endEffectors(rows);
+  assert.equal(tips.length, rows.length);
+  for (const row of [0, 1, 16_383, 16_384, 32_768, 39_999]) {
+    assert.deepEqual([...tips.subarray(2 * row, 2 * row + 2)], scenario.endEffector(rows.subarray(2 * row, 2 * row + 2)), `row ${row}`);
+  }
+  assert.equal(scenario.endEffectors([]).length, 0);
+});
+
+test("interpolation and distance go the short way round", () => {
+  const scenario = Scenario.parse(arm);
+  close(scenario.distance([1, 0], [5, 0]), 2.2831853071795862);
+  const middle = scenario.interpolate([3, 0], [-3, 0], 0.5);
+  close(Math.abs(middle[0]), Math.PI);
+  assert.deepEqual([...scenario.interpolate([0.5, 1], [1, 2], 0)], [0.5, 1]);
+  assert.deepEqual([...scenario.interpolate([0.5, 1], [1, 2], 1)], [1, 2]);
+});
+
+test("firstHit is null where the motion is proven, else where the first refused stretch begins", () => {
+  const scenario = Scenario.parse(disc);
+  assert.equal(scenario.firstHit([2, 2], [2, 8]), null);
+  const hit = scenario.firstHit([2, 2], [8, 2]);
+  assert.ok(hit !== null && hit > 0.4 && hit <= 2.5 / 6, String(hit));
+});
+
+test("cspace agrees with check at the centre of every cell", () => {
+  const scenario = Scenario.parse(arm);
+  const [width, height] = [24, 16];
+  const cells = scenario.cspace({ width, height });
+  const [[low1, high1], [low2, high2]] = scenario.cspaceRange();
+  assert.deepEqual([low1, high1, low2, high2], [-Math.PI, Math.PI, -Math.PI, Math.PI]);
+  assert.equal(cells.length, width * height);
+  for (let row = 0; row < height; row += 1) {
+    for (let column = 0; column < width; column += 1) {
+      const q = [low1 + ((column + 0.5) / width) * (high1 - low1), low2 + ((row + 0.5) / height) * (high2 - low2)];
+      assert.equal(cells[row * width + column] === 0, scenario.check(q).free, String(q));
+    }
+  }
+  assert.ok(cells.includes(1) && cells.includes(0));
+});
+
+for (const algorithm of ["prm", "rrt-connect"]) {
+  test(`${algorithm}: slicing never changes the result`, () => {
+    for (const scene of [arm, disc]) {
+      const scenario = Scenario.parse(scene);
+      const start = () => scenario.planner({ algorithm, seed: 11, shortcut: 20 });
+      const whole = finish(start(), 1_000_000);
+      assert.equal(whole.status, "solved");
+      for (const slice of [1, 7, 64, 65, 1000]) {
+        const planner = finish(start(), slice);
+        assert.equal(planner.fingerprint(), whole.fingerprint(), `${scene.name}, slices of ${slice}`);
+        assert.deepEqual(planner.path(), whole.path());
+        assert.equal(planner.iterations, whole.iterations);
+      }
+      const timed = start();
+      while (timed.stepFor(0.2) === "running");
+      assert.equal(timed.fingerprint(), whole.fingerprint());
+    }
+  });
+
+  test(`${algorithm}: cursors give every row once, in whole rows`, () => {
+    const planner = Scenario.parse(arm).planner({ algorithm, seed: 3 });
+    /** @type {number[]} */ const vertices = [];
+    /** @type {number[]} */ const edges = [];
+    /** @type {number[]} */ const events = [];
+    for (let done = false; !done;) {
+      done = planner.step(37) !== "running";
+      vertices.push(...planner.verticesSince(vertices.length / planner.dimension));
+      edges.push(...planner.edgesSince(edges.length / 2));
+      events.push(...planner.eventsSince(events.length / planner.eventWidth));
+      assert.equal(vertices.length, planner.vertexCount * planner.dimension);
+      assert.equal(edges.length, planner.edgeCount * 2);
+      assert.equal(events.length, planner.eventCount * planner.eventWidth);
+    }
+    assert.deepEqual(vertices.slice(0, 4), [...planner.verticesSince(0).subarray(0, 4)]);
+    assert.deepEqual(vertices.slice(0, 4), [0, 0, 2, 0.5]);
+    for (const end of edges) assert.ok(end < planner.vertexCount);
+    for (let row = 0; row < planner.eventCount; row += 1) {
+      const [kind, iteration] = events.slice(row * planner.eventWidth, row * planner.eventWidth + 2);
+      assert.ok([0, 1, 2, 3].includes(kind), `kind ${kind}`);
+      assert.ok(iteration >= 0 && iteration <= planner.iterations);
+    }
+  });
+
+  test(`${algorithm}: result, path and stats agree`, () => {
+    const planner = finish(Scenario.parse(arm).planner({ algorithm, seed: 8, query: "over" }));
+    const result = planner.result();
+    assert.deepEqual(
+      [result.scenario, result.query, result.planner, result.seed, result.status, result.fingerprint],
+      ["two-joints", "over", algorithm, 8, "solved", planner.fingerprint()],
+    );
+    assert.match(result.fingerprint, /^[0-9a-f]{16}$/);
+    assert.deepEqual(result.path.flat(), [...planner.path()]);
+    assert.ok(result.length > 0);
+    const { vertices, edges, iterations, build_seconds, search_seconds } = planner.stats();
+    assert.deepEqual([vertices, edges, iterations], [planner.vertexCount, planner.edgeCount, planner.iterations]);
+    assert.deepEqual(planner.stats(), result.stats);
+    assert.ok(build_seconds > 0 && search_seconds >= 0 && build_seconds + search_seconds < 60);
+    if (algorithm === "prm") assert.ok(search_seconds > 0);
+    assert.equal(planner.phase, "done");
+  });
+}
+
+test("step makes at most n iterations, and none at n = 0", () => {
+  const planner = Scenario.parse(arm).planner({ algorithm: "prm" });
+  assert.equal(planner.step(0), "running");
+  assert.equal(planner.iterations, 0);
+  planner.step(100);
+  assert.equal(planner.iterations, 100);
+  planner.step(1);
+  assert.equal(planner.iterations, 101);
+  assert.equal(finish(planner, Number.MAX_SAFE_INTEGER).status, "solved");
+  const { iterations } = planner;
+  planner.step(10);
+  planner.stepFor(1);
+  assert.equal(planner.iterations, iterations);
+});
+
+test("a budget that runs out ends as exhausted, with an empty path", () => {
+  const planner = finish(Scenario.parse(disc).planner({ max_iterations: 3 }));
+  assert.equal(planner.status, "exhausted");
+  assert.equal(planner.path().length, 0);
+  assert.deepEqual(planner.result().path, []);
+});
+
+test("stepFor overruns its budget by less than a quarter, whatever an iteration costs", (context) => {
+  const planner = Scenario.generate("forest", { seed: 2, links: 4 }).planner({ algorithm: "prm", samples: 3000, k: 5, max_iterations: 20_000 });
+  // A clock that runs by iterations made, at a price that changes with the phase.
+  const price = (/** @type {string} */ phase) => (phase === "sampling" ? 0.001 : 0.11);
+  let clock = 0;
+  let seen = 0;
+  let phase = planner.phase;
+  context.mock.method(performance, "now", () => {
+    clock += (planner.iterations - seen) * price(phase);
+    seen = planner.iterations;
+    phase = planner.phase;
+    return clock;
+  });
+  let frames = 0;
+  while (planner.status === "running") {
+    const [began, startedIn] = [clock, planner.phase];
+    planner.stepFor(8);
+    const spent = clock - began;
+    frames += 1;
+    if (planner.status === "running") assert.ok(spent >= 8, `${spent} ms`);
+    // The slice that crosses into a dearer phase may be dearer than any before it.
+    const slack = planner.phase === startedIn ? 2 : 64 * 0.11;
+    assert.ok(spent <= 8 + slack, `${spent} ms in ${startedIn}`);
+  }
+  assert.ok(frames > 30, `${frames} frames`);
+});
+
+test("stepFor(0) makes one iteration, so that a loop always gets on", () => {
+  const planner = Scenario.parse(arm).planner({ algorithm: "prm" });
+  planner.stepFor(0);
+  assert.equal(planner.iterations, 1);
+});
+
+test("planners do not share state, and outlive their scenario", () => {
+  const scenario = Scenario.parse(arm);
+  const [one, two] = [scenario.planner({ seed: 1 }), scenario.planner({ seed: 1 })];
+  scenario.free();
+  for (let i = 0; one.status === "running" || two.status === "running"; i += 1) (i % 3 === 0 ? one : two).step(1);
+  assert.equal(one.fingerprint(), two.fingerprint());
+  assert.ok(one instanceof Planner);
+});
+
+test("Symbol.dispose frees", { skip: Symbol.dispose === undefined && "this engine has no Symbol.dispose" }, () => {
+  const scenario = Scenario.parse(arm);
+  const planner = scenario.planner();
+  planner[Symbol.dispose]();
+  scenario[Symbol.dispose]();
+  assert.throws(() => planner.status, { code: "freed" });
+  assert.throws(() => scenario.name, { code: "freed" });
+});

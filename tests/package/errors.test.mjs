@@ -1,0 +1,162 @@
+/** Bad input: always a PlanariumError, with a stable code, a sentence with the offending value, and where it stands. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { PlanariumError, Planner, Scenario } from "planarium";
+import { arm, disc } from "./scenes.mjs";
+
+/**
+ * @param {() => unknown} work
+ * @param {string} code
+ * @param {string} [pointer]
+ * @param {RegExp} [message]
+ */
+function fails(work, code, pointer, message = /./) {
+  assert.throws(work, (error) => {
+    assert.ok(error instanceof PlanariumError && error instanceof Error, String(error));
+    assert.equal(error.name, "PlanariumError");
+    assert.equal(error.code, code, error.message);
+    if (pointer !== undefined) assert.equal(error.pointer, pointer, error.message);
+    assert.match(error.message, message);
+    return true;
+  });
+}
+
+const query = (/** @type {object} */ fields) => ({ ...arm, queries: [{ ...arm.queries[0], ...fields }] });
+
+test("scenarios: text and object are refused alike, with code and pointer", () => {
+  const robot = /** @type {object} */ (arm.robot);
+  const cases = /** @type {const} */ ([
+    [{ ...arm, format: "planarium-scenario-9" }, "unknown-format", "/format"],
+    [{ ...arm, colour: "red" }, "unknown-field", "/colour"],
+    [{ ...arm, world: undefined }, "missing-field", "/world"],
+    [{ ...arm, robot: { ...robot, links: [1, -1] } }, "out-of-range", "/robot/links/1"],
+    [{ ...arm, robot: { ...robot, radius: -0.1 } }, "out-of-range", "/robot/radius"],
+    [{ ...arm, robot: { ...robot, type: "snake" } }, "unknown-type", "/robot/type"],
+    [{ ...arm, world: { obstacles: [{ type: "disc", center: [0, "1"], radius: 1 }] } }, "wrong-type", "/world/obstacles/0/center/1"],
+    [{ ...arm, world: { obstacles: [{ type: "polygon", vertices: [[0, 1], [1, 1]] }] } }, "degenerate-polygon", undefined],
+    [{ ...arm, world: { obstacles: [{ type: "disc", center: [0, 0], radius: 0.5 }] } }, "base-in-collision", undefined],
+    [query({ start: [0] }), "wrong-dimension", "/queries/0/start"],
+  ]);
+  for (const [document, code, pointer] of cases) {
+    fails(() => Scenario.parse(document), code, pointer);
+    fails(() => Scenario.parse(JSON.stringify(document)), code, pointer);
+  }
+});
+
+test("numbers that JSON cannot say are refused by name, where they stand", () => {
+  for (const value of [NaN, Infinity, -Infinity]) {
+    fails(() => Scenario.parse(query({ start: [0, value] })), "not-finite", "/queries/0/start/1", new RegExp(String(value)));
+  }
+  fails(() => Scenario.parse({ ...arm, "a/b~c": { x: NaN } }), "not-finite", "/a~1b~0c/x");
+  fails(() => Scenario.parse(JSON.stringify(arm).replace("0.8", "1e999")), "invalid-json");
+});
+
+test("what is no document at all", () => {
+  for (const text of ["", "{", "[1, 2", "nonsense", "\u0000", "{} {}"]) fails(() => Scenario.parse(text), "invalid-json");
+  const circle = /** @type {{ self?: object }} */ ({});
+  circle.self = circle;
+  fails(() => Scenario.parse(circle), "invalid-json");
+  fails(() => Scenario.parse({ get name() { throw new Error("never read me"); } }), "invalid-json", undefined, /never read me/);
+  fails(() => Scenario.parse({ name: 1n }), "invalid-json");
+  for (const value of [undefined, () => 1, Symbol("s")]) fails(() => Scenario.parse(/** @type {any} */ (value)), "wrong-type");
+  for (const value of [null, 1, true, [], "[]"]) fails(() => Scenario.parse(/** @type {any} */ (value)), "wrong-type", "");
+  fails(() => Scenario.parse("[".repeat(100_000)), "invalid-json");
+  fails(() => Scenario.parse(" ".repeat(33 * 1024 * 1024)), "too-large");
+});
+
+test("generators", () => {
+  fails(() => Scenario.generate(/** @type {any} */ ("jungle")), "unknown-generator", undefined, /jungle/);
+  fails(() => Scenario.generate(/** @type {any} */ (7)), "wrong-type", "/kind");
+  fails(() => Scenario.generate("forest", { seed: -1 }), "out-of-range", "/seed");
+  fails(() => Scenario.generate("forest", { seed: NaN }), "not-finite", "/seed");
+  fails(() => Scenario.generate("forest", { links: 9 }), "out-of-range", "/links");
+  fails(() => Scenario.generate("forest", { trees: 3 }), "unknown-field", "/trees");
+  fails(() => Scenario.generate("forest", /** @type {any} */ (5)), "wrong-type");
+});
+
+test("planners and their parameters", () => {
+  const scenario = Scenario.parse(arm);
+  fails(() => scenario.planner({ algorithm: "magic" }), "unknown-planner", "/algorithm", /magic/);
+  fails(() => scenario.planner({ query: "nowhere" }), "unknown-query", "/query", /nowhere/);
+  fails(() => scenario.planner({ samples: 10 }), "unknown-parameter", "/samples");
+  fails(() => scenario.planner({ algorithm: "prm", samples: -1 }), "out-of-range", "/samples", /-1/);
+  fails(() => scenario.planner({ algorithm: "prm", samples: 1.5 }), "out-of-range", "/samples", /1\.5/);
+  fails(() => scenario.planner({ algorithm: "prm", samples: "many" }), "wrong-type", "/samples");
+  fails(() => scenario.planner({ step: Infinity }), "not-finite", "/step");
+  fails(() => scenario.planner({ seed: 2 ** 53 }), "out-of-range", "/seed");
+  fails(() => scenario.planner({ seed: 0.5 }), "out-of-range", "/seed");
+  fails(() => scenario.planner({ metric: /** @type {any} */ ("taxi") }), "out-of-range", "/metric", /taxi/);
+  fails(() => scenario.planner(/** @type {any} */ ("prm")), "wrong-type");
+  fails(() => scenario.planner(/** @type {any} */ ([1])), "wrong-type");
+});
+
+test("a start or a goal in collision is refused, and names what touches what", () => {
+  fails(() => Scenario.parse(query({ start: [0.5, 0] })).planner(), "start-in-collision", undefined, /part 1 touches obstacle 0/);
+  fails(() => Scenario.parse(query({ goal: [0.5, 0] })).planner(), "goal-in-collision", undefined, /part 1 touches obstacle 0/);
+  fails(() => Scenario.parse({ ...arm, queries: [] }).planner(), "unknown-query");
+});
+
+test("configurations", () => {
+  const scenario = Scenario.parse(arm);
+  const wrong = /** @type {any[]} */ ([undefined, null, 1, "01", {}, { length: 2 }, new DataView(new ArrayBuffer(16)), new Set([1, 2])]);
+  for (const q of wrong) fails(() => scenario.check(q), "wrong-type", "/q");
+  for (const q of [[], [0], [0, 0, 0], new Float64Array(3), new Array(4_000_000_000)]) fails(() => scenario.check(q), "wrong-dimension", "/q");
+  fails(() => scenario.check([0, NaN]), "not-finite", "/q/1", /NaN/);
+  fails(() => scenario.check([0, Infinity]), "not-finite", "/q/1");
+  fails(() => scenario.check(/** @type {any} */ ([0, "1"])), "wrong-type", "/q/1", /"1"/);
+  fails(() => scenario.check(/** @type {any} */ ([0, ,])), "wrong-type", "/q/1");
+  fails(() => scenario.check(/** @type {any} */ (new BigInt64Array(2))), "wrong-type", "/q/0");
+  fails(() => scenario.distance([0, 0], [0]), "wrong-dimension", "/b");
+  fails(() => scenario.interpolate([0, 0], [1, 1], NaN), "not-finite", "/t");
+  fails(() => scenario.interpolate([0, 0], [1, 1], 1.5), "out-of-range", "/t");
+  fails(() => scenario.interpolate([0, 0], [1, 1], /** @type {any} */ ("0.5")), "wrong-type", "/t");
+  fails(() => scenario.endEffectors([1, 2, 3]), "wrong-dimension", "/vertices");
+  const proxy = new Proxy([0, 0], { get() { throw new Error("hands off"); } });
+  fails(() => scenario.check(proxy), "wrong-type", "/q", /hands off/);
+});
+
+test("pictures of the configuration space", () => {
+  const scenario = Scenario.parse(arm);
+  fails(() => scenario.cspace({ width: 0, height: 8 }), "out-of-range");
+  fails(() => scenario.cspace({ width: 8, height: 2 ** 40 }), "out-of-range");
+  fails(() => scenario.cspace({ width: 1e9, height: 1e9 }), "out-of-range");
+  fails(() => scenario.cspace(/** @type {any} */ ({ width: 8 })), "wrong-type", "/height");
+  fails(() => scenario.cspace(/** @type {any} */ (undefined)), "wrong-type");
+  fails(() => Scenario.parse(disc).cspace({ width: 8, height: 8 }), "unsupported");
+  fails(() => Scenario.parse(disc).cspaceRange(), "unsupported");
+});
+
+test("counts and cursors", () => {
+  const planner = Scenario.parse(arm).planner();
+  for (const n of [-1, 0.5, 2 ** 53]) fails(() => planner.step(n), "out-of-range", "/n");
+  for (const n of [NaN, Infinity]) fails(() => planner.step(n), "not-finite", "/n");
+  for (const n of /** @type {any[]} */ ([undefined, null, "1", 1n, {}])) fails(() => planner.step(n), "wrong-type", "/n");
+  fails(() => planner.stepFor(-1), "out-of-range", "/ms");
+  fails(() => planner.stepFor(NaN), "not-finite", "/ms");
+  for (const read of /** @type {const} */ (["verticesSince", "edgesSince", "eventsSince"])) {
+    fails(() => planner[read](-1), "out-of-range", "/row");
+    fails(() => planner[read](1e6), "out-of-range", "/row");
+    fails(() => planner[read](NaN), "not-finite", "/row");
+  }
+  assert.equal(planner.iterations, 0);
+});
+
+test("use after free throws freed; freeing twice does nothing", () => {
+  const scenario = Scenario.parse(arm);
+  const planner = scenario.planner();
+  planner.free();
+  planner.free();
+  scenario.free();
+  scenario.free();
+  for (const handle of [planner, scenario]) {
+    for (const [name, { get, value }] of Object.entries(Object.getOwnPropertyDescriptors(Object.getPrototypeOf(handle)))) {
+      if (name === "constructor" || name === "free") continue;
+      fails(() => (get ?? value).call(handle), "freed", "", /freed/);
+    }
+  }
+});
+
+test("handles come from the package alone", () => {
+  fails(() => new /** @type {any} */ (Scenario)(), "illegal-constructor");
+  fails(() => new /** @type {any} */ (Planner)(Symbol("planarium"), {}), "illegal-constructor");
+});

@@ -1,0 +1,99 @@
+/** Ten thousand random calls with hostile arguments: every one returns or throws a PlanariumError, and the core survives. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { PlanariumError, Planner, Scenario } from "planarium";
+import { arm, disc, finish } from "./scenes.mjs";
+
+const CALLS = 10_000;
+
+/** A small seeded generator (Mulberry32), so that a failure can be repeated. @param {number} seed */
+function random(seed) {
+  let state = seed >>> 0;
+  return () => {
+    state = (state + 0x6d2b79f5) >>> 0;
+    let x = Math.imul(state ^ (state >>> 15), 1 | state);
+    x = (x + Math.imul(x ^ (x >>> 7), 61 | x)) ^ x;
+    return ((x ^ (x >>> 14)) >>> 0) / 2 ** 32;
+  };
+}
+
+for (const seed of [1, 2, 3]) {
+  test(`hostile calls, seed ${seed}`, () => {
+    const draw = random(seed);
+    const below = (/** @type {number} */ n) => Math.floor(draw() * n);
+    /** @template T @param {readonly T[]} list @returns {T} */
+    const pick = (list) => list[below(list.length)];
+    const number = () => pick([
+      0, -0, 1, 2, 3, -1, 0.5, 1e-300, 1e300, -1e300, NaN, Infinity, -Infinity, 2 ** 31, 2 ** 32, 2 ** 53, 2 ** 53 - 1, Number.MIN_VALUE, draw(), draw() * 6 - 3,
+    ]);
+    /** @type {(depth?: number) => any} */
+    const anything = (depth = 0) => {
+      switch (below(depth > 2 ? 8 : 14)) {
+        case 0: return undefined;
+        case 1: return null;
+        case 2: case 3: return number();
+        case 4: return pick(["", "prm", "rrt-connect", "over", "across", "forest", "clutter", "sum", "\u0000", "\ud800", "x".repeat(below(2000)), "{}", "[[[[1]]]]"]);
+        case 5: return pick([true, false, 10n, Symbol.iterator, () => 1]);
+        case 6: return Float64Array.from({ length: below(5) }, number);
+        case 7: return [number(), number()];
+        case 8: return Array.from({ length: below(4) }, () => anything(depth + 1));
+        case 9: return pick([new Date(0), new Map([[1, 2]]), /x/, new Error("x"), new Uint8Array(below(9)), new ArrayBuffer(8), new DataView(new ArrayBuffer(8))]);
+        case 10: return { length: number(), 0: 1, 1: 1 };
+        case 11: return new Proxy([0, 0], { get() { throw pick([new Error("trap"), "text", undefined]); } });
+        case 12: return Object.fromEntries(Array.from({ length: below(5) }, () => [
+          pick(["algorithm", "query", "seed", "samples", "k", "step", "shortcut", "metric", "max_iterations", "tolerance", "width", "height", "links", "format", "__proto__", "toJSON", "a"]),
+          anything(depth + 1),
+        ]));
+        default: return mutated();
+      }
+    };
+    /** A real document with one value replaced. */
+    const mutated = () => {
+      const document = structuredClone(pick([arm, disc]));
+      /** @type {any} */ let place = document;
+      for (;;) {
+        const key = pick(Object.keys(place));
+        if (typeof place[key] !== "object" || Object.keys(place[key]).length === 0 || draw() < 0.2) {
+          place[key] = draw() < 0.5 ? number() : anything(3);
+          return draw() < 0.3 ? JSON.stringify(document, (_, value) => (typeof value === "bigint" ? String(value) : value)) : document;
+        }
+        place = place[key];
+      }
+    };
+
+    const scenario = Scenario.parse(arm);
+    /** @type {any[]} */
+    let handles = [scenario, Scenario.parse(disc), scenario.planner(), scenario.planner({ algorithm: "prm", samples: 20 })];
+    /** @type {Map<string, number>} */
+    const codes = new Map();
+    let returned = 0;
+    for (let call = 0; call < CALLS; call += 1) {
+      const target = pick([Scenario, Scenario, ...handles]);
+      const names = target === Scenario ? ["parse", "generate"] : Object.getOwnPropertyNames(Object.getPrototypeOf(target)).filter((name) => name !== "constructor");
+      const name = pick(names);
+      if (name === "free" && draw() < 0.9) continue;
+      const args = Array.from({ length: below(4) }, () => anything());
+      // A run may not be made longer than the test can wait.
+      if (name === "step" || name === "stepFor") args[0] = draw() < 0.7 ? below(30) : Math.min(Number(typeof args[0] === "number" ? args[0] : NaN), 50);
+      try {
+        const descriptor = Object.getOwnPropertyDescriptor(target === Scenario ? Scenario : Object.getPrototypeOf(target), name);
+        const made = descriptor?.get ? descriptor.get.call(target) : target[name](...args);
+        returned += 1;
+        if (made instanceof Scenario || made instanceof Planner) {
+          if (handles.length > 12) handles.splice(4 + below(8), 1)[0].free();
+          handles.push(made);
+        }
+      } catch (error) {
+        assert.ok(error instanceof PlanariumError, `call ${call}, ${name}: ${error instanceof Error ? error.stack : String(error)}`);
+        assert.match(error.code, /^[a-z]+(-[a-z]+)*$/);
+        assert.notEqual(error.code, "internal", `call ${call}, ${name}: ${error.message}`);
+        assert.ok(error.pointer === "" || error.pointer.startsWith("/"), error.pointer);
+        codes.set(error.code, (codes.get(error.code) ?? 0) + 1);
+      }
+    }
+    assert.ok(returned > CALLS / 10, `${returned} calls returned`);
+    for (const code of ["wrong-type", "not-finite", "out-of-range", "wrong-dimension", "freed", "invalid-json"]) assert.ok(codes.has(code), `${code} never came up`);
+    // The core is as sound as before.
+    assert.equal(finish(Scenario.parse(disc).planner({ seed: 5 })).fingerprint(), finish(Scenario.parse(disc).planner({ seed: 5 })).fingerprint());
+  });
+}

@@ -1,0 +1,91 @@
+/** The tarball in an empty folder: planned with by import, by `require`, and out of a bundle; the same bits each time. */
+import assert from "node:assert/strict";
+import { copyFileSync, existsSync } from "node:fs";
+import { join } from "node:path";
+import { before, test } from "node:test";
+import { build } from "esbuild";
+import { Scenario } from "planarium";
+import { addFiles, install, node, pack } from "./packed.mjs";
+import { disc, finish } from "./scenes.mjs";
+
+/** What each consumer runs once it has `Scenario`. */
+const plan = `
+const planner = Scenario.parse(${JSON.stringify(disc)}).planner({ seed: 5 });
+while (planner.step(100) === "running");
+console.log(JSON.stringify({ status: planner.status, fingerprint: planner.fingerprint(), path: [...planner.path()] }));
+`;
+
+/** @type {string} */
+let folder;
+/** @type {unknown} */
+let expected;
+
+before(() => {
+  folder = install(pack());
+  const planner = finish(Scenario.parse(disc).planner({ seed: 5 }));
+  assert.equal(planner.status, "solved");
+  expected = { status: "solved", fingerprint: planner.fingerprint(), path: [...planner.path()] };
+});
+
+test("import in Node", () => {
+  addFiles(folder, { "import.mjs": `import { Scenario } from "planarium";${plan}` });
+  assert.deepEqual(node(["import.mjs"], folder), expected);
+});
+
+test("require in Node", () => {
+  addFiles(folder, { "require.cjs": `const { Scenario } = require("planarium");${plan}` });
+  assert.deepEqual(node(["--no-warnings", "require.cjs"], folder), expected);
+});
+
+test("require gives init as default, and it resolves at once", () => {
+  addFiles(folder, { "init.cjs": `const { default: init, Scenario } = require("planarium"); init().then(() => { ${plan} });` });
+  assert.deepEqual(node(["--no-warnings", "init.cjs"], folder), expected);
+});
+
+test("a worker in Node", () => {
+  const worker = `import { Scenario } from "planarium";${plan}`;
+  addFiles(folder, { "worker.mjs": worker, "main.mjs": `import { Worker } from "node:worker_threads"; new Worker("./worker.mjs");` });
+  assert.deepEqual(node(["main.mjs"], folder), expected);
+});
+
+test("the wasm file, the schema and the manifest can be resolved", () => {
+  addFiles(folder, {
+    "resolve.mjs": `console.log(JSON.stringify(["planarium_bg.wasm", "scenario.schema.json", "package.json"].map((name) => import.meta.resolve("planarium/" + name))))`,
+  });
+  const urls = node(["resolve.mjs"], folder);
+  assert.equal(urls.length, 3);
+  for (const url of urls) assert.ok(existsSync(new URL(url)), url);
+});
+
+test("inner modules cannot be reached", () => {
+  addFiles(folder, { "inner.mjs": `import("planarium/dist/package/runtime.js").catch((error) => console.log(JSON.stringify(error.code)))` });
+  assert.equal(node(["inner.mjs"], folder), "ERR_PACKAGE_PATH_NOT_EXPORTED");
+});
+
+for (const minify of [false, true]) {
+  test(`bundled by esbuild for Node${minify ? ", minified" : ""}`, async () => {
+    const out = join(folder, minify ? "bundle-min" : "bundle");
+    addFiles(folder, { "entry.mjs": `import { Scenario } from "planarium";${plan}` });
+    await build({
+      entryPoints: [join(folder, "entry.mjs")], outfile: join(out, "bundle.mjs"),
+      bundle: true, format: "esm", platform: "node", minify, logLevel: "error",
+    });
+    copyFileSync(join(folder, "node_modules/planarium/dist/package/planarium_bg.wasm"), join(out, "planarium_bg.wasm"));
+    assert.deepEqual(node([join(out, "bundle.mjs")], folder), expected);
+  });
+}
+
+test("bundled by esbuild for browsers, with the module's bytes inside", async () => {
+  addFiles(folder, {
+    "page.mjs": `
+import init, { Scenario } from "planarium";
+import bytes from "planarium/planarium_bg.wasm";
+await init({ module_or_path: bytes });${plan}`,
+  });
+  const outfile = join(folder, "inline", "bundle.mjs");
+  await build({
+    entryPoints: [join(folder, "page.mjs")], outfile, bundle: true, format: "esm", platform: "browser", target: "es2022", minify: true, logLevel: "error",
+    loader: { ".wasm": "binary" },
+  });
+  assert.deepEqual(node([outfile], folder), expected);
+});

@@ -1,0 +1,60 @@
+/** Memory: copies outlive growth, and freed handles give everything back. */
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { Scenario } from "planarium";
+import { root } from "../../scripts/run.mjs";
+import { arm, finish } from "./scenes.mjs";
+
+/** The memory of the instance that the package runs on. */
+const { initSync } = await import(pathToFileURL(join(root, "dist", "package", "planarium_glue.js")).href);
+/** @type {WebAssembly.Memory} */
+const memory = initSync().memory;
+const pages = () => memory.buffer.byteLength / 65536;
+
+test("arrays handed out stay valid after the memory has grown", () => {
+  const scenario = Scenario.parse(arm);
+  const planner = finish(scenario.planner({ algorithm: "prm", samples: 200 }));
+  const kept = [planner.verticesSince(0), planner.edgesSince(0), planner.eventsSince(0), planner.path(), scenario.cspace({ width: 16, height: 16 })];
+  const copies = kept.map((array) => array.slice());
+  const before = pages();
+  const many = [];
+  while (pages() === before && many.length < 200) many.push(finish(scenario.planner({ algorithm: "prm", samples: 2000, seed: many.length })));
+  assert.ok(pages() > before, "the memory must grow for this to mean anything");
+  finish(scenario.planner({ algorithm: "prm", samples: 300, seed: 99 }));
+  kept.forEach((array, i) => {
+    assert.ok(array.length > 0);
+    assert.notEqual(array.buffer, memory.buffer);
+    assert.deepEqual(array, copies[i]);
+  });
+  for (const other of many) other.free();
+});
+
+test("10,000 cycles of making, stepping and freeing grow the memory by nothing", () => {
+  const cycle = (/** @type {number} */ seed) => {
+    const scenario = Scenario.parse(arm);
+    const planner = scenario.planner({ seed: seed % 10 });
+    planner.step(20);
+    planner.verticesSince(0);
+    planner.result();
+    planner.free();
+    scenario.free();
+  };
+  for (let i = 0; i < 500; i += 1) cycle(i);
+  const before = pages();
+  for (let i = 0; i < 10_000; i += 1) cycle(i);
+  assert.equal(pages(), before);
+});
+
+test("errors leak nothing either", () => {
+  const scenario = Scenario.parse(arm);
+  const cycle = () => {
+    assert.throws(() => Scenario.parse('{"format": "planarium-scenario-1", "nonsense": []}'));
+    assert.throws(() => scenario.planner({ algorithm: "magic" }));
+  };
+  for (let i = 0; i < 500; i += 1) cycle();
+  const before = pages();
+  for (let i = 0; i < 5_000; i += 1) cycle();
+  assert.equal(pages(), before);
+});

@@ -1,0 +1,40 @@
+/** Small scenarios of the package's tests. */
+
+/** @typedef {import("planarium").ScenarioDocument} ScenarioDocument */
+
+/** A thick arm of two joints between two obstacles; its query has a path. @type {ScenarioDocument} */
+export const arm = {
+  format: "planarium-scenario-1",
+  name: "two-joints",
+  world: {
+    obstacles: [
+      { type: "polygon", vertices: [[1.2, 0.5], [1.6, 0.5], [1.6, 0.9], [1.2, 0.9]] },
+      { type: "disc", center: [-1.0, 0.8], radius: 0.3 },
+    ],
+  },
+  robot: { type: "arm", base: [0, 0], links: [1, 0.8], radius: 0.05 },
+  queries: [{ name: "over", start: [0, 0], goal: [2, 0.5] }],
+};
+
+/** A disc that must go round a wall. @type {ScenarioDocument} */
+export const disc = {
+  format: "planarium-scenario-1",
+  name: "round-the-wall",
+  title: "Round the wall",
+  world: {
+    bounds: { min: [0, 0], max: [10, 10] },
+    obstacles: [{ type: "polygon", vertices: [[4.9, 0], [5.1, 0], [5.1, 8], [4.9, 8]] }],
+  },
+  robot: { type: "disc", radius: 0.4 },
+  queries: [{ name: "across", start: [2, 2], goal: [8, 2] }],
+};
+
+/**
+ * Runs a planner to its end.
+ * @param {import("planarium").Planner} planner
+ * @param {number} [slice]
+ */
+export function finish(planner, slice = 1000) {
+  while (planner.step(slice) === "running");
+  return planner;
+}

@@ -1,0 +1,83 @@
+/** What `npm pack` makes: exactly these files, small enough, and well described. */
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFileSync, statSync } from "node:fs";
+import { join } from "node:path";
+import { before, test } from "node:test";
+import { gzipSync } from "node:zlib";
+import { root } from "../../scripts/run.mjs";
+import { contents, pack } from "./packed.mjs";
+
+/** @type {string} */
+let tarball;
+/** @type {Map<string, Buffer>} */
+let files;
+
+before(() => {
+  tarball = pack();
+  files = contents(tarball);
+});
+
+test("the tarball holds exactly the files of the package", () => {
+  const names = [...files.keys()].map((name) => name.replace(/^package\//, "")).sort();
+  const modules = ["arguments", "error", "functions", "handle", "node", "planarium", "planarium_glue", "planner", "runtime", "scenario", "version"];
+  const declarations = ["error", "functions", "planarium", "planner", "scenario", "types", "version"];
+  assert.deepEqual(names, [
+    "CHANGELOG.md",
+    "LICENSE",
+    "README.md",
+    "dist/package/THIRD-PARTY-NOTICES.txt",
+    "dist/package/planarium_bg.wasm",
+    ...modules.map((name) => `dist/package/${name}.js`),
+    ...declarations.map((name) => `dist/package/${name}.d.ts`),
+    "package.json",
+    "schema/scenario.schema.json",
+  ].sort());
+});
+
+test("the tarball weighs at most 250 KB, its WebAssembly at most 130 KB gzipped", () => {
+  const wasm = files.get("package/dist/package/planarium_bg.wasm");
+  assert.ok(wasm);
+  assert.ok(statSync(tarball).size <= 250_000, `${statSync(tarball).size} bytes`);
+  const zipped = gzipSync(wasm, { level: 9 }).length;
+  assert.ok(zipped <= 130_000, `${zipped} bytes`);
+});
+
+test("the manifest asks nothing of its users: no dependencies, no scripts at their install", () => {
+  const manifest = JSON.parse(String(files.get("package/package.json")));
+  assert.equal(manifest.name, "planarium");
+  assert.equal(manifest.license, "MIT");
+  assert.equal(manifest.engines.node, ">=20.19");
+  for (const field of ["dependencies", "peerDependencies", "optionalDependencies", "bundleDependencies"]) assert.equal(manifest[field], undefined, field);
+  for (const hook of ["preinstall", "install", "postinstall", "prepare"]) assert.equal(manifest.scripts[hook], undefined, hook);
+});
+
+test("one version everywhere: manifest, crate, JavaScript", () => {
+  const crate = readFileSync(join(root, "Cargo.toml"), "utf8").match(/^version = "(.+)"$/m)?.[1];
+  const manifest = JSON.parse(String(files.get("package/package.json")));
+  assert.equal(manifest.version, crate);
+  assert.match(String(files.get("package/dist/package/version.js")), new RegExp(`version = "${crate}"`));
+});
+
+test("the notices name every crate in the module, with its licence", () => {
+  const notices = String(files.get("package/dist/package/THIRD-PARTY-NOTICES.txt"));
+  for (const crate of ["libm", "parry2d-f64", "serde_json", "wasm-bindgen"]) assert.match(notices, new RegExp(`^${crate} \\d.*\\(.+\\)$`, "m"));
+  for (const other of ["clap", "proptest", "serde_derive"]) assert.doesNotMatch(notices, new RegExp(`^${other} \\d`, "m"));
+});
+
+test("publint finds nothing", async () => {
+  const { publint } = await import("publint");
+  const { messages } = await publint({ strict: true, pack: { tarball: new Uint8Array(readFileSync(tarball)).buffer } });
+  assert.deepEqual(messages, []);
+});
+
+test("arethetypeswrong finds nothing for an ES module", () => {
+  // It exits with 1 when it finds a problem.
+  const output = execFileSync(process.execPath, [
+    join(root, "node_modules", "@arethetypeswrong", "cli", "dist", "index.js"), tarball, "--profile", "esm-only", "--format", "ascii", "--no-emoji", "--no-color",
+    // The wasm file and the schema carry no types.
+    "--exclude-entrypoints", "./planarium_bg.wasm", "./scenario.schema.json",
+  ], { encoding: "utf8" });
+  assert.match(output, /node16 \(from ESM\): OK \(ESM\)/);
+  assert.match(output, /bundler: OK/);
+});

@@ -1,0 +1,129 @@
+/** The declarations: a strict program that uses every name compiles, and nothing in them is `any`. */
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { readFileSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+import { before, test } from "node:test";
+import { root } from "../../scripts/run.mjs";
+import { addFiles, install, pack } from "./packed.mjs";
+
+const consumer = `
+import init, {
+  initSync, planners, freshSeed, version, PlanariumError, Planner, Scenario,
+  type Box, type Check, type Configuration, type CspaceOptions, type GenerateOptions, type InitInput, type InitSyncInput, type Obstacle,
+  type ParameterInfo, type Part, type Phase, type PlannerInfo, type PlannerOptions, type Point, type Query, type ResultDocument, type Robot,
+  type ScenarioDocument, type Stats, type Status, type Touching, type World,
+} from "planarium";
+
+type IsAny<T> = 0 extends 1 & T ? true : false;
+/** Members that are any, take any or give any back. */
+type AnyMembers<C> = { [K in keyof C]-?: IsAny<C[K]> extends true ? K
+  : C[K] extends (...args: infer A) => infer R ? IsAny<R> extends true ? K : true extends { [I in keyof A]: IsAny<A[I]> }[number] ? K : never
+  : never }[keyof C];
+type None<T extends never> = T;
+type No<T extends false> = T;
+export type Proofs = [
+  None<AnyMembers<Planner>>, None<AnyMembers<Scenario>>, None<AnyMembers<PlanariumError>>, None<AnyMembers<Stats>>, None<AnyMembers<ResultDocument>>,
+  None<AnyMembers<PlannerInfo>>, None<AnyMembers<ParameterInfo>>, None<AnyMembers<ScenarioDocument>>, None<AnyMembers<World>>, None<AnyMembers<Query>>,
+  No<IsAny<Parameters<typeof init>[0]>>, No<IsAny<Parameters<typeof initSync>[0]>>, No<IsAny<InitInput>>, No<IsAny<InitSyncInput>>,
+  No<IsAny<ReturnType<typeof planners>>>, No<IsAny<Configuration>>, No<IsAny<PlannerOptions["whatever"]>>, No<IsAny<GenerateOptions["whatever"]>>,
+];
+// @ts-expect-error: the proof can fail
+export type Disproof = None<AnyMembers<{ loose(value: any): void }>>;
+
+export async function program(bytes: ArrayBuffer): Promise<string> {
+  await init();
+  await init("https://example.org/planarium_bg.wasm");
+  await init({ module_or_path: bytes });
+  initSync({ module: bytes });
+  const input: InitInput = new Uint8Array(bytes);
+  await init(input);
+
+  const document: ScenarioDocument = {
+    format: "planarium-scenario-1", name: "n", world: { obstacles: [{ type: "disc", center: [0, 1], radius: 1 }] },
+    robot: { type: "arm", base: [0, 0], links: [1, 1] }, queries: [{ name: "q", start: [0, 0], goal: [1, 1] }],
+  };
+  const scenario: Scenario = Scenario.parse(document);
+  const generated: Scenario = Scenario.generate("forest", { seed: freshSeed(), links: 3 });
+  const q: Configuration = [0, 0];
+  const { free, touching }: Check = scenario.check(q);
+  const names: (number | "bounds")[] = touching.map((pair: Touching) => pair.obstacle);
+  const parts: Part[] = scenario.footprint(new Float64Array(2));
+  const radii: number[] = parts.map((part) => (part.type === "capsule" ? part.a[0] : part.center[0]) + part.radius);
+  const box: Box = scenario.extent();
+  const tip: Point = scenario.endEffector(q);
+  const tips: Float64Array = scenario.endEffectors(new Float64Array(4));
+  const half: Float64Array = scenario.interpolate(q, [1, 1], 0.5);
+  const hit: number | null = scenario.firstHit(q, half);
+  const size: CspaceOptions = { width: 8, height: 8 };
+  const cells: Uint8Array = scenario.cspace(size);
+  const [[low]] = scenario.cspaceRange();
+  const circles: boolean[] = scenario.circles();
+  const kind: "arm" | "disc" = scenario.robot;
+  const again: ScenarioDocument = scenario.toJSON();
+  const obstacle: Obstacle | undefined = scenario.document().world.obstacles[0];
+  const robot: Robot = again.robot;
+
+  const info: PlannerInfo[] = planners();
+  const options: PlannerOptions = { algorithm: info[0]?.id ?? "prm", query: "q", seed: 1, metric: "euclidean", k: 5, samples: 50 };
+  const planner: Planner = scenario.planner(options);
+  let status: Status = planner.step(10);
+  status = planner.stepFor(8);
+  const phase: Phase = planner.phase;
+  const counts: number = planner.vertexCount + planner.edgeCount + planner.eventCount + planner.iterations + planner.dimension + planner.eventWidth;
+  const vertices: Float64Array = planner.verticesSince(0);
+  const edges: Uint32Array = planner.edgesSince(0);
+  const events: Float64Array = planner.eventsSince(0);
+  const path: Float64Array = planner.path();
+  const stats: Stats = planner.stats();
+  const result: ResultDocument = planner.result();
+  planner[Symbol.dispose]();
+  generated.free();
+  try {
+    Scenario.parse("{");
+  } catch (error) {
+    if (error instanceof PlanariumError) return error.code + error.pointer + error.message;
+  }
+  // @ts-expect-error: only the package makes handles
+  new Planner();
+  // @ts-expect-error: not a kind
+  Scenario.generate("jungle");
+  // @ts-expect-error: a count is a number
+  planner.step("10");
+  return JSON.stringify([free, names, radii, box, tip, tips, hit, cells, low, circles, kind, obstacle, robot, status, phase, counts, vertices, edges,
+    events, path, stats, result, version, scenario.name, scenario.title, scenario.distance(q, half), planner.fingerprint()]);
+}
+`;
+
+const base = { strict: true, noEmit: true, target: "es2022", skipLibCheck: false, types: [], noUncheckedIndexedAccess: true, exactOptionalPropertyTypes: true };
+
+/** @type {string} */
+let folder;
+
+before(() => {
+  folder = install(pack(), { "consumer.ts": consumer });
+});
+
+for (const [name, settings] of Object.entries({
+  "nodenext": { module: "nodenext" },
+  "bundler": { module: "esnext", moduleResolution: "bundler" },
+  "nodenext without the DOM": { module: "nodenext", lib: ["es2022"] },
+})) {
+  test(`a strict consumer compiles under ${name}`, () => {
+    addFiles(folder, { "tsconfig.json": JSON.stringify({ compilerOptions: { ...base, ...settings }, files: ["consumer.ts"] }) });
+    const { status, stdout } = spawnSync(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "-p", folder], { encoding: "utf8" });
+    assert.equal(status, 0, stdout);
+  });
+}
+
+test("no declaration says any, and every member is explained", () => {
+  const place = join(folder, "node_modules", "planarium", "dist", "package");
+  for (const name of readdirSync(place).filter((file) => file.endsWith(".d.ts"))) {
+    const text = readFileSync(join(place, name), "utf8");
+    const code = text.replace(/\/\*[^]*?\*\//g, "");
+    assert.doesNotMatch(code, /\bany\b/, name);
+    const bare = text.split("\n").filter((line, i, lines) =>
+      /^ {4}(?:static |get )?\[?\w[\w.]*\]?\??[(:]/.test(line) && !lines[i - 1].trimEnd().endsWith("*/"));
+    assert.deepEqual(bare, [], `${name} has members without a comment`);
+  }
+});

@@ -1,0 +1,27 @@
+/** The WebAssembly module needs nothing that a plain browser without special headers lacks. */
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { root } from "../../scripts/run.mjs";
+
+const path = join(root, "dist", "package", "planarium_bg.wasm");
+
+test("its features are those of a plain build: no SIMD, no threads", () => {
+  const allowed = new Set([
+    "mutable-globals", "nontrapping-float-to-int", "bulk-memory", "bulk-memory-opt", "sign-ext", "reference-types", "multivalue", "call-indirect-overlong",
+  ]);
+  const output = execFileSync(process.execPath, [join(root, "node_modules", "binaryen", "bin", "wasm-opt"), path, "--print-features"], {
+    encoding: "utf8", stdio: ["ignore", "pipe", "ignore"],
+  });
+  const features = output.trim().split("\n").map((line) => line.replace("--enable-", ""));
+  assert.ok(features.length > 0);
+  assert.deepEqual(features.filter((feature) => !allowed.has(feature)), []);
+});
+
+test("its memory is not shared", () => {
+  const module = new WebAssembly.Module(readFileSync(path));
+  assert.deepEqual(WebAssembly.Module.imports(module).filter(({ kind }) => kind === "memory"), []);
+  assert.ok(WebAssembly.Module.exports(module).some(({ kind, name }) => kind === "memory" && name === "memory"));
+});

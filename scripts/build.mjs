@@ -10,6 +10,7 @@
  */
 import { createHash } from "node:crypto";
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { basename, join } from "node:path";
 import { Problem, ask, isMain, root, run, script } from "./run.mjs";
 import { ensureNodeModules, ensureWasmTarget, lockedVersion } from "./setup.mjs";
@@ -34,18 +35,34 @@ export async function buildPackage() {
   await assemblePackage();
 }
 
-/** Assembles the page around the package. */
+/**
+ * Assembles the page around the package. The modules of each are joined into one file, so that a browser asks for two scripts and
+ * not for forty, one after the other; the maps beside them lead back to the sources.
+ */
 export function assemblePage() {
   const page = join(root, "www");
   const out = join(dist, "page");
   requireFile(join(page, "index.html"));
   rmSync(out, { recursive: true, force: true });
-  cpSync(page, out, { recursive: true, filter: (path) => !path.endsWith("tsconfig.json") && !path.endsWith(".md") });
-  const isForBrowsers = (/** @type {string} */ name) => name !== "node.js" && (name.endsWith(".js") || name.endsWith(".wasm"));
+  cpSync(page, out, { recursive: true, filter: (path) => !/(\.js|\.md|tsconfig\.json)$/.test(path) && !path.endsWith(join("www", "stage")) });
   mkdirSync(join(out, "planarium"), { recursive: true });
-  for (const name of readdirSync(join(dist, "package")).filter(isForBrowsers)) {
-    cpSync(join(dist, "package", name), join(out, "planarium", name));
-  }
+  cpSync(join(dist, "package", "planarium_bg.wasm"), join(out, "planarium", "planarium_bg.wasm"));
+  joinModules(join(page, "main.js"), join(out, "main.js"));
+  joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
+}
+
+/**
+ * Joins an entry and all it imports, but for the package, into one module.
+ * @param {string} entry
+ * @param {string} out
+ */
+function joinModules(entry, out) {
+  /** @type {typeof import("esbuild")} */
+  const { buildSync } = createRequire(import.meta.url)("esbuild");
+  buildSync({
+    entryPoints: [entry], outfile: out, bundle: true, minify: true, sourcemap: true, format: "esm", target: "es2022",
+    external: ["./planarium/planarium.js"], logLevel: "warning",
+  });
 }
 
 /** The glue and the crate must come from the same wasm-bindgen, or they do not understand each other. */

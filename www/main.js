@@ -27,6 +27,9 @@ import { Transport } from "./transport.js";
 
 /** @import { Library, SceneEntry } from "./types.js" */
 
+/** Milliseconds after which the thumbnails are drawn: the stage comes first. */
+const THUMBNAILS = 250;
+
 const counters = new Counters();
 const notice = new Notice();
 
@@ -84,7 +87,7 @@ async function start() {
   });
 
   openEntry(first, text);
-  void drawThumbnails();
+  setTimeout(() => void drawThumbnails(), THUMBNAILS);
 
   /** The number of the latest wish: an answer that comes after a newer wish is dropped. */
   let wish = 0;

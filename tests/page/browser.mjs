@@ -147,3 +147,16 @@ export async function pixelsOf(page, pane, layer, property) {
     return count;
   }, [pane, layer, property]);
 }
+
+/**
+ * How long the page's thread worked in each animation frame meanwhile, milliseconds of processor time.
+ * @param {Page} page @param {() => Promise<void>} meanwhile
+ */
+export async function frameWork(page, meanwhile) {
+  assert.ok(browser, "start() comes first");
+  await browser.startTracing(page, { categories: ["devtools.timeline"] });
+  await meanwhile();
+  /** @type {{ traceEvents: { name: string, tdur?: number }[] }} */
+  const trace = JSON.parse((await browser.stopTracing()).toString());
+  return trace.traceEvents.filter(({ name, tdur }) => name === "FireAnimationFrame" && tdur !== undefined).map(({ tdur }) => (tdur ?? 0) / 1000);
+}

@@ -5,12 +5,15 @@ import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { gzipSync } from "node:zlib";
 import {
-  atRest, chooseScene, counters, dropFile, finish, onPage, onPausedPage, pickFile, pixelsOf, root, setParameter, start, stop,
+  atRest, chooseScene, counters, dropFile, finish, frameWork, onPage, onPausedPage, pickFile, pixelsOf, root, setParameter, start, stop,
 } from "./browser.mjs";
 import { SCENES } from "../../www/scenes.js";
 
 before(start);
 after(stop);
+
+/** A quantile, rounded to 0.01. @param {number[]} values @param {number} part */
+const at = (values, part) => Math.round(100 * values.toSorted((a, b) => a - b)[Math.floor(part * (values.length - 1))]) / 100;
 
 const scene = (/** @type {string} */ id) => readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8");
 
@@ -502,28 +505,30 @@ describe("keyboard and ears", () => {
 
 describe("cost", () => {
   test("a frame's work while 20,000 edges grow: median at most 8 ms, 95th percentile at most 16 ms", async (context) => {
-    // Whatever else the machine does only adds to the time a frame takes: the best of three tells the page's own work.
-    let best = { median: Infinity, slow: Infinity };
-    for (let i = 0; i < 3 && (best.median > 8 || best.slow > 16); i++) {
-      await onPage({ reducedMotion: "reduce", deviceScaleFactor: 2 }, async (page) => {
-        await page.waitForSelector("#counters[data-status=running]");
-        await chooseScene(page, "thicket");
-        await page.selectOption("#planner", "prm");
-        await setParameter(page, "samples", "3200");
-        await setParameter(page, "k", "16");
-        await page.locator("#speed").fill("100");
-        await page.evaluate(() => performance.clearMeasures("planarium-frame"));
+    await onPage({ reducedMotion: "reduce", deviceScaleFactor: 2 }, async (page) => {
+      await page.waitForSelector("#counters[data-status=running]");
+      await chooseScene(page, "thicket");
+      await page.selectOption("#planner", "prm");
+      await setParameter(page, "samples", "3200");
+      await setParameter(page, "k", "16");
+      await page.locator("#speed").fill("100");
+      await page.evaluate(() => performance.clearMeasures("planarium-frame"));
+      // The time that the page's thread has worked: unlike the time that has passed, it does not count what else the machine does.
+      const all = await frameWork(page, async () => {
         await page.click("#play");
         await page.waitForFunction(() => Number(document.getElementById("counters")?.dataset.edges) >= 20_000, undefined, { timeout: 60_000 });
-        const times = await page.evaluate(() => performance.getEntriesByName("planarium-frame").map(({ duration }) => duration).sort((a, b) => a - b));
-        const at = (/** @type {number} */ part) => times[Math.floor(part * (times.length - 1))];
-        const { edges } = await counters(page);
-        context.diagnostic(`${edges} edges in ${times.length} frames: median ${at(0.5).toFixed(2)} ms, 95th percentile ${at(0.95).toFixed(2)} ms, most ${at(1).toFixed(2)} ms`);
-        assert.ok(times.length > 30, "each frame of growth is measured");
-        if (at(0.95) < best.slow) best = { median: at(0.5), slow: at(0.95) };
       });
-    }
-    assert.ok(best.median <= 8 && best.slow <= 16, `median ${best.median} ms, 95th percentile ${best.slow} ms`);
+      const passed = await page.evaluate(() => performance.getEntriesByName("planarium-frame").map(({ duration }) => duration));
+      // Between the frames that grow lie some that only let a glow fade: the hardest ones are taken for those that grow.
+      const work = all.sort((a, b) => a - b).slice(-passed.length);
+      const { edges } = await counters(page);
+      for (const [name, times] of /** @type {const} */ ([["worked", work], ["passed", passed]])) {
+        context.diagnostic(`${edges} edges in ${times.length} frames, ms ${name}: median ${at(times, 0.5)}, 95th percentile ${at(times, 0.95)}, most ${at(times, 1)}`);
+      }
+      assert.ok(passed.length > 30 && work.length === passed.length, "each frame of growth is measured");
+      assert.ok(at(work, 0.5) <= 8, `median ${at(work, 0.5)} ms`);
+      assert.ok(at(work, 0.95) <= 16, `95th percentile ${at(work, 0.95)} ms`);
+    });
   });
 
   test("growth is only ever added to: nothing is cleared while it grows", async () => {

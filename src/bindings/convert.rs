@@ -36,10 +36,10 @@ pub(super) fn cursor(value: f64, length: usize) -> Result<usize, JsValue> {
     Ok(row as usize)
 }
 
-/// A plain object (arrays, numbers, strings) of what serde writes as JSON.
+/// A plain object (arrays, numbers, strings) of what serde can write.
 pub(super) fn to_object<T: Serialize>(value: &T) -> Result<JsValue, JsValue> {
-    let text = serde_json::to_string(value).map_err(|error| JsValue::from(js_sys::Error::new(&error.to_string())))?;
-    js_sys::JSON::parse(&text)
+    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
+    value.serialize(&serializer).map_err(|error| JsValue::from(js_sys::Error::new(&error.to_string())))
 }
 
 /// Name and value of every property of a plain object that is not undefined.

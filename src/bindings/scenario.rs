@@ -8,7 +8,7 @@ use crate::robot::Part;
 use crate::run::{self, Options};
 use crate::scenario::{Robot, Scenario};
 use crate::validity::Touched;
-use serde_json::json;
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 /// A checked scenario and answers about it.
@@ -16,6 +16,36 @@ use wasm_bindgen::prelude::*;
 pub struct RawScenario {
     scenario: Scenario,
     inspector: Inspector,
+}
+
+/// The answer of a check, as JavaScript sees it.
+#[derive(Serialize)]
+struct Check {
+    free: bool,
+    touching: Vec<Touching>,
+}
+
+/// A touching pair, as JavaScript sees it.
+#[derive(Serialize)]
+struct Touching {
+    part: usize,
+    obstacle: Thing,
+}
+
+/// What is touched: the number of an obstacle, or the word `bounds`.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Thing {
+    Obstacle(usize),
+    Bounds(&'static str),
+}
+
+/// A part of the robot, as JavaScript sees it.
+#[derive(Serialize)]
+#[serde(tag = "type", rename_all = "lowercase")]
+enum Drawn {
+    Capsule { a: [f64; 2], b: [f64; 2], radius: f64 },
+    Disc { center: [f64; 2], radius: f64 },
 }
 
 impl RawScenario {
@@ -69,7 +99,7 @@ impl RawScenario {
 
     /// The scenario as a plain object, normalised.
     pub fn document(&self) -> Result<JsValue, JsValue> {
-        to_object(&self.scenario.to_json())
+        to_object(&self.scenario.to_node())
     }
 
     /// The box worth drawing: min x, min y, max x, max y.
@@ -86,30 +116,25 @@ impl RawScenario {
     /// Whether `q` is free, and each touching pair.
     pub fn check(&self, q: &[f64]) -> Result<JsValue, JsValue> {
         let contacts = self.inspector.check(q).map_err(throw)?;
-        let touching: Vec<_> = contacts
+        let touching: Vec<Touching> = contacts
             .iter()
             .map(|contact| match contact.with {
-                Touched::Obstacle(i) => json!({ "part": contact.part, "obstacle": i }),
-                Touched::Bounds => json!({ "part": contact.part, "obstacle": "bounds" }),
+                Touched::Obstacle(i) => Touching { part: contact.part, obstacle: Thing::Obstacle(i) },
+                Touched::Bounds => Touching { part: contact.part, obstacle: Thing::Bounds("bounds") },
             })
             .collect();
-        to_object(&json!({ "free": touching.is_empty(), "touching": touching }))
+        to_object(&Check { free: touching.is_empty(), touching })
     }
 
     /// The parts of the robot at `q`.
     pub fn footprint(&self, q: &[f64]) -> Result<JsValue, JsValue> {
         let place = |p: Point| [p.x, p.y];
         let parts = self.inspector.footprint(q).map_err(throw)?;
-        let parts: Vec<_> = parts
-            .into_iter()
-            .map(|part| match part {
-                Part::Capsule { a, b, radius } => {
-                    json!({ "type": "capsule", "a": place(a), "b": place(b), "radius": radius })
-                }
-                Part::Disc { center, radius } => json!({ "type": "disc", "center": place(center), "radius": radius }),
-            })
-            .collect();
-        to_object(&parts)
+        let drawn = parts.into_iter().map(|part| match part {
+            Part::Capsule { a, b, radius } => Drawn::Capsule { a: place(a), b: place(b), radius },
+            Part::Disc { center, radius } => Drawn::Disc { center: place(center), radius },
+        });
+        to_object(&drawn.collect::<Vec<_>>())
     }
 
     /// The tip of the arm or the centre of the disc at `q`: x, y.

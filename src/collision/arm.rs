@@ -29,70 +29,28 @@ pub fn joint_space<const N: usize>(arm: &Arm, metric: Metric) -> Torus<N> {
 
 /// What is free for an arm among obstacles, over the space of its joints.
 pub struct ArmValidity<const N: usize> {
-    arm: Arm,
     space: Torus<N>,
-    obstacles: Obstacles,
-    bounds: Option<Aabb>,
-    tolerance: Tolerance,
-    work: RefCell<Work>,
+    collision: ArmCollision,
 }
 
 impl<const N: usize> ArmValidity<N> {
     /// The arm in the world; `tolerance` is the wanted tolerance as a fraction of the longer side of the bounds (of twice the
     /// reach where there are none), greater than 0.
     pub fn new(arm: &Arm, space: Torus<N>, world: &World, tolerance: f64) -> Self {
-        let obstacles = Obstacles::new(&world.obstacles);
-        let base = arm.base().x.abs().max(arm.base().y.abs());
-        let bounds = world.bounds.as_ref().map_or(0.0, largest_coordinate);
-        let scale = obstacles.largest_coordinate().max(base).max(bounds) + arm.reach() + arm.radius();
-        let side = world.bounds.as_ref().map_or(2.0 * arm.reach(), Aabb::longer_side);
-        let tolerance = Tolerance::new(scale, tolerance * side);
-        let (arm, bounds, work) = (arm.clone(), world.bounds, RefCell::default());
-        Self { arm, space, obstacles, bounds, tolerance, work }
+        Self { space, collision: ArmCollision::new(arm, world, tolerance) }
     }
 
     /// The same with a tolerance no coarser than half the clearance of either configuration.
     #[must_use]
     pub fn fitted(mut self, start: &[f64; N], goal: &[f64; N]) -> Self {
-        self.tolerance = self.tolerance.fitted([self.clearance(start), self.clearance(goal)]);
+        let tolerance = self.collision.tolerance;
+        self.collision.tolerance = tolerance.fitted([self.clearance(start), self.clearance(goal)]);
         self
     }
 
     /// The distance from the arm to the nearest obstacle, in metres; infinite without obstacles. O(links x obstacles).
     pub fn clearance(&self, q: &[f64; N]) -> f64 {
-        let nearest = |link: Segment| self.obstacles.clearance(&link) - self.arm.radius();
-        self.links(q).map(nearest).fold(f64::INFINITY, f64::min)
-    }
-
-    /// The axes of the links at `q`, from the base outwards.
-    fn links(&self, q: &[f64; N]) -> impl Iterator<Item = Segment> + use<N> {
-        let places = self.arm.joints(self.space.coordinates(q));
-        (0..self.space.dimension()).map(move |i| Segment::new(places[i], places[i + 1]))
-    }
-
-    /// Calls `found` with every contact at `q` until it answers false.
-    fn visit_contacts(&self, q: &[f64; N], mut found: impl FnMut(Contact) -> bool) {
-        let (radius, eta) = (self.arm.radius(), self.tolerance.eta);
-        for (part, axis) in self.links(q).enumerate() {
-            let mut go_on = true;
-            let mut evaluations = 0;
-            self.obstacles.candidates(&axis.aabb().grown(radius + eta), |i| {
-                if go_on {
-                    evaluations += 1;
-                    if self.obstacles.distance(i, &axis) - radius <= eta {
-                        go_on = found(Contact { part, with: Touched::Obstacle(i) });
-                    }
-                }
-            });
-            self.work.borrow_mut().evaluations += evaluations;
-            let outside = |bounds: &Aabb| bounds.depth(axis.a).min(bounds.depth(axis.b)) - radius < -eta;
-            if go_on && self.bounds.as_ref().is_some_and(outside) {
-                go_on = found(Contact { part, with: Touched::Bounds });
-            }
-            if !go_on {
-                return;
-            }
-        }
+        self.collision.clearance(self.space.coordinates(q))
     }
 
     /// The same verdicts by the proof by distances: slower and simpler, the oracle of the tests. Where the first stretch of
@@ -112,20 +70,13 @@ impl<const N: usize> ArmValidity<N> {
         }
         let delta = self.space.difference(a, b);
         let motion = Motion { from: self.space.coordinates(a), delta: self.space.coordinates(&delta) };
-        let bounds = self.bounds.as_ref();
-        let setting = Setting { arm: &self.arm, obstacles: &self.obstacles, bounds, tolerance: self.tolerance };
-        Some(prove(&setting, &motion, &mut self.work.borrow_mut()))
+        Some(prove(&self.collision.setting(), &motion, &mut self.collision.work.borrow_mut()))
     }
 }
 
 impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
     fn is_free(&self, q: &[f64; N]) -> bool {
-        let mut free = true;
-        self.visit_contacts(q, |_| {
-            free = false;
-            false
-        });
-        free
+        self.collision.is_free(self.space.coordinates(q))
     }
 
     fn is_motion_free(&self, a: &[f64; N], b: &[f64; N]) -> bool {
@@ -137,19 +88,92 @@ impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
     }
 
     fn contacts(&self, q: &[f64; N]) -> Vec<Contact> {
-        let mut contacts = Vec::new();
-        self.visit_contacts(q, |contact| {
-            contacts.push(contact);
-            true
-        });
-        contacts.sort_by_key(|contact| match contact.with {
-            Touched::Obstacle(i) => (contact.part, i),
-            Touched::Bounds => (contact.part, usize::MAX),
-        });
-        contacts
+        self.collision.contacts(self.space.coordinates(q))
     }
 
     fn clearance_evaluations(&self) -> u64 {
-        self.work.borrow().evaluations
+        self.collision.work.borrow().evaluations
+    }
+}
+
+/// The arm among obstacles, for configurations of any dimension: compiled once.
+struct ArmCollision {
+    arm: Arm,
+    obstacles: Obstacles,
+    bounds: Option<Aabb>,
+    tolerance: Tolerance,
+    work: RefCell<Work>,
+}
+
+impl ArmCollision {
+    fn new(arm: &Arm, world: &World, tolerance: f64) -> Self {
+        let obstacles = Obstacles::new(&world.obstacles);
+        let base = arm.base().x.abs().max(arm.base().y.abs());
+        let bounds = world.bounds.as_ref().map_or(0.0, largest_coordinate);
+        let scale = obstacles.largest_coordinate().max(base).max(bounds) + arm.reach() + arm.radius();
+        let side = world.bounds.as_ref().map_or(2.0 * arm.reach(), Aabb::longer_side);
+        let tolerance = Tolerance::new(scale, tolerance * side);
+        Self { arm: arm.clone(), obstacles, bounds: world.bounds, tolerance, work: RefCell::default() }
+    }
+
+    fn setting(&self) -> Setting<'_> {
+        let bounds = self.bounds.as_ref();
+        Setting { arm: &self.arm, obstacles: &self.obstacles, bounds, tolerance: self.tolerance }
+    }
+
+    fn clearance(&self, q: &[f64]) -> f64 {
+        let nearest = |link: Segment| self.obstacles.clearance(&link) - self.arm.radius();
+        self.links(q).map(nearest).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The axes of the links at `q`, from the base outwards.
+    fn links(&self, q: &[f64]) -> impl Iterator<Item = Segment> + use<> {
+        let places = self.arm.joints(q);
+        (0..self.arm.links().len()).map(move |i| Segment::new(places[i], places[i + 1]))
+    }
+
+    /// Whether the link touches obstacle `i`.
+    fn touches(&self, i: usize, axis: &Segment) -> bool {
+        self.obstacles.distance(i, axis) - self.arm.radius() <= self.tolerance.eta
+    }
+
+    /// Whether a part of the link is outside the bounds.
+    fn is_outside(&self, axis: &Segment) -> bool {
+        let depth = |bounds: &Aabb| bounds.depth(axis.a).min(bounds.depth(axis.b)) - self.arm.radius();
+        self.bounds.as_ref().is_some_and(|bounds| depth(bounds) < -self.tolerance.eta)
+    }
+
+    fn is_free(&self, q: &[f64]) -> bool {
+        let mut evaluations = 0;
+        let is_free = self.links(q).all(|axis| {
+            let mut free = !self.is_outside(&axis);
+            self.obstacles.candidates(&self.near(&axis), |i| {
+                if free {
+                    evaluations += 1;
+                    free = !self.touches(i, &axis);
+                }
+            });
+            free
+        });
+        self.work.borrow_mut().evaluations += evaluations;
+        is_free
+    }
+
+    /// Every contact at `q`, by link, then by obstacle, the bounds last.
+    fn contacts(&self, q: &[f64]) -> Vec<Contact> {
+        let mut contacts = Vec::new();
+        for (part, axis) in self.links(q).enumerate() {
+            let near = self.near(&axis);
+            let obstacles = (0..self.obstacles.len()).filter(|&i| self.obstacles.aabb(i).intersects(&near));
+            let touched = obstacles.filter(|&i| self.touches(i, &axis)).map(Touched::Obstacle);
+            contacts.extend(touched.map(|with| Contact { part, with }));
+            contacts.extend(self.is_outside(&axis).then_some(Contact { part, with: Touched::Bounds }));
+        }
+        contacts
+    }
+
+    /// The box outside which nothing can touch the link.
+    fn near(&self, axis: &Segment) -> Aabb {
+        axis.aabb().grown(self.arm.radius() + self.tolerance.eta)
     }
 }

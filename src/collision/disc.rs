@@ -30,23 +30,18 @@ impl DiscValidity {
         Self { radius: robot.radius(), obstacles, bounds: world.bounds, eta, evaluations: Cell::new(0) }
     }
 
-    /// Calls `found` with every obstacle that the disc touches while its centre moves along the segment, until it answers
-    /// false.
-    fn visit_touched(&self, swept: &Segment, mut found: impl FnMut(usize) -> bool) {
-        let mut go_on = true;
-        self.obstacles.candidates(&swept.aabb().grown(self.radius + self.eta), |i| {
-            if go_on {
-                self.evaluations.set(self.evaluations.get() + 1);
-                let touches = if self.radius == 0.0 {
-                    self.obstacles.touches_point(i, swept, self.eta)
-                } else {
-                    self.obstacles.distance(i, swept) - self.radius <= self.eta
-                };
-                if touches {
-                    go_on = found(i);
-                }
-            }
-        });
+    /// Whether the disc touches obstacle `i` while its centre moves along the segment.
+    fn touches(&self, i: usize, swept: &Segment) -> bool {
+        if self.radius == 0.0 {
+            self.obstacles.touches_point(i, swept, self.eta)
+        } else {
+            self.obstacles.distance(i, swept) - self.radius <= self.eta
+        }
+    }
+
+    /// The box outside which nothing can touch the disc while its centre moves along the segment.
+    fn near(&self, swept: &Segment) -> Aabb {
+        swept.aabb().grown(self.radius + self.eta)
     }
 
     /// Whether the disc lies within the bounds, or touches them from within.
@@ -59,10 +54,14 @@ impl DiscValidity {
     fn is_swept_free(&self, swept: &Segment) -> bool {
         let mut free = self.is_inside(swept.a) && self.is_inside(swept.b);
         if free {
-            self.visit_touched(swept, |_| {
-                free = false;
-                false
+            let mut evaluations = self.evaluations.get();
+            self.obstacles.candidates(&self.near(swept), |i| {
+                if free {
+                    evaluations += 1;
+                    free = !self.touches(i, swept);
+                }
             });
+            self.evaluations.set(evaluations);
         }
         free
     }
@@ -100,14 +99,10 @@ impl Validity<[f64; 2]> for DiscValidity {
     }
 
     fn contacts(&self, q: &[f64; 2]) -> Vec<Contact> {
-        let mut touched = Vec::new();
-        self.visit_touched(&segment(q, q), |i| {
-            touched.push(i);
-            true
-        });
-        touched.sort_unstable();
-        let mut contacts: Vec<Contact> =
-            touched.into_iter().map(|i| Contact { part: 0, with: Touched::Obstacle(i) }).collect();
+        let (at, near) = (segment(q, q), self.near(&segment(q, q)));
+        let obstacles = (0..self.obstacles.len()).filter(|&i| self.obstacles.aabb(i).intersects(&near));
+        let touched = obstacles.filter(|&i| self.touches(i, &at)).map(Touched::Obstacle);
+        let mut contacts: Vec<Contact> = touched.map(|with| Contact { part: 0, with }).collect();
         if !self.is_inside(Point::new(q[0], q[1])) {
             contacts.push(Contact { part: 0, with: Touched::Bounds });
         }

@@ -2,7 +2,7 @@
 
 use super::parameters::{Fallback, Kind, ParameterInfo};
 use crate::error::{Code, Error};
-use serde_json::{Value as Json, json};
+use serde::Serialize;
 
 /// What there is to know about a planner before it runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,31 +33,53 @@ pub fn planner_info(id: &str) -> Result<&'static PlannerInfo, Error> {
     })
 }
 
-/// The table of planners as JSON: a list of objects, each with its list of parameters; a default that depends on the space
-/// is null and told in `default_meaning`.
-pub fn catalogue() -> Json {
-    let planner = |info: &PlannerInfo| {
-        let parameters: Vec<Json> = info.parameters.iter().map(parameter_row).collect();
-        json!({ "id": info.id, "title": info.title, "summary": info.summary, "parameters": parameters })
-    };
-    PLANNERS.iter().map(planner).collect()
+/// One planner of the table, as it is written.
+#[derive(Debug, Serialize)]
+pub struct PlannerRow {
+    id: &'static str,
+    title: &'static str,
+    summary: &'static str,
+    parameters: Vec<ParameterRow>,
 }
 
-/// One parameter as JSON.
-fn parameter_row(info: &ParameterInfo) -> Json {
+/// One parameter of a planner, as it is written: a default that depends on the space is null and told in words.
+#[derive(Debug, Serialize)]
+struct ParameterRow {
+    name: &'static str,
+    title: &'static str,
+    kind: &'static str,
+    unit: &'static str,
+    min: Option<f64>,
+    max: Option<f64>,
+    choices: Option<&'static [&'static str]>,
+    default: Option<f64>,
+    default_meaning: Option<&'static str>,
+    meaning: &'static str,
+}
+
+/// The table of planners, to be written.
+pub fn catalogue() -> Vec<PlannerRow> {
+    let row = |info: &PlannerInfo| PlannerRow {
+        id: info.id,
+        title: info.title,
+        summary: info.summary,
+        parameters: info.parameters.iter().map(parameter_row).collect(),
+    };
+    PLANNERS.iter().map(row).collect()
+}
+
+fn parameter_row(info: &ParameterInfo) -> ParameterRow {
     let (kind, min, max, choices) = match info.kind {
-        Kind::Integer { min, max } => ("integer", json!(min), json!(max), Json::Null),
-        Kind::Number { min, max } => ("number", json!(min), json!(max), Json::Null),
-        Kind::Choice(words) => ("choice", Json::Null, Json::Null, json!(words)),
+        Kind::Integer { min, max } => ("integer", Some(min), Some(max), None),
+        Kind::Number { min, max } => ("number", Some(min), Some(max), None),
+        Kind::Choice(words) => ("choice", None, None, Some(words)),
     };
     let (default, default_meaning) = match info.default {
-        Fallback::Number(number) => (json!(number), Json::Null),
-        Fallback::Computed(words) => (Json::Null, json!(words)),
+        Fallback::Number(number) => (Some(number), None),
+        Fallback::Computed(words) => (None, Some(words)),
     };
-    json!({
-        "name": info.name, "title": info.title, "kind": kind, "unit": info.unit, "min": min, "max": max,
-        "choices": choices, "default": default, "default_meaning": default_meaning, "meaning": info.meaning,
-    })
+    let ParameterInfo { name, title, unit, meaning, .. } = *info;
+    ParameterRow { name, title, kind, unit, min, max, choices, default, default_meaning, meaning }
 }
 
 /// The planner taken where none is named.

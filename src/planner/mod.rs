@@ -8,7 +8,7 @@ mod parameters;
 mod prm;
 mod rrt_connect;
 
-pub use catalogue::{DEFAULT_PLANNER, DEFAULT_TOLERANCE, PlannerInfo, catalogue, planner_info, planners};
+pub use catalogue::{DEFAULT_PLANNER, DEFAULT_TOLERANCE, PlannerInfo, PlannerRow, catalogue, planner_info, planners};
 pub use parameters::{Fallback, Kind, ParameterInfo, Parameters, Value};
 pub use prm::Prm;
 pub use rrt_connect::RrtConnect;

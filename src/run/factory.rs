@@ -36,12 +36,11 @@ pub fn start(scenario: &Scenario, options: &Options) -> Result<Box<dyn Run>, Err
     };
     let place = scenario.queries().iter().position(|q| q.name == query.name).unwrap_or(0);
     let launch = Launch { scenario, parameters, ticket, ends: [&query.start, &query.goal] };
-    // Entries past the dimension are 0 and change no bit: four sizes serve arms of 1 to 8 links.
+    // Entries past the dimension are 0 and change no bit: three sizes serve arms of 1 to 8 links.
     let run = match scenario.robot() {
         Robot::Arm(arm) => match arm.links().len() {
             1 | 2 => launch.arm::<2>(arm),
-            3 => launch.arm::<3>(arm),
-            4 => launch.arm::<4>(arm),
+            3 | 4 => launch.arm::<4>(arm),
             _ => launch.arm::<8>(arm),
         },
         Robot::Disc(disc) => launch.disc(disc),

@@ -131,10 +131,10 @@ export interface ParameterInfo {
   max: number | null;
   /** Value where it is not set; null where that depends on the scenario. */
   default: number | boolean | string | null;
-  /** What the default depends on, in words; null where `default` says it. */
-  default_meaning: string | null;
-  /** What a choice may be; null for other kinds. */
-  choices: string[] | null;
+  /** What the default depends on, in words, where `default` does not say it. */
+  default_meaning?: string | null;
+  /** What a choice may be. */
+  choices?: string[] | null;
   /** What it does. */
   meaning: string;
 }

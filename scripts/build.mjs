@@ -78,10 +78,10 @@ function requireOneBindgen() {
 
 /** @returns {Promise<string>} path of the compiled module */
 async function compileCrate() {
-  await run("cargo", ["build", "--release", "--target", "wasm32-unknown-unknown", "--lib", "--locked"]);
+  await run("cargo", ["build", "--profile", "wasm", "--target", "wasm32-unknown-unknown", "--lib", "--locked"]);
   const metadata = ask("cargo", ["metadata", "--format-version", "1", "--no-deps", "--locked"]);
   if (metadata === undefined) throw new Problem("`cargo metadata` failed.");
-  return join(JSON.parse(metadata).target_directory, "wasm32-unknown-unknown", "release", "planarium.wasm");
+  return join(JSON.parse(metadata).target_directory, "wasm32-unknown-unknown", "wasm", "planarium.wasm");
 }
 
 /**

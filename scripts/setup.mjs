@@ -27,6 +27,8 @@ export function requireCompilers() {
 
 /** Installs the npm development tools from the lock file, unless they are there and no older than it. */
 export async function ensureNodeModules() {
+  const [major, minor] = process.versions.node.split(".").map(Number);
+  if (major < 20 || (major === 20 && minor < 19)) throw new Problem(`Node 20.19 or newer is needed; this is ${process.versions.node}.`);
   const installed = join(root, "node_modules", ".package-lock.json");
   const lock = join(root, "package-lock.json");
   if (existsSync(installed) && statSync(installed).mtimeMs >= statSync(lock).mtimeMs) return;

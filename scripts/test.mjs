@@ -38,7 +38,7 @@ const needs = {
   check: [ensureRustComponents, ensureWasmTarget, buildPackage],
   rust: [async () => requireCompilers()],
   wasm: [ensureWasmTarget, ensureWasmBindgen, ensureWasmPack, useBrowser],
-  package: [buildPackage],
+  package: [buildPackage, useBrowser],
   page: [buildPackage, async () => assemblePage(), useBrowser],
 };
 

@@ -11,6 +11,7 @@
 import { createHash } from "node:crypto";
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { homedir } from "node:os";
 import { basename, join } from "node:path";
 import { Problem, ask, isMain, root, run, script } from "./run.mjs";
 import { ensureNodeModules, ensureWasmTarget, lockedVersion } from "./setup.mjs";
@@ -78,7 +79,12 @@ function requireOneBindgen() {
 
 /** @returns {Promise<string>} path of the compiled module */
 async function compileCrate() {
-  await run("cargo", ["build", "--profile", "wasm", "--target", "wasm32-unknown-unknown", "--lib", "--locked"]);
+  // The module must not tell where it was built: paths of the toolchain and of crates are cut short.
+  const crates = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "registry", "src");
+  const toolchain = ask("rustc", ["--print", "sysroot"]) ?? "";
+  const cut = [[crates, "crates"], [toolchain, "rust"], [root, "planarium"]];
+  const env = { RUSTFLAGS: cut.map(([from, to]) => `--remap-path-prefix=${from}=/${to}`).join(" ") };
+  await run("cargo", ["build", "--profile", "wasm", "--target", "wasm32-unknown-unknown", "--lib", "--locked"], { env });
   const metadata = ask("cargo", ["metadata", "--format-version", "1", "--no-deps", "--locked"]);
   if (metadata === undefined) throw new Problem("`cargo metadata` failed.");
   return join(JSON.parse(metadata).target_directory, "wasm32-unknown-unknown", "wasm", "planarium.wasm");

@@ -1,4 +1,20 @@
 //! Motion planning that a person can watch.
+//!
+//! A planning problem is a configuration space, a way to tell what is free in it, a start and a goal. Planners grow a graph
+//! towards the answer one step at a time, and every edge they add is proven free, not sampled. Lengths are metres, angles
+//! radians, counter-clockwise, y up. Scenario, planner, parameters and seed decide every bit of a result, on every platform.
+//!
+//! # The way in
+//! - [`scenario::Scenario::parse`] reads a document, [`scenario::generate`] makes one by seed;
+//! - [`run::start`] begins a run behind one face, [`run::Run`]; [`run::planners`] lists planners and their parameters;
+//! - [`inspect::Inspector`] answers what a viewer asks; [`path::verify`] judges a finished path by an independent route.
+//!
+//! # The house, and the rule of its arrows
+//! From the ground up: [`error`], [`random`], [`geometry`], [`validity`]; on them [`space`] and [`robot`]; on those
+//! [`scenario`] and [`collision`], [`problem`]; [`graph`], [`nearest`], [`path`]; then [`planner`]; then [`run`] and
+//! [`inspect`]; and last the bindings and the command line. A room names only rooms below it: a planner sees a space and the
+//! trait [`validity::Validity`], never a robot, a scenario or a shape. The core reads no clock, prints nothing, keeps no
+//! global and calls nothing back. A test holds this against the code.
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
 
@@ -25,3 +41,8 @@ pub mod status;
 pub mod validity;
 
 pub use error::Error;
+
+/// The examples of the README are run as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct ReadmeExamples;

@@ -1,5 +1,5 @@
 //! Questions about a scenario outside any run: is a configuration free and why not, where is the robot, what does its
-//! configuration space look like. For viewers; planners ask through [`Validity`](crate::validity::Validity).
+//! configuration space look like. For viewers; planners ask through [`Validity`].
 
 use crate::collision::{ArmValidity, DiscValidity, joint_space};
 use crate::error::{Code, Error};

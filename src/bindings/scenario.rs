@@ -62,12 +62,6 @@ impl RawScenario {
         Scenario::parse(text).map(Self::new).map_err(throw)
     }
 
-    /// Reads a scenario from a plain object.
-    pub fn from_object(object: JsValue) -> Result<RawScenario, JsValue> {
-        let node = node(object)?;
-        Scenario::from_node(&node).map(Self::new).map_err(throw)
-    }
-
     /// Generates a scenario: `forest` or `clutter`, with options as a plain object.
     pub fn generate(kind: &str, options: JsValue) -> Result<RawScenario, JsValue> {
         let node = node(options)?;

@@ -233,8 +233,7 @@ impl<'a> Proof<'a> {
         let (mut front, mut back) = (child, child);
         front.middle -= half;
         back.middle += half;
-        for i in 0..self.links() {
-            let (e, r) = (stretch.along[i], turns[i]);
+        for (i, (e, r)) in stretch.along.iter().zip(turns).enumerate().take(self.links()) {
             let (xx, yy, xy, yx) = (e.x * r.x, e.y * r.y, e.x * r.y, e.y * r.x);
             front.along[i] = Vector::new(xx + yy, yx - xy);
             back.along[i] = Vector::new(xx - yy, yx + xy);

@@ -127,7 +127,7 @@ const STEP: ParameterInfo = ParameterInfo {
     kind: Kind::Number { min: 1e-6, max: 1e7 },
     unit: "distance in the metric",
     default: Fallback::Computed("a fifth of the largest distance in the space"),
-    meaning: "The longest edge: how far a tree grows towards a sample at once.",
+    meaning: "The longest edge: how far a tree grows towards a sample at once; at least a 10,000th of the largest distance.",
 };
 
 const SHORTCUT: ParameterInfo = ParameterInfo {

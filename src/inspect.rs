@@ -4,17 +4,18 @@
 use crate::collision::{ArmValidity, DiscValidity, joint_space};
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Point};
-use crate::planner::{DEFAULT_TOLERANCE, Value};
+use crate::planner::DEFAULT_TOLERANCE;
 use crate::robot::{Arm, DiscRobot, MAX_LINKS, Part};
-use crate::scenario::{Obstacle, Robot, Scenario};
+use crate::scenario::{LARGEST, Obstacle, Robot, Scenario};
 use crate::space::{Euclidean, Metric, Space, Torus};
 use crate::validity::{Contact, Validity};
 
 /// The most cells that a picture of the configuration space has on a side.
 pub const MAX_CELLS: usize = 4096;
 
-/// Answers questions about one scenario. Every configuration must have the robot's number of finite entries, else the error
-/// is `wrong-dimension` or `not-finite` with the entry's pointer.
+/// Answers questions about one scenario. Every configuration must have the robot's number of finite entries up to 1e6 in size,
+/// else the error is `wrong-dimension`, `not-finite` or `out-of-range` with the entry's pointer; the ends of a motion must lie
+/// within the joint limits as well. Motions are judged with the default tolerance, which a run may refine.
 pub struct Inspector {
     robot: Inspected,
     extent: Aabb,
@@ -184,9 +185,20 @@ impl Inspector {
         Ok(cells)
     }
 
+    /// Refuses ends that are no configurations, or lie outside the joint limits.
     fn refuse_motion(&self, a: &[f64], b: &[f64]) -> Result<(), Error> {
-        self.refuse_configuration(a, "/a")?;
-        self.refuse_configuration(b, "/b")
+        for (q, pointer) in [(a, "/a"), (b, "/b")] {
+            self.refuse_configuration(q, pointer)?;
+            let Inspected::Arm { space, .. } = &self.robot else { continue };
+            for (i, angle) in q.iter().enumerate().filter(|(i, _)| !space.is_circle(*i)) {
+                let [low, high] = space.range(i);
+                if !(low..=high).contains(angle) {
+                    let sentence = format!("joint {i} must lie within its limits [{low}, {high}], not {angle}");
+                    return Err(Error::new(Code::OutOfRange, format!("{pointer}/{i}"), sentence));
+                }
+            }
+        }
+        Ok(())
     }
 
     fn refuse_configuration(&self, q: &[f64], pointer: &str) -> Result<(), Error> {
@@ -194,13 +206,18 @@ impl Inspector {
             let sentence = format!("a configuration of this robot has {} numbers, not {}", self.dimension(), q.len());
             return Err(Error::new(Code::WrongDimension, pointer, sentence));
         }
-        match q.iter().position(|value| !value.is_finite()) {
-            Some(i) => {
-                let sentence = format!("a configuration holds finite numbers, not {}", Value::Number(q[i]));
-                Err(Error::new(Code::NotFinite, format!("{pointer}/{i}"), sentence))
+        for (i, value) in q.iter().enumerate() {
+            let pointer = format!("{pointer}/{i}");
+            if !value.is_finite() {
+                let sentence = format!("a configuration holds finite numbers, not {value}");
+                return Err(Error::new(Code::NotFinite, pointer, sentence));
             }
-            None => Ok(()),
+            if value.abs() > LARGEST {
+                let sentence = format!("a configuration holds numbers within [-{LARGEST}, {LARGEST}], not {value}");
+                return Err(Error::new(Code::OutOfRange, pointer, sentence));
+            }
         }
+        Ok(())
     }
 }
 

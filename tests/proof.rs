@@ -244,3 +244,69 @@ fn contact_with_an_obstacle_is_collision_and_contact_with_the_bounds_is_not() {
     assert_eq!(contacts.len(), 1);
     assert_eq!(contacts[0].to_string(), "part 0 touches obstacle 0");
 }
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_start_near_the_bounds_can_be_left() {
+    for room in [1e-4, 1e-6, 1e-9] {
+        // The tip of the only link points at the upper bound, `room` below it.
+        let world = parse(&format!(
+            r#"{{ "format": "planarium-scenario-1", "name": "near-the-bounds",
+                "world": {{ "bounds": {{ "min": [-10, -10], "max": [10, {top:?}] }}, "obstacles": [] }},
+                "robot": {{ "type": "arm", "base": [0, 1], "links": [0.7] }},
+                "queries": [ {{ "name": "down", "start": [1], "goal": [-1] }} ] }}"#,
+            top = 1.0 + 0.7 * 0.841_470_984_807_896_5 + room
+        ));
+        let run = finish(begin(&world, "rrt-connect", 1, &[]));
+        assert_eq!(run.status(), Status::Solved, "{room} below the bound");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_polygon_with_a_vanishing_edge_is_as_solid_as_any() {
+    let world = parse(
+        r#"{ "format": "planarium-scenario-1", "name": "vanishing-edge",
+            "world": { "obstacles": [ { "type": "polygon", "vertices": [[-1, 0], [-2.71e-162, 0], [0, 1.556e-162], [0, 1], [-1, 1]] } ] },
+            "robot": { "type": "arm", "base": [0.3535, -0.6157], "links": [0.63], "radius": 0.1 }, "queries": [] }"#,
+    );
+    let (space, validity, _) = arm_in(&world);
+    let mut collisions = 0;
+    for i in 0..20_000 {
+        let angle = std::f64::consts::TAU * f64::from(i) / 20_000.0;
+        let (a, b) = (space.state(&[angle]), space.state(&[angle + 1e-9]));
+        if !validity.is_free(&a) {
+            collisions += 1;
+            assert!(!validity.is_motion_free(&a, &b), "a motion from a collision at {angle}");
+        }
+    }
+    assert!(collisions > 100);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn sliding_close_along_a_concave_wall_is_proven() {
+    // As the first joint turns by one angle and the second back by two, the tip slides along the base's height.
+    let gap = if cfg!(target_arch = "wasm32") { 1e-5 } else { 1e-6 };
+    let world = parse(&format!(
+        r#"{{ "format": "planarium-scenario-1", "name": "sliding",
+            "world": {{ "obstacles": [ {{ "type": "polygon",
+                "vertices": [[0.3, -{gap:e}], [2.5, -{gap:e}], [2.5, 1], [3, 1], [3, -1], [0.3, -1]] }} ] }},
+            "robot": {{ "type": "arm", "base": [0, 0], "links": [1, 1] }}, "queries": [] }}"#
+    ));
+    let (space, validity, _) = arm_in(&world);
+    let (a, b) = (space.state(&[0.5, -1.0]), space.state(&[1.3, -2.6]));
+    let validity = validity.fitted(&a, &b);
+    assert!(validity.is_motion_free(&a, &b), "with a tolerance fitted to its ends");
+    assert!(validity.clearance_evaluations() > 100_000, "by many short stretches");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn configurations_that_make_no_sense_are_refused_before_any_proof() {
+    let inspector = planarium::inspect::Inspector::new(&arm_of(2, true, 0.0));
+    let code = |error: planarium::Error| (error.code().as_str(), error.pointer().to_owned());
+    let refused = |a: &[f64], b: &[f64]| code(inspector.first_hit(a, b).expect_err("refused"));
+    assert_eq!(refused(&[-1.7e308, 0.0], &[0.0, 0.0]), ("out-of-range", "/a/0".to_owned()));
+    assert_eq!(refused(&[0.0, 0.0], &[0.0, 50.0]), ("out-of-range", "/b/1".to_owned()));
+    assert_eq!(refused(&[0.0, f64::NAN], &[0.0, 0.0]), ("not-finite", "/a/1".to_owned()));
+    assert_eq!(refused(&[0.0], &[0.0, 0.0]), ("wrong-dimension", "/a".to_owned()));
+    assert_eq!(code(inspector.check(&[1e308, 0.0]).expect_err("refused")), ("out-of-range", "/0".to_owned()));
+    assert_eq!(code(inspector.footprint(&[0.0, -1e7]).expect_err("refused")), ("out-of-range", "/1".to_owned()));
+}

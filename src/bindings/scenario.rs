@@ -164,7 +164,9 @@ impl RawScenario {
     /// The configuration space of an arm of two links, one byte a cell, 1 for collision.
     pub fn cspace(&self, width: f64, height: f64) -> Result<Vec<u8>, JsValue> {
         let (width, height) = (count(width, "width")?, count(height, "height")?);
-        self.inspector.configuration_space(width as usize, height as usize).map_err(throw)
+        // A width beyond what this machine can count is beyond the limit too.
+        let cells = |count: u64| usize::try_from(count).unwrap_or(usize::MAX);
+        self.inspector.configuration_space(cells(width), cells(height)).map_err(throw)
     }
 
     /// The angles that it shows: low and high of the first joint, then of the second.

@@ -44,7 +44,8 @@ impl<const N: usize> ArmValidity<N> {
     #[must_use]
     pub fn fitted(mut self, start: &[f64; N], goal: &[f64; N]) -> Self {
         let tolerance = self.collision.tolerance;
-        self.collision.tolerance = tolerance.fitted([self.clearance(start), self.clearance(goal)]);
+        let depths = [start, goal].map(|q| self.collision.depth(self.space.coordinates(q)));
+        self.collision.tolerance = tolerance.fitted([self.clearance(start), self.clearance(goal)], depths);
         self
     }
 
@@ -135,6 +136,12 @@ impl ArmCollision {
     /// Whether the link touches obstacle `i`.
     fn touches(&self, i: usize, axis: &Segment) -> bool {
         self.obstacles.distance(i, axis) - self.arm.radius() <= self.tolerance.eta
+    }
+
+    /// How deep the links that can move lie within the bounds, in metres; infinite without bounds.
+    fn depth(&self, q: &[f64]) -> f64 {
+        let Some(bounds) = &self.bounds else { return f64::INFINITY };
+        self.links(q).map(|axis| bounds.depth(axis.b) - self.arm.radius()).fold(f64::INFINITY, f64::min)
     }
 
     /// Whether a part of the link is outside the bounds.

@@ -149,7 +149,9 @@ fn to_parry(aabb: &Aabb) -> Box2 {
 /// corner stick out.
 fn faces_of(polygon: &Polygon) -> impl Iterator<Item = Face> {
     polygon.edges().map(|edge| {
-        let along = (edge.b - edge.a).normalize();
+        // Scaled first: the squares of a very short edge would underflow, and its normal would not be of unit length.
+        let edge_vector = edge.b - edge.a;
+        let along = (edge_vector / edge_vector.amax()).normalize();
         let normal = Vector::new(along.y, -along.x);
         let support =
             polygon.vertices().iter().map(|corner| normal.dot(&corner.coords)).fold(f64::NEG_INFINITY, f64::max);

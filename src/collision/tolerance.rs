@@ -5,9 +5,14 @@
 pub struct Tolerance {
     /// The slack: a clearance counts only as far as it exceeds this. 1e-12 of the largest coordinate plus the reach.
     pub eta: f64,
-    /// A stretch that is unproven when its bound on motion is below this counts as hit.
+    /// A stretch that is not proven apart from an obstacle when its bound on motion is below this counts as hit.
     pub tau: f64,
+    /// The same for the bounds of the world.
+    pub bounds_tau: f64,
 }
+
+/// The least slack, in metres: squares of longer lengths do not underflow.
+const SMALLEST: f64 = 1e-150;
 
 /// How many times `eta` the tolerance is at least.
 const FEWEST_ETAS: f64 = 10.0;
@@ -16,14 +21,18 @@ impl Tolerance {
     /// The slack for a world whose largest coordinate plus the robot's reach is `scale` metres, with the coarsest tolerance,
     /// `wanted` metres.
     pub fn new(scale: f64, wanted: f64) -> Self {
-        let eta = 1e-12 * scale;
-        Self { eta, tau: wanted.max(FEWEST_ETAS * eta) }
+        let eta = (1e-12 * scale).max(SMALLEST);
+        let tau = wanted.max(FEWEST_ETAS * eta);
+        Self { eta, tau, bounds_tau: tau }
     }
 
-    /// The same, no coarser than half the clearance of the start and half that of the goal, so that both can be left.
+    /// The same, no coarser than half the clearance of the start and half that of the goal, so that both can be left;
+    /// likewise for how deep both lie within the bounds. A depth of 0 is contact, which may be refused to turn or slide.
     #[must_use]
-    pub fn fitted(self, clearances: [f64; 2]) -> Self {
-        let half = clearances[0].min(clearances[1]) / 2.0;
-        Self { tau: self.tau.min(half).max(FEWEST_ETAS * self.eta), ..self }
+    pub fn fitted(self, clearances: [f64; 2], depths: [f64; 2]) -> Self {
+        let finer =
+            |tau: f64, room: f64| if room > 0.0 { tau.min(room / 2.0).max(FEWEST_ETAS * self.eta) } else { tau };
+        let tau = clearances.into_iter().fold(self.tau, finer);
+        Self { tau, bounds_tau: depths.into_iter().fold(self.bounds_tau, finer), ..self }
     }
 }

@@ -16,6 +16,9 @@ const DEFAULT_STEP: f64 = 0.2;
 /// Of the space's extent, the smallest step: it bounds the motions of one greedy connection.
 const SMALLEST_STEP: f64 = 1e-4;
 
+/// The most motions that a roadmap may try: it keeps what became of each.
+const MOST_MOTIONS: u64 = 20_000_000;
+
 /// Begins a run.
 ///
 /// # Errors
@@ -98,6 +101,10 @@ impl Launch<'_> {
         match self.ticket.planner {
             "prm" => {
                 let (samples, k) = (parameters.integer("samples"), parameters.integer("k"));
+                if samples * k > MOST_MOTIONS {
+                    let sentence = format!("samples times k must be at most {MOST_MOTIONS}, not {samples} times {k}");
+                    return Err(Error::new(Code::OutOfRange, "/samples", sentence));
+                }
                 let planner = Prm::new(&problem, samples as usize, k as usize, seed);
                 Ok(Box::new(Runner::new(problem, planner, self.ticket)))
             }

@@ -28,9 +28,10 @@ fn first_hit_within(setting: &Setting, motion: &Motion, evaluations: &mut u64, m
         *evaluations += obstacles.len() as u64;
         let clearance = obstacles.clearance(&axis) - arm.radius();
         let depth = bounds.map_or(f64::INFINITY, |box_| box_.depth(axis.a).min(box_.depth(axis.b)) - arm.radius());
-        let is_apart = clearance - bound > tolerance.eta && depth - bound >= -tolerance.eta;
-        is_proven &= is_apart;
-        is_hopeless |= !is_apart && bound < tolerance.tau;
+        let is_apart = clearance - bound > tolerance.eta;
+        let is_inside = depth - bound >= -tolerance.eta;
+        is_proven &= is_apart && is_inside;
+        is_hopeless |= (!is_apart && bound < tolerance.tau) || (!is_inside && bound < tolerance.bounds_tau);
     }
     if is_proven {
         return None;

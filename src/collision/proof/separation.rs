@@ -14,15 +14,20 @@
 //! **The slack.** A test passes only where its terms sum to no more than about 2 S, S the largest coordinate plus the reach.
 //! As W has no cancelling terms, L_j summing to at most S gives h |v| < 3 S and h^2 |a| / 2 < 3 S then, so that each of
 //! the roughly 30 roundings costs less than 8 S times 2^-53: below 3e-14 S in all. Unit vectors are rotated once a level,
-//! at most 50 times, each within 3 times 2^-53: 2e-14 S. The slack is 1e-12 S.
+//! at most 50 times, each within 3 times 2^-53: 2e-14 S. Absolute angles are sums of up to eight joints: of circles up to
+//! 26 radians, with limits up to 800, rounded to 4e-13 at worst. The slack is 1e-12 S.
 
 use super::{Motion, Setting};
+use crate::collision::Tolerance;
 use crate::collision::obstacles::{Face, Solid};
 use crate::geometry::{Aabb, Point, Segment, Vector};
 use crate::robot::MAX_LINKS;
 
 /// From this half-length on, directions that fail are followed by a look at the distance.
 const DISTANCE_FROM: f64 = 0.125;
+
+/// How many stretches may be open before the proof goes on depth-first.
+const WIDEST: usize = 1024;
 
 /// A link and an obstacle not yet known to be apart.
 #[derive(Debug, Clone, Copy)]
@@ -92,8 +97,16 @@ pub(in crate::collision) fn is_free(setting: &Setting, motion: &Motion, work: &m
     proof.work.stretches.push(root);
     let mut next = 0;
     while next < proof.work.stretches.len() {
-        let stretch = proof.work.stretches[next];
-        next += 1;
+        let stretch = if proof.work.stretches.len() - next > WIDEST {
+            // Too many stretches are open to keep them all: from here on, the last one first. Lists behind its own belong to
+            // stretches already done.
+            let last = proof.work.stretches.pop().expect("some are left");
+            proof.work.pairs.truncate(last.pairs.1);
+            last
+        } else {
+            next += 1;
+            proof.work.stretches[next - 1]
+        };
         match proof.look(&stretch, Order::MiddleFirst) {
             Look::Free => {}
             Look::Refused => return false,
@@ -329,7 +342,9 @@ impl<'a> Proof<'a> {
         if answer == Answer::Apart {
             return false;
         }
-        if bound < self.setting.tolerance.tau || (answer == Answer::Touching && order == Order::MiddleFirst) {
+        let Tolerance { tau, bounds_tau, .. } = self.setting.tolerance;
+        let finest = if pair.obstacle == BOUNDS { bounds_tau } else { tau };
+        if bound < finest || (answer == Answer::Touching && order == Order::MiddleFirst) {
             return true;
         }
         self.work.pairs.push(pair);

@@ -1,43 +1,11 @@
 //! What a scenario document may hold, what is refused, with which code and where, and how it is written again.
 
-use planarium::Error;
+#[path = "common/documents.rs"]
+mod documents;
+
+use documents::{ARM, DISC, refusal, with};
 use planarium::scenario::{FORMAT, LARGEST, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Robot, Scenario};
 use wasm_bindgen_test::wasm_bindgen_test;
-
-/// A document with every field that a scenario with an arm may have.
-const ARM: &str = r#"{
-  "format": "planarium-scenario-1", "name": "arm", "title": "An arm",
-  "world": {
-    "bounds": {"min": [-3, -3], "max": [3, 3]},
-    "obstacles": [
-      {"type": "disc", "center": [2, 0], "radius": 0.25},
-      {"type": "polygon", "vertices": [[1, 1], [2, 1], [2, 2], [1.5, 1.25], [1, 2]]}
-    ]
-  },
-  "robot": {"type": "arm", "base": [0, 0], "links": [1, 0.5], "radius": 0.05, "joint_limits": [[-1, 1], [-2, 2]]},
-  "queries": [{"name": "first", "start": [-1, 0], "goal": [1, 2]}, {"name": "second", "start": [0, 0], "goal": [0, 1]}]
-}"#;
-
-/// A document with every field that a scenario with a disc may have.
-const DISC: &str = r#"{
-  "format": "planarium-scenario-1", "name": "disc", "title": "A disc",
-  "world": {"bounds": {"min": [0, 0], "max": [2, 2]}, "obstacles": [{"type": "disc", "center": [1, 1], "radius": 0.5}]},
-  "robot": {"type": "disc", "radius": 0.1},
-  "queries": [{"name": "across", "start": [0.2, 0.2], "goal": [1.8, 1.8]}]
-}"#;
-
-/// A change to the first place where a piece of a document stands.
-fn with(document: &str, piece: &str, replacement: &str) -> String {
-    assert!(document.contains(piece), "{piece} does not stand in {document}");
-    document.replacen(piece, replacement, 1)
-}
-
-fn refusal(document: &str) -> Error {
-    match Scenario::parse(document) {
-        Err(error) => error,
-        Ok(_) => panic!("this was accepted: {}", &document[..document.len().min(2000)]),
-    }
-}
 
 /// Replacement for a piece of a document; the code, the pointer, and a part of the sentence that must come of it.
 type Case = (&'static str, &'static str, &'static str, &'static str, &'static str);

@@ -1,15 +1,12 @@
 //! A planar arm of revolute joints: a chain of capsules from a fixed base.
 
 use super::Part;
-use super::disc::not_finite;
+use super::range::{LARGEST, check_radius, check_range, not_finite};
 use crate::error::{Code, Error};
 use crate::geometry::Point;
 
 /// The largest number of links an arm may have.
 pub const MAX_LINKS: usize = 8;
-
-/// The largest coordinate, length or radius that a scenario may contain, in metres.
-const LARGEST: f64 = 1e6;
 
 /// An arm of 1 to [`MAX_LINKS`] links. A configuration holds one angle a joint, in radians, counter-clockwise, each
 /// relative to the link before. Links may overlap each other. A joint without limits is a circle; with limits it is an
@@ -120,23 +117,6 @@ impl Arm {
         }
         travel
     }
-}
-
-/// Refuses what is not a finite number within [low, 1e6].
-fn check_range(pointer: &str, what: &str, value: f64, low: f64) -> Result<(), Error> {
-    if !value.is_finite() {
-        return Err(not_finite(pointer, what, value));
-    }
-    if !(low..=LARGEST).contains(&value) {
-        let sentence = format!("{what} must lie within [{low}, {LARGEST}], not {value}");
-        return Err(Error::new(Code::OutOfRange, pointer, sentence));
-    }
-    Ok(())
-}
-
-/// Refuses a radius that is not a finite number within [0, 1e6].
-pub(super) fn check_radius(radius: f64) -> Result<(), Error> {
-    check_range("/radius", "a radius", radius, 0.0)
 }
 
 /// Refuses limits that are not one increasing pair a link within [-100, 100].

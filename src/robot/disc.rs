@@ -1,7 +1,8 @@
 //! A disc that translates; a point where its radius is 0.
 
 use super::Part;
-use crate::error::{Code, Error};
+use super::range::check_radius;
+use crate::error::Error;
 use crate::geometry::Point;
 
 /// A disc robot. A configuration is the centre (x, y), in metres.
@@ -16,7 +17,7 @@ impl DiscRobot {
     /// # Errors
     /// `not-finite` or `out-of-range` (pointer `/radius`) where the radius is not a finite number from 0 to 1e6.
     pub fn new(radius: f64) -> Result<Self, Error> {
-        super::arm::check_radius(radius)?;
+        check_radius(radius)?;
         Ok(Self { radius: radius + 0.0 })
     }
 
@@ -32,9 +33,4 @@ impl DiscRobot {
     pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
         vec![Part::Disc { center: Point::new(q[0], q[1]), radius: self.radius }]
     }
-}
-
-/// The error for a coordinate, length or radius that is not finite.
-pub(super) fn not_finite(pointer: &str, what: &str, value: f64) -> Error {
-    Error::new(Code::NotFinite, pointer, format!("{what} must be a finite number, not {value}"))
 }

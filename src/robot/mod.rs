@@ -5,7 +5,9 @@
 mod arm;
 mod disc;
 mod footprint;
+mod range;
 
 pub use arm::{Arm, MAX_LINKS};
 pub use disc::DiscRobot;
 pub use footprint::Part;
+pub use range::LARGEST;

@@ -28,7 +28,7 @@ pub fn start(scenario: &Scenario, options: &Options) -> Result<Box<dyn Run>, Err
     let info = planner_info(&options.planner)?;
     options.check_seed()?;
     let parameters = Parameters::resolve(info.parameters, &options.parameters)?;
-    let query = options.find_query(scenario)?;
+    let (place, query) = options.find_query(scenario)?;
     let ticket = Ticket {
         scenario: scenario.name().to_owned(),
         query: query.name.clone(),
@@ -37,7 +37,6 @@ pub fn start(scenario: &Scenario, options: &Options) -> Result<Box<dyn Run>, Err
         max_iterations: parameters.integer("max_iterations") as u32,
         shortcuts: parameters.integer("shortcut"),
     };
-    let place = scenario.queries().iter().position(|q| q.name == query.name).unwrap_or(0);
     let launch = Launch { scenario, parameters, ticket, ends: [&query.start, &query.goal] };
     // Entries past the dimension are 0 and change no bit: three sizes serve arms of 1 to 8 links.
     let run = match scenario.robot() {

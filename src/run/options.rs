@@ -26,16 +26,14 @@ impl Default for Options {
 }
 
 impl Options {
-    /// The query that is meant.
+    /// The query that is meant, and its place among the scenario's.
     ///
     /// # Errors
     /// `unknown-query`, pointer `/query`, naming those that exist.
-    pub fn find_query<'a>(&self, scenario: &'a Scenario) -> Result<&'a Query, Error> {
+    pub fn find_query<'a>(&self, scenario: &'a Scenario) -> Result<(usize, &'a Query), Error> {
         let queries = scenario.queries();
-        let found = match &self.query {
-            Some(name) => queries.iter().find(|query| query.name == *name),
-            None => queries.first(),
-        };
+        let is_meant = |query: &Query| self.query.as_ref().is_none_or(|name| query.name == *name);
+        let found = queries.iter().enumerate().find(|(_, query)| is_meant(query));
         found.ok_or_else(|| {
             let known: Vec<&str> = queries.iter().map(|query| query.name.as_str()).collect();
             let sentence = match &self.query {

@@ -18,9 +18,7 @@ pub const MAX_OBSTACLES: usize = 10_000;
 /// The most vertices that the polygons of a scenario may have together, as written.
 pub const MAX_VERTICES: usize = 100_000;
 
-/// The largest coordinate, length or radius, in metres, and the largest angle of a circle joint, in radians (some 159,000
-/// turns; beyond, an angle no longer says much about a direction).
-pub const LARGEST: f64 = 1e6;
+pub use crate::robot::LARGEST;
 
 /// What a document may hold.
 const FIELDS: &[&str] = &["format", "name", "title", "world", "robot", "queries"];

@@ -84,6 +84,5 @@ pub(super) fn number(name: &str, value: &JsValue) -> Result<f64, JsValue> {
 
 /// The JSON tree of a plain object.
 pub(super) fn node(object: JsValue) -> Result<Node, JsValue> {
-    serde_wasm_bindgen::from_value(object)
-        .map_err(|error| throw(Error::new(Code::InvalidJson, "", format!("this is not a JSON value: {error}"))))
+    Node::read(serde_wasm_bindgen::Deserializer::from(object)).map_err(throw)
 }

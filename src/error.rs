@@ -140,7 +140,7 @@ impl Code {
             Code::UnknownPlanner => "No planner has that id.",
             Code::UnknownParameter => "There is no parameter of that name.",
             Code::UnknownGenerator => "Nothing of that name can be generated.",
-            Code::Unsupported => "What was asked needs another robot.",
+            Code::Unsupported => "What was asked needs another robot or another planner.",
             Code::File => "A file cannot be read or written (command line only).",
             Code::InvalidResult => "A result does not hold what the contract of results asks for.",
             Code::Usage => "The arguments do not make sense (command line only).",

@@ -11,7 +11,7 @@
 //!
 //! # The house, and the rule of its arrows
 //! From the ground up: [`error`], [`random`], [`geometry`], [`validity`]; on them [`space`] and [`robot`]; on those
-//! [`scenario`] and [`collision`], [`problem`]; [`graph`], [`nearest`], [`path`]; then [`planner`]; then [`run`] and
+//! [`scenario`] and [`collision`], [`problem`]; [`sampling`], [`graph`], [`nearest`], [`path`]; then [`planner`]; then [`run`] and
 //! [`inspect`]; and last the bindings and the command line. A room names only rooms below it: a planner sees a space and the
 //! trait [`validity::Validity`], never a robot, a scenario or a shape. The core reads no clock, prints nothing, keeps no
 //! global and calls nothing back. A test holds this against the code.
@@ -34,6 +34,7 @@ pub mod random;
 pub mod result;
 pub mod robot;
 pub mod run;
+pub mod sampling;
 pub mod scenario;
 pub mod space;
 pub mod stats;

@@ -4,30 +4,57 @@ use crate::error::{Code, Error};
 use crate::space::Space;
 use crate::validity::{Contact, Validity};
 
+/// A lower bound on the distance between two states in the metric of the space.
+pub type Estimate<S> = Box<dyn Fn(&S, &S) -> f64>;
+
 /// A planning problem whose start and goal are free.
-#[derive(Debug, Clone)]
-pub struct Problem<S: Space, V> {
+pub struct Problem<S: Space> {
     space: S,
-    validity: V,
+    validity: Box<dyn Validity<S::State>>,
     start: S::State,
     goal: S::State,
+    end_effector: Option<Estimate<S::State>>,
 }
 
-impl<S: Space, V: Validity<S::State>> Problem<S, V> {
+impl<S: Space> Problem<S> {
     /// The problem of moving from `start` to `goal`.
     ///
     /// # Errors
     /// `start-in-collision` or `goal-in-collision`, naming every part that touches something and what it touches.
-    pub fn new(space: S, validity: V, start: S::State, goal: S::State) -> Result<Self, Error> {
-        for (state, what, code) in [(&start, "start", Code::StartInCollision), (&goal, "goal", Code::GoalInCollision)] {
-            let contacts = validity.contacts(state);
-            if !contacts.is_empty() {
-                let q = space.coordinates(state);
-                let sentence = format!("the {what} {q:?} is in collision: {}", enumerate(&contacts));
-                return Err(Error::new(code, format!("/{what}"), sentence));
-            }
+    pub fn new(
+        space: S,
+        validity: Box<dyn Validity<S::State>>,
+        start: S::State,
+        goal: S::State,
+    ) -> Result<Self, Error> {
+        let problem = Self { space, validity, start, goal, end_effector: None };
+        problem.check_ends(&start, &goal)?;
+        Ok(problem)
+    }
+
+    /// The same with an estimate of distances from how far apart the end effector is: never above the distance.
+    #[must_use]
+    pub fn with_end_effector(self, estimate: Estimate<S::State>) -> Self {
+        Self { end_effector: Some(estimate), ..self }
+    }
+
+    /// Refuses a start or a goal that is in collision.
+    ///
+    /// # Errors
+    /// As [`Problem::new`]; the pointer is `/start` or `/goal`.
+    pub fn check_ends(&self, start: &S::State, goal: &S::State) -> Result<(), Error> {
+        self.refuse_collision(start, "start", Code::StartInCollision)?;
+        self.refuse_collision(goal, "goal", Code::GoalInCollision)
+    }
+
+    fn refuse_collision(&self, state: &S::State, what: &str, code: Code) -> Result<(), Error> {
+        let contacts = self.validity.contacts(state);
+        if contacts.is_empty() {
+            return Ok(());
         }
-        Ok(Self { space, validity, start, goal })
+        let q = self.space.coordinates(state);
+        let sentence = format!("the {what} {q:?} is in collision: {}", enumerate(&contacts));
+        Err(Error::new(code, format!("/{what}"), sentence))
     }
 
     /// The configuration space.
@@ -36,8 +63,8 @@ impl<S: Space, V: Validity<S::State>> Problem<S, V> {
     }
 
     /// What is free.
-    pub fn validity(&self) -> &V {
-        &self.validity
+    pub fn validity(&self) -> &dyn Validity<S::State> {
+        &*self.validity
     }
 
     /// Where the motion starts.
@@ -48,6 +75,11 @@ impl<S: Space, V: Validity<S::State>> Problem<S, V> {
     /// Where the motion is to end.
     pub fn goal(&self) -> &S::State {
         &self.goal
+    }
+
+    /// The estimate of distances from the end effector; `None` where the robot has none.
+    pub fn end_effector(&self) -> Option<&Estimate<S::State>> {
+        self.end_effector.as_ref()
     }
 }
 

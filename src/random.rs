@@ -18,6 +18,8 @@ pub enum Stream {
     Scenario = 1,
     /// Which shortcuts of a path are tried.
     Shortcut = 2,
+    /// When a tree reaches for the goal.
+    Bias = 3,
 }
 
 /// A stream of random numbers.
@@ -43,6 +45,18 @@ impl Random {
     pub fn uniform(&mut self) -> f64 {
         const UNIT: f64 = 1.0 / (1u64 << 53) as f64;
         (self.bits() >> 11) as f64 * UNIT
+    }
+
+    /// A number from the standard normal distribution (Marsaglia and Bray 1964, "A convenient method for generating normal
+    /// variables"; the second number of a pair is not kept).
+    pub fn normal(&mut self) -> f64 {
+        loop {
+            let (x, y) = (2.0 * self.uniform() - 1.0, 2.0 * self.uniform() - 1.0);
+            let square = x * x + y * y;
+            if square > 0.0 && square < 1.0 {
+                return x * (-2.0 * libm::log(square) / square).sqrt();
+            }
+        }
     }
 
     /// A whole number from 0 to `n` - 1, all equally likely (Lemire 2019, "Fast random integer generation in an

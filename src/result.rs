@@ -31,10 +31,41 @@ pub struct ResultDocument {
     /// A hash over every vertex, edge and event; 16 lower-case hex digits in JSON.
     #[serde(serialize_with = "write_fingerprint")]
     pub fingerprint: u64,
+    /// `sampled` where edges were only looked at in places: the path is not proven. Absent where it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub edge_check: Option<String>,
+    /// The estimated share of the free space that a visibility roadmap covers; absent for other planners.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub coverage: Option<f64>,
+    /// How far an RRT came that gave up; absent otherwise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub approximate: Option<Approximate>,
+}
+
+/// An approximate answer: the path to the vertex nearest to the goal. It does not reach the goal.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Approximate {
+    /// The waypoints from the start on.
+    pub path: Vec<Vec<f64>>,
+    /// How far from the goal it ends, in the metric of the space.
+    pub goal_distance: f64,
 }
 
 /// The fields of a result.
-const FIELDS: &[&str] = &["scenario", "query", "planner", "seed", "status", "path", "length", "stats", "fingerprint"];
+const FIELDS: &[&str] = &[
+    "scenario",
+    "query",
+    "planner",
+    "seed",
+    "status",
+    "path",
+    "length",
+    "stats",
+    "fingerprint",
+    "edge_check",
+    "coverage",
+    "approximate",
+];
 
 /// The fields of its counts.
 const STATS: &[&str] = &[
@@ -74,6 +105,9 @@ impl ResultDocument {
             length: fields.required("length")?.number_within("a length", 0.0, f64::MAX)?,
             stats: stats(fields.required("stats")?)?,
             fingerprint: fingerprint(fields.required("fingerprint")?)?,
+            edge_check: fields.optional("edge_check").map(|word| word.string().map(str::to_owned)).transpose()?,
+            coverage: fields.optional("coverage").map(|share| share.number_within("a share", 0.0, 1.0)).transpose()?,
+            approximate: fields.optional("approximate").map(approximate).transpose()?,
         })
     }
 
@@ -108,6 +142,16 @@ fn stats(value: Reader) -> Result<Stats, Error> {
         clearance_evaluations: count("clearance_evaluations")?,
         build_seconds: seconds("build_seconds")?,
         search_seconds: seconds("search_seconds")?,
+    })
+}
+
+fn approximate(value: Reader) -> Result<Approximate, Error> {
+    let fields = value.object()?;
+    fields.only(&["path", "goal_distance"])?;
+    let path = fields.required("path")?.items()?.map(|waypoint| waypoint.numbers()).collect::<Result<_, _>>()?;
+    Ok(Approximate {
+        path,
+        goal_distance: fields.required("goal_distance")?.number_within("a distance", 0.0, f64::MAX)?,
     })
 }
 

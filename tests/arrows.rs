@@ -19,10 +19,11 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("collision", &["geometry", "robot", "scenario", "space", "validity"]),
     ("problem", &["error", "space", "validity"]),
     ("graph", &["space"]),
-    ("nearest", &["graph", "space"]),
+    ("nearest", &["graph", "random", "space"]),
     ("result", &["error", "random", "scenario", "stats", "status"]),
     ("path", &["error", "geometry", "problem", "random", "result", "robot", "scenario", "space", "status", "validity"]),
-    ("planner", &["error", "graph", "nearest", "problem", "random", "space", "status", "validity"]),
+    ("sampling", &["problem", "random", "space"]),
+    ("planner", &["error", "graph", "nearest", "problem", "random", "sampling", "space", "status"]),
     (
         "run",
         &[
@@ -35,6 +36,7 @@ const HOUSE: &[(&str, &[&str])] = &[
             "random",
             "result",
             "robot",
+            "sampling",
             "scenario",
             "space",
             "stats",

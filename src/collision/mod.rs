@@ -14,9 +14,11 @@ mod arm;
 mod disc;
 mod obstacles;
 mod proof;
+mod sampled;
 mod tolerance;
 
 pub use arm::{ArmValidity, joint_space};
 pub use disc::DiscValidity;
 pub use obstacles::Obstacles;
+pub use sampled::Sampled;
 pub use tolerance::Tolerance;

@@ -13,6 +13,10 @@ pub enum EventKind {
     VertexExpanded = 2,
     /// A solution was found at the vertex.
     SolutionFound = 3,
+    /// A free sample was thrown away: it connects to nothing, or to nothing new; the state is the sample.
+    SampleDiscarded = 4,
+    /// The vertex became a guard of a visibility roadmap.
+    GuardAdded = 5,
 }
 
 /// One event.

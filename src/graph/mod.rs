@@ -7,10 +7,12 @@ mod adjacency;
 mod event;
 mod fingerprint;
 pub mod search;
+mod union_find;
 
 pub use adjacency::Adjacency;
 pub use event::{Event, EventKind};
 pub use fingerprint::Fingerprint;
+pub use union_find::UnionFind;
 
 use crate::space::Space;
 

@@ -3,6 +3,7 @@
 mod linear;
 
 pub use linear::LinearScan;
+pub use linear::LinearScan as Index;
 
 use crate::graph::VertexId;
 use crate::space::Space;
@@ -41,5 +42,12 @@ pub trait Nearest<S: Space> {
     fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour>;
 
     /// The `k` vertices nearest to `state` (all, where there are fewer), nearest first, into `found`.
+    /// within
+    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
+        self.k_nearest(space, state, self.len(), found);
+        found.retain(|n| n.distance <= radius);
+    }
+
+    /// k
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>);
 }

@@ -1,9 +1,12 @@
-//! Paths: length, splitting, proven shortcuts, and the independent judge.
+//! Paths: length, splitting, proven improvements, and the independent judge.
 
+mod improve;
+mod partial_shortcut;
+mod reduce;
 mod shortcut;
 mod verify;
 
-pub use shortcut::Shortcut;
+pub use improve::{Improvement, Wanted};
 pub use verify::{Verdict, verify};
 
 use crate::space::Space;
@@ -18,12 +21,13 @@ pub fn length<S: Space>(space: &S, path: &[S::State]) -> f64 {
     path.windows(2).map(|pair| space.distance(&pair[0], &pair[1])).sum::<f64>() + 0.0
 }
 
-/// The same path with steps that turn a circle joint by more than [`LONGEST_TURN`] halved.
+/// The same path with steps that turn a joint by more than [`LONGEST_TURN`] cut into equal ones that do not.
 pub fn split<S: Space>(space: &S, path: &[S::State]) -> Vec<S::State> {
     let mut split: Vec<S::State> = path.first().copied().into_iter().collect();
     for pair in path.windows(2) {
-        if space.turn(&pair[0], &pair[1]) > LONGEST_TURN {
-            split.push(space.interpolate(&pair[0], &pair[1], 0.5));
+        let pieces = libm::ceil(space.sweep(&pair[0], &pair[1]) / LONGEST_TURN);
+        for piece in 1..pieces as u32 {
+            split.push(space.interpolate(&pair[0], &pair[1], f64::from(piece) / pieces));
         }
         split.push(pair[1]);
     }

@@ -1,6 +1,7 @@
 //! The planners that exist, with their parameters: the one table that help texts, documents and controls are made from.
 
 use super::parameters::{Fallback, Kind, ParameterInfo};
+use super::table::PLANNERS;
 use crate::error::{Code, Error};
 use serde::Serialize;
 
@@ -52,9 +53,18 @@ struct ParameterRow {
     min: Option<f64>,
     max: Option<f64>,
     choices: Option<&'static [&'static str]>,
-    default: Option<f64>,
+    default: Option<Default>,
     default_meaning: Option<&'static str>,
     meaning: &'static str,
+}
+
+/// A default, as it is written.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+enum Default {
+    Number(f64),
+    Text(&'static str),
+    Off(bool),
 }
 
 /// The table of planners, to be written.
@@ -73,9 +83,12 @@ fn parameter_row(info: &ParameterInfo) -> ParameterRow {
         Kind::Integer { min, max } => ("integer", Some(min), Some(max), None),
         Kind::Number { min, max } => ("number", Some(min), Some(max), None),
         Kind::Choice(words) => ("choice", None, None, Some(words)),
+        Kind::Switch => ("boolean", None, None, None),
     };
     let (default, default_meaning) = match info.default {
-        Fallback::Number(number) => (Some(number), None),
+        Fallback::Number(number) => (Some(Default::Number(number)), None),
+        Fallback::Text(word) => (Some(Default::Text(word)), None),
+        Fallback::Off => (Some(Default::Off(false)), None),
         Fallback::Computed(words) => (None, Some(words)),
     };
     let ParameterInfo { name, title, unit, meaning, .. } = *info;
@@ -87,81 +100,3 @@ pub const DEFAULT_PLANNER: &str = "rrt-connect";
 
 /// The tolerance taken where none is given, as a fraction of the world's longer side.
 pub const DEFAULT_TOLERANCE: f64 = 1e-4;
-
-const PLANNERS: [PlannerInfo; 2] = [
-    PlannerInfo {
-        id: "prm",
-        title: "k-PRM",
-        summary: "Scatters free samples, joins each to its nearest neighbours, then searches the roadmap.",
-        parameters: &[SAMPLES, K, SHORTCUT, METRIC, TOLERANCE, MAX_ITERATIONS],
-    },
-    PlannerInfo {
-        id: "rrt-connect",
-        title: "RRT-Connect",
-        summary: "Grows one tree from the start and one from the goal, each reaching for the other, until they meet.",
-        parameters: &[STEP, SHORTCUT, METRIC, TOLERANCE, MAX_ITERATIONS],
-    },
-];
-
-const SAMPLES: ParameterInfo = ParameterInfo {
-    name: "samples",
-    title: "Samples",
-    kind: Kind::Integer { min: 0.0, max: 1e6 },
-    unit: "",
-    default: Fallback::Number(2000.0),
-    meaning: "How many free samples become vertices of the roadmap, besides start and goal.",
-};
-
-const K: ParameterInfo = ParameterInfo {
-    name: "k",
-    title: "Neighbours",
-    kind: Kind::Integer { min: 1.0, max: 1000.0 },
-    unit: "",
-    default: Fallback::Number(15.0),
-    meaning: "To how many of its nearest neighbours each vertex is joined, where the motion is free.",
-};
-
-const STEP: ParameterInfo = ParameterInfo {
-    name: "step",
-    title: "Step",
-    kind: Kind::Number { min: 1e-6, max: 1e7 },
-    unit: "distance in the metric",
-    default: Fallback::Computed("a fifth of the largest distance in the space"),
-    meaning: "The longest edge: how far a tree grows towards a sample at once; at least a 10,000th of the largest distance.",
-};
-
-const SHORTCUT: ParameterInfo = ParameterInfo {
-    name: "shortcut",
-    title: "Shortcuts",
-    kind: Kind::Integer { min: 0.0, max: 1e6 },
-    unit: "",
-    default: Fallback::Number(0.0),
-    meaning: "How many proven shortcuts are tried on the path once it is found.",
-};
-
-const METRIC: ParameterInfo = ParameterInfo {
-    name: "metric",
-    title: "Metric",
-    kind: Kind::Choice(&["sum", "euclidean"]),
-    unit: "",
-    default: Fallback::Computed("sum for arms, euclidean for discs"),
-    meaning: "How the distances of an arm's joints make one: their sum, or the root of their squares; a disc is always Euclidean.",
-};
-
-const TOLERANCE: ParameterInfo = ParameterInfo {
-    name: "tolerance",
-    title: "Tolerance",
-    kind: Kind::Number { min: 1e-9, max: 0.1 },
-    unit: "of the world's longer side",
-    default: Fallback::Number(DEFAULT_TOLERANCE),
-    meaning: "A motion that stays this near to an obstacle may be refused unproven; none that touches one is ever accepted.",
-};
-
-const MAX_ITERATIONS: ParameterInfo = ParameterInfo {
-    name: "max_iterations",
-    title: "Iterations at most",
-    kind: Kind::Integer { min: 1.0, max: 4e9 },
-    unit: "",
-    default: Fallback::Number(100_000.0),
-    meaning: "After how many iterations without a path the planner gives up.",
-};

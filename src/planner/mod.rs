@@ -6,19 +6,27 @@
 mod catalogue;
 mod parameters;
 mod prm;
+mod query;
+mod roadmap;
+mod rrt;
 mod rrt_connect;
+mod table;
+mod visibility_prm;
 
 pub use catalogue::{DEFAULT_PLANNER, DEFAULT_TOLERANCE, PlannerInfo, PlannerRow, catalogue, planner_info, planners};
 pub use parameters::{Fallback, Kind, ParameterInfo, Parameters, Value};
-pub use prm::Prm;
+pub use prm::{Order, Prm, PrmOptions, logarithmic_k, prm_star_k};
+pub use query::{Algorithm, Cost, Heuristic, SearchRules};
+pub use roadmap::{Answer, Connection, Roadmap};
+pub use rrt::{Extend, GoalBias, Rrt, RrtOptions};
 pub use rrt_connect::RrtConnect;
+pub use visibility_prm::VisibilityPrm;
 
 pub use crate::status::Status;
 
 use crate::graph::{Graph, VertexId};
 use crate::problem::Problem;
 use crate::space::Space;
-use crate::validity::Validity;
 
 /// What a planner has asked so far.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -37,7 +45,7 @@ pub struct Counters {
 pub trait Planner<S: Space> {
     /// Does one iteration, number `iteration` (from 1): a sample tried, a vertex connected, a vertex expanded, with a bounded
     /// number of motion checks. Called only while the status is `Running`.
-    fn iterate<V: Validity<S::State>>(&mut self, problem: &Problem<S, V>, iteration: u32) -> Status;
+    fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status;
 
     /// What the planner is busy with, in a word.
     fn phase(&self) -> &'static str;
@@ -50,4 +58,19 @@ pub trait Planner<S: Space> {
 
     /// What was asked so far.
     fn counters(&self) -> Counters;
+
+    /// The vertices of the path from the start to the vertex nearest to the goal, of planners that have one; else empty.
+    fn approximate_path(&self) -> Vec<VertexId> {
+        Vec::new()
+    }
+
+    /// The estimated share of the free space that the roadmap covers, of planners that know.
+    fn coverage(&self) -> Option<f64> {
+        None
+    }
+
+    /// The roadmap, of planners that build one: it answers further questions.
+    fn roadmap(&mut self) -> Option<&mut Roadmap<S>> {
+        None
+    }
 }

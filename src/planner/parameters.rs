@@ -21,6 +21,8 @@ pub enum Kind {
     },
     /// One of a few words.
     Choice(&'static [&'static str]),
+    /// True or false.
+    Switch,
 }
 
 /// What a parameter is when it is not given.
@@ -28,6 +30,10 @@ pub enum Kind {
 pub enum Fallback {
     /// This number.
     Number(f64),
+    /// This word.
+    Text(&'static str),
+    /// False: switches are off unless they are turned on.
+    Off,
     /// What depends on the space, told in words.
     Computed(&'static str),
 }
@@ -84,7 +90,8 @@ impl std::fmt::Display for Value {
 /// Values for every parameter of one planner: those given, checked, and the defaults for the rest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameters {
-    values: Vec<(&'static str, Option<Value>)>,
+    /// Name, value, whether it was given.
+    values: Vec<(&'static str, Option<Value>, bool)>,
 }
 
 impl Parameters {
@@ -95,9 +102,11 @@ impl Parameters {
     pub fn resolve(table: &[ParameterInfo], given: &[(String, Value)]) -> Result<Self, Error> {
         let default = |info: &ParameterInfo| match info.default {
             Fallback::Number(number) => Some(Value::Number(number)),
+            Fallback::Text(word) => Some(Value::Text(word.to_owned())),
+            Fallback::Off => Some(Value::Boolean(false)),
             Fallback::Computed(_) => None,
         };
-        let mut values: Vec<_> = table.iter().map(|info| (info.name, default(info))).collect();
+        let mut values: Vec<_> = table.iter().map(|info| (info.name, default(info), false)).collect();
         for (i, (name, value)) in given.iter().enumerate() {
             let Some(at) = table.iter().position(|info| info.name == name) else {
                 let known = table.iter().map(|info| info.name).collect::<Vec<_>>().join(", ");
@@ -108,7 +117,7 @@ impl Parameters {
                 return Err(Error::new(Code::DuplicateField, pointer(name), format!("{name} is given twice")));
             }
             check(&table[at], value)?;
-            values[at].1 = Some(value.clone());
+            (values[at].1, values[at].2) = (Some(value.clone()), true);
         }
         Ok(Self { values })
     }
@@ -145,8 +154,24 @@ impl Parameters {
         }
     }
 
+    /// Whether the switch is on.
+    ///
+    /// # Panics
+    /// Where the planner has no such parameter, or it is not a switch.
+    pub fn is_on(&self, name: &str) -> bool {
+        match self.get(name) {
+            Some(Value::Boolean(on)) => *on,
+            other => unreachable!("{name} is not a switch but {other:?}"),
+        }
+    }
+
+    /// Whether a value was given for the parameter; false where the planner has none of that name.
+    pub fn is_given(&self, name: &str) -> bool {
+        self.values.iter().any(|(known, _, given)| *known == name && *given)
+    }
+
     fn get(&self, name: &str) -> Option<&Value> {
-        let found = self.values.iter().find(|(known, _)| *known == name);
+        let found = self.values.iter().find(|(known, ..)| *known == name);
         found.unwrap_or_else(|| unreachable!("no parameter {name}")).1.as_ref()
     }
 }
@@ -176,6 +201,8 @@ fn check(info: &ParameterInfo, value: &Value) -> Result<(), Error> {
         (Kind::Integer { .. } | Kind::Number { .. }, _) => {
             fail(Code::WrongType, format!("{name} must be a number, not {value}"))
         }
+        (Kind::Switch, Value::Boolean(_)) => Ok(()),
+        (Kind::Switch, _) => fail(Code::WrongType, format!("{name} must be true or false, not {value}")),
         (Kind::Choice(words), Value::Text(text)) if words.contains(&text.as_str()) => Ok(()),
         (Kind::Choice(words), _) => {
             let code = if matches!(value, Value::Text(_)) { Code::OutOfRange } else { Code::WrongType };

@@ -1,101 +1,193 @@
-//! k-PRM: the probabilistic roadmap whose vertices are joined to their k nearest neighbours.
+//! The probabilistic roadmap: k-PRM, PRM with a radius, and PRM*, which is k-PRM with a k that grows as it must.
 //!
 //! Kavraki, Svestka, Latombe and Overmars 1996, "Probabilistic roadmaps for path planning in high-dimensional configuration
-//! spaces"; LaValle 2006, "Planning Algorithms", section 5.6. In batch: first all samples, then all edges, every pair
-//! tried once, then one search. Start and goal are the first two vertices.
+//! spaces"; LaValle 2006, "Planning Algorithms", section 5.6; Karaman and Frazzoli 2011, "Sampling-based algorithms for
+//! optimal motion planning". Start and goal are the first two vertices.
 
+use super::query::{Query, SearchRules};
+use super::roadmap::{Connection, Roadmap, START, Searched};
 use super::{Counters, Planner, Status};
-use crate::graph::search::{AStar, Expansion};
-use crate::graph::{Adjacency, Event, EventKind, Graph, VertexId};
-use crate::nearest::{LinearScan, Nearest, Neighbour};
+use crate::graph::{EventKind, Graph, VertexId};
+use crate::nearest::Neighbour;
 use crate::problem::Problem;
-use crate::random::{Random, Stream};
+use crate::sampling::{Known, Sampler};
 use crate::space::Space;
-use crate::validity::Validity;
 
-/// The start is vertex 0.
-const START: VertexId = VertexId(0);
-/// The goal is vertex 1.
-const GOAL: VertexId = VertexId(1);
+/// When samples are joined to their neighbours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Order {
+    /// First all samples, then all edges, every pair tried once.
+    Batch,
+    /// Each sample at once, to its neighbours among those before it.
+    OneByOne {
+        /// Whether a sample that connects to nothing is thrown away.
+        discard: bool,
+    },
+}
+
+/// How a roadmap is built.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PrmOptions {
+    /// How many free samples become vertices.
+    pub samples: usize,
+    /// To which neighbours a vertex is joined, k at least 1.
+    pub connection: Connection,
+    /// When.
+    pub order: Order,
+    /// How it is searched.
+    pub rules: SearchRules,
+}
+
+/// The k of PRM* for a finished batch of `vertices` vertices: the least whole number above e (1 + 1/d) ln n.
+pub fn prm_star_k(vertices: usize, dimension: usize) -> usize {
+    let factor = std::f64::consts::E * (1.0 + 1.0 / dimension as f64);
+    libm::floor(factor * libm::log(vertices as f64)) as usize + 1
+}
+
+/// The k of a course report for as many vertices: ln n, rounded up.
+pub fn logarithmic_k(vertices: usize) -> usize {
+    (libm::ceil(libm::log(vertices as f64)) as usize).max(1)
+}
 
 /// The planner. An iteration tries one sample, connects one vertex to its neighbours, or expands one vertex in the search.
-#[derive(Debug, Clone)]
 pub struct Prm<S: Space> {
-    samples: usize,
-    k: usize,
-    random: Random,
-    graph: Graph<S>,
-    nearest: LinearScan<S>,
-    /// For every vertex already connected its k-th neighbour, and so which later vertices it has tried.
+    roadmap: Roadmap<S>,
+    vertices: usize,
+    order: Order,
+    sampler: Box<dyn Sampler<S>>,
+    /// For every vertex already connected its last neighbour, and so which later vertices it has tried.
     farthest: Vec<Neighbour>,
     neighbours: Vec<Neighbour>,
     phase: Phase,
-    counters: Counters,
 }
 
-#[derive(Debug, Clone)]
 enum Phase {
     Sampling,
-    Connecting { next: VertexId },
-    Searching { adjacency: Adjacency, search: AStar },
-    Done { path: Vec<VertexId> },
+    /// The next vertex to connect, and the one after the last.
+    Connecting {
+        next: VertexId,
+        end: VertexId,
+    },
+    Searching(Query),
+    Done {
+        path: Vec<VertexId>,
+    },
 }
 
 impl<S: Space> Prm<S> {
-    /// A roadmap of `samples` free samples, each joined to its `k` nearest neighbours, k at least 1.
-    pub fn new<V: Validity<S::State>>(problem: &Problem<S, V>, samples: usize, k: usize, seed: u64) -> Self {
+    /// A planner at its beginning.
+    pub fn new(problem: &Problem<S>, options: &PrmOptions, sampler: Box<dyn Sampler<S>>) -> Self {
+        let roadmap = Roadmap::new(problem, options.connection, options.rules);
         let mut prm = Self {
-            samples,
-            k,
-            random: Random::new(seed, Stream::Samples),
-            graph: Graph::default(),
-            nearest: LinearScan::new(),
+            roadmap,
+            vertices: options.samples + 2,
+            order: options.order,
+            sampler,
             farthest: Vec::new(),
             neighbours: Vec::new(),
             phase: Phase::Sampling,
-            counters: Counters::default(),
         };
-        prm.add_vertex(problem.space(), 0, *problem.start());
-        prm.add_vertex(problem.space(), 0, *problem.goal());
-        prm.finish_sampling();
+        prm.finish_sampling(problem.space());
         prm
     }
 
-    fn add_vertex(&mut self, space: &S, iteration: u32, state: S::State) {
-        let vertex = self.graph.add_vertex(iteration, state);
-        self.nearest.insert(space, vertex, state);
+    /// A planner whose roadmap exists: `states` and `edges` between them come after start and goal, which are then joined to
+    /// their neighbours.
+    pub fn resume(
+        problem: &Problem<S>,
+        options: &PrmOptions,
+        sampler: Box<dyn Sampler<S>>,
+        states: &[S::State],
+        edges: &[[u32; 2]],
+    ) -> Self {
+        let samples = states.len();
+        let mut prm = Self::new(problem, &PrmOptions { samples, ..*options }, sampler);
+        let offset = prm.roadmap.graph.states().len() as u32;
+        for state in states {
+            prm.roadmap.add_vertex(problem.space(), 0, *state);
+        }
+        for &[from, to] in edges {
+            prm.roadmap.graph.add_edge(0, VertexId(from + offset), VertexId(to + offset));
+        }
+        prm.phase = Phase::Connecting { next: START, end: VertexId(offset) };
+        prm
     }
 
-    /// Goes on to connecting once there are enough samples.
-    fn finish_sampling(&mut self) {
-        if self.graph.states().len() == self.samples + 2 {
-            self.phase = Phase::Connecting { next: START };
+    /// Goes on once there are enough samples.
+    fn finish_sampling(&mut self, space: &S) {
+        if self.roadmap.graph.states().len() < self.vertices {
+            return;
         }
+        self.phase = match self.order {
+            Order::Batch => Phase::Connecting { next: START, end: VertexId(self.vertices as u32) },
+            Order::OneByOne { .. } => Phase::Searching(self.roadmap.begin_search(space)),
+        };
     }
 
     /// Tries one sample.
-    fn sample<V: Validity<S::State>>(&mut self, problem: &Problem<S, V>, iteration: u32) {
-        let state = problem.space().sample(&mut self.random);
-        self.counters.configuration_checks += 1;
-        if problem.validity().is_free(&state) {
-            self.add_vertex(problem.space(), iteration, state);
-            self.finish_sampling();
-        } else {
-            let kind = EventKind::SampleRejected;
-            self.graph.add_event(Event { kind, iteration, vertex: None, other: None, state });
+    fn sample(&mut self, problem: &Problem<S>, iteration: u32) {
+        let checks = &mut self.roadmap.counters.configuration_checks;
+        let sample = self.sampler.draw(problem, checks);
+        let is_free = match sample.known {
+            Known::Free => true,
+            Known::Useless => false,
+            Known::Nothing => {
+                *checks += 1;
+                problem.validity().is_free(&sample.state)
+            }
+        };
+        if !is_free {
+            return self.roadmap.turn_away(EventKind::SampleRejected, iteration, sample.state);
         }
+        match self.order {
+            Order::Batch => {
+                self.roadmap.add_vertex(problem.space(), iteration, sample.state);
+            }
+            Order::OneByOne { discard } => self.insert(problem, iteration, sample.state, discard),
+        }
+        self.finish_sampling(problem.space());
     }
 
-    /// Tries the motions from one vertex to its k nearest neighbours, but for pairs that were tried from the other side.
-    fn connect<V: Validity<S::State>>(&mut self, problem: &Problem<S, V>, iteration: u32, vertex: VertexId) {
-        let state = *self.graph.state(vertex);
-        self.counters.nearest_queries += 1;
-        self.nearest.k_nearest(problem.space(), &state, self.k + 1, &mut self.neighbours);
+    /// Joins a sample to its neighbours among the vertices so far.
+    fn insert(&mut self, problem: &Problem<S>, iteration: u32, state: S::State, discard: bool) {
+        self.roadmap.neighbours(problem.space(), &state, false, &mut self.neighbours);
+        if !discard {
+            let vertex = self.roadmap.add_vertex(problem.space(), iteration, state);
+            for neighbour in &self.neighbours {
+                self.roadmap.try_edge(problem, iteration, vertex, neighbour.vertex);
+            }
+            return;
+        }
+        // Whether there will be a vertex is known only after its edges are.
+        let (roadmap, graph) = (&mut self.roadmap, &self.neighbours);
+        let mut joined = Vec::new();
+        for neighbour in graph {
+            let other = *roadmap.graph.state(neighbour.vertex);
+            if roadmap.is_motion_free(problem, &state, &other) {
+                joined.push(neighbour.vertex);
+            }
+        }
+        if joined.is_empty() {
+            return roadmap.turn_away(EventKind::SampleDiscarded, iteration, state);
+        }
+        let vertex = roadmap.add_vertex(problem.space(), iteration, state);
+        joined.into_iter().for_each(|other| roadmap.graph.add_edge(iteration, vertex, other));
+    }
+
+    /// Tries the motions from one vertex to its neighbours, but for pairs that were tried from the other side.
+    fn connect(&mut self, problem: &Problem<S>, iteration: u32, vertex: VertexId) {
+        let Connection { k, radius } = self.roadmap.connection();
+        let state = *self.roadmap.graph.state(vertex);
+        self.roadmap.neighbours(problem.space(), &state, true, &mut self.neighbours);
         match self.neighbours.iter().position(|neighbour| neighbour.vertex == vertex) {
             Some(own) => drop(self.neighbours.remove(own)),
-            None => self.neighbours.truncate(self.k),
+            None => self.neighbours.truncate(k),
         }
-        let farthest = self.neighbours.last().copied().unwrap_or(Neighbour { distance: 0.0, vertex });
+        let farthest = match self.neighbours.last() {
+            Some(&last) if self.neighbours.len() == k => last,
+            // Fewer than k: all within the radius were tried.
+            _ => Neighbour { distance: radius, vertex: VertexId(u32::MAX) },
+        };
         self.farthest.push(farthest);
         for neighbour in &self.neighbours {
             let other = neighbour.vertex;
@@ -104,66 +196,35 @@ impl<S: Space> Prm<S> {
             if other < vertex && !self.farthest[other.index()].is_before(&back) {
                 continue;
             }
-            self.counters.motion_checks += 1;
-            let target = *self.graph.state(other);
-            if problem.validity().is_motion_free(&state, &target) {
-                self.graph.add_edge(iteration, vertex, other);
-            } else {
-                let kind = EventKind::EdgeRefused;
-                self.graph.add_event(Event {
-                    kind,
-                    iteration,
-                    vertex: Some(vertex),
-                    other: Some(other),
-                    state: target,
-                });
-            }
-        }
-    }
-
-    /// Begins the search for the cheapest path on the finished roadmap.
-    fn begin_search(&self, space: &S) -> Phase {
-        let vertices = self.graph.states().len();
-        let estimate = space.distance(self.graph.state(START), self.graph.state(GOAL));
-        Phase::Searching {
-            adjacency: Adjacency::new(vertices, self.graph.edges()),
-            search: AStar::new(vertices, START, GOAL, estimate),
+            self.roadmap.try_edge(problem, iteration, vertex, other);
         }
     }
 }
 
 impl<S: Space> Planner<S> for Prm<S> {
-    fn iterate<V: Validity<S::State>>(&mut self, problem: &Problem<S, V>, iteration: u32) -> Status {
+    fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
         match &mut self.phase {
             Phase::Sampling => self.sample(problem, iteration),
-            Phase::Connecting { next } => {
+            Phase::Connecting { next, end } => {
                 let vertex = *next;
                 *next = VertexId(vertex.0 + 1);
-                let is_last = next.index() == self.graph.states().len();
+                let is_last = next == end;
                 self.connect(problem, iteration, vertex);
                 if is_last {
-                    self.phase = self.begin_search(problem.space());
+                    self.phase = Phase::Searching(self.roadmap.begin_search(problem.space()));
                 }
             }
-            Phase::Searching { adjacency, search } => {
-                let (space, graph) = (problem.space(), &self.graph);
-                let distance = |a: VertexId, b: VertexId| space.distance(graph.state(a), graph.state(b));
-                let (vertex, kind, path) = match search.step(adjacency, distance, |v| distance(v, GOAL)) {
-                    Expansion::Vertex(vertex) => (vertex, EventKind::VertexExpanded, None),
-                    Expansion::Goal => (GOAL, EventKind::SolutionFound, Some(search.path())),
-                    Expansion::Nothing => {
-                        self.phase = Phase::Done { path: Vec::new() };
-                        return Status::Exhausted;
-                    }
-                };
-                self.counters.visited += 1;
-                let state = *self.graph.state(vertex);
-                self.graph.add_event(Event { kind, iteration, vertex: Some(vertex), other: None, state });
-                if let Some(path) = path {
+            Phase::Searching(query) => match self.roadmap.search(problem, iteration, query) {
+                Searched::On => {}
+                Searched::Path(path) => {
                     self.phase = Phase::Done { path };
                     return Status::Solved;
                 }
-            }
+                Searched::InVain => {
+                    self.phase = Phase::Done { path: Vec::new() };
+                    return Status::Exhausted;
+                }
+            },
             Phase::Done { path } => return if path.is_empty() { Status::Exhausted } else { Status::Solved },
         }
         Status::Running
@@ -179,7 +240,7 @@ impl<S: Space> Planner<S> for Prm<S> {
     }
 
     fn graph(&self) -> &Graph<S> {
-        &self.graph
+        &self.roadmap.graph
     }
 
     fn path(&self) -> Vec<VertexId> {
@@ -187,6 +248,10 @@ impl<S: Space> Planner<S> for Prm<S> {
     }
 
     fn counters(&self) -> Counters {
-        self.counters
+        self.roadmap.counters
+    }
+
+    fn roadmap(&mut self) -> Option<&mut Roadmap<S>> {
+        Some(&mut self.roadmap)
     }
 }

@@ -7,22 +7,20 @@
 
 use super::{Counters, Planner, Status};
 use crate::graph::{Event, EventKind, Graph, VertexId};
-use crate::nearest::{LinearScan, Nearest};
+use crate::nearest::{Index, Nearest};
 use crate::problem::Problem;
-use crate::random::{Random, Stream};
+use crate::sampling::{Known, Sampler};
 use crate::space::Space;
-use crate::validity::Validity;
 
 /// The planner. An iteration takes one sample: one extension, then one greedy connection of at most extent / step motions.
-#[derive(Debug, Clone)]
 pub struct RrtConnect<S: Space> {
     step: f64,
-    random: Random,
+    sampler: Box<dyn Sampler<S>>,
     graph: Graph<S>,
     /// The parent of every vertex; roots have none.
     parents: Vec<Option<VertexId>>,
     /// The start's tree, then the goal's.
-    trees: [LinearScan<S>; 2],
+    trees: [Index<S>; 2],
     /// Where the trees met: a vertex of the start's tree, one of the goal's.
     bridge: Option<[VertexId; 2]>,
     counters: Counters,
@@ -40,13 +38,13 @@ enum Growth<S> {
 
 impl<S: Space> RrtConnect<S> {
     /// Two trees with edges of length `step` at most, in the metric of the space, greater than 0.
-    pub fn new<V: Validity<S::State>>(problem: &Problem<S, V>, step: f64, seed: u64) -> Self {
+    pub fn new(problem: &Problem<S>, step: f64, sampler: Box<dyn Sampler<S>>) -> Self {
         let mut planner = Self {
             step,
-            random: Random::new(seed, Stream::Samples),
+            sampler,
             graph: Graph::default(),
             parents: Vec::new(),
-            trees: [LinearScan::new(), LinearScan::new()],
+            trees: [Index::new(), Index::new()],
             bridge: None,
             counters: Counters::default(),
         };
@@ -80,9 +78,9 @@ impl<S: Space> RrtConnect<S> {
     }
 
     /// Grows a tree from one of its vertices by one step towards the target.
-    fn grow<V: Validity<S::State>>(
+    fn grow(
         &mut self,
-        problem: &Problem<S, V>,
+        problem: &Problem<S>,
         iteration: u32,
         tree: usize,
         from: VertexId,
@@ -106,13 +104,7 @@ impl<S: Space> RrtConnect<S> {
     }
 
     /// Grows a tree step by step towards a vertex of the other tree; answers the vertex next to it on arrival.
-    fn connect<V: Validity<S::State>>(
-        &mut self,
-        problem: &Problem<S, V>,
-        iteration: u32,
-        tree: usize,
-        target: VertexId,
-    ) -> Option<VertexId> {
+    fn connect(&mut self, problem: &Problem<S>, iteration: u32, tree: usize, target: VertexId) -> Option<VertexId> {
         let state = *self.graph.state(target);
         let mut from = self.nearest(problem.space(), tree, &state);
         loop {
@@ -126,13 +118,19 @@ impl<S: Space> RrtConnect<S> {
 }
 
 impl<S: Space> Planner<S> for RrtConnect<S> {
-    fn iterate<V: Validity<S::State>>(&mut self, problem: &Problem<S, V>, iteration: u32) -> Status {
+    fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
         if self.bridge.is_some() {
             return Status::Solved;
         }
         let space = problem.space();
         let tree = usize::from(self.trees[1].len() < self.trees[0].len());
-        let sample = space.sample(&mut self.random);
+        let sample = self.sampler.draw(problem, &mut self.counters.configuration_checks);
+        if sample.known == Known::Useless {
+            let (kind, state) = (EventKind::SampleRejected, sample.state);
+            self.graph.add_event(Event { kind, iteration, vertex: None, other: None, state });
+            return Status::Running;
+        }
+        let sample = sample.state;
         let near = self.nearest(space, tree, &sample);
         let added = match self.grow(problem, iteration, tree, near, &sample) {
             Growth::Refused => return Status::Running,

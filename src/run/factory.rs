@@ -1,23 +1,17 @@
-//! From a scenario and options to a run: the one place where names become types.
+//! From a scenario and options to a run: where the names of robots become types.
 
+use super::choices;
 use super::runner::{Runner, Ticket};
 use super::{Options, Run};
-use crate::collision::{ArmValidity, DiscValidity, joint_space};
+use crate::collision::{ArmValidity, DiscValidity, Sampled, joint_space};
 use crate::error::{Code, Error};
-use crate::planner::{Parameters, Prm, RrtConnect, planner_info};
-use crate::problem::Problem;
+use crate::path::Wanted;
+use crate::planner::{Parameters, planner_info};
+use crate::problem::{Estimate, Problem};
 use crate::robot::{Arm, DiscRobot};
 use crate::scenario::{Robot, Scenario};
-use crate::space::{Euclidean, Metric, Space};
+use crate::space::{Euclidean, Metric, Space, Torus};
 use crate::validity::Validity;
-
-/// Of the space's extent, the step taken where none is given.
-const DEFAULT_STEP: f64 = 0.2;
-/// Of the space's extent, the smallest step: it bounds the motions of one greedy connection.
-const SMALLEST_STEP: f64 = 1e-4;
-
-/// The most motions that a roadmap may try: it keeps what became of each.
-const MOST_MOTIONS: u64 = 20_000_000;
 
 /// Begins a run.
 ///
@@ -35,7 +29,12 @@ pub fn start(scenario: &Scenario, options: &Options) -> Result<Box<dyn Run>, Err
         planner: info.id,
         seed: options.seed,
         max_iterations: parameters.integer("max_iterations") as u32,
-        shortcuts: parameters.integer("shortcut"),
+        wanted: Wanted {
+            reduce: parameters.is_on("reduce"),
+            shortcuts: parameters.integer("shortcut"),
+            partial_shortcuts: parameters.integer("partial_shortcut"),
+        },
+        is_sampled: parameters.text("edge_check") == Some("sampled"),
     };
     let launch = Launch { scenario, parameters, ticket, ends: [&query.start, &query.goal] };
     // Entries past the dimension are 0 and change no bit: three sizes serve arms of 1 to 8 links.
@@ -61,29 +60,33 @@ struct Launch<'a> {
 
 impl Launch<'_> {
     fn arm<const N: usize>(self, arm: &Arm) -> Result<Box<dyn Run>, Error> {
-        let metric = match self.parameters.text("metric") {
-            Some("euclidean") => Metric::Euclidean,
-            _ => Metric::Sum,
+        let (metric, is_naive) = match self.parameters.text("metric") {
+            Some("euclidean") => (Metric::Euclidean, false),
+            Some("naive") => (Metric::Euclidean, true),
+            _ => (Metric::Sum, false),
         };
-        let space = joint_space::<N>(arm, metric);
+        let space: Torus<N> = joint_space(arm, metric);
+        let space = if is_naive { space.cut_open() } else { space };
         let [start, goal] = self.ends.map(|q| space.state(q));
         let validity = ArmValidity::new(arm, space.clone(), self.scenario.world(), self.tolerance());
-        let problem = Problem::new(space, validity.fitted(&start, &goal), start, goal)?;
-        self.plan(problem)
+        let validity = Box::new(validity.fitted(&start, &goal));
+        let estimate = from_end_effector(arm, metric);
+        self.plan(space, validity, [start, goal], Box::new(move |a, b| estimate(a, b)))
     }
 
     fn disc(self, disc: &DiscRobot) -> Result<Box<dyn Run>, Error> {
-        if self.parameters.text("metric") == Some("sum") {
-            let sentence = "the metric of a disc is always euclidean, not \"sum\"";
+        if let Some(word @ ("sum" | "naive")) = self.parameters.text("metric") {
+            let sentence = format!("the metric of a disc is always euclidean, not {word:?}");
             return Err(Error::new(Code::OutOfRange, "/metric", sentence));
         }
         let world = self.scenario.world();
         let bounds = world.bounds.expect("a disc has bounds");
         let corner = |p: crate::geometry::Point| [p.x, p.y];
         let space = Euclidean::new(corner(bounds.min), corner(bounds.max));
-        let [start, goal] = self.ends.map(|q| space.state(q));
-        let problem = Problem::new(space, DiscValidity::new(disc, world), start, goal)?;
-        self.plan(problem)
+        let ends = self.ends.map(|q| space.state(q));
+        let measure = space.clone();
+        let validity = Box::new(DiscValidity::new(disc, world));
+        self.plan(space, validity, ends, Box::new(move |a, b| measure.distance(a, b)))
     }
 
     /// The wanted tolerance, as a fraction of the world's longer side.
@@ -91,39 +94,38 @@ impl Launch<'_> {
         self.parameters.number("tolerance").expect("the tolerance has a fixed default")
     }
 
-    fn plan<S, V>(self, problem: Problem<S, V>) -> Result<Box<dyn Run>, Error>
-    where
-        S: Space + 'static,
-        V: Validity<S::State> + 'static,
-    {
-        let (parameters, seed) = (&self.parameters, self.ticket.seed);
-        match self.ticket.planner {
-            "prm" => {
-                let (samples, k) = (parameters.integer("samples"), parameters.integer("k"));
-                if samples * k > MOST_MOTIONS {
-                    let sentence = format!("samples times k must be at most {MOST_MOTIONS}, not {samples} times {k}");
-                    return Err(Error::new(Code::OutOfRange, "/samples", sentence));
-                }
-                let planner = Prm::new(&problem, samples as usize, k as usize, seed);
-                Ok(Box::new(Runner::new(problem, planner, self.ticket)))
-            }
-            "rrt-connect" => {
-                let step = step(parameters, problem.space().extent())?;
-                let planner = RrtConnect::new(&problem, step, seed);
-                Ok(Box::new(Runner::new(problem, planner, self.ticket)))
-            }
-            other => unreachable!("the catalogue lists {other}, the factory does not"),
-        }
+    fn plan<S: Space + Clone + 'static>(
+        self,
+        space: S,
+        proven: Box<dyn Validity<S::State>>,
+        [start, goal]: [S::State; 2],
+        end_effector: Estimate<S::State>,
+    ) -> Result<Box<dyn Run>, Error> {
+        let validity: Box<dyn Validity<S::State>> = if self.ticket.is_sampled {
+            let places = self.parameters.integer("edge_samples") as u32;
+            Box::new(Sampled::new(space.clone(), proven, places))
+        } else {
+            proven
+        };
+        let problem = Problem::new(space, validity, start, goal)?.with_end_effector(end_effector);
+        let planner = choices::planner(self.ticket.planner, &self.parameters, &problem, self.ticket.seed)?;
+        Ok(Box::new(Runner::new(problem, planner, self.ticket)))
     }
 }
 
-/// The step given, or the default for a space of this extent.
-fn step(parameters: &Parameters, extent: f64) -> Result<f64, Error> {
-    let Some(step) = parameters.number("step") else { return Ok(DEFAULT_STEP * extent) };
-    let smallest = SMALLEST_STEP * extent;
-    if step < smallest {
-        let sentence = format!("step must be at least {smallest}, a 10,000th of the space's extent, not {step}");
-        return Err(Error::new(Code::OutOfRange, "/step", sentence));
+/// How far apart two configurations of the arm are at least, from where the end effector is: joint j turns what lies beyond
+/// it, which reaches r_j at most, so the end effector moves at most sum r_j |turn j|, which is at most r_1 times their sum,
+/// and at most the root of sum r_j^2 times the root of the sum of their squares (Cauchy and Schwarz).
+fn from_end_effector<const N: usize>(arm: &Arm, metric: Metric) -> impl Fn(&[f64; N], &[f64; N]) -> f64 + use<N> {
+    let arm = arm.clone();
+    let (mut reach, mut squares) = (0.0, 0.0);
+    for length in arm.links().iter().rev() {
+        reach += length;
+        squares += reach * reach;
     }
-    Ok(step)
+    let furthest = if metric == Metric::Sum { reach } else { f64::sqrt(squares) };
+    move |a, b| {
+        let tip = |q: &[f64; N]| arm.end_effector(&q[..arm.links().len()]);
+        (tip(a) - tip(b)).norm() / furthest
+    }
 }

@@ -1,8 +1,10 @@
 //! One planning run behind one object-safe face: what the bindings and the command line hold.
 //!
-//! Inside, planner, space and validity are generic and compiled for each combination; outside, a `Box<dyn Run>` costs one
-//! virtual call a slice.
+//! Inside, planners are generic over the space and compiled for each; outside, a `Box<dyn Run>` costs one virtual call a
+//! slice. In between, a planner is asked once an iteration and the world once a check, by virtual calls that are lost in the
+//! work they do: so a planner is compiled once a space, whatever the robot.
 
+mod choices;
 mod factory;
 mod options;
 mod runner;
@@ -12,6 +14,7 @@ pub use options::Options;
 
 pub use crate::planner::{PlannerInfo, Status, Value, planners};
 
+use crate::error::Error;
 use crate::result::ResultDocument;
 use crate::stats::Stats;
 
@@ -23,10 +26,13 @@ pub trait Run {
     /// Does at most `iterations` iterations, and nothing once the status is no longer `Running`.
     fn step(&mut self, iterations: u64) -> Status;
 
+    /// Takes the path as it is, where it is being improved; else does nothing.
+    fn finish(&mut self) -> Status;
+
     /// Where the run stands.
     fn status(&self) -> Status;
 
-    /// What the run is busy with: a planner's phase, `shortcutting`, or `done`.
+    /// What the run is busy with: a planner's phase, `improving`, or `done`.
     fn phase(&self) -> &'static str;
 
     /// Iterations made so far.
@@ -70,4 +76,13 @@ pub trait Run {
 
     /// All of it as a document; seconds are 0.
     fn result(&self) -> ResultDocument;
+
+    /// Asks the roadmap for another path, as far as it is built: joins start and goal to their neighbours and searches. The
+    /// roadmap stays as it was, unless the two are to be kept as its last vertices. The document's query is named `asked`, its
+    /// path is not improved.
+    ///
+    /// # Errors
+    /// `unsupported` where the planner builds none; with the pointer `/start` or `/goal`: `wrong-dimension`, `not-finite`,
+    /// `out-of-range`, `start-in-collision`, `goal-in-collision`.
+    fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error>;
 }

@@ -1,13 +1,16 @@
-//! A planner at work on a problem, its path shortened afterwards where that is asked for.
+//! A planner at work on a problem, its path improved afterwards where that is asked for.
 
 use super::{EVENT_HEAD, Run};
-use crate::path::{self, Shortcut};
+use crate::error::{Code, Error};
+use crate::path::{self, Improvement, Wanted};
 use crate::planner::{Planner, Status};
 use crate::problem::Problem;
-use crate::result::ResultDocument;
+use crate::result::{Approximate, ResultDocument};
 use crate::space::Space;
 use crate::stats::Stats;
-use crate::validity::Validity;
+
+/// The name under which the answer to a further question stands.
+const ASKED: &str = "asked";
 
 /// The names and numbers that a run carries into its result.
 #[derive(Debug, Clone)]
@@ -17,32 +20,32 @@ pub(super) struct Ticket {
     pub planner: &'static str,
     pub seed: u64,
     pub max_iterations: u32,
-    pub shortcuts: u64,
+    pub wanted: Wanted,
+    pub is_sampled: bool,
 }
 
 /// The run of one planner on one problem.
-pub(super) struct Runner<S: Space, V, P> {
-    problem: Problem<S, V>,
-    planner: P,
+pub(super) struct Runner<S: Space> {
+    problem: Problem<S>,
+    planner: Box<dyn Planner<S>>,
     ticket: Ticket,
     /// Iterations of the planner.
     iteration: u32,
     status: Status,
-    /// The path and how many attempts at shortening it were made, once the planner has solved the problem.
-    shortcut: Option<(Shortcut<S>, u64)>,
+    /// The path being improved, once the planner has solved the problem.
+    improvement: Option<Improvement<S>>,
 }
 
-impl<S: Space, V: Validity<S::State>, P: Planner<S>> Runner<S, V, P> {
-    pub(super) fn new(problem: Problem<S, V>, planner: P, ticket: Ticket) -> Self {
-        Self { problem, planner, ticket, iteration: 0, status: Status::Running, shortcut: None }
+impl<S: Space> Runner<S> {
+    pub(super) fn new(problem: Problem<S>, planner: Box<dyn Planner<S>>, ticket: Ticket) -> Self {
+        Self { problem, planner, ticket, iteration: 0, status: Status::Running, improvement: None }
     }
 
-    /// One iteration: of the planner, or an attempt at shortening its path.
+    /// One iteration: of the planner, or an attempt at improving its path.
     fn iterate(&mut self) {
-        let Some((shortcut, attempts)) = &mut self.shortcut else { return self.iterate_planner() };
-        shortcut.attempt(&self.problem);
-        *attempts += 1;
-        if *attempts == self.ticket.shortcuts {
+        let Some(improvement) = &mut self.improvement else { return self.iterate_planner() };
+        improvement.attempt(&self.problem);
+        if improvement.is_done() {
             self.status = Status::Solved;
         }
     }
@@ -54,10 +57,11 @@ impl<S: Space, V: Validity<S::State>, P: Planner<S>> Runner<S, V, P> {
             Status::Solved => {
                 let graph = self.planner.graph();
                 let path = self.planner.path().into_iter().map(|vertex| *graph.state(vertex)).collect();
-                self.shortcut = Some((Shortcut::new(path, self.ticket.seed), 0));
-                if self.ticket.shortcuts > 0 {
+                let improvement = Improvement::new(path, self.ticket.wanted, self.ticket.seed);
+                if !improvement.is_done() {
                     self.status = Status::Running;
                 }
+                self.improvement = Some(improvement);
             }
             Status::Running if self.iteration == self.ticket.max_iterations => self.status = Status::Exhausted,
             Status::Running | Status::Exhausted => {}
@@ -66,14 +70,47 @@ impl<S: Space, V: Validity<S::State>, P: Planner<S>> Runner<S, V, P> {
 
     /// The path as it is emitted; empty until solved.
     fn states(&self) -> Vec<S::State> {
-        match &self.shortcut {
-            Some((shortcut, _)) if self.status == Status::Solved => path::split(self.problem.space(), shortcut.path()),
+        match &self.improvement {
+            Some(improvement) if self.status == Status::Solved => path::split(self.problem.space(), improvement.path()),
             _ => Vec::new(),
+        }
+    }
+
+    fn rows(&self, states: &[S::State]) -> Vec<Vec<f64>> {
+        states.iter().map(|state| self.problem.space().coordinates(state).to_vec()).collect()
+    }
+
+    /// The path to the vertex nearest to the goal, of planners that have one, where they gave up.
+    fn approximate(&self) -> Option<Approximate> {
+        let vertices = self.planner.approximate_path();
+        if self.status != Status::Exhausted || vertices.is_empty() {
+            return None;
+        }
+        let (space, graph) = (self.problem.space(), self.planner.graph());
+        let states: Vec<S::State> = vertices.into_iter().map(|vertex| *graph.state(vertex)).collect();
+        let goal_distance = space.distance(&states[states.len() - 1], self.problem.goal());
+        Some(Approximate { path: self.rows(&path::split(space, &states)), goal_distance })
+    }
+
+    fn document(&self, query: &str, status: Status, path: &[S::State]) -> ResultDocument {
+        ResultDocument {
+            scenario: self.ticket.scenario.clone(),
+            query: query.to_owned(),
+            planner: self.ticket.planner.to_owned(),
+            seed: self.ticket.seed,
+            status,
+            path: self.rows(path),
+            length: path::length(self.problem.space(), path),
+            stats: self.stats(),
+            fingerprint: self.fingerprint(),
+            edge_check: self.ticket.is_sampled.then(|| "sampled".to_owned()),
+            coverage: self.planner.coverage(),
+            approximate: None,
         }
     }
 }
 
-impl<S: Space, V: Validity<S::State>, P: Planner<S>> Run for Runner<S, V, P> {
+impl<S: Space> Run for Runner<S> {
     fn step(&mut self, iterations: u64) -> Status {
         let mut left = iterations;
         while left > 0 && self.status == Status::Running {
@@ -83,20 +120,27 @@ impl<S: Space, V: Validity<S::State>, P: Planner<S>> Run for Runner<S, V, P> {
         self.status
     }
 
+    fn finish(&mut self) -> Status {
+        if self.improvement.is_some() {
+            self.status = Status::Solved;
+        }
+        self.status
+    }
+
     fn status(&self) -> Status {
         self.status
     }
 
     fn phase(&self) -> &'static str {
-        match (&self.shortcut, self.status) {
-            (Some(_), Status::Running) => "shortcutting",
+        match (&self.improvement, self.status) {
+            (Some(_), Status::Running) => "improving",
             (None, Status::Running) => self.planner.phase(),
             _ => "done",
         }
     }
 
     fn iterations(&self) -> u64 {
-        u64::from(self.iteration) + self.shortcut.as_ref().map_or(0, |(_, attempts)| *attempts)
+        u64::from(self.iteration) + self.improvement.as_ref().map_or(0, Improvement::attempts)
     }
 
     fn max_iterations(&self) -> u64 {
@@ -143,7 +187,7 @@ impl<S: Space, V: Validity<S::State>, P: Planner<S>> Run for Runner<S, V, P> {
     }
 
     fn path(&self) -> Vec<Vec<f64>> {
-        self.states().iter().map(|state| self.problem.space().coordinates(state).to_vec()).collect()
+        self.rows(&self.states())
     }
 
     fn length(&self) -> f64 {
@@ -152,13 +196,13 @@ impl<S: Space, V: Validity<S::State>, P: Planner<S>> Run for Runner<S, V, P> {
 
     fn stats(&self) -> Stats {
         let counters = self.planner.counters();
-        let shortcut_checks = self.shortcut.as_ref().map_or(0, |(shortcut, _)| shortcut.motion_checks());
+        let improvement_checks = self.improvement.as_ref().map_or(0, Improvement::motion_checks);
         Stats {
             iterations: self.iterations(),
             vertices: self.vertex_count() as u64,
             edges: self.edge_count() as u64,
             configuration_checks: counters.configuration_checks,
-            motion_checks: counters.motion_checks + shortcut_checks,
+            motion_checks: counters.motion_checks + improvement_checks,
             nearest_queries: counters.nearest_queries,
             visited: counters.visited,
             clearance_evaluations: self.problem.validity().clearance_evaluations(),
@@ -172,16 +216,39 @@ impl<S: Space, V: Validity<S::State>, P: Planner<S>> Run for Runner<S, V, P> {
     }
 
     fn result(&self) -> ResultDocument {
-        ResultDocument {
-            scenario: self.ticket.scenario.clone(),
-            query: self.ticket.query.clone(),
-            planner: self.ticket.planner.to_owned(),
-            seed: self.ticket.seed,
-            status: self.status,
-            path: self.path(),
-            length: self.length(),
-            stats: self.stats(),
-            fingerprint: self.fingerprint(),
+        let document = self.document(&self.ticket.query, self.status, &self.states());
+        ResultDocument { approximate: self.approximate(), ..document }
+    }
+
+    fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error> {
+        let space = self.problem.space();
+        for (q, what) in [(start, "start"), (goal, "goal")] {
+            if q.len() != space.dimension() {
+                let sentence = format!("the {what} must have {} numbers, not {}", space.dimension(), q.len());
+                return Err(Error::new(Code::WrongDimension, format!("/{what}"), sentence));
+            }
+            if let Some(i) = q.iter().position(|x| !x.is_finite() || x.abs() > crate::scenario::LARGEST) {
+                let sentence = format!("the {what} has {} for coordinate {i}", q[i]);
+                let code = if q[i].is_finite() { Code::OutOfRange } else { Code::NotFinite };
+                return Err(Error::new(code, format!("/{what}/{i}"), sentence));
+            }
         }
+        let ends = [start, goal].map(|q| space.state(q));
+        for (end, what) in ends.iter().zip(["start", "goal"]) {
+            if !space.contains(end) {
+                let sentence = format!("the {what} {:?} lies outside the limits", space.coordinates(end));
+                return Err(Error::new(Code::OutOfRange, format!("/{what}"), sentence));
+            }
+        }
+        self.problem.check_ends(&ends[0], &ends[1])?;
+        let keep = keep.then_some(self.iteration);
+        let Some(roadmap) = self.planner.roadmap() else {
+            let sentence = format!("{} builds no roadmap that could be asked again", self.ticket.planner);
+            return Err(Error::new(Code::Unsupported, "", sentence));
+        };
+        let answer = roadmap.answer(&self.problem, ends, keep);
+        let status = if answer.path.is_empty() { Status::Exhausted } else { Status::Solved };
+        let path = path::split(self.problem.space(), &answer.path);
+        Ok(self.document(ASKED, status, &path))
     }
 }

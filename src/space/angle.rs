@@ -8,6 +8,12 @@ pub fn wrap(angle: f64) -> f64 {
     if rest <= -PI { PI } else { rest + 0.0 }
 }
 
+/// The angle in [0, 2 pi) that differs from the finite `angle` by whole turns, to a rounding.
+pub fn unwind(angle: f64) -> f64 {
+    let rest = libm::remainder(angle, TAU);
+    if rest >= 0.0 { rest + 0.0 } else { (rest + TAU).min(TAU.next_down()) }
+}
+
 /// The distance between two angles the short way round, in [0, pi]; any finite angles, any number of turns.
 ///
 /// ```

@@ -1,7 +1,6 @@
 //! Euclidean space within a closed box.
 
 use super::Space;
-use crate::random::Random;
 
 /// A closed box of `N` dimensions with the Euclidean metric; straight motions. Coordinates in metres.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,8 +55,8 @@ impl<const N: usize> Space for Euclidean<N> {
         std::array::from_fn(|i| a[i] + t * (b[i] - a[i]) + 0.0)
     }
 
-    fn sample(&self, random: &mut Random) -> [f64; N] {
-        std::array::from_fn(|i| self.low[i] + (self.high[i] - self.low[i]) * random.uniform() + 0.0)
+    fn at(&self, place: &[f64]) -> [f64; N] {
+        std::array::from_fn(|i| self.low[i] + (self.high[i] - self.low[i]) * place[i] + 0.0)
     }
 
     fn contains(&self, state: &[f64; N]) -> bool {

@@ -7,11 +7,14 @@ mod angle;
 mod euclidean;
 mod torus;
 
-pub use angle::{angular_distance, wrap};
+pub use angle::{angular_distance, unwind, wrap};
 pub use euclidean::Euclidean;
 pub use torus::{Joint, Metric, Torus};
 
 use crate::random::Random;
+
+/// The most numbers that a configuration has.
+pub const MAX_DIMENSION: usize = 8;
 
 /// A configuration space.
 pub trait Space {
@@ -36,8 +39,19 @@ pub trait Space {
     /// The state a fraction `t` in [0, 1] along the motion from `a` to `b`; exactly `a` at 0 and `b` at 1.
     fn interpolate(&self, a: &Self::State, b: &Self::State, t: f64) -> Self::State;
 
+    /// The state at a place of the unit cube [0, 1)^dimension: a place drawn uniformly gives a state drawn uniformly.
+    ///
+    /// # Panics
+    /// Where there are fewer numbers than `dimension`.
+    fn at(&self, place: &[f64]) -> Self::State;
+
     /// A state drawn uniformly.
-    fn sample(&self, random: &mut Random) -> Self::State;
+    fn sample(&self, random: &mut Random) -> Self::State {
+        let mut place = [0.0; MAX_DIMENSION];
+        let place = &mut place[..self.dimension()];
+        place.iter_mut().for_each(|unit| *unit = random.uniform());
+        self.at(place)
+    }
 
     /// Whether the state lies within the limits of the space.
     fn contains(&self, state: &Self::State) -> bool;
@@ -47,4 +61,10 @@ pub trait Space {
 
     /// The largest turn of a circle joint between the two states, in radians; 0 without circle joints.
     fn turn(&self, a: &Self::State, b: &Self::State) -> f64;
+
+    /// The largest turn of any joint whose angles mean the same a whole turn later, in radians: what bounds the steps of
+    /// an emitted path, which is driven the short way round. [`Space::turn`] but where a circle was cut open.
+    fn sweep(&self, a: &Self::State, b: &Self::State) -> f64 {
+        self.turn(a, b)
+    }
 }

@@ -1,14 +1,19 @@
 //! The space of an arm: a product of circles, and of intervals where joints have limits.
 
-use super::{Space, wrap};
-use crate::random::Random;
+use super::{Space, unwind, wrap};
 use std::f64::consts::{PI, TAU};
+
+/// The largest angle below 2 pi.
+const LAST: f64 = TAU.next_down();
 
 /// One joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Joint {
     /// Turns without end; angles in (-pi, pi], differences the short way round.
     Circle,
+    /// A circle cut open at 0: angles in [0, 2 pi), linear, nothing wraps. The naive way to measure, kept to show why it
+    /// misleads: 0.1 and 6.2 are near each other and far apart here.
+    CutCircle,
     /// Turns between two limits, in radians; linear, nothing wraps.
     Interval {
         /// The lowest angle.
@@ -35,6 +40,7 @@ pub struct Torus<const N: usize> {
     high: [f64; N],
     /// A gap wider than this is shorter the other way round: pi on a circle, infinite on an interval.
     half: [f64; N],
+    is_cut: [bool; N],
     metric: Metric,
 }
 
@@ -45,11 +51,12 @@ impl<const N: usize> Torus<N> {
     /// Where there are more than `N` joints, or an interval is empty.
     pub fn new(joints: &[Joint], metric: Metric) -> Self {
         assert!(joints.len() <= N, "at most {N} joints, not {}", joints.len());
-        let mut space =
-            Self { dimension: joints.len(), low: [0.0; N], high: [0.0; N], half: [f64::INFINITY; N], metric };
+        let (zeros, half) = ([0.0; N], [f64::INFINITY; N]);
+        let mut space = Self { dimension: joints.len(), low: zeros, high: zeros, half, is_cut: [false; N], metric };
         for (i, joint) in joints.iter().enumerate() {
             match *joint {
                 Joint::Circle => (space.low[i], space.high[i], space.half[i]) = (-PI, PI, PI),
+                Joint::CutCircle => (space.high[i], space.is_cut[i]) = (LAST, true),
                 Joint::Interval { low, high } => {
                     assert!(low < high, "an interval from {low} to {high} is empty");
                     (space.low[i], space.high[i]) = (low, high);
@@ -57,6 +64,16 @@ impl<const N: usize> Torus<N> {
             }
         }
         space
+    }
+
+    /// The same joints with every circle cut open at 0: the naive space.
+    #[must_use]
+    pub fn cut_open(&self) -> Self {
+        let joint = |i: usize| match self.range(i) {
+            _ if self.is_circle(i) || self.is_cut[i] => Joint::CutCircle,
+            [low, high] => Joint::Interval { low, high },
+        };
+        Self::new(&(0..self.dimension).map(joint).collect::<Vec<_>>(), self.metric)
     }
 
     /// Whether joint `i` is a circle.
@@ -105,7 +122,13 @@ impl<const N: usize> Space for Torus<N> {
     fn state(&self, coordinates: &[f64]) -> [f64; N] {
         let mut state = [0.0; N];
         for i in 0..self.dimension {
-            state[i] = if self.is_circle(i) { wrap(coordinates[i]) } else { coordinates[i] + 0.0 };
+            state[i] = if self.is_circle(i) {
+                wrap(coordinates[i])
+            } else if self.is_cut[i] {
+                unwind(coordinates[i])
+            } else {
+                coordinates[i] + 0.0
+            };
         }
         state
     }
@@ -152,10 +175,10 @@ impl<const N: usize> Space for Torus<N> {
         })
     }
 
-    fn sample(&self, random: &mut Random) -> [f64; N] {
+    fn at(&self, place: &[f64]) -> [f64; N] {
         let mut state = [0.0; N];
         for (i, angle) in state.iter_mut().enumerate().take(self.dimension) {
-            let along = (self.high[i] - self.low[i]) * random.uniform();
+            let along = (self.high[i] - self.low[i]) * place[i];
             // From the top on a circle, so that pi can be drawn and -pi cannot.
             let drawn = if self.is_circle(i) { PI - along } else { self.low[i] + along };
             *angle = drawn.min(self.high[i]) + 0.0;
@@ -180,5 +203,10 @@ impl<const N: usize> Space for Torus<N> {
 
     fn turn(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
         (0..self.dimension).filter(|&i| self.is_circle(i)).map(|i| self.gap(i, a[i], b[i])).fold(0.0, f64::max)
+    }
+
+    fn sweep(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
+        let cut = (0..self.dimension).filter(|&i| self.is_cut[i]);
+        cut.map(|i| self.gap(i, a[i], b[i])).fold(self.turn(a, b), f64::max)
     }
 }

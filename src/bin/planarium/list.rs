@@ -45,10 +45,13 @@ fn values(parameter: &ParameterInfo) -> String {
         Kind::Integer { min, max } => format!("whole number from {min} to {max}"),
         Kind::Number { min, max } => format!("number from {min} to {max}"),
         Kind::Choice(words) => words.join(" or "),
+        Kind::Switch => "true or false".to_owned(),
     };
     let unit = if parameter.unit.is_empty() { String::new() } else { format!(", {}", parameter.unit) };
     match parameter.default {
         Fallback::Number(number) => format!("({values}{unit}; default {number})"),
+        Fallback::Text(word) => format!("({values}{unit}; default {word})"),
+        Fallback::Off => format!("({values}{unit}; default false)"),
         Fallback::Computed(words) => format!("({values}{unit}; default: {words})"),
     }
 }

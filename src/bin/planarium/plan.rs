@@ -45,7 +45,7 @@ fn drive(run: &mut dyn Run, max_seconds: Option<f64>) -> ResultDocument {
     let begin = Instant::now();
     let mut iterations = 1;
     while run.status() == Status::Running && !is_up(begin.elapsed()) {
-        let spent = if matches!(run.phase(), "searching" | "shortcutting") { &mut search } else { &mut build };
+        let spent = if matches!(run.phase(), "searching" | "improving") { &mut search } else { &mut build };
         let before = Instant::now();
         run.step(iterations);
         let took = before.elapsed();

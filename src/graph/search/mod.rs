@@ -1,6 +1,57 @@
 //! Searches as walkers: a search holds its own marks and is handed the graph at every step, so that it can be paused and
 //! watched. Searches know no space: costs and heuristics are given.
 
-mod a_star;
+mod best_first;
+mod bidirectional;
+mod breadth_first;
 
-pub use a_star::{AStar, Expansion};
+pub use best_first::BestFirst;
+pub use bidirectional::Bidirectional;
+pub use breadth_first::BreadthFirst;
+
+use super::{Adjacency, VertexId};
+
+/// The graph as a search sees it.
+#[derive(Clone, Copy)]
+pub struct View<'a> {
+    /// Who is joined to whom.
+    pub adjacency: &'a Adjacency,
+    /// The cost of an edge between two neighbours, at least 0.
+    pub cost: &'a dyn Fn(VertexId, VertexId) -> f64,
+    /// An estimate of the cost from a vertex to the goal, at least 0.
+    pub heuristic: &'a dyn Fn(VertexId) -> f64,
+}
+
+/// What one step of a search did.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Expansion {
+    /// The vertex was expanded; the search goes on.
+    Vertex(VertexId),
+    /// The way to the goal is known.
+    Goal,
+    /// Nothing is left to expand: the goal cannot be reached.
+    Nothing,
+}
+
+/// A search from one vertex to another, one expansion a step.
+pub trait Walker {
+    /// Expands one vertex, or says that the search is over.
+    fn step(&mut self, view: &View) -> Expansion;
+
+    /// The way from the start to the goal, both included, once a step has answered `Goal`.
+    fn path(&self) -> Vec<VertexId>;
+}
+
+/// A vertex not reached yet, in a list of parents.
+const UNREACHED: u32 = u32::MAX;
+
+/// Follows the parents from a vertex to a root, which is its own parent.
+fn to_root(parents: &[u32], from: VertexId) -> Vec<VertexId> {
+    let mut way = vec![from];
+    let mut at = from.0;
+    while parents[at as usize] != at {
+        at = parents[at as usize];
+        way.push(VertexId(at));
+    }
+    way
+}

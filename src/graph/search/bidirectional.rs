@@ -1,0 +1,101 @@
+//! Bidirectional breadth-first search, by whole levels (Pohl 1969, "Bi-directional and heuristic search in path problems").
+//!
+//! One search from the start and one from the goal; the one with the smaller frontier expands all of it before the other
+//! may go on. Where they meet, the level is finished and the shortest of the ways found is taken: until then the two sides
+//! share no edge, so no way can be shorter, and the path has as few edges as that of breadth-first search.
+
+use super::{Expansion, UNREACHED, View, Walker, to_root};
+use crate::graph::VertexId;
+
+/// Breadth-first search from both ends; costs and heuristic are not looked at. O(v + e).
+#[derive(Debug, Clone)]
+pub struct Bidirectional {
+    /// From the start, then from the goal.
+    sides: [Side; 2],
+    /// Which side expands its level.
+    turn: usize,
+    /// The fewest edges of a way found, and the two neighbours where its sides meet: the start's, the goal's.
+    meeting: Option<(u32, [VertexId; 2])>,
+}
+
+/// One of the two searches.
+#[derive(Debug, Clone)]
+struct Side {
+    parents: Vec<u32>,
+    /// Edges from the root, for vertices reached.
+    depths: Vec<u32>,
+    level: Vec<VertexId>,
+    /// How many of the level are expanded.
+    done: usize,
+    next_level: Vec<VertexId>,
+}
+
+impl Side {
+    fn new(vertices: usize, root: VertexId) -> Self {
+        let (mut parents, depths) = (vec![UNREACHED; vertices], vec![0; vertices]);
+        parents[root.index()] = root.0;
+        Self { parents, depths, level: vec![root], done: 0, next_level: Vec::new() }
+    }
+}
+
+impl Bidirectional {
+    /// A search among `vertices` vertices from `start` to `goal`.
+    pub fn new(vertices: usize, start: VertexId, goal: VertexId) -> Self {
+        let meeting = (start == goal).then_some((0, [start, goal]));
+        Self { sides: [start, goal].map(|root| Side::new(vertices, root)), turn: 0, meeting }
+    }
+
+    /// Takes up the next level, of the side whose frontier is smaller; the start's where they are equal.
+    fn turn_over(&mut self) {
+        let side = &mut self.sides[self.turn];
+        side.level = std::mem::take(&mut side.next_level);
+        side.done = 0;
+        self.turn = usize::from(self.sides[1].level.len() < self.sides[0].level.len());
+    }
+}
+
+impl Walker for Bidirectional {
+    fn step(&mut self, view: &View) -> Expansion {
+        if self.sides[self.turn].done == self.sides[self.turn].level.len() {
+            if self.sides[self.turn].level.is_empty() {
+                return Expansion::Nothing;
+            }
+            self.turn_over();
+        }
+        if self.meeting.is_some() && self.sides[self.turn].done == 0 {
+            return Expansion::Goal;
+        }
+        let [ours, theirs] = match &mut self.sides {
+            [a, b] if self.turn == 0 => [a, b],
+            [a, b] => [b, a],
+        };
+        let Some(&vertex) = ours.level.get(ours.done) else { return Expansion::Nothing };
+        ours.done += 1;
+        let depth = ours.depths[vertex.index()];
+        for &next in view.adjacency.neighbours(vertex) {
+            let i = next.index();
+            if theirs.parents[i] != UNREACHED {
+                let edges = depth + 1 + theirs.depths[i];
+                if self.meeting.is_none_or(|(fewest, _)| edges < fewest) {
+                    let bridge = if self.turn == 0 { [vertex, next] } else { [next, vertex] };
+                    self.meeting = Some((edges, bridge));
+                }
+            }
+            if ours.parents[i] == UNREACHED {
+                (ours.parents[i], ours.depths[i]) = (vertex.0, depth + 1);
+                ours.next_level.push(next);
+            }
+        }
+        Expansion::Vertex(vertex)
+    }
+
+    fn path(&self) -> Vec<VertexId> {
+        let Some((edges, [from, to])) = self.meeting else { return Vec::new() };
+        let mut path = to_root(&self.sides[0].parents, from);
+        path.reverse();
+        if edges > 0 {
+            path.extend(to_root(&self.sides[1].parents, to));
+        }
+        path
+    }
+}

@@ -1,0 +1,42 @@
+//! Vertex reduction: vertices of a path left out where the straight motion past them is proven free.
+//!
+//! Geraerts and Overmars 2007, "Creating high-quality paths for motion planning".
+
+use super::improve::is_free;
+use crate::problem::Problem;
+use crate::space::Space;
+
+/// From every vertex the farthest one along the path that can be reached straight, nearest ends last.
+#[derive(Debug, Clone)]
+pub(super) struct Reduction {
+    /// The vertex that motions start from, and the one they try to reach.
+    from: usize,
+    to: usize,
+}
+
+impl Reduction {
+    /// The reduction of a path of so many vertices.
+    pub fn new(vertices: usize) -> Self {
+        Self { from: 0, to: vertices.saturating_sub(1) }
+    }
+
+    /// Whether every vertex was tried.
+    pub fn is_done(&self) -> bool {
+        self.to < self.from + 2
+    }
+
+    /// Tries one motion past at least one vertex: one motion check.
+    pub fn attempt<S: Space>(&mut self, problem: &Problem<S>, path: &mut Vec<S::State>, checks: &mut u64) {
+        let (a, b) = (path[self.from], path[self.to]);
+        let detour = super::length(problem.space(), &path[self.from..=self.to]);
+        if problem.space().distance(&a, &b) <= detour && is_free(problem, &[a, b], checks) {
+            path.drain(self.from + 1..self.to);
+            self.to = self.from + 1;
+        } else {
+            self.to -= 1;
+        }
+        if self.to == self.from + 1 {
+            (self.from, self.to) = (self.from + 1, path.len() - 1);
+        }
+    }
+}

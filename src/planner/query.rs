@@ -1,0 +1,123 @@
+//! A search of a roadmap for a path: which search, what an edge costs, what estimates the rest.
+
+use super::roadmap::state;
+use crate::graph::search::{BestFirst, Bidirectional, BreadthFirst, Expansion, View, Walker};
+use crate::graph::{Adjacency, Graph, VertexId};
+use crate::problem::Problem;
+use crate::space::Space;
+
+/// Which search.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Algorithm {
+    /// A*.
+    AStar,
+    /// Dijkstra's.
+    Dijkstra,
+    /// Breadth-first.
+    BreadthFirst,
+    /// Bidirectional breadth-first, by whole levels.
+    Bidirectional,
+}
+
+/// What an edge costs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cost {
+    /// Its length in the metric of the space.
+    Metric,
+    /// 1.
+    Hops,
+}
+
+/// What estimates the cost to the goal in A*.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Heuristic {
+    /// The distance in the metric.
+    Metric,
+    /// How far the end effector is from where it must be, scaled so that it never exceeds the distance.
+    EndEffector,
+    /// The distance in the metric taken for a number of hops, as a course report had it: not admissible, so the path may have
+    /// more edges than it needs.
+    MetricAsHops,
+    /// 0.
+    None,
+}
+
+/// How a roadmap is searched. Where edges cost 1, estimates are divided by the longest edge, so that they stay admissible.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SearchRules {
+    /// Which search.
+    pub algorithm: Algorithm,
+    /// What an edge costs; breadth-first searches always count hops.
+    pub cost: Cost,
+    /// What estimates the rest, in A*.
+    pub heuristic: Heuristic,
+}
+
+impl Default for SearchRules {
+    fn default() -> Self {
+        Self { algorithm: Algorithm::AStar, cost: Cost::Metric, heuristic: Heuristic::Metric }
+    }
+}
+
+/// Less than 1 by more than the rounding of an estimate, so that no estimate exceeds a true cost.
+const BELOW: f64 = 1.0 - 1e-12;
+
+/// A search at work.
+pub(super) struct Query {
+    adjacency: Adjacency,
+    walker: Box<dyn Walker>,
+    rules: SearchRules,
+    goal: VertexId,
+    /// What estimates are multiplied with.
+    scale: f64,
+}
+
+impl Query {
+    /// A search over the graph's edges and `joined` ones, between two vertices; `more` are the states of vertices numbered
+    /// after the graph's.
+    pub fn new<S: Space>(
+        space: &S,
+        graph: &Graph<S>,
+        joined: &[[VertexId; 2]],
+        more: &[S::State],
+        [start, goal]: [VertexId; 2],
+        rules: SearchRules,
+    ) -> Self {
+        let vertices = graph.states().len() + more.len();
+        let walker: Box<dyn Walker> = match rules.algorithm {
+            Algorithm::AStar | Algorithm::Dijkstra => Box::new(BestFirst::new(vertices, start, goal)),
+            Algorithm::BreadthFirst => Box::new(BreadthFirst::new(vertices, start, goal)),
+            Algorithm::Bidirectional => Box::new(Bidirectional::new(vertices, start, goal)),
+        };
+        let scale = match (rules.cost, rules.heuristic) {
+            (Cost::Hops, Heuristic::Metric | Heuristic::EndEffector) => {
+                let length = |&[a, b]: &[VertexId; 2]| space.distance(state(graph, more, a), state(graph, more, b));
+                let longest = graph.edges().iter().chain(joined).map(length).fold(0.0, f64::max);
+                if longest > 0.0 { BELOW / longest } else { 0.0 }
+            }
+            (Cost::Metric, Heuristic::EndEffector) => BELOW,
+            _ => 1.0,
+        };
+        Self { adjacency: Adjacency::joining(vertices, graph.edges(), joined), walker, rules, goal, scale }
+    }
+
+    /// Expands one vertex.
+    pub fn step<S: Space>(&mut self, problem: &Problem<S>, graph: &Graph<S>, more: &[S::State]) -> Expansion {
+        let space = problem.space();
+        let at = |vertex| state(graph, more, vertex);
+        let distance = |a: VertexId, b: VertexId| space.distance(at(a), at(b));
+        let (goal, scale, rules) = (self.goal, self.scale, self.rules);
+        let cost = |a, b| if rules.cost == Cost::Metric { distance(a, b) } else { 1.0 };
+        let heuristic = |vertex| match (rules.algorithm, rules.heuristic, problem.end_effector()) {
+            (Algorithm::AStar, Heuristic::Metric | Heuristic::MetricAsHops, _) => scale * distance(vertex, goal),
+            (Algorithm::AStar, Heuristic::EndEffector, Some(estimate)) => scale * estimate(at(vertex), at(goal)),
+            _ => 0.0,
+        };
+        self.walker.step(&View { adjacency: &self.adjacency, cost: &cost, heuristic: &heuristic })
+    }
+
+    /// The vertices of the path, once the goal is reached.
+    pub fn path(&self) -> Vec<VertexId> {
+        self.walker.path()
+    }
+}

@@ -1,0 +1,183 @@
+//! What all roadmap planners share: vertices with their neighbours, edges that are proven before they are added, and
+//! questions asked again and again.
+
+use super::Counters;
+use super::query::{Query, SearchRules};
+use crate::graph::search::Expansion;
+use crate::graph::{Event, EventKind, Graph, VertexId};
+use crate::nearest::{Index, Nearest, Neighbour};
+use crate::problem::Problem;
+use crate::space::Space;
+
+/// The start is vertex 0.
+pub(super) const START: VertexId = VertexId(0);
+/// The goal is vertex 1.
+pub(super) const GOAL: VertexId = VertexId(1);
+
+/// To which other vertices a vertex is joined, where the motion is free: its `k` nearest of those within `radius`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Connection {
+    /// How many at most.
+    pub k: usize,
+    /// How far away at most, in the metric of the space; infinite where only the number counts.
+    pub radius: f64,
+}
+
+/// A roadmap, complete or still growing.
+#[derive(Debug, Clone)]
+pub struct Roadmap<S: Space> {
+    pub(super) graph: Graph<S>,
+    nearest: Index<S>,
+    connection: Connection,
+    rules: SearchRules,
+    pub(super) counters: Counters,
+}
+
+impl<S: Space> Roadmap<S> {
+    /// A roadmap of the start and the goal alone.
+    pub fn new(problem: &Problem<S>, connection: Connection, rules: SearchRules) -> Self {
+        let (graph, nearest, counters) = (Graph::default(), Index::new(), Counters::default());
+        let mut roadmap = Self { graph, nearest, connection, rules, counters };
+        for state in [problem.start(), problem.goal()] {
+            roadmap.add_vertex(problem.space(), 0, *state);
+        }
+        roadmap
+    }
+
+    /// To which vertices a vertex is joined.
+    pub fn connection(&self) -> Connection {
+        self.connection
+    }
+
+    /// All that has grown so far.
+    pub fn graph(&self) -> &Graph<S> {
+        &self.graph
+    }
+
+    pub(super) fn add_vertex(&mut self, space: &S, iteration: u32, state: S::State) -> VertexId {
+        let vertex = self.graph.add_vertex(iteration, state);
+        self.nearest.insert(space, vertex, state);
+        vertex
+    }
+
+    /// The vertices that a state is to be joined to, nearest first, and one more where `spare` is set.
+    pub(super) fn neighbours(&mut self, space: &S, state: &S::State, spare: bool, found: &mut Vec<Neighbour>) {
+        self.counters.nearest_queries += 1;
+        let Connection { k, radius } = self.connection;
+        let k = k + usize::from(spare);
+        if radius < f64::INFINITY {
+            self.nearest.within(space, state, radius, found);
+            found.truncate(k);
+        } else {
+            self.nearest.k_nearest(space, state, k, found);
+        }
+    }
+
+    /// Whether the motion is proven free, counted.
+    pub(super) fn is_motion_free(&mut self, problem: &Problem<S>, a: &S::State, b: &S::State) -> bool {
+        self.counters.motion_checks += 1;
+        problem.validity().is_motion_free(a, b)
+    }
+
+    /// Joins two vertices where the motion between them is proven free; else says so.
+    pub(super) fn try_edge(&mut self, problem: &Problem<S>, iteration: u32, from: VertexId, to: VertexId) {
+        let (origin, target) = (*self.graph.state(from), *self.graph.state(to));
+        if self.is_motion_free(problem, &origin, &target) {
+            self.graph.add_edge(iteration, from, to);
+        } else {
+            let event =
+                Event { kind: EventKind::EdgeRefused, iteration, vertex: Some(from), other: Some(to), state: target };
+            self.graph.add_event(event);
+        }
+    }
+
+    /// Notes a sample that does not become a vertex.
+    pub(super) fn turn_away(&mut self, kind: EventKind, iteration: u32, state: S::State) {
+        self.graph.add_event(Event { kind, iteration, vertex: None, other: None, state });
+    }
+
+    /// The search from start to goal on the roadmap as it is.
+    pub(super) fn begin_search(&self, space: &S) -> Query {
+        Query::new(space, &self.graph, &[], &[START, GOAL].map(|v| *self.graph.state(v)), [START, GOAL], self.rules)
+    }
+
+    /// Expands one vertex of the search; answers the path once the goal is reached.
+    pub(super) fn search(&mut self, problem: &Problem<S>, iteration: u32, query: &mut Query) -> Searched {
+        let (expansion, vertex) = match query.step(problem, &self.graph, &[]) {
+            Expansion::Vertex(vertex) => (EventKind::VertexExpanded, vertex),
+            Expansion::Goal => (EventKind::SolutionFound, GOAL),
+            Expansion::Nothing => return Searched::InVain,
+        };
+        self.counters.visited += 1;
+        let state = *self.graph.state(vertex);
+        self.graph.add_event(Event { kind: expansion, iteration, vertex: Some(vertex), other: None, state });
+        if expansion == EventKind::SolutionFound { Searched::Path(query.path()) } else { Searched::On }
+    }
+
+    /// Answers another question: joins start and goal to the roadmap, where motions are proven free, and searches it. The
+    /// roadmap stays as it was unless the two are to be kept; then they are its last two vertices, born in `iteration`.
+    /// O(e log e) for e edges.
+    pub fn answer(&mut self, problem: &Problem<S>, ends: [S::State; 2], keep: Option<u32>) -> Answer<S::State> {
+        let space = problem.space();
+        let count = self.graph.states().len() as u32;
+        let [start, goal] = [VertexId(count), VertexId(count + 1)];
+        let (mut joined, mut found) = (Vec::new(), Vec::new());
+        for (end, vertex) in ends.iter().zip([start, goal]) {
+            self.neighbours(space, end, false, &mut found);
+            for neighbour in &found {
+                let other = *self.graph.state(neighbour.vertex);
+                if self.is_motion_free(problem, end, &other) {
+                    joined.push([vertex, neighbour.vertex]);
+                }
+            }
+        }
+        if self.is_motion_free(problem, &ends[0], &ends[1]) {
+            joined.push([start, goal]);
+        }
+        let mut query = Query::new(space, &self.graph, &joined, &ends, [start, goal], self.rules);
+        let mut visited = 0;
+        let path = loop {
+            match query.step(problem, &self.graph, &ends) {
+                Expansion::Vertex(_) => visited += 1,
+                Expansion::Nothing => break Vec::new(),
+                Expansion::Goal => {
+                    visited += 1;
+                    break query.path().iter().map(|&v| *state(&self.graph, &ends, v)).collect();
+                }
+            }
+        };
+        self.counters.visited += visited;
+        if let Some(iteration) = keep {
+            for end in ends {
+                self.add_vertex(space, iteration, end);
+            }
+            joined.into_iter().for_each(|[from, to]| self.graph.add_edge(iteration, from, to));
+        }
+        Answer { path, visited }
+    }
+}
+
+/// What one step of the search came to.
+pub(super) enum Searched {
+    /// The search goes on.
+    On,
+    /// The goal is reached by way of these vertices.
+    Path(Vec<VertexId>),
+    /// The goal cannot be reached.
+    InVain,
+}
+
+/// The answer of a roadmap to a question.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer<S> {
+    /// The states from start to goal; empty where the roadmap knows no way.
+    pub path: Vec<S>,
+    /// How many vertices the search expanded.
+    pub visited: u64,
+}
+
+/// The state of a vertex of the graph, or of those numbered after them.
+pub(super) fn state<'a, S: Space>(graph: &'a Graph<S>, more: &'a [S::State], vertex: VertexId) -> &'a S::State {
+    let count = graph.states().len();
+    if vertex.index() < count { graph.state(vertex) } else { &more[vertex.index() - count] }
+}

@@ -1,0 +1,206 @@
+//! RRT: a tree that grows from the start into the space.
+//!
+//! LaValle 1998, "Rapidly-exploring random trees: a new tool for path planning"; LaValle and Kuffner 2001, "Randomized
+//! kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 5.5. The goal is vertex 1 from the beginning, but in
+//! the tree only once it is reached.
+
+use super::{Counters, Planner, Status};
+use crate::graph::{Event, EventKind, Graph, VertexId};
+use crate::nearest::{Index, Nearest};
+use crate::problem::Problem;
+use crate::random::Random;
+use crate::sampling::{Known, Sampler};
+use crate::space::Space;
+
+const GOAL: VertexId = VertexId(1);
+
+/// How far the tree grows towards a sample.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extend {
+    /// One step at most.
+    Step,
+    /// Half the way, or all of it where that is a step at most.
+    Half,
+    /// All the way, or to the last place before an obstacle that is proven free.
+    UntilObstacle,
+}
+
+/// When the tree grows towards the goal and not towards a sample.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum GoalBias {
+    /// With this probability.
+    Share(f64),
+    /// Every n-th iteration, n at least 1.
+    Every(u32),
+}
+
+/// How a tree grows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RrtOptions {
+    /// The length of a step in the metric of the space, greater than 0.
+    pub step: f64,
+    /// How far it grows.
+    pub extend: Extend,
+    /// When it reaches for the goal.
+    pub bias: GoalBias,
+}
+
+/// The planner. An iteration takes one sample: one motion towards it, and one to the goal where that is a step at most.
+pub struct Rrt<S: Space> {
+    options: RrtOptions,
+    sampler: Box<dyn Sampler<S>>,
+    random: Random,
+    graph: Graph<S>,
+    parents: Vec<Option<VertexId>>,
+    nearest: Index<S>,
+    /// The vertex of the tree nearest to the goal, and how far it is.
+    closest: (VertexId, f64),
+    is_solved: bool,
+    counters: Counters,
+}
+
+impl<S: Space> Rrt<S> {
+    /// A planner at its beginning; `random` decides when it reaches for the goal.
+    pub fn new(problem: &Problem<S>, options: RrtOptions, sampler: Box<dyn Sampler<S>>, random: Random) -> Self {
+        let (mut graph, mut nearest) = (Graph::default(), Index::new());
+        let start = graph.add_vertex(0, *problem.start());
+        graph.add_vertex(0, *problem.goal());
+        nearest.insert(problem.space(), start, *problem.start());
+        let closest = (start, problem.space().distance(problem.start(), problem.goal()));
+        let (parents, counters) = (vec![None; 2], Counters::default());
+        Self { options, sampler, random, graph, parents, nearest, closest, is_solved: false, counters }
+    }
+
+    /// Where to grow this time; `None` where the sampler has nothing.
+    fn target(&mut self, problem: &Problem<S>, iteration: u32) -> Option<S::State> {
+        let is_goal = match self.options.bias {
+            GoalBias::Share(share) => share > 0.0 && self.random.uniform() < share,
+            GoalBias::Every(n) => iteration.is_multiple_of(n),
+        };
+        if is_goal {
+            return Some(*problem.goal());
+        }
+        let sample = self.sampler.draw(problem, &mut self.counters.configuration_checks);
+        if sample.known == Known::Useless {
+            let (kind, state) = (EventKind::SampleRejected, sample.state);
+            self.graph.add_event(Event { kind, iteration, vertex: None, other: None, state });
+            return None;
+        }
+        Some(sample.state)
+    }
+
+    fn is_motion_free(&mut self, problem: &Problem<S>, a: &S::State, b: &S::State) -> bool {
+        self.counters.motion_checks += 1;
+        problem.validity().is_motion_free(a, b)
+    }
+
+    /// The state to grow to from `origin` towards `target`, where that motion is proven free.
+    fn steer(&mut self, problem: &Problem<S>, origin: &S::State, target: &S::State) -> Result<S::State, S::State> {
+        let space = problem.space();
+        let distance = space.distance(origin, target);
+        let wanted = match self.options.extend {
+            Extend::Step if distance > self.options.step => {
+                space.interpolate(origin, target, self.options.step / distance)
+            }
+            Extend::Half if distance > self.options.step => space.interpolate(origin, target, 0.5),
+            _ => *target,
+        };
+        if self.is_motion_free(problem, origin, &wanted) {
+            return Ok(wanted);
+        }
+        if self.options.extend == Extend::UntilObstacle {
+            self.counters.motion_checks += 1;
+            let hit = problem.validity().first_hit(origin, target).unwrap_or(0.0);
+            let last = space.interpolate(origin, target, hit);
+            // Proven anew: rounding may have moved it off the motion that was proven up to there.
+            if last != *origin && self.is_motion_free(problem, origin, &last) {
+                return Ok(last);
+            }
+        }
+        Err(wanted)
+    }
+
+    fn add_edge(&mut self, iteration: u32, from: VertexId, to: VertexId) {
+        self.parents[to.index()] = Some(from);
+        self.graph.add_edge(iteration, from, to);
+    }
+
+    fn refuse(&mut self, iteration: u32, from: VertexId, other: Option<VertexId>, state: S::State) {
+        let kind = EventKind::EdgeRefused;
+        self.graph.add_event(Event { kind, iteration, vertex: Some(from), other, state });
+    }
+
+    /// Joins the goal to the tree.
+    fn arrive(&mut self, iteration: u32, from: VertexId, goal: S::State) -> Status {
+        self.add_edge(iteration, from, GOAL);
+        let kind = EventKind::SolutionFound;
+        self.graph.add_event(Event { kind, iteration, vertex: Some(GOAL), other: Some(from), state: goal });
+        self.closest = (GOAL, 0.0);
+        self.is_solved = true;
+        Status::Solved
+    }
+
+    fn way(&self, to: VertexId) -> Vec<VertexId> {
+        let mut way: Vec<_> = std::iter::successors(Some(to), |v| self.parents[v.index()]).collect();
+        way.reverse();
+        way
+    }
+}
+
+impl<S: Space> Planner<S> for Rrt<S> {
+    fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
+        if self.is_solved {
+            return Status::Solved;
+        }
+        let (space, goal) = (problem.space(), *problem.goal());
+        let Some(target) = self.target(problem, iteration) else { return Status::Running };
+        self.counters.nearest_queries += 1;
+        let near = self.nearest.nearest(space, &target).expect("a tree has a root").vertex;
+        let origin = *self.graph.state(near);
+        let reached = match self.steer(problem, &origin, &target) {
+            Ok(reached) => reached,
+            Err(wanted) => {
+                self.refuse(iteration, near, None, wanted);
+                return Status::Running;
+            }
+        };
+        if reached == goal {
+            return self.arrive(iteration, near, goal);
+        }
+        let vertex = self.graph.add_vertex(iteration, reached);
+        self.parents.push(None);
+        self.add_edge(iteration, near, vertex);
+        self.nearest.insert(space, vertex, reached);
+        let left = space.distance(&reached, &goal);
+        if left < self.closest.1 {
+            self.closest = (vertex, left);
+        }
+        if left <= self.options.step {
+            if self.is_motion_free(problem, &reached, &goal) {
+                return self.arrive(iteration, vertex, goal);
+            }
+            self.refuse(iteration, vertex, Some(GOAL), goal);
+        }
+        Status::Running
+    }
+
+    fn phase(&self) -> &'static str {
+        if self.is_solved { "done" } else { "growing" }
+    }
+
+    fn graph(&self) -> &Graph<S> {
+        &self.graph
+    }
+
+    fn path(&self) -> Vec<VertexId> {
+        if self.is_solved { self.way(GOAL) } else { Vec::new() }
+    }
+
+    fn approximate_path(&self) -> Vec<VertexId> {
+        self.way(self.closest.0)
+    }
+
+    fn counters(&self) -> Counters {
+        self.counters
+    }
+}

@@ -1,0 +1,185 @@
+//! Visibility PRM: few vertices, each a guard of what it sees or a link between guards.
+//!
+//! Simeon, Laumond and Nissoux 2000, "Visibility-based probabilistic roadmaps for motion planning". A free sample that no
+//! guard sees becomes a guard; one that guards of several components see links them; any other is thrown away. After
+//! m samples in a row that made no guard the free space is covered but for an estimated share of 1/m.
+
+use super::query::{Query, SearchRules};
+use super::roadmap::{Connection, GOAL, Roadmap, START, Searched};
+use super::{Counters, Planner, Status};
+use crate::graph::{Event, EventKind, Graph, UnionFind, VertexId};
+use crate::problem::Problem;
+use crate::sampling::{Known, Sampler};
+use crate::space::Space;
+
+/// The planner. An iteration tries one sample against every guard, or expands one vertex in the search. Start and goal are
+/// the first two guards.
+pub struct VisibilityPrm<S: Space> {
+    roadmap: Roadmap<S>,
+    sampler: Box<dyn Sampler<S>>,
+    guards: Vec<VertexId>,
+    components: UnionFind,
+    /// After how many samples in a row without a new guard the roadmap is complete.
+    most_failures: u32,
+    failures: u32,
+    /// For every component whether this sample has seen it, by the iteration that did.
+    seen: Vec<u32>,
+    phase: Phase,
+}
+
+enum Phase {
+    Guarding,
+    Searching(Query),
+    Done { path: Vec<VertexId> },
+}
+
+impl<S: Space> VisibilityPrm<S> {
+    /// A planner at its beginning, which gives up on new guards after `most_failures` samples, at least 1. Questions asked
+    /// later are joined as `connection` says.
+    pub fn new(
+        problem: &Problem<S>,
+        most_failures: u32,
+        connection: Connection,
+        rules: SearchRules,
+        sampler: Box<dyn Sampler<S>>,
+    ) -> Self {
+        let mut planner = Self {
+            roadmap: Roadmap::new(problem, connection, rules),
+            sampler,
+            guards: Vec::new(),
+            components: UnionFind::default(),
+            most_failures,
+            failures: 0,
+            seen: vec![0; 2],
+            phase: Phase::Guarding,
+        };
+        for end in [START, GOAL] {
+            planner.components.add();
+            planner.guard(0, end);
+        }
+        planner.roadmap.try_edge(problem, 0, START, GOAL);
+        if !planner.roadmap.graph.edges().is_empty() {
+            planner.components.join(0, 1);
+        }
+        planner
+    }
+
+    fn guard(&mut self, iteration: u32, vertex: VertexId) {
+        let state = *self.roadmap.graph.state(vertex);
+        let kind = EventKind::GuardAdded;
+        self.roadmap.graph.add_event(Event { kind, iteration, vertex: Some(vertex), other: None, state });
+        self.guards.push(vertex);
+    }
+
+    /// Adds a vertex as a component of its own.
+    fn add_vertex(&mut self, space: &S, iteration: u32, state: S::State) -> VertexId {
+        self.components.add();
+        self.seen.push(0);
+        self.roadmap.add_vertex(space, iteration, state)
+    }
+
+    /// Tries one sample.
+    fn sample(&mut self, problem: &Problem<S>, iteration: u32) {
+        let checks = &mut self.roadmap.counters.configuration_checks;
+        let sample = self.sampler.draw(problem, checks);
+        let is_free = match sample.known {
+            Known::Free => true,
+            Known::Useless => false,
+            Known::Nothing => {
+                *checks += 1;
+                problem.validity().is_free(&sample.state)
+            }
+        };
+        if !is_free {
+            return self.roadmap.turn_away(EventKind::SampleRejected, iteration, sample.state);
+        }
+        let seen = self.visible_guards(problem, iteration, &sample.state);
+        match seen.as_slice() {
+            [] => {
+                let vertex = self.add_vertex(problem.space(), iteration, sample.state);
+                self.guard(iteration, vertex);
+                self.failures = 0;
+                return;
+            }
+            [_] => self.roadmap.turn_away(EventKind::SampleDiscarded, iteration, sample.state),
+            guards => {
+                let vertex = self.add_vertex(problem.space(), iteration, sample.state);
+                for &guard in guards {
+                    self.roadmap.graph.add_edge(iteration, vertex, guard);
+                    self.components.join(vertex.index(), guard.index());
+                }
+            }
+        }
+        self.failures += 1;
+        if self.failures >= self.most_failures {
+            self.phase = Phase::Searching(self.roadmap.begin_search(problem.space()));
+        }
+    }
+
+    /// Of every component the first guard that sees the state.
+    fn visible_guards(&mut self, problem: &Problem<S>, iteration: u32, state: &S::State) -> Vec<VertexId> {
+        let mut visible = Vec::new();
+        for i in 0..self.guards.len() {
+            let guard = self.guards[i];
+            let component = self.components.find(guard.index());
+            if self.seen[component] == iteration {
+                continue;
+            }
+            let there = *self.roadmap.graph.state(guard);
+            if self.roadmap.is_motion_free(problem, state, &there) {
+                self.seen[component] = iteration;
+                visible.push(guard);
+            }
+        }
+        visible
+    }
+}
+
+impl<S: Space> Planner<S> for VisibilityPrm<S> {
+    fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
+        match &mut self.phase {
+            Phase::Guarding => self.sample(problem, iteration),
+            Phase::Searching(query) => match self.roadmap.search(problem, iteration, query) {
+                Searched::On => {}
+                Searched::Path(path) => {
+                    self.phase = Phase::Done { path };
+                    return Status::Solved;
+                }
+                Searched::InVain => {
+                    self.phase = Phase::Done { path: Vec::new() };
+                    return Status::Exhausted;
+                }
+            },
+            Phase::Done { path } => return if path.is_empty() { Status::Exhausted } else { Status::Solved },
+        }
+        Status::Running
+    }
+
+    fn phase(&self) -> &'static str {
+        match self.phase {
+            Phase::Guarding => "guarding",
+            Phase::Searching(_) => "searching",
+            Phase::Done { .. } => "done",
+        }
+    }
+
+    fn graph(&self) -> &Graph<S> {
+        &self.roadmap.graph
+    }
+
+    fn path(&self) -> Vec<VertexId> {
+        if let Phase::Done { path } = &self.phase { path.clone() } else { Vec::new() }
+    }
+
+    fn counters(&self) -> Counters {
+        self.roadmap.counters
+    }
+
+    fn coverage(&self) -> Option<f64> {
+        Some(1.0 - 1.0 / f64::from(self.failures.max(1)))
+    }
+
+    fn roadmap(&mut self) -> Option<&mut Roadmap<S>> {
+        Some(&mut self.roadmap)
+    }
+}

@@ -1,0 +1,36 @@
+//! Samples that gather about the goal (LaValle 2006, "Planning Algorithms", section 5.5.1, on biasing).
+
+use super::{Known, Sample, Sampler, near};
+use crate::problem::Problem;
+use crate::random::Random;
+use crate::space::Space;
+
+/// One sample in so many falls near the goal.
+const ONE_IN: u64 = 5;
+
+/// Uniform samples, but every fifth on average normally distributed about the goal.
+#[derive(Debug, Clone)]
+pub struct GoalBiased {
+    random: Random,
+    deviation: f64,
+}
+
+impl GoalBiased {
+    /// About the goal every coordinate deviates by `deviation` (radians or metres).
+    pub fn new(random: Random, deviation: f64) -> Self {
+        Self { random, deviation }
+    }
+}
+
+impl<S: Space> Sampler<S> for GoalBiased {
+    fn draw(&mut self, problem: &Problem<S>, _: &mut u64) -> Sample<S::State> {
+        let space = problem.space();
+        let nearby = if self.random.below(ONE_IN) == 0 {
+            near(space, problem.goal(), self.deviation, &mut self.random)
+        } else {
+            None
+        };
+        let state = nearby.unwrap_or_else(|| space.sample(&mut self.random));
+        Sample { state, known: Known::Nothing }
+    }
+}

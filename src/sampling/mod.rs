@@ -1,0 +1,68 @@
+//! Where the next sample of the configuration space is taken: any planner works with any sampler. One file a sampler.
+//!
+//! Some look at the world first and so spend checks of their own: they answer what they found out about the sample.
+
+mod bridge;
+mod gaussian;
+mod goal_biased;
+mod halton;
+mod lattice;
+mod obstacle_based;
+mod shifted;
+mod uniform;
+
+pub use bridge::BridgeTest;
+pub use gaussian::Gaussian;
+pub use goal_biased::GoalBiased;
+pub use halton::{Halton, radical_inverse};
+pub use lattice::Lattice;
+pub use obstacle_based::ObstacleBased;
+pub use uniform::Uniform;
+
+use crate::problem::Problem;
+use crate::random::Random;
+use crate::space::{MAX_DIMENSION, Space};
+
+/// What is known about a sample.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Known {
+    /// Nothing yet.
+    Nothing,
+    /// It is free.
+    Free,
+    /// It is not to be used: in collision, or not where the sampler wants its samples.
+    Useless,
+}
+
+/// A sample of the space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample<S> {
+    /// Where.
+    pub state: S,
+    /// What the sampler found out about it.
+    pub known: Known,
+}
+
+/// A source of samples. It owns its generator; each draw does a bounded number of checks.
+pub trait Sampler<S: Space> {
+    /// The next sample. `checks` grows by the configurations that were checked.
+    fn draw(&mut self, problem: &Problem<S>, checks: &mut u64) -> Sample<S::State>;
+}
+
+/// Whether the state is free, counted.
+fn is_free<S: Space>(problem: &Problem<S>, state: &S::State, checks: &mut u64) -> bool {
+    *checks += 1;
+    problem.validity().is_free(state)
+}
+
+/// A state normally distributed about another, every coordinate by `deviation` (in its own unit); `None` where it falls out
+/// of the limits of the space.
+fn near<S: Space>(space: &S, state: &S::State, deviation: f64, random: &mut Random) -> Option<S::State> {
+    let mut coordinates = [0.0; MAX_DIMENSION];
+    let coordinates = &mut coordinates[..space.dimension()];
+    for (moved, &at) in coordinates.iter_mut().zip(space.coordinates(state)) {
+        *moved = at + deviation * random.normal();
+    }
+    let moved = space.state(coordinates);
+    space.contains(&moved).then_some(moved)
+}

@@ -26,6 +26,8 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").PlannerInfo} PlannerInfo */
 /** @typedef {import("./types.js").ParameterInfo} ParameterInfo */
 /** @typedef {import("./types.js").PlannerOptions} PlannerOptions */
+/** @typedef {import("./types.js").QueryOptions} QueryOptions */
+/** @typedef {import("./types.js").Approximate} Approximate */
 /** @typedef {import("./types.js").GenerateOptions} GenerateOptions */
 /** @typedef {import("./types.js").CspaceOptions} CspaceOptions */
 /** @typedef {import("./types.js").Stats} Stats */

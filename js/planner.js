@@ -5,13 +5,13 @@ import { PlanariumError } from "./error.js";
 import { Handle, key } from "./handle.js";
 
 /** @import { RawPlanner } from "./planarium_glue.js" */
-/** @import { Phase, ResultDocument, Stats, Status } from "./types.js" */
+/** @import { Configuration, Phase, QueryOptions, ResultDocument, Stats, Status } from "./types.js" */
 
 /** Iterations in one call of the core at most: cheap iterations still outweigh the call, dear ones do not stall. */
 const LONGEST_SLICE = 64;
 
 /** Phases whose time counts as search; all others build. */
-const SEARCHING = new Set(["searching", "shortcutting"]);
+const SEARCHING = new Set(["searching", "improving"]);
 
 /**
  * Makes the handle of a run.
@@ -31,7 +31,8 @@ export function makePlanner(raw) {
  * One run of one planner. It does nothing by itself: each `step` makes some iterations, and whoever watches asks for
  * what is new since a cursor. How the iterations are cut into steps never changes the result.
  *
- * Vertices, edges and events are only ever added. Vertex 0 is the start, vertex 1 the goal.
+ * Vertices, edges and events are only ever added. Vertex 0 is the start, vertex 1 the goal (of `rrt` too, whose tree it
+ * joins only when it is reached).
  */
 export class Planner {
   /** @type {Handle<RawPlanner>} */
@@ -72,6 +73,34 @@ export class Planner {
         throw new PlanariumError("out-of-range", `\`ms\` must be 0 or more, not ${ms}.`, "/ms");
       }
       return this.#advance(raw, Infinity, ms);
+    });
+  }
+
+  /**
+   * Takes the path as it is while it is being improved (phase `improving`), and so ends the run; else does nothing.
+   * @returns {Status}
+   */
+  finish() {
+    return /** @type {Status} */ (this.#handle.call((raw) => raw.finish()));
+  }
+
+  /**
+   * Asks the roadmap of `prm`, `prm-star` or `visibility-prm`, as far as it is built, for another path: start and goal are
+   * joined to their neighbours where motions are proven free, and the roadmap is searched. It stays as it was, unless the
+   * two are to be kept as its last vertices. The path is not improved.
+   * @param {Configuration} start
+   * @param {Configuration} goal
+   * @param {QueryOptions} [options]
+   * @returns {ResultDocument} its query is named `asked`
+   * @throws {PlanariumError} `unsupported` where the planner builds no roadmap; `start-in-collision`, `goal-in-collision`,
+   *   `wrong-dimension`, `not-finite`, `out-of-range`
+   */
+  query(start, goal, options = {}) {
+    return this.#handle.call((raw) => {
+      const keep = argument.options(options).keep ?? false;
+      if (typeof keep !== "boolean") throw new PlanariumError("wrong-type", "`keep` must be true or false.", "/keep");
+      const [from, to] = [argument.configuration(start, raw.dimension(), "start"), argument.configuration(goal, raw.dimension(), "goal")];
+      return /** @type {ResultDocument} */ (raw.query(from, to, keep));
     });
   }
 
@@ -141,6 +170,8 @@ export class Planner {
    * - 1: an edge was refused, from the vertex to the other vertex or, where that is -1, to the configuration
    * - 2: the search expanded the vertex
    * - 3: a solution was found; the vertex is where
+   * - 4: a free sample was thrown away, as it connects to nothing, or to nothing new
+   * - 5: the vertex became a guard of a visibility roadmap
    * @param {number} row  an integer from 0 to `eventCount`
    * @returns {Float64Array}
    */

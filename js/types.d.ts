@@ -6,10 +6,10 @@
 export type Status = "running" | "solved" | "exhausted";
 
 /**
- * What a planner is at. `prm`: sampling, connecting, searching, shortcutting, done.
- * `rrt-connect`: growing, shortcutting, done.
+ * What a planner is at. `prm` and `prm-star`: sampling, connecting, searching; `visibility-prm`: guarding, searching; `rrt` and
+ * `rrt-connect`: growing. Then improving, where that is asked for, and done.
  */
-export type Phase = "sampling" | "connecting" | "searching" | "growing" | "shortcutting" | "done";
+export type Phase = "sampling" | "connecting" | "guarding" | "searching" | "growing" | "improving" | "done";
 
 /** A point of the plane: x, y. */
 export type Point = [number, number];
@@ -148,11 +148,17 @@ export interface PlannerOptions {
   /** Integer from 0 to 2^53 - 1; 0 where absent. The same seed gives the same run, bit for bit. */
   seed?: number;
   /** How an arm's joint distances are put together; `sum` where absent. */
-  metric?: "sum" | "euclidean";
+  metric?: "sum" | "euclidean" | "naive";
   /** Budget of iterations; 100,000 where absent. */
   max_iterations?: number;
   /** Any other parameter of the planner. */
   [parameter: string]: number | string | boolean | undefined;
+}
+
+/** Options of `planner.query`. */
+export interface QueryOptions {
+  /** Whether start and goal stay in the roadmap, with their edges, as its last two vertices; false where absent. */
+  keep?: boolean;
 }
 
 /** Options of `Scenario.generate`. */
@@ -217,6 +223,20 @@ export interface ResultDocument {
   stats: Stats;
   /** 16 hexadecimal digits over every vertex, edge and event. */
   fingerprint: string;
+  /** `sampled` where edges were only looked at in places, so that the path is not proven; absent where it is. */
+  edge_check?: "sampled";
+  /** The estimated share of the free space that a visibility roadmap covers; absent for other planners. */
+  coverage?: number;
+  /** How far an RRT came that gave up: the path to its vertex nearest to the goal; absent otherwise. */
+  approximate?: Approximate;
+}
+
+/** An approximate answer, which does not reach the goal. */
+export interface Approximate {
+  /** Waypoints from the start on. */
+  path: number[][];
+  /** How far from the goal it ends, in the metric of the run. */
+  goal_distance: number;
 }
 
 /** Something with a URL that can be fetched: a `URL` or a `Request`. */

@@ -1,6 +1,6 @@
 //! A planning run in JavaScript's hands.
 
-use super::convert::{count, cursor, to_object};
+use super::convert::{count, cursor, throw, to_object};
 use crate::run::{EVENT_HEAD, Run};
 use wasm_bindgen::prelude::*;
 
@@ -21,6 +21,16 @@ impl RawPlanner {
     /// Does at most `iterations` iterations; answers the status.
     pub fn step(&mut self, iterations: f64) -> Result<String, JsValue> {
         Ok(self.run.step(count(iterations, "iterations")?).as_str().to_owned())
+    }
+
+    /// Takes the path as it is while it is being improved; answers the status.
+    pub fn finish(&mut self) -> String {
+        self.run.finish().as_str().to_owned()
+    }
+
+    /// Asks a built roadmap for another path; answers a result document, as a plain object.
+    pub fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<JsValue, JsValue> {
+        to_object(&self.run.query(start, goal, keep).map_err(throw)?)
     }
 
     /// `running`, `solved` or `exhausted`.

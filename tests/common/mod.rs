@@ -94,6 +94,46 @@ pub fn begin(scenario: &Scenario, planner: &str, seed: u64, parameters: &[(&str,
     run::start(scenario, &options).unwrap_or_else(|error| panic!("{error}"))
 }
 
+/// The same with settings as a line of `name=value`.
+pub fn begin_with(scenario: &Scenario, planner: &str, seed: u64, settings: &str) -> Box<dyn Run> {
+    run::start(scenario, &options(planner, seed, settings)).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Options with settings as a line of `name=value`.
+pub fn options(planner: &str, seed: u64, settings: &str) -> Options {
+    let parameters = settings.split_whitespace().map(|setting| {
+        let (name, value) = setting.split_once('=').expect("name=value");
+        (name.to_owned(), Value::from_text(value))
+    });
+    Options { planner: planner.to_owned(), query: None, seed, parameters: parameters.collect() }
+}
+
+/// Every planner with settings that show its features, small enough for many runs.
+pub const PLANNERS: &[(&str, &str)] = &[
+    ("prm", "samples=150 k=8"),
+    ("prm", "samples=150 k=8 insertion=one-by-one"),
+    ("prm", "samples=100 k=8 insertion=one-by-one discard=true"),
+    ("prm", "samples=150 radius=1.2"),
+    ("prm", "samples=150 radius=1.5 k=12 metric=naive"),
+    ("prm-star", "samples=150"),
+    ("visibility-prm", "failures=60"),
+    ("rrt", ""),
+    ("rrt", "extend=half goal_every=5"),
+    ("rrt", "extend=until-obstacle goal_bias=0.2"),
+    ("rrt-connect", ""),
+    ("rrt-connect", "shortcut=40 reduce=true partial_shortcut=40"),
+];
+
+/// Every sampler.
+pub const SAMPLERS: &[&str] = &["uniform", "halton", "lattice", "gaussian", "bridge", "obstacle-based", "goal-biased"];
+
+/// Settings without those that this scenario's robot refuses: a disc has no naive metric.
+pub fn fitting(scenario: &Scenario, settings: &str) -> String {
+    let is_disc = matches!(scenario.robot(), planarium::scenario::Robot::Disc(_));
+    let fits = |setting: &&str| !(is_disc && setting.starts_with("metric="));
+    settings.split_whitespace().filter(fits).collect::<Vec<_>>().join(" ")
+}
+
 /// Runs to the end.
 pub fn finish(mut run: Box<dyn Run>) -> Box<dyn Run> {
     run.step(u64::MAX);

@@ -1,0 +1,305 @@
+//! Roadmaps beyond the first question: how samples are joined, PRM*, guards, searches by name, questions asked again, and
+//! paths improved.
+
+mod common;
+
+use common::{SAMPLERS, arm_and_wall, arm_of, begin_with, disc_and_wall, finish, no_way, options, seeds};
+use planarium::planner::{logarithmic_k, prm_star_k};
+use planarium::run::{Run, Status, start};
+use planarium::space::angular_distance;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// The distance of two configurations of an arm of circles, summed over the joints.
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| angular_distance(*a, *b)).sum()
+}
+
+fn rows(run: &dyn Run) -> Vec<Vec<f64>> {
+    run.vertices_since(0).chunks(run.dimension()).map(<[f64]>::to_vec).collect()
+}
+
+fn edges(run: &dyn Run) -> Vec<[usize; 2]> {
+    run.edges_since(0).chunks(2).map(|edge| [edge[0] as usize, edge[1] as usize]).collect()
+}
+
+/// Events of one kind, each as a row.
+fn events(run: &dyn Run, kind: f64) -> Vec<Vec<f64>> {
+    let width = 4 + run.dimension();
+    run.events_since(0).chunks(width).filter(|event| event[0] == kind).map(<[f64]>::to_vec).collect()
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn with_a_radius_every_pair_within_it_is_tried_once_and_no_other() {
+    let run = finish(begin_with(&arm_of(2, false, 0.0), "prm", 4, "samples=120 radius=0.9"));
+    let vertices = rows(run.as_ref());
+    let mut tried: Vec<[usize; 2]> = edges(run.as_ref());
+    tried.extend(events(run.as_ref(), 1.0).iter().map(|event| [event[2] as usize, event[3] as usize]));
+    tried.iter_mut().for_each(|pair| pair.sort_unstable());
+    tried.sort_unstable();
+    let n = vertices.len();
+    let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| [i, j]));
+    let within: Vec<[usize; 2]> = pairs.filter(|&[i, j]| distance(&vertices[i], &vertices[j]) <= 0.9).collect();
+    assert_eq!(tried, within);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn k_and_radius_together_take_the_nearest_within() {
+    let both = finish(begin_with(&arm_of(2, false, 0.0), "prm", 4, "samples=120 radius=0.9 k=4"));
+    let vertices = rows(both.as_ref());
+    let mut degree = vec![0; vertices.len()];
+    for [a, b] in edges(both.as_ref()) {
+        assert!(distance(&vertices[a], &vertices[b]) <= 0.9);
+        degree[a] += 1;
+    }
+    assert!(degree.iter().all(|&degree| degree <= 4), "a vertex tries four neighbours at most");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn inserted_one_by_one_a_sample_is_joined_to_the_nearest_before_it() {
+    let run = finish(begin_with(&arm_of(2, false, 0.0), "prm", 6, "samples=100 k=5 insertion=one-by-one"));
+    let vertices = rows(run.as_ref());
+    assert_eq!(vertices.len(), 102);
+    let mut tried = edges(run.as_ref());
+    tried.extend(events(run.as_ref(), 1.0).iter().map(|event| [event[2] as usize, event[3] as usize]));
+    for v in 2..vertices.len() {
+        let mut nearest: Vec<usize> = (0..v).collect();
+        nearest.sort_by(|&i, &j| {
+            distance(&vertices[v], &vertices[i]).total_cmp(&distance(&vertices[v], &vertices[j])).then(i.cmp(&j))
+        });
+        nearest.truncate(5);
+        nearest.sort_unstable();
+        let mut own: Vec<usize> = tried.iter().filter(|[from, _]| *from == v).map(|[_, to]| *to).collect();
+        own.sort_unstable();
+        assert_eq!(own, nearest, "vertex {v}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn with_discarding_every_vertex_but_start_and_goal_has_an_edge() {
+    let settings = "samples=150 k=1 insertion=one-by-one discard=true";
+    let run = finish(begin_with(&arm_of(3, false, 0.05), "prm", 2, settings));
+    let edges = edges(run.as_ref());
+    for v in 2..run.vertex_count() {
+        assert!(edges.iter().any(|[from, _]| *from == v), "vertex {v} was joined when it came");
+    }
+    let discarded = events(run.as_ref(), 4.0);
+    assert!(!discarded.is_empty() && discarded.iter().all(|event| event[2] == -1.0));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_neighbours_of_prm_star_grow_with_the_logarithm() {
+    // e (1 + 1/2) ln 1000 = 28.17, e (1 + 1/4) ln 1000 = 23.47, ln 1000 = 6.9.
+    assert_eq!((prm_star_k(1000, 2), prm_star_k(1000, 4), logarithmic_k(1000)), (29, 24, 7));
+    for (settings, k) in [("samples=98", prm_star_k(100, 2)), ("samples=98 k_rule=log-n", 5)] {
+        let star = finish(begin_with(&arm_of(2, false, 0.0), "prm-star", 3, settings));
+        let plain = finish(begin_with(&arm_of(2, false, 0.0), "prm", 3, &format!("samples=98 k={k}")));
+        assert_eq!(star.fingerprint(), plain.fingerprint(), "PRM* is k-PRM with that k");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn guards_see_no_other_guard_and_links_see_two_components() {
+    for seed in 0..seeds(20) {
+        let world = arm_of(2, false, 0.02);
+        let run = finish(begin_with(&world, "visibility-prm", seed, "failures=150"));
+        let inspector = planarium::inspect::Inspector::new(&world);
+        let vertices = rows(run.as_ref());
+        let guards: Vec<usize> = events(run.as_ref(), 5.0).iter().map(|event| event[2] as usize).collect();
+        assert_eq!(guards[..2], [0, 1], "start and goal are the first guards");
+        for (i, &a) in guards.iter().enumerate().skip(2) {
+            for &b in &guards[..i] {
+                let hit = inspector.first_hit(&vertices[a], &vertices[b]).expect("configurations of the arm");
+                assert!(hit.is_some(), "seed {seed}: guards {a} and {b} do not see each other");
+            }
+        }
+        let edges = edges(run.as_ref());
+        for v in (2..vertices.len()).filter(|v| !guards.contains(v)) {
+            let linked: Vec<usize> = edges.iter().filter(|[from, _]| *from == v).map(|[_, to]| *to).collect();
+            assert!(linked.len() >= 2 && linked.iter().all(|to| guards.contains(to)), "a link joins guards");
+        }
+        let coverage = run.result().coverage.expect("it estimates its coverage");
+        assert!((1.0 - coverage - 1.0 / 150.0).abs() < 1e-12, "{coverage}");
+        assert!(vertices.len() < 60, "few vertices: {}", vertices.len());
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn an_rrt_that_gives_up_says_how_far_it_came() {
+    let run = finish(begin_with(&no_way(), "rrt", 1, "max_iterations=300"));
+    let result = run.result();
+    assert_eq!((result.status, result.path.len()), (Status::Exhausted, 0));
+    let approximate = result.approximate.expect("an approximate answer, named as such");
+    let vertices = rows(run.as_ref());
+    let goal = &vertices[1];
+    let nearest = (0..vertices.len()).filter(|&v| v != 1).map(|v| distance(&vertices[v], goal)).fold(9.0, f64::min);
+    assert_eq!(approximate.path[0], vertices[0]);
+    assert_eq!(distance(&approximate.path[approximate.path.len() - 1], goal), approximate.goal_distance);
+    assert_eq!(approximate.goal_distance, nearest, "it ends at the vertex of the tree nearest to the goal");
+    let solved = finish(begin_with(&arm_and_wall(0.1), "rrt", 1, ""));
+    assert!(solved.result().approximate.is_none());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_search_answers_by_its_own_measure() {
+    for seed in 0..seeds(10) {
+        let world = arm_of(3, false, 0.0);
+        let run = |settings: &str| finish(begin_with(&world, "prm", seed, &format!("samples=300 k=10 {settings}")));
+        let a_star = run("");
+        let (cost, hops) = (a_star.length(), |run: &dyn Run| run.path().len() - 1);
+        for settings in ["search=dijkstra", "heuristic=end-effector", "heuristic=none"] {
+            let other = run(settings);
+            assert!((other.length() - cost).abs() <= 1e-12 * cost, "{settings}");
+            assert!(other.stats().visited >= a_star.stats().visited, "{settings} looks at more vertices");
+        }
+        let breadth = run("search=breadth-first");
+        assert_eq!(hops(run("search=bidirectional").as_ref()), hops(breadth.as_ref()));
+        for heuristic in ["none", "metric", "end-effector"] {
+            let settings = format!("cost=hops heuristic={heuristic}");
+            assert_eq!(hops(run(&settings).as_ref()), hops(breadth.as_ref()), "{settings} is admissible");
+        }
+        assert_eq!(run("search=dijkstra cost=hops").path().len(), breadth.path().len());
+        let mixed = run("cost=hops heuristic=metric-as-hops");
+        assert!(mixed.status() == Status::Solved && hops(mixed.as_ref()) >= hops(breadth.as_ref()));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_roadmap_answers_again_and_stays_as_it_was() {
+    let world = arm_of(3, false, 0.0);
+    for (planner, settings) in [("prm", "samples=400"), ("prm-star", "samples=300"), ("visibility-prm", "")] {
+        let mut run = finish(begin_with(&world, planner, 1, settings));
+        let before = (run.fingerprint(), run.vertex_count(), run.edge_count());
+        let (start, goal) = ([0.2, 0.1, 0.3], [-3.0, -0.2, 0.1]);
+        let answer = run.query(&start, &goal, false).expect("free ends");
+        assert_eq!(answer.status, Status::Solved, "{planner}");
+        assert_eq!((answer.query.as_str(), answer.path[0].as_slice()), ("asked", start.as_slice()));
+        assert_eq!(answer.path[answer.path.len() - 1], goal);
+        assert_eq!((run.fingerprint(), run.vertex_count(), run.edge_count()), before, "{planner} keeps its roadmap");
+        assert_eq!(run.query(&start, &goal, false).expect("free ends").path, answer.path, "the same again");
+        let inspector = planarium::inspect::Inspector::new(&world);
+        for pair in answer.path.windows(2) {
+            assert_eq!(inspector.first_hit(&pair[0], &pair[1]).expect("of this arm"), None);
+        }
+        run.query(&start, &goal, true).expect("free ends");
+        let (vertices, kept) = (rows(run.as_ref()), run.vertex_count());
+        assert_eq!(kept, before.1 + 2, "{planner} keeps the two when asked to");
+        assert_eq!((vertices[kept - 2].as_slice(), vertices[kept - 1].as_slice()), (&start[..], &goal[..]));
+        assert!(run.edge_count() > before.2);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn questions_that_cannot_be_asked_are_refused() {
+    let mut run = finish(begin_with(&arm_and_wall(0.1), "prm", 1, "samples=100"));
+    let free = [0.6, 0.2];
+    let cases: [(&[f64], &str, &str); 5] = [
+        (&[0.6], "wrong-dimension", "/goal"),
+        (&[0.6, f64::NAN], "not-finite", "/goal/1"),
+        (&[1e7, 0.0], "out-of-range", "/goal/0"),
+        (&[0.0, 0.0], "goal-in-collision", "/goal"),
+        (&[0.6, 0.2, 0.0], "wrong-dimension", "/goal"),
+    ];
+    for (goal, code, pointer) in cases {
+        let error = run.query(&free, goal, false).expect_err("refused");
+        assert_eq!((error.code().as_str(), error.pointer()), (code, pointer), "{error}");
+    }
+    let error = run.query(&[0.0, 0.0], &free, false).expect_err("refused");
+    assert_eq!((error.code().as_str(), error.pointer()), ("start-in-collision", "/start"));
+    let mut tree = finish(begin_with(&arm_and_wall(0.1), "rrt-connect", 1, ""));
+    let error = tree.query(&free, &free, false).expect_err("a tree is no roadmap");
+    assert_eq!(error.code().as_str(), "unsupported");
+    let mut cut_off = finish(begin_with(&no_way(), "prm", 1, "samples=200"));
+    let answer = cut_off.query(&[1.5, 0.0], &[-1.5, 0.0], false).expect("free ends");
+    assert_eq!((answer.status, answer.path.len()), (Status::Exhausted, 0), "never a wrong yes");
+    let limited = start(&arm_of(2, true, 0.0), &options("prm", 1, "samples=50")).expect("it starts");
+    let mut limited = finish(limited);
+    let error = limited.query(&[0.1, 0.1], &[0.1, 3.6], false).expect_err("beyond a limit");
+    assert_eq!((error.code().as_str(), error.pointer()), ("out-of-range", "/goal"));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_kind_of_improvement_shortens_the_path_and_proves_it() {
+    for world in [arm_of(3, false, 0.02), disc_and_wall(0.2, 0.3)] {
+        let inspector = planarium::inspect::Inspector::new(&world);
+        let mut shorter = [0; 3];
+        for seed in 0..seeds(20) {
+            let raw = finish(begin_with(&world, "rrt-connect", seed, "step=0.4"));
+            for (i, settings) in ["reduce=true", "shortcut=60", "partial_shortcut=60"].into_iter().enumerate() {
+                let run = finish(begin_with(&world, "rrt-connect", seed, &format!("step=0.4 {settings}")));
+                assert!(run.length() <= raw.length(), "{settings}: {} after {}", run.length(), raw.length());
+                assert_eq!(run.fingerprint(), raw.fingerprint(), "{settings} leaves the graph alone");
+                let path = run.path();
+                assert_eq!((&path[0], path.last()), (&raw.path()[0], raw.path().last()));
+                for pair in path.windows(2) {
+                    assert_eq!(inspector.first_hit(&pair[0], &pair[1]).expect("in range"), None, "{settings}");
+                }
+                shorter[i] += u64::from(run.length() < 0.99 * raw.length());
+            }
+        }
+        assert!(shorter.iter().all(|&count| count >= seeds(20) / 2), "{shorter:?} of {}", seeds(20));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn improvement_can_be_cut_short_at_any_time() {
+    let world = disc_and_wall(0.2, 0.3);
+    let mut run = begin_with(&world, "rrt-connect", 1, "shortcut=1000");
+    assert_eq!(run.finish(), Status::Running, "there is no path yet to be content with");
+    while run.phase() != "improving" {
+        run.step(1);
+    }
+    run.step(10);
+    assert_eq!((run.status(), run.path().len()), (Status::Running, 0));
+    assert_eq!(run.finish(), Status::Solved);
+    assert!(run.path().len() >= 2 && run.step(5) == Status::Solved);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn edges_that_are_only_sampled_are_named_and_jump_through_a_thin_wall() {
+    let thin = arm_and_wall(0.01);
+    let mut through = 0;
+    for seed in 0..seeds(20) {
+        let sampled = finish(begin_with(&thin, "rrt-connect", seed, "edge_check=sampled edge_samples=4")).result();
+        assert_eq!(sampled.edge_check.as_deref(), Some("sampled"));
+        let verdict = planarium::path::verify(&thin, &sampled).expect("it is a result of this scenario");
+        through += u64::from(matches!(verdict, planarium::path::Verdict::Invalid { .. }));
+        assert!(finish(begin_with(&thin, "rrt-connect", seed, "")).result().edge_check.is_none());
+    }
+    assert!(through >= seeds(20) / 2, "{through} of {} paths cross the wall", seeds(20));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_naive_metric_goes_the_long_way_round() {
+    let world = common::parse(
+        r#"{ "format": "planarium-scenario-1", "name": "turn", "world": { "obstacles": [] },
+            "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
+            "queries": [ { "name": "across", "start": [0.2, 0.1], "goal": [-0.2, 0.1] } ] }"#,
+    );
+    let wrapped = finish(begin_with(&world, "prm", 1, "samples=300 metric=euclidean"));
+    let naive = finish(begin_with(&world, "prm", 1, "samples=300 metric=naive"));
+    assert!(wrapped.length() < 0.5, "0.4 the short way: {}", wrapped.length());
+    assert!(naive.length() > 5.8, "2 pi - 0.4 the long way: {}", naive.length());
+    assert!(naive.path().iter().flatten().all(|angle| (0.0..std::f64::consts::TAU).contains(angle)));
+    let verdict = planarium::path::verify(&world, &naive.result()).expect("a result of this scenario");
+    assert!(matches!(verdict, planarium::path::Verdict::Valid { .. }), "{verdict:?}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_planner_and_sampler_keeps_its_paths_clear() {
+    for world in [arm_and_wall(1e-6), disc_and_wall(0.3, 1e-6)] {
+        for &sampler in SAMPLERS {
+            for planner in ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connect"] {
+                for seed in 0..seeds(3) {
+                    let samples = if planner.starts_with("prm") { "samples=200" } else { "" };
+                    let settings = format!("{samples} sampler={sampler} shortcut=20 partial_shortcut=20 reduce=true");
+                    let run = finish(begin_with(&world, planner, seed, &format!("{settings} max_iterations=5000")));
+                    if run.status() == Status::Solved {
+                        let verdict = planarium::path::verify(&world, &run.result()).expect("of this scenario");
+                        let is_valid = matches!(verdict, planarium::path::Verdict::Valid { .. });
+                        assert!(is_valid, "{planner} {settings} seed {seed}: {verdict:?}");
+                    }
+                }
+            }
+        }
+    }
+}

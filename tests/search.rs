@@ -1,0 +1,158 @@
+//! Searches on random graphs, against brute force: every search is a walker that expands one vertex a step.
+
+use planarium::graph::search::{BestFirst, Bidirectional, BreadthFirst, Expansion, View, Walker};
+use planarium::graph::{Adjacency, UnionFind, VertexId};
+use planarium::random::{Random, Stream};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// A random geometric graph: points in the unit square, edges between random pairs that are not too far apart.
+struct World {
+    points: Vec<[f64; 2]>,
+    edges: Vec<[VertexId; 2]>,
+}
+
+impl World {
+    fn new(seed: u64) -> Self {
+        let mut random = Random::new(seed, Stream::Scenario);
+        let n = 2 + random.below(60);
+        let points: Vec<[f64; 2]> = (0..n).map(|_| [random.uniform(), random.uniform()]).collect();
+        let mut edges = Vec::new();
+        for _ in 0..random.below(4 * n) {
+            let (a, b) = (random.below(n) as u32, random.below(n) as u32);
+            if a != b && distance(points[a as usize], points[b as usize]) < 0.5 {
+                edges.push([VertexId(a), VertexId(b)]);
+            }
+        }
+        Self { points, edges }
+    }
+
+    fn length(&self, a: VertexId, b: VertexId) -> f64 {
+        distance(self.points[a.index()], self.points[b.index()])
+    }
+
+    /// The cheapest costs from vertex 0 to all others, by relaxing all edges until nothing changes (Bellman and Ford).
+    fn costs(&self, cost: impl Fn(VertexId, VertexId) -> f64) -> Vec<f64> {
+        let mut costs = vec![f64::INFINITY; self.points.len()];
+        costs[0] = 0.0;
+        for _ in 0..self.points.len() {
+            for &[a, b] in &self.edges {
+                let weight = cost(a, b);
+                costs[b.index()] = costs[b.index()].min(costs[a.index()] + weight);
+                costs[a.index()] = costs[a.index()].min(costs[b.index()] + weight);
+            }
+        }
+        costs
+    }
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    ((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1])).sqrt()
+}
+
+/// Walks to the end: the path, empty where there is none, and how many vertices were expanded.
+fn walk(
+    walker: &mut dyn Walker,
+    world: &World,
+    cost: &dyn Fn(VertexId, VertexId) -> f64,
+    heuristic: &dyn Fn(VertexId) -> f64,
+) -> (Vec<VertexId>, usize) {
+    let adjacency = Adjacency::new(world.points.len(), &world.edges);
+    let view = View { adjacency: &adjacency, cost, heuristic };
+    let mut expanded = 0;
+    loop {
+        match walker.step(&view) {
+            Expansion::Vertex(_) => expanded += 1,
+            Expansion::Goal => return (walker.path(), expanded),
+            Expansion::Nothing => return (Vec::new(), expanded),
+        }
+    }
+}
+
+/// The cost of a path; every step must be an edge.
+fn cost_of(world: &World, path: &[VertexId], cost: impl Fn(VertexId, VertexId) -> f64) -> f64 {
+    let pairs = path.windows(2).map(|pair| {
+        let is_edge = world.edges.iter().any(|&[a, b]| [a, b] == [pair[0], pair[1]] || [b, a] == [pair[0], pair[1]]);
+        assert!(is_edge, "a path goes along edges");
+        cost(pair[0], pair[1])
+    });
+    pairs.sum()
+}
+
+const START: VertexId = VertexId(0);
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_search_finds_the_best_path_by_its_own_measure_and_only_where_there_is_one() {
+    let (mut reachable, mut fewer) = (0, [0, 0]);
+    for seed in 0..2000 {
+        let world = World::new(seed);
+        let n = world.points.len();
+        let goal = VertexId(n as u32 - 1);
+        let metric = |a, b| world.length(a, b);
+        let hops = |_: VertexId, _: VertexId| 1.0;
+        let (shortest, fewest) = (world.costs(metric)[goal.index()], world.costs(hops)[goal.index()]);
+
+        let none = |_: VertexId| 0.0;
+        let to_goal = |v| world.length(v, goal);
+        // Admissible but inconsistent: full strength at some vertices, nothing at others.
+        let patchy = |v: VertexId| if v.0.is_multiple_of(3) { world.length(v, goal) } else { 0.0 };
+        let (dijkstra, plain) = walk(&mut BestFirst::new(n, START, goal), &world, &metric, &none);
+        let (a_star, guided) = walk(&mut BestFirst::new(n, START, goal), &world, &metric, &to_goal);
+        let (reopening, _) = walk(&mut BestFirst::new(n, START, goal), &world, &metric, &patchy);
+        let (breadth, one_sided) = walk(&mut BreadthFirst::new(n, START, goal), &world, &metric, &none);
+        let (both, two_sided) = walk(&mut Bidirectional::new(n, START, goal), &world, &metric, &none);
+        let (hopping, _) = walk(&mut BestFirst::new(n, START, goal), &world, &hops, &none);
+        let paths = [&dijkstra, &a_star, &reopening, &breadth, &both, &hopping];
+        if shortest.is_infinite() {
+            assert!(paths.iter().all(|path| path.is_empty()), "seed {seed}: no search finds what is not there");
+            continue;
+        }
+        reachable += 1;
+        for path in paths {
+            assert_eq!((path[0], path[path.len() - 1]), (START, goal));
+        }
+        for path in [&dijkstra, &a_star, &reopening] {
+            let cost = cost_of(&world, path, metric);
+            assert!((cost - shortest).abs() <= 1e-12 * shortest.max(1.0), "seed {seed}: {cost} is not {shortest}");
+        }
+        for path in [&breadth, &both, &hopping] {
+            assert_eq!(cost_of(&world, path, hops), fewest, "seed {seed}");
+        }
+        assert!(guided <= plain, "a consistent heuristic never expands more");
+        fewer[0] += usize::from(guided < plain);
+        fewer[1] += usize::from(two_sided < one_sided);
+    }
+    assert!(reachable > 800, "{reachable} of 2000 graphs join their ends");
+    assert!(fewer[0] > reachable / 4 && fewer[1] > reachable / 4, "{fewer:?}: guidance and two sides pay");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_search_from_a_vertex_to_itself_is_over_at_once() {
+    let world = World { points: vec![[0.0; 2]; 2], edges: vec![[VertexId(0), VertexId(1)]] };
+    let cost = |_: VertexId, _: VertexId| 1.0;
+    let none = |_: VertexId| 0.0;
+    let walkers: [Box<dyn Walker>; 3] = [
+        Box::new(BestFirst::new(2, START, START)),
+        Box::new(BreadthFirst::new(2, START, START)),
+        Box::new(Bidirectional::new(2, START, START)),
+    ];
+    for mut walker in walkers {
+        assert_eq!(walk(walker.as_mut(), &world, &cost, &none), (vec![START], 0));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn sets_that_are_joined_are_one() {
+    for seed in 0..50 {
+        let world = World::new(seed);
+        let mut sets = UnionFind::default();
+        world.points.iter().for_each(|_| sets.add());
+        for &[a, b] in &world.edges {
+            let were_two = sets.find(a.index()) != sets.find(b.index());
+            assert_eq!(sets.join(a.index(), b.index()), were_two);
+        }
+        let costs = world.costs(|_, _| 1.0);
+        for (i, cost) in costs.iter().enumerate() {
+            assert_eq!(sets.find(i) == sets.find(0), cost.is_finite());
+        }
+    }
+}

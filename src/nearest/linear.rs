@@ -1,20 +1,30 @@
 //! The linear scan: looks at every state. Simple, exact, the oracle of every other index, and fastest for few states.
 
+use super::closest::Closest;
+use super::packs::{LANES, Packs};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
+use std::marker::PhantomData;
 
-/// All states in one list. A query costs O(n), for k neighbours O(n + k m) where m states enter the list on the way.
+/// All states in one list, by columns. A query costs O(n).
 #[derive(Debug, Clone)]
 pub struct LinearScan<S: Space> {
-    vertices: Vec<VertexId>,
-    states: Vec<S::State>,
+    packs: Packs,
+    len: usize,
+    space: PhantomData<S>,
 }
 
 impl<S: Space> LinearScan<S> {
     /// An empty index.
     pub fn new() -> Self {
-        Self { vertices: Vec::new(), states: Vec::new() }
+        Self { packs: Packs::default(), len: 0, space: PhantomData }
+    }
+
+    fn scan(&self, space: &S, from: &[f64], closest: &mut Closest) {
+        for pack in 0..self.packs.len() {
+            closest.offer(&self.packs.distances(space, from, pack), self.packs.vertices(pack));
+        }
     }
 }
 
@@ -25,46 +35,37 @@ impl<S: Space> Default for LinearScan<S> {
 }
 
 impl<S: Space> Nearest<S> for LinearScan<S> {
-    fn insert(&mut self, _: &S, vertex: VertexId, state: S::State) {
-        debug_assert!(self.vertices.last().is_none_or(|&last| last < vertex), "vertex numbers increase");
-        self.vertices.push(vertex);
-        self.states.push(state);
+    fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
+        let (pack, lane) = (self.len / LANES, self.len % LANES);
+        if lane == 0 {
+            self.packs.dimension = space.dimension();
+            self.packs.add();
+        }
+        self.packs.set(pack, lane, vertex, space.coordinates(&state).iter().copied());
+        self.len += 1;
     }
 
     fn len(&self) -> usize {
-        self.vertices.len()
+        self.len
     }
 
     fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
-        // The first of equals is the one with the lowest number: states are stored in the order of their numbers.
-        let mut best = (f64::INFINITY, usize::MAX);
-        for (i, candidate) in self.states.iter().enumerate() {
-            let distance = space.distance(state, candidate);
-            if distance < best.0 {
-                best = (distance, i);
-            }
-        }
-        self.vertices.get(best.1).map(|&vertex| Neighbour { distance: best.0, vertex })
+        let mut found = Vec::with_capacity(1);
+        self.k_nearest(space, state, 1, &mut found);
+        found.pop()
     }
 
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
-        found.clear();
-        if k == 0 {
-            return;
+        let mut closest = Closest::new(found, k);
+        if k > 0 {
+            self.scan(space, space.coordinates(state), &mut closest);
         }
-        let mut farthest = f64::INFINITY;
-        for (candidate, &vertex) in self.states.iter().zip(&self.vertices) {
-            let distance = space.distance(state, candidate);
-            if distance < farthest {
-                if found.len() == k {
-                    found.pop();
-                }
-                let at = found.iter().rposition(|kept| kept.distance <= distance).map_or(0, |i| i + 1);
-                found.insert(at, Neighbour { distance, vertex });
-                if found.len() == k {
-                    farthest = found[k - 1].distance;
-                }
-            }
-        }
+        closest.finish();
+    }
+
+    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
+        let mut closest = Closest::within(found, radius);
+        self.scan(space, space.coordinates(state), &mut closest);
+        closest.finish();
     }
 }

@@ -1,11 +1,16 @@
 //! Nearest neighbours among states. Ties go to the lower vertex number, so every index gives the same answer.
 
+mod closest;
+mod kd_tree;
 mod linear;
+mod packs;
 
+pub use kd_tree::KdTree;
 pub use linear::LinearScan;
 
 use crate::graph::VertexId;
 use crate::space::Space;
+use std::cmp::Ordering;
 
 /// A neighbour and its distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,6 +26,12 @@ impl Neighbour {
     #[inline]
     pub fn is_before(&self, other: &Self) -> bool {
         self.distance < other.distance || (self.distance == other.distance && self.vertex < other.vertex)
+    }
+
+    /// The same as an ordering of distances that are not negative.
+    #[inline]
+    fn order(&self, other: &Self) -> Ordering {
+        self.distance.total_cmp(&other.distance).then(self.vertex.cmp(&other.vertex))
     }
 }
 
@@ -42,4 +53,7 @@ pub trait Nearest<S: Space> {
 
     /// The `k` vertices nearest to `state` (all, where there are fewer), nearest first, into `found`.
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>);
+
+    /// Every vertex no farther from `state` than `radius`, nearest first, into `found`.
+    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>);
 }

@@ -1,0 +1,59 @@
+//! Nearest neighbours on toruses: microseconds a query, medians, of the linear scan, the kd-tree and the approximate index.
+//!
+//! `cargo bench --bench nearest`; a run pinned to one core is quieter.
+
+use planarium::graph::VertexId;
+use planarium::nearest::{KdTree, LinearScan, Nearest, Neighbour};
+use planarium::random::{Random, Stream};
+use planarium::space::{Joint, Metric, Space, Torus};
+use std::hint::black_box;
+use std::time::Instant;
+
+fn main() {
+    println!("| dimension | n | k | linear | kd-tree | kd-tree built in ms |");
+    println!("|---|---|---|---|---|---|");
+    rows::<2>();
+    rows::<3>();
+    rows::<4>();
+}
+
+fn rows<const N: usize>() {
+    let space = Torus::<N>::new(&[Joint::Circle; N], Metric::Sum);
+    for n in [100, 300, 1_000, 10_000, 100_000] {
+        let mut random = Random::new(1, Stream::Samples);
+        let states: Vec<_> = (0..n).map(|_| space.sample(&mut random)).collect();
+        let asked: Vec<_> = (0..1000).map(|_| space.sample(&mut random)).collect();
+        let (linear, _) = build(LinearScan::new(), &space, &states);
+        let (tree, built) = build(KdTree::new(), &space, &states);
+        for k in [1, 10, 30] {
+            let scan = time(&linear, &space, &asked[..(10_000_000 / n).min(1000)], k);
+            let search = time(&tree, &space, &asked, k);
+            println!("| {N} | {n} | {k} | {scan:.2} | {search:.2} | {built:.2} |");
+        }
+    }
+}
+
+fn build<S: Space, I: Nearest<S>>(mut index: I, space: &S, states: &[S::State]) -> (I, f64) {
+    let began = Instant::now();
+    for (i, &state) in states.iter().enumerate() {
+        index.insert(space, VertexId(i as u32), state);
+    }
+    (index, began.elapsed().as_secs_f64() * 1e3)
+}
+
+/// Microseconds a query.
+fn time<S: Space>(index: &impl Nearest<S>, space: &S, asked: &[S::State], k: usize) -> f64 {
+    let mut found: Vec<Neighbour> = Vec::new();
+    let mut times: Vec<f64> = (0..5)
+        .map(|_| {
+            let began = Instant::now();
+            for state in asked {
+                index.k_nearest(space, state, k, &mut found);
+                black_box(&found);
+            }
+            began.elapsed().as_secs_f64() * 1e6 / asked.len() as f64
+        })
+        .collect();
+    times.sort_by(f64::total_cmp);
+    times[2]
+}

@@ -4,7 +4,7 @@ use super::Neighbour;
 use crate::graph::VertexId;
 
 /// Up to this many neighbours are kept sorted; of more, the best are picked out now and then.
-const SORTED: usize = 48;
+const SORTED: usize = 16;
 
 /// Keeps the `k` first of the neighbours offered, in the order of [`Neighbour::is_before`].
 pub(super) struct Closest<'a> {
@@ -71,7 +71,7 @@ impl<'a> Closest<'a> {
 
     /// Keeps the first `k` of more, in no order.
     fn pick(&mut self) {
-        self.found.select_nth_unstable_by(self.k - 1, Neighbour::order);
+        self.found.select_nth_unstable_by_key(self.k - 1, Neighbour::key);
         self.found.truncate(self.k);
         self.limit = self.found[self.k - 1].distance;
     }
@@ -82,7 +82,7 @@ impl<'a> Closest<'a> {
             if self.found.len() > self.k {
                 self.pick();
             }
-            self.found.sort_unstable_by(Neighbour::order);
+            self.found.sort_unstable_by_key(Neighbour::key);
         }
     }
 }

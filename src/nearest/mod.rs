@@ -10,7 +10,6 @@ pub use linear::LinearScan;
 
 use crate::graph::VertexId;
 use crate::space::Space;
-use std::cmp::Ordering;
 
 /// A neighbour and its distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,10 +27,10 @@ impl Neighbour {
         self.distance < other.distance || (self.distance == other.distance && self.vertex < other.vertex)
     }
 
-    /// The same as an ordering of distances that are not negative.
+    /// A number that orders as [`is_before`](Self::is_before): the bits of distances that are not negative order as they do.
     #[inline]
-    fn order(&self, other: &Self) -> Ordering {
-        self.distance.total_cmp(&other.distance).then(self.vertex.cmp(&other.vertex))
+    fn key(&self) -> u128 {
+        (u128::from(self.distance.to_bits()) << 32) | u128::from(self.vertex.0)
     }
 }
 

@@ -117,7 +117,9 @@ impl<S: Space> KdTree<S> {
     fn take(&mut self, node: Node, entries: &mut Entries) {
         if !node.is_leaf() {
             self.free_branches.push(node.0);
-            self.branches[node.index()].children.map(|child| self.take(child, entries));
+            for child in self.branches[node.index()].children {
+                self.take(child, entries);
+            }
             return;
         }
         let Leaf { packs, len } = self.leaves[node.index()];

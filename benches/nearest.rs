@@ -15,11 +15,40 @@ fn main() {
     rows::<2>();
     rows::<3>();
     rows::<4>();
+    println!("\nFrom how many states on the kd-tree is faster than the scan\n\n| dimension | k = 1 | 3 | 10 | 30 | 100 |");
+    println!("|---|---|---|---|---|---|");
+    crossovers::<2>();
+    crossovers::<3>();
+    crossovers::<4>();
+    crossovers::<5>();
+    crossovers::<6>();
+}
+
+/// The least n, in steps of a quarter, from which on the kd-tree is faster up to three times as many states.
+fn crossovers<const N: usize>() {
+    let space = Torus::<N>::new(&[Joint::Circle; N], Metric::Sum);
+    let mut random = Random::new(2, Stream::Samples);
+    let asked: Vec<_> = (0..400).map(|_| space.sample(&mut random)).collect();
+    let mut row = format!("| {N} |");
+    for k in [1, 3, 10, 30, 100] {
+        let (mut n, mut from, mut wins) = (32, 0, 0);
+        while wins < 5 && n < 40_000 {
+            let states: Vec<_> = (0..n).map(|_| space.sample(&mut random)).collect();
+            let (linear, _) = build(LinearScan::new(), &space, &states);
+            let (tree, _) = build(KdTree::new(), &space, &states);
+            let is_faster = time(&tree, &space, &asked, k) < time(&linear, &space, &asked, k);
+            wins = if is_faster { wins + 1 } else { 0 };
+            from = if wins == 1 { n } else { from };
+            n += n / 4;
+        }
+        row += &format!(" {from} |");
+    }
+    println!("{row}");
 }
 
 fn rows<const N: usize>() {
     let space = Torus::<N>::new(&[Joint::Circle; N], Metric::Sum);
-    for n in [100, 300, 1_000, 10_000, 100_000] {
+    for n in [1_000, 10_000, 100_000] {
         let mut random = Random::new(1, Stream::Samples);
         let states: Vec<_> = (0..n).map(|_| space.sample(&mut random)).collect();
         let asked: Vec<_> = (0..1000).map(|_| space.sample(&mut random)).collect();

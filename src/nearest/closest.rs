@@ -1,30 +1,36 @@
 //! The best candidates of a query so far.
 
 use super::Neighbour;
+use super::packs::LANES;
 use crate::graph::VertexId;
 
 /// Up to this many neighbours are kept sorted; of more, the best are picked out now and then.
-const SORTED: usize = 16;
+const SORTED: usize = 4;
+
+/// What stands where no candidate does.
+const NONE: Neighbour = Neighbour { distance: f64::INFINITY, vertex: VertexId(u32::MAX) };
 
 /// Keeps the `k` first of the neighbours offered, in the order of [`Neighbour::is_before`].
 pub(super) struct Closest<'a> {
+    /// The candidates; where they are not kept sorted, room for more follows.
     found: &'a mut Vec<Neighbour>,
+    /// How many candidates there are, where they are not kept sorted.
+    len: usize,
     k: usize,
     /// No neighbour farther than this is wanted.
     limit: f64,
 }
 
 impl<'a> Closest<'a> {
-    /// Of all, the `k` closest, at least 1.
-    pub fn new(found: &'a mut Vec<Neighbour>, k: usize) -> Self {
+    /// The `k` closest of those no farther than `limit`, k at least 1.
+    pub fn new(found: &'a mut Vec<Neighbour>, k: usize, limit: f64) -> Self {
         found.clear();
-        Self { found, k, limit: f64::INFINITY }
+        Self { found, len: 0, k, limit }
     }
 
     /// All up to a distance.
     pub fn within(found: &'a mut Vec<Neighbour>, radius: f64) -> Self {
-        found.clear();
-        Self { found, k: usize::MAX, limit: radius }
+        Self::new(found, usize::MAX, radius)
     }
 
     /// No neighbour farther than this is wanted; at this distance ties are decided.
@@ -35,27 +41,34 @@ impl<'a> Closest<'a> {
 
     /// Offers a pack of distances; those that are not numbers are passed over.
     #[inline(always)]
-    pub fn offer<const L: usize>(&mut self, distances: &[f64; L], vertices: &[VertexId; L]) {
+    pub fn offer(&mut self, distances: &[f64; LANES], vertices: &[VertexId; LANES]) {
+        if self.k > SORTED {
+            // Written whether wanted or not, and overwritten if not: which ones are wanted cannot be foreseen.
+            if self.len + LANES > self.found.len() {
+                self.make_room();
+            }
+            let room = &mut self.found[self.len..self.len + LANES];
+            let mut wanted = 0;
+            for lane in 0..LANES {
+                room[wanted % LANES] = Neighbour { distance: distances[lane], vertex: vertices[lane] };
+                wanted += usize::from(distances[lane] <= self.limit);
+            }
+            self.len += wanted;
+            return;
+        }
         let mut wanted = 0u32;
-        for lane in 0..L {
+        for lane in 0..LANES {
             wanted |= u32::from(distances[lane] <= self.limit) << lane;
         }
         while wanted != 0 {
-            let lane = wanted.trailing_zeros() as usize % L;
+            let lane = wanted.trailing_zeros() as usize % LANES;
             wanted &= wanted - 1;
             self.keep(Neighbour { distance: distances[lane], vertex: vertices[lane] });
         }
     }
 
+    /// Puts a neighbour in its place among those kept sorted.
     fn keep(&mut self, neighbour: Neighbour) {
-        if self.k > SORTED {
-            self.found.push(neighbour);
-            // Picking k out of twice as many costs a step a candidate.
-            if self.found.len() / 2 >= self.k {
-                self.pick();
-            }
-            return;
-        }
         if self.found.len() == self.k {
             if !neighbour.is_before(&self.found[self.k - 1]) {
                 return;
@@ -69,19 +82,32 @@ impl<'a> Closest<'a> {
         }
     }
 
+    /// Makes room for a pack of candidates: more of it, up to twice what is kept, then by picking.
+    #[cold]
+    fn make_room(&mut self) {
+        if self.len / 2 >= self.k {
+            self.pick();
+        }
+        let room = (2 * self.len).max(64);
+        if self.found.len() < self.len + LANES {
+            self.found.resize(room.min(self.k.saturating_mul(2)).max(self.len) + LANES, NONE);
+        }
+    }
+
     /// Keeps the first `k` of more, in no order.
     fn pick(&mut self) {
-        self.found.select_nth_unstable_by_key(self.k - 1, Neighbour::key);
-        self.found.truncate(self.k);
+        self.found[..self.len].select_nth_unstable_by_key(self.k - 1, Neighbour::key);
+        self.len = self.k;
         self.limit = self.found[self.k - 1].distance;
     }
 
-    /// Sorts what was found.
+    /// Leaves what was found, sorted.
     pub fn finish(mut self) {
         if self.k > SORTED {
-            if self.found.len() > self.k {
+            if self.len > self.k {
                 self.pick();
             }
+            self.found.truncate(self.len);
             self.found.sort_unstable_by_key(Neighbour::key);
         }
     }

@@ -1,10 +1,12 @@
 //! Nearest neighbours among states. Ties go to the lower vertex number, so every index gives the same answer.
 
 mod closest;
+mod index;
 mod kd_tree;
 mod linear;
 mod packs;
 
+pub use index::Index;
 pub use kd_tree::KdTree;
 pub use linear::LinearScan;
 

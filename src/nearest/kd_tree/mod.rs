@@ -181,7 +181,7 @@ impl<S: Space> Nearest<S> for KdTree<S> {
     }
 
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
-        let mut closest = Closest::new(found, k);
+        let mut closest = Closest::new(found, k, f64::INFINITY);
         if k > 0 {
             self.search(space, space.coordinates(state), &mut closest);
         }

@@ -4,9 +4,6 @@ use super::Neighbour;
 use super::packs::LANES;
 use crate::graph::VertexId;
 
-/// Up to this many neighbours are kept sorted; of more, the best are picked out now and then.
-const SORTED: usize = 4;
-
 /// What stands where no candidate does.
 const NONE: Neighbour = Neighbour { distance: f64::INFINITY, vertex: VertexId(u32::MAX) };
 
@@ -17,20 +14,22 @@ pub(super) struct Closest<'a> {
     /// How many candidates there are, where they are not kept sorted.
     len: usize,
     k: usize,
+    /// Whether they are kept sorted, so that the limit is always the tightest; else the best are picked out now and then.
+    is_sorted: bool,
     /// No neighbour farther than this is wanted.
     limit: f64,
 }
 
 impl<'a> Closest<'a> {
-    /// The `k` closest of those no farther than `limit`, k at least 1.
-    pub fn new(found: &'a mut Vec<Neighbour>, k: usize, limit: f64) -> Self {
+    /// The `k` closest of those no farther than `limit`, k at least 1; kept sorted or not, whichever is faster.
+    pub fn new(found: &'a mut Vec<Neighbour>, k: usize, limit: f64, is_sorted: bool) -> Self {
         found.clear();
-        Self { found, len: 0, k, limit }
+        Self { found, len: 0, k, is_sorted, limit }
     }
 
     /// All up to a distance.
     pub fn within(found: &'a mut Vec<Neighbour>, radius: f64) -> Self {
-        Self::new(found, usize::MAX, radius)
+        Self::new(found, usize::MAX, radius, false)
     }
 
     /// No neighbour farther than this is wanted; at this distance ties are decided.
@@ -42,7 +41,7 @@ impl<'a> Closest<'a> {
     /// Offers a pack of distances; those that are not numbers are passed over.
     #[inline(always)]
     pub fn offer(&mut self, distances: &[f64; LANES], vertices: &[VertexId; LANES]) {
-        if self.k > SORTED {
+        if !self.is_sorted {
             // Written whether wanted or not, and overwritten if not: which ones are wanted cannot be foreseen.
             if self.len + LANES > self.found.len() {
                 self.make_room();
@@ -103,7 +102,7 @@ impl<'a> Closest<'a> {
 
     /// Leaves what was found, sorted.
     pub fn finish(mut self) {
-        if self.k > SORTED {
+        if !self.is_sorted {
             if self.len > self.k {
                 self.pick();
             }

@@ -7,6 +7,12 @@ use crate::graph::VertexId;
 use crate::space::Space;
 use std::marker::PhantomData;
 
+/// Up to so many neighbours are kept sorted.
+const SORTED: usize = 4;
+
+/// How many packs are scanned at a time.
+const BLOCK: usize = 16;
+
 /// How many distances a guess is made from.
 const SAMPLE: usize = 8 * LANES;
 
@@ -25,15 +31,24 @@ impl<S: Space> LinearScan<S> {
     }
 
     fn scan(&self, space: &S, from: &[f64], closest: &mut Closest) {
-        for pack in 0..self.packs.len() {
-            closest.offer(&self.packs.distances(space, from, pack), self.packs.vertices(pack));
+        // First the distances to some packs, without a branch, then the choice among them: each loop is quicker alone.
+        let mut distances = [[0.0; LANES]; BLOCK];
+        let packs = self.packs.len();
+        for first in (0..packs).step_by(BLOCK) {
+            let block = first..packs.min(first + BLOCK);
+            for (distances, pack) in distances.iter_mut().zip(block.clone()) {
+                *distances = self.packs.distances(space, from, pack);
+            }
+            for (distances, pack) in distances.iter().zip(block) {
+                closest.offer(distances, self.packs.vertices(pack));
+            }
         }
     }
 
     /// A distance within which `k` states probably lie, and not many more: some way up among the distances to the first few.
     /// Infinite where there are too few states for it to be worth it.
     fn guess(&self, space: &S, from: &[f64], k: usize) -> f64 {
-        if self.len < 4 * SAMPLE || self.len < 8 * k {
+        if k <= SORTED || self.len < 4 * SAMPLE || self.len < 8 * k {
             return f64::INFINITY;
         }
         let mut bits = [0; SAMPLE];
@@ -82,11 +97,11 @@ impl<S: Space> Nearest<S> for LinearScan<S> {
         }
         let from = space.coordinates(state);
         let guess = self.guess(space, from, k);
-        let mut closest = Closest::new(found, k, guess);
+        let mut closest = Closest::new(found, k, guess, k <= SORTED);
         self.scan(space, from, &mut closest);
         closest.finish();
         if found.len() < k.min(self.len) {
-            let mut closest = Closest::new(found, k, f64::INFINITY);
+            let mut closest = Closest::new(found, k, f64::INFINITY, k <= SORTED);
             self.scan(space, from, &mut closest);
             closest.finish();
         }

@@ -24,6 +24,9 @@ const LEAF_PACKS: usize = 4;
 /// How many states fill a leaf.
 const LEAF: usize = LEAF_PACKS * LANES;
 
+/// Up to so many neighbours are kept sorted: more than in a scan, for here a tight limit spares whole leaves.
+const SORTED: usize = 16;
+
 /// No path from the root is longer: a tree that would grow deeper is rebuilt.
 const MAX_DEPTH: usize = 64;
 
@@ -123,6 +126,7 @@ impl<S: Space> KdTree<S> {
         }
         let mut waiting = [(0.0, Node(0)); MAX_DEPTH];
         let mut waits = 0;
+        let mut distances = [[0.0; LANES]; LEAF_PACKS];
         let mut node = self.root;
         loop {
             while !node.is_leaf() {
@@ -136,9 +140,12 @@ impl<S: Space> KdTree<S> {
                 node = children[near];
             }
             let leaf = &self.leaves[node.index()];
-            for &pack in &leaf.packs[..(leaf.len as usize).div_ceil(LANES)] {
-                let pack = pack as usize;
-                closest.offer(&self.packs.distances(space, from, pack), self.packs.vertices(pack));
+            let packs = &leaf.packs[..(leaf.len as usize).div_ceil(LANES)];
+            for (distances, &pack) in distances.iter_mut().zip(packs) {
+                *distances = self.packs.distances(space, from, pack as usize);
+            }
+            for (distances, &pack) in distances.iter().zip(packs) {
+                closest.offer(distances, self.packs.vertices(pack as usize));
             }
             node = loop {
                 if waits == 0 {
@@ -181,7 +188,7 @@ impl<S: Space> Nearest<S> for KdTree<S> {
     }
 
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
-        let mut closest = Closest::new(found, k, f64::INFINITY);
+        let mut closest = Closest::new(found, k, f64::INFINITY, k <= SORTED);
         if k > 0 {
             self.search(space, space.coordinates(state), &mut closest);
         }

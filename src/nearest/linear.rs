@@ -1,20 +1,65 @@
 //! The linear scan: looks at every state. Simple, exact, the oracle of every other index, and fastest for few states.
 
+use super::closest::Closest;
+use super::packs::{LANES, Packs};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
+use std::marker::PhantomData;
 
-/// All states in one list. A query costs O(n), for k neighbours O(n + k m) where m states enter the list on the way.
+/// Up to so many neighbours are kept sorted.
+const SORTED: usize = 4;
+
+/// How many packs are scanned at a time.
+const BLOCK: usize = 16;
+
+/// How many distances a guess is made from.
+const SAMPLE: usize = 8 * LANES;
+
+/// All states in one list, by columns. A query costs O(n).
 #[derive(Debug, Clone)]
 pub struct LinearScan<S: Space> {
-    vertices: Vec<VertexId>,
-    states: Vec<S::State>,
+    packs: Packs,
+    len: usize,
+    space: PhantomData<S>,
 }
 
 impl<S: Space> LinearScan<S> {
     /// An empty index.
     pub fn new() -> Self {
-        Self { vertices: Vec::new(), states: Vec::new() }
+        Self { packs: Packs::default(), len: 0, space: PhantomData }
+    }
+
+    fn scan(&self, space: &S, from: &[f64], closest: &mut Closest) {
+        // First the distances to some packs, without a branch, then the choice among them: each loop is quicker alone.
+        let mut distances = [[0.0; LANES]; BLOCK];
+        let packs = self.packs.len();
+        for first in (0..packs).step_by(BLOCK) {
+            let block = first..packs.min(first + BLOCK);
+            for (distances, pack) in distances.iter_mut().zip(block.clone()) {
+                *distances = self.packs.distances(space, from, pack);
+            }
+            for (distances, pack) in distances.iter().zip(block) {
+                closest.offer(distances, self.packs.vertices(pack));
+            }
+        }
+    }
+
+    /// A distance within which `k` states probably lie, and not many more: some way up among the distances to the first few.
+    /// Infinite where there are too few states for it to be worth it.
+    fn guess(&self, space: &S, from: &[f64], k: usize) -> f64 {
+        if k <= SORTED || self.len < 4 * SAMPLE || self.len < 8 * k {
+            return f64::INFINITY;
+        }
+        let mut bits = [0; SAMPLE];
+        for (pack, bits) in bits.chunks_exact_mut(LANES).enumerate() {
+            bits.copy_from_slice(&self.packs.distances(space, from, pack).map(f64::to_bits));
+        }
+        // About so many of the k lie among the first; two and a half deviations more than that seldom do.
+        let mean = (k * SAMPLE) as f64 / self.len as f64;
+        let rank = (mean + 2.5 * mean.sqrt()) as usize + 1;
+        let (_, &mut guess, _) = bits.select_nth_unstable(rank.min(SAMPLE - 1));
+        f64::from_bits(guess)
     }
 }
 
@@ -25,26 +70,24 @@ impl<S: Space> Default for LinearScan<S> {
 }
 
 impl<S: Space> Nearest<S> for LinearScan<S> {
-    fn insert(&mut self, _: &S, vertex: VertexId, state: S::State) {
-        debug_assert!(self.vertices.last().is_none_or(|&last| last < vertex), "vertex numbers increase");
-        self.vertices.push(vertex);
-        self.states.push(state);
+    fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
+        let (pack, lane) = (self.len / LANES, self.len % LANES);
+        if lane == 0 {
+            self.packs.dimension = space.dimension();
+            self.packs.add();
+        }
+        self.packs.set(pack, lane, vertex, space.coordinates(&state).iter().copied());
+        self.len += 1;
     }
 
     fn len(&self) -> usize {
-        self.vertices.len()
+        self.len
     }
 
     fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
-        // The first of equals is the one with the lowest number: states are stored in the order of their numbers.
-        let mut best = (f64::INFINITY, usize::MAX);
-        for (i, candidate) in self.states.iter().enumerate() {
-            let distance = space.distance(state, candidate);
-            if distance < best.0 {
-                best = (distance, i);
-            }
-        }
-        self.vertices.get(best.1).map(|&vertex| Neighbour { distance: best.0, vertex })
+        let mut found = Vec::with_capacity(1);
+        self.k_nearest(space, state, 1, &mut found);
+        found.pop()
     }
 
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
@@ -52,19 +95,21 @@ impl<S: Space> Nearest<S> for LinearScan<S> {
         if k == 0 {
             return;
         }
-        let mut farthest = f64::INFINITY;
-        for (candidate, &vertex) in self.states.iter().zip(&self.vertices) {
-            let distance = space.distance(state, candidate);
-            if distance < farthest {
-                if found.len() == k {
-                    found.pop();
-                }
-                let at = found.iter().rposition(|kept| kept.distance <= distance).map_or(0, |i| i + 1);
-                found.insert(at, Neighbour { distance, vertex });
-                if found.len() == k {
-                    farthest = found[k - 1].distance;
-                }
-            }
+        let from = space.coordinates(state);
+        let guess = self.guess(space, from, k);
+        let mut closest = Closest::new(found, k, guess, k <= SORTED);
+        self.scan(space, from, &mut closest);
+        closest.finish();
+        if found.len() < k.min(self.len) {
+            let mut closest = Closest::new(found, k, f64::INFINITY, k <= SORTED);
+            self.scan(space, from, &mut closest);
+            closest.finish();
         }
+    }
+
+    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
+        let mut closest = Closest::within(found, radius);
+        self.scan(space, space.coordinates(state), &mut closest);
+        closest.finish();
     }
 }

@@ -1,9 +1,14 @@
 //! Nearest neighbours among states. Ties go to the lower vertex number, so every index gives the same answer.
 
+mod closest;
+mod index;
+mod kd_tree;
 mod linear;
+mod packs;
 
+pub use index::Index;
+pub use kd_tree::KdTree;
 pub use linear::LinearScan;
-pub use linear::LinearScan as Index;
 
 use crate::graph::VertexId;
 use crate::space::Space;
@@ -22,6 +27,12 @@ impl Neighbour {
     #[inline]
     pub fn is_before(&self, other: &Self) -> bool {
         self.distance < other.distance || (self.distance == other.distance && self.vertex < other.vertex)
+    }
+
+    /// A number that orders as [`is_before`](Self::is_before): the bits of distances that are not negative order as they do.
+    #[inline]
+    fn key(&self) -> u128 {
+        (u128::from(self.distance.to_bits()) << 32) | u128::from(self.vertex.0)
     }
 }
 
@@ -42,12 +53,8 @@ pub trait Nearest<S: Space> {
     fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour>;
 
     /// The `k` vertices nearest to `state` (all, where there are fewer), nearest first, into `found`.
-    /// within
-    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
-        self.k_nearest(space, state, self.len(), found);
-        found.retain(|n| n.distance <= radius);
-    }
-
-    /// k
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>);
+
+    /// Every vertex no farther from `state` than `radius`, nearest first, into `found`.
+    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>);
 }

@@ -70,4 +70,21 @@ impl<const N: usize> Space for Euclidean<N> {
     fn turn(&self, _: &[f64; N], _: &[f64; N]) -> f64 {
         0.0
     }
+
+    #[inline]
+    fn period(&self, _: usize) -> f64 {
+        f64::INFINITY
+    }
+
+    #[inline(always)]
+    fn norm<const L: usize>(&self, mut gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
+        let mut sum = [0.0; L];
+        for i in 0..N {
+            let gaps = gap(i);
+            for lane in 0..L {
+                sum[lane] += gaps[lane] * gaps[lane];
+            }
+        }
+        sum.map(f64::sqrt)
+    }
 }

@@ -5,10 +5,12 @@
 
 mod angle;
 mod euclidean;
+mod gap;
 mod torus;
 
 pub use angle::{angular_distance, unwind, wrap};
 pub use euclidean::Euclidean;
+pub use gap::{gap, gap_to_interval};
 pub use torus::{Joint, Metric, Torus};
 
 use crate::random::Random;
@@ -67,4 +69,13 @@ pub trait Space {
     fn sweep(&self, a: &Self::State, b: &Self::State) -> f64 {
         self.turn(a, b)
     }
+
+    /// What a whole turn of coordinate `i` measures: 2 pi on a circle, infinity where nothing wraps.
+    fn period(&self, i: usize) -> f64;
+
+    /// The metric as a function of the coordinates' gaps, for `L` pairs of states at once: `gap(i)` gives those of coordinate
+    /// `i`. With [`gap()`] between the numbers of two states it is their `distance`, to the bit; it must not fall where a gap
+    /// grows, in floating point too, which holds for what is made of sums, products and roots of numbers that are not negative.
+    /// So with [`gap_to_interval`] it is a lower bound on the distance to every state in a box. O(`L` dimension).
+    fn norm<const L: usize>(&self, gap: impl FnMut(usize) -> [f64; L]) -> [f64; L];
 }

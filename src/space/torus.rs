@@ -209,4 +209,34 @@ impl<const N: usize> Space for Torus<N> {
         let cut = (0..self.dimension).filter(|&i| self.is_cut[i]);
         cut.map(|i| self.gap(i, a[i], b[i])).fold(self.turn(a, b), f64::max)
     }
+
+    #[inline]
+    fn period(&self, i: usize) -> f64 {
+        2.0 * self.half[i]
+    }
+
+    #[inline(always)]
+    fn norm<const L: usize>(&self, mut gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
+        let mut sum = [0.0; L];
+        match self.metric {
+            Metric::Sum => {
+                for i in 0..self.dimension {
+                    let gaps = gap(i);
+                    for lane in 0..L {
+                        sum[lane] += gaps[lane];
+                    }
+                }
+                sum
+            }
+            Metric::Euclidean => {
+                for i in 0..self.dimension {
+                    let gaps = gap(i);
+                    for lane in 0..L {
+                        sum[lane] += gaps[lane] * gaps[lane];
+                    }
+                }
+                sum.map(f64::sqrt)
+            }
+        }
+    }
 }

@@ -1,0 +1,91 @@
+//! Nearest neighbours on toruses: microseconds a query, medians, of the linear scan, the kd-tree and the approximate index.
+//!
+//! `cargo bench --bench nearest`; a run pinned to one core is quieter.
+
+use planarium::graph::VertexId;
+use planarium::nearest::{KdTree, LinearScan, Nearest, Neighbour};
+use planarium::random::{Random, Stream};
+use planarium::space::{Joint, Metric, Space, Torus};
+use std::hint::black_box;
+use std::time::Instant;
+
+fn main() {
+    println!("| dimension | n | k | linear | kd-tree | kd-tree built in ms |");
+    println!("|---|---|---|---|---|---|");
+    rows::<2>();
+    rows::<3>();
+    rows::<4>();
+    println!(
+        "\nFrom how many states on the kd-tree is faster than the scan\n\n| dimension | k = 1 | 3 | 10 | 30 | 100 |"
+    );
+    println!("|---|---|---|---|---|---|");
+    crossovers::<2>();
+    crossovers::<3>();
+    crossovers::<4>();
+    crossovers::<5>();
+    crossovers::<6>();
+}
+
+/// The least n, in steps of a quarter, from which on the kd-tree is faster up to three times as many states.
+fn crossovers<const N: usize>() {
+    let space = Torus::<N>::new(&[Joint::Circle; N], Metric::Sum);
+    let mut random = Random::new(2, Stream::Samples);
+    let asked: Vec<_> = (0..400).map(|_| space.sample(&mut random)).collect();
+    let mut row = format!("| {N} |");
+    for k in [1, 3, 10, 30, 100] {
+        let (mut n, mut from, mut wins) = (32, 0, 0);
+        while wins < 5 && n < 40_000 {
+            let states: Vec<_> = (0..n).map(|_| space.sample(&mut random)).collect();
+            let (linear, _) = build(LinearScan::new(), &space, &states);
+            let (tree, _) = build(KdTree::new(), &space, &states);
+            let is_faster = time(&tree, &space, &asked, k) < time(&linear, &space, &asked, k);
+            wins = if is_faster { wins + 1 } else { 0 };
+            from = if wins == 1 { n } else { from };
+            n += n / 4;
+        }
+        row += &format!(" {from} |");
+    }
+    println!("{row}");
+}
+
+fn rows<const N: usize>() {
+    let space = Torus::<N>::new(&[Joint::Circle; N], Metric::Sum);
+    for n in [1_000, 10_000, 100_000] {
+        let mut random = Random::new(1, Stream::Samples);
+        let states: Vec<_> = (0..n).map(|_| space.sample(&mut random)).collect();
+        let asked: Vec<_> = (0..1000).map(|_| space.sample(&mut random)).collect();
+        let (linear, _) = build(LinearScan::new(), &space, &states);
+        let (tree, built) = build(KdTree::new(), &space, &states);
+        for k in [1, 10, 30] {
+            let scan = time(&linear, &space, &asked[..(10_000_000 / n).min(1000)], k);
+            let search = time(&tree, &space, &asked, k);
+            println!("| {N} | {n} | {k} | {scan:.2} | {search:.2} | {built:.2} |");
+        }
+    }
+}
+
+fn build<S: Space, I: Nearest<S>>(mut index: I, space: &S, states: &[S::State]) -> (I, f64) {
+    let began = Instant::now();
+    for (i, &state) in states.iter().enumerate() {
+        index.insert(space, VertexId(i as u32), state);
+    }
+    (index, began.elapsed().as_secs_f64() * 1e3)
+}
+
+/// Microseconds a query: the median over short runs, of which another process disturbs only some.
+fn time<S: Space>(index: &impl Nearest<S>, space: &S, asked: &[S::State], k: usize) -> f64 {
+    let mut found: Vec<Neighbour> = Vec::new();
+    let mut times = Vec::new();
+    for _ in 0..5 {
+        for some in asked.chunks(40) {
+            let began = Instant::now();
+            for state in some {
+                index.k_nearest(space, state, k, &mut found);
+                black_box(&found);
+            }
+            times.push(began.elapsed().as_secs_f64() * 1e6 / some.len() as f64);
+        }
+    }
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}

@@ -1,0 +1,81 @@
+//! The index that planners use: exact, and for any number of states about as fast as the faster of scan and tree.
+
+use super::{KdTree, LinearScan, Nearest, Neighbour};
+use crate::graph::VertexId;
+use crate::space::Space;
+
+/// Beyond so many states the scan's copy of them is given up: only for a great many neighbours would it still win.
+const MOST_SCANNED: usize = 4096;
+
+/// The states of a scan while it can win, and of a kd-tree from where that can. Which one answers depends on the numbers of
+/// states, neighbours and dimensions alone, and their answers are equal to the bit.
+#[derive(Debug, Clone)]
+pub struct Index<S: Space> {
+    scan: LinearScan<S>,
+    tree: KdTree<S>,
+    len: usize,
+}
+
+impl<S: Space> Index<S> {
+    /// An empty index.
+    pub fn new() -> Self {
+        Self { scan: LinearScan::new(), tree: KdTree::new(), len: 0 }
+    }
+
+    /// Up to how many states a scan finds `k` neighbours faster than the tree, as measured by the benchmark `nearest`.
+    fn crossover(space: &S, k: usize) -> usize {
+        let (few, each) = match space.dimension() {
+            0..=2 => (40, 1),
+            3 => (60, 10),
+            4 => (120, 40),
+            _ => (400, 100),
+        };
+        (few + each * k.min(MOST_SCANNED)).min(MOST_SCANNED)
+    }
+}
+
+impl<S: Space> Default for Index<S> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<S: Space> Nearest<S> for Index<S> {
+    fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
+        self.len += 1;
+        self.tree.insert(space, vertex, state);
+        if self.len <= MOST_SCANNED {
+            self.scan.insert(space, vertex, state);
+        } else if !self.scan.is_empty() {
+            self.scan = LinearScan::new();
+        }
+    }
+
+    fn len(&self) -> usize {
+        self.len
+    }
+
+    fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
+        if self.len <= Self::crossover(space, 1) {
+            self.scan.nearest(space, state)
+        } else {
+            self.tree.nearest(space, state)
+        }
+    }
+
+    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
+        if self.len <= Self::crossover(space, k) {
+            self.scan.k_nearest(space, state, k, found);
+        } else {
+            self.tree.k_nearest(space, state, k, found);
+        }
+    }
+
+    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
+        if self.len <= Self::crossover(space, 1) {
+            self.scan.within(space, state, radius, found);
+        } else {
+            self.tree.within(space, state, radius, found);
+        }
+    }
+}

@@ -1,0 +1,282 @@
+//! Nearest neighbours: every exact index gives the answers of a plain scan, to the bit, ties by number; on native, Node and
+//! Chrome alike.
+
+use planarium::graph::VertexId;
+use planarium::nearest::{KdTree, LinearScan, Nearest, Neighbour};
+use planarium::random::{Random, Stream};
+use planarium::space::{Euclidean, Joint, Metric, Space, Torus, gap, gap_to_interval};
+use std::f64::consts::{PI, TAU};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// How many of something native can afford; a browser waits for fewer.
+const fn native(many: usize) -> usize {
+    if cfg!(target_arch = "wasm32") { many.div_ceil(20) } else { many }
+}
+
+/// What the definition says: the distances to all states, sorted, ties by number.
+fn truth<S: Space>(space: &S, states: &[S::State], from: &S::State) -> Vec<Neighbour> {
+    let mut all: Vec<Neighbour> = (0..)
+        .zip(states)
+        .map(|(i, state)| Neighbour { distance: space.distance(from, state), vertex: VertexId(i) })
+        .collect();
+    all.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.vertex.cmp(&b.vertex)));
+    all
+}
+
+fn same(found: &[Neighbour], expected: &[Neighbour], what: &str) {
+    assert_eq!(found.len(), expected.len(), "{what}: how many");
+    for (place, (a, b)) in found.iter().zip(expected).enumerate() {
+        assert_eq!(
+            (a.distance.to_bits(), a.vertex),
+            (b.distance.to_bits(), b.vertex),
+            "{what}: place {place}, {a:?} for {b:?}"
+        );
+    }
+}
+
+/// Grows every exact index by the same states and, on the way and at the end, asks each the same questions.
+fn agrees<S: Space>(name: &str, space: &S, states: &[S::State], asked: &[S::State]) {
+    let mut linear = LinearScan::new();
+    let mut tree = KdTree::new();
+    let mut found = Vec::new();
+    for (i, &state) in states.iter().enumerate() {
+        linear.insert(space, VertexId(i as u32), state);
+        tree.insert(space, VertexId(i as u32), state);
+        let n = i + 1;
+        let is_last = n == states.len();
+        if !is_last && !n.is_power_of_two() {
+            continue;
+        }
+        let few = if is_last { asked.len() } else { 2 };
+        for from in &asked[..few.min(asked.len())] {
+            let expected = truth(space, &states[..n], from);
+            for k in [0, 1, 2, 10, 30, 100, n, n + 1] {
+                let first = &expected[..k.min(n)];
+                let what = format!("{name}, {k} of {n}");
+                linear.k_nearest(space, from, k, &mut found);
+                same(&found, first, &format!("linear: {what}"));
+                tree.k_nearest(space, from, k, &mut found);
+                same(&found, first, &format!("kd-tree: {what}"));
+            }
+            assert_eq!(linear.nearest(space, from), Some(expected[0]), "linear: {name}, of {n}");
+            assert_eq!(tree.nearest(space, from), Some(expected[0]), "kd-tree: {name}, of {n}");
+            // Radii that are distances themselves: those who lie on the rim belong to it.
+            for radius in [-1.0, 0.0, expected[n / 50].distance, expected[n / 3].distance, f64::INFINITY] {
+                let inside = expected.partition_point(|neighbour| neighbour.distance <= radius);
+                let what = format!("{name}, within {radius} of {n}");
+                linear.within(space, from, radius, &mut found);
+                same(&found, &expected[..inside], &format!("linear: {what}"));
+                tree.within(space, from, radius, &mut found);
+                same(&found, &expected[..inside], &format!("kd-tree: {what}"));
+            }
+        }
+    }
+    assert_eq!((linear.len(), tree.len()), (states.len(), states.len()));
+}
+
+fn spaces() -> Vec<(&'static str, Torus<4>)> {
+    let interval = |low, high| Joint::Interval { low, high };
+    let mut spaces = Vec::new();
+    for metric in [Metric::Sum, Metric::Euclidean] {
+        spaces.push(("circle", Torus::new(&[Joint::Circle; 1], metric)));
+        spaces.push(("2-torus", Torus::new(&[Joint::Circle; 2], metric)));
+        spaces.push(("3-torus", Torus::new(&[Joint::Circle; 3], metric)));
+        spaces.push(("4-torus", Torus::new(&[Joint::Circle; 4], metric)));
+        spaces.push(("limits", Torus::new(&[interval(-4.0, 7.5), interval(-1.0, 1.0)], metric)));
+        let mixed = [Joint::Circle, interval(-9.0, 0.5), Joint::Circle];
+        spaces.push(("circles and limits", Torus::new(&mixed, metric)));
+    }
+    spaces
+}
+
+fn samples<S: Space>(space: &S, seed: u64, n: usize) -> Vec<S::State> {
+    let mut random = Random::new(seed, Stream::Samples);
+    (0..n).map(|_| space.sample(&mut random)).collect()
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn random_states_have_the_neighbours_of_the_definition() {
+    for (name, space) in spaces() {
+        for (seed, n) in [(1, 1), (2, 33), (3, 300), (4, 2000)] {
+            agrees(name, &space, &samples(&space, seed, n), &samples(&space, seed + 100, native(40)));
+        }
+    }
+    let plane = Euclidean::new([0.0, -1.0], [3.0, 5.0]);
+    agrees("plane", &plane, &samples(&plane, 5, 2000), &samples(&plane, 105, native(40)));
+    let slab = Euclidean::new([0.0, 0.0, -1e6], [1.0, 1e-3, 1e6]);
+    agrees("slab", &slab, &samples(&slab, 6, 2000), &samples(&slab, 106, native(40)));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn ties_go_to_the_lower_number_on_grids_where_nearly_all_are_ties() {
+    for (name, space) in spaces() {
+        let d = space.dimension();
+        let side = [1, 200, 20, 8, 5][d];
+        let n = (side as usize).pow(d as u32);
+        // An odd stride goes through the whole grid in a scattered order.
+        let states: Vec<_> = (0..n)
+            .map(|i| {
+                let at = i * 7919 % n;
+                let place = |axis| (at / (side as usize).pow(axis as u32) % side as usize) as f64;
+                let on = |axis: usize| match space.is_circle(axis) {
+                    true => PI - place(axis) * TAU / side as f64,
+                    false => space.range(axis)[0] + place(axis) * 0.125,
+                };
+                space.state(&(0..d).map(on).collect::<Vec<_>>())
+            })
+            .collect();
+        let mut asked: Vec<_> = states.iter().step_by(n.div_ceil(native(40))).copied().collect();
+        asked.extend(samples(&space, 7, native(20)));
+        agrees(&format!("grid on {name}"), &space, &states, &asked);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn states_that_are_equal_close_or_at_the_seam_are_told_apart_as_the_definition_does() {
+    for (name, space) in spaces() {
+        let d = space.dimension();
+        let asked = samples(&space, 8, native(20));
+        agrees(&format!("one state on {name}"), &space, &vec![asked[0]; 500], &asked);
+        let few = samples(&space, 9, 5);
+        let many: Vec<_> = (0..700).map(|i| few[i * i % 5]).collect();
+        agrees(&format!("five states on {name}"), &space, &many, &asked);
+        // On either side of the seam, and on it; at the limits; a few steps of rounding apart.
+        let mut random = Random::new(10, Stream::Samples);
+        let seam: Vec<_> = (0..700)
+            .map(|_| {
+                let number = |axis: usize| {
+                    let [low, high] = space.range(axis);
+                    let steps = f64::EPSILON * random.below(4) as f64;
+                    match random.below(5) {
+                        0 => high,
+                        1 => high - high.abs() * steps,
+                        2 => low + low.abs() * (steps + f64::EPSILON),
+                        3 => 0.0 + steps,
+                        _ => low + (high - low) * random.uniform(),
+                    }
+                };
+                space.state(&(0..d).map(number).collect::<Vec<_>>())
+            })
+            .collect();
+        let asked: Vec<_> = seam.iter().step_by(20).copied().take(native(35)).collect();
+        agrees(&format!("seam of {name}"), &space, &seam, &asked);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_order_of_insertion_changes_nothing() {
+    for (name, space) in spaces() {
+        let mut states = samples(&space, 11, 1500);
+        let asked = samples(&space, 12, native(15));
+        states.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        agrees(&format!("increasing on {name}"), &space, &states, &asked);
+        states.reverse();
+        agrees(&format!("decreasing on {name}"), &space, &states, &asked);
+        // A spiral that closes in: every new state lies in the smallest box.
+        let spiral: Vec<_> = (0..1500)
+            .map(|i| {
+                space.state(&[0, 1, 2, 3].map(|axis| 0.4 * 0.98f64.powf(f64::from(i)) * f64::from(1 - (i + axis) % 3)))
+            })
+            .collect();
+        agrees(&format!("spiral on {name}"), &space, &spiral, &asked);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn questions_between_insertions_see_what_was_inserted() {
+    for (name, space) in spaces() {
+        let (mut linear, mut tree) = (LinearScan::new(), KdTree::new());
+        let (mut one, mut other) = (Vec::new(), Vec::new());
+        let asked = samples(&space, 14, native(2000));
+        for (i, (&state, from)) in samples(&space, 13, asked.len()).iter().zip(&asked).enumerate() {
+            // Numbers increase, but not by one.
+            let vertex = VertexId(3 * i as u32 + 1);
+            linear.insert(&space, vertex, state);
+            tree.insert(&space, vertex, state);
+            assert_eq!(linear.nearest(&space, from), tree.nearest(&space, from), "{name} after {i}");
+            for k in [1, 2, 10, 30] {
+                linear.k_nearest(&space, from, k, &mut one);
+                tree.k_nearest(&space, from, k, &mut other);
+                same(&other, &one, &format!("{name} after {i}, {k} neighbours"));
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_hundred_thousand_states_have_the_same_neighbours_too() {
+    let n = native(100_000);
+    for (name, space) in spaces().iter().filter(|(_, space)| space.dimension() > 1) {
+        let (mut linear, mut tree) = (LinearScan::new(), KdTree::new());
+        for (i, &state) in samples(space, 15, n).iter().enumerate() {
+            linear.insert(space, VertexId(i as u32), state);
+            tree.insert(space, VertexId(i as u32), state);
+        }
+        let (mut one, mut other) = (Vec::new(), Vec::new());
+        for from in &samples(space, 16, native(20)) {
+            for k in [1, 10, 30] {
+                linear.k_nearest(space, from, k, &mut one);
+                tree.k_nearest(space, from, k, &mut other);
+                same(&other, &one, &format!("{name}, {k} of {n}"));
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn an_empty_index_and_no_neighbours_are_no_trouble() {
+    fn empty(index: &impl Nearest<Torus<4>>, space: &Torus<4>) {
+        let from = space.state(&[1.0; 4]);
+        let mut found = vec![Neighbour { distance: 1.0, vertex: VertexId(1) }];
+        assert!(index.is_empty());
+        assert_eq!(index.nearest(space, &from), None);
+        index.k_nearest(space, &from, 3, &mut found);
+        assert!(found.is_empty(), "what the list held before is gone");
+        index.k_nearest(space, &from, 0, &mut found);
+        index.within(space, &from, 10.0, &mut found);
+        assert!(found.is_empty());
+    }
+    for (_, space) in spaces() {
+        empty(&LinearScan::new(), &space);
+        empty(&KdTree::new(), &space);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_metric_of_the_gaps_is_the_distance_to_the_bit() {
+    fn holds<S: Space>(space: &S) {
+        let states = samples(space, 17, native(4000));
+        for (a, b) in states.iter().zip(&states[1..]) {
+            let (x, y) = (space.coordinates(a), space.coordinates(b));
+            let [distance] = space.norm(|i| [gap(x[i], y[i], space.period(i))]);
+            assert_eq!(distance.to_bits(), space.distance(a, b).to_bits(), "{a:?} {b:?}");
+        }
+    }
+    spaces().iter().for_each(|(_, space)| holds(space));
+    holds(&Euclidean::new([0.0, -1.0], [3.0, 5.0]));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn no_gap_is_less_than_the_gap_to_an_interval_around_it() {
+    let mut random = Random::new(18, Stream::Samples);
+    // Numbers of the circle, many of them at the seam, at quarters, or a step of rounding away from another.
+    let mut number = || {
+        let quarter = PI * 0.5 * (random.below(4) as f64 - 1.0);
+        match random.below(3) {
+            0 => quarter,
+            1 if quarter < PI => quarter + f64::EPSILON * random.below(3) as f64,
+            _ => PI - TAU * random.uniform(),
+        }
+    };
+    for _ in 0..native(200_000) {
+        let (a, mut in_order) = (number(), [number(), number(), number()]);
+        in_order.sort_by(f64::total_cmp);
+        let [low, x, high] = in_order;
+        for period in [TAU, f64::INFINITY] {
+            let bound = gap_to_interval(a, low, high, period);
+            assert!(bound <= gap(a, x, period), "{a} from [{low}, {high}] and {x}");
+            let is_inside = low <= a && a <= high;
+            assert_eq!(bound == 0.0, is_inside || gap(a, low, period) * gap(a, high, period) == 0.0);
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use planarium::geometry::{Polygon, Segment, distance_segment_polygon, intersects_segment_polygon};
 use planarium::robot::Part;
-use planarium::scenario::generate::{ClutterOptions, ClutterRobot, ForestOptions, clutter, forest, generate};
+use planarium::scenario::generate::{ClutterOptions, ForestOptions, RobotChoice, clutter, forest, generate};
 use planarium::scenario::{Node, Obstacle, Robot, Scenario};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -123,7 +123,7 @@ fn forests_ask_the_questions_of_the_report() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn clutter_is_convex_disjoint_within_bounds_and_leaves_start_and_goal_free() {
-    for robot in [ClutterRobot::Disc, ClutterRobot::Arm(1), ClutterRobot::Arm(3), ClutterRobot::Arm(8)] {
+    for robot in [RobotChoice::Disc, RobotChoice::Arm(1), RobotChoice::Arm(3), RobotChoice::Arm(8)] {
         for seed in 0..25 {
             let options = ClutterOptions { robot, seed, ..ClutterOptions::default() };
             let scenario = clutter(&options).unwrap();
@@ -156,7 +156,7 @@ fn what_is_generated_is_a_scenario_that_the_parser_accepts() {
         for scenario in [
             forest(&ForestOptions { links: 1 + seed as usize % 8, seed }).unwrap(),
             clutter(&ClutterOptions { seed, ..ClutterOptions::default() }).unwrap(),
-            clutter(&ClutterOptions { robot: ClutterRobot::Arm(2), radius: 0.1, seed, ..Default::default() }).unwrap(),
+            clutter(&ClutterOptions { robot: RobotChoice::Arm(2), radius: 0.1, seed, ..Default::default() }).unwrap(),
         ] {
             assert_eq!(Scenario::parse(&scenario.to_json_string()), Ok(scenario));
         }
@@ -207,7 +207,7 @@ fn options_have_defaults() {
 #[wasm_bindgen_test(unsupported = test)]
 fn options_that_are_wrong_are_refused() {
     let cases = [
-        ("maze", "{}", "unknown-generator", ""),
+        ("desert", "{}", "unknown-generator", ""),
         ("", "{}", "unknown-generator", ""),
         ("forest", "[]", "wrong-type", ""),
         ("forest", "null", "wrong-type", ""),

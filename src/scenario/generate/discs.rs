@@ -3,7 +3,7 @@
 //! A path exists where a disc moves among discs that stand apart by at least twice its radius (grown by that radius they
 //! stay apart, and none is large enough to close a corner off); in general it need not.
 
-use super::free::is_disc_clear_of;
+use super::free::{SOME, is_disc_clear_of};
 use super::no_place;
 use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};
 use super::robots::{LINKS, RADIUS, ROBOT, RobotChoice, SIDE, parts_at_ends};
@@ -157,9 +157,8 @@ pub fn discs(options: &DiscsOptions) -> Result<Scenario, Error> {
             break;
         }
         let disc = draw(&mut random, options);
-        let is_apart = |other: &Disc| {
-            nalgebra::distance(&disc.center, &other.center) - disc.radius - other.radius > gap + super::free::SOME
-        };
+        let is_apart =
+            |other: &Disc| nalgebra::distance(&disc.center, &other.center) - disc.radius - other.radius > gap + SOME;
         if is_disc_clear_of(&disc, &keep_clear, gap)
             && (options.placement == Placement::Overlapping || placed.iter().all(is_apart))
         {

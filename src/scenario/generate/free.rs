@@ -3,7 +3,7 @@
 use crate::geometry::{Disc, Point, Polygon, Segment, distance_point_segment, distance_segment_polygon};
 use crate::robot::Part;
 
-/// A clearance that any slack is far below, in metres.
+/// A clearance that any slack is far below, and a difference that no rounding makes, in metres.
 pub(super) const SOME: f64 = 1e-9;
 
 /// Whether the polygon is farther than `gap` metres from all of the parts.

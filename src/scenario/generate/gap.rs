@@ -5,6 +5,7 @@
 //! is not, the title says so. The arm is at its goal stretched through the gap and bent behind it, at its start folded up in
 //! front of it. Whether it finds the way in is not promised: the fewer the links and the thicker the wall, the harder it is.
 
+use super::free::SOME;
 use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};
 use super::robots::{LINKS, RADIUS, ROBOT, RobotChoice, SIDE};
 use crate::error::Error;
@@ -90,7 +91,7 @@ impl GapOptions {
         let mut values = vec![("radius", radius), ("width", width), ("thickness", thickness)];
         values.extend(robot.links());
         INFO.check(seed, &values)?;
-        if robot != RobotChoice::Disc && width < 2.0 * radius + PLAY {
+        if robot != RobotChoice::Disc && width - 2.0 * radius < PLAY - SOME {
             let sentence = format!(
                 "an arm of radius {radius} needs a gap wider than twice that by {PLAY}, else it is never at its goal; {width} is less"
             );

@@ -5,6 +5,7 @@
 //! of the walls that are left is taken away, so that ways meet in loops. Walls in a row make one rectangle. Every maze has a
 //! path, since the disc fits through its corridors.
 
+use super::free::SOME;
 use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};
 use super::robots::RADIUS;
 use crate::error::Error;
@@ -34,7 +35,7 @@ pub(super) const INFO: GeneratorInfo = GeneratorInfo {
             title: "Difficulty",
             kind: OptionKind::Choice(&DIFFICULTIES),
             unit: "",
-            meaning: "easy: 6 by 6 cells, three walls of ten opened; medium: 9 by 9, one of ten; hard: 12 by 12, none, so that one way leads to the goal.",
+            meaning: "easy: 6 by 6 cells, one wall of five opened; medium: 9 by 9, one of ten; hard: 12 by 12, none, so that one way leads to the goal.",
         },
         RADIUS,
         OptionInfo {
@@ -50,7 +51,7 @@ pub(super) const INFO: GeneratorInfo = GeneratorInfo {
 /// How hard a maze is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Difficulty {
-    /// 6 by 6 cells, three in ten of the inner walls opened.
+    /// 6 by 6 cells, one in five of the inner walls opened.
     Easy,
     /// 9 by 9 cells, one in ten of the inner walls opened.
     Medium,
@@ -62,7 +63,7 @@ impl Difficulty {
     /// Cells a side, and how many of a hundred walls are opened.
     fn cells_and_opened(self) -> (usize, usize) {
         match self {
-            Difficulty::Easy => (6, 30),
+            Difficulty::Easy => (6, 20),
             Difficulty::Medium => (9, 10),
             Difficulty::Hard => (12, 0),
         }
@@ -105,7 +106,7 @@ impl MazeOptions {
         let Self { radius, thickness, .. } = *self;
         INFO.check(self.seed, &[("radius", radius), ("thickness", thickness)])?;
         let corridor = CELL - thickness;
-        if 2.0 * radius + PLAY > corridor {
+        if corridor - 2.0 * radius < PLAY - SOME {
             let sentence =
                 format!("a disc of radius {radius} with {PLAY} of play does not fit a corridor {corridor} wide");
             return Err(refused("radius", sentence));

@@ -27,6 +27,7 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").ParameterInfo} ParameterInfo */
 /** @typedef {import("./types.js").PlannerOptions} PlannerOptions */
 /** @typedef {import("./types.js").GenerateOptions} GenerateOptions */
+/** @typedef {import("./types.js").GeneratorId} GeneratorId */
 /** @typedef {import("./types.js").CspaceOptions} CspaceOptions */
 /** @typedef {import("./types.js").Stats} Stats */
 /** @typedef {import("./types.js").ResultDocument} ResultDocument */

@@ -1,14 +1,14 @@
 //! Scenarios by seed: what the generators promise.
 
 use planarium::geometry::{
-    Disc, Point, Polygon, Segment, distance_point_segment, distance_segment_polygon, intersects_segment_polygon,
+    Aabb, Disc, Point, Polygon, Segment, distance_point_segment, distance_segment_polygon, intersects_segment_polygon,
 };
 use planarium::inspect::Inspector;
 use planarium::robot::Part;
 use planarium::run::{Options, Status, Value, start};
 use planarium::scenario::generate::{
     BugTrapOptions, ClutterOptions, DiscsOptions, ForestOptions, GENERATORS, GapOptions, MazeOptions, OptionKind,
-    RobotChoice, bug_trap, clutter, discs, forest, gap, generate, maze,
+    RobotChoice, Turn, bug_trap, clutter, discs, forest, gap, generate, maze,
 };
 use planarium::scenario::{Node, Obstacle, Robot, Scenario};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -240,15 +240,15 @@ const GOLDEN: [u64; 15] = [
     0x5c27_f2e6_a8f5_c3e3,
     0x8b31_3591_0e07_facb,
     0xc046_26df_927b_294d,
-    0,
-    0,
-    0,
-    0,
-    0,
-    0,
-    0,
-    0,
-    0,
+    0xf1d2_0cce_022a_c05b,
+    0x4557_3809_161e_431c,
+    0x4192_d110_18ba_46c3,
+    0x7ddd_5278_9044_84b5,
+    0xc05e_f99d_f07b_9497,
+    0xc7b3_fab8_26c3_2209,
+    0x9159_1477_a146_68a5,
+    0x15be_b970_7526_5f52,
+    0xa70f_cfff_c9fa_e495,
 ];
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -526,7 +526,7 @@ fn walls_in_a_row_are_one_rectangle() {
             for other in &walls[..i] {
                 let (a, b) = (wall.aabb(), other.aabb());
                 let in_line = (a.min.x, a.max.x) == (b.min.x, b.max.x) || (a.min.y, a.max.y) == (b.min.y, b.max.y);
-                let is_long = |aabb: &planarium::geometry::Aabb| aabb.longer_side() > 0.1;
+                let is_long = |aabb: &Aabb| aabb.longer_side() > 0.1;
                 assert!(is_long(a) && is_long(b) && !(in_line && a.intersects(b)), "{a:?} {b:?}");
             }
         }
@@ -575,7 +575,7 @@ fn a_gap_is_as_wide_as_it_says_and_the_arm_reaches_through_it() {
 fn a_mouth_is_as_wide_as_it_says() {
     for seed in 0..20 {
         for (mouth, radius, ways) in [(0.1, 0.05 - 1e-9, 1), (0.1, 0.05, 0), (0.04, 0.02 - 1e-9, 1), (0.04, 0.02, 0)] {
-            let turn = planarium::scenario::generate::Turn::Quarter;
+            let turn = Turn::Quarter;
             let scenario = bug_trap(&BugTrapOptions { mouth, radius, turn, seed, ..Default::default() }).unwrap();
             let Obstacle::Polygon(trap) = &scenario.world().obstacles[0] else { panic!("a trap is a polygon") };
             let inspector = Inspector::new(&scenario);

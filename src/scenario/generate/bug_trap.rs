@@ -5,7 +5,7 @@
 //! is not, the title says so.
 
 use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind};
-use super::robots::{RADIUS, SIDE};
+use super::robots::{DISC_RADIUS, SIDE};
 use crate::error::Error;
 use crate::geometry::{Aabb, Point, Polygon, Vector};
 use crate::random::{Random, Stream};
@@ -27,7 +27,7 @@ pub(super) const INFO: GeneratorInfo = GeneratorInfo {
     title: "Bug trap",
     summary: "A disc in a round pocket whose mouth is turned inwards.",
     options: &[
-        RADIUS,
+        DISC_RADIUS,
         OptionInfo {
             name: "mouth",
             title: "Width of the mouth",

@@ -43,7 +43,7 @@ pub fn catalogue() -> Vec<GeneratorRow> {
         summary: info.summary,
         options: info.options.iter().map(option_row).collect(),
     };
-    GENERATORS.iter().map(|info| row(info)).collect()
+    GENERATORS.iter().map(row).collect()
 }
 
 fn option_row(info: &OptionInfo) -> OptionRow {

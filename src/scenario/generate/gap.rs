@@ -3,7 +3,8 @@
 //!
 //! A disc has a path exactly where the gap is wider than the disc (by more than 1e-9 m, to be safe from rounding); where it
 //! is not, the title says so. The arm is at its goal stretched through the gap and bent behind it, at its start folded up in
-//! front of it. Whether it finds the way in is not promised: the fewer the links and the thicker the wall, the harder it is.
+//! front of it. That a path exists is not promised: arms of three links and more mostly find the way in, two links often
+//! cannot.
 
 use super::free::SOME;
 use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};

@@ -7,7 +7,7 @@
 
 use super::free::SOME;
 use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};
-use super::robots::RADIUS;
+use super::robots::DISC_RADIUS;
 use crate::error::Error;
 use crate::geometry::{Aabb, Point, Polygon};
 use crate::random::{Random, Stream};
@@ -37,13 +37,13 @@ pub(super) const INFO: GeneratorInfo = GeneratorInfo {
             unit: "",
             meaning: "easy: 6 by 6 cells, one wall of five opened; medium: 9 by 9, one of ten; hard: 12 by 12, none, so that one way leads to the goal.",
         },
-        RADIUS,
+        DISC_RADIUS,
         OptionInfo {
             name: "thickness",
             title: "Thickness",
             kind: OptionKind::Number { min: 0.005, max: 0.1, default: 0.03 },
             unit: "m",
-            meaning: "How thick walls are; corridors are 0.25 m less this wide.",
+            meaning: "How thick walls are; corridors are as wide as they leave of 0.25 m.",
         },
     ],
 };

@@ -48,6 +48,9 @@ pub(super) const RADIUS: OptionInfo = OptionInfo {
     meaning: "The radius of the disc, or half the width of the arm's links.",
 };
 
+/// The same row where only a disc moves.
+pub(super) const DISC_RADIUS: OptionInfo = OptionInfo { meaning: "The radius of the disc.", ..RADIUS };
+
 impl RobotChoice {
     /// Reads `robot` and, for an arm only, `links`.
     pub(super) fn read(given: &Given) -> Result<Self, Error> {

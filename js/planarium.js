@@ -29,6 +29,7 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").QueryOptions} QueryOptions */
 /** @typedef {import("./types.js").Approximate} Approximate */
 /** @typedef {import("./types.js").GenerateOptions} GenerateOptions */
+/** @typedef {import("./types.js").GeneratorId} GeneratorId */
 /** @typedef {import("./types.js").CspaceOptions} CspaceOptions */
 /** @typedef {import("./types.js").Stats} Stats */
 /** @typedef {import("./types.js").ResultDocument} ResultDocument */

@@ -7,7 +7,7 @@ import { Planner, makePlanner } from "./planner.js";
 import { call } from "./runtime.js";
 
 /** @import { RawScenario } from "./planarium_glue.js" */
-/** @import { Box, Check, Configuration, CspaceOptions, GenerateOptions, Part, PlannerOptions, ScenarioDocument } from "./types.js" */
+/** @import { Box, Check, Configuration, CspaceOptions, GenerateOptions, GeneratorId, Part, PlannerOptions, ScenarioDocument } from "./types.js" */
 
 /** Rows handed over at once by `endEffectors`, so that a long list does not make the core's memory grow. */
 const ROWS_AT_ONCE = 16384;
@@ -47,12 +47,17 @@ export class Scenario {
   }
 
   /**
-   * Makes a scenario from a seed: a `forest` of triangles around an arm, or a `clutter` of convex polygons.
-   * The same kind and options always make the same scenario.
-   * @param {"forest" | "clutter"} kind
+   * Makes a scenario from a seed; the same kind and options always make the same scenario. Kinds:
+   * - `forest`: an arm among triangles (`links`);
+   * - `clutter`: a disc or an arm among convex polygons (`robot`, `links`, `radius`, `count`, `smallest`, `largest`, `gap`);
+   * - `discs`: the same among discs, and `placement` says whether they stand `"apart"` or are `"overlapping"`;
+   * - `maze`: a disc in a maze that always has a path (`difficulty`, `radius`, `thickness`);
+   * - `gap`: a disc or an arm before a wall with one gap (`robot`, `links`, `radius`, `width`, `thickness`);
+   * - `bug-trap`: a disc in a pocket whose mouth is turned inwards (`radius`, `mouth`, `start`, `turn`).
+   * @param {GeneratorId} kind
    * @param {GenerateOptions} [options]
    * @returns {Scenario}
-   * @throws {PlanariumError} `unknown-generator`, `unknown-field`, `out-of-range`, `wrong-type`
+   * @throws {PlanariumError} `unknown-generator`, `unknown-field`, `out-of-range`, `wrong-type`, `unknown-type`, `not-finite`
    */
   static generate(kind, options) {
     return call((core) => new Scenario(key, core.RawScenario.generate(argument.text(kind, "kind"), argument.options(options))));

@@ -161,12 +161,41 @@ export interface QueryOptions {
   keep?: boolean;
 }
 
-/** Options of `Scenario.generate`. */
+/** What `Scenario.generate` makes. */
+export type GeneratorId = "forest" | "clutter" | "discs" | "maze" | "gap" | "bug-trap";
+
+/** Options of `Scenario.generate`; lengths in metres. Which kind takes which, it says there. */
 export interface GenerateOptions {
   /** Integer from 0 to 2^53 - 1; 0 where absent. */
   seed?: number;
-  /** Links of the arm. */
+  /** What moves in `clutter`, `discs` and `gap`; `disc` where absent. */
+  robot?: "disc" | "arm";
+  /** Links of the arm: 1 to 8, in a `gap` 2 to 8. */
   links?: number;
+  /** Radius of the disc, or half the width of the arm's links: 0 to 0.1; 0.03 where absent. */
+  radius?: number;
+  /** Obstacles: up to 60 in `clutter`, up to 200 `discs`. */
+  count?: number;
+  /** Radius of the smallest obstacle. */
+  smallest?: number;
+  /** Radius of the largest obstacle. */
+  largest?: number;
+  /** Obstacles are farther than this from each other and from start and goal: 0 to 0.2. */
+  gap?: number;
+  /** Whether `discs` may overlap; `apart` where absent. */
+  placement?: "apart" | "overlapping";
+  /** Size of a `maze`, and how many of its walls are opened; `easy` where absent. */
+  difficulty?: "easy" | "medium" | "hard";
+  /** Thickness of the walls of a `maze` (0.005 to 0.1) or of a `gap` (0.005 to 0.5). */
+  thickness?: number;
+  /** Width of a `gap`: 0 to 1; 0.2 where absent. */
+  width?: number;
+  /** Width of the mouth of a `bug-trap`: 0.01 to 0.4; 0.12 where absent. */
+  mouth?: number;
+  /** Where the disc of a `bug-trap` starts; `inside` where absent. */
+  start?: "inside" | "outside";
+  /** Where the mouth of a `bug-trap` looks: anywhere, or along an axis; `any` where absent. */
+  turn?: "any" | "quarter";
   /** Any other option of the generator. */
   [option: string]: number | string | boolean | undefined;
 }

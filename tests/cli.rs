@@ -215,10 +215,14 @@ fn verify_tells_valid_from_not() {
 
 #[test]
 fn a_pipeline_of_generate_plan_and_verify_holds_together() {
-    let kinds: [&[&str]; 3] = [
+    let kinds: [&[&str]; 7] = [
         &["forest", "--set", "links=3", "--seed", "2"],
         &["clutter", "--seed", "4"],
         &["clutter", "--set", "robot=arm", "--set", "links=2", "--seed", "5"],
+        &["discs", "--set", "count=12", "--seed", "1"],
+        &["maze", "--set", "difficulty=easy", "--seed", "2"],
+        &["gap", "--set", "width=0.3", "--seed", "3"],
+        &["bug-trap", "--set", "mouth=0.3", "--set", "turn=quarter", "--seed", "4"],
     ];
     for (i, kind) in kinds.into_iter().enumerate() {
         let generated = planarium(&[&["generate"], kind].concat());
@@ -262,6 +266,18 @@ fn list_tells_planners_parameters_and_error_codes() {
         assert!(parameters.iter().any(|name| name == "max_iterations"), "{parameters:?}");
         parameters.iter().for_each(|name| assert!(tables.stdout.contains(name.as_str()), "{name}"));
     }
+    let generators = names(&listed["generators"], "id");
+    assert_eq!(generators, ["forest", "clutter", "discs", "maze", "gap", "bug-trap"]);
+    for generator in listed["generators"].as_array().expect("generators") {
+        for option in generator["options"].as_array().expect("options") {
+            let is_choice = option["kind"] == "choice";
+            assert!(if is_choice { option["default"] == option["choices"][0] } else { option["default"].is_number() });
+            for word in ["name", "meaning"].map(|key| option[key].as_str().expect(key)) {
+                assert!(!word.is_empty() && tables.stdout.contains(word), "{word}");
+            }
+        }
+    }
+    generators.iter().for_each(|id| assert!(tables.stdout.contains(id.as_str()), "{id}"));
     let codes = names(&listed["errors"], "code");
     // One code is printed for each variant: what `as_str` says, `list` lists.
     let printed =
@@ -309,6 +325,11 @@ fn wrong_input_exits_2_with_code_and_pointer() {
         (&["generate", "desert"], "unknown-generator", ""),
         (&["generate", "forest", "--set", "links=99"], "out-of-range", "/links"),
         (&["generate", "forest", "--set", "trees=9"], "unknown-field", "/trees"),
+        (&["generate", "maze", "--set", "difficulty=brutal"], "out-of-range", "/difficulty"),
+        (&["generate", "maze", "--set", "thickness=thin"], "wrong-type", "/thickness"),
+        (&["generate", "gap", "--set", "robot=arm", "--set", "width=0"], "out-of-range", "/width"),
+        (&["generate", "bug-trap", "--set", "mouth=nan"], "not-finite", "/mouth"),
+        (&["generate", "discs", "--set", "count=200", "--set", "gap=0.2"], "out-of-range", "/count"),
         (&["generate", "forest", "--set", "seed=1"], "duplicate-field", "/seed"),
     ];
     for (arguments, code, pointer) in cases {

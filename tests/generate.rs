@@ -1,8 +1,15 @@
-//! Scenarios by seed: what forests and clutter promise.
+//! Scenarios by seed: what the generators promise.
 
-use planarium::geometry::{Polygon, Segment, distance_segment_polygon, intersects_segment_polygon};
+use planarium::geometry::{
+    Aabb, Disc, Point, Polygon, Segment, distance_point_segment, distance_segment_polygon, intersects_segment_polygon,
+};
+use planarium::inspect::Inspector;
 use planarium::robot::Part;
-use planarium::scenario::generate::{ClutterOptions, ClutterRobot, ForestOptions, clutter, forest, generate};
+use planarium::run::{Options, Status, Value, start};
+use planarium::scenario::generate::{
+    BugTrapOptions, ClutterOptions, DiscsOptions, ForestOptions, GENERATORS, GapOptions, MazeOptions, OptionKind,
+    RobotChoice, Turn, bug_trap, clutter, discs, forest, gap, generate, maze,
+};
 use planarium::scenario::{Node, Obstacle, Robot, Scenario};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -39,14 +46,40 @@ fn axis_and_radius(part: &Part) -> (Segment, f64) {
     }
 }
 
+/// Refuses a start or a goal that is not free, within the bounds and away from every obstacle.
+fn assert_ends_are_free(scenario: &Scenario) {
+    let inspector = Inspector::new(scenario);
+    for q in scenario.queries().iter().flat_map(|query| [&query.start, &query.goal]) {
+        assert_eq!(inspector.check(q), Ok(vec![]), "{} at {q:?}", scenario.title());
+        if let Some(bounds) = scenario.world().bounds {
+            for part in footprint(scenario.robot(), q) {
+                let (axis, radius) = axis_and_radius(&part);
+                assert!(bounds.depth(axis.a).min(bounds.depth(axis.b)) > radius, "{}", scenario.title());
+            }
+        }
+    }
+    assert!(clearance(scenario) > 1e-9, "{}", scenario.title());
+}
+
+/// How RRT-Connect ends within so many iterations.
+fn ends(scenario: &Scenario, iterations: u64) -> Status {
+    let limit = ("max_iterations".to_owned(), Value::Number(iterations as f64));
+    let options = Options { parameters: vec![limit], ..Options::default() };
+    start(scenario, &options).expect("a run begins").step(iterations)
+}
+
 /// The distance from the robot at its starts and goals to the nearest obstacle.
 fn clearance(scenario: &Scenario) -> f64 {
     let mut least = f64::INFINITY;
     for q in scenario.queries().iter().flat_map(|query| [&query.start, &query.goal]) {
         for part in footprint(scenario.robot(), q) {
             let (axis, radius) = axis_and_radius(&part);
-            for polygon in polygons(scenario) {
-                least = least.min(distance_segment_polygon(&axis, polygon) - radius);
+            for obstacle in &scenario.world().obstacles {
+                let distance = match obstacle {
+                    Obstacle::Polygon(polygon) => distance_segment_polygon(&axis, polygon),
+                    Obstacle::Disc(disc) => distance_point_segment(disc.center, &axis) - disc.radius,
+                };
+                least = least.min(distance - radius);
             }
         }
     }
@@ -123,7 +156,7 @@ fn forests_ask_the_questions_of_the_report() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn clutter_is_convex_disjoint_within_bounds_and_leaves_start_and_goal_free() {
-    for robot in [ClutterRobot::Disc, ClutterRobot::Arm(1), ClutterRobot::Arm(3), ClutterRobot::Arm(8)] {
+    for robot in [RobotChoice::Disc, RobotChoice::Arm(1), RobotChoice::Arm(3), RobotChoice::Arm(8)] {
         for seed in 0..25 {
             let options = ClutterOptions { robot, seed, ..ClutterOptions::default() };
             let scenario = clutter(&options).unwrap();
@@ -156,7 +189,12 @@ fn what_is_generated_is_a_scenario_that_the_parser_accepts() {
         for scenario in [
             forest(&ForestOptions { links: 1 + seed as usize % 8, seed }).unwrap(),
             clutter(&ClutterOptions { seed, ..ClutterOptions::default() }).unwrap(),
-            clutter(&ClutterOptions { robot: ClutterRobot::Arm(2), radius: 0.1, seed, ..Default::default() }).unwrap(),
+            clutter(&ClutterOptions { robot: RobotChoice::Arm(2), radius: 0.1, seed, ..Default::default() }).unwrap(),
+            discs(&DiscsOptions { seed, ..Default::default() }).unwrap(),
+            maze(&MazeOptions { seed, ..Default::default() }).unwrap(),
+            gap(&GapOptions { seed, ..Default::default() }).unwrap(),
+            gap(&GapOptions { robot: RobotChoice::Arm(2 + seed as usize % 7), seed, ..Default::default() }).unwrap(),
+            bug_trap(&BugTrapOptions { seed, ..Default::default() }).unwrap(),
         ] {
             assert_eq!(Scenario::parse(&scenario.to_json_string()), Ok(scenario));
         }
@@ -172,31 +210,55 @@ fn a_seed_is_a_document() {
         ("forest", r#"{"links": 8, "seed": 5}"#, GOLDEN[3]),
         ("clutter", "{}", GOLDEN[4]),
         ("clutter", r#"{"robot": "arm", "links": 3, "count": 20, "radius": 0.02, "seed": 7}"#, GOLDEN[5]),
+        ("discs", r#"{"seed": 1}"#, GOLDEN[6]),
+        ("discs", r#"{"robot": "arm", "links": 4, "placement": "overlapping", "seed": 2}"#, GOLDEN[7]),
+        ("maze", "{}", GOLDEN[8]),
+        ("maze", r#"{"difficulty": "medium", "seed": 3}"#, GOLDEN[9]),
+        ("maze", r#"{"difficulty": "hard", "thickness": 0.05, "seed": 4}"#, GOLDEN[10]),
+        ("gap", r#"{"seed": 5}"#, GOLDEN[11]),
+        ("gap", r#"{"robot": "arm", "links": 3, "seed": 6}"#, GOLDEN[12]),
+        ("bug-trap", r#"{"seed": 7}"#, GOLDEN[13]),
+        ("bug-trap", r#"{"start": "outside", "turn": "quarter", "seed": 8}"#, GOLDEN[14]),
     ];
     for (kind, options, golden) in cases {
         let scenario = make(kind, options).unwrap();
         assert_eq!(hash(&scenario), hash(&make(kind, options).unwrap()));
         assert_eq!(hash(&scenario), golden, "{kind} {options}: {:#018x}", hash(&scenario));
     }
-    let names: Vec<String> =
-        (0..50).map(|seed| hash(&forest(&ForestOptions { links: 3, seed }).unwrap()).to_string()).collect();
-    assert_eq!(names.iter().collect::<std::collections::BTreeSet<_>>().len(), 50);
+    for info in GENERATORS {
+        let document = |seed: u64| hash(&make(info.id, &format!(r#"{{"seed": {seed}}}"#)).unwrap());
+        let distinct: std::collections::BTreeSet<u64> = (0..50).map(document).collect();
+        assert_eq!(distinct.len(), 50, "{}", info.id);
+    }
 }
 
 /// The hashes of the documents above, the same on every platform.
-const GOLDEN: [u64; 6] = [
+const GOLDEN: [u64; 15] = [
     0x1ebe_6b0f_44bf_45a0,
     0xbcb8_a9d5_9d22_2340,
     0x0265_032b_56ae_3dd0,
     0x5c27_f2e6_a8f5_c3e3,
     0x8b31_3591_0e07_facb,
     0xc046_26df_927b_294d,
+    0xf1d2_0cce_022a_c05b,
+    0x4557_3809_161e_431c,
+    0x4192_d110_18ba_46c3,
+    0x7ddd_5278_9044_84b5,
+    0xc05e_f99d_f07b_9497,
+    0xc7b3_fab8_26c3_2209,
+    0x9159_1477_a146_68a5,
+    0x15be_b970_7526_5f52,
+    0xa70f_cfff_c9fa_e495,
 ];
 
 #[wasm_bindgen_test(unsupported = test)]
 fn options_have_defaults() {
     assert_eq!(make("forest", "{}"), forest(&ForestOptions::default()));
     assert_eq!(make("clutter", "{}"), clutter(&ClutterOptions::default()));
+    assert_eq!(make("discs", "{}"), discs(&DiscsOptions::default()));
+    assert_eq!(make("maze", "{}"), maze(&MazeOptions::default()));
+    assert_eq!(make("gap", "{}"), gap(&GapOptions::default()));
+    assert_eq!(make("bug-trap", "{}"), bug_trap(&BugTrapOptions::default()));
     assert_eq!(make("clutter", r#"{"robot": "disc", "count": 0}"#).unwrap().world().obstacles, []);
     let arm = make("clutter", r#"{"robot": "arm"}"#).unwrap();
     assert_eq!(arm.robot().dimension(), 2);
@@ -207,7 +269,7 @@ fn options_have_defaults() {
 #[wasm_bindgen_test(unsupported = test)]
 fn options_that_are_wrong_are_refused() {
     let cases = [
-        ("maze", "{}", "unknown-generator", ""),
+        ("desert", "{}", "unknown-generator", ""),
         ("", "{}", "unknown-generator", ""),
         ("forest", "[]", "wrong-type", ""),
         ("forest", "null", "wrong-type", ""),
@@ -233,6 +295,26 @@ fn options_that_are_wrong_are_refused() {
         ("clutter", r#"{"largest": 0.6}"#, "out-of-range", "/largest"),
         ("clutter", r#"{"gap": 0.3}"#, "out-of-range", "/gap"),
         ("clutter", r#"{"size": 1}"#, "unknown-field", "/size"),
+        ("discs", r#"{"links": 2}"#, "unknown-field", "/links"),
+        ("discs", r#"{"robot": "arm", "links": 0}"#, "out-of-range", "/links"),
+        ("discs", r#"{"smallest": 0.2}"#, "out-of-range", "/smallest"),
+        ("discs", r#"{"largest": 0.04}"#, "out-of-range", "/smallest"),
+        ("discs", r#"{"placement": "heaped"}"#, "out-of-range", "/placement"),
+        ("discs", r#"{"placement": true}"#, "wrong-type", "/placement"),
+        ("discs", r#"{"count": 200, "smallest": 0.1}"#, "out-of-range", "/count"),
+        ("maze", r#"{"difficulty": "brutal"}"#, "out-of-range", "/difficulty"),
+        ("maze", r#"{"difficulty": 3}"#, "wrong-type", "/difficulty"),
+        ("maze", r#"{"robot": "disc"}"#, "unknown-field", "/robot"),
+        ("maze", r#"{"radius": 0.1, "thickness": 0.04}"#, "out-of-range", "/radius"),
+        ("maze", r#"{"thickness": 0}"#, "out-of-range", "/thickness"),
+        ("gap", r#"{"robot": "arm", "links": 1}"#, "out-of-range", "/links"),
+        ("gap", r#"{"robot": "arm", "width": 0.065}"#, "out-of-range", "/width"),
+        ("gap", r#"{"width": -0.1}"#, "out-of-range", "/width"),
+        ("gap", r#"{"seed": 0.5}"#, "out-of-range", "/seed"),
+        ("bug-trap", r#"{"mouth": 0}"#, "out-of-range", "/mouth"),
+        ("bug-trap", r#"{"start": "in"}"#, "out-of-range", "/start"),
+        ("bug-trap", r#"{"turn": null}"#, "wrong-type", "/turn"),
+        ("bug_trap", "{}", "unknown-generator", ""),
     ];
     for (kind, options, code, pointer) in cases {
         let error = make(kind, options).expect_err(options);
@@ -257,4 +339,254 @@ fn what_finds_no_place_is_an_error_and_not_an_endless_loop() {
     let error = make("clutter", r#"{"count": 60, "smallest": 0.4, "largest": 0.5}"#).unwrap_err();
     assert_eq!((error.code().as_str(), error.pointer()), ("out-of-range", "/count"));
     assert!(error.message().contains("of 60 obstacles found a place in 10000 draws"), "{error}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_table_of_options_is_what_generators_take() {
+    for info in GENERATORS {
+        let plain = make(info.id, "{}").unwrap();
+        let is_robot = |name: &str| name == "robot";
+        let has_disc = info.options.iter().any(|option| is_robot(option.name));
+        for option in info.options {
+            let name = option.name;
+            let one = |value: String| {
+                let arm = if name == "links" && has_disc { r#""robot": "arm", "# } else { "" };
+                make(info.id, &format!("{{{arm}\"{name}\": {value}}}"))
+            };
+            match option.kind {
+                OptionKind::Integer { min, max, default } | OptionKind::Number { min, max, default } => {
+                    assert!(min < max && (min..=max).contains(&default), "{} {name}", info.id);
+                    for outside in [min - 1.0, max + 1.0, min - 1e-9, max + 1e-9] {
+                        let error = one(outside.to_string()).unwrap_err();
+                        assert_eq!((error.code().as_str(), error.pointer()), ("out-of-range", &*format!("/{name}")));
+                    }
+                    // At the ends of its range an option may clash with the defaults of others, and says so.
+                    for inside in [min, max] {
+                        match one(inside.to_string()) {
+                            Ok(scenario) => assert_ends_are_free(&scenario),
+                            Err(error) => assert_eq!(error.code().as_str(), "out-of-range", "{error}"),
+                        }
+                    }
+                    if name != "links" {
+                        assert_eq!(one(default.to_string()).as_ref(), Ok(&plain), "{} {name}", info.id);
+                    }
+                }
+                OptionKind::Choice(words) => {
+                    let made: Vec<Scenario> = words.iter().map(|word| one(format!("{word:?}")).unwrap()).collect();
+                    made.iter().for_each(assert_ends_are_free);
+                    assert_eq!(made[0], plain, "{} {name}", info.id);
+                    assert!(made[1..].iter().all(|other| *other != plain), "{} {name}", info.id);
+                }
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn starts_and_goals_are_free_with_every_seed_and_setting() {
+    let settings = [
+        ("discs", r#""count": 60, "smallest": 0.02, "largest": 0.1, "gap": 0"#),
+        ("discs", r#""count": 200, "smallest": 0.01, "largest": 0.5, "placement": "overlapping", "radius": 0.1"#),
+        ("discs", r#""robot": "arm", "links": 1, "radius": 0.1"#),
+        ("discs", r#""robot": "arm", "links": 8"#),
+        ("maze", r#""difficulty": "medium", "radius": 0.1, "thickness": 0.03"#),
+        ("maze", r#""difficulty": "hard", "radius": 0, "thickness": 0.1"#),
+        ("gap", r#""radius": 0.1, "width": 1, "thickness": 0.5"#),
+        ("gap", r#""radius": 0.1, "width": 0, "thickness": 0.005"#),
+        ("gap", r#""robot": "arm", "links": 2, "radius": 0.1, "width": 0.21, "thickness": 0.5"#),
+        ("gap", r#""robot": "arm", "links": 8, "radius": 0.1, "width": 1, "thickness": 0.5"#),
+        ("gap", r#""robot": "arm", "links": 3, "radius": 0, "width": 0.01, "thickness": 0.005"#),
+        ("gap", r#""robot": "arm", "links": 5, "radius": 0, "width": 1, "thickness": 0.005"#),
+        ("bug-trap", r#""radius": 0.1, "mouth": 0.4"#),
+        ("bug-trap", r#""radius": 0.1, "mouth": 0.01, "turn": "quarter", "start": "outside""#),
+    ];
+    for (kind, options) in settings {
+        for seed in 0..60 {
+            let scenario = make(kind, &format!("{{{options}, \"seed\": {seed}}}")).unwrap();
+            assert_ends_are_free(&scenario);
+            assert_eq!(Scenario::parse(&scenario.to_json_string()), Ok(scenario));
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_solvable_by_construction_is_solved() {
+    let settings = [
+        ("discs", r#""count": 50, "largest": 0.1"#),
+        ("discs", r#""radius": 0.05, "gap": 0.1, "count": 12, "largest": 0.5"#),
+        ("maze", r#""difficulty": "easy", "radius": 0.08"#),
+        ("maze", r#""difficulty": "medium""#),
+        ("maze", r#""difficulty": "hard", "radius": 0"#),
+        ("gap", r#""width": 0.1"#),
+        ("gap", r#""width": 0.25, "radius": 0.1, "thickness": 0.3"#),
+        ("bug-trap", r#""mouth": 0.1"#),
+        ("bug-trap", r#""start": "outside", "mouth": 0.3, "radius": 0.1"#),
+    ];
+    for (kind, options) in settings {
+        for seed in 0..6 {
+            let scenario = make(kind, &format!("{{{options}, \"seed\": {seed}}}")).unwrap();
+            assert_eq!(ends(&scenario, 100_000), Status::Solved, "{}", scenario.title());
+            assert!(!scenario.title().contains("no path"), "{}", scenario.title());
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_too_narrow_says_so_and_is_not_solved() {
+    for (kind, options) in [
+        ("gap", r#""width": 0.06"#),
+        ("gap", r#""width": 0"#),
+        ("gap", r#""width": 0, "radius": 0"#),
+        ("bug-trap", r#""mouth": 0.06"#),
+        ("bug-trap", r#""mouth": 0.1, "radius": 0.1, "start": "outside""#),
+    ] {
+        for seed in 0..4 {
+            let scenario = make(kind, &format!("{{{options}, \"seed\": {seed}}}")).unwrap();
+            assert!(scenario.title().contains("no path"), "{}", scenario.title());
+            assert_eq!(ends(&scenario, 3000), Status::Exhausted, "{}", scenario.title());
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn discs_stand_apart_or_overlap_within_bounds() {
+    let discs_of = |scenario: &Scenario| -> Vec<Disc> {
+        let disc = |obstacle: &Obstacle| match obstacle {
+            Obstacle::Disc(disc) => *disc,
+            Obstacle::Polygon(_) => panic!("discs are discs"),
+        };
+        scenario.world().obstacles.iter().map(disc).collect()
+    };
+    let gap_between = |a: &Disc, b: &Disc| (a.center - b.center).norm() - a.radius - b.radius;
+    let mut overlaps = 0;
+    for seed in 0..30 {
+        for placement in ["apart", "overlapping"] {
+            let scenario = make("discs", &format!(r#"{{"placement": "{placement}", "seed": {seed}}}"#)).unwrap();
+            let discs = discs_of(&scenario);
+            assert_eq!(discs.len(), 24);
+            assert!(clearance(&scenario) > 0.07);
+            let bounds = scenario.world().bounds.expect("discs have bounds");
+            for (i, disc) in discs.iter().enumerate() {
+                assert!((0.05..=0.18).contains(&disc.radius) && bounds.depth(disc.center) >= disc.radius - 1e-12);
+                for other in &discs[..i] {
+                    assert!(placement == "overlapping" || gap_between(disc, other) > 0.07);
+                    overlaps += usize::from(gap_between(disc, other) < 0.0);
+                }
+            }
+        }
+    }
+    assert!(overlaps > 100, "{overlaps}");
+}
+
+/// The pairs of neighbouring cells of a maze that no wall parts, cells numbered row by row.
+fn passages(maze: &Scenario, cells: usize) -> Vec<(usize, usize)> {
+    let walls = polygons(maze);
+    let middle = |cell: usize| {
+        let along = |i: usize| 0.25 * i as f64 + 0.125;
+        Point::new(along(cell % cells), along(cell / cells))
+    };
+    let mut open = Vec::new();
+    for cell in 0..cells * cells {
+        let right = (cell % cells + 1 < cells).then_some(cell + 1);
+        let above = (cell / cells + 1 < cells).then_some(cell + cells);
+        for next in [right, above].into_iter().flatten() {
+            let way = Segment::new(middle(cell), middle(next));
+            if walls.iter().all(|wall| !intersects_segment_polygon(&way, wall)) {
+                open.push((cell, next));
+            }
+        }
+    }
+    open
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn mazes_join_all_cells_and_hard_ones_in_one_way_only() {
+    for (difficulty, cells, count) in [("easy", 6, 35 + 5), ("medium", 9, 80 + 6), ("hard", 12, 143)] {
+        for seed in 0..20 {
+            let options = format!(r#"{{"difficulty": "{difficulty}", "seed": {seed}}}"#);
+            let scenario = make("maze", &options).unwrap();
+            let open = passages(&scenario, cells);
+            assert_eq!(open.len(), count, "{difficulty} {seed}");
+            let mut group: Vec<usize> = (0..cells * cells).collect();
+            for (cell, next) in open {
+                let (from, to) = (group[cell], group[next]);
+                group.iter_mut().filter(|g| **g == from).for_each(|g| *g = to);
+            }
+            assert!(group.iter().all(|g| *g == group[0]), "{difficulty} {seed}: all cells are joined");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn walls_in_a_row_are_one_rectangle() {
+    for seed in 0..20 {
+        let scenario = make("maze", &format!(r#"{{"difficulty": "hard", "seed": {seed}}}"#)).unwrap();
+        let walls = polygons(&scenario);
+        for (i, wall) in walls.iter().enumerate() {
+            for other in &walls[..i] {
+                let (a, b) = (wall.aabb(), other.aabb());
+                let in_line = (a.min.x, a.max.x) == (b.min.x, b.max.x) || (a.min.y, a.max.y) == (b.min.y, b.max.y);
+                let is_long = |aabb: &Aabb| aabb.longer_side() > 0.1;
+                assert!(is_long(a) && is_long(b) && !(in_line && a.intersects(b)), "{a:?} {b:?}");
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_hard_maze_has_the_dead_ends_of_a_uniform_spanning_tree() {
+    // In the square lattice 8 / pi^2 (1 - 2 / pi) of the vertices are leaves (Manna, Dhar and Majumdar 1992, "Spanning
+    // trees in two dimensions"); a depth-first maze has a third of that. Only cells away from the border are counted.
+    let (mut ends, mut counted) = (0, 0);
+    for seed in 0..150 {
+        let scenario = make("maze", &format!(r#"{{"difficulty": "hard", "seed": {seed}}}"#)).unwrap();
+        let open = passages(&scenario, 12);
+        for cell in (0..144).filter(|cell| (2..10).contains(&(cell % 12)) && (2..10).contains(&(cell / 12))) {
+            counted += 1;
+            ends += usize::from(open.iter().filter(|(a, b)| *a == cell || *b == cell).count() == 1);
+        }
+    }
+    let share = ends as f64 / counted as f64;
+    assert!((0.28..0.31).contains(&share), "{share}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_gap_is_as_wide_as_it_says_and_the_arm_reaches_through_it() {
+    for links in 0..=8 {
+        for seed in 0..20 {
+            let robot = if links < 2 { RobotChoice::Disc } else { RobotChoice::Arm(links) };
+            let options = GapOptions { robot, width: 0.15, thickness: 0.3, seed, ..Default::default() };
+            let scenario = gap(&options).unwrap();
+            let walls = polygons(&scenario);
+            let (lower, upper) = (walls[0].aabb(), walls[1].aabb());
+            assert_eq!((walls.len(), lower.min.y, upper.max.y), (2, 0.0, 2.0));
+            assert!(
+                (upper.min.y - lower.max.y - 0.15).abs() < 1e-12 && (lower.max.x - lower.min.x - 0.3).abs() < 1e-12
+            );
+            let inspector = Inspector::new(&scenario);
+            let query = &scenario.queries()[0];
+            let [before, behind] = [&query.start, &query.goal].map(|q| inspector.end_effector(q).unwrap().x);
+            assert!(before + 0.03 < lower.min.x && lower.max.x + 0.03 < behind, "{before} {behind}");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_mouth_is_as_wide_as_it_says() {
+    for seed in 0..20 {
+        for (mouth, radius, ways) in [(0.1, 0.05 - 1e-9, 1), (0.1, 0.05, 0), (0.04, 0.02 - 1e-9, 1), (0.04, 0.02, 0)] {
+            let turn = Turn::Quarter;
+            let scenario = bug_trap(&BugTrapOptions { mouth, radius, turn, seed, ..Default::default() }).unwrap();
+            let Obstacle::Polygon(trap) = &scenario.world().obstacles[0] else { panic!("a trap is a polygon") };
+            let inspector = Inspector::new(&scenario);
+            // The trap is even about the axis of its mouth: the middle of its box lies on it.
+            let middle = nalgebra::center(&trap.aabb().min, &trap.aabb().max);
+            let is_way_out = |(x, y): &(f64, f64)| {
+                inspector.first_hit(&[middle.x, middle.y], &[middle.x + x, middle.y + y]).unwrap().is_none()
+            };
+            let free =
+                [(0.75, 0.0), (0.0, 0.75), (-0.75, 0.0), (0.0, -0.75)].iter().filter(|to| is_way_out(to)).count();
+            assert_eq!(free, ways, "seed {seed}, mouth {mouth}, radius {radius}");
+        }
+    }
 }

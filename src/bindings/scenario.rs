@@ -62,7 +62,7 @@ impl RawScenario {
         Scenario::parse(text).map(Self::new).map_err(throw)
     }
 
-    /// Generates a scenario: `forest` or `clutter`, with options as a plain object.
+    /// Generates a scenario by the generator's id, with options as a plain object.
     pub fn generate(kind: &str, options: JsValue) -> Result<RawScenario, JsValue> {
         let node = node(options)?;
         crate::scenario::generate::generate(kind, &node).map(Self::new).map_err(throw)

@@ -31,7 +31,7 @@ pub enum Command {
     Plan(Plan),
     /// Judge a result against its scenario, independently of the planners
     Verify(Verify),
-    /// List the planners with their parameters, the generators, and the error codes
+    /// List the planners with their parameters, the generators with their options, and the error codes
     List(List),
     /// Generate a scenario by seed and print it
     Generate(Generate),
@@ -111,13 +111,14 @@ pub struct List {
 
 #[derive(Args)]
 #[command(after_help = "\
-Options of forest: links. Options of clutter: robot (disc or arm), links, count, radius, smallest, largest, gap.
+`planarium list` shows the generators and the options of each.
 
 Examples:
   planarium generate forest --set links=4 --seed 1
+  planarium generate maze --set difficulty=hard --seed 3
   planarium generate clutter --set robot=arm --set links=3 --seed 2 --out clutter.json")]
 pub struct Generate {
-    /// What to generate: forest or clutter
+    /// What to generate: forest, clutter, discs, maze, gap or bug-trap
     pub kind: String,
 
     /// The seed: with the options it decides every bit of the scenario

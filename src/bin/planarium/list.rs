@@ -5,7 +5,7 @@ use crate::arguments::List;
 use crate::files;
 use planarium::error::Code;
 use planarium::planner::{Fallback, Kind, ParameterInfo, catalogue, planners};
-use planarium::scenario::generate::GENERATORS;
+use planarium::scenario::generate::{self, GENERATORS, OptionInfo, OptionKind};
 use serde_json::json;
 use std::fmt::Write;
 
@@ -18,7 +18,7 @@ pub fn list(arguments: &List) -> Answer {
 fn as_json() -> String {
     let errors: Vec<_> =
         Code::ALL.iter().map(|code| json!({ "code": code.as_str(), "meaning": code.meaning() })).collect();
-    let document = json!({ "planners": catalogue(), "generators": GENERATORS, "errors": errors });
+    let document = json!({ "planners": catalogue(), "generators": generate::catalogue(), "errors": errors });
     serde_json::to_string_pretty(&document).expect("tables of words and numbers are JSON")
 }
 
@@ -31,7 +31,14 @@ fn as_tables() -> String {
             let _ = writeln!(text, "    {:<15} {}", "", values(parameter));
         }
     }
-    let _ = writeln!(text, "\nGENERATORS\n\n  {}", GENERATORS.join(", "));
+    text.push_str("\nGENERATORS\n");
+    for generator in GENERATORS {
+        let _ = writeln!(text, "\n  {} ({}): {}", generator.id, generator.title, generator.summary);
+        for option in generator.options {
+            let _ = writeln!(text, "    {:<15} {}", option.name, option.meaning);
+            let _ = writeln!(text, "    {:<15} {}", "", option_values(option));
+        }
+    }
     let _ = write!(text, "\nERROR CODES\n");
     for code in Code::ALL {
         let _ = write!(text, "\n  {:<18} {}", code.as_str(), code.meaning());
@@ -54,4 +61,15 @@ fn values(parameter: &ParameterInfo) -> String {
         Fallback::Off => format!("({values}{unit}; default false)"),
         Fallback::Computed(words) => format!("({values}{unit}; default: {words})"),
     }
+}
+
+/// The same for an option of a generator.
+fn option_values(option: &OptionInfo) -> String {
+    let (values, default) = match option.kind {
+        OptionKind::Integer { min, max, default } => (format!("whole number from {min} to {max}"), default.to_string()),
+        OptionKind::Number { min, max, default } => (format!("number from {min} to {max}"), default.to_string()),
+        OptionKind::Choice(words) => (words.join(" or "), words[0].to_owned()),
+    };
+    let unit = if option.unit.is_empty() { String::new() } else { format!(", {}", option.unit) };
+    format!("({values}{unit}; default {default})")
 }

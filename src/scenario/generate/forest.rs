@@ -6,16 +6,26 @@
 //! so that every forest has all of its triangles and a question worth asking. A path need not exist.
 
 use super::free::is_clear_of;
-use super::{check_seed, integer, no_place, out_of_range, seed};
+use super::no_place;
+use super::options::{GeneratorInfo, Given, OptionInfo};
+use super::robots::LINKS;
 use crate::error::Error;
 use crate::geometry::{Point, Polygon};
 use crate::random::{Random, Stream};
-use crate::robot::{Arm, MAX_LINKS};
+use crate::robot::Arm;
 use crate::scenario::reader::Reader;
 use crate::scenario::{Node, Obstacle, Query, Robot, Scenario, World};
 
 /// After so many draws the generator gives up.
 const DRAWS: u32 = 10_000;
+
+/// The row of the generator.
+pub(super) const INFO: GeneratorInfo = GeneratorInfo {
+    id: "forest",
+    title: "Forest",
+    summary: "An arm of unit links among equal triangles on a grid.",
+    options: &[OptionInfo { meaning: "How many links of length 1 the arm has; four triangles a link.", ..LINKS }],
+};
 
 /// What forest to grow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,10 +46,8 @@ impl ForestOptions {
     /// Reads `{"links": 2, "seed": 0}`; both may be left out.
     pub(super) fn from_node(options: &Node) -> Result<Self, Error> {
         let root = Reader::root(options);
-        let fields = root.object()?;
-        fields.only(&["links", "seed"])?;
-        let links = integer(&fields, "links", "the number of links", [1, MAX_LINKS as u64], 2)? as usize;
-        Ok(Self { links, seed: seed(&fields)? })
+        let given = Given::read(&INFO, &root)?;
+        Ok(Self { links: given.integer("links")?, seed: given.seed()? })
     }
 }
 
@@ -49,10 +57,7 @@ impl ForestOptions {
 /// `out-of-range` with the pointer of the option, also where the triangles find no place within 10,000 draws.
 pub fn forest(options: &ForestOptions) -> Result<Scenario, Error> {
     let ForestOptions { links, seed } = *options;
-    if !(1..=MAX_LINKS).contains(&links) {
-        return Err(out_of_range("links", "the number of links", 1, MAX_LINKS, links));
-    }
-    check_seed(seed)?;
+    INFO.check(seed, &[("links", links as f64)])?;
     let arm = Arm::new(Point::origin(), vec![1.0; links], 0.0, None)?;
     let (start, goal) = ends(links);
     let keep_clear = [arm.footprint(&start), arm.footprint(&goal)].concat();

@@ -1,20 +1,33 @@
 //! Whether an obstacle that has been drawn leaves a configuration free.
 
-use crate::geometry::{Point, Polygon, Segment, distance_segment_polygon};
+use crate::geometry::{Disc, Point, Polygon, Segment, distance_point_segment, distance_segment_polygon};
 use crate::robot::Part;
 
-/// A clearance that any slack is far below, in metres.
-const SOME: f64 = 1e-9;
+/// A clearance that any slack is far below, and a difference that no rounding makes, in metres.
+pub(super) const SOME: f64 = 1e-9;
 
 /// Whether the polygon is farther than `gap` metres from all of the parts.
 pub(super) fn is_clear_of(polygon: &Polygon, parts: &[Part], gap: f64) -> bool {
     parts.iter().all(|part| {
-        let (axis, radius) = match *part {
-            Part::Capsule { a, b, radius } => (Segment::new(a, b), radius),
-            Part::Disc { center, radius } => (Segment::new(center, center), radius),
-        };
+        let (axis, radius) = axis_and_radius(part);
         distance_segment_polygon(&axis, polygon) - radius > gap + SOME
     })
+}
+
+/// Whether the disc is farther than `gap` metres from all of the parts.
+pub(super) fn is_disc_clear_of(disc: &Disc, parts: &[Part], gap: f64) -> bool {
+    parts.iter().all(|part| {
+        let (axis, radius) = axis_and_radius(part);
+        distance_point_segment(disc.center, &axis) - disc.radius - radius > gap + SOME
+    })
+}
+
+/// The part as all points within a radius of a segment.
+fn axis_and_radius(part: &Part) -> (Segment, f64) {
+    match *part {
+        Part::Capsule { a, b, radius } => (Segment::new(a, b), radius),
+        Part::Disc { center, radius } => (Segment::new(center, center), radius),
+    }
 }
 
 /// Whether the two polygons are farther than `gap` metres from each other. O(product of their vertices).

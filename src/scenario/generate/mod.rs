@@ -1,62 +1,58 @@
 //! Scenarios made by seed: the same options give the same document on every platform. One file a generator.
 
+mod bug_trap;
+mod catalogue;
 mod clutter;
+mod discs;
 mod forest;
 mod free;
+mod gap;
+mod maze;
+mod options;
+mod robots;
 
-pub use clutter::{ClutterOptions, ClutterRobot, clutter};
+pub use bug_trap::{BugTrapOptions, BugTrapStart, Turn, bug_trap};
+pub use catalogue::{GeneratorRow, catalogue};
+pub use clutter::{ClutterOptions, clutter};
+pub use discs::{DiscsOptions, Placement, discs};
 pub use forest::{ForestOptions, forest};
+pub use gap::{GapOptions, gap};
+pub use maze::{Difficulty, MazeOptions, maze};
+pub use options::{GeneratorInfo, OptionInfo, OptionKind};
+pub use robots::RobotChoice;
 
-use super::reader::{Fields, Reader, quoted};
+use super::reader::quoted;
 use super::{Node, Scenario};
 use crate::error::{Code, Error};
-use crate::random::MAX_SEED;
 
-/// The names of the generators.
-pub const GENERATORS: [&str; 2] = ["forest", "clutter"];
+/// The generators with their options: the one table that help texts, documents and controls are made from. Every generator
+/// takes `seed` as well, a whole number from 0 (default) to 2^53 - 1.
+pub const GENERATORS: &[GeneratorInfo] =
+    &[forest::INFO, clutter::INFO, discs::INFO, maze::INFO, gap::INFO, bug_trap::INFO];
 
-/// Generates a scenario by the generator's name; `options` is an object whose fields are those of [`ForestOptions`] or
-/// [`ClutterOptions`] (`{}` for all defaults).
+/// Generates a scenario by the generator's name; `options` is an object whose fields are those of [`GENERATORS`] and `seed`
+/// (`{}` for all defaults).
 ///
 /// # Errors
-/// `unknown-generator`; and, with a pointer into the options, `unknown-field`, `wrong-type`, `not-finite`, `out-of-range`.
+/// `unknown-generator`; and, with a pointer into the options, `unknown-field`, `wrong-type`, `unknown-type`, `not-finite`,
+/// `out-of-range`.
 pub fn generate(kind: &str, options: &Node) -> Result<Scenario, Error> {
     match kind {
         "forest" => forest(&ForestOptions::from_node(options)?),
         "clutter" => clutter(&ClutterOptions::from_node(options)?),
+        "discs" => discs(&DiscsOptions::from_node(options)?),
+        "maze" => maze(&MazeOptions::from_node(options)?),
+        "gap" => gap(&GapOptions::from_node(options)?),
+        "bug-trap" => bug_trap(&BugTrapOptions::from_node(options)?),
         other => {
-            let sentence = format!("nothing named {} is generated; there are {}", quoted(other), GENERATORS.join(", "));
+            let known: Vec<&str> = GENERATORS.iter().map(|info| info.id).collect();
+            let sentence = format!("nothing named {} is generated; there are {}", quoted(other), known.join(", "));
             Err(Error::new(Code::UnknownGenerator, "", sentence))
         }
     }
 }
 
-/// Reads a whole number from `low` to `high` where the field is there.
-fn integer(fields: &Fields, name: &str, what: &str, [low, high]: [u64; 2], default: u64) -> Result<u64, Error> {
-    fields.optional(name).map_or(Ok(default), |field: Reader| field.integer(what, low, high))
-}
-
-/// Reads the seed: from 0 to 2^53 - 1, 0 where it is not given.
-fn seed(fields: &Fields) -> Result<u64, Error> {
-    integer(fields, "seed", "the seed", [0, MAX_SEED], 0)
-}
-
-/// The error for an option that does not lie within [low, high].
-fn out_of_range(option: &str, what: &str, low: impl ToString, high: impl ToString, value: impl ToString) -> Error {
-    let (low, high, value) = (low.to_string(), high.to_string(), value.to_string());
-    Error::new(Code::OutOfRange, format!("/{option}"), format!("{what} must lie within [{low}, {high}], not {value}"))
-}
-
-/// Refuses a seed above 2^53 - 1.
-fn check_seed(seed: u64) -> Result<(), Error> {
-    if seed > MAX_SEED {
-        return Err(out_of_range("seed", "the seed", 0, MAX_SEED, seed));
-    }
-    Ok(())
-}
-
 /// The error of a generator that found no place for its obstacles.
 fn no_place(option: &str, placed: usize, wanted: usize, draws: u32) -> Error {
-    let sentence = format!("only {placed} of {wanted} obstacles found a place in {draws} draws");
-    Error::new(Code::OutOfRange, format!("/{option}"), sentence)
+    options::refused(option, format!("only {placed} of {wanted} obstacles found a place in {draws} draws"))
 }

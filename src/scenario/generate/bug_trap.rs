@@ -1,0 +1,183 @@
+//! The bug trap: a round pocket whose mouth is turned inwards, so that it is hard to leave for what grows towards samples
+//! (LaValle 2006, "Planning Algorithms", chapter 5). For a disc, from inside to outside or the other way.
+//!
+//! A path exists exactly where the mouth is wider than the disc (by more than 1e-9 m, to be safe from rounding); where it
+//! is not, the title says so.
+
+use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind};
+use super::robots::{DISC_RADIUS, SIDE};
+use crate::error::Error;
+use crate::geometry::{Aabb, Point, Polygon, Vector};
+use crate::random::{Random, Stream};
+use crate::robot::DiscRobot;
+use crate::scenario::reader::Reader;
+use crate::scenario::{Node, Obstacle, Query, Robot, Scenario, World};
+use std::f64::consts::TAU;
+
+/// The thickness of the trap's wall, in metres.
+const THICKNESS: f64 = 0.06;
+
+/// Where the round part of the wall ends, as an angle from the axis of the mouth, and in how many pieces it is cut.
+const OPENING: f64 = 0.6;
+const PIECES: usize = 32;
+
+/// The row of the generator.
+pub(super) const INFO: GeneratorInfo = GeneratorInfo {
+    id: "bug-trap",
+    title: "Bug trap",
+    summary: "A disc in a round pocket whose mouth is turned inwards.",
+    options: &[
+        DISC_RADIUS,
+        OptionInfo {
+            name: "mouth",
+            title: "Width of the mouth",
+            kind: OptionKind::Number { min: 0.01, max: 0.4, default: 0.12 },
+            unit: "m",
+            meaning: "How wide the mouth is; the disc passes where it is more than twice its radius.",
+        },
+        OptionInfo {
+            name: "start",
+            title: "Start",
+            kind: OptionKind::Choice(&["inside", "outside"]),
+            unit: "",
+            meaning: "Whether the way leads out of the trap or into it.",
+        },
+        OptionInfo {
+            name: "turn",
+            title: "Turn",
+            kind: OptionKind::Choice(&["any", "quarter"]),
+            unit: "",
+            meaning: "Whether the mouth looks anywhere or along an axis.",
+        },
+    ],
+};
+
+/// Where the disc starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BugTrapStart {
+    /// In the trap; the goal is outside.
+    Inside,
+    /// Outside; the goal is in the trap.
+    Outside,
+}
+
+/// Where the mouth may look.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Turn {
+    /// Anywhere.
+    Any,
+    /// To the right, up, to the left or down.
+    Quarter,
+}
+
+/// Which trap to set.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BugTrapOptions {
+    /// The radius of the disc in metres: 0 to 0.1 (default 0.03).
+    pub radius: f64,
+    /// How wide the mouth is, in metres: 0.01 to 0.4 (default 0.12).
+    pub mouth: f64,
+    /// Where the disc starts (default: inside).
+    pub start: BugTrapStart,
+    /// Where the mouth may look (default: anywhere).
+    pub turn: Turn,
+    /// The seed: 0 (default) to 2^53 - 1.
+    pub seed: u64,
+}
+
+impl Default for BugTrapOptions {
+    fn default() -> Self {
+        Self { radius: 0.03, mouth: 0.12, start: BugTrapStart::Inside, turn: Turn::Any, seed: 0 }
+    }
+}
+
+impl BugTrapOptions {
+    /// Reads the options by their names; all may be left out.
+    pub(super) fn from_node(options: &Node) -> Result<Self, Error> {
+        let root = Reader::root(options);
+        let given = Given::read(&INFO, &root)?;
+        Ok(Self {
+            radius: given.number("radius")?,
+            mouth: given.number("mouth")?,
+            start: [BugTrapStart::Inside, BugTrapStart::Outside][given.choice("start")?],
+            turn: [Turn::Any, Turn::Quarter][given.choice("turn")?],
+            seed: given.seed()?,
+        })
+    }
+}
+
+/// Sets a bug trap in a box of 2 m by 2 m, with one query, "out" or "in". The seed decides the place, the size (a radius of
+/// 0.55 to 0.62 m) and the turn of the trap, and where in it and in which corner of the box the disc starts and ends.
+///
+/// # Errors
+/// `out-of-range` or `not-finite` with the pointer of the option.
+pub fn bug_trap(options: &BugTrapOptions) -> Result<Scenario, Error> {
+    let BugTrapOptions { radius, mouth, start, turn, seed } = *options;
+    INFO.check(seed, &[("radius", radius), ("mouth", mouth)])?;
+    let mut random = Random::new(seed, Stream::Scenario);
+    let size = 0.55 + 0.07 * random.uniform();
+    let mut near_middle = || SIDE / 2.0 + 0.1 * (random.uniform() - 0.5);
+    let center = Point::new(near_middle(), near_middle());
+    let (sin, cos) = match turn {
+        Turn::Any => libm::sincos(TAU * random.uniform()),
+        Turn::Quarter => [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][random.below(4) as usize],
+    };
+    let place = |p: Point| Point::new(center.x + cos * p.x - sin * p.y, center.y + sin * p.x + cos * p.y);
+    let corners: Vec<Point> = outline(size, mouth).into_iter().map(place).collect();
+    let trap = Polygon::new(&corners).expect("the wall of a trap does not meet itself");
+
+    let inside = place(Point::new(size * (0.1 * random.uniform() - 0.5), size * 0.4 * (random.uniform() - 0.5)));
+    let mut corner = || if random.below(2) == 0 { 0.2 } else { SIDE - 0.2 };
+    let (inside, outside) = (vec![inside.x, inside.y], vec![corner(), corner()]);
+    let (way, start, goal) = match start {
+        BugTrapStart::Inside => ("out", inside, outside),
+        BugTrapStart::Outside => ("in", outside, inside),
+    };
+    let narrow = if mouth <= 2.0 * radius { ", too narrow for it: no path" } else { "" };
+    let word = if way == "out" { "out of" } else { "into" };
+    Ok(Scenario {
+        name: format!("bug-trap-{way}-{seed}"),
+        title: Some(format!(
+            "Disc of radius {radius} m {word} a bug trap with a mouth of {mouth} m{narrow}, seed {seed}"
+        )),
+        world: World {
+            bounds: Some(Aabb { min: Point::origin(), max: Point::new(SIDE, SIDE) }),
+            obstacles: vec![Obstacle::Polygon(trap)],
+        },
+        robot: Robot::Disc(DiscRobot::new(radius)?),
+        queries: vec![Query { name: way.to_owned(), start, goal }],
+    })
+}
+
+/// The trap around the origin with its mouth to the right: the wall follows a line from one lip through the throat, around
+/// the pocket and back to the other lip.
+fn outline(size: f64, mouth: f64) -> Vec<Point> {
+    let (lip, throat) = (0.05 * size, 0.5 * size);
+    let (round, aside) = (size - THICKNESS / 2.0, (mouth + THICKNESS) / 2.0);
+    let mut line = vec![Point::new(lip, aside), Point::new(throat, aside)];
+    for i in 0..=PIECES {
+        let (sin, cos) = libm::sincos(OPENING + (TAU - 2.0 * OPENING) * i as f64 / PIECES as f64);
+        line.push(Point::new(round * cos, round * sin));
+    }
+    line.extend([Point::new(throat, -aside), Point::new(lip, -aside)]);
+    thicken(&line, THICKNESS / 2.0)
+}
+
+/// The outline of everything within `half` metres of a line, with mitred bends and square ends: one side of it to the end,
+/// then the other side back.
+fn thicken(line: &[Point], half: f64) -> Vec<Point> {
+    let left_of = |i: usize| {
+        let along = line[i + 1] - line[i];
+        Vector::new(-along.y, along.x) / (along.x * along.x + along.y * along.y).sqrt()
+    };
+    let last = line.len() - 1;
+    let offset = |i: usize| {
+        let (before, after) = (left_of(i.max(1) - 1), left_of(i.min(last - 1)));
+        // The mitre m has m . before = m . after = half.
+        let sum = before + after;
+        sum * (2.0 * half / (sum.x * sum.x + sum.y * sum.y))
+    };
+    let left = (0..=last).map(|i| line[i] + offset(i));
+    let right = (0..=last).rev().map(|i| line[i] - offset(i));
+    left.chain(right).collect()
+}

@@ -1,0 +1,243 @@
+//! The maze: a disc goes from the lower left corner of a square maze to the upper right one.
+//!
+//! The passages of a perfect maze are a spanning tree of its cells, here one drawn with equal chances from all of them by
+//! loop-erased random walks (Wilson 1996, "Generating random spanning trees more quickly than the cover time"); then a share
+//! of the walls that are left is taken away, so that ways meet in loops. Walls in a row make one rectangle. Every maze has a
+//! path, since the disc fits through its corridors.
+
+use super::free::SOME;
+use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};
+use super::robots::DISC_RADIUS;
+use crate::error::Error;
+use crate::geometry::{Aabb, Point, Polygon};
+use crate::random::{Random, Stream};
+use crate::robot::DiscRobot;
+use crate::scenario::reader::Reader;
+use crate::scenario::{Node, Obstacle, Query, Robot, Scenario, World};
+
+/// The side of a cell, from the middle of one wall to the middle of the next, in metres.
+const CELL: f64 = 0.25;
+
+/// The least play that the disc has in a corridor, in metres.
+const PLAY: f64 = 0.02;
+
+/// The words of the difficulties, easiest first.
+const DIFFICULTIES: [&str; 3] = ["easy", "medium", "hard"];
+
+/// The row of the generator.
+pub(super) const INFO: GeneratorInfo = GeneratorInfo {
+    id: "maze",
+    title: "Maze",
+    summary: "A maze of walls for a disc, from corner to corner; there is always a path.",
+    options: &[
+        OptionInfo {
+            name: "difficulty",
+            title: "Difficulty",
+            kind: OptionKind::Choice(&DIFFICULTIES),
+            unit: "",
+            meaning: "easy: 6 by 6 cells, one wall of five opened; medium: 9 by 9, one of ten; hard: 12 by 12, none, so that one way leads to the goal.",
+        },
+        DISC_RADIUS,
+        OptionInfo {
+            name: "thickness",
+            title: "Thickness",
+            kind: OptionKind::Number { min: 0.005, max: 0.1, default: 0.03 },
+            unit: "m",
+            meaning: "How thick walls are; corridors are as wide as they leave of 0.25 m.",
+        },
+    ],
+};
+
+/// How hard a maze is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Difficulty {
+    /// 6 by 6 cells, one in five of the inner walls opened.
+    Easy,
+    /// 9 by 9 cells, one in ten of the inner walls opened.
+    Medium,
+    /// 12 by 12 cells, a perfect maze: one way from each cell to each other.
+    Hard,
+}
+
+impl Difficulty {
+    /// Cells a side, and how many of a hundred walls are opened.
+    fn cells_and_opened(self) -> (usize, usize) {
+        match self {
+            Difficulty::Easy => (6, 20),
+            Difficulty::Medium => (9, 10),
+            Difficulty::Hard => (12, 0),
+        }
+    }
+}
+
+/// Which maze to build.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MazeOptions {
+    /// How hard it is (default: easy).
+    pub difficulty: Difficulty,
+    /// The radius of the disc in metres: 0 to 0.1 (default 0.03), and less than half a corridor by a centimetre.
+    pub radius: f64,
+    /// How thick walls are, in metres: 0.005 to 0.1 (default 0.03).
+    pub thickness: f64,
+    /// The seed: 0 (default) to 2^53 - 1.
+    pub seed: u64,
+}
+
+impl Default for MazeOptions {
+    fn default() -> Self {
+        Self { difficulty: Difficulty::Easy, radius: 0.03, thickness: 0.03, seed: 0 }
+    }
+}
+
+impl MazeOptions {
+    /// Reads the options by their names; all may be left out.
+    pub(super) fn from_node(options: &Node) -> Result<Self, Error> {
+        let root = Reader::root(options);
+        let given = Given::read(&INFO, &root)?;
+        Ok(Self {
+            difficulty: [Difficulty::Easy, Difficulty::Medium, Difficulty::Hard][given.choice("difficulty")?],
+            radius: given.number("radius")?,
+            thickness: given.number("thickness")?,
+            seed: given.seed()?,
+        })
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        let Self { radius, thickness, .. } = *self;
+        INFO.check(self.seed, &[("radius", radius), ("thickness", thickness)])?;
+        let corridor = CELL - thickness;
+        if corridor - 2.0 * radius < PLAY - SOME {
+            let sentence =
+                format!("a disc of radius {radius} with {PLAY} of play does not fit a corridor {corridor} wide");
+            return Err(refused("radius", sentence));
+        }
+        Ok(())
+    }
+}
+
+/// Builds a maze, with one query, "through".
+///
+/// # Errors
+/// `out-of-range` or `not-finite` with the pointer of the option; `out-of-range` at `/radius` where the disc does not fit
+/// through the corridors.
+pub fn maze(options: &MazeOptions) -> Result<Scenario, Error> {
+    options.check()?;
+    let MazeOptions { difficulty, radius, thickness, seed } = *options;
+    let (cells, opened) = difficulty.cells_and_opened();
+    let mut random = Random::new(seed, Stream::Scenario);
+    let mut walls = Walls::of_perfect_maze(cells, &mut random);
+    walls.open(opened, &mut random);
+    let side = CELL * cells as f64;
+    let word = DIFFICULTIES[difficulty as usize];
+    let (first, last) = (CELL / 2.0, side - CELL / 2.0);
+    Ok(Scenario {
+        name: format!("maze-{word}-{seed}"),
+        title: Some(format!("Disc in a maze of {cells} by {cells} cells, {word}, seed {seed}")),
+        world: World {
+            bounds: Some(Aabb { min: Point::origin(), max: Point::new(side, side) }),
+            obstacles: walls.rectangles(thickness).into_iter().map(Obstacle::Polygon).collect(),
+        },
+        robot: Robot::Disc(DiscRobot::new(radius)?),
+        queries: vec![Query { name: "through".to_owned(), start: vec![first, first], goal: vec![last, last] }],
+    })
+}
+
+/// The inner walls of a square maze. Cells are numbered row by row from the lower left corner.
+struct Walls {
+    cells: usize,
+    /// For each cell, whether there is a wall to its right and one above it; never at the border, where the bounds are.
+    closed: Vec<[bool; 2]>,
+}
+
+impl Walls {
+    /// The walls of a perfect maze: from every cell that is not joined yet a random walk leads to one that is, and what is
+    /// left of it without its loops becomes passages. O(cells) steps a walk on average, in practice fewer.
+    fn of_perfect_maze(cells: usize, random: &mut Random) -> Self {
+        let count = cells * cells;
+        let closed = (0..count).map(|cell| [cell % cells + 1 < cells, cell / cells + 1 < cells]).collect();
+        let mut walls = Self { cells, closed };
+        let mut joined = vec![false; count];
+        joined[random.below(count as u64) as usize] = true;
+        // Where the walk last left each cell: to follow it leaves the loops out.
+        let mut exit = vec![0; count];
+        for first in 0..count {
+            let mut cell = first;
+            while !joined[cell] {
+                exit[cell] = walls.neighbour(cell, random);
+                cell = exit[cell];
+            }
+            cell = first;
+            while !joined[cell] {
+                joined[cell] = true;
+                let (low, high) = (cell.min(exit[cell]), cell.max(exit[cell]));
+                walls.closed[low][usize::from(high != low + 1)] = false;
+                cell = exit[cell];
+            }
+        }
+        walls
+    }
+
+    /// One of the two to four cells beside a cell.
+    fn neighbour(&self, cell: usize, random: &mut Random) -> usize {
+        let (n, column, row) = (self.cells, cell % self.cells, cell / self.cells);
+        let beside = [
+            (column > 0).then(|| cell - 1),
+            (column + 1 < n).then(|| cell + 1),
+            (row > 0).then(|| cell - n),
+            (row + 1 < n).then(|| cell + n),
+        ];
+        let there = || beside.iter().flatten();
+        let chosen = random.below(there().count() as u64) as usize;
+        *there().nth(chosen).expect("a number below the count")
+    }
+
+    /// Takes away so many of a hundred walls.
+    fn open(&mut self, of_a_hundred: usize, random: &mut Random) {
+        let both = |cell: usize| [(cell, 0), (cell, 1)];
+        let mut left: Vec<(usize, usize)> = (0..self.closed.len()).flat_map(both).collect();
+        left.retain(|&(cell, side)| self.closed[cell][side]);
+        for _ in 0..left.len() * of_a_hundred / 100 {
+            let (cell, side) = left.swap_remove(random.below(left.len() as u64) as usize);
+            self.closed[cell][side] = false;
+        }
+    }
+
+    /// The walls as rectangles, one for each run of walls in a line: first the upright ones from left to right, then the
+    /// level ones from below.
+    fn rectangles(&self, thickness: f64) -> Vec<Polygon> {
+        let (n, half) = (self.cells, thickness / 2.0);
+        let side = CELL * n as f64;
+        let mut rectangles = Vec::new();
+        for upright in [true, false] {
+            for line in 0..n - 1 {
+                let is_closed = |i: usize| {
+                    let cell = if upright { i * n + line } else { line * n + i };
+                    i < n && self.closed[cell][usize::from(!upright)]
+                };
+                let across = CELL * (line + 1) as f64;
+                let mut from = 0;
+                for i in 0..=n {
+                    if is_closed(i) {
+                        continue;
+                    }
+                    if from < i {
+                        // A run reaches half a thickness into its joints, but not out of the bounds.
+                        let (low, high) = (CELL * from as f64 - half, CELL * i as f64 + half);
+                        let (low, high) = (low.max(0.0), high.min(side));
+                        let wall =
+                            [(across - half, low), (across + half, low), (across + half, high), (across - half, high)];
+                        rectangles.push(rectangle(wall, upright));
+                    }
+                    from = i + 1;
+                }
+            }
+        }
+        rectangles
+    }
+}
+
+/// The rectangle of the corners, which are written as (across, along) a wall.
+fn rectangle(corners: [(f64, f64); 4], upright: bool) -> Polygon {
+    let corners = corners.map(|(u, v)| if upright { Point::new(u, v) } else { Point::new(v, u) });
+    Polygon::new(&corners).expect("a wall is longer and thicker than nothing")
+}

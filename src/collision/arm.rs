@@ -3,7 +3,7 @@
 use super::obstacles::largest_coordinate;
 use super::proof::separation::Work;
 use super::proof::{Motion, Setting, distance, separation};
-use super::{Obstacles, Tolerance};
+use super::{Obstacles, Tolerance, sampled};
 use crate::geometry::{Aabb, Segment};
 use crate::robot::Arm;
 use crate::scenario::World;
@@ -61,6 +61,12 @@ impl<const N: usize> ArmValidity<N> {
             distance::first_hit(setting, motion, &mut work.evaluations)
         };
         self.prove(a, b, first_hit).unwrap_or(Some(0.0))
+    }
+
+    /// Whether the motion is free at `samples` evenly spaced configurations behind `a`, the last of them `b`. This proves
+    /// nothing: what is thinner than the step is missed.
+    pub fn is_motion_sampled_free(&self, a: &[f64; N], b: &[f64; N], samples: u32) -> bool {
+        sampled::are_looks_free(samples, |t| self.is_free(&self.space.interpolate(a, b, t)))
     }
 
     /// Runs `prove` on the motion from `a` to `b`; `None` where the short way round is ambiguous.

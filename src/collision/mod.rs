@@ -14,6 +14,7 @@ mod arm;
 mod disc;
 mod obstacles;
 mod proof;
+mod sampled;
 mod tolerance;
 
 pub use arm::{ArmValidity, joint_space};

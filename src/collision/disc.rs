@@ -58,18 +58,16 @@ impl DiscValidity {
 
     /// Whether the disc stays free while its centre moves along the segment. Bounds are convex: both ends inside suffice.
     fn is_swept_free(&self, swept: &Segment) -> bool {
-        let mut free = self.is_inside(swept.a) && self.is_inside(swept.b);
-        if free {
-            let mut evaluations = self.evaluations.get();
-            self.obstacles.candidates(&self.near(swept), |i| {
-                if free {
-                    evaluations += 1;
-                    free = !self.touches(i, swept);
-                }
-            });
-            self.evaluations.set(evaluations);
+        if !self.is_inside(swept.a) || !self.is_inside(swept.b) {
+            return false;
         }
-        free
+        let mut evaluations = self.evaluations.get();
+        let touches = self.obstacles.any_near(&self.near(swept), |i| {
+            evaluations += 1;
+            self.touches(i, swept)
+        });
+        self.evaluations.set(evaluations);
+        !touches
     }
 }
 

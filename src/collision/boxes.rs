@@ -25,6 +25,9 @@ const ONES: u64 = 0x0001_0001_0001_0001;
 /// Coordinates lie strictly between 0 and this.
 const END: u16 = 0x7fff;
 
+/// Sums with it are rounded to whole numbers.
+const ROUNDING: f64 = 6_755_399_441_055_744.0;
+
 /// Boxes, ready to be asked.
 #[derive(Debug, Clone)]
 pub(super) struct Boxes {
@@ -53,16 +56,18 @@ impl Grid {
         let Some(all) = boxes.iter().copied().reduce(|a, b| a.union(&b)) else {
             return Self { origin: [0.0; 2], scale: 1.0 };
         };
-        // The cast rounds down and saturates, whatever the scale: what it is wrong by only lists more boxes.
+        // Whatever the scale, coordinates stay in order: a bad one only lists more boxes.
         let scale = f64::from(END - 3) / all.longer_side();
         Self { origin: [all.min.x, all.min.y], scale: if scale.is_finite() { scale } else { 1.0 } }
     }
 
     #[inline(always)]
     fn cell(&self, x: f64, axis: usize) -> u16 {
-        let cell = ((x - self.origin[axis]) * self.scale + 1.0) as i32;
+        // The sum's lowest bits are the rounded number, and all its bits grow with it: no conversion is as cheap.
+        let sum = (x - self.origin[axis]) * self.scale + ROUNDING;
+        let cell = sum.to_bits() as i64 - (ROUNDING.to_bits() as i64 - 1);
         let cell = if cell < 1 { 1 } else { cell };
-        (if cell > i32::from(END) - 1 { i32::from(END) - 1 } else { cell }) as u16
+        (if cell > i64::from(END) - 1 { i64::from(END) - 1 } else { cell }) as u16
     }
 
     #[inline(always)]

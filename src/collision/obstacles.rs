@@ -27,16 +27,6 @@ pub(super) struct Face {
     pub corner: Point,
 }
 
-/// An obstacle as a proof by separating lines sees it.
-pub(super) enum Solid<'a> {
-    /// A convex polygon by its faces.
-    Convex(&'a [Face]),
-    /// A disc.
-    Disc(Disc),
-    /// A concave polygon, which no single line need separate.
-    Concave,
-}
-
 impl Obstacles {
     /// Prepares the obstacles. O(n log n).
     pub fn new(shapes: &[Obstacle]) -> Self {
@@ -55,15 +45,16 @@ impl Obstacles {
         Self { shapes: shapes.to_vec(), prepared: Boxes::new(&boxes), boxes, faces, ranges }
     }
 
-    /// Obstacle `i` as a proof by separating lines sees it.
-    #[inline]
-    pub(super) fn solid(&self, i: usize) -> Solid<'_> {
+    /// The faces of obstacle `i` where it is a convex polygon; else none.
+    #[inline(always)]
+    pub(super) fn faces(&self, i: usize) -> &[Face] {
         let (first, end) = self.ranges[i];
-        match &self.shapes[i] {
-            Obstacle::Polygon(_) if first < end => Solid::Convex(&self.faces[first as usize..end as usize]),
-            Obstacle::Polygon(_) => Solid::Concave,
-            Obstacle::Disc(disc) => Solid::Disc(*disc),
-        }
+        &self.faces[first as usize..end as usize]
+    }
+
+    /// Obstacle `i` where it is a disc.
+    pub(super) fn disc(&self, i: usize) -> Option<&Disc> {
+        if let Obstacle::Disc(disc) = &self.shapes[i] { Some(disc) } else { None }
     }
 
     /// How many obstacles there are.

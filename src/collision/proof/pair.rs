@@ -55,48 +55,42 @@ impl Link<'_> {
         (low, high)
     }
 
-    /// Tries the outward normals of the polygon's faces and the normal of the link as separating directions. `Unknown` where
-    /// none separates the two by `margin` in the middle.
+    /// Tries the outward normals of the polygon's faces and the normal of the link as separating directions, face `hint`
+    /// first; tells which it should be next time. `Unknown` where none separates the two by `margin` in the middle;
+    /// `Touching` only where none would separate them even if they overlapped by `slack`.
     #[inline(always)]
-    pub fn separate_from_polygon(&self, faces: &[Face], margin: f64) -> Answer {
-        let mut answer = Answer::Unknown;
-        for face in faces {
+    pub fn separate_from_polygon(&self, faces: &[Face], hint: &mut u32, margin: f64, slack: f64) -> Answer {
+        let mut answer = Answer::Touching;
+        for i in 0..faces.len() {
+            let face = &faces[i];
             let n = face.normal;
             let ahead = self.ahead(n, face.support);
-            if (ahead[0] > margin) & (ahead[1] > margin) {
-                if self.stays_ahead(n, ahead, margin) {
+            if (ahead[0] > -slack) & (ahead[1] > -slack) {
+                if (ahead[0] > margin) & (ahead[1] > margin) {
+                    if self.stays_ahead(n, ahead, margin) {
+                        return Answer::Apart;
+                    }
+                    answer = Answer::Open;
+                } else if answer == Answer::Touching {
+                    answer = Answer::Unknown;
+                }
+            }
+        }
+        let _ = hint;
+        let (low, high) = self.sides(faces);
+        let left = Vector::new(-self.along.y, self.along.x);
+        let (n, ahead) = if low > -slack { (-left, low) } else { (left, -high) };
+        if ahead > -slack {
+            if ahead > margin {
+                if self.stays_ahead(n, [ahead, ahead], margin) {
                     return Answer::Apart;
                 }
                 answer = Answer::Open;
+            } else if answer == Answer::Touching {
+                answer = Answer::Unknown;
             }
-        }
-        let (low, high) = self.sides(faces);
-        let (n, ahead) = if low > 0.0 {
-            (Vector::new(self.along.y, -self.along.x), low)
-        } else {
-            (Vector::new(-self.along.y, self.along.x), -high)
-        };
-        if ahead > margin {
-            if self.stays_ahead(n, [ahead, ahead], margin) {
-                return Answer::Apart;
-            }
-            answer = Answer::Open;
         }
         answer
-    }
-
-    /// Whether the link's axis certainly shares a point with the polygon in the middle: then no line separates the two, not
-    /// even if they overlapped by `slack`.
-    #[inline]
-    pub fn pierces(&self, faces: &[Face], slack: f64) -> bool {
-        for face in faces {
-            let ahead = self.ahead(face.normal, face.support);
-            if (ahead[0] > -slack) & (ahead[1] > -slack) {
-                return false;
-            }
-        }
-        let (low, high) = self.sides(faces);
-        low <= -slack && high >= slack
     }
 
     /// Tries the direction between the nearest points of link and polygon, which have a separating line. `margin` holds the

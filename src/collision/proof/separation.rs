@@ -19,7 +19,7 @@ use super::pair::{Answer, Link};
 use super::rotation::{doubled, turned_both_ways, unit};
 use super::{Motion, Setting};
 use crate::collision::Tolerance;
-use crate::collision::obstacles::Solid;
+use crate::collision::obstacles::Face;
 use crate::geometry::{Aabb, Segment, Vector};
 use crate::robot::MAX_LINKS;
 
@@ -355,27 +355,30 @@ impl<'a, const N: usize> Proof<'a, N> {
     /// Whether link and obstacle are apart on the whole stretch: by separating lines, then by the distance.
     #[inline(always)]
     fn separate(&self, stretch: &Stretch<N>, link: Link, index: usize, obstacle: usize) -> Answer {
-        let tau = self.setting.tolerance.tau;
-        let solid = self.setting.obstacles.solid(obstacle);
+        let Tolerance { eta, tau, .. } = self.setting.tolerance;
+        let faces = self.setting.obstacles.faces(obstacle);
         let bound = self.work.travel[index] * stretch.half;
-        if let Solid::Convex(faces) = solid {
-            let answer = link.separate_from_polygon(faces, self.margin);
-            if answer == Answer::Apart || (answer == Answer::Open && stretch.half > CORNERS_FROM && bound >= tau) {
+        let mut answer = Answer::Unknown;
+        if !faces.is_empty() {
+            answer = link.separate_from_polygon(faces, &mut 0, self.margin, eta);
+            let is_told = answer == Answer::Open && stretch.half > CORNERS_FROM && bound >= tau;
+            if is_told || matches!(answer, Answer::Apart | Answer::Touching) {
                 return answer;
             }
         }
-        self.separate_closely(solid, link, obstacle, bound)
+        self.separate_closely(faces, link, obstacle, bound)
     }
 
     /// The same where neither a face nor the link itself tells.
     #[inline(never)]
-    fn separate_closely(&self, solid: Solid, link: Link, obstacle: usize, bound: f64) -> Answer {
+    fn separate_closely(&self, faces: &[Face], link: Link, obstacle: usize, bound: f64) -> Answer {
         let Tolerance { eta, tau, .. } = self.setting.tolerance;
-        let answer = match solid {
-            Solid::Convex(faces) if link.pierces(faces, eta) => Answer::Touching,
-            Solid::Convex(faces) => link.separate_corners(faces, self.margin, eta),
-            Solid::Disc(disc) => link.separate_from_disc(&disc, self.margin, eta),
-            Solid::Concave => Answer::Unknown,
+        let answer = if !faces.is_empty() {
+            link.separate_corners(faces, self.margin, eta)
+        } else if let Some(disc) = self.setting.obstacles.disc(obstacle) {
+            link.separate_from_disc(disc, self.margin, eta)
+        } else {
+            Answer::Unknown
         };
         if matches!(answer, Answer::Apart | Answer::Touching) || (answer == Answer::Open && bound >= tau) {
             return answer;

@@ -1,7 +1,7 @@
 //! Collision of a translating disc: a point by exact predicates, a disc by one distance a motion.
 
 use super::obstacles::largest_coordinate;
-use super::{Obstacles, Tolerance};
+use super::{Obstacles, Tolerance, sampled};
 use crate::geometry::{Aabb, Point, Segment};
 use crate::robot::DiscRobot;
 use crate::scenario::World;
@@ -30,6 +30,12 @@ impl DiscValidity {
         Self { radius: robot.radius(), obstacles, bounds: world.bounds, eta, evaluations: Cell::new(0) }
     }
 
+    /// Whether the motion is free at `samples` evenly spaced configurations behind `a`, the last of them `b`. This proves
+    /// nothing: what is thinner than the step is missed.
+    pub fn is_motion_sampled_free(&self, a: &[f64; 2], b: &[f64; 2], samples: u32) -> bool {
+        sampled::are_looks_free(samples, |t| self.is_free(&between(a, b, t)))
+    }
+
     /// Whether the disc touches obstacle `i` while its centre moves along the segment.
     fn touches(&self, i: usize, swept: &Segment) -> bool {
         if self.radius == 0.0 {
@@ -52,24 +58,27 @@ impl DiscValidity {
 
     /// Whether the disc stays free while its centre moves along the segment. Bounds are convex: both ends inside suffice.
     fn is_swept_free(&self, swept: &Segment) -> bool {
-        let mut free = self.is_inside(swept.a) && self.is_inside(swept.b);
-        if free {
-            let mut evaluations = self.evaluations.get();
-            self.obstacles.candidates(&self.near(swept), |i| {
-                if free {
-                    evaluations += 1;
-                    free = !self.touches(i, swept);
-                }
-            });
-            self.evaluations.set(evaluations);
+        if !self.is_inside(swept.a) || !self.is_inside(swept.b) {
+            return false;
         }
-        free
+        let mut evaluations = self.evaluations.get();
+        let touches = self.obstacles.any_near(&self.near(swept), |i| {
+            evaluations += 1;
+            self.touches(i, swept)
+        });
+        self.evaluations.set(evaluations);
+        !touches
     }
 }
 
 /// The segment between two configurations.
 fn segment(a: &[f64; 2], b: &[f64; 2]) -> Segment {
     Segment::new(Point::new(a[0], a[1]), Point::new(b[0], b[1]))
+}
+
+/// The configuration a fraction `t` along the motion; exactly `b` at 1.
+fn between(a: &[f64; 2], b: &[f64; 2], t: f64) -> [f64; 2] {
+    if t == 1.0 { *b } else { [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])] }
 }
 
 impl Validity<[f64; 2]> for DiscValidity {
@@ -85,11 +94,10 @@ impl Validity<[f64; 2]> for DiscValidity {
         if self.is_motion_free(a, b) {
             return None;
         }
-        let at = |t: f64| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
         let (mut free, mut hit) = (0.0, 1.0);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (free + hit);
-            if self.is_swept_free(&segment(a, &at(middle))) {
+            if self.is_swept_free(&segment(a, &between(a, b, middle))) {
                 free = middle;
             } else {
                 hit = middle;

@@ -11,6 +11,7 @@
 //! `tau` of an obstacle or of the bounds, and those whose short way round is ambiguous.
 
 mod arm;
+mod boxes;
 mod disc;
 mod obstacles;
 mod proof;

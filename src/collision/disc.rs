@@ -1,15 +1,22 @@
 //! Collision of a translating disc: a point by exact predicates, a disc by one distance a motion.
 
 use super::obstacles::largest_coordinate;
-use super::{Obstacles, Tolerance, sampled};
+use super::{Obstacles, Tolerance};
 use crate::geometry::{Aabb, Point, Segment};
 use crate::robot::DiscRobot;
 use crate::scenario::World;
+use crate::space::{Joint, Metric, Torus};
 use crate::validity::{Contact, Touched, Validity};
 use std::cell::Cell;
 
 /// How often a motion is halved to find where it first hits: to 2^-40 of its length.
 const HALVINGS: u32 = 40;
+
+/// The space of a disc's centre: the box of the bounds, with the Euclidean metric.
+pub fn plane<const N: usize>(bounds: &Aabb) -> Torus<N> {
+    let side = |low, high| Joint::Interval { low, high };
+    Torus::new(&[side(bounds.min.x, bounds.max.x), side(bounds.min.y, bounds.max.y)], Metric::Euclidean)
+}
 
 /// What is free for a disc among obstacles.
 pub struct DiscValidity {
@@ -28,12 +35,6 @@ impl DiscValidity {
         let scale = obstacles.largest_coordinate().max(bounds) + robot.radius();
         let eta = Tolerance::new(scale, 0.0).eta;
         Self { radius: robot.radius(), obstacles, bounds: world.bounds, eta, evaluations: Cell::new(0) }
-    }
-
-    /// Whether the motion is free at `samples` evenly spaced configurations behind `a`, the last of them `b`. This proves
-    /// nothing: what is thinner than the step is missed.
-    pub fn is_motion_sampled_free(&self, a: &[f64; 2], b: &[f64; 2], samples: u32) -> bool {
-        sampled::are_looks_free(samples, |t| self.is_free(&between(a, b, t)))
     }
 
     /// Whether the disc touches obstacle `i` while its centre moves along the segment.
@@ -72,25 +73,26 @@ impl DiscValidity {
 }
 
 /// The segment between two configurations.
-fn segment(a: &[f64; 2], b: &[f64; 2]) -> Segment {
+fn segment(a: &[f64], b: &[f64]) -> Segment {
     Segment::new(Point::new(a[0], a[1]), Point::new(b[0], b[1]))
 }
 
 /// The configuration a fraction `t` along the motion; exactly `b` at 1.
-fn between(a: &[f64; 2], b: &[f64; 2], t: f64) -> [f64; 2] {
-    if t == 1.0 { *b } else { [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])] }
+fn between(a: &[f64], b: &[f64], t: f64) -> [f64; 2] {
+    if t == 1.0 { [b[0], b[1]] } else { [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])] }
 }
 
-impl Validity<[f64; 2]> for DiscValidity {
-    fn is_free(&self, q: &[f64; 2]) -> bool {
+/// States are padded to any number of coordinates; the first two are the centre's.
+impl<const N: usize> Validity<[f64; N]> for DiscValidity {
+    fn is_free(&self, q: &[f64; N]) -> bool {
         self.is_swept_free(&segment(q, q))
     }
 
-    fn is_motion_free(&self, a: &[f64; 2], b: &[f64; 2]) -> bool {
+    fn is_motion_free(&self, a: &[f64; N], b: &[f64; N]) -> bool {
         self.is_swept_free(&segment(a, b))
     }
 
-    fn first_hit(&self, a: &[f64; 2], b: &[f64; 2]) -> Option<f64> {
+    fn first_hit(&self, a: &[f64; N], b: &[f64; N]) -> Option<f64> {
         if self.is_motion_free(a, b) {
             return None;
         }
@@ -106,7 +108,7 @@ impl Validity<[f64; 2]> for DiscValidity {
         Some(free)
     }
 
-    fn contacts(&self, q: &[f64; 2]) -> Vec<Contact> {
+    fn contacts(&self, q: &[f64; N]) -> Vec<Contact> {
         let (at, near) = (segment(q, q), self.near(&segment(q, q)));
         let obstacles = (0..self.obstacles.len()).filter(|&i| self.obstacles.aabb(i).intersects(&near));
         let touched = obstacles.filter(|&i| self.touches(i, &at)).map(Touched::Obstacle);

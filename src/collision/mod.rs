@@ -19,7 +19,7 @@ mod sampled;
 mod tolerance;
 
 pub use arm::{ArmValidity, joint_space};
-pub use disc::DiscValidity;
+pub use disc::{DiscValidity, plane};
 pub use obstacles::Obstacles;
 pub use sampled::Sampled;
 pub use tolerance::Tolerance;

@@ -18,6 +18,8 @@ pub enum Stream {
     Scenario = 1,
     /// Which shortcuts of a path are tried.
     Shortcut = 2,
+    /// The planes of an approximate index.
+    Projections = 3,
 }
 
 /// A stream of random numbers.

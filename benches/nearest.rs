@@ -11,13 +11,18 @@ use std::time::Instant;
 
 fn main() {
     println!("Microseconds a query; the approximate index with its recall\n");
-    println!("| dimension | n | k | linear | kd-tree | index | approximate | recall | kd-tree, approximate built in ms |");
+    println!(
+        "| dimension | n | k | linear | kd-tree | index | approximate | recall | kd-tree, approximate built in ms |"
+    );
     println!("|---|---|---|---|---|---|---|---|---|");
     rows::<2>();
     rows::<3>();
     rows::<4>();
     rows::<6>();
-    println!("\nFrom how many states on the kd-tree is faster than the scan\n\n| dimension | k = 1 | 3 | 10 | 30 | 100 |");
+    rows::<8>();
+    println!(
+        "\nFrom how many states on the kd-tree is faster than the scan\n\n| dimension | k = 1 | 3 | 10 | 30 | 100 |"
+    );
     println!("|---|---|---|---|---|---|");
     crossovers::<2>();
     crossovers::<3>();

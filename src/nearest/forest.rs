@@ -29,7 +29,7 @@ pub struct ForestParameters {
 impl Default for ForestParameters {
     /// On 20,000 uniform states of the 6-torus with the sum metric these find at least 8 of the 10 nearest, on average.
     fn default() -> Self {
-        Self { trees: 8, leaf: 32, candidates: 1000 }
+        Self { trees: 8, leaf: 32, candidates: 400 }
     }
 }
 

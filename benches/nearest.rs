@@ -31,6 +31,20 @@ fn main() {
     crossovers::<6>();
 }
 
+/// How long a kd-tree takes to grow, in the order of the samples and in that of a coordinate, the worst for its balance.
+fn building() {
+    let space = Torus::<4>::new(&[Joint::Circle; 4], Metric::Sum);
+    println!("\nThe kd-tree of the 4-torus built by insertion, ms\n\n| n | random | increasing |\n|---|---|---|");
+    for n in [10_000, 100_000, 1_000_000] {
+        let mut random = Random::new(3, Stream::Samples);
+        let mut states: Vec<_> = (0..n).map(|_| space.sample(&mut random)).collect();
+        let scattered = build(KdTree::new(), &space, &states).1;
+        states.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let increasing = build(KdTree::new(), &space, &states).1;
+        println!("| {n} | {scattered:.1} | {increasing:.1} |");
+    }
+}
+
 /// The least n, in steps of a quarter, from which on the kd-tree is faster up to three times as many states.
 fn crossovers<const N: usize>() {
     let space = Torus::<N>::new(&[Joint::Circle; N], Metric::Sum);

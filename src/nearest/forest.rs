@@ -22,7 +22,7 @@ pub struct ForestParameters {
     pub trees: usize,
     /// How many states fill a leaf, at least 2.
     pub leaf: usize,
-    /// How many states a query looks at, at least; recall and time grow with them.
+    /// How many states a query looks at, at least, and never fewer than it is to find; recall and time grow with them.
     pub candidates: usize,
 }
 
@@ -104,8 +104,8 @@ impl<S: Space> Forest<S> {
         nodes.extend([Node::Leaf(members), Node::Leaf(second)]);
     }
 
-    /// Offers the states of leaves, nearest planes first, until there were enough.
-    fn search(&self, space: &S, from: &S::State, closest: &mut Closest) {
+    /// Offers the states of leaves, nearest planes first, until there were `enough`.
+    fn search(&self, space: &S, from: &S::State, enough: usize, closest: &mut Closest) {
         let point = embedded(space, from);
         let mut seen = vec![0u64; self.states.len().div_ceil(64)];
         let mut looked = 0;
@@ -142,7 +142,7 @@ impl<S: Space> Forest<S> {
                     pack = ([f64::NAN; LANES], [VertexId(u32::MAX); LANES], 0);
                 }
             }
-            if looked >= self.parameters.candidates {
+            if looked >= enough {
                 break;
             }
         }
@@ -185,14 +185,14 @@ impl<S: Space> Nearest<S> for Forest<S> {
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
         let mut closest = Closest::new(found, k, f64::INFINITY, k <= 16);
         if k > 0 {
-            self.search(space, state, &mut closest);
+            self.search(space, state, self.parameters.candidates.max(k), &mut closest);
         }
         closest.finish();
     }
 
     fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
         let mut closest = Closest::within(found, radius);
-        self.search(space, state, &mut closest);
+        self.search(space, state, self.parameters.candidates, &mut closest);
         closest.finish();
     }
 }

@@ -20,6 +20,7 @@ fn main() {
     rows::<4>();
     rows::<6>();
     rows::<8>();
+    building();
     println!(
         "\nFrom how many states on the kd-tree is faster than the scan\n\n| dimension | k = 1 | 3 | 10 | 30 | 100 |"
     );

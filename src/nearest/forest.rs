@@ -138,7 +138,7 @@ impl<S: Space> Forest<S> {
                 vertices[*filled] = self.vertices[member as usize];
                 *filled += 1;
                 if *filled == LANES {
-                    closest.offer(distances, vertices);
+                    closest.offer(&[*distances], |_, lane| vertices[lane]);
                     pack = ([f64::NAN; LANES], [VertexId(u32::MAX); LANES], 0);
                 }
             }
@@ -146,7 +146,7 @@ impl<S: Space> Forest<S> {
                 break;
             }
         }
-        closest.offer(&pack.0, &pack.1);
+        closest.offer(&[pack.0], |_, lane| pack.1[lane]);
     }
 }
 

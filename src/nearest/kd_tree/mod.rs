@@ -144,9 +144,8 @@ impl<S: Space> KdTree<S> {
             for (distances, &pack) in distances.iter_mut().zip(packs) {
                 *distances = self.packs.distances(space, from, pack as usize);
             }
-            for (distances, &pack) in distances.iter().zip(packs) {
-                closest.offer(distances, self.packs.vertices(pack as usize));
-            }
+            let vertex = |pack: usize, lane: usize| self.packs.vertices(packs[pack] as usize)[lane];
+            closest.offer(&distances[..packs.len()], vertex);
             node = loop {
                 if waits == 0 {
                     return;

@@ -39,8 +39,8 @@ impl<'a> Closest<'a> {
         let mut wanted = 0u64;
         for (pack, distances) in distances.iter().enumerate() {
             let mut lanes = 0u32;
-            for lane in 0..LANES {
-                lanes |= u32::from(distances[lane] <= self.limit) << lane;
+            for (lane, &distance) in distances.iter().enumerate() {
+                lanes |= u32::from(distance <= self.limit) << lane;
             }
             wanted |= u64::from(lanes) << (pack * LANES);
         }

@@ -22,7 +22,8 @@ impl<S: Space> Index<S> {
         Self { scan: LinearScan::new(), tree: KdTree::new(), len: 0 }
     }
 
-    /// Up to how many states a scan finds `k` neighbours faster than the tree, as measured by the benchmark `nearest`.
+    /// Up to how many states a scan finds `k` neighbours faster than the tree: straight lines through what the benchmark
+    /// `nearest` measures.
     fn crossover(space: &S, k: usize) -> usize {
         let (few, each) = match space.dimension() {
             0..=2 => (60, 3),

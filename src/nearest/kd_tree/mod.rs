@@ -72,7 +72,8 @@ struct Leaf {
 type Sides = [[f64; 2]; 2];
 
 /// A kd-tree that grows. A query costs about O(log n + k) where the dimension is low; n insertions cost O(n log n) in random
-/// order, O(n log^2 n) in any. About 13 to 19 bytes a state beside its numbers.
+/// order, O(n log^2 n) in any: a million states of four numbers take half a second. Beside its numbers a state takes about 12
+/// bytes where leaves are full, and up to 30 just after they were halved.
 #[derive(Debug, Clone)]
 pub struct KdTree<S: Space> {
     packs: Packs,

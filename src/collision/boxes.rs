@@ -25,6 +25,9 @@ const ONES: u64 = 0x0001_0001_0001_0001;
 /// Coordinates lie strictly between 0 and this.
 const END: u16 = 0x7fff;
 
+/// The last of them.
+const LAST: f64 = (END - 1) as f64;
+
 /// Sums with it are rounded to whole numbers.
 const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
@@ -63,11 +66,11 @@ impl Grid {
 
     #[inline(always)]
     fn cell(&self, x: f64, axis: usize) -> u16 {
-        // The sum's lowest bits are the rounded number, and all its bits grow with it: no conversion is as cheap.
-        let sum = (x - self.origin[axis]) * self.scale + ROUNDING;
-        let cell = sum.to_bits() as i64 - (ROUNDING.to_bits() as i64 - 1);
-        let cell = if cell < 1 { 1 } else { cell };
-        (if cell > i64::from(END) - 1 { i64::from(END) - 1 } else { cell }) as u16
+        let cell = (x - self.origin[axis]) * self.scale + 1.0;
+        let cell = if cell > 1.0 { cell } else { 1.0 };
+        let cell = if cell < LAST { cell } else { LAST };
+        // The lowest bits of the sum are the number rounded to a whole one: no conversion is as cheap.
+        (cell + ROUNDING).to_bits() as u16
     }
 
     #[inline(always)]

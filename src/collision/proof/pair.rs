@@ -56,19 +56,28 @@ impl Link<'_> {
     }
 
     /// Tries the outward normals of the polygon's faces and the normal of the link as separating directions, face `hint`
-    /// first; tells which it should be next time. `Unknown` where none separates the two by `margin` in the middle;
-    /// `Touching` only where none would separate them even if they overlapped by `slack`.
+    /// first where there is one. `Unknown` where none separates the two by `margin` in the middle; `Touching` only where none
+    /// would separate them even if they overlapped by `slack`. With the answer comes the next hint: the face that separates
+    /// them best in the middle.
     #[inline(always)]
-    pub fn separate_from_polygon(&self, faces: &[Face], hint: &mut u32, margin: f64, slack: f64) -> Answer {
+    pub fn separate_from_polygon(&self, faces: &[Face], hint: u32, margin: f64, slack: f64) -> (Answer, u32) {
+        if let Some(face) = faces.get(hint as usize)
+            && self.stays_ahead(face.normal, self.ahead(face.normal, face.support), margin)
+        {
+            return (Answer::Apart, hint);
+        }
         let mut answer = Answer::Touching;
-        for i in 0..faces.len() {
-            let face = &faces[i];
-            let n = face.normal;
-            let ahead = self.ahead(n, face.support);
+        let mut best = (margin, u32::MAX);
+        for (i, face) in faces.iter().enumerate() {
+            let ahead = self.ahead(face.normal, face.support);
             if (ahead[0] > -slack) & (ahead[1] > -slack) {
-                if (ahead[0] > margin) & (ahead[1] > margin) {
-                    if self.stays_ahead(n, ahead, margin) {
-                        return Answer::Apart;
+                let least = if ahead[0] < ahead[1] { ahead[0] } else { ahead[1] };
+                if least > best.0 {
+                    best = (least, i as u32);
+                }
+                if least > margin {
+                    if self.stays_ahead(face.normal, ahead, margin) {
+                        return (Answer::Apart, hint);
                     }
                     answer = Answer::Open;
                 } else if answer == Answer::Touching {
@@ -76,21 +85,20 @@ impl Link<'_> {
                 }
             }
         }
-        let _ = hint;
         let (low, high) = self.sides(faces);
         let left = Vector::new(-self.along.y, self.along.x);
         let (n, ahead) = if low > -slack { (-left, low) } else { (left, -high) };
         if ahead > -slack {
             if ahead > margin {
                 if self.stays_ahead(n, [ahead, ahead], margin) {
-                    return Answer::Apart;
+                    return (Answer::Apart, hint);
                 }
                 answer = Answer::Open;
             } else if answer == Answer::Touching {
                 answer = Answer::Unknown;
             }
         }
-        answer
+        (answer, best.1)
     }
 
     /// Tries the direction between the nearest points of link and polygon, which have a separating line. `margin` holds the

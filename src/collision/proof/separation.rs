@@ -23,9 +23,6 @@ use crate::collision::obstacles::Face;
 use crate::geometry::{Aabb, Segment, Vector};
 use crate::robot::MAX_LINKS;
 
-/// From this half-length on, pairs that are not touching stay open without a look at their corners.
-const CORNERS_FROM: f64 = 0.125;
-
 /// Turns over this many halvings are found together, by squaring the smallest.
 const SQUARED: usize = 4;
 
@@ -40,7 +37,12 @@ const WIDEST: usize = 1024;
 struct Pair {
     link: u32,
     obstacle: u32,
+    /// The direction to try first: see [`Link::separate_from_polygon`].
+    hint: u32,
 }
+
+/// No direction in particular.
+const NO_HINT: u32 = u32::MAX;
 
 /// In place of an obstacle's index: the bounds of the world.
 const BOUNDS: u32 = u32::MAX;
@@ -289,7 +291,7 @@ impl<'a, const N: usize> Proof<'a, N> {
         let obstacles = self.setting.obstacles;
         for link in 0..self.links {
             let swept = self.swept_box(link, root.half);
-            if obstacles.any_near(&swept, |obstacle| self.look(root, link, obstacle)) {
+            if obstacles.any_near(&swept, |obstacle| self.look(root, link, obstacle, NO_HINT)) {
                 return true;
             }
             if self.setting.bounds.is_some() && self.look_at_bounds(root, link, &swept) {
@@ -306,33 +308,34 @@ impl<'a, const N: usize> Proof<'a, N> {
         // Pairs are listed by link: the last has the outermost.
         self.place_joints(stretch, self.work.pairs[end - 1].link as usize + 1);
         (first..end).any(|at| {
-            let Pair { link, obstacle } = self.work.pairs[at];
+            let Pair { link, obstacle, hint } = self.work.pairs[at];
             let link = link as usize;
             if obstacle == BOUNDS {
                 self.look_at_bounds(stretch, link, &self.swept_box(link, stretch.half))
             } else {
-                self.look(stretch, link, obstacle as usize)
+                self.look(stretch, link, obstacle as usize, hint)
             }
         })
     }
 
     /// Evaluates a link and an obstacle; lists them where they stay open. Answers whether they refuse the stretch.
     #[inline(always)]
-    fn look(&mut self, stretch: &Stretch<N>, link: usize, obstacle: usize) -> bool {
+    fn look(&mut self, stretch: &Stretch<N>, link: usize, obstacle: usize, hint: u32) -> bool {
         self.work.evaluations += 1;
         let ends = [&self.work.joints[link], &self.work.joints[link + 1]];
-        let answer = self.separate(stretch, Link { ends, along: stretch.along[link] }, link, obstacle);
-        answer != Answer::Apart && self.keep(stretch, link, obstacle as u32, answer, self.setting.tolerance.tau)
+        let (answer, hint) = self.separate(stretch, Link { ends, along: stretch.along[link] }, link, obstacle, hint);
+        let pair = Pair { link: link as u32, obstacle: obstacle as u32, hint };
+        answer != Answer::Apart && self.keep(stretch, pair, answer, self.setting.tolerance.tau)
     }
 
     /// Lists a pair that is not apart; answers whether it refuses the stretch instead.
     #[inline(always)]
-    fn keep(&mut self, stretch: &Stretch<N>, link: usize, obstacle: u32, answer: Answer, finest: f64) -> bool {
+    fn keep(&mut self, stretch: &Stretch<N>, pair: Pair, answer: Answer, finest: f64) -> bool {
         let is_hit = answer == Answer::Touching && self.order == Order::MiddleFirst;
-        if is_hit || self.work.travel[link] * stretch.half < finest {
+        if is_hit || self.work.travel[pair.link as usize] * stretch.half < finest {
             return true;
         }
-        self.work.pairs.push(Pair { link: link as u32, obstacle });
+        self.work.pairs.push(pair);
         false
     }
 
@@ -349,24 +352,24 @@ impl<'a, const N: usize> Proof<'a, N> {
             return false;
         }
         let answer = if depth < -eta { Answer::Touching } else { Answer::Open };
-        self.keep(stretch, link, BOUNDS, answer, bounds_tau)
+        self.keep(stretch, Pair { link: link as u32, obstacle: BOUNDS, hint: NO_HINT }, answer, bounds_tau)
     }
 
     /// Whether link and obstacle are apart on the whole stretch: by separating lines, then by the distance.
     #[inline(always)]
-    fn separate(&self, stretch: &Stretch<N>, link: Link, index: usize, obstacle: usize) -> Answer {
+    fn separate(&self, stretch: &Stretch<N>, link: Link, index: usize, obstacle: usize, hint: u32) -> (Answer, u32) {
         let Tolerance { eta, tau, .. } = self.setting.tolerance;
         let faces = self.setting.obstacles.faces(obstacle);
         let bound = self.work.travel[index] * stretch.half;
-        let mut answer = Answer::Unknown;
+        let mut next = NO_HINT;
         if !faces.is_empty() {
-            answer = link.separate_from_polygon(faces, &mut 0, self.margin, eta);
-            let is_told = answer == Answer::Open && stretch.half > CORNERS_FROM && bound >= tau;
-            if is_told || matches!(answer, Answer::Apart | Answer::Touching) {
-                return answer;
+            let answer;
+            (answer, next) = link.separate_from_polygon(faces, hint, self.margin, eta);
+            if matches!(answer, Answer::Apart | Answer::Touching) || (answer == Answer::Open && bound >= tau) {
+                return (answer, next);
             }
         }
-        self.separate_closely(faces, link, obstacle, bound)
+        (self.separate_closely(faces, link, obstacle, bound), next)
     }
 
     /// The same where neither a face nor the link itself tells.

@@ -34,7 +34,7 @@ pub(super) const PLANNERS: [PlannerInfo; 5] = [
         title: "PRM*",
         summary: "A PRM whose number of neighbours grows with the logarithm of the samples, as the shortest path demands.",
         parameters: &[
-            SAMPLES,
+            ParameterInfo { kind: whole(0.0, 250_000.0), ..SAMPLES },
             K_RULE,
             SAMPLER,
             SPREAD,

@@ -15,9 +15,9 @@ test("in Node the package is ready on import; init and initSync change nothing",
   assert.match(version, /^\d+\.\d+\.\d+$/);
 });
 
-test("planners() lists both planners with complete parameters", () => {
+test("planners() lists every planner with complete parameters", () => {
   const list = planners();
-  assert.deepEqual(list.map(({ id }) => id).sort(), ["prm", "rrt-connect"]);
+  assert.deepEqual(list.map(({ id }) => id).sort(), ["prm", "prm-star", "rrt", "rrt-connect", "visibility-prm"]);
   for (const { title, summary, parameters } of list) {
     assert.ok(title.length > 0 && summary.length > 0);
     assert.ok(parameters.some(({ name }) => name === "max_iterations"));
@@ -160,7 +160,7 @@ test("cspace agrees with check at the centre of every cell", () => {
   assert.ok(cells.includes(1) && cells.includes(0));
 });
 
-for (const algorithm of ["prm", "rrt-connect"]) {
+for (const algorithm of ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connect"]) {
   test(`${algorithm}: slicing never changes the result`, () => {
     for (const scene of [arm, disc]) {
       const scenario = Scenario.parse(scene);

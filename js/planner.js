@@ -47,7 +47,7 @@ export class Planner {
    */
   constructor(secret, raw) {
     if (secret !== key) {
-      throw new PlanariumError("illegal-constructor", "A Planner comes from scenario.planner(options).");
+      throw new PlanariumError("illegal-constructor", "A Planner comes from scenario.planner(options) or scenario.resume(roadmap, options).");
     }
     this.#handle = new Handle(raw, "Planner");
   }

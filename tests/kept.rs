@@ -462,9 +462,11 @@ fn any_numbers_of_neighbours_and_vertices_can_be_gone_on_with() {
     assert_eq!(finish(resume(&world, &half).expect("it goes on")).vertex_count(), half.vertex_count());
 }
 
-/// Reads XML as far as GraphML needs it, and panics where it is not well-formed: the tags in order, each with its attributes
-/// and the text that follows it.
-fn tags(xml: &str) -> Vec<(String, Vec<(String, String)>, String)> {
+/// A tag: its name, its attributes, and the text that follows it.
+type Tag = (String, Vec<(String, String)>, String);
+
+/// Reads XML as far as GraphML needs it, and panics where it is not well-formed: the tags in order.
+fn tags(xml: &str) -> Vec<Tag> {
     let mut rest = xml.strip_prefix("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n").expect("a declaration");
     let (mut open, mut found) = (Vec::new(), Vec::new());
     while let Some((tag, after)) = rest.strip_prefix('<').and_then(|tag| tag.split_once('>')) {
@@ -504,9 +506,8 @@ fn graphml_is_well_formed_and_tells_coordinates_and_lengths() {
     document.scenario = "<&\"'> \u{1}\u{fffe}\r ]]> \u{e9}\u{1f916}".to_owned();
     let tags = tags(&document.to_graphml());
     let named = |wanted: &str| tags.iter().filter(|(name, ..)| name == wanted).collect::<Vec<_>>();
-    let attribute = |(_, pairs, _): &(String, Vec<(String, String)>, String), key: &str| {
-        pairs.iter().find(|(name, _)| name == key).expect("an attribute").1.clone()
-    };
+    let attribute =
+        |(_, pairs, _): &Tag, key: &str| pairs.iter().find(|(name, _)| name == key).expect("an attribute").1.clone();
     let keys: Vec<String> = named("key").into_iter().map(|tag| attribute(tag, "id")).collect();
     assert_eq!(keys, ["scenario", "planner", "metric", "q0", "q1", "q2", "weight"]);
     assert!(named("data").into_iter().all(|tag| keys.contains(&attribute(tag, "key"))), "every key is declared");

@@ -113,7 +113,7 @@ impl RoadmapDocument {
         if !is_positive(self.tolerance) || self.tolerance == f64::INFINITY {
             return Err(damaged("/tolerance", format!("a tolerance must be positive, not {}", self.tolerance)));
         }
-        if self.vertices.len() % dimension != 0 || self.vertex_count() >= u32::MAX as usize - 2 {
+        if !self.vertices.len().is_multiple_of(dimension) || self.vertex_count() >= u32::MAX as usize - 2 {
             return Err(damaged("/vertices", format!("{} numbers are no rows of {dimension}", self.vertices.len())));
         }
         if let Some(i) = self.vertices.iter().position(|x| !x.is_finite()) {

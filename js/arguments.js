@@ -7,6 +7,9 @@ import { PlanariumError } from "./error.js";
 /** Longest scenario text that is read, in characters. */
 const LONGEST_TEXT = 32 * 1024 * 1024;
 
+/** Longest roadmap that is read, in bytes or characters. */
+const LONGEST_FILE = 256 * 1024 * 1024;
+
 /**
  * A count: an integer from 0 to 2^53 - 1.
  * @param {unknown} value
@@ -91,6 +94,22 @@ export function documentText(value) {
     throw new PlanariumError("too-large", `A scenario of ${written.length} characters is too large; ${LONGEST_TEXT} are read at most.`);
   }
   return written;
+}
+
+/**
+ * Text or bytes, as bytes.
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {Uint8Array}
+ */
+export function textOrBytes(value, name) {
+  if (typeof value !== "string" && !(value instanceof Uint8Array)) {
+    throw new PlanariumError("wrong-type", `\`${name}\` must be a string or a Uint8Array, not ${show(value)}.`, `/${name}`);
+  }
+  if (value.length > LONGEST_FILE) {
+    throw new PlanariumError("too-large", `\`${name}\` is ${value.length} long; ${LONGEST_FILE} are read at most.`, `/${name}`);
+  }
+  return typeof value === "string" ? new TextEncoder().encode(value) : new Uint8Array(value);
 }
 
 /**

@@ -27,6 +27,7 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").ParameterInfo} ParameterInfo */
 /** @typedef {import("./types.js").PlannerOptions} PlannerOptions */
 /** @typedef {import("./types.js").QueryOptions} QueryOptions */
+/** @typedef {import("./types.js").RoadmapFormat} RoadmapFormat */
 /** @typedef {import("./types.js").Approximate} Approximate */
 /** @typedef {import("./types.js").GenerateOptions} GenerateOptions */
 /** @typedef {import("./types.js").GeneratorId} GeneratorId */

@@ -5,7 +5,7 @@ import { PlanariumError } from "./error.js";
 import { Handle, key } from "./handle.js";
 
 /** @import { RawPlanner } from "./planarium_glue.js" */
-/** @import { Configuration, Phase, QueryOptions, ResultDocument, Stats, Status } from "./types.js" */
+/** @import { Configuration, Phase, QueryOptions, ResultDocument, RoadmapFormat, Stats, Status } from "./types.js" */
 
 /** Iterations in one call of the core at most: cheap iterations still outweigh the call, dear ones do not stall. */
 const LONGEST_SLICE = 64;
@@ -47,7 +47,7 @@ export class Planner {
    */
   constructor(secret, raw) {
     if (secret !== key) {
-      throw new PlanariumError("illegal-constructor", "A Planner comes from scenario.planner(options).");
+      throw new PlanariumError("illegal-constructor", "A Planner comes from scenario.planner(options) or scenario.resume(roadmap, options).");
     }
     this.#handle = new Handle(raw, "Planner");
   }
@@ -102,6 +102,24 @@ export class Planner {
       const [from, to] = [argument.configuration(start, raw.dimension(), "start"), argument.configuration(goal, raw.dimension(), "goal")];
       return /** @type {ResultDocument} */ (raw.query(from, to, keep));
     });
+  }
+
+  /**
+   * The roadmap of `prm`, `prm-star` or `visibility-prm`, as far as it is built, to be kept: `scenario.resume` goes on with it.
+   * @template {RoadmapFormat} F
+   * @param {F} format  `"json"` for text, `"binary"` for bytes, much fewer; `"graphml"` is text for other programs, which
+   *   `resume` does not read
+   * @returns {F extends "binary" ? Uint8Array : string}
+   * @throws {PlanariumError} `unsupported` where the planner builds no roadmap, `out-of-range` for another format
+   */
+  roadmap(format) {
+    const kept = this.#handle.call((raw) => {
+      const wanted = argument.text(format, "format");
+      if (wanted === "binary") return raw.roadmap_bytes();
+      if (wanted === "json" || wanted === "graphml") return raw.roadmap_text(wanted === "graphml");
+      throw new PlanariumError("out-of-range", "`format` must be \"json\", \"binary\" or \"graphml\".", "/format");
+    });
+    return /** @type {F extends "binary" ? Uint8Array : string} */ (kept);
   }
 
   /** Where the run stands. @returns {Status} */

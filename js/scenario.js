@@ -230,6 +230,21 @@ export class Scenario {
     return this.#handle.call((raw) => makePlanner(raw.planner(argument.options(options))));
   }
 
+  /**
+   * Goes on with a roadmap that `planner.roadmap("json")` or `planner.roadmap("binary")` has kept, of this world and robot:
+   * all of it is proven again, start and goal of the query are joined to it, and it is searched. Nothing grows any more.
+   * Options are those of the search and of the path; how the roadmap was built is what it says itself.
+   * @param {string | Uint8Array} roadmap
+   * @param {PlannerOptions} [options]  `algorithm` is the planner that built it, and may be left out
+   * @returns {Planner}
+   * @throws {PlanariumError} `other-scenario` where it belongs to another world or robot; `invalid-roadmap` where it is
+   *   damaged or not free; `out-of-range` and `unsupported` for options that contradict it; and what `planner` throws
+   */
+  resume(roadmap, options) {
+    return this.#handle.call((raw) =>
+      makePlanner(raw.resume(argument.textOrBytes(roadmap, "roadmap"), argument.options(options))));
+  }
+
   /** Gives the memory back. Any use afterwards throws `freed`; freeing twice does nothing. @returns {void} */
   free() {
     this.#handle.free();

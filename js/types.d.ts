@@ -7,7 +7,7 @@ export type Status = "running" | "solved" | "exhausted";
 
 /**
  * What a planner is at. `prm` and `prm-star`: sampling, connecting, searching; `visibility-prm`: guarding, searching; `rrt` and
- * `rrt-connect`: growing. Then improving, where that is asked for, and done.
+ * `rrt-connect`: growing; a roadmap gone on with: connecting, searching. Then improving, where that is asked for, and done.
  */
 export type Phase = "sampling" | "connecting" | "guarding" | "searching" | "growing" | "improving" | "done";
 
@@ -154,6 +154,9 @@ export interface PlannerOptions {
   /** Any other parameter of the planner. */
   [parameter: string]: number | string | boolean | undefined;
 }
+
+/** How a roadmap is kept: JSON or bytes, which `scenario.resume` reads, or GraphML for other programs. */
+export type RoadmapFormat = "json" | "binary" | "graphml";
 
 /** Options of `planner.query`. */
 export interface QueryOptions {

@@ -52,13 +52,17 @@ pub enum Code {
     File,
     /// A result does not hold what the contract of results asks for.
     InvalidResult,
+    /// A kept roadmap is damaged, contradicts itself, or holds what is not free.
+    InvalidRoadmap,
+    /// A kept roadmap belongs to another world or another robot.
+    OtherScenario,
     /// The arguments of the command line do not make sense (command line only).
     Usage,
 }
 
 impl Code {
     /// Every code, in the order of their declaration.
-    pub const ALL: [Code; 24] = [
+    pub const ALL: [Code; 26] = [
         Code::InvalidJson,
         Code::UnknownFormat,
         Code::UnknownField,
@@ -82,6 +86,8 @@ impl Code {
         Code::Unsupported,
         Code::File,
         Code::InvalidResult,
+        Code::InvalidRoadmap,
+        Code::OtherScenario,
         Code::Usage,
     ];
 
@@ -111,6 +117,8 @@ impl Code {
             Code::Unsupported => "unsupported",
             Code::File => "file",
             Code::InvalidResult => "invalid-result",
+            Code::InvalidRoadmap => "invalid-roadmap",
+            Code::OtherScenario => "other-scenario",
             Code::Usage => "usage",
         }
     }
@@ -143,6 +151,8 @@ impl Code {
             Code::Unsupported => "What was asked needs another robot or another planner.",
             Code::File => "A file cannot be read or written (command line only).",
             Code::InvalidResult => "A result does not hold what the contract of results asks for.",
+            Code::InvalidRoadmap => "A kept roadmap is damaged, contradicts itself, or holds what is not free.",
+            Code::OtherScenario => "A kept roadmap belongs to another world or another robot.",
             Code::Usage => "The arguments do not make sense (command line only).",
         }
     }

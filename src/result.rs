@@ -104,7 +104,7 @@ impl ResultDocument {
             path: fields.required("path")?.items()?.map(|waypoint| waypoint.numbers()).collect::<Result<_, _>>()?,
             length: fields.required("length")?.number_within("a length", 0.0, f64::MAX)?,
             stats: stats(fields.required("stats")?)?,
-            fingerprint: fingerprint(fields.required("fingerprint")?)?,
+            fingerprint: fields.required("fingerprint")?.digits(Code::InvalidResult)?,
             edge_check: fields.optional("edge_check").map(|word| word.string().map(str::to_owned)).transpose()?,
             coverage: fields.optional("coverage").map(|share| share.number_within("a share", 0.0, 1.0)).transpose()?,
             approximate: fields.optional("approximate").map(approximate).transpose()?,
@@ -152,16 +152,6 @@ fn approximate(value: Reader) -> Result<Approximate, Error> {
     Ok(Approximate {
         path,
         goal_distance: fields.required("goal_distance")?.number_within("a distance", 0.0, f64::MAX)?,
-    })
-}
-
-fn fingerprint(value: Reader) -> Result<u64, Error> {
-    let text = value.string()?;
-    let is_digit = |byte: u8| byte.is_ascii_digit() || (b'a'..=b'f').contains(&byte);
-    let digits = (text.len() == 16 && text.bytes().all(is_digit)).then(|| u64::from_str_radix(text, 16).ok());
-    digits.flatten().ok_or_else(|| {
-        let sentence = format!("a fingerprint is 16 lower-case hexadecimal digits, not {}", quoted(text));
-        value.error(Code::InvalidResult, sentence)
     })
 }
 

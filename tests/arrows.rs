@@ -21,6 +21,7 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("graph", &["space"]),
     ("nearest", &["graph", "random", "space"]),
     ("result", &["error", "random", "scenario", "stats", "status"]),
+    ("kept", &["error", "graph", "scenario"]),
     ("path", &["error", "geometry", "problem", "random", "result", "robot", "scenario", "space", "status", "validity"]),
     ("sampling", &["problem", "random", "space"]),
     ("planner", &["error", "graph", "nearest", "problem", "random", "sampling", "space", "status"]),
@@ -30,6 +31,7 @@ const HOUSE: &[(&str, &[&str])] = &[
             "collision",
             "error",
             "geometry",
+            "kept",
             "path",
             "planner",
             "problem",
@@ -44,7 +46,10 @@ const HOUSE: &[(&str, &[&str])] = &[
         ],
     ),
     ("inspect", &["collision", "error", "geometry", "planner", "robot", "scenario", "space", "validity"]),
-    ("bindings", &["error", "geometry", "inspect", "planner", "random", "robot", "run", "scenario", "validity"]),
+    (
+        "bindings",
+        &["error", "geometry", "inspect", "kept", "planner", "random", "robot", "run", "scenario", "validity"],
+    ),
 ];
 
 /// Words that the core never says: it reads no clock, prints nothing, keeps no global, knows no JavaScript.

@@ -176,6 +176,61 @@ fn time_stops_a_run_and_the_result_tells_how_far_it_came() {
 }
 
 #[test]
+fn a_roadmap_is_saved_and_gone_on_with() {
+    let room = file("kept.json", ROOM);
+    let place = |name: &str| {
+        PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name).into_os_string().into_string().expect("text")
+    };
+    let build = ["plan", &room, "--planner", "prm", "--set", "samples=300", "--set", "k=9", "--save-roadmap"];
+    let mut planned = Value::Null;
+    for (name, format) in
+        [("kept.roadmap", None), ("kept.roadmap.json", None), ("kept.graphml", None), ("kept.text", Some("json"))]
+    {
+        let name = place(name);
+        let format = format.map_or(vec![], |format| vec!["--roadmap-format", format]);
+        let finished = planarium(&[&build[..], &[&name], &format].concat());
+        planned = finished.json();
+        assert_eq!(finished.code, 0, "{}", finished.stderr);
+    }
+    let bytes = std::fs::read(place("kept.roadmap")).expect("it is saved");
+    let text = std::fs::read_to_string(place("kept.roadmap.json")).expect("it is saved");
+    assert!(bytes.starts_with(&planarium::kept::MAGIC) && text.starts_with("{\"format\":\"planarium-roadmap-1\""));
+    assert_eq!(text, std::fs::read_to_string(place("kept.text")).expect("it is saved"));
+    assert!(std::fs::read_to_string(place("kept.graphml")).expect("it is saved").contains("<graphml "));
+    for kept in ["kept.roadmap", "kept.text"] {
+        let resumed = planarium(&["plan", &room, "--roadmap", &place(kept), "--save-roadmap", &place("kept.again")]);
+        let result = resumed.json();
+        assert_eq!((resumed.code, &result["planner"]), (0, &Value::from("prm")), "{}", resumed.stderr);
+        assert_eq!((&result["path"], &result["length"]), (&planned["path"], &planned["length"]));
+        assert!(result["stats"]["motion_checks"] == 0, "nothing is left to join: {result}");
+        assert_eq!(std::fs::read(place("kept.again")).expect("it is saved"), bytes);
+    }
+    let piped = planarium_with(&["plan", &room, "--roadmap", "-", "--query", "cut off"], &text);
+    assert_eq!((piped.code, piped.json()["status"].as_str()), (1, Some("exhausted")), "a question of its own");
+
+    let damaged = file("kept.damaged", &text.replacen("\"k\":9", "\"k\":8", 1));
+    let other = file("kept.other.json", &ROOM.replacen("[3.1, 2]", "[3.2, 2]", 1));
+    let kept = place("kept.roadmap");
+    let cases: &[(&[&str], &str, &str)] = &[
+        (&["--roadmap", &damaged], "invalid-roadmap", "/checksum"),
+        (&["--roadmap", &place("kept.graphml")], "invalid-roadmap", ""),
+        (&["--roadmap", "no such file"], "file", ""),
+        (&["--roadmap", &kept, "--planner", "rrt-connect"], "out-of-range", "/algorithm"),
+        (&["--roadmap", &kept, "--set", "k=8"], "out-of-range", "/k"),
+        (&["--roadmap", &kept, "--save-roadmap", "/no/such/folder/roadmap"], "file", ""),
+        (&["--save-roadmap", &kept], "unsupported", ""),
+        (&["--roadmap-format", "json"], "usage", ""),
+        (&["--save-roadmap", &kept, "--roadmap-format", "png"], "usage", ""),
+    ];
+    for (arguments, code, pointer) in cases {
+        let (found, pointed) = planarium(&[&["plan", &room], *arguments].concat()).error();
+        assert_eq!((found.as_str(), pointed.as_str()), (*code, *pointer), "{arguments:?}");
+    }
+    assert_eq!(planarium(&["plan", &other, "--roadmap", &kept]).error().0, "other-scenario");
+    assert_eq!(planarium(&["plan", "-", "--roadmap", "-"]).error().0, "usage");
+}
+
+#[test]
 fn verify_tells_valid_from_not() {
     let room = file("verify.json", ROOM);
     let planned = planarium(&["plan", &room]).stdout;
@@ -384,7 +439,17 @@ fn help_is_there_for_every_command() {
         assert!(help.stdout.contains("Examples:") && help.stdout.contains("Usage: planarium"), "{}", help.stdout);
     }
     let plan = planarium(&["plan", "--help"]).stdout;
-    for option in ["--query", "--planner", "--seed", "--set", "--max-iterations", "--max-seconds", "--out"] {
+    for option in [
+        "--query",
+        "--planner",
+        "--seed",
+        "--set",
+        "--max-iterations",
+        "--max-seconds",
+        "--roadmap",
+        "--save-roadmap",
+        "--out",
+    ] {
         assert!(plan.contains(option), "{option}");
     }
 }

@@ -1,6 +1,8 @@
 //! A planning run in JavaScript's hands.
 
 use super::convert::{count, cursor, throw, to_object};
+use crate::error::{Code, Error};
+use crate::kept::RoadmapDocument;
 use crate::run::{EVENT_HEAD, Run};
 use wasm_bindgen::prelude::*;
 
@@ -13,6 +15,11 @@ pub struct RawPlanner {
 impl RawPlanner {
     pub(super) fn new(run: Box<dyn Run>) -> Self {
         Self { run }
+    }
+
+    fn document(&self) -> Result<RoadmapDocument, JsValue> {
+        let sentence = "this planner builds no roadmap that could be kept";
+        self.run.roadmap().ok_or_else(|| throw(Error::new(Code::Unsupported, "", sentence)))
     }
 }
 
@@ -31,6 +38,17 @@ impl RawPlanner {
     /// Asks a built roadmap for another path; answers a result document, as a plain object.
     pub fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<JsValue, JsValue> {
         to_object(&self.run.query(start, goal, keep).map_err(throw)?)
+    }
+
+    /// The roadmap as JSON or GraphML text.
+    pub fn roadmap_text(&self, is_graphml: bool) -> Result<String, JsValue> {
+        let document = self.document()?;
+        Ok(if is_graphml { document.to_graphml() } else { document.to_json() })
+    }
+
+    /// The roadmap in its binary form.
+    pub fn roadmap_bytes(&self) -> Result<Vec<u8>, JsValue> {
+        Ok(self.document()?.to_bytes())
     }
 
     /// `running`, `solved` or `exhausted`.

@@ -4,6 +4,7 @@ use super::RawPlanner;
 use super::convert::{count, entries, node, number, text, throw, to_object, value};
 use crate::geometry::Point;
 use crate::inspect::Inspector;
+use crate::kept::RoadmapDocument;
 use crate::robot::Part;
 use crate::run::{self, Options};
 use crate::scenario::{Robot, Scenario};
@@ -176,18 +177,31 @@ impl RawScenario {
 
     /// Begins a run; `options` holds `algorithm`, `query`, `seed` and the planner's parameters.
     pub fn planner(&self, options: JsValue) -> Result<RawPlanner, JsValue> {
-        let mut wanted = Options::default();
-        for (name, given) in entries(&options)? {
-            match name.as_str() {
-                "algorithm" => wanted.planner = text(&name, &given)?,
-                "query" => wanted.query = Some(text(&name, &given)?),
-                "seed" => wanted.seed = count(number(&name, &given)?, &name)?,
-                _ => {
-                    let parameter = value(&name, &given)?;
-                    wanted.parameters.push((name, parameter));
-                }
-            }
-        }
+        let wanted = wanted(&options, Options::default())?;
         run::start(&self.scenario, &wanted).map(RawPlanner::new).map_err(throw)
     }
+
+    /// Begins a run that goes on with a roadmap, in its JSON or its binary form; the same options, but that the planner is
+    /// the one that built it.
+    pub fn resume(&self, roadmap: &[u8], options: JsValue) -> Result<RawPlanner, JsValue> {
+        let document = RoadmapDocument::read(roadmap).map_err(throw)?;
+        let wanted = wanted(&options, Options { planner: document.planner.clone(), ..Options::default() })?;
+        run::resume(&self.scenario, &wanted, &document).map(RawPlanner::new).map_err(throw)
+    }
+}
+
+/// The options of a run from a plain object, beginning with the defaults.
+fn wanted(options: &JsValue, mut wanted: Options) -> Result<Options, JsValue> {
+    for (name, given) in entries(options)? {
+        match name.as_str() {
+            "algorithm" => wanted.planner = text(&name, &given)?,
+            "query" => wanted.query = Some(text(&name, &given)?),
+            "seed" => wanted.seed = count(number(&name, &given)?, &name)?,
+            _ => {
+                let parameter = value(&name, &given)?;
+                wanted.parameters.push((name, parameter));
+            }
+        }
+    }
+    Ok(wanted)
 }

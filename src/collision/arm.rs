@@ -50,6 +50,14 @@ impl<const N: usize> ArmValidity<N> {
         self
     }
 
+    /// The same with the finest tolerance there is: it proves again whatever was proven with a coarser one. A motion along
+    /// an obstacle, nearer than is ever drawn, takes it long.
+    #[must_use]
+    pub fn finest(mut self) -> Self {
+        self.collision.tolerance = self.collision.tolerance.finest();
+        self
+    }
+
     /// The distance from the arm to the nearest obstacle, in metres; infinite without obstacles. O(links x obstacles).
     pub fn clearance(&self, q: &[f64; N]) -> f64 {
         self.collision.clearance(self.space.coordinates(q))

@@ -26,6 +26,13 @@ impl Tolerance {
         Self { eta, tau, bounds_tau: tau }
     }
 
+    /// The same with the finest tolerance that the slack allows.
+    #[must_use]
+    pub fn finest(self) -> Self {
+        let finest = FEWEST_ETAS * self.eta;
+        Self { tau: finest, bounds_tau: finest, ..self }
+    }
+
     /// The same, no coarser than half the clearance of the start and half that of the goal, so that both can be left;
     /// likewise for how deep both lie within the bounds. A depth of 0 is contact, which may be refused to turn or slide.
     #[must_use]

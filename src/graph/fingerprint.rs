@@ -1,4 +1,4 @@
-//! The fingerprint of a run: 64-bit FNV-1a (Fowler, Noll and Vo), byte by byte, little-endian.
+//! The fingerprint of a run and the checksum of a kept roadmap: 64-bit FNV-1a (Fowler, Noll and Vo), byte by byte, little-endian.
 
 /// A hash in the making.
 #[derive(Debug, Clone, Copy)]
@@ -16,11 +16,16 @@ impl Fingerprint {
         Self(0xcbf2_9ce4_8422_2325)
     }
 
-    /// Adds a 64-bit integer.
-    pub fn integer(&mut self, value: u64) {
-        for byte in value.to_le_bytes() {
+    /// Adds bytes.
+    pub fn bytes(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
             self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
         }
+    }
+
+    /// Adds a 64-bit integer.
+    pub fn integer(&mut self, value: u64) {
+        self.bytes(&value.to_le_bytes());
     }
 
     /// Adds the bits of every number.

@@ -69,6 +69,11 @@ pub trait Planner<S: Space> {
         None
     }
 
+    /// To which others a vertex is joined, of planners that build a roadmap.
+    fn connection(&self) -> Option<Connection> {
+        None
+    }
+
     /// The roadmap, of planners that build one: it answers further questions.
     fn roadmap(&mut self) -> Option<&mut Roadmap<S>> {
         None

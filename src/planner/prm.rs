@@ -5,7 +5,7 @@
 //! optimal motion planning". Start and goal are the first two vertices.
 
 use super::query::{Query, SearchRules};
-use super::roadmap::{Connection, Roadmap, START, Searched};
+use super::roadmap::{Connection, GOAL, Roadmap, START, Searched};
 use super::{Counters, Planner, Status};
 use crate::graph::{EventKind, Graph, VertexId};
 use crate::nearest::Neighbour;
@@ -91,26 +91,55 @@ impl<S: Space> Prm<S> {
         prm
     }
 
-    /// A planner whose roadmap exists: `states` and `edges` between them come after start and goal, which are then joined to
-    /// their neighbours.
+    /// A planner whose roadmap exists, proven: it draws no more samples, joins start and goal to their neighbours and searches.
+    /// A vertex of the roadmap that is the start or the goal is that one and stays joined as it was; all others come after
+    /// the two, in their order. O(states + edges), and the index of neighbours.
+    ///
+    /// # Panics
+    /// Where an edge names a vertex that does not exist.
     pub fn resume(
         problem: &Problem<S>,
-        options: &PrmOptions,
+        connection: Connection,
+        rules: SearchRules,
         sampler: Box<dyn Sampler<S>>,
         states: &[S::State],
         edges: &[[u32; 2]],
     ) -> Self {
-        let samples = states.len();
-        let mut prm = Self::new(problem, &PrmOptions { samples, ..*options }, sampler);
-        let offset = prm.roadmap.graph.states().len() as u32;
+        let mut roadmap = Roadmap::new(problem, connection, rules);
+        let mut is_kept = [false; 2];
+        let mut vertices = Vec::with_capacity(states.len());
         for state in states {
-            prm.roadmap.add_vertex(problem.space(), 0, *state);
+            let is_new = |end: &VertexId| !is_kept[end.index()] && roadmap.graph.state(*end) == state;
+            vertices.push(match [START, GOAL].into_iter().find(is_new) {
+                Some(end) => {
+                    is_kept[end.index()] = true;
+                    end
+                }
+                None => roadmap.add_vertex(problem.space(), 0, *state),
+            });
         }
-        for &[from, to] in edges {
-            prm.roadmap.graph.add_edge(0, VertexId(from + offset), VertexId(to + offset));
+        for edge in edges {
+            let [from, to] = edge.map(|vertex| vertices[vertex as usize]);
+            roadmap.graph.add_edge(0, from, to);
         }
-        prm.phase = Phase::Connecting { next: START, end: VertexId(offset) };
-        prm
+        let phase = match is_kept {
+            [true, true] => Phase::Searching(roadmap.begin_search(problem.space())),
+            [start, goal] => {
+                let next = if start { GOAL } else { START };
+                Phase::Connecting { next, end: if goal { GOAL } else { VertexId(2) } }
+            }
+        };
+        // A start that is not connected anew has tried nothing from its side.
+        let nothing = Neighbour { distance: -1.0, vertex: START };
+        Self {
+            vertices: states.len() + 2,
+            roadmap,
+            order: Order::Batch,
+            sampler,
+            farthest: if is_kept[0] { vec![nothing] } else { Vec::new() },
+            neighbours: Vec::new(),
+            phase,
+        }
     }
 
     /// Goes on once there are enough samples.
@@ -249,6 +278,10 @@ impl<S: Space> Planner<S> for Prm<S> {
 
     fn counters(&self) -> Counters {
         self.roadmap.counters
+    }
+
+    fn connection(&self) -> Option<Connection> {
+        Some(self.roadmap.connection())
     }
 
     fn roadmap(&mut self) -> Option<&mut Roadmap<S>> {

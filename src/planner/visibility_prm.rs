@@ -179,6 +179,10 @@ impl<S: Space> Planner<S> for VisibilityPrm<S> {
         Some(1.0 - 1.0 / f64::from(self.failures.max(1)))
     }
 
+    fn connection(&self) -> Option<Connection> {
+        Some(self.roadmap.connection())
+    }
+
     fn roadmap(&mut self) -> Option<&mut Roadmap<S>> {
         Some(&mut self.roadmap)
     }

@@ -1,6 +1,7 @@
 //! From a planner's parameters to the planner: where the names of planners, samplers and searches become types.
 
 use crate::error::{Code, Error};
+use crate::kept::RoadmapDocument;
 use crate::planner::{
     Algorithm, Connection, Cost, Extend, GoalBias, Heuristic, Order, Parameters, Planner, Prm, PrmOptions, Rrt,
     RrtConnect, RrtOptions, SearchRules, VisibilityPrm, logarithmic_k, prm_star_k,
@@ -48,6 +49,19 @@ pub(super) fn planner<S: Space + 'static>(
         "rrt-connect" => Box::new(RrtConnect::new(problem, step(parameters, space.extent())?, sampler)),
         other => unreachable!("the catalogue lists {other}, nothing here makes it"),
     })
+}
+
+/// A planner that goes on with a roadmap that was built: one for all kinds, as none grows any more.
+pub(super) fn resumed<S: Space + 'static>(
+    parameters: &Parameters,
+    problem: &Problem<S>,
+    seed: u64,
+    document: &RoadmapDocument,
+    states: &[S::State],
+) -> Box<dyn Planner<S>> {
+    let connection = Connection { k: document.k as usize, radius: document.radius };
+    let sampler = sampler(parameters, problem.space(), seed);
+    Box::new(Prm::resume(problem, connection, rules(parameters), sampler, states, &document.edges))
 }
 
 /// How a PRM or PRM* is built.

@@ -1,12 +1,13 @@
 //! From a scenario and options to a run: where the names of robots become types.
 
-use super::choices;
 use super::runner::{Runner, Ticket};
 use super::{Options, Run};
+use super::{choices, resume};
 use crate::collision::{ArmValidity, DiscValidity, Sampled, joint_space, plane};
 use crate::error::{Code, Error};
+use crate::kept::{RoadmapDocument, fingerprint};
 use crate::path::Wanted;
-use crate::planner::{Parameters, planner_info};
+use crate::planner::{Connection, Parameters, PlannerInfo, planner_info};
 use crate::problem::{Estimate, Problem};
 use crate::robot::{Arm, DiscRobot};
 use crate::scenario::{Robot, Scenario};
@@ -24,7 +25,17 @@ const SMALL: usize = 4;
 pub fn start(scenario: &Scenario, options: &Options) -> Result<Box<dyn Run>, Error> {
     let info = planner_info(&options.planner)?;
     options.check_seed()?;
-    let parameters = Parameters::resolve(info.parameters, &options.parameters)?;
+    launch(scenario, options, info, Parameters::resolve(info.parameters, &options.parameters)?, None)
+}
+
+/// Begins a run of a planner, from nothing or with a roadmap that was kept.
+pub(super) fn launch(
+    scenario: &Scenario,
+    options: &Options,
+    info: &'static PlannerInfo,
+    parameters: Parameters,
+    kept: Option<&RoadmapDocument>,
+) -> Result<Box<dyn Run>, Error> {
     let (place, query) = options.find_query(scenario)?;
     let ticket = Ticket {
         scenario: scenario.name().to_owned(),
@@ -39,7 +50,7 @@ pub fn start(scenario: &Scenario, options: &Options) -> Result<Box<dyn Run>, Err
         },
         is_sampled: parameters.text("edge_check") == Some("sampled"),
     };
-    let launch = Launch { scenario, parameters, ticket, ends: [&query.start, &query.goal] };
+    let launch = Launch { scenario, parameters, ticket, kept, ends: [&query.start, &query.goal] };
     // Entries past the dimension are 0 and change no bit: two sizes serve every robot.
     let run = match scenario.robot() {
         Robot::Arm(arm) if arm.links().len() <= SMALL => launch.arm::<SMALL>(arm),
@@ -55,6 +66,8 @@ struct Launch<'a> {
     scenario: &'a Scenario,
     parameters: Parameters,
     ticket: Ticket,
+    /// The roadmap to go on with.
+    kept: Option<&'a RoadmapDocument>,
     ends: [&'a [f64]; 2],
 }
 
@@ -68,10 +81,11 @@ impl Launch<'_> {
         let space: Torus<N> = joint_space(arm, metric);
         let space = if is_naive { space.cut_open() } else { space };
         let [start, goal] = self.ends.map(|q| space.state(q));
-        let validity = ArmValidity::new(arm, space.clone(), self.scenario.world(), self.tolerance());
-        let validity = Box::new(validity.fitted(&start, &goal));
+        let validity = || ArmValidity::new(arm, space.clone(), self.scenario.world(), self.tolerance());
+        let proven = Box::new(validity().fitted(&start, &goal));
+        let finest = self.kept.map(|_| -> Box<dyn Validity<_>> { Box::new(validity().finest()) });
         let estimate = from_end_effector(arm, metric);
-        self.plan(space, validity, [start, goal], Box::new(move |a, b| estimate(a, b)))
+        self.plan(space, proven, finest, [start, goal], Box::new(move |a, b| estimate(a, b)))
     }
 
     fn disc(self, disc: &DiscRobot) -> Result<Box<dyn Run>, Error> {
@@ -84,8 +98,9 @@ impl Launch<'_> {
         let space: Torus<SMALL> = plane(&bounds);
         let ends = self.ends.map(|q| space.state(q));
         let measure = space.clone();
-        let validity = Box::new(DiscValidity::new(disc, world));
-        self.plan(space, validity, ends, Box::new(move |a, b| measure.distance(a, b)))
+        let proven = Box::new(DiscValidity::new(disc, world));
+        let finest = self.kept.map(|_| -> Box<dyn Validity<_>> { Box::new(DiscValidity::new(disc, world)) });
+        self.plan(space, proven, finest, ends, Box::new(move |a, b| measure.distance(a, b)))
     }
 
     /// The wanted tolerance, as a fraction of the world's longer side.
@@ -93,22 +108,52 @@ impl Launch<'_> {
         self.parameters.number("tolerance").expect("the tolerance has a fixed default")
     }
 
+    /// The run in this space; `finest` proves again what is in the roadmap to go on with.
     fn plan<S: Space + Clone + 'static>(
         self,
         space: S,
         proven: Box<dyn Validity<S::State>>,
+        finest: Option<Box<dyn Validity<S::State>>>,
         [start, goal]: [S::State; 2],
         end_effector: Estimate<S::State>,
     ) -> Result<Box<dyn Run>, Error> {
-        let validity: Box<dyn Validity<S::State>> = if self.ticket.is_sampled {
-            let places = self.parameters.integer("edge_samples") as u32;
-            Box::new(Sampled::new(space.clone(), proven, places))
-        } else {
-            proven
+        let places = self.ticket.is_sampled.then(|| self.parameters.integer("edge_samples") as u32);
+        let checked = |proven: Box<dyn Validity<S::State>>| -> Box<dyn Validity<S::State>> {
+            match places {
+                Some(places) => Box::new(Sampled::new(space.clone(), proven, places)),
+                None => proven,
+            }
         };
-        let problem = Problem::new(space, validity, start, goal)?.with_end_effector(end_effector);
-        let planner = choices::planner(self.ticket.planner, &self.parameters, &problem, self.ticket.seed)?;
-        Ok(Box::new(Runner::new(problem, planner, self.ticket)))
+        let problem = Problem::new(space.clone(), checked(proven), start, goal)?.with_end_effector(end_effector);
+        let seed = self.ticket.seed;
+        let planner = match self.kept.zip(finest) {
+            Some((document, finest)) => {
+                let states = resume::prove(&space, &*checked(finest), document)?;
+                choices::resumed(&self.parameters, &problem, seed, document, &states)
+            }
+            None => choices::planner(self.ticket.planner, &self.parameters, &problem, seed)?,
+        };
+        let circles = (0..space.dimension()).map(|i| space.period(i).is_finite()).collect();
+        let kept = planner.connection().map(|connection| self.empty_document(connection, circles, places));
+        Ok(Box::new(Runner::new(problem, planner, self.ticket, kept)))
+    }
+
+    /// How the roadmap of this run will be kept, without vertices and edges.
+    fn empty_document(&self, connection: Connection, circles: Vec<bool>, edge_samples: Option<u32>) -> RoadmapDocument {
+        let default = if matches!(self.scenario.robot(), Robot::Arm(_)) { "sum" } else { "euclidean" };
+        RoadmapDocument {
+            scenario: self.scenario.name().to_owned(),
+            fingerprint: fingerprint(self.scenario),
+            circles,
+            planner: self.ticket.planner.to_owned(),
+            metric: self.parameters.text("metric").unwrap_or(default).to_owned(),
+            k: connection.k as u32,
+            radius: connection.radius,
+            edge_samples,
+            tolerance: self.tolerance(),
+            vertices: Vec::new(),
+            edges: Vec::new(),
+        }
     }
 }
 

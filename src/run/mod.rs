@@ -7,14 +7,17 @@
 mod choices;
 mod factory;
 mod options;
+mod resume;
 mod runner;
 
 pub use factory::start;
 pub use options::Options;
+pub use resume::resume;
 
 pub use crate::planner::{PlannerInfo, Status, Value, planners};
 
 use crate::error::Error;
+use crate::kept::RoadmapDocument;
 use crate::result::ResultDocument;
 use crate::stats::Stats;
 
@@ -76,6 +79,10 @@ pub trait Run {
 
     /// All of it as a document; seconds are 0.
     fn result(&self) -> ResultDocument;
+
+    /// The roadmap as far as it is built, to be kept for later: see [`resume`]. `None` of planners that build none. Vertices
+    /// that [`Run::query`] has kept are part of it. O(size).
+    fn roadmap(&self) -> Option<RoadmapDocument>;
 
     /// Asks the roadmap for another path, as far as it is built: joins start and goal to their neighbours and searches. The
     /// roadmap stays as it was, unless the two are to be kept as its last vertices. The document's query is named `asked`, its

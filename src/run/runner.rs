@@ -2,6 +2,7 @@
 
 use super::{EVENT_HEAD, Run};
 use crate::error::{Code, Error};
+use crate::kept::RoadmapDocument;
 use crate::path::{self, Improvement, Wanted};
 use crate::planner::{Planner, Status};
 use crate::problem::Problem;
@@ -29,6 +30,8 @@ pub(super) struct Runner<S: Space> {
     problem: Problem<S>,
     planner: Box<dyn Planner<S>>,
     ticket: Ticket,
+    /// How the roadmap is kept, its vertices and edges left out; `None` of planners that build none.
+    kept: Option<RoadmapDocument>,
     /// Iterations of the planner.
     iteration: u32,
     status: Status,
@@ -37,8 +40,13 @@ pub(super) struct Runner<S: Space> {
 }
 
 impl<S: Space> Runner<S> {
-    pub(super) fn new(problem: Problem<S>, planner: Box<dyn Planner<S>>, ticket: Ticket) -> Self {
-        Self { problem, planner, ticket, iteration: 0, status: Status::Running, improvement: None }
+    pub(super) fn new(
+        problem: Problem<S>,
+        planner: Box<dyn Planner<S>>,
+        ticket: Ticket,
+        kept: Option<RoadmapDocument>,
+    ) -> Self {
+        Self { problem, planner, ticket, kept, iteration: 0, status: Status::Running, improvement: None }
     }
 
     /// One iteration: of the planner, or an attempt at improving its path.
@@ -218,6 +226,11 @@ impl<S: Space> Run for Runner<S> {
     fn result(&self) -> ResultDocument {
         let document = self.document(&self.ticket.query, self.status, &self.states());
         ResultDocument { approximate: self.approximate(), ..document }
+    }
+
+    fn roadmap(&self) -> Option<RoadmapDocument> {
+        let edges = self.planner.graph().edges().iter().map(|edge| edge.map(|vertex| vertex.0)).collect();
+        self.kept.clone().map(|kept| RoadmapDocument { vertices: self.vertices_since(0), edges, ..kept })
     }
 
     fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error> {

@@ -72,6 +72,30 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Whether the value is `null`.
+    pub fn is_null(&self) -> bool {
+        matches!(self.node, Node::Null)
+    }
+
+    /// The value as true or false.
+    pub fn boolean(&self) -> Result<bool, Error> {
+        match self.node {
+            Node::Bool(value) => Ok(*value),
+            _ => Err(self.wrong_type("true or false")),
+        }
+    }
+
+    /// The value as 64 bits in 16 lower-case hexadecimal digits; `code` is that of the refusal.
+    pub fn digits(&self, code: Code) -> Result<u64, Error> {
+        let text = self.string()?;
+        let is_digit = |byte: u8| byte.is_ascii_digit() || (b'a'..=b'f').contains(&byte);
+        let digits = (text.len() == 16 && text.bytes().all(is_digit)).then(|| u64::from_str_radix(text, 16).ok());
+        digits.flatten().ok_or_else(|| {
+            let sentence = format!("this must be 16 lower-case hexadecimal digits, not {}", quoted(text));
+            self.error(code, sentence)
+        })
+    }
+
     /// The value as a string.
     pub fn string(&self) -> Result<&'a str, Error> {
         match self.node {

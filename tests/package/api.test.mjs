@@ -294,3 +294,42 @@ test("Symbol.dispose frees", { skip: Symbol.dispose === undefined && "this engin
   assert.throws(() => planner.status, { code: "freed" });
   assert.throws(() => scenario.name, { code: "freed" });
 });
+
+test("a roadmap is kept as text and as bytes, and gone on with: the same path, and the same answers", () => {
+  const scenario = Scenario.parse(arm);
+  for (const algorithm of ["prm", "prm-star", "visibility-prm"]) {
+    const planner = finish(scenario.planner({ algorithm, seed: 3, max_iterations: 20_000 }));
+    const [text, bytes] = [planner.roadmap("json"), planner.roadmap("binary")];
+    assert.equal(JSON.parse(text).format, "planarium-roadmap-1");
+    assert.ok(bytes instanceof Uint8Array && bytes.length < text.length);
+    assert.match(planner.roadmap("graphml"), /^<\?xml [^]*<graphml [^]*<\/graphml>\n$/);
+    for (const kept of [text, bytes, new Uint8Array(bytes)]) {
+      const resumed = finish(scenario.resume(kept, { query: "over", shortcut: 0 }));
+      assert.equal(resumed.status, planner.status);
+      assert.equal(resumed.result().planner, algorithm);
+      assert.deepEqual(resumed.path(), planner.path());
+      assert.deepEqual(resumed.verticesSince(0), planner.verticesSince(0));
+      assert.deepEqual(resumed.edgesSince(0), planner.edgesSince(0));
+      assert.deepEqual(resumed.query([2, 0.5], [-2, 1]).path, planner.query([2, 0.5], [-2, 1]).path);
+      assert.equal(resumed.roadmap("json"), text);
+    }
+  }
+});
+
+test("a roadmap that is damaged, belongs elsewhere or is contradicted is refused", () => {
+  const scenario = Scenario.parse(arm);
+  const planner = finish(scenario.planner({ algorithm: "prm", samples: 30, k: 5 }));
+  const [text, bytes] = [planner.roadmap("json"), planner.roadmap("binary")];
+  const damaged = Uint8Array.from(bytes, (byte, i) => (i === 100 ? byte ^ 1 : byte));
+  for (const file of [damaged, bytes.subarray(0, 99), new Uint8Array(0), "", planner.roadmap("graphml")]) {
+    assert.throws(() => scenario.resume(file), { code: "invalid-roadmap" });
+  }
+  assert.throws(() => scenario.resume(text.replace('"k":5', '"k":6')), { code: "invalid-roadmap", pointer: "/checksum" });
+  assert.throws(() => Scenario.parse(disc).resume(bytes), { code: "other-scenario", pointer: "/fingerprint" });
+  assert.throws(() => scenario.resume(bytes, { algorithm: "rrt-connect" }), { code: "out-of-range", pointer: "/algorithm" });
+  assert.throws(() => scenario.resume(bytes, { metric: "euclidean" }), { code: "out-of-range", pointer: "/metric" });
+  assert.throws(() => scenario.resume(bytes, { samples: 30 }), { code: "unsupported", pointer: "/samples" });
+  assert.throws(() => scenario.resume(/** @type {any} */ ([1, 2])), { code: "wrong-type", pointer: "/roadmap" });
+  assert.throws(() => planner.roadmap(/** @type {any} */ ("png")), { code: "out-of-range", pointer: "/format" });
+  assert.throws(() => scenario.planner().roadmap("json"), { code: "unsupported" });
+});

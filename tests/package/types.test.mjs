@@ -77,6 +77,11 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   const path: Float64Array = planner.path();
   const stats: Stats = planner.stats();
   const result: ResultDocument = planner.result();
+  const text: string = planner.roadmap("json");
+  const bytes: Uint8Array = planner.roadmap("binary");
+  const resumed: Planner = scenario.resume(bytes, { query: "q" });
+  scenario.resume(text).free();
+  resumed.free();
   planner[Symbol.dispose]();
   generated.free();
   try {
@@ -88,6 +93,8 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   new Planner();
   // @ts-expect-error: not a kind
   Scenario.generate("jungle");
+  // @ts-expect-error: not a format
+  planner.roadmap("png");
   // @ts-expect-error: a count is a number
   planner.step("10");
   return JSON.stringify([free, names, radii, box, tip, tips, hit, cells, low, circles, kind, obstacle, robot, status, phase, counts, vertices, edges,

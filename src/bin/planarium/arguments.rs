@@ -1,6 +1,6 @@
 //! The arguments, with their help.
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// Motion planning that a person can watch: stepping planners with proven edges.
 #[derive(Parser)]
@@ -47,7 +47,9 @@ Exit codes: 0 solved; 1 exhausted, or still running when the time was up; 2 the 
 Examples:
   planarium plan arm.json
   planarium plan arm.json --query report --planner prm --set samples=700 --set k=30 --seed 7
-  planarium generate clutter --seed 3 | planarium plan - --set shortcut=200 --max-seconds 2")]
+  planarium generate clutter --seed 3 | planarium plan - --set shortcut=200 --max-seconds 2
+  planarium plan arm.json --planner prm --save-roadmap arm.roadmap
+  planarium plan arm.json --roadmap arm.roadmap --query another")]
 pub struct Plan {
     /// The scenario, a JSON file; - reads it from standard input
     pub file: String,
@@ -56,9 +58,9 @@ pub struct Plan {
     #[arg(long, value_name = "NAME")]
     pub query: Option<String>,
 
-    /// The planner, by id; `planarium list` shows them all
-    #[arg(long, value_name = "ID", default_value = planarium::planner::DEFAULT_PLANNER)]
-    pub planner: String,
+    /// The planner, by id; `planarium list` shows them all [default: rrt-connect, or the one that built the roadmap]
+    #[arg(long, value_name = "ID")]
+    pub planner: Option<String>,
 
     /// The seed: with scenario, planner and parameters it decides every bit of the result
     #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
@@ -76,9 +78,30 @@ pub struct Plan {
     #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = seconds)]
     pub max_seconds: Option<f64>,
 
+    /// Go on with a roadmap that was saved for the same world and robot, proven again, instead of building one; - reads it
+    /// from standard input
+    #[arg(long, value_name = "FILE")]
+    pub roadmap: Option<String>,
+
+    /// Save the roadmap, as far as it is built when the run ends (prm, prm-star and visibility-prm)
+    #[arg(long, value_name = "FILE")]
+    pub save_roadmap: Option<String>,
+
+    /// How to save it [default: json for FILE.json, graphml for FILE.graphml, else binary]; graphml is for other programs
+    #[arg(long, value_name = "FORMAT", requires = "save_roadmap")]
+    pub roadmap_format: Option<RoadmapFormat>,
+
     /// Write the result to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+}
+
+/// The forms of a roadmap in a file.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum RoadmapFormat {
+    Json,
+    Binary,
+    Graphml,
 }
 
 #[derive(Args)]

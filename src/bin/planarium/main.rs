@@ -10,6 +10,7 @@ mod generate;
 mod list;
 mod plan;
 mod progress;
+mod roadmap;
 mod verify;
 
 use arguments::{Arguments, Command};

@@ -4,6 +4,10 @@ use crate::Answer;
 use crate::arguments::Plan;
 use crate::files;
 use crate::progress::Progress;
+use crate::roadmap;
+use planarium::Error;
+use planarium::error::Code;
+use planarium::planner::DEFAULT_PLANNER;
 use planarium::result::ResultDocument;
 use planarium::run::{self, Options, Run, Status, Value};
 use planarium::scenario::Scenario;
@@ -17,19 +21,37 @@ const MOST: u64 = 16;
 
 /// Plans, prints the result; yes where it is solved.
 pub fn plan(arguments: &Plan) -> Answer {
+    if arguments.file == "-" && arguments.roadmap.as_deref() == Some("-") {
+        let sentence = "scenario and roadmap cannot both come from standard input";
+        return Err(Error::new(Code::Usage, "", sentence));
+    }
     let scenario = Scenario::parse(&files::read(&arguments.file)?)?;
-    let mut run = run::start(&scenario, &options(arguments))?;
+    let kept = arguments.roadmap.as_deref().map(roadmap::read).transpose()?;
+    let planner = kept.as_ref().map_or(DEFAULT_PLANNER, |document| &document.planner);
+    let options = options(arguments, planner);
+    let mut run = match &kept {
+        Some(document) => run::resume(&scenario, &options, document)?,
+        None => run::start(&scenario, &options)?,
+    };
+    if arguments.save_roadmap.is_some() && run.roadmap().is_none() {
+        let sentence = format!("{} builds no roadmap that could be saved", options.planner);
+        return Err(Error::new(Code::Unsupported, "", sentence));
+    }
     let result = drive(run.as_mut(), arguments.max_seconds);
+    if let (Some(name), Some(document)) = (&arguments.save_roadmap, run.roadmap()) {
+        roadmap::write(&document, name, arguments.roadmap_format)?;
+    }
     files::write(&result.to_json(), arguments.out.as_deref())?;
     files::say(&summary(&result));
     Ok(result.status == Status::Solved)
 }
 
-fn options(arguments: &Plan) -> Options {
+/// The options; the planner is the one given, else this one.
+fn options(arguments: &Plan, planner: &str) -> Options {
     let set = arguments.set.iter().map(|(key, value)| (key.clone(), Value::from_text(value)));
     let most = arguments.max_iterations.map(|most| ("max_iterations".to_owned(), Value::Number(most as f64)));
     Options {
-        planner: arguments.planner.clone(),
+        planner: arguments.planner.as_deref().unwrap_or(planner).to_owned(),
         query: arguments.query.clone(),
         seed: arguments.seed,
         parameters: set.chain(most).collect(),

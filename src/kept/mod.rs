@@ -1,0 +1,137 @@
+//! A roadmap kept for later: the document of one that was built, as JSON, as bytes, and as GraphML for other programs.
+//!
+//! It says what it depends on (the world and the robot, by a fingerprint), how it was built, its vertices and its edges, and
+//! ends with a checksum. Reading it refuses what is damaged; whether its edges are free is proven again by
+//! [`run::resume`](crate::run::resume), since a file proves nothing.
+
+mod binary;
+mod fingerprint;
+mod graphml;
+mod json;
+
+pub use binary::MAGIC;
+pub use fingerprint::fingerprint;
+pub use json::FORMAT;
+
+use crate::error::{Code, Error};
+use std::f64::consts::{PI, TAU};
+
+/// The most numbers that a vertex has.
+const MAX_DIMENSION: usize = 8;
+
+/// The most neighbours that a vertex may be joined to: where a radius counts, as many as a roadmap may try.
+const MOST_NEIGHBOURS: u32 = 20_000_000;
+
+/// A roadmap that was built, with all that it takes to go on asking it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RoadmapDocument {
+    /// The name of the scenario, for people.
+    pub scenario: String,
+    /// What the roadmap depends on: the [`fingerprint`] of world and robot.
+    pub fingerprint: u64,
+    /// For every coordinate of a configuration whether it is a circle, an angle that wraps at a full turn; 1 to 8 of them.
+    pub circles: Vec<bool>,
+    /// The id of the planner that built it.
+    pub planner: String,
+    /// The metric: `sum`, `euclidean` or `naive`.
+    pub metric: String,
+    /// To how many neighbours a vertex is joined, 1 to 20 million.
+    pub k: u32,
+    /// How far away at most, in the metric; infinite where only the number counts.
+    pub radius: f64,
+    /// In how many places an edge was looked at; `None` where edges are proven.
+    pub edge_samples: Option<u32>,
+    /// The parameter `tolerance` of the proofs, a fraction of the world's longer side.
+    pub tolerance: f64,
+    /// The vertices: rows of as many numbers as there are `circles`.
+    pub vertices: Vec<f64>,
+    /// The edges: two vertex numbers each, from 0.
+    pub edges: Vec<[u32; 2]>,
+}
+
+impl RoadmapDocument {
+    /// Reads a document in either form: bytes that begin with [`MAGIC`] are binary, those that begin with `{` JSON.
+    ///
+    /// # Errors
+    /// `invalid-roadmap` for what is neither; else as [`RoadmapDocument::from_bytes`] and [`RoadmapDocument::parse`].
+    pub fn read(bytes: &[u8]) -> Result<Self, Error> {
+        if bytes.starts_with(&MAGIC) {
+            return Self::from_bytes(bytes);
+        }
+        match std::str::from_utf8(bytes) {
+            Ok(text) if text.trim_start().starts_with('{') => Self::parse(text),
+            _ => Err(damaged("", "this is neither the JSON nor the binary form of a roadmap")),
+        }
+    }
+
+    /// How many numbers a vertex has.
+    pub fn dimension(&self) -> usize {
+        self.circles.len()
+    }
+
+    /// The vertices, a row each.
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = &[f64]> {
+        // A document without a dimension is refused before its rows are asked for.
+        self.vertices.chunks_exact(self.dimension().max(1))
+    }
+
+    /// How many vertices there are.
+    pub fn vertex_count(&self) -> usize {
+        self.rows().len()
+    }
+
+    /// The length of an edge in the metric, to the bit that of the space it was built in.
+    ///
+    /// # Panics
+    /// Where a vertex does not exist.
+    pub fn length(&self, [a, b]: [u32; 2]) -> f64 {
+        let dimension = self.dimension();
+        let at = |vertex: u32, i: usize| self.vertices[vertex as usize * dimension + i];
+        let gaps = self.circles.iter().enumerate().map(|(i, &is_circle)| {
+            let gap = (at(a, i) - at(b, i)).abs();
+            if is_circle && gap > PI { TAU - gap } else { gap }
+        });
+        if self.metric == "sum" { gaps.sum() } else { gaps.map(|gap| gap * gap).sum::<f64>().sqrt() }
+    }
+
+    /// Refuses a document that contradicts itself, so that all that is read from it afterwards exists.
+    ///
+    /// # Errors
+    /// `invalid-roadmap`, with the pointer into the JSON form.
+    pub fn check(&self) -> Result<(), Error> {
+        let dimension = self.dimension();
+        if !(1..=MAX_DIMENSION).contains(&dimension) {
+            return Err(damaged("/dimension", format!("a vertex has 1 to {MAX_DIMENSION} numbers, not {dimension}")));
+        }
+        if !(1..=MOST_NEIGHBOURS).contains(&self.k) {
+            return Err(damaged("/k", format!("k must lie within [1, {MOST_NEIGHBOURS}], not {}", self.k)));
+        }
+        let is_positive = |x: f64| x > 0.0;
+        if !is_positive(self.radius) {
+            return Err(damaged("/radius", format!("a radius must be positive, not {}", self.radius)));
+        }
+        if !is_positive(self.tolerance) || self.tolerance == f64::INFINITY {
+            return Err(damaged("/tolerance", format!("a tolerance must be positive, not {}", self.tolerance)));
+        }
+        if !self.vertices.len().is_multiple_of(dimension) || self.vertex_count() >= u32::MAX as usize - 2 {
+            return Err(damaged("/vertices", format!("{} numbers are no rows of {dimension}", self.vertices.len())));
+        }
+        if let Some(i) = self.vertices.iter().position(|x| !x.is_finite()) {
+            let pointer = format!("/vertices/{}/{}", i / dimension, i % dimension);
+            return Err(damaged(pointer, format!("a coordinate must be finite, not {}", self.vertices[i])));
+        }
+        let count = self.vertex_count();
+        for (i, edge) in self.edges.iter().enumerate() {
+            if let Some(end) = edge.iter().position(|&vertex| vertex as usize >= count) {
+                let sentence = format!("edge {i} names vertex {}, and there are {count}", edge[end]);
+                return Err(damaged(format!("/edges/{i}/{end}"), sentence));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The error for a document that is damaged.
+pub(crate) fn damaged(pointer: impl Into<String>, sentence: impl Into<String>) -> Error {
+    Error::new(Code::InvalidRoadmap, pointer, sentence)
+}

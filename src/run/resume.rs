@@ -1,0 +1,116 @@
+//! Going on with a roadmap that was kept: whether it belongs here, whether all of it is free, and what may be asked of it.
+
+use super::factory::launch;
+use super::{Options, Run};
+use crate::error::{Code, Error};
+use crate::kept::{RoadmapDocument, damaged, fingerprint};
+use crate::planner::{Parameters, PlannerInfo, Value, planner_info};
+use crate::scenario::Scenario;
+use crate::space::Space;
+use crate::validity::Validity;
+
+/// The parameters that do not say how a roadmap is built but what is done with it.
+const SEARCHING: &[&str] = &["search", "cost", "heuristic", "reduce", "shortcut", "partial_shortcut", "max_iterations"];
+
+/// Begins a run of the planner that built the roadmap, with the roadmap as it was kept: start and goal of the query are its
+/// vertices 0 and 1, joined to their neighbours unless the roadmap has them already, and it is searched. Nothing grows any
+/// more, whatever was left to build. Every vertex is looked at and every edge proven again before; a roadmap whose edges were
+/// sampled is sampled again, and stays named as such.
+///
+/// How the roadmap was built is the document's: `options` name its planner, how to search, and what to do with the path.
+/// Parameters that the document holds (`metric`, `k`, `radius`, `edge_check`, `edge_samples`, `tolerance`) may be given again.
+///
+/// # Errors
+/// `other-scenario` where world or robot are not those that the roadmap was built for; `invalid-roadmap`, with a pointer into
+/// the JSON form, where the document contradicts itself, a vertex lies outside the space or in collision, or an edge is not
+/// free; `out-of-range` where another planner or another value of what the document holds is given, `unsupported` for
+/// parameters of a growth that is over; and those of [`start`](super::start).
+pub fn resume(scenario: &Scenario, options: &Options, document: &RoadmapDocument) -> Result<Box<dyn Run>, Error> {
+    document.check()?;
+    let found = fingerprint(scenario);
+    if document.fingerprint != found {
+        let sentence = format!(
+            "the roadmap was built for another world or robot (of scenario {:?}, fingerprint {:016x}, not {found:016x})",
+            document.scenario, document.fingerprint
+        );
+        return Err(Error::new(Code::OtherScenario, "/fingerprint", sentence));
+    }
+    let dimension = scenario.robot().dimension();
+    if document.dimension() != dimension {
+        let sentence = format!("this robot has {dimension} coordinates, not {}", document.dimension());
+        return Err(damaged("/dimension", sentence));
+    }
+    // Roadmaps are what is searched.
+    let is_roadmap = |info: &&PlannerInfo| info.parameters.iter().any(|parameter| parameter.name == "search");
+    let Some(info) = planner_info(&document.planner).ok().filter(is_roadmap) else {
+        return Err(damaged("/planner", format!("{:?} is no planner that builds a roadmap", document.planner)));
+    };
+    if options.planner != info.id {
+        let sentence = format!("the roadmap was built by {}, not {}", info.id, options.planner);
+        return Err(Error::new(Code::OutOfRange, "/algorithm", sentence));
+    }
+    options.check_seed()?;
+    launch(scenario, options, info, parameters(info, options, document)?, Some(document))
+}
+
+/// The parameters of the run: what the document holds, and of those given what may be.
+fn parameters(info: &PlannerInfo, options: &Options, document: &RoadmapDocument) -> Result<Parameters, Error> {
+    let number = |name: &str, value: f64| (name.to_owned(), Value::Number(value));
+    let text = |name: &str, value: &str| (name.to_owned(), Value::Text(value.to_owned()));
+    let edge_check = if document.edge_samples.is_some() { "sampled" } else { "proven" };
+    let mut all =
+        vec![text("metric", &document.metric), text("edge_check", edge_check), number("tolerance", document.tolerance)];
+    all.extend(document.edge_samples.map(|places| number("edge_samples", f64::from(places))));
+    Parameters::resolve(info.parameters, &all).map_err(|error| damaged(error.pointer(), error.message()))?;
+    let held = [&all[..], &[number("k", f64::from(document.k)), number("radius", document.radius)]].concat();
+    for (name, value) in &options.parameters {
+        let is_known = info.parameters.iter().any(|parameter| parameter.name == name);
+        let fail = |code, sentence| Err(Error::new(code, format!("/{name}"), sentence));
+        match held.iter().find(|(other, _)| is_known && other == name) {
+            Some((_, kept)) if kept == value => {}
+            Some((_, kept)) => {
+                return fail(Code::OutOfRange, format!("the roadmap was built with {name} = {kept}, not {value}"));
+            }
+            None if is_known && !SEARCHING.contains(&name.as_str()) => {
+                return fail(Code::Unsupported, format!("{name} is about how a roadmap grows; this one is built"));
+            }
+            None => all.push((name.clone(), value.clone())),
+        }
+    }
+    Parameters::resolve(info.parameters, &all)
+}
+
+/// The states of the vertices, each looked at, every edge proven as `validity` proves.
+///
+/// # Errors
+/// `invalid-roadmap` with the pointer of the first vertex or edge that is not free.
+pub(super) fn prove<S: Space>(
+    space: &S,
+    validity: &dyn Validity<S::State>,
+    document: &RoadmapDocument,
+) -> Result<Vec<S::State>, Error> {
+    if let Some(i) = (0..space.dimension()).find(|&i| space.period(i).is_finite() != document.circles[i]) {
+        return Err(damaged(format!("/circles/{i}"), format!("coordinate {i} wraps here or there, but not in both")));
+    }
+    let mut states = Vec::with_capacity(document.vertex_count());
+    for (i, row) in document.rows().enumerate() {
+        let state = space.state(row);
+        let is_same = space.coordinates(&state).iter().zip(row).all(|(a, b)| a.to_bits() == b.to_bits());
+        let why = match () {
+            () if !is_same || !space.contains(&state) => "lies outside the space",
+            () if !validity.is_free(&state) => "is in collision",
+            () => {
+                states.push(state);
+                continue;
+            }
+        };
+        return Err(damaged(format!("/vertices/{i}"), format!("vertex {i} {row:?} {why}")));
+    }
+    for (i, &[from, to]) in document.edges.iter().enumerate() {
+        if !validity.is_motion_free(&states[from as usize], &states[to as usize]) {
+            let sentence = format!("edge {i} from vertex {from} to vertex {to} is not free");
+            return Err(damaged(format!("/edges/{i}"), sentence));
+        }
+    }
+    Ok(states)
+}

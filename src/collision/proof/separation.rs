@@ -14,8 +14,8 @@
 //! so much times S. Absolute angles are sums of up to eight joints: of circles up to 26 radians, with limits up to 800,
 //! rounded to 4e-13 at worst. The slack is 1e-12 S.
 
-use super::joint::Joint;
-use super::pair::{Answer, Link};
+use super::joint::MovingJoint;
+use super::pair::{Answer, Link, NO_HINT};
 use super::rotation::{doubled, turned_both_ways, unit};
 use super::{Motion, Setting};
 use crate::collision::Tolerance;
@@ -40,9 +40,6 @@ struct Pair {
     /// The direction to try first: see [`Link::separate_from_polygon`].
     hint: u32,
 }
-
-/// No direction in particular.
-const NO_HINT: u32 = u32::MAX;
 
 /// In place of an obstacle's index: the bounds of the world.
 const BOUNDS: u32 = u32::MAX;
@@ -78,10 +75,12 @@ pub(in crate::collision) struct Work<const N: usize> {
     rates: [f64; N],
     travel: [f64; N],
     third: [f64; N],
+    /// The largest absolute rate of all links.
+    fastest: f64,
     /// The turn of every link over a quarter of the motion, an eighth, and so on.
     turns: Vec<[Vector; N]>,
     /// The joints in the middle of the stretch that is looked at.
-    joints: [Joint; MAX_LINKS + 1],
+    joints: [MovingJoint; MAX_LINKS + 1],
     pairs: Vec<Pair>,
     stretches: Vec<Stretch<N>>,
     pub evaluations: u64,
@@ -96,8 +95,9 @@ impl<const N: usize> Default for Work<N> {
             rates: [0.0; N],
             travel: [0.0; N],
             third: [0.0; N],
+            fastest: 0.0,
             turns: vec![zero; SQUARED],
-            joints: [Joint::default(); MAX_LINKS + 1],
+            joints: [MovingJoint::default(); MAX_LINKS + 1],
             pairs: Vec::new(),
             stretches: Vec::new(),
             evaluations: 0,
@@ -202,13 +202,16 @@ impl<'a, const N: usize> Proof<'a, N> {
             }
         }
         let mut along = [Vector::zeros(); N];
-        let (mut rate, mut travel, mut third) = (0.0, 0.0, 0.0);
+        let (mut rate, mut travel, mut third, mut fastest) = (0.0, 0.0, 0.0, 0.0);
         let lengths = self.setting.arm.links();
         for i in 0..self.links {
             rate += motion.delta[i];
             let speed = lengths[i] * f64::abs(rate);
             travel += speed;
             third += speed * rate * rate;
+            if rate.abs() > fastest {
+                fastest = rate.abs();
+            }
             (work.rates[i], work.travel[i], work.third[i]) = (rate, travel, third);
             let mut turn = unit(rate / 32.0);
             for level in (0..SQUARED).rev() {
@@ -217,6 +220,7 @@ impl<'a, const N: usize> Proof<'a, N> {
             }
             along[i] = turned_both_ways(work.from_along[i], turn)[1];
         }
+        work.fastest = fastest;
         let stretch = Stretch { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), along };
         self.place_joints(&stretch, self.links);
         stretch
@@ -228,7 +232,7 @@ impl<'a, const N: usize> Proof<'a, N> {
         let h = stretch.half;
         let sixth = h * h * h / 6.0;
         let lengths = &self.setting.arm.links()[..links];
-        let mut joint = Joint::base(self.setting.arm.base());
+        let mut joint = MovingJoint::base(self.setting.arm.base());
         self.work.joints[0] = joint;
         for (i, &length) in lengths.iter().enumerate() {
             joint = joint.next(stretch.along[i], length, h * self.work.rates[i], sixth * self.work.third[i]);
@@ -265,7 +269,7 @@ impl<'a, const N: usize> Proof<'a, N> {
     fn swept_box(&self, i: usize, half: f64) -> Aabb {
         let [a, b] = [i, i + 1].map(|k| {
             let swept = self.work.joints[k].swept_box();
-            if k > 0 && self.work.rates[k - 1].abs() * half > FAST { self.held(swept, k, half) } else { swept }
+            if k > 0 && self.work.fastest * half > FAST { self.held(swept, k, half) } else { swept }
         });
         let min = [0, 1].map(|axis| if a.min[axis] < b.min[axis] { a.min[axis] } else { b.min[axis] });
         let max = [0, 1].map(|axis| if a.max[axis] > b.max[axis] { a.max[axis] } else { b.max[axis] });

@@ -148,14 +148,17 @@ impl Boxes {
         if self.levels.len() > 1 {
             return self.any_below(&near, &mut visit);
         }
+        // At most 16 groups: their bits fit side by side, and only one loop has an end that is hard to foretell.
+        let mut bits = 0;
         for (i, group) in self.groups.iter().enumerate() {
-            let mut bits = group.meeting(&near);
-            while bits != 0 {
-                if visit(4 * i + (bits.trailing_zeros() / 16) as usize) {
-                    return true;
-                }
-                bits &= bits - 1;
+            bits |= group.meeting(&near) >> (15 - i);
+        }
+        while bits != 0 {
+            let at = bits.trailing_zeros() as usize;
+            if visit(4 * (at % 16) + at / 16) {
+                return true;
             }
+            bits &= bits - 1;
         }
         false
     }

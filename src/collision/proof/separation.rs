@@ -20,7 +20,7 @@ use super::rotation::{doubled, turned_both_ways, unit};
 use super::{Motion, Setting};
 use crate::collision::Tolerance;
 use crate::collision::obstacles::Face;
-use crate::geometry::{Aabb, Segment, Vector};
+use crate::geometry::{Aabb, Point, Segment, Vector};
 use crate::robot::MAX_LINKS;
 
 /// Turns over this many halvings are found together, by squaring the smallest.
@@ -282,7 +282,7 @@ impl<'a, const N: usize> Proof<'a, N> {
         let arm = self.setting.arm;
         let travel = self.work.travel[joint - 1] * half;
         let reach = arm.links()[..joint].iter().sum::<f64>() + self.setting.tolerance.eta;
-        let within = |swept: Aabb, place: crate::geometry::Point, by: f64| Aabb {
+        let within = |swept: Aabb, place: Point, by: f64| Aabb {
             min: swept.min.sup(&(place - Vector::new(by, by))),
             max: swept.max.inf(&(place + Vector::new(by, by))),
         };
@@ -311,13 +311,18 @@ impl<'a, const N: usize> Proof<'a, N> {
         let (first, end) = stretch.pairs;
         // Pairs are listed by link: the last has the outermost.
         self.place_joints(stretch, self.work.pairs[end - 1].link as usize + 1);
+        let (mut of, mut swept) = (usize::MAX, Aabb { min: Point::origin(), max: Point::origin() });
         (first..end).any(|at| {
             let Pair { link, obstacle, hint } = self.work.pairs[at];
             let link = link as usize;
+            if link != of {
+                (of, swept) = (link, self.swept_box(link, stretch.half));
+            }
             if obstacle == BOUNDS {
-                self.look_at_bounds(stretch, link, &self.swept_box(link, stretch.half))
+                self.look_at_bounds(stretch, link, &swept)
             } else {
-                self.look(stretch, link, obstacle as usize, hint)
+                self.setting.obstacles.aabb(obstacle as usize).intersects(&swept)
+                    && self.look(stretch, link, obstacle as usize, hint)
             }
         })
     }

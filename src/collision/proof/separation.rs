@@ -16,7 +16,7 @@
 
 use super::joint::MovingJoint;
 use super::pair::{Answer, Link, NO_HINT};
-use super::rotation::{doubled, turned_both_ways, unit};
+use super::rotation::{Units, unit};
 use super::{Motion, Setting};
 use crate::collision::Tolerance;
 use crate::collision::obstacles::Face;
@@ -52,7 +52,7 @@ struct Stretch<const N: usize> {
     half: f64,
     level: usize,
     pairs: (usize, usize),
-    along: [Vector; N],
+    along: Units<N>,
 }
 
 /// In which order stretches are looked at.
@@ -69,7 +69,7 @@ enum Order {
 pub(in crate::collision) struct Work<const N: usize> {
     /// The configuration last begun from, and its unit vectors: roadmaps try many motions from one.
     from: [f64; N],
-    from_along: [Vector; N],
+    from_along: Units<N>,
     /// Of every link: its absolute rate, in radians over the whole motion, the bound on its travel, of first order, and the
     /// bound W on its outer end.
     rates: [f64; N],
@@ -78,7 +78,8 @@ pub(in crate::collision) struct Work<const N: usize> {
     /// The largest absolute rate of all links.
     fastest: f64,
     /// The turn of every link over a quarter of the motion, an eighth, and so on.
-    turns: Vec<[Vector; N]>,
+    turns: [Units<N>; SQUARED],
+    finer_turns: Vec<Units<N>>,
     /// The joints in the middle of the stretch that is looked at.
     joints: [MovingJoint; MAX_LINKS + 1],
     pairs: Vec<Pair>,
@@ -88,15 +89,15 @@ pub(in crate::collision) struct Work<const N: usize> {
 
 impl<const N: usize> Default for Work<N> {
     fn default() -> Self {
-        let zero = [Vector::zeros(); N];
         Self {
             from: [f64::NAN; N],
-            from_along: zero,
+            from_along: Units::ZERO,
             rates: [0.0; N],
             travel: [0.0; N],
             third: [0.0; N],
             fastest: 0.0,
-            turns: vec![zero; SQUARED],
+            turns: [Units::ZERO; SQUARED],
+            finer_turns: Vec::new(),
             joints: [MovingJoint::default(); MAX_LINKS + 1],
             pairs: Vec::new(),
             stretches: Vec::new(),
@@ -192,35 +193,36 @@ impl<'a, const N: usize> Proof<'a, N> {
         let work = &mut *self.work;
         work.pairs.clear();
         work.stretches.clear();
-        work.turns.truncate(SQUARED);
+        work.finer_turns.clear();
         if work.from != *motion.from {
             work.from = *motion.from;
             let mut angle = 0.0;
-            for i in 0..self.links {
+            for i in 0..N {
                 angle += work.from[i];
-                work.from_along[i] = unit(angle);
+                let e = unit(angle);
+                (work.from_along.x[i], work.from_along.y[i]) = (e.x, e.y);
             }
         }
-        let mut along = [Vector::zeros(); N];
         let (mut rate, mut travel, mut third, mut fastest) = (0.0, 0.0, 0.0, 0.0);
         let lengths = self.setting.arm.links();
         for i in 0..self.links {
             rate += motion.delta[i];
-            let speed = lengths[i] * f64::abs(rate);
+            let spin = f64::abs(rate);
+            let speed = lengths[i] * spin;
             travel += speed;
             third += speed * rate * rate;
-            if rate.abs() > fastest {
-                fastest = rate.abs();
+            if spin > fastest {
+                fastest = spin;
             }
             (work.rates[i], work.travel[i], work.third[i]) = (rate, travel, third);
-            let mut turn = unit(rate / 32.0);
-            for level in (0..SQUARED).rev() {
-                work.turns[level][i] = turn;
-                turn = doubled(turn);
-            }
-            along[i] = turned_both_ways(work.from_along[i], turn)[1];
         }
         work.fastest = fastest;
+        let mut turns = Units::new(&work.rates, 1.0 / 32.0, fastest);
+        for level in (0..SQUARED).rev() {
+            work.turns[level] = turns;
+            turns = turns.doubled();
+        }
+        let [_, along] = work.from_along.turned_both_ways(&turns);
         let stretch = Stretch { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), along };
         self.place_joints(&stretch, self.links);
         stretch
@@ -235,7 +237,7 @@ impl<'a, const N: usize> Proof<'a, N> {
         let mut joint = MovingJoint::base(self.setting.arm.base());
         self.work.joints[0] = joint;
         for (i, &length) in lengths.iter().enumerate() {
-            joint = joint.next(stretch.along[i], length, h * self.work.rates[i], sixth * self.work.third[i]);
+            joint = joint.next(stretch.along.at(i), length, h * self.work.rates[i], sixth * self.work.third[i]);
             self.work.joints[i + 1] = joint;
         }
     }
@@ -244,22 +246,21 @@ impl<'a, const N: usize> Proof<'a, N> {
     #[inline(always)]
     fn halve(&mut self, stretch: &Stretch<N>, first: usize) {
         let half = stretch.half / 2.0;
-        if self.work.turns.len() == stretch.level {
-            let mut turns = [Vector::zeros(); N];
-            for (turn, rate) in turns.iter_mut().zip(self.work.rates).take(self.links) {
-                *turn = unit(rate * half);
+        let turns = match stretch.level.checked_sub(SQUARED) {
+            None => &self.work.turns[stretch.level],
+            Some(finer) => {
+                if finer == self.work.finer_turns.len() {
+                    self.work.finer_turns.push(Units::new(&self.work.rates, half, self.work.fastest));
+                }
+                &self.work.finer_turns[finer]
             }
-            self.work.turns.push(turns);
-        }
-        let turns = &self.work.turns[stretch.level];
+        };
         let pairs = (first, self.work.pairs.len());
         let child = Stretch { half, level: stretch.level + 1, pairs, ..*stretch };
         let (mut front, mut back) = (child, child);
         front.middle -= half;
         back.middle += half;
-        for i in 0..self.links {
-            [front.along[i], back.along[i]] = turned_both_ways(stretch.along[i], turns[i]);
-        }
+        [front.along, back.along] = stretch.along.turned_both_ways(turns);
         let halves = if self.order == Order::MiddleFirst { [front, back] } else { [back, front] };
         self.work.stretches.extend_from_slice(&halves);
     }
@@ -267,10 +268,19 @@ impl<'a, const N: usize> Proof<'a, N> {
     /// A box that holds link `i` with its radius on the whole stretch.
     #[inline(always)]
     fn swept_box(&self, i: usize, half: f64) -> Aabb {
-        let [a, b] = [i, i + 1].map(|k| {
-            let swept = self.work.joints[k].swept_box();
-            if k > 0 && self.work.fastest * half > FAST { self.held(swept, k, half) } else { swept }
-        });
+        self.around(&self.joint_box(i, half), &self.joint_box(i + 1, half))
+    }
+
+    /// A box that holds joint `k` on the whole stretch.
+    #[inline(always)]
+    fn joint_box(&self, k: usize, half: f64) -> Aabb {
+        let swept = self.work.joints[k].swept_box();
+        if k > 0 && self.work.fastest * half > FAST { self.held(swept, k, half) } else { swept }
+    }
+
+    /// The box around a link between two joints in these boxes.
+    #[inline(always)]
+    fn around(&self, a: &Aabb, b: &Aabb) -> Aabb {
         let min = [0, 1].map(|axis| if a.min[axis] < b.min[axis] { a.min[axis] } else { b.min[axis] });
         let max = [0, 1].map(|axis| if a.max[axis] > b.max[axis] { a.max[axis] } else { b.max[axis] });
         Aabb { min: min.into(), max: max.into() }.grown(self.margin)
@@ -293,8 +303,11 @@ impl<'a, const N: usize> Proof<'a, N> {
     #[inline(always)]
     fn look_at_all(&mut self, root: &Stretch<N>) -> bool {
         let obstacles = self.setting.obstacles;
+        let mut inner = self.joint_box(0, root.half);
         for link in 0..self.links {
-            let swept = self.swept_box(link, root.half);
+            let outer = self.joint_box(link + 1, root.half);
+            let swept = self.around(&inner, &outer);
+            inner = outer;
             if obstacles.any_near(&swept, |obstacle| self.look(root, link, obstacle, NO_HINT)) {
                 return true;
             }
@@ -332,7 +345,7 @@ impl<'a, const N: usize> Proof<'a, N> {
     fn look(&mut self, stretch: &Stretch<N>, link: usize, obstacle: usize, hint: u32) -> bool {
         self.work.evaluations += 1;
         let ends = [&self.work.joints[link], &self.work.joints[link + 1]];
-        let (answer, hint) = self.separate(stretch, Link { ends, along: stretch.along[link] }, link, obstacle, hint);
+        let (answer, hint) = self.separate(stretch, Link { ends, along: stretch.along.at(link) }, link, obstacle, hint);
         let pair = Pair { link: link as u32, obstacle: obstacle as u32, hint };
         answer != Answer::Apart && self.keep(stretch, pair, answer, self.setting.tolerance.tau)
     }

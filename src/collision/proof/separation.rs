@@ -11,8 +11,10 @@
 //! the roughly 30 roundings costs less than 8 S times 2^-53: below 3e-14 S in all. Unit vectors are products of those of
 //! `rotation.rs`: the absolute angle at the start, off by 1.4e-14 at most; half the turn by 2.8e-14; a quarter, an eighth and
 //! so on by half as much each, 2.8e-14 together; and a product a level, at most 50, by 3 times 2^-53 each: 9e-14 in all, and
-//! so much times S. Absolute angles are sums of up to eight joints: of circles up to 26 radians, with limits up to 800,
-//! rounded to 4e-13 at worst. The slack is 1e-12 S.
+//! so much times S. Links that turn by more than 12.8 radians are not squared up but reduced level by level, each off by
+//! 1.4e-14, until they are small: of eight circles one level, with the widest limits nine, 1.3e-13 more. Absolute angles are
+//! sums of up to eight joints: of circles up to 26 radians, with limits up to 800, rounded to 4e-13 at worst. The slack is
+//! 1e-12 S.
 
 use super::joint::MovingJoint;
 use super::pair::{Answer, Link, NO_HINT};
@@ -25,6 +27,9 @@ use crate::robot::MAX_LINKS;
 
 /// Turns over this many halvings are found together, by squaring the smallest.
 const SQUARED: usize = 4;
+
+/// The fastest rate, in radians over the motion, whose thirty-second is small enough to be squared up.
+const FASTEST_SQUARED: f64 = 12.8;
 
 /// A link that turns by more radians than this over half a stretch may be held better by its travel and reach.
 const FAST: f64 = 1.5;
@@ -204,11 +209,10 @@ impl<'a, const N: usize> Proof<'a, N> {
             }
         }
         let (mut rate, mut travel, mut third, mut fastest) = (0.0, 0.0, 0.0, 0.0);
-        let lengths = self.setting.arm.links();
-        for i in 0..self.links {
+        for (i, &length) in self.setting.arm.links().iter().enumerate().take(N) {
             rate += motion.delta[i];
             let spin = f64::abs(rate);
-            let speed = lengths[i] * spin;
+            let speed = length * spin;
             travel += speed;
             third += speed * rate * rate;
             if spin > fastest {
@@ -221,6 +225,14 @@ impl<'a, const N: usize> Proof<'a, N> {
         for level in (0..SQUARED).rev() {
             work.turns[level] = turns;
             turns = turns.doubled();
+        }
+        if fastest > FASTEST_SQUARED {
+            turns = Units::new(&work.rates, 0.5, fastest);
+            let mut part = 0.25;
+            for level in &mut work.turns {
+                *level = Units::new(&work.rates, part, fastest);
+                part *= 0.5;
+            }
         }
         let [_, along] = work.from_along.turned_both_ways(&turns);
         let stretch = Stretch { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), along };

@@ -4,11 +4,11 @@
 mod common;
 
 use common::{arm_and_wall, arm_of, begin, disc_and_wall, finish, parse, seeds, thick_arm_and_wall};
-use planarium::collision::{ArmValidity, DiscValidity, joint_space};
-use planarium::geometry::{Segment, intersects_segment_polygon};
+use planarium::collision::{ArmValidity, DiscValidity, Obstacles, joint_space};
+use planarium::geometry::{Aabb, Disc, Point, Polygon, Segment, intersects_segment_polygon};
 use planarium::path::{Verdict, verify};
 use planarium::random::{Random, Stream};
-use planarium::robot::MAX_LINKS;
+use planarium::robot::{Arm, MAX_LINKS};
 use planarium::run::Status;
 use planarium::scenario::{Obstacle, Robot, Scenario, World};
 use planarium::space::{Metric, Space, Torus};
@@ -181,6 +181,195 @@ fn all_before_the_first_hit_is_free_and_none_is_told_for_a_free_motion() {
         }
         assert!(hits > 0, "{}: nothing was hit", world.name());
     }
+}
+
+/// A convex polygon: corners on a circle.
+fn round(center: Point, radius: f64, corners: usize, turn: f64) -> Vec<Point> {
+    (0..corners)
+        .map(|i| {
+            let (sin, cos) = libm::sincos(turn + std::f64::consts::TAU * i as f64 / corners as f64);
+            Point::new(center.x + radius * cos, center.y + radius * sin)
+        })
+        .collect()
+}
+
+/// An obstacle of a random kind and size: convex, a wall down to a millionth thick, a disc, a concave star.
+fn random_obstacle(random: &mut Random, center: Point) -> Obstacle {
+    let (size, turn) = (0.05 + 0.4 * random.uniform(), 6.0 * random.uniform());
+    let corners = match random.below(5) {
+        0 => round(center, size, 3, turn),
+        1 => round(center, size, 4 + random.below(6) as usize, turn),
+        2 => {
+            let thickness = libm::pow(10.0, -1.0 - 5.0 * random.uniform());
+            let (sin, cos) = libm::sincos(turn);
+            let corner = |u: f64, v: f64| Point::new(center.x + u * cos - v * sin, center.y + u * sin + v * cos);
+            let (u, v) = (2.0 * size, thickness / 2.0);
+            vec![corner(-u, -v), corner(u, -v), corner(u, v), corner(-u, v)]
+        }
+        3 => return Obstacle::Disc(Disc { center, radius: size }),
+        _ => {
+            let (points, dents) = (round(center, size, 4, turn), round(center, 0.3 * size, 4, turn + 0.785));
+            points.into_iter().zip(dents).flat_map(|(point, dent)| [point, dent]).collect()
+        }
+    };
+    Obstacle::Polygon(Polygon::new(&corners).expect("a simple polygon"))
+}
+
+fn scaled(obstacle: &Obstacle, scale: f64) -> Obstacle {
+    let at = |p: Point| Point::new(p.x * scale, p.y * scale);
+    match obstacle {
+        Obstacle::Disc(disc) => Obstacle::Disc(Disc { center: at(disc.center), radius: disc.radius * scale }),
+        Obstacle::Polygon(polygon) => {
+            let corners: Vec<Point> = polygon.vertices().iter().copied().map(at).collect();
+            Obstacle::Polygon(Polygon::new(&corners).expect("still simple"))
+        }
+    }
+}
+
+/// An arm of any size, thin or thick, with limits or without, in any unit of length, among up to a hundred obstacles, in
+/// bounds or not.
+fn random_world(random: &mut Random) -> (Arm, World) {
+    let scale = [1.0, 1.0, 1e-3, 1e3, 1e5][random.below(5) as usize];
+    let links: Vec<f64> = (0..1 + random.below(8)).map(|_| scale * (0.2 + 0.6 * random.uniform())).collect();
+    let radius = if random.below(2) == 0 { 0.0 } else { scale * 0.06 * random.uniform() };
+    let limits = [None, None, Some([-3.5, 3.0]), Some([-100.0, 100.0])][random.below(4) as usize];
+    let limits = limits.map(|limits| vec![limits; links.len()]);
+    let base = Point::new(random.uniform() - 0.5, random.uniform() - 0.5);
+    let count = [3, 10, 30, 100][random.below(4) as usize];
+    let centers = (0..count).map(|_| Point::new(8.0 * random.uniform() - 4.0, 8.0 * random.uniform() - 4.0));
+    let centers: Vec<Point> = centers.filter(|center| (center - base).norm() > 1.2).collect();
+    let obstacles = centers.into_iter().map(|center| scaled(&random_obstacle(random, center), scale)).collect();
+    let bounds = (random.below(3) == 0).then(|| {
+        let [x, y] = [(); 2].map(|()| scale * (0.6 + 2.0 * random.uniform()));
+        Aabb { min: Point::new(-x, -y), max: Point::new(y, x) }
+    });
+    let base = Point::new(base.x * scale, base.y * scale);
+    (Arm::new(base, links, radius, limits).expect("an arm"), World { bounds, obstacles })
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_touches() {
+    let mut random = Random::new(4, Stream::Samples);
+    let (mut accepted, mut refused, mut beyond) = (0, 0, 0);
+    for world_number in 0..seeds(400) {
+        let (arm, world) = random_world(&mut random);
+        let space: Torus<MAX_LINKS> = joint_space(&arm, Metric::Sum);
+        let validity = ArmValidity::new(&arm, space.clone(), &world, 1e-4);
+        let mut tried = 0;
+        for _ in 0..3000 {
+            let (a, far) = (space.sample(&mut random), space.sample(&mut random));
+            assert_eq!(validity.is_free(&a), validity.contacts(&a).is_empty(), "world {world_number}: {a:?}");
+            if !validity.is_free(&a) {
+                continue;
+            }
+            // Far ends are many turns away where limits are wide.
+            let most = if space.range(0)[1] > 10.0 { 0.03 } else { 1.0 };
+            let b = space.interpolate(&a, &far, most * random.uniform() * random.uniform());
+            let (fast, slow) = (validity.is_motion_free(&a, &b), validity.first_hit_by_distances(&a, &b).is_none());
+            assert!(fast || !slow, "world {world_number}: refused, though distances prove it free: {a:?} {b:?}");
+            let hit = validity.first_hit(&a, &b);
+            assert_eq!(fast, hit.is_none(), "world {world_number}: {a:?} {b:?}");
+            let looks = if fast && !slow { 1000 } else { 30 };
+            for i in 0..=looks {
+                // All of an accepted motion, and of others what lies before the hit: up to contact.
+                let q = space.interpolate(&a, &b, hit.unwrap_or(1.0) * f64::from(i) / f64::from(looks));
+                let is_touching = !validity.contacts(&q).is_empty();
+                assert_eq!(validity.is_free(&q), !is_touching, "world {world_number}: {q:?}");
+                assert!(!is_touching || (!fast && i == looks), "world {world_number}: {a:?} {b:?} touches at {q:?}");
+            }
+            accepted += u32::from(fast);
+            refused += u32::from(!fast);
+            beyond += u32::from(fast && !slow);
+            tried += 1;
+            if tried == 100 {
+                break;
+            }
+        }
+    }
+    assert!(u64::from(accepted) > 10 * seeds(400) && u64::from(refused) > seeds(400), "{accepted} and {refused}");
+    assert!(beyond * 200 <= accepted, "{beyond} of {accepted} only by separating lines");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_check_by_samples_looks_at_each_of_them_and_at_no_other() {
+    let world = &arm_worlds()[1];
+    let (space, validity, _) = arm_in(world);
+    let mut random = Random::new(5, Stream::Samples);
+    let (mut free, mut unproven) = (0, 0);
+    for _ in 0..seeds(2000) {
+        let (a, b) = (space.sample(&mut random), space.sample(&mut random));
+        for samples in [0, 1, 2, 3, 7, 20, 64] {
+            let mut looks = (1..=samples).map(|i| space.interpolate(&a, &b, f64::from(i) / f64::from(samples)));
+            let expected = looks.all(|q| validity.is_free(&q));
+            assert_eq!(validity.is_motion_sampled_free(&a, &b, samples), expected, "{samples} of {a:?} to {b:?}");
+            assert!(expected || !validity.is_motion_free(&a, &b), "proven, yet {a:?} to {b:?} hits");
+            free += u32::from(expected && samples == 20);
+            unproven += u32::from(expected && samples == 20 && !validity.is_motion_free(&a, &b));
+        }
+    }
+    assert!(free > 0 && (unproven > 0 || seeds(2000) < 2000), "{unproven} of {free}");
+
+    let world = disc_and_wall(0.1, 0.5);
+    let Robot::Disc(disc) = world.robot() else { panic!("a disc") };
+    let validity = DiscValidity::new(disc, world.world());
+    assert!(validity.is_motion_sampled_free(&[1.0, 1.0], &[9.0, 1.0], 1), "the far end alone is free");
+    assert!(!validity.is_motion_sampled_free(&[1.0, 1.0], &[9.0, 1.0], 2), "the middle is in the wall");
+    assert!(
+        validity.is_motion_sampled_free(&[1.0, 1.0], &[9.0, 1.0], 3),
+        "a third is before the wall, two thirds behind"
+    );
+    assert!(!validity.is_motion_sampled_free(&[1.0, 1.0], &[5.0, 1.0], 3), "the far end is in the wall");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn culling_by_boxes_lists_all_that_meet_once_and_little_else() {
+    let mut random = Random::new(6, Stream::Samples);
+    for count in [0, 1, 4, 5, 63, 64, 65, 257, 1025, 5000] {
+        for scale in [1e-160, 1e-3, 1.0, 1e5] {
+            let shapes: Vec<Obstacle> = (0..count)
+                .map(|_| {
+                    let center = Point::new(scale * random.uniform(), -scale * random.uniform());
+                    Obstacle::Disc(Disc { center, radius: scale * 0.02 * random.uniform() })
+                })
+                .collect();
+            let obstacles = Obstacles::new(&shapes);
+            let (mut listed, mut meeting) = (0, 0);
+            for _ in 0..seeds(200) {
+                let corner = |random: &mut Random| {
+                    Point::new(scale * (3.0 * random.uniform() - 1.0), scale * (3.0 * random.uniform() - 2.0))
+                };
+                let near = Aabb::of(corner(&mut random), corner(&mut random));
+                let mut found = Vec::new();
+                assert!(!obstacles.any_near(&near, |i| {
+                    found.push(i);
+                    false
+                }));
+                listed += found.len();
+                found.sort_unstable();
+                assert!(found.windows(2).all(|pair| pair[0] < pair[1]), "each once");
+                for i in (0..count).filter(|&i| obstacles.aabb(i).intersects(&near)) {
+                    assert!(found.binary_search(&i).is_ok(), "{i} of {count} meets {near:?}");
+                    meeting += 1;
+                }
+                assert_eq!(obstacles.any_near(&near, |_| true), !found.is_empty(), "told to stop");
+            }
+            assert!(listed as f64 <= 1.001 * f64::from(meeting) + 10.0, "{listed} for {meeting} of {count} at {scale}");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn motions_of_many_turns_look_at_nothing_beyond_the_arm_s_reach() {
+    let obstacle = |i: u32| {
+        let center = Point::new(3.0 + f64::from(i % 50), f64::from(i / 50) - 25.0);
+        Obstacle::Disc(Disc { center, radius: 0.4 })
+    };
+    let world = World { bounds: None, obstacles: (0..2500).map(obstacle).collect() };
+    let arm = Arm::new(Point::origin(), vec![1.0, 1.0], 0.1, Some(vec![[-100.0, 100.0]; 2])).expect("an arm");
+    let space: Torus<2> = joint_space(&arm, Metric::Sum);
+    let validity = ArmValidity::new(&arm, space, &world, 1e-4);
+    assert!(validity.is_motion_free(&[-100.0, 90.0], &[100.0, -100.0]));
+    assert_eq!(validity.clearance_evaluations(), 0);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -2,7 +2,7 @@
 
 use super::obstacles::largest_coordinate;
 use super::proof::separation::Work;
-use super::proof::{Motion, Setting, distance, separation};
+use super::proof::{Answer, Link, Motion, MovingJoint, Setting, distance, separation, unit};
 use super::{Obstacles, Tolerance, sampled};
 use crate::geometry::{Aabb, Segment};
 use crate::robot::Arm;
@@ -163,21 +163,62 @@ impl ArmCollision {
         self.links(q).map(|axis| bounds.depth(axis.b) - self.arm.radius()).fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether a part of the link is outside the bounds.
-    fn is_outside(&self, axis: &Segment) -> bool {
+    /// How deep the link lies within the bounds, in metres; infinite without bounds.
+    fn depth_of(&self, axis: &Segment) -> f64 {
         let depth = |bounds: &Aabb| bounds.depth(axis.a).min(bounds.depth(axis.b)) - self.arm.radius();
-        self.bounds.as_ref().is_some_and(|bounds| depth(bounds) < -self.tolerance.eta)
+        self.bounds.as_ref().map_or(f64::INFINITY, depth)
     }
 
+    /// Whether a part of the link is outside the bounds.
+    fn is_outside(&self, axis: &Segment) -> bool {
+        self.depth_of(axis) < -self.tolerance.eta
+    }
+
+    /// Whether nothing is touched: told by quick kinematics and separating lines where these leave half the slack to spare,
+    /// else by the distances of [`ArmCollision::contacts`]. Both give the same answer.
     fn is_free(&self, q: &[f64], evaluations: &mut u64) -> bool {
-        self.links(q).all(|axis| {
-            let near = self.near(&axis);
-            let touches = |i: usize| {
-                *evaluations += 1;
-                self.obstacles.aabb(i).intersects(&near) && self.touches(i, &axis)
+        let Tolerance { eta, .. } = self.tolerance;
+        let margin = self.arm.radius() + 1.5 * eta;
+        let mut inner = MovingJoint::base(self.arm.base());
+        let mut angle = 0.0;
+        for (i, &length) in self.arm.links().iter().enumerate() {
+            angle += q[i];
+            let along = unit(angle);
+            let outer = inner.next(along, length, 0.0, 0.0);
+            let link = Link { ends: [&inner, &outer], along };
+            let axis = Segment::new(inner.place(), outer.place());
+            let is_outside = match self.depth_of(&axis) {
+                depth if depth >= -0.5 * eta => false,
+                depth if depth < -1.5 * eta => true,
+                _ => self.is_outside(&self.link(q, i)),
             };
-            !self.is_outside(&axis) && !self.obstacles.any_near(&near, touches)
-        })
+            let touches = |k: usize| {
+                *evaluations += 1;
+                match link.separate_at_rest(&self.obstacles, k, margin, eta) {
+                    Answer::Apart => false,
+                    Answer::Touching => true,
+                    _ => self.touches_at(q, i, k),
+                }
+            };
+            if is_outside || self.obstacles.any_near(&axis.aabb().grown(margin), touches) {
+                return false;
+            }
+            inner = outer;
+        }
+        true
+    }
+
+    /// The axis of link `i` at `q`.
+    fn link(&self, q: &[f64], i: usize) -> Segment {
+        let places = self.arm.joints(q);
+        Segment::new(places[i], places[i + 1])
+    }
+
+    /// Whether link `i` touches obstacle `k` at `q`, by their distance.
+    #[cold]
+    fn touches_at(&self, q: &[f64], i: usize, k: usize) -> bool {
+        let axis = self.link(q, i);
+        self.obstacles.aabb(k).intersects(&self.near(&axis)) && self.touches(k, &axis)
     }
 
     /// Every contact at `q`, by link, then by obstacle, the bounds last.

@@ -60,13 +60,14 @@ impl Grid {
             return Self { origin: [0.0; 2], scale: 1.0 };
         };
         // Whatever the scale, coordinates stay in order: a bad one only lists more boxes.
-        let scale = f64::from(END - 3) / all.longer_side();
+        // Cells next to the ends are left to what lies outside.
+        let scale = f64::from(END - 5) / all.longer_side();
         Self { origin: [all.min.x, all.min.y], scale: if scale.is_finite() { scale } else { 1.0 } }
     }
 
     #[inline(always)]
     fn cell(&self, x: f64, axis: usize) -> u16 {
-        let cell = (x - self.origin[axis]) * self.scale + 1.0;
+        let cell = (x - self.origin[axis]) * self.scale + 2.0;
         let cell = if cell > 1.0 { cell } else { 1.0 };
         let cell = if cell < LAST { cell } else { LAST };
         // The lowest bits of the sum are the number rounded to a whole one: no conversion is as cheap.
@@ -147,14 +148,17 @@ impl Boxes {
         if self.levels.len() > 1 {
             return self.any_below(&near, &mut visit);
         }
+        // At most 16 groups: their bits fit side by side, and only one loop has an end that is hard to foretell.
+        let mut bits = 0;
         for (i, group) in self.groups.iter().enumerate() {
-            let mut bits = group.meeting(&near);
-            while bits != 0 {
-                if visit(4 * i + (bits.trailing_zeros() / 16) as usize) {
-                    return true;
-                }
-                bits &= bits - 1;
+            bits |= group.meeting(&near) >> (15 - i);
+        }
+        while bits != 0 {
+            let at = bits.trailing_zeros() as usize;
+            if visit(4 * (at % 16) + at / 16) {
+                return true;
             }
+            bits &= bits - 1;
         }
         false
     }

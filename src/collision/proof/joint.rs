@@ -10,7 +10,7 @@ use crate::geometry::{Aabb, Point, Vector};
 
 /// A joint in the middle of a stretch of half-length h.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Joint {
+pub(in crate::collision) struct MovingJoint {
     /// p.
     pub x: f64,
     pub y: f64,
@@ -24,7 +24,7 @@ pub(super) struct Joint {
     pub rest: f64,
 }
 
-impl Joint {
+impl MovingJoint {
     /// The joint that does not move.
     pub fn base(at: Point) -> Self {
         Self { x: at.x, y: at.y, ..Self::default() }

@@ -13,6 +13,10 @@ mod pair;
 mod rotation;
 pub(super) mod separation;
 
+pub(super) use joint::MovingJoint;
+pub(super) use pair::{Answer, Link};
+pub(super) use rotation::unit;
+
 use super::{Obstacles, Tolerance};
 use crate::geometry::Aabb;
 use crate::robot::Arm;

@@ -1,12 +1,16 @@
 //! A link and an obstacle: are they apart on a whole stretch, do they touch in its middle?
 
-use super::joint::Joint;
+use super::joint::MovingJoint;
+use crate::collision::Obstacles;
 use crate::collision::obstacles::Face;
 use crate::geometry::{Disc, Point, Vector};
 
+/// In place of a face: none in particular.
+pub(super) const NO_HINT: u32 = u32::MAX;
+
 /// What is known about a pair on a stretch.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Answer {
+pub(in crate::collision) enum Answer {
     /// Apart on the whole stretch.
     Apart,
     /// Not touching in the middle.
@@ -19,8 +23,8 @@ pub(super) enum Answer {
 
 /// A link in the middle of a stretch: both ends and the unit vector along it.
 #[derive(Clone, Copy)]
-pub(super) struct Link<'a> {
-    pub ends: [&'a Joint; 2],
+pub(in crate::collision) struct Link<'a> {
+    pub ends: [&'a MovingJoint; 2],
     pub along: Vector,
 }
 
@@ -101,11 +105,22 @@ impl Link<'_> {
         (answer, best.1)
     }
 
+    /// For a link at rest: whether it is apart from the obstacle by more than `margin`, or nearer than that by more than
+    /// `slack`; `Open` and `Unknown` where the directions at hand do not tell.
+    #[inline]
+    pub fn separate_at_rest(&self, obstacles: &Obstacles, obstacle: usize, margin: f64, slack: f64) -> Answer {
+        let faces = obstacles.faces(obstacle);
+        if !faces.is_empty() {
+            return self.separate_from_polygon(faces, NO_HINT, margin, slack).0;
+        }
+        obstacles.disc(obstacle).map_or(Answer::Unknown, |disc| self.separate_from_disc(disc, margin, 2.0 * slack))
+    }
+
     /// Tries the direction between the nearest points of link and polygon, which have a separating line. `margin` holds the
     /// slack; what is nearer to it than half the slack is `Unknown`.
     #[inline]
     pub fn separate_corners(&self, faces: &[Face], margin: f64, slack: f64) -> Answer {
-        let [a, b] = self.ends.map(Joint::place);
+        let [a, b] = self.ends.map(MovingJoint::place);
         let mut nearest = (f64::INFINITY, Vector::zeros());
         let mut offer = |to: Vector| {
             let squared = to.norm_squared();
@@ -140,7 +155,7 @@ impl Link<'_> {
     /// Tries the direction from the disc's centre to the nearest point of the link.
     #[inline]
     pub fn separate_from_disc(&self, disc: &Disc, margin: f64, slack: f64) -> Answer {
-        let [a, b] = self.ends.map(Joint::place);
+        let [a, b] = self.ends.map(MovingJoint::place);
         let to = nearest_point(disc.center, a, b) - disc.center;
         let distance = to.norm();
         if distance - disc.radius <= margin - 0.5 * slack {

@@ -20,7 +20,7 @@ const TO_WHOLE: f64 = 6_755_399_441_055_744.0;
 
 /// Cosine and sine of an angle of up to 1e4 radians.
 #[inline]
-pub(super) fn unit(angle: f64) -> Vector {
+pub(in crate::collision) fn unit(angle: f64) -> Vector {
     if angle.abs() <= SMALL {
         return series(angle);
     }
@@ -49,28 +49,59 @@ fn series(x: f64) -> Vector {
 
 /// The unit vector of twice the angle.
 #[inline(always)]
-pub(super) fn doubled(e: Vector) -> Vector {
+fn doubled(e: Vector) -> Vector {
     Vector::new((e.x - e.y) * (e.x + e.y), 2.0 * e.x * e.y)
 }
 
-/// The unit vectors of the difference and of the sum of two angles.
-#[inline(always)]
-pub(super) fn turned_both_ways(e: Vector, by: Vector) -> [Vector; 2] {
-    let (xx, yy, xy, yx) = (e.x * by.x, e.y * by.y, e.x * by.y, e.y * by.x);
-    [Vector::new(xx + yy, yx - xy), Vector::new(xx - yy, yx + xy)]
+/// Unit vectors of `N` angles, side by side for a compiler that can treat two at a time.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::collision) struct Units<const N: usize> {
+    pub x: [f64; N],
+    pub y: [f64; N],
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+impl<const N: usize> Units<N> {
+    /// Of no angle: all point along x.
+    pub const ZERO: Self = Self { x: [1.0; N], y: [0.0; N] };
 
-    #[test]
-    fn units_are_within_the_stated_error_of_sine_and_cosine() {
-        for i in -400_000..=400_000 {
-            let angle = f64::from(i) * 0.0025;
-            let (sin, cos) = libm::sincos(angle);
-            let e = unit(angle);
-            assert!((e.x - cos).abs() < 1.4e-14 && (e.y - sin).abs() < 1.4e-14, "{angle}");
+    /// Of the angles times `factor`; `fastest` is the largest angle.
+    #[inline(always)]
+    pub fn new(angles: &[f64; N], factor: f64, fastest: f64) -> Self {
+        let mut units = Self::ZERO;
+        let is_small = fastest * factor <= SMALL;
+        for (i, &angle) in angles.iter().enumerate() {
+            let e = if is_small { series(angle * factor) } else { unit(angle * factor) };
+            (units.x[i], units.y[i]) = (e.x, e.y);
         }
+        units
+    }
+
+    #[inline(always)]
+    pub fn at(&self, i: usize) -> Vector {
+        Vector::new(self.x[i], self.y[i])
+    }
+
+    /// Of twice the angles.
+    #[inline(always)]
+    pub fn doubled(&self) -> Self {
+        let mut units = *self;
+        for i in 0..N {
+            let (x, y) = (self.x[i], self.y[i]);
+            (units.x[i], units.y[i]) = ((x - y) * (x + y), 2.0 * x * y);
+        }
+        units
+    }
+
+    /// Of the differences and of the sums of the angles and others.
+    #[inline(always)]
+    pub fn turned_both_ways(&self, by: &Self) -> [Self; 2] {
+        let [mut less, mut more] = [*self; 2];
+        for i in 0..N {
+            let (xx, yy) = (self.x[i] * by.x[i], self.y[i] * by.y[i]);
+            let (xy, yx) = (self.x[i] * by.y[i], self.y[i] * by.x[i]);
+            (less.x[i], less.y[i]) = (xx + yy, yx - xy);
+            (more.x[i], more.y[i]) = (xx - yy, yx + xy);
+        }
+        [less, more]
     }
 }

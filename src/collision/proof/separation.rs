@@ -11,20 +11,25 @@
 //! the roughly 30 roundings costs less than 8 S times 2^-53: below 3e-14 S in all. Unit vectors are products of those of
 //! `rotation.rs`: the absolute angle at the start, off by 1.4e-14 at most; half the turn by 2.8e-14; a quarter, an eighth and
 //! so on by half as much each, 2.8e-14 together; and a product a level, at most 50, by 3 times 2^-53 each: 9e-14 in all, and
-//! so much times S. Absolute angles are sums of up to eight joints: of circles up to 26 radians, with limits up to 800,
-//! rounded to 4e-13 at worst. The slack is 1e-12 S.
+//! so much times S. Links that turn by more than 12.8 radians are not squared up but reduced level by level, each off by
+//! 1.4e-14, until they are small: of eight circles one level, with the widest limits nine, 1.3e-13 more. Absolute angles are
+//! sums of up to eight joints: of circles up to 26 radians, with limits up to 800, rounded to 4e-13 at worst. The slack is
+//! 1e-12 S.
 
-use super::joint::Joint;
-use super::pair::{Answer, Link};
-use super::rotation::{doubled, turned_both_ways, unit};
+use super::joint::MovingJoint;
+use super::pair::{Answer, Link, NO_HINT};
+use super::rotation::{Units, unit};
 use super::{Motion, Setting};
 use crate::collision::Tolerance;
 use crate::collision::obstacles::Face;
-use crate::geometry::{Aabb, Segment, Vector};
+use crate::geometry::{Aabb, Point, Segment, Vector};
 use crate::robot::MAX_LINKS;
 
 /// Turns over this many halvings are found together, by squaring the smallest.
 const SQUARED: usize = 4;
+
+/// The fastest rate, in radians over the motion, whose thirty-second is small enough to be squared up.
+const FASTEST_SQUARED: f64 = 12.8;
 
 /// A link that turns by more radians than this over half a stretch may be held better by its travel and reach.
 const FAST: f64 = 1.5;
@@ -41,9 +46,6 @@ struct Pair {
     hint: u32,
 }
 
-/// No direction in particular.
-const NO_HINT: u32 = u32::MAX;
-
 /// In place of an obstacle's index: the bounds of the world.
 const BOUNDS: u32 = u32::MAX;
 
@@ -55,7 +57,7 @@ struct Stretch<const N: usize> {
     half: f64,
     level: usize,
     pairs: (usize, usize),
-    along: [Vector; N],
+    along: Units<N>,
 }
 
 /// In which order stretches are looked at.
@@ -72,16 +74,19 @@ enum Order {
 pub(in crate::collision) struct Work<const N: usize> {
     /// The configuration last begun from, and its unit vectors: roadmaps try many motions from one.
     from: [f64; N],
-    from_along: [Vector; N],
+    from_along: Units<N>,
     /// Of every link: its absolute rate, in radians over the whole motion, the bound on its travel, of first order, and the
     /// bound W on its outer end.
     rates: [f64; N],
     travel: [f64; N],
     third: [f64; N],
+    /// The largest absolute rate of all links.
+    fastest: f64,
     /// The turn of every link over a quarter of the motion, an eighth, and so on.
-    turns: Vec<[Vector; N]>,
+    turns: [Units<N>; SQUARED],
+    finer_turns: Vec<Units<N>>,
     /// The joints in the middle of the stretch that is looked at.
-    joints: [Joint; MAX_LINKS + 1],
+    joints: [MovingJoint; MAX_LINKS + 1],
     pairs: Vec<Pair>,
     stretches: Vec<Stretch<N>>,
     pub evaluations: u64,
@@ -89,15 +94,16 @@ pub(in crate::collision) struct Work<const N: usize> {
 
 impl<const N: usize> Default for Work<N> {
     fn default() -> Self {
-        let zero = [Vector::zeros(); N];
         Self {
             from: [f64::NAN; N],
-            from_along: zero,
+            from_along: Units::ZERO,
             rates: [0.0; N],
             travel: [0.0; N],
             third: [0.0; N],
-            turns: vec![zero; SQUARED],
-            joints: [Joint::default(); MAX_LINKS + 1],
+            fastest: 0.0,
+            turns: [Units::ZERO; SQUARED],
+            finer_turns: Vec::new(),
+            joints: [MovingJoint::default(); MAX_LINKS + 1],
             pairs: Vec::new(),
             stretches: Vec::new(),
             evaluations: 0,
@@ -192,31 +198,43 @@ impl<'a, const N: usize> Proof<'a, N> {
         let work = &mut *self.work;
         work.pairs.clear();
         work.stretches.clear();
-        work.turns.truncate(SQUARED);
+        work.finer_turns.clear();
         if work.from != *motion.from {
             work.from = *motion.from;
             let mut angle = 0.0;
-            for i in 0..self.links {
+            for i in 0..N {
                 angle += work.from[i];
-                work.from_along[i] = unit(angle);
+                let e = unit(angle);
+                (work.from_along.x[i], work.from_along.y[i]) = (e.x, e.y);
             }
         }
-        let mut along = [Vector::zeros(); N];
-        let (mut rate, mut travel, mut third) = (0.0, 0.0, 0.0);
-        let lengths = self.setting.arm.links();
-        for i in 0..self.links {
+        let (mut rate, mut travel, mut third, mut fastest) = (0.0, 0.0, 0.0, 0.0);
+        for (i, &length) in self.setting.arm.links().iter().enumerate().take(N) {
             rate += motion.delta[i];
-            let speed = lengths[i] * f64::abs(rate);
+            let spin = f64::abs(rate);
+            let speed = length * spin;
             travel += speed;
             third += speed * rate * rate;
-            (work.rates[i], work.travel[i], work.third[i]) = (rate, travel, third);
-            let mut turn = unit(rate / 32.0);
-            for level in (0..SQUARED).rev() {
-                work.turns[level][i] = turn;
-                turn = doubled(turn);
+            if spin > fastest {
+                fastest = spin;
             }
-            along[i] = turned_both_ways(work.from_along[i], turn)[1];
+            (work.rates[i], work.travel[i], work.third[i]) = (rate, travel, third);
         }
+        work.fastest = fastest;
+        let mut turns = Units::new(&work.rates, 1.0 / 32.0, fastest);
+        for level in (0..SQUARED).rev() {
+            work.turns[level] = turns;
+            turns = turns.doubled();
+        }
+        if fastest > FASTEST_SQUARED {
+            turns = Units::new(&work.rates, 0.5, fastest);
+            let mut part = 0.25;
+            for level in &mut work.turns {
+                *level = Units::new(&work.rates, part, fastest);
+                part *= 0.5;
+            }
+        }
+        let [_, along] = work.from_along.turned_both_ways(&turns);
         let stretch = Stretch { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), along };
         self.place_joints(&stretch, self.links);
         stretch
@@ -228,10 +246,10 @@ impl<'a, const N: usize> Proof<'a, N> {
         let h = stretch.half;
         let sixth = h * h * h / 6.0;
         let lengths = &self.setting.arm.links()[..links];
-        let mut joint = Joint::base(self.setting.arm.base());
+        let mut joint = MovingJoint::base(self.setting.arm.base());
         self.work.joints[0] = joint;
         for (i, &length) in lengths.iter().enumerate() {
-            joint = joint.next(stretch.along[i], length, h * self.work.rates[i], sixth * self.work.third[i]);
+            joint = joint.next(stretch.along.at(i), length, h * self.work.rates[i], sixth * self.work.third[i]);
             self.work.joints[i + 1] = joint;
         }
     }
@@ -240,22 +258,21 @@ impl<'a, const N: usize> Proof<'a, N> {
     #[inline(always)]
     fn halve(&mut self, stretch: &Stretch<N>, first: usize) {
         let half = stretch.half / 2.0;
-        if self.work.turns.len() == stretch.level {
-            let mut turns = [Vector::zeros(); N];
-            for (turn, rate) in turns.iter_mut().zip(self.work.rates).take(self.links) {
-                *turn = unit(rate * half);
+        let turns = match stretch.level.checked_sub(SQUARED) {
+            None => &self.work.turns[stretch.level],
+            Some(finer) => {
+                if finer == self.work.finer_turns.len() {
+                    self.work.finer_turns.push(Units::new(&self.work.rates, half, self.work.fastest));
+                }
+                &self.work.finer_turns[finer]
             }
-            self.work.turns.push(turns);
-        }
-        let turns = &self.work.turns[stretch.level];
+        };
         let pairs = (first, self.work.pairs.len());
         let child = Stretch { half, level: stretch.level + 1, pairs, ..*stretch };
         let (mut front, mut back) = (child, child);
         front.middle -= half;
         back.middle += half;
-        for i in 0..self.links {
-            [front.along[i], back.along[i]] = turned_both_ways(stretch.along[i], turns[i]);
-        }
+        [front.along, back.along] = stretch.along.turned_both_ways(turns);
         let halves = if self.order == Order::MiddleFirst { [front, back] } else { [back, front] };
         self.work.stretches.extend_from_slice(&halves);
     }
@@ -263,10 +280,19 @@ impl<'a, const N: usize> Proof<'a, N> {
     /// A box that holds link `i` with its radius on the whole stretch.
     #[inline(always)]
     fn swept_box(&self, i: usize, half: f64) -> Aabb {
-        let [a, b] = [i, i + 1].map(|k| {
-            let swept = self.work.joints[k].swept_box();
-            if k > 0 && self.work.rates[k - 1].abs() * half > FAST { self.held(swept, k, half) } else { swept }
-        });
+        self.around(&self.joint_box(i, half), &self.joint_box(i + 1, half))
+    }
+
+    /// A box that holds joint `k` on the whole stretch.
+    #[inline(always)]
+    fn joint_box(&self, k: usize, half: f64) -> Aabb {
+        let swept = self.work.joints[k].swept_box();
+        if k > 0 && self.work.fastest * half > FAST { self.held(swept, k, half) } else { swept }
+    }
+
+    /// The box around a link between two joints in these boxes.
+    #[inline(always)]
+    fn around(&self, a: &Aabb, b: &Aabb) -> Aabb {
         let min = [0, 1].map(|axis| if a.min[axis] < b.min[axis] { a.min[axis] } else { b.min[axis] });
         let max = [0, 1].map(|axis| if a.max[axis] > b.max[axis] { a.max[axis] } else { b.max[axis] });
         Aabb { min: min.into(), max: max.into() }.grown(self.margin)
@@ -278,7 +304,7 @@ impl<'a, const N: usize> Proof<'a, N> {
         let arm = self.setting.arm;
         let travel = self.work.travel[joint - 1] * half;
         let reach = arm.links()[..joint].iter().sum::<f64>() + self.setting.tolerance.eta;
-        let within = |swept: Aabb, place: crate::geometry::Point, by: f64| Aabb {
+        let within = |swept: Aabb, place: Point, by: f64| Aabb {
             min: swept.min.sup(&(place - Vector::new(by, by))),
             max: swept.max.inf(&(place + Vector::new(by, by))),
         };
@@ -289,8 +315,11 @@ impl<'a, const N: usize> Proof<'a, N> {
     #[inline(always)]
     fn look_at_all(&mut self, root: &Stretch<N>) -> bool {
         let obstacles = self.setting.obstacles;
+        let mut inner = self.joint_box(0, root.half);
         for link in 0..self.links {
-            let swept = self.swept_box(link, root.half);
+            let outer = self.joint_box(link + 1, root.half);
+            let swept = self.around(&inner, &outer);
+            inner = outer;
             if obstacles.any_near(&swept, |obstacle| self.look(root, link, obstacle, NO_HINT)) {
                 return true;
             }
@@ -307,13 +336,18 @@ impl<'a, const N: usize> Proof<'a, N> {
         let (first, end) = stretch.pairs;
         // Pairs are listed by link: the last has the outermost.
         self.place_joints(stretch, self.work.pairs[end - 1].link as usize + 1);
+        let (mut of, mut swept) = (usize::MAX, Aabb { min: Point::origin(), max: Point::origin() });
         (first..end).any(|at| {
             let Pair { link, obstacle, hint } = self.work.pairs[at];
             let link = link as usize;
+            if link != of {
+                (of, swept) = (link, self.swept_box(link, stretch.half));
+            }
             if obstacle == BOUNDS {
-                self.look_at_bounds(stretch, link, &self.swept_box(link, stretch.half))
+                self.look_at_bounds(stretch, link, &swept)
             } else {
-                self.look(stretch, link, obstacle as usize, hint)
+                self.setting.obstacles.aabb(obstacle as usize).intersects(&swept)
+                    && self.look(stretch, link, obstacle as usize, hint)
             }
         })
     }
@@ -323,7 +357,7 @@ impl<'a, const N: usize> Proof<'a, N> {
     fn look(&mut self, stretch: &Stretch<N>, link: usize, obstacle: usize, hint: u32) -> bool {
         self.work.evaluations += 1;
         let ends = [&self.work.joints[link], &self.work.joints[link + 1]];
-        let (answer, hint) = self.separate(stretch, Link { ends, along: stretch.along[link] }, link, obstacle, hint);
+        let (answer, hint) = self.separate(stretch, Link { ends, along: stretch.along.at(link) }, link, obstacle, hint);
         let pair = Pair { link: link as u32, obstacle: obstacle as u32, hint };
         answer != Answer::Apart && self.keep(stretch, pair, answer, self.setting.tolerance.tau)
     }

@@ -45,10 +45,11 @@ await script(async () => {
   const chosen = rows.filter(({ name }) => name.includes(options.rows));
   if (chosen.length === 0) throw new Problem(`No row contains \`${options.rows}\`; there are: ${rows.map(({ name }) => name).join("; ")}.`);
 
+  /** @type {Map<SideName, Side | undefined>} */
   const sides = new Map();
-  for (const name of names) sides.set(name, await startSide(name, !options["no-build"]));
   const folder = mkdtempSync(join(tmpdir(), "planarium-bench-"));
   try {
+    for (const name of names) sides.set(name, await startSide(name, !options["no-build"]));
     // Loaded only now: the package may just have been built.
     const { Scenario } = await import("planarium");
     const measured = [];
@@ -58,11 +59,14 @@ await script(async () => {
       const present = arms(row).filter(({ side }) => sides.get(side) !== undefined);
       measured.push(figures(row, await takeTurns(sides, present, worlds, runs[row.planner], runs.warm)));
     }
-    const cold = names.includes("node") ? coldStarts(writeWorlds(Scenario, rows[2], runs.cold, folder)) : undefined;
-    print(measured, cold, sides, count, runs);
+    const forests = writeWorlds(Scenario, rows[2], runs.cold, folder);
+    const cold = names.includes("node") ? coldStarts(forests) : undefined;
+    const memory = names.includes("node") ? inNode("memory.mjs", [forests[0].json, options.quick ? "2000" : "200000"]) : undefined;
+    print(measured, sides, count, runs);
+    if (cold !== undefined) console.log(`${coldSentence(cold)}\n\n${memorySentence(memory)}`);
     if (options.json !== undefined) {
       const titles = [...sides.values()].flatMap((side) => side?.title ?? []);
-      writeFileSync(options.json, `${JSON.stringify({ sides: titles, worlds: count, runs, rows: measured, cold }, null, 1)}\n`);
+      writeFileSync(options.json, `${JSON.stringify({ sides: titles, worlds: count, runs, rows: measured, cold, memory }, null, 1)}\n`);
     }
     if (options.readme) updateReadme(summaryTable(measured));
   } finally {
@@ -95,34 +99,49 @@ async function takeTurns(sides, present, worlds, runs, warm) {
   return results;
 }
 
+/**
+ * What a fresh Node process, on the core of all the others, prints as JSON.
+ * @param {string} script
+ * @param {string[]} args
+ */
+function inNode(script, args) {
+  const [program, ...rest] = [...pinned, process.execPath, join(root, "benches", "peers", script), ...args];
+  const answer = ask(program, rest);
+  if (answer === undefined) throw new Problem(`benches/peers/${script} failed.`);
+  return JSON.parse(answer);
+}
+
 /** Fresh processes, each with its first roadmap. @param {import("./peers/worlds.mjs").World[]} worlds */
 function coldStarts(worlds) {
-  const starts = worlds.map(({ json }) => {
-    const [program, ...args] = [...pinned, process.execPath, join(root, "benches", "peers", "cold.mjs"), json];
-    const answer = ask(program, args);
-    if (answer === undefined) throw new Problem("A fresh process could not build its roadmap.");
-    return JSON.parse(answer);
-  });
+  const starts = worlds.map(({ json }) => inNode("cold.mjs", [json]));
   return { load: spread(starts.map(({ load }) => load)), roadmap: spread(starts.map(({ roadmap }) => roadmap)) };
+}
+
+/** @param {ReturnType<typeof coldStarts>} cold */
+function coldSentence({ load, roadmap }) {
+  return `First roadmap of a cold page (4R, n = 1000), ${roadmap.count} fresh processes: ${digits(roadmap.median)} ms (${digits(roadmap.low)} to ${digits(roadmap.high)}), ` +
+    `after ${digits(load.median)} ms of loading. Aim: <= ${COLD} ms, ${roadmap.median <= COLD ? "reached" : "MISSED"}.`;
+}
+
+/** @param {{ before: number, peak: number, vertices: number, edges: number, events: number }} memory */
+function memorySentence({ before, peak, vertices, edges, events }) {
+  const megabytes = (/** @type {number} */ bytes) => digits(bytes / 1e6);
+  return `Memory of the WebAssembly instance with a 4R roadmap of ${vertices} vertices, ${edges} edges, ${events} events: ${megabytes(peak)} MB at most, ` +
+    `${megabytes(before)} MB before, ${Math.round((peak - before) / vertices)} bytes a vertex with all that hangs on it.`;
 }
 
 /**
  * @param {import("./peers/report.mjs").RowFigures[]} measured
- * @param {ReturnType<typeof coldStarts> | undefined} cold
  * @param {Map<SideName, Side | undefined>} sides
  * @param {number} count
  * @param {{ prm: number, "rrt-connect": number }} runs
  */
-function print(measured, cold, sides, count, runs) {
+function print(measured, sides, count, runs) {
   const titles = [...sides.values()].flatMap((side) => side?.title ?? []);
   const absent = [...sides].filter(([, side]) => side === undefined).map(([name]) => name);
   console.log(`${titles.join("; ")}${pinned.length > 0 ? "; on one core" : ""}. ${count} worlds a row, ${runs.prm} roadmaps or ${runs["rrt-connect"]} queries in each.`);
   if (absent.length > 0) console.log(`\nLEFT OUT, not installed: ${absent.join(", ")}.`);
   console.log(`\n${summaryTable(measured)}\n${ratioTable(measured)}\n${armTable(measured)}`);
-  if (cold === undefined) return;
-  const { load, roadmap } = cold;
-  console.log(`First roadmap of a cold page (4R, n = 1000), ${roadmap.count} fresh processes: ${digits(roadmap.median)} ms (${digits(roadmap.low)} to ${digits(roadmap.high)}), ` +
-    `after ${digits(load.median)} ms of loading. Aim: <= ${COLD} ms, ${roadmap.median <= COLD ? "reached" : "MISSED"}.`);
 }
 
 /** Puts a table between the README's two marks. @param {string} table */

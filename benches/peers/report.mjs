@@ -62,7 +62,9 @@ export function figures({ name, planner }, results) {
     if (a === undefined || b === undefined) return [];
     const ratio = spread(finite(a.map((time, world) => time / b[world])));
     const aim = least !== undefined ? `>= ${least}` : most !== undefined ? `<= ${most}` : "";
-    const reached = least !== undefined ? ratio.median >= least : most !== undefined ? ratio.median <= most : undefined;
+    // Where no world was solved by both there is nothing to judge.
+    const isJudged = ratio.count > 0 && aim !== "";
+    const reached = isJudged ? ratio.median >= (least ?? 0) && ratio.median <= (most ?? Infinity) : undefined;
     return [{ name, ratio, aim, reached }];
   });
   return { row: name, arms, ratios };

@@ -48,9 +48,13 @@ export async function startSide(name, build) {
   }
 }
 
+/** The answer of a process that is no more. */
+const stopped = JSON.stringify({ error: "its process has stopped" });
+
 export class Side {
   /** @type {((line: string) => void)[]} */
   #waiting = [];
+  #hasEnded = false;
   #process;
 
   /**
@@ -65,8 +69,12 @@ export class Side {
     this.greeted = this.#reply().then((reply) => { this.title = reply.name; });
     createInterface({ input: this.#process.stdout }).on("line", (line) => this.#waiting.shift()?.(line));
     // Whoever still waits when the process ends would wait for ever.
-    const end = () => { for (const answer of this.#waiting.splice(0)) answer(JSON.stringify({ error: `${name} has stopped` })); };
+    const end = () => {
+      this.#hasEnded = true;
+      for (const answer of this.#waiting.splice(0)) answer(stopped);
+    };
     this.#process.on("error", end).on("close", end);
+    this.#process.stdin.on("error", end);
   }
 
   /**
@@ -85,7 +93,7 @@ export class Side {
 
   /** @returns {Promise<any>} */
   async #reply() {
-    const line = await new Promise((resolve) => { this.#waiting.push(resolve); });
+    const line = this.#hasEnded ? stopped : await new Promise((resolve) => { this.#waiting.push(resolve); });
     const reply = JSON.parse(line);
     if (reply.error !== undefined) throw new Problem(`${this.name}: ${reply.error}`);
     return reply;

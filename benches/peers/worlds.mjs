@@ -21,7 +21,7 @@ import { join } from "node:path";
 export const rows = [
   ...[2, 3, 4].map((links) => row("prm", "forest", { links }, `forest ${links}R`, links)),
   ...[2, 3, 4].map((links) => row("rrt-connect", "forest", { links }, `forest ${links}R`, links)),
-  row("rrt-connect", "discs", { robot: "arm", links: 3 }, "discs 3R, thick links", 3),
+  row("rrt-connect", "discs", { robot: "arm", links: 3, count: 12, largest: 0.1 }, "discs 3R, thick links", 3),
   row("rrt-connect", "clutter", { robot: "arm", links: 4, radius: 0 }, "clutter 4R", 4),
 ];
 

@@ -3,18 +3,24 @@
 //! `cargo bench --bench nearest`; a run pinned to one core is quieter.
 
 use planarium::graph::VertexId;
-use planarium::nearest::{KdTree, LinearScan, Nearest, Neighbour};
+use planarium::nearest::{Forest, ForestParameters, Index, KdTree, LinearScan, Nearest, Neighbour, recall};
 use planarium::random::{Random, Stream};
 use planarium::space::{Joint, Metric, Space, Torus};
 use std::hint::black_box;
 use std::time::Instant;
 
 fn main() {
-    println!("| dimension | n | k | linear | kd-tree | kd-tree built in ms |");
-    println!("|---|---|---|---|---|---|");
+    println!("Microseconds a query; the approximate index with its recall\n");
+    println!(
+        "| dimension | n | k | linear | kd-tree | index | approximate | recall | kd-tree, approximate built in ms |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|");
     rows::<2>();
     rows::<3>();
     rows::<4>();
+    rows::<6>();
+    rows::<8>();
+    building();
     println!(
         "\nFrom how many states on the kd-tree is faster than the scan\n\n| dimension | k = 1 | 3 | 10 | 30 | 100 |"
     );
@@ -24,6 +30,20 @@ fn main() {
     crossovers::<4>();
     crossovers::<5>();
     crossovers::<6>();
+}
+
+/// How long a kd-tree takes to grow, in the order of the samples and in that of a coordinate, the worst for its balance.
+fn building() {
+    let space = Torus::<4>::new(&[Joint::Circle; 4], Metric::Sum);
+    println!("\nThe kd-tree of the 4-torus built by insertion, ms\n\n| n | random | increasing |\n|---|---|---|");
+    for n in [10_000, 100_000, 1_000_000] {
+        let mut random = Random::new(3, Stream::Samples);
+        let mut states: Vec<_> = (0..n).map(|_| space.sample(&mut random)).collect();
+        let scattered = build(KdTree::new(), &space, &states).1;
+        states.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let increasing = build(KdTree::new(), &space, &states).1;
+        println!("| {n} | {scattered:.1} | {increasing:.1} |");
+    }
 }
 
 /// The least n, in steps of a quarter, from which on the kd-tree is faster up to three times as many states.
@@ -54,12 +74,24 @@ fn rows<const N: usize>() {
         let mut random = Random::new(1, Stream::Samples);
         let states: Vec<_> = (0..n).map(|_| space.sample(&mut random)).collect();
         let asked: Vec<_> = (0..1000).map(|_| space.sample(&mut random)).collect();
+        let key = Random::new(1, Stream::Projections).bits();
         let (linear, _) = build(LinearScan::new(), &space, &states);
         let (tree, built) = build(KdTree::new(), &space, &states);
+        let (index, _) = build(Index::new(), &space, &states);
+        let (forest, planted) = build(Forest::new(ForestParameters::default(), key), &space, &states);
         for k in [1, 10, 30] {
             let scan = time(&linear, &space, &asked[..(10_000_000 / n).min(1000)], k);
             let search = time(&tree, &space, &asked, k);
-            println!("| {N} | {n} | {k} | {scan:.2} | {search:.2} | {built:.2} |");
+            let either = time(&index, &space, &asked, k);
+            let guess = time(&forest, &space, &asked[..200], k);
+            let (mut found, mut exact, mut part) = (Vec::new(), Vec::new(), 0.0);
+            for from in &asked[..200] {
+                forest.k_nearest(&space, from, k, &mut found);
+                tree.k_nearest(&space, from, k, &mut exact);
+                part += recall(&found, &exact) / 200.0;
+            }
+            print!("| {N} | {n} | {k} | {scan:.2} | {search:.2} | {either:.2} ");
+            println!("| {guess:.2} | {part:.3} | {built:.2}, {planted:.1} |");
         }
     }
 }

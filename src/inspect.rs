@@ -1,13 +1,13 @@
 //! Questions about a scenario outside any run: is a configuration free and why not, where is the robot, what does its
 //! configuration space look like. For viewers; planners ask through [`Validity`].
 
-use crate::collision::{ArmValidity, DiscValidity, joint_space};
+use crate::collision::{ArmValidity, DiscValidity, joint_space, plane};
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Point};
 use crate::planner::DEFAULT_TOLERANCE;
-use crate::robot::{Arm, DiscRobot, MAX_LINKS, Part};
+use crate::robot::Part;
 use crate::scenario::{LARGEST, Obstacle, Robot, Scenario};
-use crate::space::{Euclidean, Metric, Space, Torus};
+use crate::space::{MAX_DIMENSION, Metric, Space, Torus};
 use crate::validity::{Contact, Validity};
 
 /// The most cells that a picture of the configuration space has on a side.
@@ -17,42 +17,31 @@ pub const MAX_CELLS: usize = 4096;
 /// else the error is `wrong-dimension`, `not-finite` or `out-of-range` with the entry's pointer; the ends of a motion must lie
 /// within the joint limits as well. Motions are judged with the default tolerance, which a run may refine.
 pub struct Inspector {
-    robot: Inspected,
+    robot: Robot,
+    space: Torus<MAX_DIMENSION>,
+    validity: Box<dyn Validity<[f64; MAX_DIMENSION]>>,
     extent: Aabb,
-}
-
-/// The robot with its space and what is free in it. One a scenario, so its size does not matter.
-#[allow(clippy::large_enum_variant)]
-enum Inspected {
-    Arm { arm: Arm, space: Torus<MAX_LINKS>, validity: ArmValidity<MAX_LINKS> },
-    Disc { disc: DiscRobot, space: Euclidean<2>, validity: DiscValidity },
 }
 
 impl Inspector {
     /// Prepares to answer questions about the scenario, with the default metric and tolerance.
     pub fn new(scenario: &Scenario) -> Self {
-        let world = scenario.world();
-        let robot = match scenario.robot() {
+        let (world, robot) = (scenario.world(), scenario.robot().clone());
+        let (space, validity): (_, Box<dyn Validity<_>>) = match &robot {
             Robot::Arm(arm) => {
                 let space = joint_space(arm, Metric::Sum);
-                let validity = ArmValidity::new(arm, space.clone(), world, DEFAULT_TOLERANCE);
-                Inspected::Arm { arm: arm.clone(), space, validity }
+                (space.clone(), Box::new(ArmValidity::new(arm, space, world, DEFAULT_TOLERANCE)))
             }
             Robot::Disc(disc) => {
-                let bounds = world.bounds.expect("a disc has bounds");
-                let space = Euclidean::new([bounds.min.x, bounds.min.y], [bounds.max.x, bounds.max.y]);
-                Inspected::Disc { disc: disc.clone(), space, validity: DiscValidity::new(disc, world) }
+                (plane(&world.bounds.expect("a disc has bounds")), Box::new(DiscValidity::new(disc, world)))
             }
         };
-        Self { robot, extent: extent(scenario) }
+        Self { robot, space, validity, extent: extent(scenario) }
     }
 
     /// How many numbers a configuration has.
     pub fn dimension(&self) -> usize {
-        match &self.robot {
-            Inspected::Arm { space, .. } => space.dimension(),
-            Inspected::Disc { space, .. } => space.dimension(),
-        }
+        self.space.dimension()
     }
 
     /// The box worth drawing: the bounds, or else all obstacles and all that the arm can reach.
@@ -62,10 +51,7 @@ impl Inspector {
 
     /// For every coordinate, whether it wraps.
     pub fn circles(&self) -> Vec<bool> {
-        match &self.robot {
-            Inspected::Arm { space, .. } => (0..space.dimension()).map(|i| space.is_circle(i)).collect(),
-            Inspected::Disc { .. } => vec![false; 2],
-        }
+        (0..self.dimension()).map(|i| self.space.is_circle(i)).collect()
     }
 
     /// Every part of the robot that touches something at `q`, and what; empty where `q` is free.
@@ -74,10 +60,7 @@ impl Inspector {
     /// Of the configuration: see [`Inspector`].
     pub fn check(&self, q: &[f64]) -> Result<Vec<Contact>, Error> {
         self.refuse_configuration(q, "")?;
-        Ok(match &self.robot {
-            Inspected::Arm { space, validity, .. } => validity.contacts(&space.state(q)),
-            Inspected::Disc { space, validity, .. } => validity.contacts(&space.state(q)),
-        })
+        Ok(self.validity.contacts(&self.space.state(q)))
     }
 
     /// The parts of the robot at `q`.
@@ -87,8 +70,8 @@ impl Inspector {
     pub fn footprint(&self, q: &[f64]) -> Result<Vec<Part>, Error> {
         self.refuse_configuration(q, "")?;
         Ok(match &self.robot {
-            Inspected::Arm { arm, .. } => arm.footprint(q),
-            Inspected::Disc { disc, .. } => disc.footprint(q),
+            Robot::Arm(arm) => arm.footprint(q),
+            Robot::Disc(disc) => disc.footprint(q),
         })
     }
 
@@ -99,8 +82,8 @@ impl Inspector {
     pub fn end_effector(&self, q: &[f64]) -> Result<Point, Error> {
         self.refuse_configuration(q, "")?;
         Ok(match &self.robot {
-            Inspected::Arm { arm, .. } => arm.end_effector(q),
-            Inspected::Disc { .. } => Point::new(q[0], q[1]),
+            Robot::Arm(arm) => arm.end_effector(q),
+            Robot::Disc(_) => Point::new(q[0], q[1]),
         })
     }
 
@@ -113,13 +96,8 @@ impl Inspector {
         if !(0.0..=1.0).contains(&t) {
             return Err(Error::new(Code::OutOfRange, "/t", format!("t must lie within [0, 1], not {t}")));
         }
-        fn at<S: Space>(space: &S, a: &[f64], b: &[f64], t: f64) -> Vec<f64> {
-            space.coordinates(&space.interpolate(&space.state(a), &space.state(b), t)).to_vec()
-        }
-        Ok(match &self.robot {
-            Inspected::Arm { space, .. } => at(space, a, b, t),
-            Inspected::Disc { space, .. } => at(space, a, b, t),
-        })
+        let space = &self.space;
+        Ok(space.coordinates(&space.interpolate(&space.state(a), &space.state(b), t)).to_vec())
     }
 
     /// The distance from `a` to `b` in the default metric: radians summed over joints, or metres.
@@ -128,10 +106,7 @@ impl Inspector {
     /// Of the configurations (pointers `/a` and `/b`).
     pub fn distance(&self, a: &[f64], b: &[f64]) -> Result<f64, Error> {
         self.refuse_motion(a, b)?;
-        Ok(match &self.robot {
-            Inspected::Arm { space, .. } => space.distance(&space.state(a), &space.state(b)),
-            Inspected::Disc { space, .. } => space.distance(&space.state(a), &space.state(b)),
-        })
+        Ok(self.space.distance(&self.space.state(a), &self.space.state(b)))
     }
 
     /// Where, as a fraction, the motion from `a` to `b` first cannot be proven free; `None` where all of it is proven.
@@ -140,10 +115,7 @@ impl Inspector {
     /// Of the configurations (pointers `/a` and `/b`).
     pub fn first_hit(&self, a: &[f64], b: &[f64]) -> Result<Option<f64>, Error> {
         self.refuse_motion(a, b)?;
-        Ok(match &self.robot {
-            Inspected::Arm { space, validity, .. } => validity.first_hit(&space.state(a), &space.state(b)),
-            Inspected::Disc { space, validity, .. } => validity.first_hit(&space.state(a), &space.state(b)),
-        })
+        Ok(self.validity.first_hit(&self.space.state(a), &self.space.state(b)))
     }
 
     /// The angles that the picture of the configuration space shows: low and high of each of the two joints.
@@ -152,7 +124,7 @@ impl Inspector {
     /// `unsupported` for anything but an arm of two links.
     pub fn configuration_space_range(&self) -> Result<[[f64; 2]; 2], Error> {
         match &self.robot {
-            Inspected::Arm { space, .. } if space.dimension() == 2 => Ok([space.range(0), space.range(1)]),
+            Robot::Arm(_) if self.dimension() == 2 => Ok([self.space.range(0), self.space.range(1)]),
             _ => Err(Error::new(Code::Unsupported, "", "only an arm of two links has a square of configurations")),
         }
     }
@@ -170,7 +142,6 @@ impl Inspector {
                 return Err(Error::new(Code::OutOfRange, pointer, sentence));
             }
         }
-        let Inspected::Arm { space, validity, .. } = &self.robot else { unreachable!("only arms have a range") };
         let center = |joint: usize, cell: usize, cells: usize| {
             let [low, high] = range[joint];
             low + (high - low) * ((cell as f64 + 0.5) / cells as f64)
@@ -179,7 +150,7 @@ impl Inspector {
         for row in 0..height {
             for column in 0..width {
                 let q = [center(0, column, width), center(1, row, height)];
-                cells.push(u8::from(!validity.is_free(&space.state(&q))));
+                cells.push(u8::from(!self.validity.is_free(&self.space.state(&q))));
             }
         }
         Ok(cells)
@@ -189,9 +160,11 @@ impl Inspector {
     fn refuse_motion(&self, a: &[f64], b: &[f64]) -> Result<(), Error> {
         for (q, pointer) in [(a, "/a"), (b, "/b")] {
             self.refuse_configuration(q, pointer)?;
-            let Inspected::Arm { space, .. } = &self.robot else { continue };
-            for (i, angle) in q.iter().enumerate().filter(|(i, _)| !space.is_circle(*i)) {
-                let [low, high] = space.range(i);
+            if !matches!(self.robot, Robot::Arm(_)) {
+                continue;
+            }
+            for (i, angle) in q.iter().enumerate().filter(|(i, _)| !self.space.is_circle(*i)) {
+                let [low, high] = self.space.range(i);
                 if !(low..=high).contains(angle) {
                     let sentence = format!("joint {i} must lie within its limits [{low}, {high}], not {angle}");
                     return Err(Error::new(Code::OutOfRange, format!("{pointer}/{i}"), sentence));

@@ -20,6 +20,8 @@ pub enum Stream {
     Shortcut = 2,
     /// When a tree reaches for the goal.
     Bias = 3,
+    /// The planes of an approximate index.
+    Projections = 4,
 }
 
 /// A stream of random numbers.

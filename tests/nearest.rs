@@ -2,7 +2,7 @@
 //! Chrome alike.
 
 use planarium::graph::VertexId;
-use planarium::nearest::{KdTree, LinearScan, Nearest, Neighbour};
+use planarium::nearest::{Forest, ForestParameters, Index, KdTree, LinearScan, Nearest, Neighbour, recall};
 use planarium::random::{Random, Stream};
 use planarium::space::{Euclidean, Joint, Metric, Space, Torus, gap, gap_to_interval};
 use std::f64::consts::{PI, TAU};
@@ -34,14 +34,32 @@ fn same(found: &[Neighbour], expected: &[Neighbour], what: &str) {
     }
 }
 
+/// Asks an index all questions, of which the sorted distances to all states hold the answers.
+fn answers<S: Space>(name: &str, index: &impl Nearest<S>, space: &S, from: &S::State, truth: &[Neighbour]) {
+    let n = truth.len();
+    let mut found = Vec::new();
+    assert_eq!((index.len(), index.is_empty()), (n, false), "{name}");
+    assert_eq!(index.nearest(space, from), Some(truth[0]), "{name}");
+    for k in [0, 1, 2, 10, 30, 100, n, n + 1] {
+        index.k_nearest(space, from, k, &mut found);
+        same(&found, &truth[..k.min(n)], &format!("{name}: {k} of {n}"));
+    }
+    // Radii that are distances themselves: those who lie on the rim belong to it.
+    for radius in [-1.0, 0.0, truth[n / 50].distance, truth[n / 3].distance, f64::INFINITY] {
+        let inside = truth.partition_point(|neighbour| neighbour.distance <= radius);
+        index.within(space, from, radius, &mut found);
+        same(&found, &truth[..inside], &format!("{name}: within {radius} of {n}"));
+    }
+}
+
 /// Grows every exact index by the same states and, on the way and at the end, asks each the same questions.
 fn agrees<S: Space>(name: &str, space: &S, states: &[S::State], asked: &[S::State]) {
-    let mut linear = LinearScan::new();
-    let mut tree = KdTree::new();
-    let mut found = Vec::new();
+    let (mut linear, mut tree, mut index) = (LinearScan::new(), KdTree::new(), Index::new());
     for (i, &state) in states.iter().enumerate() {
-        linear.insert(space, VertexId(i as u32), state);
-        tree.insert(space, VertexId(i as u32), state);
+        let vertex = VertexId(i as u32);
+        linear.insert(space, vertex, state);
+        tree.insert(space, vertex, state);
+        index.insert(space, vertex, state);
         let n = i + 1;
         let is_last = n == states.len();
         if !is_last && !n.is_power_of_two() {
@@ -50,28 +68,11 @@ fn agrees<S: Space>(name: &str, space: &S, states: &[S::State], asked: &[S::Stat
         let few = if is_last { asked.len() } else { 2 };
         for from in &asked[..few.min(asked.len())] {
             let expected = truth(space, &states[..n], from);
-            for k in [0, 1, 2, 10, 30, 100, n, n + 1] {
-                let first = &expected[..k.min(n)];
-                let what = format!("{name}, {k} of {n}");
-                linear.k_nearest(space, from, k, &mut found);
-                same(&found, first, &format!("linear: {what}"));
-                tree.k_nearest(space, from, k, &mut found);
-                same(&found, first, &format!("kd-tree: {what}"));
-            }
-            assert_eq!(linear.nearest(space, from), Some(expected[0]), "linear: {name}, of {n}");
-            assert_eq!(tree.nearest(space, from), Some(expected[0]), "kd-tree: {name}, of {n}");
-            // Radii that are distances themselves: those who lie on the rim belong to it.
-            for radius in [-1.0, 0.0, expected[n / 50].distance, expected[n / 3].distance, f64::INFINITY] {
-                let inside = expected.partition_point(|neighbour| neighbour.distance <= radius);
-                let what = format!("{name}, within {radius} of {n}");
-                linear.within(space, from, radius, &mut found);
-                same(&found, &expected[..inside], &format!("linear: {what}"));
-                tree.within(space, from, radius, &mut found);
-                same(&found, &expected[..inside], &format!("kd-tree: {what}"));
-            }
+            answers(&format!("scan, {name}"), &linear, space, from, &expected);
+            answers(&format!("kd-tree, {name}"), &tree, space, from, &expected);
+            answers(&format!("index, {name}"), &index, space, from, &expected);
         }
     }
-    assert_eq!((linear.len(), tree.len()), (states.len(), states.len()));
 }
 
 fn spaces() -> Vec<(&'static str, Torus<4>)> {
@@ -125,8 +126,8 @@ fn ties_go_to_the_lower_number_on_grids_where_nearly_all_are_ties() {
                 space.state(&(0..d).map(on).collect::<Vec<_>>())
             })
             .collect();
-        let mut asked: Vec<_> = states.iter().step_by(n.div_ceil(native(40))).copied().collect();
-        asked.extend(samples(&space, 7, native(20)));
+        let mut asked: Vec<_> = states.iter().step_by(n.div_ceil(native(20))).copied().collect();
+        asked.extend(samples(&space, 7, native(10)));
         agrees(&format!("grid on {name}"), &space, &states, &asked);
     }
 }
@@ -207,17 +208,20 @@ fn questions_between_insertions_see_what_was_inserted() {
 fn a_hundred_thousand_states_have_the_same_neighbours_too() {
     let n = native(100_000);
     for (name, space) in spaces().iter().filter(|(_, space)| space.dimension() > 1) {
-        let (mut linear, mut tree) = (LinearScan::new(), KdTree::new());
+        let (mut linear, mut tree, mut index) = (LinearScan::new(), KdTree::new(), Index::new());
         for (i, &state) in samples(space, 15, n).iter().enumerate() {
             linear.insert(space, VertexId(i as u32), state);
             tree.insert(space, VertexId(i as u32), state);
+            index.insert(space, VertexId(i as u32), state);
         }
         let (mut one, mut other) = (Vec::new(), Vec::new());
-        for from in &samples(space, 16, native(20)) {
+        for from in &samples(space, 16, native(8)) {
             for k in [1, 10, 30] {
                 linear.k_nearest(space, from, k, &mut one);
                 tree.k_nearest(space, from, k, &mut other);
-                same(&other, &one, &format!("{name}, {k} of {n}"));
+                same(&other, &one, &format!("kd-tree, {name}, {k} of {n}"));
+                index.k_nearest(space, from, k, &mut other);
+                same(&other, &one, &format!("index, {name}, {k} of {n}"));
             }
         }
     }
@@ -239,7 +243,87 @@ fn an_empty_index_and_no_neighbours_are_no_trouble() {
     for (_, space) in spaces() {
         empty(&LinearScan::new(), &space);
         empty(&KdTree::new(), &space);
+        empty(&Index::new(), &space);
+        empty(&Forest::new(ForestParameters::default(), 1), &space);
     }
+}
+
+/// A forest of the states, and the average part of the nearest `k` that it finds.
+fn forest_recall<S: Space>(space: &S, seed: u64, n: usize, k: usize, parameters: ForestParameters) -> f64 {
+    let mut forest = Forest::new(parameters, Random::new(seed, Stream::Projections).bits());
+    let states = samples(space, seed, n);
+    (0..).zip(&states).for_each(|(i, &state)| forest.insert(space, VertexId(i), state));
+    assert_eq!(forest.len(), n);
+    let asked = samples(space, seed + 1, native(40));
+    let parts = asked.iter().map(|from| {
+        let exact = truth(space, &states, from);
+        let mut found = Vec::new();
+        forest.k_nearest(space, from, k, &mut found);
+        assert_eq!(found.len(), k.min(n), "as many as asked for, if not all the nearest");
+        for (i, neighbour) in found.iter().enumerate() {
+            let distance = space.distance(from, &states[neighbour.vertex.index()]);
+            assert_eq!(neighbour.distance.to_bits(), distance.to_bits(), "its distance is true");
+            assert!(i == 0 || found[i - 1].is_before(neighbour), "nearest first, none twice");
+        }
+        assert_eq!(forest.nearest(space, from).is_some(), n > 0);
+        let radius = found[k / 2].distance;
+        let (first, mut inside) = (found[..=k / 2].to_vec(), Vec::new());
+        forest.within(space, from, radius, &mut inside);
+        same(&inside, &first, "within a radius are those of the k nearest that are");
+        recall(&found, &exact[..k.min(n)])
+    });
+    parts.sum::<f64>() / asked.len() as f64
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_approximate_index_finds_most_of_the_nearest_and_more_if_it_looks_at_more() {
+    let n = native(10_000);
+    let six = Torus::<8>::new(&[Joint::Circle; 6], Metric::Sum);
+    let of = |candidates| ForestParameters { candidates, ..ForestParameters::default() };
+    let [few, default, all] = [100, 400, n].map(|candidates| forest_recall(&six, 21, n, 10, of(candidates)));
+    assert!(few < default, "{few} with 100 candidates, {default} with 400");
+    assert!(default >= 0.8, "{default} of the ten nearest");
+    assert_eq!(all, 1.0, "all candidates are all states");
+    let mixed = [Joint::Circle, Joint::Interval { low: -9.0, high: 0.5 }, Joint::Circle];
+    let three = Torus::<4>::new(&mixed, Metric::Euclidean);
+    let found = forest_recall(&three, 23, n, 10, of(400));
+    assert!(found >= 0.98, "{found} of the ten nearest in three dimensions");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_forest_of_equal_states_grows_and_the_same_key_grows_the_same_forest() {
+    let space = Torus::<4>::new(&[Joint::Circle; 4], Metric::Sum);
+    let parameters = ForestParameters { trees: 3, leaf: 2, candidates: 50 };
+    let mut equal = Forest::new(parameters, 5);
+    let state = space.state(&[1.0, 2.0, 3.0, -3.0]);
+    (0..200).for_each(|i| equal.insert(&space, VertexId(i), state));
+    let mut found = Vec::new();
+    equal.k_nearest(&space, &state, 70, &mut found);
+    assert!(found.len() == 70 && found.iter().all(|neighbour| neighbour.distance == 0.0));
+
+    let states = samples(&space, 24, 2000);
+    let found_by = |key| {
+        let mut forest = Forest::new(parameters, key);
+        (0..).zip(&states).for_each(|(i, &state)| forest.insert(&space, VertexId(i), state));
+        let mut all = Vec::new();
+        for from in samples(&space, 25, 20) {
+            let mut found = Vec::new();
+            forest.k_nearest(&space, &from, 30, &mut found);
+            all.extend(found);
+        }
+        all
+    };
+    same(&found_by(7), &found_by(7), "one key");
+    assert_ne!(found_by(7), found_by(8), "another key draws other planes");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn recall_is_the_part_of_the_exact_answer_that_was_found() {
+    let all = [1, 2, 3, 4].map(|i| Neighbour { distance: f64::from(i), vertex: VertexId(i) });
+    assert_eq!(recall(&all[1..], &all), 0.75);
+    assert_eq!(recall(&all, &all[..2]), 1.0);
+    assert_eq!(recall(&[], &all), 0.0);
+    assert_eq!(recall(&all, &[]), 1.0);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -3,7 +3,7 @@
 use super::obstacles::largest_coordinate;
 use super::proof::separation::Work;
 use super::proof::{Motion, Setting, distance, separation};
-use super::{Obstacles, Tolerance};
+use super::{Obstacles, Tolerance, sampled};
 use crate::geometry::{Aabb, Segment};
 use crate::robot::Arm;
 use crate::scenario::World;
@@ -31,13 +31,14 @@ pub fn joint_space<const N: usize>(arm: &Arm, metric: Metric) -> Torus<N> {
 pub struct ArmValidity<const N: usize> {
     space: Torus<N>,
     collision: ArmCollision,
+    work: RefCell<Work<N>>,
 }
 
 impl<const N: usize> ArmValidity<N> {
     /// The arm in the world; `tolerance` is the wanted tolerance as a fraction of the longer side of the bounds (of twice the
     /// reach where there are none), greater than 0.
     pub fn new(arm: &Arm, space: Torus<N>, world: &World, tolerance: f64) -> Self {
-        Self { space, collision: ArmCollision::new(arm, world, tolerance) }
+        Self { space, collision: ArmCollision::new(arm, world, tolerance), work: RefCell::default() }
     }
 
     /// The same with a tolerance no coarser than half the clearance of either configuration.
@@ -57,27 +58,38 @@ impl<const N: usize> ArmValidity<N> {
     /// The same verdicts by the proof by distances: slower and simpler, the oracle of the tests. Where the first stretch of
     /// the motion begins that it cannot prove free; `None` where it proves all.
     pub fn first_hit_by_distances(&self, a: &[f64; N], b: &[f64; N]) -> Option<f64> {
-        let first_hit = |setting: &Setting, motion: &Motion, work: &mut Work| {
+        let first_hit = |setting: &Setting, motion: &Motion<N>, work: &mut Work<N>| {
             distance::first_hit(setting, motion, &mut work.evaluations)
         };
         self.prove(a, b, first_hit).unwrap_or(Some(0.0))
     }
 
+    /// Whether the motion is free at `samples` evenly spaced configurations behind `a`, the last of them `b`. This proves
+    /// nothing: what is thinner than the step is missed.
+    pub fn is_motion_sampled_free(&self, a: &[f64; N], b: &[f64; N], samples: u32) -> bool {
+        sampled::are_looks_free(samples, |t| self.is_free(&self.space.interpolate(a, b, t)))
+    }
+
     /// Runs `prove` on the motion from `a` to `b`; `None` where the short way round is ambiguous.
-    #[inline]
-    fn prove<T>(&self, a: &[f64; N], b: &[f64; N], prove: impl FnOnce(&Setting, &Motion, &mut Work) -> T) -> Option<T> {
-        if self.space.turn(a, b) >= LONGEST_TURN {
+    #[inline(always)]
+    fn prove<T>(
+        &self,
+        a: &[f64; N],
+        b: &[f64; N],
+        prove: impl FnOnce(&Setting, &Motion<N>, &mut Work<N>) -> T,
+    ) -> Option<T> {
+        let delta = self.space.difference(a, b);
+        let is_ambiguous = |i: usize| delta[i].abs() >= LONGEST_TURN && self.space.is_circle(i);
+        if (0..self.space.dimension()).any(is_ambiguous) {
             return None;
         }
-        let delta = self.space.difference(a, b);
-        let motion = Motion { from: self.space.coordinates(a), delta: self.space.coordinates(&delta) };
-        Some(prove(&self.collision.setting(), &motion, &mut self.collision.work.borrow_mut()))
+        Some(prove(&self.collision.setting(), &Motion { from: a, delta: &delta }, &mut self.work.borrow_mut()))
     }
 }
 
 impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
     fn is_free(&self, q: &[f64; N]) -> bool {
-        self.collision.is_free(self.space.coordinates(q))
+        self.collision.is_free(self.space.coordinates(q), &mut self.work.borrow_mut().evaluations)
     }
 
     fn is_motion_free(&self, a: &[f64; N], b: &[f64; N]) -> bool {
@@ -93,7 +105,7 @@ impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
     }
 
     fn clearance_evaluations(&self) -> u64 {
-        self.collision.work.borrow().evaluations
+        self.work.borrow().evaluations
     }
 }
 
@@ -103,7 +115,6 @@ struct ArmCollision {
     obstacles: Obstacles,
     bounds: Option<Aabb>,
     tolerance: Tolerance,
-    work: RefCell<Work>,
 }
 
 impl ArmCollision {
@@ -114,7 +125,7 @@ impl ArmCollision {
         let scale = obstacles.largest_coordinate().max(base).max(bounds) + arm.reach() + arm.radius();
         let side = world.bounds.as_ref().map_or(2.0 * arm.reach(), Aabb::longer_side);
         let tolerance = Tolerance::new(scale, tolerance * side);
-        Self { arm: arm.clone(), obstacles, bounds: world.bounds, tolerance, work: RefCell::default() }
+        Self { arm: arm.clone(), obstacles, bounds: world.bounds, tolerance }
     }
 
     fn setting(&self) -> Setting<'_> {
@@ -150,20 +161,15 @@ impl ArmCollision {
         self.bounds.as_ref().is_some_and(|bounds| depth(bounds) < -self.tolerance.eta)
     }
 
-    fn is_free(&self, q: &[f64]) -> bool {
-        let mut evaluations = 0;
-        let is_free = self.links(q).all(|axis| {
-            let mut free = !self.is_outside(&axis);
-            self.obstacles.candidates(&self.near(&axis), |i| {
-                if free {
-                    evaluations += 1;
-                    free = !self.touches(i, &axis);
-                }
-            });
-            free
-        });
-        self.work.borrow_mut().evaluations += evaluations;
-        is_free
+    fn is_free(&self, q: &[f64], evaluations: &mut u64) -> bool {
+        self.links(q).all(|axis| {
+            let near = self.near(&axis);
+            let touches = |i: usize| {
+                *evaluations += 1;
+                self.obstacles.aabb(i).intersects(&near) && self.touches(i, &axis)
+            };
+            !self.is_outside(&axis) && !self.obstacles.any_near(&near, touches)
+        })
     }
 
     /// Every contact at `q`, by link, then by obstacle, the bounds last.

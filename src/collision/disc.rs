@@ -5,11 +5,18 @@ use super::{Obstacles, Tolerance};
 use crate::geometry::{Aabb, Point, Segment};
 use crate::robot::DiscRobot;
 use crate::scenario::World;
+use crate::space::{Joint, Metric, Torus};
 use crate::validity::{Contact, Touched, Validity};
 use std::cell::Cell;
 
 /// How often a motion is halved to find where it first hits: to 2^-40 of its length.
 const HALVINGS: u32 = 40;
+
+/// The space of a disc's centre: the box of the bounds, with the Euclidean metric.
+pub fn plane<const N: usize>(bounds: &Aabb) -> Torus<N> {
+    let side = |low, high| Joint::Interval { low, high };
+    Torus::new(&[side(bounds.min.x, bounds.max.x), side(bounds.min.y, bounds.max.y)], Metric::Euclidean)
+}
 
 /// What is free for a disc among obstacles.
 pub struct DiscValidity {
@@ -52,44 +59,47 @@ impl DiscValidity {
 
     /// Whether the disc stays free while its centre moves along the segment. Bounds are convex: both ends inside suffice.
     fn is_swept_free(&self, swept: &Segment) -> bool {
-        let mut free = self.is_inside(swept.a) && self.is_inside(swept.b);
-        if free {
-            let mut evaluations = self.evaluations.get();
-            self.obstacles.candidates(&self.near(swept), |i| {
-                if free {
-                    evaluations += 1;
-                    free = !self.touches(i, swept);
-                }
-            });
-            self.evaluations.set(evaluations);
+        if !self.is_inside(swept.a) || !self.is_inside(swept.b) {
+            return false;
         }
-        free
+        let mut evaluations = self.evaluations.get();
+        let touches = self.obstacles.any_near(&self.near(swept), |i| {
+            evaluations += 1;
+            self.touches(i, swept)
+        });
+        self.evaluations.set(evaluations);
+        !touches
     }
 }
 
 /// The segment between two configurations.
-fn segment(a: &[f64; 2], b: &[f64; 2]) -> Segment {
+fn segment(a: &[f64], b: &[f64]) -> Segment {
     Segment::new(Point::new(a[0], a[1]), Point::new(b[0], b[1]))
 }
 
-impl Validity<[f64; 2]> for DiscValidity {
-    fn is_free(&self, q: &[f64; 2]) -> bool {
+/// The configuration a fraction `t` along the motion; exactly `b` at 1.
+fn between(a: &[f64], b: &[f64], t: f64) -> [f64; 2] {
+    if t == 1.0 { [b[0], b[1]] } else { [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])] }
+}
+
+/// States are padded to any number of coordinates; the first two are the centre's.
+impl<const N: usize> Validity<[f64; N]> for DiscValidity {
+    fn is_free(&self, q: &[f64; N]) -> bool {
         self.is_swept_free(&segment(q, q))
     }
 
-    fn is_motion_free(&self, a: &[f64; 2], b: &[f64; 2]) -> bool {
+    fn is_motion_free(&self, a: &[f64; N], b: &[f64; N]) -> bool {
         self.is_swept_free(&segment(a, b))
     }
 
-    fn first_hit(&self, a: &[f64; 2], b: &[f64; 2]) -> Option<f64> {
+    fn first_hit(&self, a: &[f64; N], b: &[f64; N]) -> Option<f64> {
         if self.is_motion_free(a, b) {
             return None;
         }
-        let at = |t: f64| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
         let (mut free, mut hit) = (0.0, 1.0);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (free + hit);
-            if self.is_swept_free(&segment(a, &at(middle))) {
+            if self.is_swept_free(&segment(a, &between(a, b, middle))) {
                 free = middle;
             } else {
                 hit = middle;
@@ -98,7 +108,7 @@ impl Validity<[f64; 2]> for DiscValidity {
         Some(free)
     }
 
-    fn contacts(&self, q: &[f64; 2]) -> Vec<Contact> {
+    fn contacts(&self, q: &[f64; N]) -> Vec<Contact> {
         let (at, near) = (segment(q, q), self.near(&segment(q, q)));
         let obstacles = (0..self.obstacles.len()).filter(|&i| self.obstacles.aabb(i).intersects(&near));
         let touched = obstacles.filter(|&i| self.touches(i, &at)).map(Touched::Obstacle);

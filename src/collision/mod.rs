@@ -11,6 +11,7 @@
 //! `tau` of an obstacle or of the bounds, and those whose short way round is ambiguous.
 
 mod arm;
+mod boxes;
 mod disc;
 mod obstacles;
 mod proof;
@@ -18,7 +19,7 @@ mod sampled;
 mod tolerance;
 
 pub use arm::{ArmValidity, joint_space};
-pub use disc::DiscValidity;
+pub use disc::{DiscValidity, plane};
 pub use obstacles::Obstacles;
 pub use sampled::Sampled;
 pub use tolerance::Tolerance;

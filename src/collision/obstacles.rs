@@ -1,23 +1,18 @@
-//! The obstacles of a world, prepared for questions: a bounding volume hierarchy in front of exact shapes.
+//! The obstacles of a world, prepared for questions: boxes in front of exact shapes.
 
+use super::boxes::Boxes;
 use crate::geometry::{
     Aabb, Disc, Point, Polygon, Segment, Vector, distance_point_segment, distance_segment_polygon,
     intersects_segment_polygon,
 };
 use crate::scenario::Obstacle;
-use parry2d_f64::bounding_volume::Aabb as Box2;
-use parry2d_f64::math::Vector as Corner;
-use parry2d_f64::partitioning::{Bvh, BvhBuildStrategy};
 
-/// From how many obstacles on the hierarchy is asked; below, every box is. Both give the same candidates.
-const HIERARCHY_FROM: usize = 64;
-
-/// Obstacles with their boxes. The hierarchy only leaves out what is certainly apart; it decides no distance.
+/// Obstacles with their boxes, which only leave out what is certainly apart; they decide no distance.
 #[derive(Clone)]
 pub struct Obstacles {
     shapes: Vec<Obstacle>,
     boxes: Vec<Aabb>,
-    hierarchy: Option<Bvh>,
+    prepared: Boxes,
     /// The faces of all convex polygons, and where those of each obstacle stand.
     faces: Vec<Face>,
     ranges: Vec<(u32, u32)>,
@@ -32,24 +27,10 @@ pub(super) struct Face {
     pub corner: Point,
 }
 
-/// An obstacle as a proof by separating lines sees it.
-pub(super) enum Solid<'a> {
-    /// A convex polygon by its faces.
-    Convex(&'a [Face]),
-    /// A disc.
-    Disc(Disc),
-    /// A concave polygon, which no single line need separate.
-    Concave,
-}
-
 impl Obstacles {
     /// Prepares the obstacles. O(n log n).
     pub fn new(shapes: &[Obstacle]) -> Self {
         let boxes: Vec<Aabb> = shapes.iter().map(Obstacle::aabb).collect();
-        let hierarchy = (boxes.len() >= HIERARCHY_FROM).then(|| {
-            let leaves: Vec<Box2> = boxes.iter().map(to_parry).collect();
-            Bvh::from_leaves(BvhBuildStrategy::Binned, &leaves)
-        });
         let mut faces = Vec::new();
         let mut ranges = Vec::with_capacity(shapes.len());
         for shape in shapes {
@@ -61,18 +42,19 @@ impl Obstacles {
             }
             ranges.push((first, faces.len() as u32));
         }
-        Self { shapes: shapes.to_vec(), boxes, hierarchy, faces, ranges }
+        Self { shapes: shapes.to_vec(), prepared: Boxes::new(&boxes), boxes, faces, ranges }
     }
 
-    /// Obstacle `i` as a proof by separating lines sees it.
-    #[inline]
-    pub(super) fn solid(&self, i: usize) -> Solid<'_> {
+    /// The faces of obstacle `i` where it is a convex polygon; else none.
+    #[inline(always)]
+    pub(super) fn faces(&self, i: usize) -> &[Face] {
         let (first, end) = self.ranges[i];
-        match &self.shapes[i] {
-            Obstacle::Polygon(_) if first < end => Solid::Convex(&self.faces[first as usize..end as usize]),
-            Obstacle::Polygon(_) => Solid::Concave,
-            Obstacle::Disc(disc) => Solid::Disc(*disc),
-        }
+        &self.faces[first as usize..end as usize]
+    }
+
+    /// Obstacle `i` where it is a disc.
+    pub(super) fn disc(&self, i: usize) -> Option<&Disc> {
+        if let Obstacle::Disc(disc) = &self.shapes[i] { Some(disc) } else { None }
     }
 
     /// How many obstacles there are.
@@ -90,20 +72,11 @@ impl Obstacles {
         &self.boxes[i]
     }
 
-    /// Calls `visit` with the index of every obstacle whose box meets the given one, in an order that depends on the
-    /// obstacles alone.
-    #[inline]
-    pub fn candidates(&self, near: &Aabb, mut visit: impl FnMut(usize)) {
-        match &self.hierarchy {
-            Some(hierarchy) => hierarchy.intersect_aabb(&to_parry(near)).for_each(|i| visit(i as usize)),
-            None => {
-                for (i, aabb) in self.boxes.iter().enumerate() {
-                    if aabb.intersects(near) {
-                        visit(i);
-                    }
-                }
-            }
-        }
+    /// Calls `visit` with the index of every obstacle whose box meets the given one, and rarely with one whose box only all
+    /// but touches it, until it answers true; answers whether it did. The order depends on the obstacles alone.
+    #[inline(always)]
+    pub fn any_near(&self, near: &Aabb, visit: impl FnMut(usize) -> bool) -> bool {
+        self.prepared.any(near, visit)
     }
 
     /// The distance from the segment to obstacle `i`, in metres; 0 or less where they share a point.
@@ -138,11 +111,6 @@ impl Obstacles {
 pub(super) fn largest_coordinate(aabb: &Aabb) -> f64 {
     let of = |p: Point| p.x.abs().max(p.y.abs());
     of(aabb.min).max(of(aabb.max))
-}
-
-/// The same box for the hierarchy.
-fn to_parry(aabb: &Aabb) -> Box2 {
-    Box2::new(Corner::new(aabb.min.x, aabb.min.y), Corner::new(aabb.max.x, aabb.max.y))
 }
 
 /// The faces of a convex polygon. The support is the largest over all corners, so that rounding of the normal cannot let a

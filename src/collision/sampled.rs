@@ -16,12 +16,6 @@ impl<S: Space> Sampled<S> {
     pub fn new(space: S, proven: Box<dyn Validity<S::State>>, places: u32) -> Self {
         Self { space, proven, places }
     }
-
-    /// Whether the motion is free in place `i`, from 1.
-    fn is_free_at(&self, a: &S::State, b: &S::State, i: u32) -> bool {
-        let t = f64::from(i) / f64::from(self.places);
-        self.proven.is_free(&self.space.interpolate(a, b, t))
-    }
 }
 
 impl<S: Space> Validity<S::State> for Sampled<S> {
@@ -29,15 +23,16 @@ impl<S: Space> Validity<S::State> for Sampled<S> {
         self.proven.is_free(state)
     }
 
-    /// Looks at the places in their order along the motion.
+    /// Coarse steps first, finer ones between them, so that wide obstacles are found early.
     fn is_motion_free(&self, a: &S::State, b: &S::State) -> bool {
-        (1..=self.places).all(|i| self.is_free_at(a, b, i))
+        are_looks_free(self.places, |t| self.proven.is_free(&self.space.interpolate(a, b, t)))
     }
 
     /// The last place before the first one in collision.
     fn first_hit(&self, a: &S::State, b: &S::State) -> Option<f64> {
-        let hit = (1..=self.places).find(|&i| !self.is_free_at(a, b, i));
-        hit.map(|i| f64::from(i - 1) / f64::from(self.places))
+        let place = |i: u32| f64::from(i) / f64::from(self.places);
+        let hit = (1..=self.places).find(|&i| !self.proven.is_free(&self.space.interpolate(a, b, place(i))));
+        hit.map(|i| place(i - 1))
     }
 
     fn contacts(&self, state: &S::State) -> Vec<Contact> {
@@ -47,4 +42,15 @@ impl<S: Space> Validity<S::State> for Sampled<S> {
     fn clearance_evaluations(&self) -> u64 {
         self.proven.clearance_evaluations()
     }
+}
+
+/// Whether all looks at the fractions i / `samples` of a motion are free, i from 1 to `samples`. The start is not looked at.
+/// Coarse steps first, finer ones between them, so that wide obstacles are found early.
+pub(super) fn are_looks_free(samples: u32, is_free: impl Fn(f64) -> bool) -> bool {
+    let Some(highest) = samples.checked_ilog2() else { return true };
+    (0..=highest).rev().all(|level| {
+        // The odd multiples of each power of two: every number once.
+        let mut looks = (1 << level..=samples).step_by(2 << level);
+        looks.all(|i| is_free(f64::from(i) / f64::from(samples)))
+    })
 }

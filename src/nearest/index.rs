@@ -5,7 +5,7 @@ use crate::graph::VertexId;
 use crate::space::Space;
 
 /// Beyond so many states the scan's copy of them is given up: only for a great many neighbours would it still win.
-const MOST_SCANNED: usize = 4096;
+const MOST_SCANNED: usize = 8192;
 
 /// The states of a scan while it can win, and of a kd-tree from where that can. Which one answers depends on the numbers of
 /// states, neighbours and dimensions alone, and their answers are equal to the bit.
@@ -22,13 +22,15 @@ impl<S: Space> Index<S> {
         Self { scan: LinearScan::new(), tree: KdTree::new(), len: 0 }
     }
 
-    /// Up to how many states a scan finds `k` neighbours faster than the tree, as measured by the benchmark `nearest`.
+    /// Up to how many states a scan finds `k` neighbours faster than the tree: straight lines through what the benchmark
+    /// `nearest` measures.
     fn crossover(space: &S, k: usize) -> usize {
         let (few, each) = match space.dimension() {
-            0..=2 => (40, 1),
-            3 => (60, 10),
-            4 => (120, 40),
-            _ => (400, 100),
+            0..=2 => (60, 3),
+            3 => (100, 17),
+            4 => (250, 45),
+            5 => (700, 110),
+            _ => (1400, 250),
         };
         (few + each * k.min(MOST_SCANNED)).min(MOST_SCANNED)
     }

@@ -11,7 +11,7 @@ use std::marker::PhantomData;
 const SORTED: usize = 4;
 
 /// How many packs are scanned at a time.
-const BLOCK: usize = 16;
+const BLOCK: usize = 8;
 
 /// How many distances a guess is made from.
 const SAMPLE: usize = 8 * LANES;
@@ -39,9 +39,7 @@ impl<S: Space> LinearScan<S> {
             for (distances, pack) in distances.iter_mut().zip(block.clone()) {
                 *distances = self.packs.distances(space, from, pack);
             }
-            for (distances, pack) in distances.iter().zip(block) {
-                closest.offer(distances, self.packs.vertices(pack));
-            }
+            closest.offer(&distances[..block.len()], |pack, lane| self.packs.vertices(first + pack)[lane]);
         }
     }
 

@@ -1,11 +1,16 @@
-//! Nearest neighbours among states. Ties go to the lower vertex number, so every index gives the same answer.
+//! Nearest neighbours among states.
+//!
+//! Ties go to the lower vertex number, so every exact index gives the same answer, to the bit. Planners use [`Index`], which
+//! is a [`LinearScan`] of few states and a [`KdTree`] of many; [`Forest`] is approximate, for many dimensions.
 
 mod closest;
+mod forest;
 mod index;
 mod kd_tree;
 mod linear;
 mod packs;
 
+pub use forest::{Forest, ForestParameters, recall};
 pub use index::Index;
 pub use kd_tree::KdTree;
 pub use linear::LinearScan;

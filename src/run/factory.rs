@@ -3,15 +3,18 @@
 use super::choices;
 use super::runner::{Runner, Ticket};
 use super::{Options, Run};
-use crate::collision::{ArmValidity, DiscValidity, Sampled, joint_space};
+use crate::collision::{ArmValidity, DiscValidity, Sampled, joint_space, plane};
 use crate::error::{Code, Error};
 use crate::path::Wanted;
 use crate::planner::{Parameters, planner_info};
 use crate::problem::{Estimate, Problem};
 use crate::robot::{Arm, DiscRobot};
 use crate::scenario::{Robot, Scenario};
-use crate::space::{Euclidean, Metric, Space, Torus};
+use crate::space::{MAX_DIMENSION, Metric, Space, Torus};
 use crate::validity::Validity;
+
+/// The smaller size of states: most robots have no more coordinates.
+const SMALL: usize = 4;
 
 /// Begins a run.
 ///
@@ -37,13 +40,10 @@ pub fn start(scenario: &Scenario, options: &Options) -> Result<Box<dyn Run>, Err
         is_sampled: parameters.text("edge_check") == Some("sampled"),
     };
     let launch = Launch { scenario, parameters, ticket, ends: [&query.start, &query.goal] };
-    // Entries past the dimension are 0 and change no bit: three sizes serve arms of 1 to 8 links.
+    // Entries past the dimension are 0 and change no bit: two sizes serve every robot.
     let run = match scenario.robot() {
-        Robot::Arm(arm) => match arm.links().len() {
-            1 | 2 => launch.arm::<2>(arm),
-            3 | 4 => launch.arm::<4>(arm),
-            _ => launch.arm::<8>(arm),
-        },
+        Robot::Arm(arm) if arm.links().len() <= SMALL => launch.arm::<SMALL>(arm),
+        Robot::Arm(arm) => launch.arm::<MAX_DIMENSION>(arm),
         Robot::Disc(disc) => launch.disc(disc),
     };
     let in_query = |error: &Error| matches!(error.code(), Code::StartInCollision | Code::GoalInCollision);
@@ -81,8 +81,7 @@ impl Launch<'_> {
         }
         let world = self.scenario.world();
         let bounds = world.bounds.expect("a disc has bounds");
-        let corner = |p: crate::geometry::Point| [p.x, p.y];
-        let space = Euclidean::new(corner(bounds.min), corner(bounds.max));
+        let space: Torus<SMALL> = plane(&bounds);
         let ends = self.ends.map(|q| space.state(q));
         let measure = space.clone();
         let validity = Box::new(DiscValidity::new(disc, world));

@@ -8,11 +8,21 @@ use crate::geometry::Segment;
 use crate::robot::MAX_LINKS;
 
 /// Where the first stretch of the motion begins that cannot be proven free, as a fraction; `None` where all is proven.
-pub(in crate::collision) fn first_hit(setting: &Setting, motion: &Motion, evaluations: &mut u64) -> Option<f64> {
+pub(in crate::collision) fn first_hit<const N: usize>(
+    setting: &Setting,
+    motion: &Motion<N>,
+    evaluations: &mut u64,
+) -> Option<f64> {
     first_hit_within(setting, motion, evaluations, 0.5, 0.5)
 }
 
-fn first_hit_within(setting: &Setting, motion: &Motion, evaluations: &mut u64, middle: f64, half: f64) -> Option<f64> {
+fn first_hit_within<const N: usize>(
+    setting: &Setting,
+    motion: &Motion<N>,
+    evaluations: &mut u64,
+    middle: f64,
+    half: f64,
+) -> Option<f64> {
     let Setting { arm, obstacles, bounds, tolerance } = *setting;
     let travel = arm.travel(motion.delta);
     let mut q = [0.0; MAX_LINKS];

@@ -8,6 +8,9 @@
 //! [`distance`] is that idea in its simplest form and the oracle of the tests; [`separation`] is the one that planners use.
 
 pub(super) mod distance;
+mod joint;
+mod pair;
+mod rotation;
 pub(super) mod separation;
 
 use super::{Obstacles, Tolerance};
@@ -23,9 +26,10 @@ pub(super) struct Setting<'a> {
     pub tolerance: Tolerance,
 }
 
-/// A motion: from a configuration, every joint turning at a constant rate by `delta` radians in all.
+/// A motion: from a configuration, every joint turning at a constant rate by `delta` radians in all. Entries past the
+/// arm's links are 0.
 #[derive(Clone, Copy)]
-pub(super) struct Motion<'a> {
-    pub from: &'a [f64],
-    pub delta: &'a [f64],
+pub(super) struct Motion<'a, const N: usize> {
+    pub from: &'a [f64; N],
+    pub delta: &'a [f64; N],
 }

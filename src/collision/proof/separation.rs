@@ -1,30 +1,33 @@
-//! The proof by separating lines: per pair of a link and an obstacle, with directional bounds on travel of third order.
+//! The proof by separating lines: per pair of a link and an obstacle, with directional bounds on travel of third order (see
+//! `joint.rs`).
 //!
-//! **The bound.** Let p, v and -a be place, velocity and acceleration of a joint in the middle of a stretch of half-length
-//! h, where a is the sum of L_j w_j^2 e_j over the links before it (e_j the unit vector along link j, w_j its absolute
-//! rate). Its third derivative is at most W = sum of L_j |w_j|^3, so for every unit direction n, by Taylor's theorem,
-//! n.p(t) >= n.p - h |n.v| - h^2/2 max(n.a, 0) - h^3/6 W on the whole stretch. Every point of a link is a fixed mix of its
-//! two ends, so what holds for both ends holds for the link.
-//!
-//! **The answers.** Where that bound, less the radius, exceeds the obstacle's support in direction n by more than the slack,
-//! the two are apart on the whole stretch and the pair is dropped for good. Where they touch in the middle, the motion is
+//! **The answers.** Where a link stays ahead of an obstacle's support in some direction, by its radius and the slack, the
+//! two are apart on the whole stretch and the pair is dropped for good. Where they touch in the middle, the motion is
 //! refused. Otherwise the stretch is halved with the pairs still open. A stretch whose first-order bound is below the
 //! tolerance is judged by the distance itself, so that everything the proof by distances accepts is accepted here.
 //!
 //! **The slack.** A test passes only where its terms sum to no more than about 2 S, S the largest coordinate plus the reach.
 //! As W has no cancelling terms, L_j summing to at most S gives h |v| < 3 S and h^2 |a| / 2 < 3 S then, so that each of
-//! the roughly 30 roundings costs less than 8 S times 2^-53: below 3e-14 S in all. Unit vectors are rotated once a level,
-//! at most 50 times, each within 3 times 2^-53: 2e-14 S. Absolute angles are sums of up to eight joints: of circles up to
-//! 26 radians, with limits up to 800, rounded to 4e-13 at worst. The slack is 1e-12 S.
+//! the roughly 30 roundings costs less than 8 S times 2^-53: below 3e-14 S in all. Unit vectors are products of those of
+//! `rotation.rs`: the absolute angle at the start, off by 1.4e-14 at most; half the turn by 2.8e-14; a quarter, an eighth and
+//! so on by half as much each, 2.8e-14 together; and a product a level, at most 50, by 3 times 2^-53 each: 9e-14 in all, and
+//! so much times S. Absolute angles are sums of up to eight joints: of circles up to 26 radians, with limits up to 800,
+//! rounded to 4e-13 at worst. The slack is 1e-12 S.
 
+use super::joint::Joint;
+use super::pair::{Answer, Link};
+use super::rotation::{doubled, turned_both_ways, unit};
 use super::{Motion, Setting};
 use crate::collision::Tolerance;
-use crate::collision::obstacles::{Face, Solid};
-use crate::geometry::{Aabb, Point, Segment, Vector};
+use crate::collision::obstacles::Face;
+use crate::geometry::{Aabb, Segment, Vector};
 use crate::robot::MAX_LINKS;
 
-/// From this half-length on, directions that fail are followed by a look at the distance.
-const DISTANCE_FROM: f64 = 0.125;
+/// Turns over this many halvings are found together, by squaring the smallest.
+const SQUARED: usize = 4;
+
+/// A link that turns by more radians than this over half a stretch may be held better by its travel and reach.
+const FAST: f64 = 1.5;
 
 /// How many stretches may be open before the proof goes on depth-first.
 const WIDEST: usize = 1024;
@@ -34,7 +37,12 @@ const WIDEST: usize = 1024;
 struct Pair {
     link: u32,
     obstacle: u32,
+    /// The direction to try first: see [`Link::separate_from_polygon`].
+    hint: u32,
 }
+
+/// No direction in particular.
+const NO_HINT: u32 = u32::MAX;
 
 /// In place of an obstacle's index: the bounds of the world.
 const BOUNDS: u32 = u32::MAX;
@@ -42,33 +50,12 @@ const BOUNDS: u32 = u32::MAX;
 /// A stretch of the motion: its middle and half its length (fractions of the motion), how often the motion was halved to
 /// get it, which pairs are open on it, and the unit vectors along the links in its middle.
 #[derive(Debug, Clone, Copy)]
-struct Stretch {
+struct Stretch<const N: usize> {
     middle: f64,
     half: f64,
     level: usize,
     pairs: (usize, usize),
-    along: [Vector; MAX_LINKS],
-}
-
-/// What is known about a pair on a stretch.
-#[derive(Clone, Copy, PartialEq)]
-enum Answer {
-    /// Apart on the whole stretch.
-    Apart,
-    /// Neither apart on the whole stretch nor touching in the middle.
-    Open,
-    /// Touching in the middle.
-    Touching,
-}
-
-/// What one look at the middle of a stretch says.
-enum Look {
-    /// Every pair is apart on the whole stretch.
-    Free,
-    /// The pairs at the end of the list from this index on are still open.
-    Open(usize),
-    /// A pair touches in the middle, or is too near for the tolerance.
-    Refused,
+    along: [Vector; N],
 }
 
 /// In which order stretches are looked at.
@@ -80,21 +67,55 @@ enum Order {
     FrontFirst,
 }
 
-/// Lists that proofs use again and again, and the count of pairs evaluated.
-#[derive(Debug, Clone, Default)]
-pub(in crate::collision) struct Work {
+/// What proofs use again and again, for arms of up to `N` links, and the count of pairs evaluated.
+#[derive(Debug, Clone)]
+pub(in crate::collision) struct Work<const N: usize> {
+    /// The configuration last begun from, and its unit vectors: roadmaps try many motions from one.
+    from: [f64; N],
+    from_along: [Vector; N],
+    /// Of every link: its absolute rate, in radians over the whole motion, the bound on its travel, of first order, and the
+    /// bound W on its outer end.
+    rates: [f64; N],
+    travel: [f64; N],
+    third: [f64; N],
+    /// The turn of every link over a quarter of the motion, an eighth, and so on.
+    turns: Vec<[Vector; N]>,
+    /// The joints in the middle of the stretch that is looked at.
+    joints: [Joint; MAX_LINKS + 1],
     pairs: Vec<Pair>,
-    stretches: Vec<Stretch>,
-    /// Cosine and sine of every link's turn over a quarter of a stretch, level by level.
-    turns: Vec<[Vector; MAX_LINKS]>,
+    stretches: Vec<Stretch<N>>,
     pub evaluations: u64,
 }
 
+impl<const N: usize> Default for Work<N> {
+    fn default() -> Self {
+        let zero = [Vector::zeros(); N];
+        Self {
+            from: [f64::NAN; N],
+            from_along: zero,
+            rates: [0.0; N],
+            travel: [0.0; N],
+            third: [0.0; N],
+            turns: vec![zero; SQUARED],
+            joints: [Joint::default(); MAX_LINKS + 1],
+            pairs: Vec::new(),
+            stretches: Vec::new(),
+            evaluations: 0,
+        }
+    }
+}
+
 /// Whether the motion is proven free, ends included.
-pub(in crate::collision) fn is_free(setting: &Setting, motion: &Motion, work: &mut Work) -> bool {
-    let mut proof = Proof::new(setting, motion, work);
-    let root = proof.root();
-    proof.work.stretches.push(root);
+pub(in crate::collision) fn is_free<const N: usize>(setting: &Setting, motion: &Motion<N>, work: &mut Work<N>) -> bool {
+    let mut proof = Proof::new(setting, Order::MiddleFirst, work);
+    let root = proof.begin(motion);
+    if proof.look_at_all(&root) {
+        return false;
+    }
+    if proof.work.pairs.is_empty() {
+        return true;
+    }
+    proof.halve(&root, 0);
     let mut next = 0;
     while next < proof.work.stretches.len() {
         let stretch = if proof.work.stretches.len() - next > WIDEST {
@@ -107,136 +128,122 @@ pub(in crate::collision) fn is_free(setting: &Setting, motion: &Motion, work: &m
             next += 1;
             proof.work.stretches[next - 1]
         };
-        match proof.look(&stretch, Order::MiddleFirst) {
-            Look::Free => {}
-            Look::Refused => return false,
-            Look::Open(first) => {
-                let halves = proof.halves(&stretch, first);
-                proof.work.stretches.extend(halves);
-            }
+        let first = proof.work.pairs.len();
+        if proof.look_at_open(&stretch) {
+            return false;
+        }
+        if proof.work.pairs.len() > first {
+            proof.halve(&stretch, first);
         }
     }
     true
 }
 
 /// Where the first stretch begins that cannot be proven free, as a fraction of the motion; `None` where all is proven.
-pub(in crate::collision) fn first_hit(setting: &Setting, motion: &Motion, work: &mut Work) -> Option<f64> {
-    let mut proof = Proof::new(setting, motion, work);
-    let root = proof.root();
-    proof.work.stretches.push(root);
+pub(in crate::collision) fn first_hit<const N: usize>(
+    setting: &Setting,
+    motion: &Motion<N>,
+    work: &mut Work<N>,
+) -> Option<f64> {
+    let mut proof = Proof::new(setting, Order::FrontFirst, work);
+    let root = proof.begin(motion);
+    if proof.look_at_all(&root) {
+        return Some(0.0);
+    }
+    if proof.work.pairs.is_empty() {
+        return None;
+    }
+    proof.halve(&root, 0);
     while let Some(stretch) = proof.work.stretches.pop() {
         // Lists behind this one's belong to stretches already done.
         proof.work.pairs.truncate(stretch.pairs.1);
-        match proof.look(&stretch, Order::FrontFirst) {
-            Look::Free => {}
-            Look::Refused => return Some(stretch.middle - stretch.half),
-            Look::Open(first) => {
-                let [front, back] = proof.halves(&stretch, first);
-                proof.work.stretches.extend([back, front]);
-            }
+        let first = proof.work.pairs.len();
+        if proof.look_at_open(&stretch) {
+            return Some(stretch.middle - stretch.half);
+        }
+        if proof.work.pairs.len() > first {
+            proof.halve(&stretch, first);
         }
     }
     None
 }
 
 /// One proof at work.
-struct Proof<'a> {
-    setting: Setting<'a>,
-    motion: Motion<'a>,
-    work: &'a mut Work,
-    /// The absolute rate of every link, in radians over the whole motion.
-    rates: [f64; MAX_LINKS],
-    /// The bound on every link's travel over the whole motion, of first order.
-    travel: [f64; MAX_LINKS],
-    /// The bound W on every joint's third derivative.
-    third: [f64; MAX_LINKS + 1],
+struct Proof<'a, const N: usize> {
+    setting: &'a Setting<'a>,
+    order: Order,
+    work: &'a mut Work<N>,
+    /// Links of the arm.
+    links: usize,
+    /// What a link must be ahead of an obstacle: its radius and the slack.
+    margin: f64,
 }
 
-/// Place, velocity and centripetal sum of every joint in the middle of a stretch, and the factors of its half-length.
-struct Middle {
-    place: [Point; MAX_LINKS + 1],
-    velocity: [Vector; MAX_LINKS + 1],
-    centripetal: [Vector; MAX_LINKS + 1],
-    /// What the third derivative can add, a joint.
-    third: [f64; MAX_LINKS + 1],
-    /// h.
-    first: f64,
-    /// h^2 / 4: max(x, 0) is (x + |x|) / 2.
-    second: f64,
-}
-
-impl Middle {
-    /// How far joint `k` can fall behind its middle in the unit direction `n`.
+impl<'a, const N: usize> Proof<'a, N> {
     #[inline(always)]
-    fn fall(&self, n: Vector, k: usize) -> f64 {
-        let bend = n.dot(&self.centripetal[k]);
-        self.first * n.dot(&self.velocity[k]).abs() + self.second * (bend + bend.abs()) + self.third[k]
+    fn new(setting: &'a Setting<'a>, order: Order, work: &'a mut Work<N>) -> Self {
+        let margin = setting.arm.radius() + setting.tolerance.eta;
+        Self { setting, order, work, links: setting.arm.links().len().min(N), margin }
     }
 
-    /// Whether link `i`, whose ends are ahead by `ahead` in direction `n`, stays ahead by more than `margin`.
+    /// Prepares the motion; its whole as a stretch.
     #[inline(always)]
-    fn stays_ahead(&self, n: Vector, i: usize, ahead: [f64; 2], margin: f64) -> bool {
-        ahead[0] - self.fall(n, i) > margin && ahead[1] - self.fall(n, i + 1) > margin
-    }
-
-    /// A box that holds link `i` on the whole stretch.
-    #[inline(always)]
-    fn swept_box(&self, i: usize, travel: f64) -> Aabb {
-        let side = |axis: usize, k: usize| {
-            let (p, v, a) = (self.place[k][axis], self.velocity[k][axis], self.centripetal[k][axis]);
-            let (shift, bend) = (self.first * v.abs() + self.third[k], self.second * a.abs());
-            // Falling below costs the part of a that points up, rising above the part that points down.
-            let low = p - (shift + bend + self.second * a);
-            let high = p + (shift + bend - self.second * a);
-            (if low > p - travel { low } else { p - travel }, if high < p + travel { high } else { p + travel })
-        };
-        let [x, y] = [0, 1].map(|axis| {
-            let (one, other) = (side(axis, i), side(axis, i + 1));
-            (if one.0 < other.0 { one.0 } else { other.0 }, if one.1 > other.1 { one.1 } else { other.1 })
-        });
-        Aabb { min: Point::new(x.0, y.0), max: Point::new(x.1, y.1) }
-    }
-}
-
-impl<'a> Proof<'a> {
-    fn new(setting: &Setting<'a>, motion: &Motion<'a>, work: &'a mut Work) -> Self {
+    fn begin(&mut self, motion: &Motion<N>) -> Stretch<N> {
+        let work = &mut *self.work;
         work.pairs.clear();
         work.stretches.clear();
-        work.turns.clear();
-        let (mut rates, mut third) = ([0.0; MAX_LINKS], [0.0; MAX_LINKS + 1]);
-        let mut rate = 0.0;
-        for (i, &length) in setting.arm.links().iter().enumerate() {
+        work.turns.truncate(SQUARED);
+        if work.from != *motion.from {
+            work.from = *motion.from;
+            let mut angle = 0.0;
+            for i in 0..self.links {
+                angle += work.from[i];
+                work.from_along[i] = unit(angle);
+            }
+        }
+        let mut along = [Vector::zeros(); N];
+        let (mut rate, mut travel, mut third) = (0.0, 0.0, 0.0);
+        let lengths = self.setting.arm.links();
+        for i in 0..self.links {
             rate += motion.delta[i];
-            rates[i] = rate;
-            third[i + 1] = third[i] + length * f64::abs(rate) * rate * rate;
+            let speed = lengths[i] * f64::abs(rate);
+            travel += speed;
+            third += speed * rate * rate;
+            (work.rates[i], work.travel[i], work.third[i]) = (rate, travel, third);
+            let mut turn = unit(rate / 32.0);
+            for level in (0..SQUARED).rev() {
+                work.turns[level][i] = turn;
+                turn = doubled(turn);
+            }
+            along[i] = turned_both_ways(work.from_along[i], turn)[1];
         }
-        Self { setting: *setting, motion: *motion, work, rates, travel: setting.arm.travel(motion.delta), third }
+        let stretch = Stretch { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), along };
+        self.place_joints(&stretch, self.links);
+        stretch
     }
 
-    /// The whole motion.
-    fn root(&self) -> Stretch {
-        let mut along = [Vector::zeros(); MAX_LINKS];
-        let mut angle = 0.0;
-        for (i, along) in along.iter_mut().enumerate().take(self.links()) {
-            angle += self.motion.from[i] + 0.5 * self.motion.delta[i];
-            let (sin, cos) = libm::sincos(angle);
-            *along = Vector::new(cos, sin);
+    /// Places the joints of the first `links` links in the middle of the stretch.
+    #[inline(always)]
+    fn place_joints(&mut self, stretch: &Stretch<N>, links: usize) {
+        let h = stretch.half;
+        let sixth = h * h * h / 6.0;
+        let lengths = &self.setting.arm.links()[..links];
+        let mut joint = Joint::base(self.setting.arm.base());
+        self.work.joints[0] = joint;
+        for (i, &length) in lengths.iter().enumerate() {
+            joint = joint.next(stretch.along[i], length, h * self.work.rates[i], sixth * self.work.third[i]);
+            self.work.joints[i + 1] = joint;
         }
-        Stretch { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), along }
     }
 
-    fn links(&self) -> usize {
-        self.setting.arm.links().len()
-    }
-
-    /// The two halves of a stretch, with the pairs from `first` on open: front, then back.
-    fn halves(&mut self, stretch: &Stretch, first: usize) -> [Stretch; 2] {
+    /// Adds the two halves of a stretch, with the pairs from `first` on open.
+    #[inline(always)]
+    fn halve(&mut self, stretch: &Stretch<N>, first: usize) {
         let half = stretch.half / 2.0;
         if self.work.turns.len() == stretch.level {
-            let mut turns = [Vector::zeros(); MAX_LINKS];
-            for (turn, rate) in turns.iter_mut().zip(self.rates).take(self.links()) {
-                let (sin, cos) = libm::sincos(rate * half);
-                *turn = Vector::new(cos, sin);
+            let mut turns = [Vector::zeros(); N];
+            for (turn, rate) in turns.iter_mut().zip(self.work.rates).take(self.links) {
+                *turn = unit(rate * half);
             }
             self.work.turns.push(turns);
         }
@@ -246,105 +253,86 @@ impl<'a> Proof<'a> {
         let (mut front, mut back) = (child, child);
         front.middle -= half;
         back.middle += half;
-        for (i, (e, r)) in stretch.along.iter().zip(turns).enumerate().take(self.links()) {
-            let (xx, yy, xy, yx) = (e.x * r.x, e.y * r.y, e.x * r.y, e.y * r.x);
-            front.along[i] = Vector::new(xx + yy, yx - xy);
-            back.along[i] = Vector::new(xx - yy, yx + xy);
+        for i in 0..self.links {
+            [front.along[i], back.along[i]] = turned_both_ways(stretch.along[i], turns[i]);
         }
-        [front, back]
+        let halves = if self.order == Order::MiddleFirst { [front, back] } else { [back, front] };
+        self.work.stretches.extend_from_slice(&halves);
     }
 
-    /// Joints in the middle of the stretch.
-    fn middle(&self, stretch: &Stretch) -> Middle {
-        let h = stretch.half;
-        let base = self.setting.arm.base();
-        let mut middle = Middle {
-            place: [base; MAX_LINKS + 1],
-            velocity: [Vector::zeros(); MAX_LINKS + 1],
-            centripetal: [Vector::zeros(); MAX_LINKS + 1],
-            third: [0.0; MAX_LINKS + 1],
-            first: h,
-            second: h * h / 4.0,
-        };
-        let sixth = h * h * h / 6.0;
-        for (i, &length) in self.setting.arm.links().iter().enumerate() {
-            let reach = stretch.along[i] * length;
-            let swing = reach * self.rates[i];
-            middle.place[i + 1] = middle.place[i] + reach;
-            middle.velocity[i + 1] = middle.velocity[i] + Vector::new(-swing.y, swing.x);
-            middle.centripetal[i + 1] = middle.centripetal[i] + swing * self.rates[i];
-            middle.third[i + 1] = sixth * self.third[i + 1];
-        }
-        middle
-    }
-
-    /// Looks at the middle of the stretch; pairs still open are listed again at the end of the list.
-    fn look(&mut self, stretch: &Stretch, order: Order) -> Look {
-        let first = self.work.pairs.len();
-        let middle = self.middle(stretch);
-        let refused = if stretch.level == 0 {
-            (0..self.links()).any(|link| self.look_at_all(stretch, &middle, link, order))
-        } else {
-            self.look_at_open(stretch, &middle, order)
-        };
-        match (refused, self.work.pairs.len() == first) {
-            (true, _) => Look::Refused,
-            (false, true) => Look::Free,
-            (false, false) => Look::Open(first),
-        }
-    }
-
-    /// Looks at a link and everything near its swept box; answers whether the stretch is refused.
-    fn look_at_all(&mut self, stretch: &Stretch, middle: &Middle, link: usize, order: Order) -> bool {
-        let margin = self.setting.arm.radius() + self.setting.tolerance.eta;
-        let swept = middle.swept_box(link, self.travel[link] * stretch.half).grown(margin);
-        let obstacles = self.setting.obstacles;
-        let mut refused = false;
-        obstacles.candidates(&swept, |obstacle| {
-            let pair = Pair { link: link as u32, obstacle: obstacle as u32 };
-            refused = refused || self.keep(stretch, middle, pair, &swept, order);
+    /// A box that holds link `i` with its radius on the whole stretch.
+    #[inline(always)]
+    fn swept_box(&self, i: usize, half: f64) -> Aabb {
+        let [a, b] = [i, i + 1].map(|k| {
+            let swept = self.work.joints[k].swept_box();
+            if k > 0 && self.work.rates[k - 1].abs() * half > FAST { self.held(swept, k, half) } else { swept }
         });
-        refused
-            || (self.setting.bounds.is_some()
-                && self.keep(stretch, middle, Pair { link: link as u32, obstacle: BOUNDS }, &swept, order))
+        let min = [0, 1].map(|axis| if a.min[axis] < b.min[axis] { a.min[axis] } else { b.min[axis] });
+        let max = [0, 1].map(|axis| if a.max[axis] > b.max[axis] { a.max[axis] } else { b.max[axis] });
+        Aabb { min: min.into(), max: max.into() }.grown(self.margin)
     }
 
-    /// Looks at the pairs still open; answers whether the stretch is refused.
-    fn look_at_open(&mut self, stretch: &Stretch, middle: &Middle, order: Order) -> bool {
-        let margin = self.setting.arm.radius() + self.setting.tolerance.eta;
-        let (mut link, mut swept) = (u32::MAX, Aabb { min: Point::origin(), max: Point::origin() });
-        for at in stretch.pairs.0..stretch.pairs.1 {
-            let pair = self.work.pairs[at];
-            if pair.link != link {
-                link = pair.link;
-                swept = middle.swept_box(link as usize, self.travel[link as usize] * stretch.half).grown(margin);
+    /// The part of a joint's box within its bound of first order, and within its reach from the base.
+    #[cold]
+    fn held(&self, swept: Aabb, joint: usize, half: f64) -> Aabb {
+        let arm = self.setting.arm;
+        let travel = self.work.travel[joint - 1] * half;
+        let reach = arm.links()[..joint].iter().sum::<f64>() + self.setting.tolerance.eta;
+        let within = |swept: Aabb, place: crate::geometry::Point, by: f64| Aabb {
+            min: swept.min.sup(&(place - Vector::new(by, by))),
+            max: swept.max.inf(&(place + Vector::new(by, by))),
+        };
+        within(within(swept, self.work.joints[joint].place(), travel), arm.base(), reach)
+    }
+
+    /// Looks at every link and everything near its swept box; lists what stays open. Answers whether the motion is refused.
+    #[inline(always)]
+    fn look_at_all(&mut self, root: &Stretch<N>) -> bool {
+        let obstacles = self.setting.obstacles;
+        for link in 0..self.links {
+            let swept = self.swept_box(link, root.half);
+            if obstacles.any_near(&swept, |obstacle| self.look(root, link, obstacle, NO_HINT)) {
+                return true;
             }
-            if pair.obstacle != BOUNDS && !self.setting.obstacles.aabb(pair.obstacle as usize).intersects(&swept) {
-                continue;
-            }
-            if self.keep(stretch, middle, pair, &swept, order) {
+            if self.setting.bounds.is_some() && self.look_at_bounds(root, link, &swept) {
                 return true;
             }
         }
         false
     }
 
-    /// Evaluates a pair and lists it again where it is still open; answers whether it refuses the stretch.
-    fn keep(&mut self, stretch: &Stretch, middle: &Middle, pair: Pair, swept: &Aabb, order: Order) -> bool {
-        let link = pair.link as usize;
-        let bound = self.travel[link] * stretch.half;
-        let answer = if pair.obstacle == BOUNDS {
-            self.within_bounds(middle, link, bound, swept)
-        } else {
-            self.work.evaluations += 1;
-            self.separate(stretch, middle, link, pair.obstacle as usize, bound)
-        };
-        if answer == Answer::Apart {
-            return false;
-        }
-        let Tolerance { tau, bounds_tau, .. } = self.setting.tolerance;
-        let finest = if pair.obstacle == BOUNDS { bounds_tau } else { tau };
-        if bound < finest || (answer == Answer::Touching && order == Order::MiddleFirst) {
+    /// Looks at the pairs still open; lists again what stays so. Answers whether the stretch is refused.
+    #[inline(always)]
+    fn look_at_open(&mut self, stretch: &Stretch<N>) -> bool {
+        let (first, end) = stretch.pairs;
+        // Pairs are listed by link: the last has the outermost.
+        self.place_joints(stretch, self.work.pairs[end - 1].link as usize + 1);
+        (first..end).any(|at| {
+            let Pair { link, obstacle, hint } = self.work.pairs[at];
+            let link = link as usize;
+            if obstacle == BOUNDS {
+                self.look_at_bounds(stretch, link, &self.swept_box(link, stretch.half))
+            } else {
+                self.look(stretch, link, obstacle as usize, hint)
+            }
+        })
+    }
+
+    /// Evaluates a link and an obstacle; lists them where they stay open. Answers whether they refuse the stretch.
+    #[inline(always)]
+    fn look(&mut self, stretch: &Stretch<N>, link: usize, obstacle: usize, hint: u32) -> bool {
+        self.work.evaluations += 1;
+        let ends = [&self.work.joints[link], &self.work.joints[link + 1]];
+        let (answer, hint) = self.separate(stretch, Link { ends, along: stretch.along[link] }, link, obstacle, hint);
+        let pair = Pair { link: link as u32, obstacle: obstacle as u32, hint };
+        answer != Answer::Apart && self.keep(stretch, pair, answer, self.setting.tolerance.tau)
+    }
+
+    /// Lists a pair that is not apart; answers whether it refuses the stretch instead.
+    #[inline(always)]
+    fn keep(&mut self, stretch: &Stretch<N>, pair: Pair, answer: Answer, finest: f64) -> bool {
+        let is_hit = answer == Answer::Touching && self.order == Order::MiddleFirst;
+        if is_hit || self.work.travel[pair.link as usize] * stretch.half < finest {
             return true;
         }
         self.work.pairs.push(pair);
@@ -352,105 +340,60 @@ impl<'a> Proof<'a> {
     }
 
     /// Whether the link stays within the bounds of the world, contact allowed.
-    fn within_bounds(&self, middle: &Middle, link: usize, bound: f64, swept: &Aabb) -> Answer {
+    fn look_at_bounds(&mut self, stretch: &Stretch<N>, link: usize, swept: &Aabb) -> bool {
         let bounds = self.setting.bounds.expect("a pair with the bounds exists only where there are bounds");
-        let (eta, radius) = (self.setting.tolerance.eta, self.setting.arm.radius());
+        let Tolerance { eta, bounds_tau, .. } = self.setting.tolerance;
         // The swept box already holds the radius and one slack; contact may exceed the bounds by one.
         let roomy = bounds.grown(2.0 * eta);
-        let depth = bounds.depth(middle.place[link]).min(bounds.depth(middle.place[link + 1])) - radius;
+        let [a, b] = [link, link + 1].map(|k| bounds.depth(self.work.joints[k].place()));
+        let depth = a.min(b) - self.setting.arm.radius();
+        let bound = self.work.travel[link] * stretch.half;
         if (roomy.contains(swept.min) && roomy.contains(swept.max)) || depth - bound >= -eta {
-            Answer::Apart
-        } else if depth < -eta {
-            Answer::Touching
-        } else {
-            Answer::Open
+            return false;
         }
+        let answer = if depth < -eta { Answer::Touching } else { Answer::Open };
+        self.keep(stretch, Pair { link: link as u32, obstacle: BOUNDS, hint: NO_HINT }, answer, bounds_tau)
     }
 
-    /// Whether link and obstacle are apart on the whole stretch.
-    fn separate(&self, stretch: &Stretch, middle: &Middle, link: usize, obstacle: usize, bound: f64) -> Answer {
-        let margin = self.setting.arm.radius() + self.setting.tolerance.eta;
-        let is_touching = match self.setting.obstacles.solid(obstacle) {
-            Solid::Convex(faces) => match separate_from_polygon(faces, stretch.along[link], middle, link, margin) {
-                Answer::Apart => return Answer::Apart,
-                answer => answer == Answer::Touching,
-            },
-            Solid::Disc(disc) => {
-                let (a, b) = (middle.place[link], middle.place[link + 1]);
-                let to = nearest_point(disc.center, a, b) - disc.center;
-                let distance = to.norm();
-                if distance > 0.0 {
-                    let n = to / distance;
-                    let ahead = [a, b].map(|end| n.dot(&(end - disc.center)) - disc.radius);
-                    if middle.stays_ahead(n, link, ahead, margin) {
-                        return Answer::Apart;
-                    }
-                }
-                true
+    /// Whether link and obstacle are apart on the whole stretch: by separating lines, then by the distance.
+    #[inline(always)]
+    fn separate(&self, stretch: &Stretch<N>, link: Link, index: usize, obstacle: usize, hint: u32) -> (Answer, u32) {
+        let Tolerance { eta, tau, .. } = self.setting.tolerance;
+        let faces = self.setting.obstacles.faces(obstacle);
+        let bound = self.work.travel[index] * stretch.half;
+        let mut next = NO_HINT;
+        if !faces.is_empty() {
+            let answer;
+            (answer, next) = link.separate_from_polygon(faces, hint, self.margin, eta);
+            if matches!(answer, Answer::Apart | Answer::Touching) || (answer == Answer::Open && bound >= tau) {
+                return (answer, next);
             }
-            Solid::Concave => true,
+        }
+        (self.separate_closely(faces, link, obstacle, bound), next)
+    }
+
+    /// The same where neither a face nor the link itself tells.
+    #[inline(never)]
+    fn separate_closely(&self, faces: &[Face], link: Link, obstacle: usize, bound: f64) -> Answer {
+        let Tolerance { eta, tau, .. } = self.setting.tolerance;
+        let answer = if !faces.is_empty() {
+            link.separate_corners(faces, self.margin, eta)
+        } else if let Some(disc) = self.setting.obstacles.disc(obstacle) {
+            link.separate_from_disc(disc, self.margin, eta)
+        } else {
+            Answer::Unknown
         };
-        if !is_touching && stretch.half > DISTANCE_FROM && bound >= self.setting.tolerance.tau {
-            return Answer::Open;
+        if matches!(answer, Answer::Apart | Answer::Touching) || (answer == Answer::Open && bound >= tau) {
+            return answer;
         }
-        let axis = Segment::new(middle.place[link], middle.place[link + 1]);
+        let axis = Segment::new(link.ends[0].place(), link.ends[1].place());
         let clearance = self.setting.obstacles.distance(obstacle, &axis) - self.setting.arm.radius();
-        if clearance - bound > self.setting.tolerance.eta {
+        if clearance - bound > eta {
             Answer::Apart
-        } else if clearance <= self.setting.tolerance.eta {
+        } else if clearance <= eta {
             Answer::Touching
         } else {
             Answer::Open
         }
-    }
-}
-
-/// Tries the outward normals of the polygon's faces and the normal of the link as directions. `Touching` here means only
-/// that none of them separates the two in the middle.
-#[inline]
-fn separate_from_polygon(faces: &[Face], along: Vector, middle: &Middle, link: usize, margin: f64) -> Answer {
-    let (a, b) = (middle.place[link], middle.place[link + 1]);
-    let mut is_touching = true;
-    for face in faces {
-        let n = face.normal;
-        let ahead = [n.dot(&a.coords) - face.support, n.dot(&b.coords) - face.support];
-        if ahead[0] > margin && ahead[1] > margin {
-            is_touching = false;
-            if middle.stays_ahead(n, link, ahead, margin) {
-                return Answer::Apart;
-            }
-        }
-    }
-    let across = Vector::new(-along.y, along.x);
-    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-    for face in faces {
-        let side = across.dot(&(face.corner - a));
-        if side < low {
-            low = side;
-        }
-        if side > high {
-            high = side;
-        }
-    }
-    let (n, ahead) = if low > 0.0 { (-across, low) } else { (across, -high) };
-    if ahead > margin {
-        is_touching = false;
-        if middle.stays_ahead(n, link, [ahead, ahead], margin) {
-            return Answer::Apart;
-        }
-    }
-    if is_touching { Answer::Touching } else { Answer::Open }
-}
-
-/// The point of the segment from `a` to `b` nearest to `p`.
-fn nearest_point(p: Point, a: Point, b: Point) -> Point {
-    let along = b - a;
-    let t = (p - a).dot(&along) / along.norm_squared();
-    if t >= 1.0 {
-        b
-    } else if t > 0.0 {
-        a + along * t
-    } else {
-        a
     }
 }

@@ -72,7 +72,8 @@ struct Leaf {
 type Sides = [[f64; 2]; 2];
 
 /// A kd-tree that grows. A query costs about O(log n + k) where the dimension is low; n insertions cost O(n log n) in random
-/// order, O(n log^2 n) in any. About 13 to 19 bytes a state beside its numbers.
+/// order, O(n log^2 n) in any: a million states of four numbers take half a second. Beside its numbers a state takes about 12
+/// bytes where leaves are full, and up to 30 just after they were halved.
 #[derive(Debug, Clone)]
 pub struct KdTree<S: Space> {
     packs: Packs,
@@ -144,9 +145,8 @@ impl<S: Space> KdTree<S> {
             for (distances, &pack) in distances.iter_mut().zip(packs) {
                 *distances = self.packs.distances(space, from, pack as usize);
             }
-            for (distances, &pack) in distances.iter().zip(packs) {
-                closest.offer(distances, self.packs.vertices(pack as usize));
-            }
+            let vertex = |pack: usize, lane: usize| self.packs.vertices(packs[pack] as usize)[lane];
+            closest.offer(&distances[..packs.len()], vertex);
             node = loop {
                 if waits == 0 {
                     return;

@@ -60,7 +60,8 @@ export function figures({ name, planner }, results) {
   const ratios = comparisons[planner].flatMap(({ name, over, under, least, most }) => {
     const [a, b] = [times.get(over), times.get(under)];
     if (a === undefined || b === undefined) return [];
-    const ratio = spread(finite(a.map((time, world) => time / b[world])));
+    // Where only one of them came through, there is no ratio: not 0, and not infinity.
+    const ratio = spread(a.flatMap((time, world) => (Number.isFinite(time) && Number.isFinite(b[world]) ? [time / b[world]] : [])));
     const aim = least !== undefined ? `>= ${least}` : most !== undefined ? `<= ${most}` : "";
     // Where no world was solved by both there is nothing to judge.
     const isJudged = ratio.count > 0 && aim !== "";
@@ -114,13 +115,18 @@ export function armTable(rows) {
 /** The few columns that the README shows. @param {RowFigures[]} rows */
 export function summaryTable(rows) {
   const body = rows.flatMap(({ row, arms, ratios }) => {
-    const time = (/** @type {string} */ name) => digits(arms.find(({ arm }) => arm === name)?.milliseconds.median ?? NaN);
+    const arm = (/** @type {string} */ name) => arms.find((each) => each.arm === name);
+    const time = (/** @type {string} */ name) => digits(arm(name)?.milliseconds.median ?? NaN);
+    const solved = (/** @type {string} */ name) => digits(Math.round(100 * (arm(name)?.solved ?? NaN)));
     const ratio = (/** @type {string} */ name) => {
       const found = ratios.find((each) => each.name === name);
-      return found === undefined ? "-" : `${digits(found.ratio.median)} (${range(found.ratio)})`;
+      return found === undefined ? "-" : `**${digits(found.ratio.median)}** (${range(found.ratio)})`;
     };
     const kinds = arms.some(({ arm }) => arm.endsWith(", batch")) ? [", equal motions", ", batch"] : [""];
-    return kinds.map((kind) => [row + kind, time(`native${kind}`), time(`Node${kind}`), time("OMPL"), time("OxMPL"), ratio(`OMPL / native${kind}`), ratio(`OMPL / Node${kind}`)]);
+    return kinds.map((kind) => [
+      row + kind, time(`native${kind}`), time(`Node${kind}`), time("OMPL"), time("OxMPL"), ratio(`OMPL / native${kind}`), ratio(`OMPL / Node${kind}`),
+      `${solved(`native${kind}`)}, ${solved("OMPL")}, ${solved("OxMPL")}`,
+    ]);
   });
-  return table(["median ms a world", "native", "Node", "OMPL", "OxMPL", "OMPL / native", "OMPL / Node"], body);
+  return table(["", "native", "Node", "OMPL", "OxMPL", "OMPL / native", "OMPL / Node", "solved, %: ours, OMPL, OxMPL"], body);
 }

@@ -35,9 +35,9 @@ function roadmaps({ links }) {
     name, side,
     job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.json} prm ${seed} ${runs} 60 samples=${n} k=${K}${more}`,
   });
-  const peer = (/** @type {SideName} */ side, /** @type {string} */ name) => ({
+  const peer = (/** @type {SideName} */ side, /** @type {string} */ name, space = "flat") => ({
     name, side,
-    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.text} prm ${seed} ${runs} ${n} ${K}`,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.text} prm ${seed} ${runs} ${n} ${K} ${space}`,
   });
   return [
     ours("native", "native, equal motions", " insertion=one-by-one"),
@@ -46,6 +46,7 @@ function roadmaps({ links }) {
     ours("node", "Node, equal motions", " insertion=one-by-one"),
     ours("node", "Node, batch"),
     peer("ompl", "OMPL"),
+    peer("ompl", "OMPL, compound", "compound"),
     peer("oxmpl", "OxMPL"),
   ];
 }
@@ -61,14 +62,15 @@ function trees({ links }) {
     name, side,
     job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.json} rrt-connect ${seed} ${runs} ${LIMIT}`,
   });
-  const peer = (/** @type {SideName} */ side, /** @type {string} */ name, range = 0.2 * extent, resolution = RESOLUTION) => ({
+  const peer = (/** @type {SideName} */ side, /** @type {string} */ name, range = 0.2 * extent, resolution = RESOLUTION, space = "flat") => ({
     name, side,
-    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.text} rrt-connect ${seed} ${runs} ${range} ${resolution} ${LIMIT}`,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.text} rrt-connect ${seed} ${runs} ${range} ${resolution} ${LIMIT} ${space}`,
   });
   return [
     ours("native", "native"),
     ours("node", "Node"),
     peer("ompl", "OMPL"),
+    peer("ompl", "OMPL, compound", 0.2 * extent, RESOLUTION, "compound"),
     peer("ompl", "OMPL, range 0.5", 0.5),
     // What OMPL takes where nobody says: a hundredth of the extent.
     peer("ompl", "OMPL, coarse", 0.2 * extent, 0.01 * extent),
@@ -88,6 +90,7 @@ export const comparisons = {
     { name: "OMPL / Node, equal motions", over: "OMPL", under: "Node, equal motions", least: 4 },
     { name: "OMPL / native, batch", over: "OMPL", under: "native, batch", least: 12 },
     { name: "OMPL / Node, batch", over: "OMPL", under: "Node, batch", least: 8 },
+    { name: "OMPL, compound / native, equal motions", over: "OMPL, compound", under: "native, equal motions" },
     { name: "OxMPL / native, equal motions", over: "OxMPL", under: "native, equal motions" },
     { name: "sampled / proven, both native, batch", over: "native, batch, sampled", under: "native, batch", least: 4 },
     { name: "Node / native, batch", over: "Node, batch", under: "native, batch", most: 2 },
@@ -95,6 +98,7 @@ export const comparisons = {
   "rrt-connect": [
     { name: "OMPL / native", over: "OMPL", under: "native", least: 6 },
     { name: "OMPL / Node", over: "OMPL", under: "Node", least: 4 },
+    { name: "OMPL, compound / native", over: "OMPL, compound", under: "native" },
     { name: "OMPL, range 0.5 / native", over: "OMPL, range 0.5", under: "native" },
     { name: "OMPL, coarse / native", over: "OMPL, coarse", under: "native" },
     { name: "OxMPL / native", over: "OxMPL", under: "native" },

@@ -1,15 +1,16 @@
 // OMPL's side of the benchmark: k-PRM and RRT-Connect for planar arms, one job a line of standard input, one line of JSON each.
 //
-//   FILE prm SEED RUNS samples k                        build and one query
-//   FILE rrt-connect SEED RUNS range resolution limit   up to the first path; lengths in radians, the limit in seconds
+//   FILE prm SEED RUNS samples k space                        build and one query
+//   FILE rrt-connect SEED RUNS range resolution limit space   up to the first path; lengths in radians, the limit in seconds
 //
-// Seeds are SEED, SEED + 1, ... Every run has its own planner, space and validity checker. Times leave out the set-up of OMPL.
+// The space is "flat" or "compound", see below. Seeds are SEED, SEED + 1, ... Every run has its own planner, space and validity checker. Times leave out the set-up of OMPL.
 #include "world.h"
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/SO2StateSpace.h>
 #include <ompl/config.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/planners/prm/PRM.h>
@@ -39,8 +40,7 @@ static double short_way(double turn) {
     return turn;
 }
 
-// One circle a joint, angles in [-pi, pi], distance the sum of the turns. Flat in memory: OMPL's own compound of SO(2) spaces
-// does the same through one virtual call and one pointer a joint, which costs it time.
+// One circle a joint, angles in [-pi, pi], distance the sum of the turns. Flat in memory, the least that OMPL allows.
 struct Torus : ob::RealVectorStateSpace {
     explicit Torus(unsigned joints) : ob::RealVectorStateSpace(joints) { setBounds(-M_PI, M_PI); }
     bool isMetricSpace() const override { return true; }
@@ -63,6 +63,34 @@ struct Checker : ob::StateValidityChecker {
     const World &world;
     Checker(const ob::SpaceInformationPtr &space, const World &world) : ob::StateValidityChecker(space), world(world) {}
     bool isValid(const ob::State *state) const override { return world.is_free(angles(state)); }
+};
+
+// The same space as OMPL's users write it: a compound of its SO(2) spaces, each joint a state of its own behind a pointer.
+struct Compound : ob::CompoundStateSpace {
+    explicit Compound(unsigned joints) {
+        for (unsigned i = 0; i < joints; ++i) addSubspace(std::make_shared<ob::SO2StateSpace>(), 1.0);
+        lock();
+    }
+    // In the metric of the whole, as in the flat space; OMPL would take the joint that turns most.
+    unsigned validSegmentCount(const ob::State *a, const ob::State *b) const override {
+        return ob::StateSpace::validSegmentCount(a, b);
+    }
+};
+
+static double &joint(ob::State *state, unsigned i) {
+    return state->as<ob::CompoundState>()->as<ob::SO2StateSpace::StateType>(i)->value;
+}
+
+struct CompoundChecker : ob::StateValidityChecker {
+    const World &world;
+    CompoundChecker(const ob::SpaceInformationPtr &space, const World &world)
+        : ob::StateValidityChecker(space), world(world) {}
+    bool isValid(const ob::State *state) const override {
+        double at[8];
+        const auto *joints = state->as<ob::CompoundState>();
+        for (size_t i = 0; i < world.links.size(); ++i) at[i] = joints->as<ob::SO2StateSpace::StateType>(i)->value;
+        return world.is_free(at);
+    }
 };
 
 // The reports' test of an edge: 20 configurations along it, the far end included, from its beginning on.
@@ -101,26 +129,34 @@ struct Outcome {
 
 // A problem of its own for every run.
 struct Task {
-    std::shared_ptr<Torus> space;
+    ob::StateSpacePtr space;
     ob::SpaceInformationPtr information;
     ob::ProblemDefinitionPtr problem;
     ob::ScopedState<> start, goal;
 
-    explicit Task(const World &world)
-        : space(std::make_shared<Torus>(world.links.size())), information(std::make_shared<ob::SpaceInformation>(space)),
+    Task(const World &world, bool is_flat)
+        : space(make_space(world.links.size(), is_flat)), information(std::make_shared<ob::SpaceInformation>(space)),
           start(space), goal(space) {
-        information->setStateValidityChecker(std::make_shared<Checker>(information, world));
+        if (is_flat)
+            information->setStateValidityChecker(std::make_shared<Checker>(information, world));
+        else
+            information->setStateValidityChecker(std::make_shared<CompoundChecker>(information, world));
         for (size_t i = 0; i < world.links.size(); ++i) {
-            angles(start.get())[i] = std::remainder(world.start[i], 2 * M_PI);
-            angles(goal.get())[i] = std::remainder(world.goal[i], 2 * M_PI);
+            (is_flat ? angles(start.get())[i] : joint(start.get(), i)) = std::remainder(world.start[i], 2 * M_PI);
+            (is_flat ? angles(goal.get())[i] : joint(goal.get(), i)) = std::remainder(world.goal[i], 2 * M_PI);
         }
         problem = std::make_shared<ob::ProblemDefinition>(information);
         problem->setStartAndGoalStates(start, goal, 1e-9);
     }
+
+    static ob::StateSpacePtr make_space(unsigned joints, bool is_flat) {
+        if (is_flat) return std::make_shared<Torus>(joints);
+        return std::make_shared<Compound>(joints);
+    }
 };
 
-static Outcome prm(const World &world, unsigned samples, unsigned k) {
-    Task task(world);
+static Outcome prm(const World &world, bool is_flat, unsigned samples, unsigned k) {
+    Task task(world, is_flat);
     const auto edges = std::make_shared<TwentyPlaces>(task.information);
     task.information->setMotionValidator(edges);
     task.information->setup();
@@ -144,8 +180,8 @@ static Outcome prm(const World &world, unsigned samples, unsigned k) {
     return outcome;
 }
 
-static Outcome rrt_connect(const World &world, double range, double resolution, double limit) {
-    Task task(world);
+static Outcome rrt_connect(const World &world, bool is_flat, double range, double resolution, double limit) {
+    Task task(world, is_flat);
     task.space->setLongestValidSegmentFraction(resolution / task.space->getMaximumExtent());
     task.information->setup();
     og::RRTConnect planner(task.information);
@@ -170,18 +206,23 @@ static Outcome rrt_connect(const World &world, double range, double resolution, 
 
 static std::string answer(const std::string &job) {
     std::istringstream words(job);
-    std::string file, planner;
+    std::string file, planner, space;
     unsigned seed = 0, runs = 0;
     words >> file >> planner >> seed >> runs;
     double a = 0, b = 0, c = 0;
-    words >> a >> b >> c;
+    words >> a >> b;
+    if (planner != "prm") words >> c;
+    words >> space;
+    if (space != "flat" && space != "compound") throw std::runtime_error("not a job: " + job);
+    const bool is_flat = space == "flat";
     const World world(file);
     std::ostringstream out;
     out.precision(9);
     for (unsigned run = 0; run < runs; ++run) {
         // OMPL takes no seed 0.
         ompl::RNG::setSeed(seed + run + 1);
-        const Outcome outcome = planner == "prm" ? prm(world, unsigned(a), unsigned(b)) : rrt_connect(world, a, b, c);
+        const Outcome outcome = planner == "prm" ? prm(world, is_flat, unsigned(a), unsigned(b))
+                                                 : rrt_connect(world, is_flat, a, b, c);
         out << (run == 0 ? "" : ",") << "{\"build\":" << outcome.build << ",\"search\":" << outcome.search
             << ",\"solved\":" << (outcome.is_solved ? "true" : "false") << ",\"length\":" << outcome.length
             << ",\"motions\":" << outcome.motions << ",\"vertices\":" << outcome.vertices << ",\"edges\":" << outcome.edges

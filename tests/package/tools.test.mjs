@@ -1,9 +1,12 @@
 /** The project's own scripts: the server, the count of tests, the guard over versions. */
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
+import { readFileSync } from "node:fs";
 import { createServer } from "node:net";
 import { join } from "node:path";
 import { test } from "node:test";
+import { figures } from "../../benches/peers/report.mjs";
+import { flat, rows } from "../../benches/peers/worlds.mjs";
 import { countsOfHarness, countsOfTap } from "../../scripts/counts.mjs";
 import { Problem, root } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
@@ -61,4 +64,49 @@ test("counts are summed over test programs, and missing when there is none", () 
   assert.equal(countsOfHarness("no tests to run!\n"), undefined);
   assert.deepEqual(countsOfTap("ok 1 - x\n1..1\n# tests 4\n# pass 1\n# fail 2\n# cancelled 1\n# skipped 0\n"), { passed: 1, failed: 3 });
   assert.equal(countsOfTap("TAP version 13\n"), undefined);
+});
+
+test("the benchmark works without peers, and prints and writes what it measured", () => {
+  const file = join(emptyFolder(), "figures.json");
+  const args = [join(root, "benches", "bench.mjs"), "--quick", "--no-build", "--sides", "node", "--rows", "RRT-Connect, clutter", "--json", file];
+  const { status, stdout, stderr } = spawnSync(process.execPath, args, { encoding: "utf8", timeout: 120_000 });
+  assert.equal(status, 0, stderr);
+  assert.match(stdout, /\| RRT-Connect, clutter 4R \| Node \| \d/);
+  const { worlds, rows: measured, cold, memory } = JSON.parse(readFileSync(file, "utf8"));
+  assert.equal(worlds, 3);
+  assert.deepEqual(measured.map((/** @type {{ row: string }} */ { row }) => row), ["RRT-Connect, clutter 4R"]);
+  const [{ arm, solved, milliseconds }] = measured[0].arms;
+  assert.ok(arm === "Node" && solved > 0 && milliseconds.median > 0);
+  assert.ok(cold.roadmap.median > 0 && memory.peak >= memory.before);
+});
+
+test("the benchmark refuses sides, rows and numbers of worlds that are none", () => {
+  for (const args of [["--sides", "native,magic"], ["--rows", "magic"], ["--worlds", "0"], ["--worlds", "many"]]) {
+    const { status, stderr } = spawnSync(process.execPath, [join(root, "benches", "bench.mjs"), "--no-build", ...args], { encoding: "utf8", timeout: 30_000 });
+    assert.equal(status, 1, args.join(" "));
+    assert.match(stderr, /magic|whole number/);
+  }
+});
+
+test("ratios are taken world by world, and only where both sides solved most of their runs", () => {
+  const run = (/** @type {number} */ build, solved = true) => ({ build, search: 0, solved, length: 1, motions: 1, vertices: 1, edges: 1 });
+  const results = new Map([
+    ["native", [[run(1), run(1), run(9)], [run(2), run(2), run(2)], [run(1, false), run(1, false), run(1)]]],
+    ["OMPL", [[run(6), run(6), run(6)], [run(20), run(20), run(20)], [run(1), run(1), run(1)]]],
+  ]);
+  const { ratios, arms } = figures(rows.find(({ planner }) => planner === "rrt-connect") ?? rows[0], results);
+  const [{ name, ratio, reached }] = ratios;
+  assert.deepEqual([name, ratio.count, ratio.low, ratio.high, reached], ["OMPL / native", 2, 6, 10, true]);
+  assert.equal(ratios.length, 1, "sides that are absent have no ratio");
+  assert.deepEqual(arms.map(({ solved }) => Math.round(100 * solved)), [78, 100]);
+});
+
+test("peers get polygons counter-clockwise, and none that they cannot read", () => {
+  /** @param {number[][]} vertices @returns {import("planarium").ScenarioDocument} */
+  const document = (vertices) => ({
+    format: "planarium-scenario-1", name: "one", world: { obstacles: [{ type: "polygon", vertices: /** @type {[number, number][]} */ (vertices) }] },
+    robot: { type: "arm", base: [0, 0], links: [1] }, queries: [{ name: "q", start: [0], goal: [1] }],
+  });
+  assert.equal(flat(document([[2, 0], [2, 1], [3, 0]])), "base 0 0\nradius 0\nlinks 1\nstart 0\ngoal 1\npolygon 3 0 2 1 2 0\n");
+  assert.throws(() => flat(document([[2, 0], [4, 0], [3, 0.2], [3, 2]])), /convex/);
 });

@@ -1,0 +1,107 @@
+/** What every side is asked to do in a row: one arm of the comparison each, with its parameters. */
+import { samples } from "./worlds.mjs";
+
+/** @typedef {import("./worlds.mjs").Row} Row */
+/** @typedef {import("./worlds.mjs").World} World */
+/** @typedef {import("./sides.mjs").SideName} SideName */
+/** @typedef {{ name: string, side: SideName, job: (world: World, seed: number, runs: number) => string }} Arm */
+
+/** Seconds after which a single query is given up: hundreds of times what one takes. */
+const LIMIT = 0.1;
+
+/** Radians in the sum metric between two configurations that a peer checks on an edge of its trees. */
+const RESOLUTION = 0.05;
+
+/** The neighbours of the reports' roadmaps. */
+const K = 30;
+
+/**
+ * The arms of a row.
+ * @param {Row} row
+ * @returns {Arm[]}
+ */
+export function arms(row) {
+  return row.planner === "prm" ? roadmaps(row) : trees(row);
+}
+
+/**
+ * Ours in two orders: the batch tries every pair once; one by one tries k motions a sample, as OMPL does.
+ * @param {Row} row
+ * @returns {Arm[]}
+ */
+function roadmaps({ links }) {
+  const n = samples(links);
+  const ours = (/** @type {SideName} */ side, /** @type {string} */ name, more = "") => ({
+    name, side,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.json} prm ${seed} ${runs} 60 samples=${n} k=${K}${more}`,
+  });
+  const peer = (/** @type {SideName} */ side, /** @type {string} */ name, space = "flat") => ({
+    name, side,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.text} prm ${seed} ${runs} ${n} ${K} ${space}`,
+  });
+  return [
+    ours("native", "native, equal motions", " insertion=one-by-one"),
+    ours("native", "native, batch"),
+    ours("native", "native, batch, sampled", " edge_check=sampled"),
+    ours("node", "Node, equal motions", " insertion=one-by-one"),
+    ours("node", "Node, batch"),
+    peer("ompl", "OMPL"),
+    peer("ompl", "OMPL, compound", "compound"),
+    peer("oxmpl", "OxMPL"),
+  ];
+}
+
+/**
+ * Ours with its defaults, which are OMPL's: steps of a fifth of the space's extent.
+ * @param {Row} row
+ * @returns {Arm[]}
+ */
+function trees({ links }) {
+  const extent = Math.PI * links;
+  const ours = (/** @type {SideName} */ side, /** @type {string} */ name) => ({
+    name, side,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.json} rrt-connect ${seed} ${runs} ${LIMIT}`,
+  });
+  const peer = (/** @type {SideName} */ side, /** @type {string} */ name, range = 0.2 * extent, resolution = RESOLUTION, space = "flat") => ({
+    name, side,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.text} rrt-connect ${seed} ${runs} ${range} ${resolution} ${LIMIT} ${space}`,
+  });
+  return [
+    ours("native", "native"),
+    ours("node", "Node"),
+    peer("ompl", "OMPL"),
+    peer("ompl", "OMPL, compound", 0.2 * extent, RESOLUTION, "compound"),
+    peer("ompl", "OMPL, range 0.5", 0.5),
+    // What OMPL takes where nobody says: a hundredth of the extent.
+    peer("ompl", "OMPL, coarse", 0.2 * extent, 0.01 * extent),
+    peer("oxmpl", "OxMPL"),
+  ];
+}
+
+/**
+ * Which arm's time is divided by which, and what the ratio is to be.
+ * @typedef {{ name: string, over: string, under: string, least?: number, most?: number }} Comparison
+ */
+
+/** @type {Record<Row["planner"], Comparison[]>} */
+export const comparisons = {
+  prm: [
+    { name: "OMPL / native, equal motions", over: "OMPL", under: "native, equal motions", least: 7 },
+    { name: "OMPL / Node, equal motions", over: "OMPL", under: "Node, equal motions", least: 4 },
+    { name: "OMPL / native, batch", over: "OMPL", under: "native, batch", least: 12 },
+    { name: "OMPL / Node, batch", over: "OMPL", under: "Node, batch", least: 8 },
+    { name: "OMPL, compound / native, equal motions", over: "OMPL, compound", under: "native, equal motions" },
+    { name: "OxMPL / native, equal motions", over: "OxMPL", under: "native, equal motions" },
+    { name: "sampled / proven, both native, batch", over: "native, batch, sampled", under: "native, batch", least: 4 },
+    { name: "Node / native, batch", over: "Node, batch", under: "native, batch", most: 2 },
+  ],
+  "rrt-connect": [
+    { name: "OMPL / native", over: "OMPL", under: "native", least: 6 },
+    { name: "OMPL / Node", over: "OMPL", under: "Node", least: 4 },
+    { name: "OMPL, compound / native", over: "OMPL, compound", under: "native" },
+    { name: "OMPL, range 0.5 / native", over: "OMPL, range 0.5", under: "native" },
+    { name: "OMPL, coarse / native", over: "OMPL, coarse", under: "native" },
+    { name: "OxMPL / native", over: "OxMPL", under: "native" },
+    { name: "Node / native", over: "Node", under: "native", most: 2 },
+  ],
+};

@@ -1,0 +1,68 @@
+//! The crate's side of `npm run bench`: one job a line of standard input, one line of JSON each.
+//!
+//!   FILE PLANNER SEED RUNS LIMIT name=value ...
+//!
+//! FILE is a scenario document; seeds are SEED, SEED + 1, ...; a run ends after LIMIT seconds, solved or not. Every run is
+//! fresh: its time counts from the parsed scenario to the path, set-up included.
+
+use planarium::run::{Options, Status, Value, start};
+use planarium::scenario::Scenario;
+use std::io::{BufRead, Write};
+use std::time::Instant;
+
+/// Iterations between two looks at the clock.
+const SLICE: u64 = 32;
+
+fn main() {
+    if !std::env::args().any(|argument| argument == "--serve") {
+        println!("The comparison with the peers is driven by `npm run bench`.");
+        return;
+    }
+    println!("{}", serde_json::json!({ "name": concat!("Planarium ", env!("CARGO_PKG_VERSION")) }));
+    for job in std::io::stdin().lock().lines() {
+        let reply = answer(&job.expect("standard input is text"));
+        let reply = reply.unwrap_or_else(|error| serde_json::json!({ "error": error.to_string() }));
+        println!("{reply}");
+        std::io::stdout().flush().expect("standard output can be written");
+    }
+}
+
+fn answer(job: &str) -> Result<serde_json::Value, Box<dyn std::error::Error>> {
+    let mut words = job.split(' ');
+    let mut next = || words.next().ok_or("a job has at least five words");
+    let scenario = Scenario::parse(&std::fs::read_to_string(next()?)?)?;
+    let planner = next()?.to_owned();
+    let (seed, runs, limit): (u64, u64, f64) = (next()?.parse()?, next()?.parse()?, next()?.parse()?);
+    let parameters = words.map(parameter).collect::<Option<Vec<_>>>().ok_or("a parameter is name=value")?;
+    let mut done = Vec::new();
+    for seed in seed..seed + runs {
+        let options = Options { planner: planner.clone(), query: None, seed, parameters: parameters.clone() };
+        done.push(outcome(&scenario, &options, limit)?);
+    }
+    Ok(serde_json::json!({ "runs": done }))
+}
+
+fn parameter(word: &str) -> Option<(String, Value)> {
+    let (name, value) = word.split_once('=')?;
+    Some((name.to_owned(), Value::from_text(value)))
+}
+
+/// One run, from nothing to its path.
+fn outcome(scenario: &Scenario, options: &Options, limit: f64) -> Result<serde_json::Value, planarium::Error> {
+    let began = Instant::now();
+    let mut run = start(scenario, options)?;
+    let mut built = None;
+    while run.step(SLICE) == Status::Running && began.elapsed().as_secs_f64() < limit {
+        if built.is_none() && run.phase() == "searching" {
+            built = Some(began.elapsed().as_secs_f64());
+        }
+    }
+    let path = run.path();
+    let seconds = began.elapsed().as_secs_f64();
+    std::hint::black_box(path);
+    let (stats, built) = (run.stats(), built.unwrap_or(seconds));
+    Ok(serde_json::json!({
+        "build": built, "search": seconds - built, "solved": run.status() == Status::Solved, "length": run.length(),
+        "motions": stats.motion_checks, "vertices": stats.vertices, "edges": stats.edges,
+    }))
+}

@@ -1,0 +1,268 @@
+//! OxMPL's side of the benchmark: PRM and RRT-Connect for planar arms, one job a line of standard input, one line of JSON
+//! each. The jobs are those of the C++ peer:
+//!
+//!   FILE prm SEED RUNS samples k                        build and one query
+//!   FILE rrt-connect SEED RUNS range resolution limit   up to the first path
+//!
+//! OxMPL joins all within a radius and stops its PRM by the clock. So the radius is chosen to try about samples x k motions,
+//! and the sampler ends the building once there are enough. Its query joins the start only: the goal is given to it as the
+//! first sample, without which it would seldom have a path.
+
+mod world;
+
+use oxmpl::base::error::StateSamplingError;
+use oxmpl::base::goal::{Goal, GoalRegion, GoalSampleableRegion};
+use oxmpl::base::planner::{Path, Planner, PlannerConfig};
+use oxmpl::base::problem_definition::ProblemDefinition;
+use oxmpl::base::space::StateSpace;
+use oxmpl::base::state::State;
+use oxmpl::base::validity::StateValidityChecker;
+use oxmpl::geometric::{PRM, RRTConnect};
+use rand::{Rng, RngExt};
+use std::cell::Cell;
+use std::f64::consts::{PI, TAU};
+use std::io::{BufRead, Write};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use world::World;
+
+/// The reports' test of an edge: so many configurations along it.
+const PLACES: f64 = 20.0;
+
+/// The most joints of an arm here.
+const JOINTS: usize = 8;
+
+/// Angles; those past the arm's joints are 0.
+#[derive(Clone, Debug)]
+struct Angles([f64; JOINTS]);
+
+impl State for Angles {}
+
+impl Angles {
+    fn new(values: &[f64]) -> Self {
+        let mut angles = [0.0; JOINTS];
+        angles[..values.len()].copy_from_slice(values);
+        Self(angles)
+    }
+}
+
+/// What space and checker tell each other and the clock.
+#[derive(Default)]
+struct Tally {
+    motions: Cell<usize>,
+    /// Whether the next configuration asked for is a fresh sample.
+    is_fresh: Cell<bool>,
+    kept: Cell<usize>,
+    /// After so many samples are kept, building ends.
+    wanted: Cell<Option<usize>>,
+}
+
+/// How an edge is tested.
+#[derive(Clone, Copy)]
+enum Test {
+    /// In so many places, however long it is.
+    Places,
+    /// Every so many radians.
+    Resolution(f64),
+}
+
+/// One circle a joint; the distance is the sum of the turns.
+struct Torus {
+    joints: usize,
+    test: Test,
+    /// The first sample, where building a roadmap.
+    goal: Angles,
+    /// The last distance asked for: that of the motion about to be tested.
+    last: Cell<f64>,
+    tally: Arc<Tally>,
+}
+
+/// The short way round.
+fn short_way(turn: f64) -> f64 {
+    turn - TAU * (turn / TAU).round()
+}
+
+impl StateSpace for Torus {
+    type StateType = Angles;
+
+    fn distance(&self, a: &Angles, b: &Angles) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..self.joints {
+            sum += short_way(a.0[i] - b.0[i]).abs();
+        }
+        self.last.set(sum);
+        sum
+    }
+
+    fn interpolate(&self, from: &Angles, to: &Angles, t: f64, at: &mut Angles) {
+        for i in 0..self.joints {
+            at.0[i] = from.0[i] + t * short_way(to.0[i] - from.0[i]);
+        }
+    }
+
+    fn enforce_bounds(&self, _: &mut Angles) {}
+
+    fn satisfies_bounds(&self, _: &Angles) -> bool {
+        true
+    }
+
+    fn sample_uniform(&self, rng: &mut impl Rng) -> Result<Angles, StateSamplingError> {
+        let Tally { kept, wanted, is_fresh, .. } = &*self.tally;
+        is_fresh.set(true);
+        if let Some(wanted) = wanted.get() {
+            if kept.get() == 0 {
+                return Ok(self.goal.clone());
+            }
+            if kept.get() == wanted {
+                // An error would make OxMPL throw its roadmap away; unwinding leaves it.
+                resume_unwind(Box::new(Instant::now()));
+            }
+        }
+        let mut angles = [0.0; JOINTS];
+        angles[..self.joints].fill_with(|| rng.random_range(0.0..TAU));
+        Ok(Angles(angles))
+    }
+
+    /// Asked for once a motion. OxMPL steps by a tenth of it.
+    fn get_longest_valid_segment_length(&self) -> f64 {
+        self.tally.motions.set(self.tally.motions.get() + 1);
+        match self.test {
+            Test::Places => self.last.get() * (10.0 / PLACES) * (1.0 + 1e-12),
+            Test::Resolution(resolution) => 10.0 * resolution,
+        }
+    }
+}
+
+struct Checker {
+    world: Arc<World>,
+    tally: Arc<Tally>,
+}
+
+impl StateValidityChecker<Angles> for Checker {
+    fn is_valid(&self, state: &Angles) -> bool {
+        let is_free = self.world.is_free(&state.0);
+        if self.tally.is_fresh.replace(false) && is_free {
+            self.tally.kept.set(self.tally.kept.get() + 1);
+        }
+        is_free
+    }
+}
+
+struct At {
+    goal: Angles,
+    space: Arc<Torus>,
+}
+
+impl Goal<Angles> for At {
+    fn is_satisfied(&self, state: &Angles) -> bool {
+        self.distance_goal(state) <= 1e-9
+    }
+}
+
+impl GoalRegion<Angles> for At {
+    fn distance_goal(&self, state: &Angles) -> f64 {
+        self.space.distance(state, &self.goal)
+    }
+}
+
+impl GoalSampleableRegion<Angles> for At {
+    fn sample_goal(&self, _: &mut impl Rng) -> Result<Angles, StateSamplingError> {
+        Ok(self.goal.clone())
+    }
+}
+
+/// A problem of its own for every run.
+struct Task {
+    space: Arc<Torus>,
+    problem: Arc<ProblemDefinition<Angles, Torus, At>>,
+    checker: Arc<Checker>,
+    tally: Arc<Tally>,
+}
+
+// OxMPL asks for Arc, and this program has one thread.
+#[allow(clippy::arc_with_non_send_sync)]
+fn task(world: &Arc<World>, test: Test) -> Task {
+    let tally = Arc::new(Tally::default());
+    let goal = Angles::new(&world.goal);
+    let (joints, last) = (world.links.len(), Cell::new(0.0));
+    let space = Arc::new(Torus { joints, test, goal: goal.clone(), last, tally: tally.clone() });
+    let goal = Arc::new(At { goal, space: space.clone() });
+    let start_states = vec![Angles::new(&world.start)];
+    let problem = Arc::new(ProblemDefinition { space: space.clone(), start_states, goal });
+    let checker = Arc::new(Checker { world: world.clone(), tally: tally.clone() });
+    Task { space, problem, checker, tally }
+}
+
+/// The radius of the ball of the sum metric that holds 2 k of so many samples: each sample tries those before it, k on average.
+fn radius(joints: usize, samples: usize, k: f64) -> f64 {
+    let factorial: f64 = (1..=joints).map(|i| i as f64).product();
+    PI * (2.0 * k * factorial / samples as f64).powf(1.0 / joints as f64)
+}
+
+struct Outcome {
+    build: f64,
+    search: f64,
+    motions: usize,
+    vertices: usize,
+    path: Option<Path<Angles>>,
+}
+
+fn prm(world: &Arc<World>, seed: u64, samples: usize, k: f64) -> (Outcome, Task) {
+    let task = task(world, Test::Places);
+    let config = PlannerConfig { seed: Some(seed) };
+    let mut planner = PRM::new(60.0, radius(world.links.len(), samples, k), &config);
+    planner.setup(task.problem.clone(), task.checker.clone());
+    task.tally.wanted.set(Some(samples + 1));
+    let began = Instant::now();
+    let ended = catch_unwind(AssertUnwindSafe(|| planner.construct_roadmap())).expect_err("a minute is enough");
+    let built = *ended.downcast::<Instant>().expect("the sampler unwinds with the time");
+    let vertices = task.tally.kept.get();
+    let asked = Instant::now();
+    let path = planner.solve(Duration::from_secs(10)).ok();
+    let search = asked.elapsed().as_secs_f64();
+    let build = (built - began).as_secs_f64();
+    (Outcome { build, search, motions: task.tally.motions.get(), vertices, path }, task)
+}
+
+fn rrt_connect(world: &Arc<World>, seed: u64, range: f64, resolution: f64, limit: f64) -> (Outcome, Task) {
+    let task = task(world, Test::Resolution(resolution));
+    let mut planner = RRTConnect::new(range, 0.0, &PlannerConfig { seed: Some(seed) });
+    planner.setup(task.problem.clone(), task.checker.clone());
+    let began = Instant::now();
+    let path = planner.solve(Duration::from_secs_f64(limit)).ok();
+    let build = began.elapsed().as_secs_f64();
+    (Outcome { build, search: 0.0, motions: task.tally.motions.get(), vertices: 0, path }, task)
+}
+
+fn answer(job: &str) -> Result<String, Box<dyn std::error::Error>> {
+    let words: Vec<&str> = job.split(' ').collect();
+    let word = |i: usize| words.get(i).copied().ok_or("a job is too short");
+    let world = Arc::new(World::read(word(0)?)?);
+    let (seed, runs): (u64, u64) = (word(2)?.parse()?, word(3)?.parse()?);
+    let mut done = Vec::new();
+    for seed in seed..seed + runs {
+        let (outcome, task) = match word(1)? {
+            "prm" => prm(&world, seed, word(4)?.parse()?, word(5)?.parse()?),
+            "rrt-connect" => rrt_connect(&world, seed, word(4)?.parse()?, word(5)?.parse()?, word(6)?.parse()?),
+            other => return Err(format!("unknown planner {other}").into()),
+        };
+        let length = |path: &Path<Angles>| path.0.windows(2).map(|step| task.space.distance(&step[0], &step[1])).sum();
+        let (is_solved, length) = (outcome.path.is_some(), outcome.path.as_ref().map_or(0.0, length));
+        let Outcome { build, search, motions, vertices, .. } = outcome;
+        // OxMPL does not tell its edges, nor the vertices of its trees.
+        done.push(format!(
+            r#"{{"build":{build},"search":{search},"solved":{is_solved},"length":{length},"motions":{motions},"vertices":{vertices},"edges":0}}"#
+        ));
+    }
+    Ok(format!(r#"{{"runs":[{}]}}"#, done.join(",")))
+}
+
+fn main() {
+    println!(r#"{{"name":"OxMPL 0.8.1"}}"#);
+    for job in std::io::stdin().lock().lines() {
+        let reply = answer(&job.expect("standard input is text"));
+        println!("{}", reply.unwrap_or_else(|error| format!(r#"{{"error":"{error}"}}"#)));
+        std::io::stdout().flush().expect("standard output can be written");
+    }
+}

@@ -1,0 +1,144 @@
+/** The sides of the comparison: each a process that waits for jobs, so that they can take turns world by world. */
+import { spawn } from "node:child_process";
+import { existsSync, mkdirSync } from "node:fs";
+import { availableParallelism } from "node:os";
+import { join } from "node:path";
+import { createInterface } from "node:readline";
+import { Problem, ask, root, run } from "../../scripts/run.mjs";
+
+/** @typedef {"native" | "node" | "ompl" | "oxmpl"} SideName */
+
+/**
+ * @typedef {object} Run  what one run of a planner came to; times in seconds
+ * @property {number} build
+ * @property {number} search
+ * @property {boolean} solved
+ * @property {number} length
+ * @property {number} motions
+ * @property {number} vertices
+ * @property {number} edges
+ */
+
+const peers = join(root, "benches", "peers");
+const built = join(root, "target", "peers");
+
+/** How each side is built and started; an answer of undefined says why it cannot be. @type {Record<SideName, (build: boolean) => Promise<string[]>>} */
+const makers = { native, node, ompl, oxmpl };
+
+export const sideNames = /** @type {SideName[]} */ (Object.keys(makers));
+
+/** All run on this one core where `taskset` is there: the last, which the system leaves alone most. */
+export const pinned = ask("taskset", ["--version"]) === undefined ? [] : ["taskset", "-c", String(availableParallelism() - 1)];
+
+/**
+ * Builds a side and starts it. A peer that cannot be built or started is left out, aloud; one of our own must be there.
+ * @param {SideName} name
+ * @param {boolean} build  whether to build; else what is there is taken
+ * @returns {Promise<Side | undefined>}
+ */
+export async function startSide(name, build) {
+  try {
+    const side = new Side(name, await makers[name](build));
+    await side.greeted;
+    return side;
+  } catch (error) {
+    if (name === "native" || name === "node") throw error;
+    console.error(`\nbench: going on WITHOUT ${name}: ${error instanceof Error ? error.message : error}\n`);
+    return undefined;
+  }
+}
+
+/** The answer of a process that is no more. */
+const stopped = JSON.stringify({ error: "its process has stopped" });
+
+export class Side {
+  /** @type {((line: string) => void)[]} */
+  #waiting = [];
+  #hasEnded = false;
+  #process;
+
+  /**
+   * @param {SideName} name
+   * @param {string[]} command
+   */
+  constructor(name, command) {
+    this.name = name;
+    this.title = "";
+    const [program, ...args] = [...pinned, ...command];
+    this.#process = spawn(program, args, { cwd: root, stdio: ["pipe", "pipe", "inherit"] });
+    this.greeted = this.#reply().then((reply) => { this.title = reply.name; });
+    createInterface({ input: this.#process.stdout }).on("line", (line) => this.#waiting.shift()?.(line));
+    // Whoever still waits when the process ends would wait for ever.
+    const end = () => {
+      this.#hasEnded = true;
+      for (const answer of this.#waiting.splice(0)) answer(stopped);
+    };
+    this.#process.on("error", end).on("close", end);
+    this.#process.stdin.on("error", end);
+  }
+
+  /**
+   * @param {string} job
+   * @returns {Promise<Run[]>}
+   */
+  async ask(job) {
+    const reply = this.#reply();
+    this.#process.stdin.write(`${job}\n`);
+    return (await reply).runs;
+  }
+
+  stop() {
+    this.#process.stdin.end();
+  }
+
+  /** @returns {Promise<any>} */
+  async #reply() {
+    const line = this.#hasEnded ? stopped : await new Promise((resolve) => { this.#waiting.push(resolve); });
+    const reply = JSON.parse(line);
+    if (reply.error !== undefined) throw new Problem(`${this.name}: ${reply.error}`);
+    return reply;
+  }
+}
+
+/** The crate, as `cargo bench` compiles it. @param {boolean} build */
+async function native(build) {
+  if (build) await run("cargo", ["bench", "--locked", "--bench", "peers", "--no-run"]);
+  // The name of the program carries a hash that only Cargo knows.
+  const messages = ask("cargo", ["bench", "--locked", "--bench", "peers", "--no-run", "--message-format=json"]) ?? "";
+  const artifacts = messages.split("\n").filter((line) => line.startsWith("{")).map((line) => JSON.parse(line));
+  const program = artifacts.find(({ target, executable }) => target?.name === "peers" && executable)?.executable;
+  if (program === undefined) throw new Problem("The native side of the benchmark could not be built.");
+  return [program, "--serve"];
+}
+
+/** The npm package, in this Node. @param {boolean} build */
+async function node(build) {
+  if (build) {
+    const { buildPackage } = await import("../../scripts/build.mjs");
+    await buildPackage();
+  }
+  return [process.execPath, join(peers, "node.mjs")];
+}
+
+/** OMPL as Debian packages it. @param {boolean} build */
+async function ompl(build) {
+  const program = join(built, "ompl");
+  if (!build && existsSync(program)) return [program];
+  const include = ["/usr/include/ompl-1.5", "/usr/include/ompl"].find((folder) => existsSync(join(folder, "ompl", "config.h")));
+  if (include === undefined) throw new Problem("OMPL's headers are not there. On Debian: sudo apt-get install libompl-dev libeigen3-dev g++");
+  if (ask("g++", ["--version"]) === undefined) throw new Problem("g++ is not there. On Debian: sudo apt-get install g++");
+  mkdirSync(built, { recursive: true });
+  // As the crate: optimized for any machine of the kind, not for this one.
+  await run("g++", ["-O3", "-DNDEBUG", "-std=c++17", `-I${include}`, "-isystem", "/usr/include/eigen3", join(peers, "ompl", "main.cpp"), "-o", program, "-lompl"]);
+  return [program];
+}
+
+/** OxMPL from Cargo's registry. @param {boolean} build */
+async function oxmpl(build) {
+  const folder = join(built, "oxmpl");
+  const program = join(folder, "release", "planarium-bench-oxmpl");
+  if (build || !existsSync(program)) {
+    await run("cargo", ["build", "--release", "--locked", "--manifest-path", join(peers, "oxmpl", "Cargo.toml"), "--target-dir", folder]);
+  }
+  return [program];
+}

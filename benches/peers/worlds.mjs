@@ -1,0 +1,89 @@
+/**
+ * The worlds of the benchmark and what is asked in them. Every world comes from the project's own generators by its seed, and is
+ * written twice: as a scenario document for Planarium, and as flat text, an item a line, for the peers.
+ */
+import { mkdirSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+
+/** @typedef {import("planarium").ScenarioDocument} ScenarioDocument */
+/** @typedef {{ json: string, text: string }} World  paths of the two forms */
+
+/**
+ * @typedef {object} Row  one job on one kind of world
+ * @property {string} name
+ * @property {"prm" | "rrt-connect"} planner
+ * @property {import("planarium").GeneratorId} generator
+ * @property {Record<string, string | number>} options
+ * @property {number} links
+ */
+
+/** The jobs: the reports' roadmaps, and single queries in their forests and two other kinds of world. @type {Row[]} */
+export const rows = [
+  ...[2, 3, 4].map((links) => row("prm", "forest", { links }, `forest ${links}R`, links)),
+  ...[2, 3, 4].map((links) => row("rrt-connect", "forest", { links }, `forest ${links}R`, links)),
+  row("rrt-connect", "discs", { robot: "arm", links: 3, count: 12, largest: 0.1 }, "discs 3R, thick links", 3),
+  row("rrt-connect", "clutter", { robot: "arm", links: 4, radius: 0 }, "clutter 4R", 4),
+];
+
+/** How many samples the roadmap of a report has for an arm of so many links. @param {number} links */
+export const samples = (links) => 300 * links - 200;
+
+/**
+ * @param {Row["planner"]} planner
+ * @param {Row["generator"]} generator
+ * @param {Row["options"]} options
+ * @param {string} place
+ * @param {number} links
+ * @returns {Row}
+ */
+function row(planner, generator, options, place, links) {
+  return { name: `${planner === "prm" ? "k-PRM" : "RRT-Connect"}, ${place}`, planner, generator, options, links };
+}
+
+/**
+ * Writes the first worlds of a row. A seed whose world is refused by the peers' reader would be an error, not a gap.
+ * @param {typeof import("planarium").Scenario} Scenario
+ * @param {Row} row
+ * @param {number} count
+ * @param {string} folder
+ * @returns {World[]}
+ */
+export function writeWorlds(Scenario, { name, generator, options }, count, folder) {
+  const place = join(folder, name.replace(/\W+/g, "-"));
+  mkdirSync(place, { recursive: true });
+  return Array.from({ length: count }, (_, seed) => {
+    const scenario = Scenario.generate(generator, { ...options, seed });
+    const document = scenario.document();
+    scenario.free();
+    const world = { json: join(place, `${seed}.json`), text: join(place, `${seed}.txt`) };
+    writeFileSync(world.json, JSON.stringify(document));
+    writeFileSync(world.text, flat(document));
+    return world;
+  });
+}
+
+/**
+ * The document of an arm on circles, among convex polygons and discs, as flat text; polygons counter-clockwise.
+ * @param {ScenarioDocument} document
+ */
+export function flat({ world, robot, queries: [query] }) {
+  if (robot.type !== "arm" || robot.joint_limits !== undefined) throw new Error("the peers know arms without joint limits only");
+  /** @type {(string | number)[][]} */
+  const items = [["base", ...robot.base], ["radius", robot.radius ?? 0], ["links", ...robot.links], ["start", ...query.start], ["goal", ...query.goal]];
+  if (world.bounds) items.push(["bounds", ...world.bounds.min, ...world.bounds.max]);
+  for (const obstacle of world.obstacles) {
+    items.push(obstacle.type === "disc" ? ["disc", ...obstacle.center, obstacle.radius] : ["polygon", ...counterClockwise(obstacle.vertices).flat()]);
+  }
+  return items.map((item) => `${item.join(" ")}\n`).join("");
+}
+
+/** The corners of a convex polygon in counter-clockwise order. @param {readonly (readonly number[])[]} corners */
+function counterClockwise(corners) {
+  const turns = corners.map(([x, y], i) => {
+    const [[x1, y1], [x2, y2]] = [1, 2].map((ahead) => corners[(i + ahead) % corners.length]);
+    return (x1 - x) * (y2 - y1) - (y1 - y) * (x2 - x1);
+  });
+  if (turns.every((turn) => turn > 0)) return corners;
+  if (turns.every((turn) => turn < 0)) return corners.toReversed();
+  throw new Error("the peers know convex polygons only");
+}

@@ -29,7 +29,11 @@ fn scenario(case: &Json) -> Scenario {
 /// What a case comes to: status, fingerprint, length and the number of waypoints.
 fn outcome(case: &Json) -> Json {
     let parameters = case["parameters"].as_object().expect("parameters").iter().map(|(name, value)| {
-        let value = value.as_f64().map_or_else(|| Value::Text(value.as_str().expect("a word").into()), Value::Number);
+        let value = match value {
+            Json::Number(number) => Value::Number(number.as_f64().expect("a double")),
+            Json::Bool(on) => Value::Boolean(*on),
+            word => Value::Text(word.as_str().expect("a word").into()),
+        };
         (name.clone(), value)
     });
     let options = Options {
@@ -52,7 +56,7 @@ fn outcome(case: &Json) -> Json {
 #[wasm_bindgen_test(unsupported = test)]
 fn every_case_has_its_golden_outcome() {
     let cases: Vec<Json> = serde_json::from_str(GOLDEN).expect("the golden file is JSON");
-    assert!(cases.len() >= 12);
+    assert!(cases.len() >= 70, "every planner with every sampler");
     #[cfg(not(target_arch = "wasm32"))]
     if std::env::var_os("PLANARIUM_BLESS").is_some() {
         let blessed: Vec<Json> = cases

@@ -4,7 +4,7 @@
 use planarium::graph::VertexId;
 use planarium::nearest::{Forest, ForestParameters, Index, KdTree, LinearScan, Nearest, Neighbour, recall};
 use planarium::random::{Random, Stream};
-use planarium::space::{Euclidean, Joint, Metric, Space, Torus, gap, gap_to_interval};
+use planarium::space::{Joint, Metric, Space, Torus, gap, gap_to_interval};
 use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -86,6 +86,7 @@ fn spaces() -> Vec<(&'static str, Torus<4>)> {
         spaces.push(("limits", Torus::new(&[interval(-4.0, 7.5), interval(-1.0, 1.0)], metric)));
         let mixed = [Joint::Circle, interval(-9.0, 0.5), Joint::Circle];
         spaces.push(("circles and limits", Torus::new(&mixed, metric)));
+        spaces.push(("circles cut open", Torus::new(&mixed, metric).cut_open()));
     }
     spaces
 }
@@ -102,9 +103,9 @@ fn random_states_have_the_neighbours_of_the_definition() {
             agrees(name, &space, &samples(&space, seed, n), &samples(&space, seed + 100, native(40)));
         }
     }
-    let plane = Euclidean::new([0.0, -1.0], [3.0, 5.0]);
+    let plane = Torus::of_box([0.0, -1.0], [3.0, 5.0]);
     agrees("plane", &plane, &samples(&plane, 5, 2000), &samples(&plane, 105, native(40)));
-    let slab = Euclidean::new([0.0, 0.0, -1e6], [1.0, 1e-3, 1e6]);
+    let slab = Torus::of_box([0.0, 0.0, -1e6], [1.0, 1e-3, 1e6]);
     agrees("slab", &slab, &samples(&slab, 6, 2000), &samples(&slab, 106, native(40)));
 }
 
@@ -337,7 +338,7 @@ fn the_metric_of_the_gaps_is_the_distance_to_the_bit() {
         }
     }
     spaces().iter().for_each(|(_, space)| holds(space));
-    holds(&Euclidean::new([0.0, -1.0], [3.0, 5.0]));
+    holds(&Torus::of_box([0.0, -1.0], [3.0, 5.0]));
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -3,7 +3,7 @@
 use super::obstacles::largest_coordinate;
 use super::proof::separation::Work;
 use super::proof::{Answer, Link, Motion, MovingJoint, Setting, distance, separation, unit};
-use super::{Obstacles, Tolerance, sampled};
+use super::{Obstacles, Tolerance};
 use crate::geometry::{Aabb, Segment};
 use crate::robot::Arm;
 use crate::scenario::World;
@@ -46,7 +46,10 @@ impl<const N: usize> ArmValidity<N> {
     pub fn fitted(mut self, start: &[f64; N], goal: &[f64; N]) -> Self {
         let tolerance = self.collision.tolerance;
         let depths = [start, goal].map(|q| self.collision.depth(self.space.coordinates(q)));
-        self.collision.tolerance = tolerance.fitted([self.clearance(start), self.clearance(goal)], depths);
+        // Twice the tolerance is as much clearance as can make it finer.
+        let clearances =
+            [start, goal].map(|q| self.collision.clearance_within(self.space.coordinates(q), 2.0 * tolerance.tau));
+        self.collision.tolerance = tolerance.fitted(clearances, depths);
         self
     }
 
@@ -70,12 +73,6 @@ impl<const N: usize> ArmValidity<N> {
             distance::first_hit(setting, motion, &mut work.evaluations)
         };
         self.prove(a, b, first_hit).unwrap_or(Some(0.0))
-    }
-
-    /// Whether the motion is free at `samples` evenly spaced configurations behind `a`, the last of them `b`. This proves
-    /// nothing: what is thinner than the step is missed.
-    pub fn is_motion_sampled_free(&self, a: &[f64; N], b: &[f64; N], samples: u32) -> bool {
-        sampled::are_looks_free(samples, |t| self.is_free(&self.space.interpolate(a, b, t)))
     }
 
     /// Runs `prove` on the motion from `a` to `b`; `None` where the short way round is ambiguous.
@@ -144,6 +141,19 @@ impl ArmCollision {
     fn clearance(&self, q: &[f64]) -> f64 {
         let nearest = |link: Segment| self.obstacles.clearance(&link) - self.arm.radius();
         self.links(q).map(nearest).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The clearance where it is `most` at most; else something larger.
+    fn clearance_within(&self, q: &[f64], most: f64) -> f64 {
+        let mut least = f64::INFINITY;
+        for link in self.links(q) {
+            let near = link.aabb().grown(self.arm.radius() + most);
+            self.obstacles.any_near(&near, |i| {
+                least = least.min(self.obstacles.distance(i, &link) - self.arm.radius());
+                false
+            });
+        }
+        least
     }
 
     /// The axes of the links at `q`, from the base outwards.

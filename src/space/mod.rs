@@ -4,12 +4,10 @@
 //! `N` numbers serve every dimension up to `N`: entries past [`Space::dimension`] are 0 and add exactly nothing.
 
 mod angle;
-mod euclidean;
 mod gap;
 mod torus;
 
 pub use angle::{angular_distance, unwind, wrap};
-pub use euclidean::Euclidean;
 pub use gap::{gap, gap_to_interval};
 pub use torus::{Joint, Metric, Torus};
 

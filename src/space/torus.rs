@@ -66,6 +66,15 @@ impl<const N: usize> Torus<N> {
         space
     }
 
+    /// A closed box with the Euclidean metric, in which motions are straight; coordinates in metres.
+    ///
+    /// # Panics
+    /// Where a side is empty.
+    pub fn of_box(low: [f64; N], high: [f64; N]) -> Self {
+        let sides: [Joint; N] = std::array::from_fn(|i| Joint::Interval { low: low[i], high: high[i] });
+        Self::new(&sides, Metric::Euclidean)
+    }
+
     /// The same joints with every circle cut open at 0: the naive space.
     #[must_use]
     pub fn cut_open(&self) -> Self {

@@ -3,11 +3,11 @@
 /**
  * @typedef {object} Case
  * @property {string} [scene]  one of the page's scenes
- * @property {"forest" | "clutter"} [generate]
+ * @property {import("planarium").GeneratorId} [generate]
  * @property {Record<string, number>} [options]  of the generator
  * @property {string} planner
  * @property {number} seed
- * @property {Record<string, number | string>} parameters
+ * @property {Record<string, number | string | boolean>} parameters
  * @property {object} outcome
  */
 

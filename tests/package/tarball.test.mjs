@@ -62,7 +62,7 @@ test("one version everywhere: manifest, crate, JavaScript", () => {
 
 test("the notices name every crate in the module, with its licence", () => {
   const notices = String(files.get("package/dist/package/THIRD-PARTY-NOTICES.txt"));
-  for (const crate of ["libm", "parry2d-f64", "serde_json", "wasm-bindgen"]) assert.match(notices, new RegExp(`^${crate} \\d.*\\(.+\\)$`, "m"));
+  for (const crate of ["libm", "nalgebra", "serde_json", "wasm-bindgen"]) assert.match(notices, new RegExp(`^${crate} \\d.*\\(.+\\)$`, "m"));
   for (const other of ["clap", "proptest", "serde_derive"]) assert.doesNotMatch(notices, new RegExp(`^${other} \\d`, "m"));
 });
 

@@ -64,6 +64,13 @@ impl RoadmapDocument {
         }
     }
 
+    /// The same with these vertices and edges: rows, and pairs of vertex numbers. Compiled once for all spaces.
+    #[inline(never)]
+    pub(crate) fn filled(&self, vertices: Vec<f64>, edges: &[u32]) -> Self {
+        let (edges, _) = edges.as_chunks();
+        Self { vertices, edges: edges.to_vec(), ..self.clone() }
+    }
+
     /// How many numbers a vertex has.
     pub fn dimension(&self) -> usize {
         self.circles.len()

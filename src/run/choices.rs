@@ -60,7 +60,8 @@ pub(super) fn resumed<S: Space + 'static>(
     states: &[S::State],
 ) -> Box<dyn Planner<S>> {
     let connection = Connection { k: document.k as usize, radius: document.radius };
-    let sampler = sampler(parameters, problem.space(), seed);
+    // It draws nothing any more.
+    let sampler = Box::new(Uniform::new(Random::new(seed, Stream::Samples)));
     Box::new(Prm::resume(problem, connection, rules(parameters), sampler, states, &document.edges))
 }
 

@@ -229,8 +229,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn roadmap(&self) -> Option<RoadmapDocument> {
-        let edges = self.planner.graph().edges().iter().map(|edge| edge.map(|vertex| vertex.0)).collect();
-        self.kept.clone().map(|kept| RoadmapDocument { vertices: self.vertices_since(0), edges, ..kept })
+        self.kept.as_ref().map(|kept| kept.filled(self.vertices_since(0), &self.edges_since(0)))
     }
 
     fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error> {

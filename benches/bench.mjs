@@ -68,7 +68,7 @@ await script(async () => {
       const titles = [...sides.values()].flatMap((side) => side?.title ?? []);
       writeFileSync(options.json, `${JSON.stringify({ sides: titles, worlds: count, runs, rows: measured, cold, memory }, null, 1)}\n`);
     }
-    if (options.readme) updateReadme(summaryTable(measured));
+    if (options.readme) updateReadme(`${headline(sides, count, runs)}\n\n${summaryTable(measured)}`);
   } finally {
     for (const side of sides.values()) side?.stop();
     rmSync(folder, { recursive: true, force: true });
@@ -131,15 +131,25 @@ function memorySentence({ before, peak, vertices, edges, events }) {
 }
 
 /**
+ * Who took part, and in how much.
+ * @param {Map<SideName, Side | undefined>} sides
+ * @param {number} count
+ * @param {{ prm: number, "rrt-connect": number }} runs
+ */
+function headline(sides, count, runs) {
+  const titles = [...sides.values()].flatMap((side) => side?.title ?? []);
+  return `${titles.join("; ")}${pinned.length > 0 ? "; on one core" : ""}. ${count} worlds a row, ${runs.prm} roadmaps or ${runs["rrt-connect"]} queries in each.`;
+}
+
+/**
  * @param {import("./peers/report.mjs").RowFigures[]} measured
  * @param {Map<SideName, Side | undefined>} sides
  * @param {number} count
  * @param {{ prm: number, "rrt-connect": number }} runs
  */
 function print(measured, sides, count, runs) {
-  const titles = [...sides.values()].flatMap((side) => side?.title ?? []);
   const absent = [...sides].filter(([, side]) => side === undefined).map(([name]) => name);
-  console.log(`${titles.join("; ")}${pinned.length > 0 ? "; on one core" : ""}. ${count} worlds a row, ${runs.prm} roadmaps or ${runs["rrt-connect"]} queries in each.`);
+  console.log(headline(sides, count, runs));
   if (absent.length > 0) console.log(`\nLEFT OUT, not installed: ${absent.join(", ")}.`);
   console.log(`\n${summaryTable(measured)}\n${ratioTable(measured)}\n${armTable(measured)}`);
 }

@@ -10,7 +10,7 @@
  *   --readme          puts the summary into the README
  *
  * In every world all sides take their turns, each in a process of its own, pinned to the same core; so what disturbs the machine
- * disturbs all of them, and ratios are taken world by world. Every run is fresh, from the world to the path.
+ * disturbs all of them, and ratios are taken world by world. Every run is fresh; its set-up is told apart.
  */
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";

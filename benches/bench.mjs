@@ -18,7 +18,7 @@ import { join } from "node:path";
 import { parseArgs } from "node:util";
 import { Problem, ask, root, script } from "../scripts/run.mjs";
 import { arms } from "./peers/arms.mjs";
-import { armTable, digits, figures, ratioTable, spread, summaryTable } from "./peers/report.mjs";
+import { aimTable, armTable, digits, figures, ratioTable, spread, summaryTable } from "./peers/report.mjs";
 import { pinned, sideNames, startSide } from "./peers/sides.mjs";
 import { rows, writeWorlds } from "./peers/worlds.mjs";
 
@@ -68,7 +68,7 @@ await script(async () => {
       const titles = [...sides.values()].flatMap((side) => side?.title ?? []);
       writeFileSync(options.json, `${JSON.stringify({ sides: titles, worlds: count, runs, rows: measured, cold, memory }, null, 1)}\n`);
     }
-    if (options.readme) updateReadme(`${headline(sides, count, runs)}\n\n${summaryTable(measured)}`);
+    if (options.readme) updateReadme(`${headline(sides, count, runs)}\n\n${summaryTable(measured)}\n${aimTable(measured)}${cold === undefined ? "" : `\n${coldSentence(cold)}\n`}`);
   } finally {
     for (const side of sides.values()) side?.stop();
     rmSync(folder, { recursive: true, force: true });
@@ -151,7 +151,7 @@ function print(measured, sides, count, runs) {
   const absent = [...sides].filter(([, side]) => side === undefined).map(([name]) => name);
   console.log(headline(sides, count, runs));
   if (absent.length > 0) console.log(`\nLEFT OUT, not installed: ${absent.join(", ")}.`);
-  console.log(`\n${summaryTable(measured)}\n${ratioTable(measured)}\n${armTable(measured)}`);
+  console.log(`\n${summaryTable(measured)}\n${aimTable(measured)}\n${ratioTable(measured)}\n${armTable(measured)}`);
 }
 
 /** Puts a table between the README's two marks. @param {string} table */

@@ -18,7 +18,7 @@ fn main() {
         println!("The comparison with the peers is driven by `npm run bench`.");
         return;
     }
-    println!("{}", serde_json::json!({ "name": concat!("Planarium ", env!("CARGO_PKG_VERSION")) }));
+    println!("{}", serde_json::json!({ "name": concat!("Planarium ", env!("CARGO_PKG_VERSION"), ", native") }));
     for job in std::io::stdin().lock().lines() {
         let reply = answer(&job.expect("standard input is text"));
         let reply = reply.unwrap_or_else(|error| serde_json::json!({ "error": error.to_string() }));

@@ -126,8 +126,24 @@ export function summaryTable(rows) {
     const kinds = arms.some(({ arm }) => arm.endsWith(", batch")) ? [", equal motions", ", batch"] : [""];
     return kinds.map((kind) => [
       row + kind, time(`native${kind}`), time(`Node${kind}`), time("OMPL"), time("OxMPL"), ratio(`OMPL / native${kind}`), ratio(`OMPL / Node${kind}`),
-      `${solved(`native${kind}`)}, ${solved("OMPL")}, ${solved("OxMPL")}`,
+      `${solved(arm(`native${kind}`) === undefined ? `Node${kind}` : `native${kind}`)}, ${solved("OMPL")}, ${solved("OxMPL")}`,
     ]);
   });
   return table(["", "native", "Node", "OMPL", "OxMPL", "OMPL / native", "OMPL / Node", "solved, %: ours, OMPL, OxMPL"], body);
+}
+
+/** Every aim, with the medians of the rows that it is about, in their order. @param {RowFigures[]} rows */
+export function aimTable(rows) {
+  /** @type {Map<string, RatioFigures[]>} */
+  const aims = new Map();
+  for (const { row, ratios } of rows) {
+    for (const ratio of ratios.filter(({ aim }) => aim !== "")) {
+      const name = `${row.split(",")[0]}: ${ratio.name}`;
+      aims.set(name, [...(aims.get(name) ?? []), ratio]);
+    }
+  }
+  const body = [...aims].map(([name, ratios]) => [
+    name, ratios[0].aim, ratios.map(({ ratio }) => digits(ratio.median)).join(", "), `${ratios.filter(({ reached }) => reached).length} of ${ratios.length}`,
+  ]);
+  return table(["ratio", "aim", "medians, row by row", "rows that reach it"], body);
 }

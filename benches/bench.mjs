@@ -10,7 +10,7 @@
  *   --readme          puts the summary into the README
  *
  * In every world all sides take their turns, each in a process of its own, pinned to the same core; so what disturbs the machine
- * disturbs all of them, and ratios are taken world by world. Every run is fresh, from the world to the path.
+ * disturbs all of them, and ratios are taken world by world. Every run is fresh; its set-up is told apart.
  */
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -18,7 +18,7 @@ import { join } from "node:path";
 import { parseArgs } from "node:util";
 import { Problem, ask, root, script } from "../scripts/run.mjs";
 import { arms } from "./peers/arms.mjs";
-import { armTable, digits, figures, ratioTable, spread, summaryTable } from "./peers/report.mjs";
+import { aimTable, armTable, digits, figures, ratioTable, spread, summaryTable } from "./peers/report.mjs";
 import { pinned, sideNames, startSide } from "./peers/sides.mjs";
 import { rows, writeWorlds } from "./peers/worlds.mjs";
 
@@ -68,7 +68,7 @@ await script(async () => {
       const titles = [...sides.values()].flatMap((side) => side?.title ?? []);
       writeFileSync(options.json, `${JSON.stringify({ sides: titles, worlds: count, runs, rows: measured, cold, memory }, null, 1)}\n`);
     }
-    if (options.readme) updateReadme(summaryTable(measured));
+    if (options.readme) updateReadme(`${headline(sides, count, runs)}\n\n${summaryTable(measured)}\n${aimTable(measured)}${cold === undefined ? "" : `\n${coldSentence(cold)}\n`}`);
   } finally {
     for (const side of sides.values()) side?.stop();
     rmSync(folder, { recursive: true, force: true });
@@ -131,17 +131,27 @@ function memorySentence({ before, peak, vertices, edges, events }) {
 }
 
 /**
+ * Who took part, and in how much.
+ * @param {Map<SideName, Side | undefined>} sides
+ * @param {number} count
+ * @param {{ prm: number, "rrt-connect": number }} runs
+ */
+function headline(sides, count, runs) {
+  const titles = [...sides.values()].flatMap((side) => side?.title ?? []);
+  return `${titles.join("; ")}${pinned.length > 0 ? "; on one core" : ""}. ${count} worlds a row, ${runs.prm} roadmaps or ${runs["rrt-connect"]} queries in each.`;
+}
+
+/**
  * @param {import("./peers/report.mjs").RowFigures[]} measured
  * @param {Map<SideName, Side | undefined>} sides
  * @param {number} count
  * @param {{ prm: number, "rrt-connect": number }} runs
  */
 function print(measured, sides, count, runs) {
-  const titles = [...sides.values()].flatMap((side) => side?.title ?? []);
   const absent = [...sides].filter(([, side]) => side === undefined).map(([name]) => name);
-  console.log(`${titles.join("; ")}${pinned.length > 0 ? "; on one core" : ""}. ${count} worlds a row, ${runs.prm} roadmaps or ${runs["rrt-connect"]} queries in each.`);
+  console.log(headline(sides, count, runs));
   if (absent.length > 0) console.log(`\nLEFT OUT, not installed: ${absent.join(", ")}.`);
-  console.log(`\n${summaryTable(measured)}\n${ratioTable(measured)}\n${armTable(measured)}`);
+  console.log(`\n${summaryTable(measured)}\n${aimTable(measured)}\n${ratioTable(measured)}\n${armTable(measured)}`);
 }
 
 /** Puts a table between the README's two marks. @param {string} table */

@@ -33,8 +33,9 @@ function answer(job) {
  * @returns {Run}
  */
 function outcome(scenario, options, limit) {
-  const began = performance.now();
+  const asked = performance.now();
   const planner = scenario.planner(options);
+  const began = performance.now();
   let built;
   while (planner.step(SLICE) === "running" && performance.now() - began < limit * 1e3) {
     if (built === undefined && planner.phase === "searching") built = performance.now() - began;
@@ -46,7 +47,7 @@ function outcome(scenario, options, limit) {
   planner.free();
   const build = built ?? whole;
   return {
-    build: build / 1e3, search: (whole - build) / 1e3, solved: status === "solved", length,
+    setup: (began - asked) / 1e3, build: build / 1e3, search: (whole - build) / 1e3, solved: status === "solved", length,
     motions: stats.motion_checks, vertices: stats.vertices, edges: stats.edges,
   };
 }

@@ -4,7 +4,7 @@ import { comparisons } from "./arms.mjs";
 /** @typedef {import("./worlds.mjs").Row} Row */
 /** @typedef {import("./sides.mjs").Run} Run */
 /** @typedef {{ median: number, low: number, high: number, count: number }} Spread  median and quartiles of so many values */
-/** @typedef {{ arm: string, milliseconds: Spread, solved: number, motions: number, vertices: number, edges: number, length: number }} ArmFigures */
+/** @typedef {{ arm: string, milliseconds: Spread, setup: number, solved: number, motions: number, vertices: number, edges: number, length: number }} ArmFigures */
 /** @typedef {{ name: string, ratio: Spread, aim: string, reached: boolean | undefined }} RatioFigures */
 /** @typedef {{ row: string, arms: ArmFigures[], ratios: RatioFigures[] }} RowFigures */
 
@@ -25,7 +25,7 @@ export function spread(values) {
 }
 
 /**
- * Seconds that a world took: the median of its runs. A query that was given up took longer than any other, so that a world where
+ * Seconds that a world took after the set-up: the median of its runs. A query that was given up took longer than any other, so that a world where
  * most were is infinite, and no world looks quick by what it dropped. A roadmap is built whether or not it is solved.
  * @param {Row["planner"]} planner
  * @param {Run[]} runs
@@ -52,6 +52,7 @@ export function figures({ name, planner }, results) {
     return {
       arm,
       milliseconds: spread(finite(times.get(arm) ?? []).map((time) => time * 1e3)),
+      setup: median((run) => run.setup * 1e3),
       solved: runs.filter((run) => run.solved).length / runs.length,
       motions: median((run) => run.motions), vertices: median((run) => run.vertices), edges: median((run) => run.edges),
       length: quantile(shared.map((world) => lengths.get(arm)?.[world] ?? NaN), 0.5),
@@ -106,10 +107,10 @@ export function ratioTable(rows) {
 /** All arms. @param {RowFigures[]} rows */
 export function armTable(rows) {
   const body = rows.flatMap(({ row, arms }) => arms.map((arm) => [
-    row, arm.arm, digits(arm.milliseconds.median), range(arm.milliseconds), `${Math.round(100 * arm.solved)} %`,
+    row, arm.arm, digits(arm.milliseconds.median), range(arm.milliseconds), digits(arm.setup), `${Math.round(100 * arm.solved)} %`,
     digits(arm.motions), arm.vertices === 0 ? "-" : digits(arm.vertices), arm.edges === 0 ? "-" : digits(arm.edges), digits(arm.length),
   ]));
-  return table(["job", "who", "ms, median", "quartiles", "solved", "motions tried", "vertices", "edges", "path length"], body);
+  return table(["job", "who", "ms, median", "quartiles", "set-up, ms", "solved", "motions tried", "vertices", "edges", "path length"], body);
 }
 
 /** The few columns that the README shows. @param {RowFigures[]} rows */
@@ -125,8 +126,24 @@ export function summaryTable(rows) {
     const kinds = arms.some(({ arm }) => arm.endsWith(", batch")) ? [", equal motions", ", batch"] : [""];
     return kinds.map((kind) => [
       row + kind, time(`native${kind}`), time(`Node${kind}`), time("OMPL"), time("OxMPL"), ratio(`OMPL / native${kind}`), ratio(`OMPL / Node${kind}`),
-      `${solved(`native${kind}`)}, ${solved("OMPL")}, ${solved("OxMPL")}`,
+      `${solved(arm(`native${kind}`) === undefined ? `Node${kind}` : `native${kind}`)}, ${solved("OMPL")}, ${solved("OxMPL")}`,
     ]);
   });
   return table(["", "native", "Node", "OMPL", "OxMPL", "OMPL / native", "OMPL / Node", "solved, %: ours, OMPL, OxMPL"], body);
+}
+
+/** Every aim, with the medians of the rows that it is about, in their order. @param {RowFigures[]} rows */
+export function aimTable(rows) {
+  /** @type {Map<string, RatioFigures[]>} */
+  const aims = new Map();
+  for (const { row, ratios } of rows) {
+    for (const ratio of ratios.filter(({ aim }) => aim !== "")) {
+      const name = `${row.split(",")[0]}: ${ratio.name}`;
+      aims.set(name, [...(aims.get(name) ?? []), ratio]);
+    }
+  }
+  const body = [...aims].map(([name, ratios]) => [
+    name, ratios[0].aim, ratios.map(({ ratio }) => digits(ratio.median)).join(", "), `${ratios.filter(({ reached }) => reached).length} of ${ratios.length}`,
+  ]);
+  return table(["ratio", "aim", "medians, row by row", "rows that reach it"], body);
 }

@@ -10,6 +10,7 @@ import { Problem, ask, root, run } from "../../scripts/run.mjs";
 
 /**
  * @typedef {object} Run  what one run of a planner came to; times in seconds
+ * @property {number} setup  from the world to a planner at its beginning
  * @property {number} build
  * @property {number} search
  * @property {boolean} solved

@@ -89,7 +89,7 @@ test("the benchmark refuses sides, rows and numbers of worlds that are none", ()
 });
 
 test("ratios are taken world by world, and only where both sides solved most of their runs", () => {
-  const run = (/** @type {number} */ build, solved = true) => ({ build, search: 0, solved, length: 1, motions: 1, vertices: 1, edges: 1 });
+  const run = (/** @type {number} */ build, solved = true) => ({ setup: 0, build, search: 0, solved, length: 1, motions: 1, vertices: 1, edges: 1 });
   const results = new Map([
     ["native", [[run(1), run(1), run(9)], [run(2), run(2), run(2)], [run(1, false), run(1, false), run(1)]]],
     ["OMPL", [[run(6), run(6), run(6)], [run(20), run(20), run(20)], [run(1), run(1), run(1)]]],

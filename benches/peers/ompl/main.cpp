@@ -3,7 +3,8 @@
 //   FILE prm SEED RUNS samples k space                        build and one query
 //   FILE rrt-connect SEED RUNS range resolution limit space   up to the first path; lengths in radians, the limit in seconds
 //
-// The space is "flat" or "compound", see below. Seeds are SEED, SEED + 1, ... Every run has its own planner, space and validity checker. Times leave out the set-up of OMPL.
+// The space is "flat" or "compound", see below. Seeds are SEED, SEED + 1, ... Every run has its own planner, space and validity checker; making them is its
+// set-up.
 #include "world.h"
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/ProblemDefinition.h>
@@ -122,7 +123,7 @@ struct Roadmap : og::PRM {
 };
 
 struct Outcome {
-    double build = 0, search = 0, length = 0;
+    double setup = 0, build = 0, search = 0, length = 0;
     bool is_solved = false;
     size_t motions = 0, vertices = 0, edges = 0;
 };
@@ -156,6 +157,7 @@ struct Task {
 };
 
 static Outcome prm(const World &world, bool is_flat, unsigned samples, unsigned k) {
+    const double asked = seconds();
     Task task(world, is_flat);
     const auto edges = std::make_shared<TwentyPlaces>(task.information);
     task.information->setMotionValidator(edges);
@@ -170,6 +172,7 @@ static Outcome prm(const World &world, bool is_flat, unsigned samples, unsigned 
     const double built = seconds();
     const ob::PathPtr path = planner.query(task.start.get(), task.goal.get());
     const double done = seconds();
+    outcome.setup = began - asked;
     outcome.build = built - began;
     outcome.search = done - built;
     outcome.is_solved = path != nullptr;
@@ -181,6 +184,7 @@ static Outcome prm(const World &world, bool is_flat, unsigned samples, unsigned 
 }
 
 static Outcome rrt_connect(const World &world, bool is_flat, double range, double resolution, double limit) {
+    const double asked = seconds();
     Task task(world, is_flat);
     task.space->setLongestValidSegmentFraction(resolution / task.space->getMaximumExtent());
     task.information->setup();
@@ -192,6 +196,7 @@ static Outcome rrt_connect(const World &world, bool is_flat, double range, doubl
     const double began = seconds();
     const ob::PlannerStatus status = planner.solve(ob::timedPlannerTerminationCondition(limit));
     outcome.build = seconds() - began;
+    outcome.setup = began - asked;
     outcome.is_solved = status == ob::PlannerStatus::EXACT_SOLUTION;
     outcome.length = outcome.is_solved ? task.problem->getSolutionPath()->length() : 0;
     // OMPL's own validator counts its motions.
@@ -223,7 +228,7 @@ static std::string answer(const std::string &job) {
         ompl::RNG::setSeed(seed + run + 1);
         const Outcome outcome = planner == "prm" ? prm(world, is_flat, unsigned(a), unsigned(b))
                                                  : rrt_connect(world, is_flat, a, b, c);
-        out << (run == 0 ? "" : ",") << "{\"build\":" << outcome.build << ",\"search\":" << outcome.search
+        out << (run == 0 ? "" : ",") << "{\"setup\":" << outcome.setup << ",\"build\":" << outcome.build << ",\"search\":" << outcome.search
             << ",\"solved\":" << (outcome.is_solved ? "true" : "false") << ",\"length\":" << outcome.length
             << ",\"motions\":" << outcome.motions << ",\"vertices\":" << outcome.vertices << ",\"edges\":" << outcome.edges
             << "}";

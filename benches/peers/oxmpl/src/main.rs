@@ -201,6 +201,7 @@ fn radius(joints: usize, samples: usize, k: f64) -> f64 {
 }
 
 struct Outcome {
+    setup: f64,
     build: f64,
     search: f64,
     motions: usize,
@@ -209,6 +210,7 @@ struct Outcome {
 }
 
 fn prm(world: &Arc<World>, seed: u64, samples: usize, k: f64) -> (Outcome, Task) {
+    let created = Instant::now();
     let task = task(world, Test::Places);
     let config = PlannerConfig { seed: Some(seed) };
     let mut planner = PRM::new(60.0, radius(world.links.len(), samples, k), &config);
@@ -221,18 +223,19 @@ fn prm(world: &Arc<World>, seed: u64, samples: usize, k: f64) -> (Outcome, Task)
     let asked = Instant::now();
     let path = planner.solve(Duration::from_secs(10)).ok();
     let search = asked.elapsed().as_secs_f64();
-    let build = (built - began).as_secs_f64();
-    (Outcome { build, search, motions: task.tally.motions.get(), vertices, path }, task)
+    let (setup, build) = ((began - created).as_secs_f64(), (built - began).as_secs_f64());
+    (Outcome { setup, build, search, motions: task.tally.motions.get(), vertices, path }, task)
 }
 
 fn rrt_connect(world: &Arc<World>, seed: u64, range: f64, resolution: f64, limit: f64) -> (Outcome, Task) {
+    let created = Instant::now();
     let task = task(world, Test::Resolution(resolution));
     let mut planner = RRTConnect::new(range, 0.0, &PlannerConfig { seed: Some(seed) });
     planner.setup(task.problem.clone(), task.checker.clone());
     let began = Instant::now();
     let path = planner.solve(Duration::from_secs_f64(limit)).ok();
-    let build = began.elapsed().as_secs_f64();
-    (Outcome { build, search: 0.0, motions: task.tally.motions.get(), vertices: 0, path }, task)
+    let (setup, build) = ((began - created).as_secs_f64(), began.elapsed().as_secs_f64());
+    (Outcome { setup, build, search: 0.0, motions: task.tally.motions.get(), vertices: 0, path }, task)
 }
 
 fn answer(job: &str) -> Result<String, Box<dyn std::error::Error>> {
@@ -249,10 +252,10 @@ fn answer(job: &str) -> Result<String, Box<dyn std::error::Error>> {
         };
         let length = |path: &Path<Angles>| path.0.windows(2).map(|step| task.space.distance(&step[0], &step[1])).sum();
         let (is_solved, length) = (outcome.path.is_some(), outcome.path.as_ref().map_or(0.0, length));
-        let Outcome { build, search, motions, vertices, .. } = outcome;
+        let Outcome { setup, build, search, motions, vertices, .. } = outcome;
         // OxMPL does not tell its edges, nor the vertices of its trees.
         done.push(format!(
-            r#"{{"build":{build},"search":{search},"solved":{is_solved},"length":{length},"motions":{motions},"vertices":{vertices},"edges":0}}"#
+            r#"{{"setup":{setup},"build":{build},"search":{search},"solved":{is_solved},"length":{length},"motions":{motions},"vertices":{vertices},"edges":0}}"#
         ));
     }
     Ok(format!(r#"{{"runs":[{}]}}"#, done.join(",")))

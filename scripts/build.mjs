@@ -23,6 +23,9 @@ const types = join(dist, "types", "planarium");
 /** Best of -O2, -O3, -O4, -Os and -Oz in size and speed together; the features are those that rustc has written into the module. */
 const OPTIMIZE = ["-O3"];
 
+/** What is hot says so itself: with this, level 2 is as small as level "s" and plans a seventh faster. */
+const INLINE_LESS = "-Cllvm-args=-inline-threshold=30";
+
 /** The tool runs for a second and is compiled once: optimizing it and its dependencies would cost more than it gives. */
 const QUICK_TOOL = ["--config", "profile.dev.package.\"*\".opt-level=0", "--config", "profile.dev.debug=0"];
 
@@ -83,7 +86,8 @@ async function compileCrate() {
   const crates = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "registry", "src");
   const toolchain = ask("rustc", ["--print", "sysroot"]) ?? "";
   const cut = [[crates, "crates"], [toolchain, "rust"], [root, "planarium"]];
-  const env = { RUSTFLAGS: cut.map(([from, to]) => `--remap-path-prefix=${from}=/${to}`).join(" ") };
+  const flags = cut.map(([from, to]) => `--remap-path-prefix=${from}=/${to}`);
+  const env = { RUSTFLAGS: [...flags, INLINE_LESS].join(" ") };
   await run("cargo", ["build", "--profile", "wasm", "--target", "wasm32-unknown-unknown", "--lib", "--locked"], { env });
   const metadata = ask("cargo", ["metadata", "--format-version", "1", "--no-deps", "--locked"]);
   if (metadata === undefined) throw new Problem("`cargo metadata` failed.");

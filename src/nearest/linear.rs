@@ -7,14 +7,17 @@ use crate::graph::VertexId;
 use crate::space::Space;
 use std::marker::PhantomData;
 
-/// Up to so many neighbours are kept sorted.
-const SORTED: usize = 4;
+/// For so few neighbours no guess pays.
+const FEW: usize = 4;
+
+/// Up to so many neighbours are kept sorted: without vectors, few distances are wanted while there are many to compute.
+const SORTED: usize = if cfg!(target_arch = "wasm32") { 64 } else { FEW };
 
 /// How many packs are scanned at a time.
-const BLOCK: usize = 8;
+const BLOCK: usize = 64 / LANES;
 
 /// How many distances a guess is made from.
-const SAMPLE: usize = 8 * LANES;
+const SAMPLE: usize = 64;
 
 /// All states in one list, by columns. A query costs O(n).
 #[derive(Debug, Clone)]
@@ -46,7 +49,7 @@ impl<S: Space> LinearScan<S> {
     /// A distance within which `k` states probably lie, and not many more: some way up among the distances to the first few.
     /// Infinite where there are too few states for it to be worth it.
     fn guess(&self, space: &S, from: &[f64], k: usize) -> f64 {
-        if k <= SORTED || self.len < 4 * SAMPLE || self.len < 8 * k {
+        if k <= FEW || self.len < 4 * SAMPLE || self.len < 8 * k {
             return f64::INFINITY;
         }
         let mut bits = [0; SAMPLE];

@@ -3,8 +3,8 @@
 use crate::graph::VertexId;
 use crate::space::{Space, gap};
 
-/// How many states a pack holds.
-pub(super) const LANES: usize = 8;
+/// How many states a pack holds: as many as the compiler computes side by side; without vectors, one.
+pub(super) const LANES: usize = if cfg!(target_arch = "wasm32") { 1 } else { 8 };
 
 /// Packs of states and their vertices. An empty lane holds what is not a number, which is near to nothing.
 #[derive(Debug, Clone, Default)]

@@ -9,8 +9,22 @@
 #[inline(always)]
 pub fn gap(a: f64, b: f64, period: f64) -> f64 {
     let straight = (a - b).abs();
-    let rest = period - straight;
-    if rest < straight { rest } else { straight }
+    lesser(period - straight, straight)
+}
+
+/// The lesser of two numbers that are not negative; what is not a number where one is not. WebAssembly chooses between two
+/// doubles by a jump that cannot be foreseen, so there the bits are compared: those of such numbers order as they do.
+#[inline(always)]
+fn lesser(a: f64, b: f64) -> f64 {
+    if cfg!(target_arch = "wasm32") {
+        let (a, b) = (a.to_bits() as i64, b.to_bits() as i64);
+        let below = a.wrapping_sub(b);
+        f64::from_bits(b.wrapping_add(below & (below >> 63)) as u64)
+    } else if a < b {
+        a
+    } else {
+        b
+    }
 }
 
 /// The least [`gap`] between `a` and any number from `low` to `high`; 0 where `a` lies between them. O(1).
@@ -20,7 +34,7 @@ pub fn gap(a: f64, b: f64, period: f64) -> f64 {
 /// a turn, and then falls, so on the interval it is least at an end. Both ends are asked, which takes care of the wrap.
 #[inline(always)]
 pub fn gap_to_interval(a: f64, low: f64, high: f64, period: f64) -> f64 {
-    let (to_low, to_high) = (gap(a, low, period), gap(a, high, period));
-    let least = if to_high < to_low { to_high } else { to_low };
-    if (low <= a) & (a <= high) { 0.0 } else { least }
+    let least = lesser(gap(a, high, period), gap(a, low, period));
+    let outside = u64::from(!((low <= a) & (a <= high))).wrapping_neg();
+    f64::from_bits(least.to_bits() & outside)
 }

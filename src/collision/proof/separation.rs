@@ -293,8 +293,9 @@ impl<'a, const N: usize> Proof<'a, N> {
     /// The box around a link between two joints in these boxes.
     #[inline(always)]
     fn around(&self, a: &Aabb, b: &Aabb) -> Aabb {
-        let min = [0, 1].map(|axis| if a.min[axis] < b.min[axis] { a.min[axis] } else { b.min[axis] });
-        let max = [0, 1].map(|axis| if a.max[axis] > b.max[axis] { a.max[axis] } else { b.max[axis] });
+        let lesser = |axis: usize| if a.min[axis] < b.min[axis] { a.min[axis] } else { b.min[axis] };
+        let greater = |axis: usize| if a.max[axis] > b.max[axis] { a.max[axis] } else { b.max[axis] };
+        let (min, max) = ([lesser(0), lesser(1)], [greater(0), greater(1)]);
         Aabb { min: min.into(), max: max.into() }.grown(self.margin)
     }
 

@@ -19,13 +19,13 @@ use crate::space::{Space, gap_to_interval};
 use std::marker::PhantomData;
 
 /// The packs of a full leaf.
-const LEAF_PACKS: usize = 4;
+const LEAF_PACKS: usize = 32 / LANES;
 
 /// How many states fill a leaf.
 const LEAF: usize = LEAF_PACKS * LANES;
 
 /// Up to so many neighbours are kept sorted: more than in a scan, for here a tight limit spares whole leaves.
-const SORTED: usize = 16;
+const SORTED: usize = if cfg!(target_arch = "wasm32") { 64 } else { 16 };
 
 /// No path from the root is longer: a tree that would grow deeper is rebuilt.
 const MAX_DEPTH: usize = 64;

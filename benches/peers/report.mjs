@@ -125,11 +125,13 @@ export function summaryTable(rows) {
     };
     const kinds = arms.some(({ arm }) => arm.endsWith(", batch")) ? [", equal motions", ", batch"] : [""];
     return kinds.map((kind) => [
-      row + kind, time(`native${kind}`), time(`Node${kind}`), time("OMPL"), time("OxMPL"), ratio(`OMPL / native${kind}`), ratio(`OMPL / Node${kind}`),
+      row + kind, time(`native${kind}`), time(`Node${kind}`), time("OMPL, plain"), time("OMPL"), time("OxMPL"), ratio(`OMPL, plain / native${kind}`),
+      ratio(`OMPL, plain / Node${kind}`), ratio(`OMPL / native${kind}`), ratio(`OMPL / Node${kind}`),
       `${solved(arm(`native${kind}`) === undefined ? `Node${kind}` : `native${kind}`)}, ${solved("OMPL")}, ${solved("OxMPL")}`,
     ]);
   });
-  return table(["", "native", "Node", "OMPL", "OxMPL", "OMPL / native", "OMPL / Node", "solved, %: ours, OMPL, OxMPL"], body);
+  const ratios = ["plain / native", "plain / Node", "OMPL / native", "OMPL / Node"];
+  return table(["", "native", "Node", "OMPL, plain", "OMPL", "OxMPL", ...ratios, "solved, %: ours, OMPL, OxMPL"], body);
 }
 
 /** Every aim, with the medians of the rows that it is about, in their order. @param {RowFigures[]} rows */

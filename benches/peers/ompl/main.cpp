@@ -3,7 +3,7 @@
 //   FILE prm SEED RUNS samples k space                        build and one query
 //   FILE rrt-connect SEED RUNS range resolution limit space   up to the first path; lengths in radians, the limit in seconds
 //
-// The space is "flat" or "compound", see below. Seeds are SEED, SEED + 1, ... Every run has its own planner, space and validity checker; making them is its
+// The space is "flat" or "compound", see below, or "plain": flat, with a checker that compares no boxes. Seeds are SEED, SEED + 1, ... Every run has its own planner, space and validity checker; making them is its
 // set-up.
 #include "world.h"
 #include <ompl/base/MotionValidator.h>
@@ -218,9 +218,10 @@ static std::string answer(const std::string &job) {
     words >> a >> b;
     if (planner != "prm") words >> c;
     words >> space;
-    if (space != "flat" && space != "compound") throw std::runtime_error("not a job: " + job);
-    const bool is_flat = space == "flat";
-    const World world(file);
+    if (space != "flat" && space != "plain" && space != "compound") throw std::runtime_error("not a job: " + job);
+    const bool is_flat = space != "compound";
+    World world(file);
+    world.compares_boxes = space != "plain";
     std::ostringstream out;
     out.precision(9);
     for (unsigned run = 0; run < runs; ++run) {

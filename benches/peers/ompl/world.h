@@ -1,7 +1,8 @@
 // A world for planar arms, read from the flat text that the benchmark writes, and the question whether the arm is free in it.
 //
 // The checker is meant to be as good as a careful user's: obstacles are prepared once, a link is compared with the box of an
-// obstacle first, only then with its edges, and the first touch ends the test.
+// obstacle first, only then with its edges, and the first touch ends the test. Without boxes it is the checker of the course
+// reports, which the aims of the benchmark were set against.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,8 @@ struct World {
     Box bounds{};
     std::vector<Convex> polygons;
     std::vector<Disc> discs;
+    // Off for the plain checker, which asks every link about every obstacle.
+    bool compares_boxes = true;
 
     explicit World(const std::string &file);
 
@@ -74,7 +77,7 @@ inline bool World::is_link_free(double x0, double y0, double x1, double y1) cons
     const double left = std::min(x0, x1), right = std::max(x0, x1), bottom = std::min(y0, y1), top = std::max(y0, y1);
     for (const Convex &polygon : polygons) {
         const Box &box = polygon.box;
-        if (right < box.left || left > box.right || top < box.bottom || bottom > box.top) continue;
+        if (compares_boxes && (right < box.left || left > box.right || top < box.bottom || bottom > box.top)) continue;
         if (meets(x0, y0, x1, y1, polygon)) return false;
     }
     for (const Disc &disc : discs) {

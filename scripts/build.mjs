@@ -135,9 +135,12 @@ async function assemblePackage() {
   rmSync(out, { recursive: true, force: true });
   mkdirSync(out, { recursive: true });
   const sources = readdirSync(join(root, "js")).filter((name) => name.endsWith(".js")).map((name) => join(root, "js", name));
-  for (const file of [...sources, join(glue, "planarium_glue.js"), join(glue, "planarium_bg.wasm")]) {
-    cpSync(file, join(out, basename(file)));
-  }
+  for (const file of [...sources, join(glue, "planarium_bg.wasm")]) cpSync(file, join(out, basename(file)));
+  // Nobody reads the generated glue; ours stays as it was written.
+  /** @type {typeof import("esbuild")} */
+  const { transformSync } = createRequire(import.meta.url)("esbuild");
+  const { code } = transformSync(readFileSync(join(glue, "planarium_glue.js"), "utf8"), { minify: true, format: "esm", target: "es2022" });
+  writeFileSync(join(out, "planarium_glue.js"), code);
   for (const name of publicDeclarations()) cpSync(join(types, name), join(out, name));
   const { writeNotices } = await import("./notices.mjs");
   writeNotices(join(out, "THIRD-PARTY-NOTICES.txt"));

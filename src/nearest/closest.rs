@@ -77,7 +77,12 @@ impl<'a> Closest<'a> {
 
     /// Keeps the first `k` of more, in no order. Of twice as many, a step a candidate.
     fn pick(&mut self) {
-        self.found.select_nth_unstable_by_key(self.k - 1, Neighbour::key);
+        // In WebAssembly one routine does for both.
+        if cfg!(target_arch = "wasm32") {
+            self.found.sort_unstable_by_key(Neighbour::key);
+        } else {
+            self.found.select_nth_unstable_by_key(self.k - 1, Neighbour::key);
+        }
         self.found.truncate(self.k);
         self.limit = self.found[self.k - 1].distance;
     }

@@ -59,8 +59,24 @@ impl<S: Space> LinearScan<S> {
         // About so many of the k lie among the first; two and a half deviations more than that seldom do.
         let mean = (k * SAMPLE) as f64 / self.len as f64;
         let rank = (mean + 2.5 * mean.sqrt()) as usize + 1;
-        let (_, &mut guess, _) = bits.select_nth_unstable(rank.min(SAMPLE - 1));
-        f64::from_bits(guess)
+        let rank = rank.min(SAMPLE - 1);
+        // The least so many are kept in order at the front.
+        for at in 1..SAMPLE {
+            let value = bits[at];
+            let mut to = at;
+            if at > rank {
+                if value >= bits[rank] {
+                    continue;
+                }
+                to = rank;
+            }
+            while to > 0 && bits[to - 1] > value {
+                bits[to] = bits[to - 1];
+                to -= 1;
+            }
+            bits[to] = value;
+        }
+        f64::from_bits(bits[rank])
     }
 }
 

@@ -198,7 +198,7 @@ for (const algorithm of ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connec
     for (const end of edges) assert.ok(end < planner.vertexCount);
     for (let row = 0; row < planner.eventCount; row += 1) {
       const [kind, iteration] = events.slice(row * planner.eventWidth, row * planner.eventWidth + 2);
-      assert.ok([0, 1, 2, 3].includes(kind), `kind ${kind}`);
+      assert.ok([0, 1, 2, 3, 4, 5].includes(kind), `kind ${kind}`);
       assert.ok(iteration >= 0 && iteration <= planner.iterations);
     }
   });

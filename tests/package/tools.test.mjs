@@ -92,11 +92,11 @@ test("ratios are taken world by world, and only where both sides solved most of 
   const run = (/** @type {number} */ build, solved = true) => ({ setup: 0, build, search: 0, solved, length: 1, motions: 1, vertices: 1, edges: 1 });
   const results = new Map([
     ["native", [[run(1), run(1), run(9)], [run(2), run(2), run(2)], [run(1, false), run(1, false), run(1)]]],
-    ["OMPL", [[run(6), run(6), run(6)], [run(20), run(20), run(20)], [run(1), run(1), run(1)]]],
+    ["OMPL, plain", [[run(6), run(6), run(6)], [run(20), run(20), run(20)], [run(1), run(1), run(1)]]],
   ]);
   const { ratios, arms } = figures(rows.find(({ planner }) => planner === "rrt-connect") ?? rows[0], results);
   const [{ name, ratio, reached }] = ratios;
-  assert.deepEqual([name, ratio.count, ratio.low, ratio.high, reached], ["OMPL / native", 2, 6, 10, true]);
+  assert.deepEqual([name, ratio.count, ratio.low, ratio.high, reached], ["OMPL, plain / native", 2, 6, 10, true]);
   assert.equal(ratios.length, 1, "sides that are absent have no ratio");
   assert.deepEqual(arms.map(({ solved }) => Math.round(100 * solved)), [78, 100]);
 });

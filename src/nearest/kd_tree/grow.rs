@@ -2,6 +2,7 @@
 
 use super::{Branch, KdTree, LANES, LEAF, LEAF_PACKS, Leaf, MAX_DEPTH, Node, Sides};
 use crate::graph::VertexId;
+use crate::order::select;
 use crate::space::Space;
 
 /// States taken out of the tree, to be put back in another shape.
@@ -153,9 +154,10 @@ impl<S: Space> KdTree<S> {
         // Whole packs to the first half; ties by vertex, so that the shape depends on nothing but the states.
         let middle = (order.len() / 2).next_multiple_of(LANES);
         let number = |entry: u32| entries.numbers[entry as usize * dimension + axis];
-        let (_, &mut at, _) = order.select_nth_unstable_by(middle, |&a, &b| {
+        select(order, middle, &|a, b| {
             number(a).total_cmp(&number(b)).then(entries.vertices[a as usize].cmp(&entries.vertices[b as usize]))
         });
+        let at = order[middle];
         let (first, second) = order.split_at_mut(middle);
         let counts = [first.len() as u32, second.len() as u32];
         let index = match self.free_branches.pop() {

@@ -87,17 +87,19 @@ export class Planner {
   /**
    * Asks the roadmap of `prm`, `prm-star` or `visibility-prm`, as far as it is built, for another path: start and goal are
    * joined to their neighbours where motions are proven free, and the roadmap is searched. It stays as it was, unless the
-   * two are to be kept as its last vertices. The path is not improved.
+   * two are to be kept as its last vertices, which can be asked for once the run is over. The path is not improved.
    * @param {Configuration} start
    * @param {Configuration} goal
    * @param {QueryOptions} [options]
    * @returns {ResultDocument} its query is named `asked`
-   * @throws {PlanariumError} `unsupported` where the planner builds no roadmap; `start-in-collision`, `goal-in-collision`,
+   * @throws {PlanariumError} `unsupported` where the planner builds no roadmap, or is to keep the two before it is done; `start-in-collision`, `goal-in-collision`,
    *   `wrong-dimension`, `not-finite`, `out-of-range`
    */
   query(start, goal, options = {}) {
     return this.#handle.call((raw) => {
-      const keep = argument.options(options).keep ?? false;
+      const { keep = false, ...rest } = argument.options(options);
+      const [unknown] = Object.keys(rest);
+      if (unknown !== undefined) throw new PlanariumError("unknown-field", `There is no option \`${unknown}\`; there is keep.`, `/${unknown}`);
       if (typeof keep !== "boolean") throw new PlanariumError("wrong-type", "`keep` must be true or false.", "/keep");
       const [from, to] = [argument.configuration(start, raw.dimension(), "start"), argument.configuration(goal, raw.dimension(), "goal")];
       return /** @type {ResultDocument} */ (raw.query(from, to, keep));

@@ -257,7 +257,7 @@ export interface ResultDocument {
   fingerprint: string;
   /** `sampled` where edges were only looked at in places, so that the path is not proven; absent where it is. */
   edge_check?: "sampled";
-  /** The estimated share of the free space that a visibility roadmap covers; absent for other planners. */
+  /** The estimated share of the free space that a visibility roadmap covers; absent for other planners and for roadmaps gone on with. */
   coverage?: number;
   /** How far an RRT came that gave up: the path to its vertex nearest to the goal; absent otherwise. */
   approximate?: Approximate;

@@ -34,7 +34,8 @@ pub struct ResultDocument {
     /// `sampled` where edges were only looked at in places: the path is not proven. Absent where it is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub edge_check: Option<String>,
-    /// The estimated share of the free space that a visibility roadmap covers; absent for other planners.
+    /// The estimated share of the free space that a visibility roadmap covers; absent for other planners, and where a kept one
+    /// was gone on with.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub coverage: Option<f64>,
     /// How far an RRT came that gave up; absent otherwise.

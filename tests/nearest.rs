@@ -103,9 +103,9 @@ fn random_states_have_the_neighbours_of_the_definition() {
             agrees(name, &space, &samples(&space, seed, n), &samples(&space, seed + 100, native(40)));
         }
     }
-    let plane = Torus::of_box([0.0, -1.0], [3.0, 5.0]);
+    let plane = Torus::<2>::of_box(&[0.0, -1.0], &[3.0, 5.0]);
     agrees("plane", &plane, &samples(&plane, 5, 2000), &samples(&plane, 105, native(40)));
-    let slab = Torus::of_box([0.0, 0.0, -1e6], [1.0, 1e-3, 1e6]);
+    let slab = Torus::<3>::of_box(&[0.0, 0.0, -1e6], &[1.0, 1e-3, 1e6]);
     agrees("slab", &slab, &samples(&slab, 6, 2000), &samples(&slab, 106, native(40)));
 }
 
@@ -338,7 +338,7 @@ fn the_metric_of_the_gaps_is_the_distance_to_the_bit() {
         }
     }
     spaces().iter().for_each(|(_, space)| holds(space));
-    holds(&Torus::of_box([0.0, -1.0], [3.0, 5.0]));
+    holds(&Torus::<2>::of_box(&[0.0, -1.0], &[3.0, 5.0]));
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -55,6 +55,30 @@ fn k_and_radius_together_take_the_nearest_within() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn a_radius_larger_than_the_space_changes_nothing() {
+    let world = arm_of(2, false, 0.0);
+    for settings in ["samples=90 k=6", "samples=90 k=6 insertion=one-by-one"] {
+        let plain = finish(begin_with(&world, "prm", 4, settings));
+        let wide = finish(begin_with(&world, "prm", 4, &format!("{settings} radius=100")));
+        assert_eq!(wide.fingerprint(), plain.fingerprint());
+    }
+    let all = finish(begin_with(&world, "prm", 4, "samples=40 radius=100"));
+    assert_eq!(all.stats().motion_checks, 42 * 41 / 2, "without k every pair is tried");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn start_and_goal_that_see_each_other_are_joined_without_any_sample() {
+    let world = common::parse(
+        r#"{ "format": "planarium-scenario-1", "name": "empty", "world": { "obstacles": [] },
+            "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
+            "queries": [ { "name": "q", "start": [0, 0], "goal": [1, 1] } ] }"#,
+    );
+    for settings in ["samples=0", "samples=0 insertion=one-by-one", "samples=0 insertion=one-by-one discard=true"] {
+        assert_eq!(finish(begin_with(&world, "prm", 1, settings)).status(), Status::Solved, "{settings}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn inserted_one_by_one_a_sample_is_joined_to_the_nearest_before_it() {
     let run = finish(begin_with(&arm_of(2, false, 0.0), "prm", 6, "samples=100 k=5 insertion=one-by-one"));
     let vertices = rows(run.as_ref());
@@ -185,6 +209,22 @@ fn a_roadmap_answers_again_and_stays_as_it_was() {
         assert_eq!(kept, before.1 + 2, "{planner} keeps the two when asked to");
         assert_eq!((vertices[kept - 2].as_slice(), vertices[kept - 1].as_slice()), (&start[..], &goal[..]));
         assert!(run.edge_count() > before.2);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_roadmap_that_still_grows_answers_but_takes_in_no_guests() {
+    let world = arm_of(3, false, 0.0);
+    let (start, goal) = ([0.2, 0.1, 0.3], [-3.0, -0.2, 0.1]);
+    for (planner, settings) in [("prm", "samples=60"), ("prm-star", "samples=60"), ("visibility-prm", "failures=40")] {
+        let whole = finish(begin_with(&world, planner, 1, settings));
+        let mut run = begin_with(&world, planner, 1, settings);
+        while run.step(7) == Status::Running {
+            run.query(&start, &goal, false).expect("it answers with what there is");
+            let error = run.query(&start, &goal, true).expect_err("guests would be taken for samples");
+            assert_eq!((error.code().as_str(), error.pointer()), ("unsupported", "/keep"));
+        }
+        assert_eq!(run.fingerprint(), whole.fingerprint(), "{planner}: questions leave no trace");
     }
 }
 

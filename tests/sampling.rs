@@ -27,7 +27,7 @@ fn problem() -> Problem<Plane> {
     let Robot::Disc(disc) = scenario.robot() else { unreachable!() };
     let disc: &DiscRobot = disc;
     let validity = DiscValidity::new(disc, scenario.world());
-    Problem::new(Torus::of_box([0.0; 2], [10.0; 2]), Box::new(validity), [1.0, 5.0], [9.0, 2.0]).expect("free ends")
+    Problem::new(Torus::of_box(&[0.0; 2], &[10.0; 2]), Box::new(validity), [1.0, 5.0], [9.0, 2.0]).expect("free ends")
 }
 
 fn samplers(seed: u64) -> Vec<(&'static str, Box<dyn Sampler<Plane>>)> {

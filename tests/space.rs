@@ -55,8 +55,8 @@ fn a_torus_obeys_the_laws_in_both_metrics_with_and_without_limits() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_box_obeys_the_laws() {
-    obeys_the_laws(&Torus::of_box([-3.0, 0.5], [2.0, 9.0]));
-    obeys_the_laws(&Torus::of_box([0.0, 0.0, -1e6], [1.0, 1e-3, 1e6]));
+    obeys_the_laws(&Torus::<2>::of_box(&[-3.0, 0.5], &[2.0, 9.0]));
+    obeys_the_laws(&Torus::<3>::of_box(&[0.0, 0.0, -1e6], &[1.0, 1e-3, 1e6]));
 }
 
 #[wasm_bindgen_test(unsupported = test)]

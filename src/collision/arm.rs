@@ -15,6 +15,9 @@ use std::f64::consts::PI;
 /// No edge turns a circle joint by this or more, in radians: there the short way round is ambiguous.
 const LONGEST_TURN: f64 = PI - 1e-9;
 
+/// From joint limits wider than this on, in radians, the slack is doubled.
+const WIDE: f64 = 50.0;
+
 /// The space of an arm: a circle a joint, or an interval where the arm has limits.
 ///
 /// # Panics
@@ -129,6 +132,10 @@ impl ArmCollision {
         let bounds = world.bounds.as_ref().map_or(0.0, largest_coordinate);
         let scale = obstacles.largest_coordinate().max(base).max(bounds) + arm.reach() + arm.radius();
         let side = world.bounds.as_ref().map_or(2.0 * arm.reach(), Aabb::longer_side);
+        // Sums of angles round more where limits are wide: see `proof/separation.rs`.
+        let widest =
+            arm.joint_limits().unwrap_or_default().iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let scale = if widest > WIDE { 2.0 * scale } else { scale };
         let tolerance = Tolerance::new(scale, tolerance * side);
         Self { arm: arm.clone(), obstacles, bounds: world.bounds, tolerance }
     }

@@ -5,7 +5,7 @@ use super::{Obstacles, Tolerance};
 use crate::geometry::{Aabb, Point, Segment};
 use crate::robot::DiscRobot;
 use crate::scenario::World;
-use crate::space::{Joint, Metric, Torus};
+use crate::space::Torus;
 use crate::validity::{Contact, Touched, Validity};
 use std::cell::Cell;
 
@@ -14,8 +14,7 @@ const HALVINGS: u32 = 40;
 
 /// The space of a disc's centre: the box of the bounds, with the Euclidean metric.
 pub fn plane<const N: usize>(bounds: &Aabb) -> Torus<N> {
-    let side = |low, high| Joint::Interval { low, high };
-    Torus::new(&[side(bounds.min.x, bounds.max.x), side(bounds.min.y, bounds.max.y)], Metric::Euclidean)
+    Torus::of_box(&[bounds.min.x, bounds.min.y], &[bounds.max.x, bounds.max.y])
 }
 
 /// What is free for a disc among obstacles.

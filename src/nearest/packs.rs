@@ -1,4 +1,4 @@
-//! States by columns, eight to a pack, so that the distances to a pack are computed side by side.
+//! States by columns, some to a pack, so that the distances to a pack are computed side by side.
 
 use crate::graph::VertexId;
 use crate::space::{Space, gap};

@@ -10,7 +10,7 @@ use super::{Counters, Planner, Status};
 use crate::graph::{EventKind, Graph, VertexId};
 use crate::nearest::Neighbour;
 use crate::problem::Problem;
-use crate::sampling::{Known, Sampler};
+use crate::sampling::Sampler;
 use crate::space::Space;
 
 /// When samples are joined to their neighbours.
@@ -87,6 +87,11 @@ impl<S: Space> Prm<S> {
             neighbours: Vec::new(),
             phase: Phase::Sampling,
         };
+        // One by one the goal comes second, and its neighbour is the start.
+        let distance = problem.space().distance(problem.start(), problem.goal());
+        if matches!(options.order, Order::OneByOne { .. }) && distance <= options.connection.radius {
+            prm.roadmap.try_edge(problem, 0, GOAL, START);
+        }
         prm.finish_sampling(problem.space());
         prm
     }
@@ -155,24 +160,12 @@ impl<S: Space> Prm<S> {
 
     /// Tries one sample.
     fn sample(&mut self, problem: &Problem<S>, iteration: u32) {
-        let checks = &mut self.roadmap.counters.configuration_checks;
-        let sample = self.sampler.draw(problem, checks);
-        let is_free = match sample.known {
-            Known::Free => true,
-            Known::Useless => false,
-            Known::Nothing => {
-                *checks += 1;
-                problem.validity().is_free(&sample.state)
-            }
-        };
-        if !is_free {
-            return self.roadmap.turn_away(EventKind::SampleRejected, iteration, sample.state);
-        }
+        let Some(state) = self.roadmap.draw(problem, iteration, &mut *self.sampler) else { return };
         match self.order {
             Order::Batch => {
-                self.roadmap.add_vertex(problem.space(), iteration, sample.state);
+                self.roadmap.add_vertex(problem.space(), iteration, state);
             }
-            Order::OneByOne { discard } => self.insert(problem, iteration, sample.state, discard),
+            Order::OneByOne { discard } => self.insert(problem, iteration, state, discard),
         }
         self.finish_sampling(problem.space());
     }
@@ -188,9 +181,9 @@ impl<S: Space> Prm<S> {
             return;
         }
         // Whether there will be a vertex is known only after its edges are.
-        let (roadmap, graph) = (&mut self.roadmap, &self.neighbours);
+        let (roadmap, neighbours) = (&mut self.roadmap, &self.neighbours);
         let mut joined = Vec::new();
-        for neighbour in graph {
+        for neighbour in neighbours {
             let other = *roadmap.graph.state(neighbour.vertex);
             if roadmap.is_motion_free(problem, &state, &other) {
                 joined.push(neighbour.vertex);

@@ -7,6 +7,7 @@ use crate::graph::search::Expansion;
 use crate::graph::{Event, EventKind, Graph, VertexId};
 use crate::nearest::{Index, Nearest, Neighbour};
 use crate::problem::Problem;
+use crate::sampling::{Known, Sample, Sampler};
 use crate::space::Space;
 
 /// The start is vertex 0.
@@ -65,11 +66,11 @@ impl<S: Space> Roadmap<S> {
         self.counters.nearest_queries += 1;
         let Connection { k, radius } = self.connection;
         let k = k + usize::from(spare);
-        if radius < f64::INFINITY {
+        if k >= self.nearest.len() && radius < f64::INFINITY {
             self.nearest.within(space, state, radius, found);
-            found.truncate(k);
         } else {
             self.nearest.k_nearest(space, state, k, found);
+            found.truncate(found.partition_point(|neighbour| neighbour.distance <= radius));
         }
     }
 
@@ -89,6 +90,29 @@ impl<S: Space> Roadmap<S> {
                 Event { kind: EventKind::EdgeRefused, iteration, vertex: Some(from), other: Some(to), state: target };
             self.graph.add_event(event);
         }
+    }
+
+    /// The next sample where it is free; else notes that it is not.
+    pub(super) fn draw(
+        &mut self,
+        problem: &Problem<S>,
+        iteration: u32,
+        sampler: &mut dyn Sampler<S>,
+    ) -> Option<S::State> {
+        let checks = &mut self.counters.configuration_checks;
+        let Sample { state, known } = sampler.draw(problem, checks);
+        let is_free = match known {
+            Known::Free => true,
+            Known::Useless => false,
+            Known::Nothing => {
+                *checks += 1;
+                problem.validity().is_free(&state)
+            }
+        };
+        if !is_free {
+            self.turn_away(EventKind::SampleRejected, iteration, state);
+        }
+        is_free.then_some(state)
     }
 
     /// Notes a sample that does not become a vertex.

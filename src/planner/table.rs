@@ -77,7 +77,10 @@ pub(super) const PLANNERS: [PlannerInfo; 5] = [
         title: "RRT",
         summary: "Grows a tree from the start: again and again its nearest vertex takes a step towards a sample.",
         parameters: &[
-            STEP,
+            ParameterInfo {
+                meaning: "How far the tree grows at once, and how near the goal must be to be tried; at least a 10,000th of the largest distance. Growth by half goes farther.",
+                ..STEP
+            },
             EXTEND,
             GOAL_BIAS,
             GOAL_EVERY,
@@ -140,7 +143,7 @@ const K: ParameterInfo = row(
     "k",
     "Neighbours",
     whole(1.0, 1000.0),
-    Fallback::Computed("15, or all within the radius where one is given"),
+    Fallback::Computed("15, or all within the radius where one is given, for up to 4470 samples"),
     "To how many of its nearest neighbours each vertex is joined, where the motion is free.",
 );
 
@@ -286,7 +289,7 @@ const REDUCE: ParameterInfo = row(
     "Reduce vertices",
     Kind::Switch,
     Fallback::Off,
-    "Leave out vertices of the path where the straight motion past them is free.",
+    "Leave out vertices of the path where the straight motion past them is free; improvement comes on top of the iterations.",
 );
 
 const SHORTCUT: ParameterInfo = row(

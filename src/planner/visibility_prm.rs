@@ -9,7 +9,7 @@ use super::roadmap::{Connection, GOAL, Roadmap, START, Searched};
 use super::{Counters, Planner, Status};
 use crate::graph::{Event, EventKind, Graph, UnionFind, VertexId};
 use crate::problem::Problem;
-use crate::sampling::{Known, Sampler};
+use crate::sampling::Sampler;
 use crate::space::Space;
 
 /// The planner. An iteration tries one sample against every guard, or expands one vertex in the search. Start and goal are
@@ -80,30 +80,18 @@ impl<S: Space> VisibilityPrm<S> {
 
     /// Tries one sample.
     fn sample(&mut self, problem: &Problem<S>, iteration: u32) {
-        let checks = &mut self.roadmap.counters.configuration_checks;
-        let sample = self.sampler.draw(problem, checks);
-        let is_free = match sample.known {
-            Known::Free => true,
-            Known::Useless => false,
-            Known::Nothing => {
-                *checks += 1;
-                problem.validity().is_free(&sample.state)
-            }
-        };
-        if !is_free {
-            return self.roadmap.turn_away(EventKind::SampleRejected, iteration, sample.state);
-        }
-        let seen = self.visible_guards(problem, iteration, &sample.state);
+        let Some(state) = self.roadmap.draw(problem, iteration, &mut *self.sampler) else { return };
+        let seen = self.visible_guards(problem, iteration, &state);
         match seen.as_slice() {
             [] => {
-                let vertex = self.add_vertex(problem.space(), iteration, sample.state);
+                let vertex = self.add_vertex(problem.space(), iteration, state);
                 self.guard(iteration, vertex);
                 self.failures = 0;
                 return;
             }
-            [_] => self.roadmap.turn_away(EventKind::SampleDiscarded, iteration, sample.state),
+            [_] => self.roadmap.turn_away(EventKind::SampleDiscarded, iteration, state),
             guards => {
-                let vertex = self.add_vertex(problem.space(), iteration, sample.state);
+                let vertex = self.add_vertex(problem.space(), iteration, state);
                 for &guard in guards {
                     self.roadmap.graph.add_edge(iteration, vertex, guard);
                     self.components.join(vertex.index(), guard.index());

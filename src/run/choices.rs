@@ -19,6 +19,8 @@ const SMALLEST_STEP: f64 = 1e-4;
 const DEFAULT_SPREAD: f64 = 0.05;
 /// The number of neighbours where neither it nor a radius is given.
 const DEFAULT_K: u64 = 15;
+/// More guards than there ever are.
+const MOST_GUARDS: usize = 1_000_000;
 /// The most motions that a roadmap may try: it keeps what became of each.
 const MOST_MOTIONS: u64 = 20_000_000;
 
@@ -34,7 +36,8 @@ pub(super) fn planner<S: Space + 'static>(
     Ok(match id {
         "prm" | "prm-star" => Box::new(Prm::new(problem, &prm_options(id, parameters, space.dimension())?, sampler)),
         "visibility-prm" => {
-            let connection = Connection { k: DEFAULT_K as usize, radius: f64::INFINITY };
+            // Guards are few: questions are joined to all that see them.
+            let connection = Connection { k: MOST_GUARDS, radius: f64::INFINITY };
             let failures = parameters.integer("failures") as u32;
             Box::new(VisibilityPrm::new(problem, failures, connection, rules(parameters), sampler))
         }
@@ -78,11 +81,13 @@ fn prm_options(id: &str, parameters: &Parameters, dimension: usize) -> Result<Pr
     let k = match (is_star, radius) {
         (true, _) => star_k(parameters.text("k_rule")) as u64,
         (false, None) => parameters.number("k").map_or(DEFAULT_K, |k| k as u64),
-        // All within the radius, as far as the roadmap may grow.
-        (false, Some(_)) => parameters.number("k").map_or(MOST_MOTIONS / samples.max(1), |k| k as u64),
+        // All within the radius.
+        (false, Some(_)) => parameters.number("k").map_or(vertices as u64, |k| k as u64),
     };
     if samples * k > MOST_MOTIONS {
-        let sentence = format!("samples times k must be at most {MOST_MOTIONS}, not {samples} times {k}");
+        let sentence = format!(
+            "samples times k (without k all samples, where there is a radius) must be at most {MOST_MOTIONS}, not {samples} times {k}"
+        );
         return Err(Error::new(Code::OutOfRange, "/samples", sentence));
     }
     let order = match (is_star, parameters) {

@@ -55,7 +55,6 @@ pub(super) fn launch(
     // Entries past the dimension are 0 and change no bit: two sizes at most serve every robot.
     let run = match scenario.robot() {
         Robot::Arm(arm) if arm.links().len() <= SMALL => launch.arm::<SMALL>(arm),
-        Robot::Arm(arm) if arm.links().len() <= SMALL => launch.arm::<SMALL>(arm),
         Robot::Arm(arm) => launch.arm::<MAX_DIMENSION>(arm),
         Robot::Disc(disc) => launch.disc(disc),
     };

@@ -85,11 +85,12 @@ pub trait Run {
     fn roadmap(&self) -> Option<RoadmapDocument>;
 
     /// Asks the roadmap for another path, as far as it is built: joins start and goal to their neighbours and searches. The
-    /// roadmap stays as it was, unless the two are to be kept as its last vertices. The document's query is named `asked`, its
-    /// path is not improved.
+    /// roadmap stays as it was, unless the two are to be kept as its last vertices, which can be asked for once the run is over.
+    /// The document's query is named `asked`, its path is not improved; no scenario has that query, so it is not for
+    /// [`verify`](crate::path::verify()). The tolerance of the proofs is that of the run's own query.
     ///
     /// # Errors
-    /// `unsupported` where the planner builds none; with the pointer `/start` or `/goal`: `wrong-dimension`, `not-finite`,
+    /// `unsupported` where the planner builds none, or is not done yet and the two are to be kept; with the pointer `/start` or `/goal`: `wrong-dimension`, `not-finite`,
     /// `out-of-range`, `start-in-collision`, `goal-in-collision`.
     fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error>;
 }

@@ -5,7 +5,7 @@ use super::{Options, Run};
 use crate::error::{Code, Error};
 use crate::kept::{RoadmapDocument, damaged, fingerprint};
 use crate::planner::{Parameters, PlannerInfo, Value, planner_info};
-use crate::scenario::Scenario;
+use crate::scenario::{Robot, Scenario};
 use crate::space::Space;
 use crate::validity::Validity;
 
@@ -39,6 +39,9 @@ pub fn resume(scenario: &Scenario, options: &Options, document: &RoadmapDocument
     if document.dimension() != dimension {
         let sentence = format!("this robot has {dimension} coordinates, not {}", document.dimension());
         return Err(damaged("/dimension", sentence));
+    }
+    if matches!(scenario.robot(), Robot::Disc(_)) && document.metric != "euclidean" {
+        return Err(damaged("/metric", format!("the metric of a disc is euclidean, not {:?}", document.metric)));
     }
     // Roadmaps are what is searched.
     let is_roadmap = |info: &&PlannerInfo| info.parameters.iter().any(|parameter| parameter.name == "search");

@@ -253,6 +253,14 @@ impl<S: Space> Run for Runner<S> {
             }
         }
         self.problem.check_ends(&ends[0], &ends[1])?;
+        // What still grows counts its own vertices: guests would be taken for them.
+        if keep && self.status == Status::Running && self.improvement.is_none() {
+            let sentence = format!(
+                "start and goal can be kept once the roadmap is built and searched, not while {}",
+                self.phase()
+            );
+            return Err(Error::new(Code::Unsupported, "/keep", sentence));
+        }
         let keep = keep.then_some(self.iteration);
         let Some(roadmap) = self.planner.roadmap() else {
             let sentence = format!("{} builds no roadmap that could be asked again", self.ticket.planner);

@@ -1,4 +1,4 @@
-//! The space of an arm: a product of circles, and of intervals where joints have limits.
+//! The space of arms and discs: a product of circles, of circles cut open, and of intervals where coordinates have limits.
 
 use super::{Space, unwind, wrap};
 use std::f64::consts::{PI, TAU};
@@ -69,9 +69,9 @@ impl<const N: usize> Torus<N> {
     /// A closed box with the Euclidean metric, in which motions are straight; coordinates in metres.
     ///
     /// # Panics
-    /// Where a side is empty.
-    pub fn of_box(low: [f64; N], high: [f64; N]) -> Self {
-        let sides: [Joint; N] = std::array::from_fn(|i| Joint::Interval { low: low[i], high: high[i] });
+    /// Where a side is empty, or there are more than `N`.
+    pub fn of_box(low: &[f64], high: &[f64]) -> Self {
+        let sides: Vec<Joint> = low.iter().zip(high).map(|(&low, &high)| Joint::Interval { low, high }).collect();
         Self::new(&sides, Metric::Euclidean)
     }
 

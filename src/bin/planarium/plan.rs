@@ -38,10 +38,10 @@ pub fn plan(arguments: &Plan) -> Answer {
         return Err(Error::new(Code::Unsupported, "", sentence));
     }
     let result = drive(run.as_mut(), arguments.max_seconds);
+    files::write(&result.to_json(), arguments.out.as_deref())?;
     if let (Some(name), Some(document)) = (&arguments.save_roadmap, run.roadmap()) {
         roadmap::write(&document, name, arguments.roadmap_format)?;
     }
-    files::write(&result.to_json(), arguments.out.as_deref())?;
     files::say(&summary(&result));
     Ok(result.status == Status::Solved)
 }
@@ -76,6 +76,8 @@ fn drive(run: &mut dyn Run, max_seconds: Option<f64>) -> ResultDocument {
         progress.show(run);
     }
     progress.finish();
+    // A path that is only being improved is a path.
+    run.finish();
     let mut result = run.result();
     (result.stats.build_seconds, result.stats.search_seconds) = (build.as_secs_f64(), search.as_secs_f64());
     result

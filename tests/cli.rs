@@ -176,6 +176,15 @@ fn time_stops_a_run_and_the_result_tells_how_far_it_came() {
 }
 
 #[test]
+fn time_that_is_up_while_a_path_is_improved_leaves_the_path() {
+    let room = file("improved.json", ROOM);
+    let improved = planarium(&["plan", &room, "--set", "shortcut=1000000", "--max-seconds", "0.3"]);
+    let result = improved.json();
+    assert_eq!((improved.code, result["status"].as_str()), (0, Some("solved")), "{}", improved.stderr);
+    assert!(result["path"].as_array().is_some_and(|path| path.len() >= 2));
+}
+
+#[test]
 fn a_roadmap_is_saved_and_gone_on_with() {
     let room = file("kept.json", ROOM);
     let place = |name: &str| {

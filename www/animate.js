@@ -3,7 +3,9 @@
  * drives back and rests, at constant speed in the metric that the path was measured in.
  */
 
-/** @import { Scenario } from "./types.js" */
+/** @import { Run } from "./run.js" */
+/** @import { Check, Scenario } from "./types.js" */
+/** @typedef {{ at: number, pose: Float64Array, check: Check }} Flaw   where a path collides: 0 to 1 along it, the pose, and what touches what */
 
 /** Seconds for the line to draw itself. */
 const DRAWING = 1.4;
@@ -11,14 +13,19 @@ const DRAWING = 1.4;
 const REST = 0.9;
 /** Shortest and longest time for one drive, seconds. */
 const DRIVE = { least: 1.6, most: 9 };
+/** Looks at a stretch that cannot be proven free, to find where it collides. */
+const LOOKS = 400;
 
 export class Journey {
   /**
    * @param {Scenario} scenario
    * @param {Float64Array} path  rows of `dimension`, at least one
+   * @param {{ isProven?: boolean, isMiss?: boolean }} [kind]  are its motions proven free; does it end short of the goal
    */
-  constructor(scenario, path) {
+  constructor(scenario, path, { isProven = true, isMiss = false } = {}) {
     this.scenario = scenario;
+    this.isProven = isProven;
+    this.isMiss = isMiss;
     const n = scenario.dimension;
     /** @type {Float64Array[]} */
     this.waypoints = [];
@@ -38,6 +45,25 @@ export class Journey {
     this.heading = 1;
     this.resting = 0;
     this.samples = this.sample(Math.min(900, Math.max(120, Math.ceil(this.length / (speed / 40)))));
+    /** Where it collides first, as far as that can happen. @type {Flaw | null} */
+    this.flaw = isProven ? null : this.firstFlaw();
+  }
+
+  /** @returns {Flaw | null} */
+  firstFlaw() {
+    const { scenario, waypoints, reached } = this;
+    for (let i = 1; i < waypoints.length; i++) {
+      const hit = scenario.firstHit(waypoints[i - 1], waypoints[i]);
+      if (hit === null) continue;
+      // What is not proven need not collide: it may only pass too near.
+      for (let look = 0; look <= LOOKS; look++) {
+        const t = hit + ((1 - hit) * look) / LOOKS;
+        const pose = scenario.interpolate(waypoints[i - 1], waypoints[i], t);
+        const check = scenario.check(pose);
+        if (!check.free) return { at: (reached[i - 1] + t * (reached[i] - reached[i - 1])) / this.length, pose, check };
+      }
+    }
+    return null;
   }
 
   /** The configuration at a part of the whole length. @param {number} part  0 to 1 @returns {Float64Array} */
@@ -95,6 +121,21 @@ export class Journey {
     this.resting = 0;
     this.at = Math.min(1, Math.max(0, part));
   }
+}
+
+/**
+ * The way that a run has to show: its path once solved, or of a tree that gave up the way to its vertex nearest to the goal.
+ * @param {Scenario} scenario
+ * @param {Run} run
+ * @returns {Journey | null}
+ */
+export function journeyOf(scenario, run) {
+  const { isProven } = run;
+  if (run.status === "solved") return new Journey(scenario, run.planner.path(), { isProven });
+  const { approximate } = run.planner.result();
+  // A tree whose root is nearest to the goal has no way to show.
+  if (!approximate || approximate.path.length < 2) return null;
+  return new Journey(scenario, Float64Array.from(approximate.path.flat()), { isProven, isMiss: true });
 }
 
 /** The longer side of the drawn world. @param {Scenario} scenario */

@@ -81,7 +81,13 @@ function isMissing(value) { return value === null || value === undefined; }
 /** What the planner takes where it is left to choose. @param {ParameterInfo} info */
 function automatic(info) {
   const words = "default_meaning" in info ? info.default_meaning : null;
-  return typeof words === "string" ? ` Automatic: ${words}.` : "";
+  if (typeof words !== "string") return "";
+  return nothing(words) ? ` ${words[0].toUpperCase()}${words.slice(1)}.` : ` Automatic: ${words}.`;
+}
+
+/** Some parameters left empty do nothing: the word that says so. @param {unknown} words @returns {string} */
+function nothing(words) {
+  return /^(none|never)(?=:)/.exec(String(words))?.[0] ?? "";
 }
 
 /** @param {ParameterInfo} info @param {number | string | boolean | null} value @param {string} id @returns {HTMLInputElement | HTMLSelectElement} */
@@ -93,11 +99,11 @@ function control(info, value, id) {
     if (!isMissing(value)) select.value = String(value);
     return select;
   }
-  if (info.kind === "boolean") return make("input", { id, type: "checkbox", checked: value === true });
+  if (info.kind === "boolean") return make("input", { id, type: "checkbox", role: "switch", checked: value === true });
   const input = make("input", {
     id, type: "number", step: info.kind === "integer" ? "1" : "any", autocomplete: "off",
     inputMode: info.kind === "integer" ? "numeric" : "decimal", value: isMissing(value) ? "" : String(value),
   });
-  if (isMissing(value)) input.placeholder = "automatic";
+  if (isMissing(info.default)) input.placeholder = nothing(info.default_meaning) || "automatic";
   return input;
 }

@@ -8,6 +8,7 @@
  * - `#play` carries `data-playing`; `body` carries `data-scene` (an id of scenes.js, or "file").
  * - `#notice` is hidden, or carries `data-code` and `data-pointer` of the error it shows.
  * - `#touching` carries `data-free` and names what touches what.
+ * - `#story` carries `data-tone`, "bad" where a path that was found collides.
  * - The work of each frame in which something grew is a `performance.measure` called "planarium-frame".
  */
 import { Announcer } from "./announce.js";
@@ -16,6 +17,7 @@ import { byId } from "./dom.js";
 import { watchFiles } from "./drop.js";
 import { Gallery } from "./gallery.js";
 import { watchKeys } from "./keys.js";
+import { showLegend } from "./legend.js";
 import { Notice } from "./notice.js";
 import { Panel } from "./panel.js";
 import { Pose } from "./pose.js";
@@ -62,8 +64,11 @@ async function start() {
   const pose = new Pose((at) => theatre.hold(at));
   theatre = new Theatre({
     stage, transport, counters, panel, pose, notice, announcer: new Announcer(),
-    tell: (sentence) => { story.textContent = sentence; },
-    legend: (trees) => { byId("legend-growth", HTMLElement).textContent = trees ? "trees" : "roadmap"; },
+    tell: (sentence, isBad = false) => {
+      story.textContent = sentence;
+      story.dataset.tone = isBad ? "bad" : "";
+    },
+    legend: showLegend,
     turn: (inHand) => {
       turn.textContent = inHand ? "Watch again" : "Your turn";
       stageElement.classList.toggle("in-hand", inHand);

@@ -8,7 +8,16 @@ import { Field } from "./field.js";
 /** @import { Library, ParameterInfo, Settings } from "./types.js" */
 
 /** Parameters worth a place of their own; the others stand under "More parameters". */
-const FIRST = new Set(["k", "samples", "radius", "step", "goal_bias", "seed"]);
+const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "goal_bias", "sampler", "seed"]);
+
+/** How the others are grouped, in this order; what no group names comes last. @type {[string, string[]][]} */
+const GROUPS = [
+  ["Samples", ["insertion", "discard", "spread", "goal_every"]],
+  ["Edges", ["radius", "extend", "metric", "edge_check", "edge_samples", "tolerance"]],
+  ["Search", ["search", "cost", "heuristic"]],
+  ["Path, once found", ["reduce", "shortcut", "partial_shortcut"]],
+];
+const REST = "Limits";
 
 export class Panel {
   /**
@@ -98,10 +107,22 @@ export class Panel {
         this.onChange();
       });
       if (parameter.name === "seed") this.addSeedButton(field);
-      (FIRST.has(parameter.name) ? this.first : this.rest).append(field.element);
+      if (FIRST.has(parameter.name)) this.first.append(field.element);
       return field;
     });
+    this.group();
     this.more.hidden = this.rest.childElementCount === 0;
+  }
+
+  /** Puts the fields that are not first under headings. */
+  group() {
+    const others = this.fields.filter(({ info }) => !FIRST.has(info.name));
+    const grouped = new Set(GROUPS.flatMap(([, names]) => names));
+    const rest = others.filter(({ info }) => !grouped.has(info.name)).map(({ info }) => info.name);
+    for (const [title, names] of [...GROUPS, /** @type {[string, string[]]} */ ([REST, rest])]) {
+      const elements = others.filter(({ info }) => names.includes(info.name)).map(({ element }) => element);
+      if (elements.length > 0) this.rest.append(make("div", { className: "group" }, make("h3", {}, title), ...elements));
+    }
   }
 
   /** @param {Field} field */

@@ -7,7 +7,7 @@ import { Rows } from "./rows.js";
 /** @import { Scenario, Settings } from "./types.js" */
 
 /** Kinds of event, as the package numbers them. */
-export const EVENT = { rejected: 0, refused: 1, expanded: 2, solved: 3 };
+export const EVENT = { rejected: 0, refused: 1, expanded: 2, solved: 3, discarded: 4, guard: 5 };
 
 /** Which root a vertex hangs from: none yet (a roadmap), the start, the goal. */
 export const SIDE = { none: 0, start: 1, goal: 2 };
@@ -37,10 +37,18 @@ export class Run {
     this.sides = new Rows((n) => new Uint8Array(n), 1);
     /** Vertices that the search has expanded, in order. */
     this.expanded = new Rows((n) => new Uint32Array(n), 1);
+    /** Vertices that are guards of a visibility roadmap, in order. */
+    this.guards = new Rows((n) => new Uint32Array(n), 1);
     /** The newest event rows, those of the last `fetch`. @type {Float64Array} */
     this.fresh = new Float64Array(0);
     this.events = 0;
-    this.isTree = algorithm.startsWith("rrt");
+    /** What grows. @type {"roadmap" | "tree" | "trees"} */
+    this.kind = algorithm === "rrt-connect" ? "trees" : algorithm.startsWith("rrt") ? "tree" : "roadmap";
+    this.isTree = this.kind !== "roadmap";
+    /** Are its edges proven free, or only looked at in places? */
+    this.isProven = settings.edge_check !== "sampled";
+    /** Coordinates whose motions go the short way round. The naive metric knows none: its motions may go the long way. */
+    this.circles = settings.metric === "naive" ? scenario.circles().fill(false) : scenario.circles();
     this.fetch();
   }
 
@@ -92,17 +100,21 @@ export class Run {
     const width = planner.eventWidth;
     /** @type {number[]} */
     const expanded = [];
+    /** @type {number[]} */
+    const guards = [];
     for (let i = 0; i < this.fresh.length; i += width) {
       if (this.fresh[i] === EVENT.expanded) expanded.push(this.fresh[i + 2]);
+      else if (this.fresh[i] === EVENT.guard) guards.push(this.fresh[i + 2]);
     }
     if (expanded.length > 0) this.expanded.add(expanded);
+    if (guards.length > 0) this.guards.add(guards);
   }
 
-  /** Tree edges are (parent, child): a new child hangs from its parent's root. @param {number} first */
+  /** Tree edges are (parent, child): a new child hangs from its parent's root. A lone tree has the goal only once it is reached. @param {number} first */
   inheritSides(first) {
     const sides = this.sides.data;
     sides[0] = SIDE.start;
-    sides[1] = SIDE.goal;
+    if (this.kind === "trees") sides[1] = SIDE.goal;
     for (let i = first; i < this.edges.count; i++) {
       const parent = this.edges.data[2 * i];
       const child = this.edges.data[2 * i + 1];

@@ -1,19 +1,47 @@
 /** The page's sentences: what is to be seen just now. */
 import { touchingSentence } from "./names.js";
 
+/** @import { Journey } from "./animate.js" */
 /** @import { Run } from "./run.js" */
 /** @import { Check, Scenario } from "./types.js" */
 
-/** A run that has ended. @param {Run} run @param {number} length */
-export function ending(run, length) {
-  const iterations = run.iterations.toLocaleString("en");
-  if (run.status === "solved") {
-    const unit = run.scenario.robot === "arm" ? "rad" : "m";
-    return `Found after ${iterations} iterations: a path of ${length.toFixed(2)} ${unit}, proven free from end to end.`;
+/** A run that goes on: the scene's own sentence while its own planner proves its edges, else what the planner is at. @param {Run} run @param {{ algorithm: string, sentence: string }} scene */
+export function going(run, scene) {
+  const { phase } = run.planner;
+  const free = run.isProven ? "proven free" : "free in the places looked at";
+  if (phase === "improving") return `A path is found; now it is made shorter, by motions ${free}.`;
+  if (run.algorithm === scene.algorithm && run.isProven) return scene.sentence;
+  switch (phase) {
+    case "sampling": return "Each point is a pose that touches nothing.";
+    case "connecting": return `Each pose is joined to its neighbours, where the motion is ${free}.`;
+    case "guarding": return "A pose that no guard sees becomes a guard, in a ring; one that sees several links them.";
+    case "searching": return "The search goes out from the start; the bold vertices are those it has been to.";
+    default: return run.kind === "trees"
+      ? "Two trees, rooted at the start and at the goal, reach for each other until they meet."
+      : "A tree grows from the start, step by step towards samples, until it reaches the goal.";
   }
-  return run.isTree
-    ? `No path after ${iterations} iterations: the two trees never met.`
-    : `No path: the search has been to every vertex it can reach, the bold ones, and the goal is not among them.`;
+}
+
+/** A run that has ended. @param {Run} run @param {Journey | null} journey */
+export function ending(run, journey) {
+  const iterations = run.iterations.toLocaleString("en");
+  const unit = run.scenario.robot === "arm" ? "rad" : "m";
+  const { length, approximate } = run.planner.result();
+  if (run.status === "solved") {
+    const found = `Found after ${iterations} iterations: a path of ${length.toFixed(2)} ${unit}`;
+    if (run.isProven) return `${found}, proven free from end to end.`;
+    return `${found}, not proven. ${journey?.flaw ? collision(run.scenario, journey.flaw.check) : "Checked afterwards, it touches nothing."}`;
+  }
+  if (!run.isTree && run.expanded.count === 0) return `No path: ${iterations} iterations were too few to search the roadmap.`;
+  if (!run.isTree) return "No path: the search has been to every vertex it can reach, the bold ones, and the goal is not among them.";
+  if (!approximate || !journey) return `No path after ${iterations} iterations: ${run.kind === "trees" ? "the two trees never met" : "the tree never came nearer to the goal"}.`;
+  const miss = `No path after ${iterations} iterations. The nearest miss, dashed, ends ${approximate.goal_distance.toFixed(2)} ${unit} from the goal`;
+  return `${miss}${run.isProven ? "." : `, not proven. ${journey.flaw ? collision(run.scenario, journey.flaw.check) : ""}`}`.trim();
+}
+
+/** @param {Scenario} scenario @param {Check} check */
+function collision(scenario, check) {
+  return `It collides: ${touchingSentence(scenario, check)}.`;
 }
 
 /** What to do with the robot in the hand. @param {Scenario} scenario @param {boolean} square  is there a configuration square beside the workspace */
@@ -40,7 +68,7 @@ export function arrival(touches) {
 /** The picture in words, for those who do not see it. @param {string} title @param {Run | null} run */
 export function summary(title, run) {
   if (!run) return `${title}. Nothing is planned.`;
-  const kind = run.isTree ? "two trees" : "roadmap";
+  const kind = run.kind === "trees" ? "Two trees" : `A ${run.kind}`;
   const state = run.status === "running" ? run.planner.phase : run.status;
-  return `${title}. A ${kind} with ${run.vertices.count.toLocaleString("en")} vertices and ${run.edges.count.toLocaleString("en")} edges; ${state}.`.replace("A two", "Two");
+  return `${title}. ${kind} with ${run.vertices.count.toLocaleString("en")} vertices and ${run.edges.count.toLocaleString("en")} edges; ${state}.`;
 }

@@ -2,10 +2,11 @@
  * What goes on: which scenario is on the stage, which run grows, whether it plays, whether the robot follows the path or
  * is in the reader's hand. One frame at a time: a bounded slice of planning, then a bounded slice of drawing.
  */
-import { Journey } from "./animate.js";
+import { journeyOf } from "./animate.js";
 import { Run } from "./run.js";
 import * as story from "./story.js";
 
+/** @import { Journey } from "./animate.js" */
 /** @import { Configuration, Scenario, Settings } from "./types.js" */
 /** @import { Picture } from "./stage/picture.js" */
 /** @import { Stage } from "./stage/stage.js" */
@@ -31,9 +32,9 @@ const MEASURES = 20000;
  * @property {Pose} pose
  * @property {Notice} notice
  * @property {Announcer} announcer
- * @property {(sentence: string) => void} tell     the sentence above the stage
+ * @property {(sentence: string, isBad?: boolean) => void} tell     the sentence above the stage
  * @property {(inHand: boolean) => void} turn      whose turn it is
- * @property {(trees: boolean) => void} legend     what grows: trees or a roadmap
+ * @property {(run: Run, journey: Journey | null) => void} legend   what is to be seen
  *
  * @typedef {object} Programme   how a scenario is put on the stage
  * @property {string} algorithm
@@ -49,7 +50,10 @@ export class Theatre {
     this.calm = calm;
     /** @type {Picture | null} */
     this.picture = null;
-    this.story = "";
+    /** What the scene says of its own planner. */
+    this.story = { algorithm: "", sentence: "" };
+    /** The phase that the sentence above the stage is about. */
+    this.phase = "";
     this.playing = false;
     /** Iterations asked for and not made yet. */
     this.owed = 0;
@@ -73,7 +77,7 @@ export class Theatre {
     notice.hide();
     const document = scenario.document();
     this.picture = { scenario, document, start: null, goal: null, run: null, journey: null, hand: null, check: null };
-    this.story = programme.story;
+    this.story = { algorithm: programme.algorithm, sentence: programme.story };
     panel.offerQueries(document.queries.map(({ name }) => name));
     panel.suggest(programme.algorithm, programme.settings);
     transport.pace = programme.pace;
@@ -122,7 +126,7 @@ export class Theatre {
     try {
       picture.run = new Run(picture.scenario, panel.algorithm, settings);
       this.playing = play;
-      this.crew.legend(picture.run.isTree);
+      this.crew.legend(picture.run, null);
       counters.show(picture.run);
       this.tellStory();
     } catch (error) {
@@ -350,6 +354,7 @@ export class Theatre {
       return false;
     }
     if (run.status !== "running") this.ended(picture, run);
+    else if (run.planner.phase !== this.phase) this.tellStory();
     return true;
   }
 
@@ -357,15 +362,16 @@ export class Theatre {
   ended(picture, run) {
     this.owed = 0;
     this.rushing = false;
-    if (run.status === "solved") {
-      picture.journey = new Journey(picture.scenario, run.planner.path());
+    picture.journey = journeyOf(picture.scenario, run);
+    if (picture.journey) {
       if (this.calm) picture.journey.drawn = 1;
       if (this.calm || picture.hand) this.playing = false;
     } else {
       this.playing = false;
     }
+    this.crew.legend(run, picture.journey);
     this.tellStory();
-    this.crew.announcer.say(story.ending(run, picture.journey?.length ?? 0));
+    this.crew.announcer.say(story.ending(run, picture.journey));
     this.showTransport();
   }
 
@@ -395,8 +401,11 @@ export class Theatre {
   tellStory() {
     const picture = this.picture;
     if (!picture || picture.hand) return;
-    const { run } = picture;
-    this.crew.tell(run && run.status !== "running" ? story.ending(run, picture.journey?.length ?? 0) : this.story);
+    const { run, journey } = picture;
+    this.phase = run?.planner.phase ?? "";
+    if (!run) this.crew.tell(this.story.sentence);
+    else if (run.status === "running") this.crew.tell(story.going(run, this.story));
+    else this.crew.tell(story.ending(run, journey), Boolean(journey?.flaw));
   }
 
   describe() {

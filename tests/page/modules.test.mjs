@@ -4,13 +4,15 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Scenario } from "planarium";
-import { Journey } from "../../www/animate.js";
+import { Journey, journeyOf } from "../../www/animate.js";
 import { touchingSentence } from "../../www/names.js";
 import { Rows } from "../../www/rows.js";
 import { Run, SIDE } from "../../www/run.js";
 import { SCENES } from "../../www/scenes.js";
-import { Tracer, unrolled, way } from "../../www/stage/trace.js";
+import { Glow } from "../../www/stage/glow.js";
+import { Tracer, folded, unrolled, way } from "../../www/stage/trace.js";
 import { View } from "../../www/stage/view.js";
+import { ending, going } from "../../www/story.js";
 import { root } from "./browser.mjs";
 
 /** One of the page's scenes. The package is typed twice, as published and as the page imports it. @param {string} id */
@@ -19,11 +21,11 @@ function load(id) {
   return /** @type {import("../../www/types.js").Scenario} */ (/** @type {unknown} */ (scenario));
 }
 
-/** The lines that show one motion. @param {number[]} ends @param {boolean[]} circles */
-function linesOf(ends, circles) {
+/** The lines that show one motion. @param {number[]} ends @param {boolean[]} circles @param {boolean[]} [short] */
+function linesOf(ends, circles, short = circles) {
   /** @type {number[][]} */
   const lines = [];
-  unrolled(ends, 0, circles, (...line) => lines.push(line.map((v) => Math.round(v * 1000) / 1000)));
+  unrolled(ends, 0, circles, short, (...line) => lines.push(line.map((v) => Math.round(v * 1000) / 1000)));
   return lines;
 }
 
@@ -36,6 +38,16 @@ test("an edge within the square is one line; one across a border is drawn on bot
   assert.equal(corner.length, 4);
   assert.deepEqual(corner[3], [-3.283, -3.283, -3, -3]);
   assert.deepEqual(linesOf([3, 0, -3, 0.5], [false, false]), [[3, 0, -3, 0.5]], "a joint with limits does not wrap");
+});
+
+test("a motion of the naive metric goes the long way, and is drawn on the square wherever its angles lie", () => {
+  const long = linesOf([0.1, 1, 6.2, 1], [true, true], [false, false]);
+  assert.deepEqual(long, [[0.1, 1, 6.2, 1], [-6.183, 1, -0.083, 1]]);
+  assert.deepEqual(linesOf([4, 1, 5, 1], [true, true], [false, false]), [[-2.283, 1, -1.283, 1]]);
+  assert.deepEqual([folded(4), folded(-1), folded(Math.PI)].map((v) => Math.round(v * 1000) / 1000), [-2.283, -1, 3.142]);
+  const { points, firsts } = new Tracer(load("stones")).curves(Float64Array.from([0.1, 0, 6.2, 0]), [false, false]);
+  const left = points.filter((_, i) => i % 2 === 0).slice(0, firsts[1]).reduce((least, x) => Math.min(least, x));
+  assert.ok(left < -0.5, "the end-effector goes all the way round");
 });
 
 test("the way between two angles is the short one, signed", () => {
@@ -82,6 +94,107 @@ test("a run fetched in slices holds what the planner holds, and every tree verte
     run.free();
     scenario.free();
   }
+});
+
+/** A run to its end. @param {string} id @param {string} algorithm @param {import("../../www/types.js").Settings} settings */
+function ended(id, algorithm, settings) {
+  const scenario = load(id);
+  const run = new Run(scenario, algorithm, settings);
+  while (run.status === "running") {
+    run.advance(50, Infinity);
+    run.fetch();
+  }
+  return { scenario, run };
+}
+
+test("the goal of a lone tree hangs from the start once it is reached, and from nothing before", () => {
+  const { run } = ended("firs", "rrt", { seed: 7, max_iterations: 300 });
+  assert.equal(run.status, "exhausted");
+  assert.equal(run.sides.data[1], SIDE.none);
+  const { run: reached } = ended("firs", "rrt", { step: 0.35, seed: 7 });
+  assert.equal(reached.status, "solved");
+  assert.deepEqual(new Set(reached.sides.slice(0, reached.sides.count)), new Set([SIDE.start]));
+});
+
+test("guards are told from links: each of them is fetched once", () => {
+  const { run } = ended("stones", "visibility-prm", {});
+  const guards = [...run.guards.slice(0, run.guards.count)];
+  assert.deepEqual(guards.slice(0, 2), [0, 1]);
+  assert.equal(new Set(guards).size, guards.length);
+  assert.ok(guards.length < run.vertices.count);
+});
+
+test("a sampled path is followed to where it collides; a proven one has no such place, nor has one that only looks unproven", () => {
+  const sampled = ended("stones", "prm", { samples: 260, k: 9, edge_check: "sampled", edge_samples: 1 });
+  const journey = journeyOf(sampled.scenario, sampled.run);
+  assert.ok(journey?.flaw && !journey.isProven);
+  const { at, pose, check } = journey.flaw;
+  assert.equal(sampled.scenario.check(pose).free, false);
+  assert.ok(sampled.scenario.distance(journey.configuration(at), pose) < 1e-9);
+  for (let part = 0; part < at - 0.002; part += 0.001) assert.ok(sampled.scenario.check(journey.configuration(part)).free, `${part}`);
+  assert.equal(ending(sampled.run, journey), `Found after ${sampled.run.iterations} iterations: a path of 3.94 rad, not proven. It collides: ${touchingSentence(sampled.scenario, check)}.`);
+  const careful = ended("stones", "prm", { samples: 260, k: 9, edge_check: "sampled", edge_samples: 400 });
+  const free = journeyOf(careful.scenario, careful.run);
+  assert.ok(free && free.flaw === null && !free.isProven);
+  assert.match(ending(careful.run, free), /not proven. Checked afterwards, it touches nothing.$/);
+  const proven = ended("stones", "prm", { samples: 260, k: 9 });
+  assert.ok(journeyOf(proven.scenario, proven.run)?.isProven);
+  assert.match(ending(proven.run, journeyOf(proven.scenario, proven.run)), /proven free from end to end/);
+});
+
+test("a tree that gave up shows its nearest miss; others have none to show", () => {
+  const { scenario, run } = ended("firs", "rrt", { step: 0.35, seed: 7, max_iterations: 300 });
+  const journey = journeyOf(scenario, run);
+  assert.ok(journey?.isMiss && journey.isProven);
+  const { start, goal } = scenario.document().queries[0];
+  assert.ok(scenario.distance(journey.configuration(0), start) < 1e-12);
+  const short = scenario.distance(journey.configuration(1), goal);
+  assert.ok(short > 0.1);
+  assert.equal(ending(run, journey), `No path after 300 iterations. The nearest miss, dashed, ends ${short.toFixed(2)} rad from the goal.`);
+  for (const algorithm of ["prm", "rrt-connect"]) {
+    const other = ended("firs", algorithm, { max_iterations: 3 });
+    assert.equal(journeyOf(other.scenario, other.run), null);
+    assert.match(ending(other.run, null), algorithm === "prm" ? /3 iterations were too few to search/ : /two trees never met/);
+  }
+});
+
+test("the length that is told is the run's own, in its own metric", () => {
+  const { scenario, run } = ended("stones", "prm", { samples: 260, k: 9, metric: "euclidean" });
+  const { length } = run.planner.result();
+  const journey = journeyOf(scenario, run);
+  assert.ok(journey && Math.abs(journey.length - length) > 0.1, "the journey is measured otherwise");
+  assert.ok(ending(run, journey).includes(`${length.toFixed(2)} rad`));
+});
+
+test("each phase has its sentence; the scene's own is told of its own planner only", () => {
+  const scene = { algorithm: "prm", sentence: "The scene's own." };
+  const sentences = new Set();
+  for (const [algorithm, settings] of /** @type {[string, import("../../www/types.js").Settings][]} */ ([
+    ["prm-star", { samples: 60, shortcut: 5 }], ["visibility-prm", {}], ["rrt", { step: 0.5 }], ["rrt-connect", { step: 0.5 }],
+  ])) {
+    const run = new Run(load("stones"), algorithm, settings);
+    while (run.status === "running") {
+      sentences.add(going(run, scene));
+      run.advance(1, Infinity);
+    }
+  }
+  assert.equal(sentences.size, 7, [...sentences].join("\n"));
+  assert.ok(!sentences.has(scene.sentence));
+  assert.equal(going(new Run(load("stones"), "prm", {}), scene), scene.sentence);
+  assert.doesNotMatch(going(new Run(load("stones"), "prm", { edge_check: "sampled" }), { algorithm: "prm", sentence: "Each line is proven." }), /proven/);
+});
+
+test("a sample that was free but of no use flashes fainter than one in collision", () => {
+  /** @type {number[]} */
+  const inked = [];
+  const context = /** @type {any} */ ({ globalAlpha: 1, stroke() { inked.push(this.globalAlpha); } });
+  for (const name of ["save", "restore", "setLineDash", "beginPath", "moveTo", "lineTo"]) context[name] = () => {};
+  const glow = new Glow();
+  glow.add("rejected", 0, Float64Array.from([1, 2]));
+  glow.add("discarded", 0, Float64Array.from([3, 4]));
+  glow.draw(context, /** @type {any} */ ({}), 10);
+  assert.equal(inked.length, 2);
+  assert.ok(inked[0] > 0.2 && inked[0] < inked[1] / 2);
 });
 
 test("advance makes exactly as many iterations as it is asked for, and stops at the clock", () => {

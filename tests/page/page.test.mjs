@@ -171,7 +171,7 @@ describe("settings", () => {
     await onPausedPage(async (page) => {
       await page.click("#step-10");
       const { fingerprint } = await atRest(page);
-      for (const [name, value, reason] of [["k", "0", "below 1"], ["samples", "2.5", "whole number"], ["seed", "-1", "below 0"], ["k", "", "whole number"]]) {
+      for (const [name, value, reason] of [["k", "0", "below 1"], ["samples", "2.5", "whole number"], ["seed", "-1", "below 0"], ["samples", "", "whole number"]]) {
         await setParameter(page, name, value);
         assert.match(await page.innerText(`#parameter-${name}-reason`), new RegExp(reason));
         assert.equal(await page.locator(`#parameter-${name}`).getAttribute("aria-invalid"), "true");
@@ -187,6 +187,143 @@ describe("settings", () => {
         await page.click("#step-10");
         assert.equal((await atRest(page)).fingerprint, fingerprint);
       }
+    });
+  });
+});
+
+describe("planners", () => {
+  test("every planner has a short panel, its rarer parameters under headings, switches for what is on or off", async () => {
+    const { planners } = await import("planarium");
+    await onPausedPage(async (page) => {
+      for (const { id, parameters } of planners()) {
+        await page.selectOption("#planner", id);
+        const first = await page.locator("#parameters .field").count();
+        const groups = await page.locator("#more-parameters .group").evaluateAll((elements) => elements.map((element) => [element.querySelector("h3")?.textContent ?? "", element.querySelectorAll(".field").length]));
+        assert.ok(first >= 3 && first <= 4, `${id}: ${first}`);
+        assert.equal(first + groups.reduce((sum, [, count]) => sum + Number(count), 0), parameters.length + 1, `${id}: the seed and all of its table`);
+        assert.deepEqual(groups.at(-1), ["Limits", 1], "nothing is left over but the iterations");
+        assert.ok(groups.length >= 4 && groups.every(([, count]) => Number(count) <= 6), JSON.stringify(groups));
+        for (const { name } of parameters.filter(({ kind }) => kind === "boolean")) {
+          assert.equal(await page.locator(`#parameter-${name}`).getAttribute("role"), "switch");
+        }
+      }
+      await page.selectOption("#planner", "prm");
+      await setParameter(page, "k", "");
+      assert.equal(await page.getAttribute("#parameter-k", "placeholder"), "automatic");
+      assert.equal(await page.getAttribute("#parameter-radius", "placeholder"), "none");
+      assert.match(await page.locator("#parameter-k-meaning").textContent() ?? "", /Automatic: 15/);
+      assert.equal((await finish(page)).status, "solved");
+    });
+  });
+
+  test("the guards of a visibility roadmap stand in rings, links do not", async () => {
+    const { Scenario } = await import("planarium");
+    await onPausedPage(async (page) => {
+      await page.evaluate(() => {
+        const { arc } = CanvasRenderingContext2D.prototype;
+        document.body.dataset.rings = "0";
+        CanvasRenderingContext2D.prototype.arc = function (x, y, radius, ...angles) {
+          if (this.canvas.dataset.layer === "growth" && this.canvas.closest("#cspace") && radius > 3.6) document.body.dataset.rings = String(Number(document.body.dataset.rings) + 1);
+          arc.call(this, x, y, radius, ...angles);
+        };
+      });
+      assert.equal(await page.locator("#legend-guard").isVisible(), false);
+      await page.selectOption("#planner", "visibility-prm");
+      await page.click("#step-100");
+      await page.waitForFunction(() => document.getElementById("counters")?.dataset.iterations === "100");
+      assert.equal((await atRest(page)).phase, "guarding");
+      assert.match(await page.innerText("#story"), /guard/);
+      const { vertices } = await finish(page);
+      const rings = Number(await page.locator("body").getAttribute("data-rings"));
+      const planner = Scenario.parse(scene("stones")).planner({ algorithm: "visibility-prm" });
+      while (planner.step(1000) === "running");
+      const events = planner.eventsSince(0);
+      const guards = events.filter((kind, i) => i % planner.eventWidth === 0 && kind === 5).length;
+      assert.ok(guards > 2 && guards < vertices);
+      // All is drawn once more where the layout has changed meanwhile.
+      assert.ok(rings > 0 && rings % guards === 0, `${rings} rings, ${guards} guards`);
+      assert.equal(await page.locator("#legend-guard").isVisible(), true);
+      await page.selectOption("#planner", "prm");
+      assert.equal(await page.locator("#legend-guard").isVisible(), false);
+    });
+  });
+
+  test("a path of sampled edges is marked as not proven, and where it collides that is said in red", async () => {
+    await onPausedPage(async (page) => {
+      await page.click("#more summary");
+      await page.selectOption("#parameter-edge_check", "sampled");
+      await setParameter(page, "edge_samples", "1");
+      await page.waitForTimeout(100);
+      assert.equal(await pixelsOf(page, "workspace", "top", "collision"), 0);
+      await finish(page);
+      assert.match(await page.innerText("#story"), /not proven. It collides: link \d touches obstacle \d\.$/);
+      assert.equal(await page.locator("#story").getAttribute("data-tone"), "bad");
+      assert.equal(await page.innerText("#legend-path"), "path, not proven");
+      for (const pane of /** @type {const} */ (["workspace", "cspace"])) {
+        await page.waitForTimeout(100);
+        assert.ok(await pixelsOf(page, pane, "top", "unproven") > 100);
+        assert.ok(await pixelsOf(page, pane, "top", "collision") > 30);
+        assert.equal(await pixelsOf(page, pane, "top", "path"), 0);
+      }
+      await page.selectOption("#parameter-edge_check", "proven");
+      await finish(page);
+      assert.equal(await page.locator("#story").getAttribute("data-tone"), "");
+      assert.match(await page.innerText("#story"), /proven free/);
+      assert.equal(await page.innerText("#legend-path"), "path");
+      await page.waitForTimeout(100);
+      assert.equal(await pixelsOf(page, "workspace", "top", "unproven"), 0);
+    });
+  });
+
+  test("a tree that gives up shows its nearest miss, dashed, and the robot drives along it", async () => {
+    await onPausedPage(async (page) => {
+      await chooseScene(page, "firs");
+      await page.selectOption("#planner", "rrt");
+      await page.click("#more summary");
+      await setParameter(page, "max_iterations", "300");
+      assert.equal((await finish(page)).status, "exhausted");
+      assert.match(await page.innerText("#story"), /^No path after 300 iterations. The nearest miss, dashed, ends 0.84 rad from the goal.$/);
+      assert.equal(await page.innerText("#legend-path"), "nearest miss");
+      await page.locator("#along").fill("0.5");
+      await page.waitForTimeout(100);
+      const dashed = await pixelsOf(page, "cspace", "top", "path");
+      assert.ok(dashed > 100, `${dashed}`);
+      // The same line without its dashes has much more of the colour.
+      await page.evaluate(() => { CanvasRenderingContext2D.prototype.setLineDash = () => {}; });
+      await page.locator("#along").fill("0.51");
+      await page.waitForTimeout(100);
+      const whole = await pixelsOf(page, "cspace", "top", "path");
+      assert.ok(whole > 1.2 * dashed, `${whole} without dashes, ${dashed} with them`);
+    });
+  });
+
+  test("a path that is being improved says so, and is shorter in the end", async () => {
+    await onPausedPage(async (page) => {
+      await chooseScene(page, "firs");
+      const plain = await finish(page);
+      await page.click("#more summary");
+      await setParameter(page, "shortcut", "4000");
+      for (let i = 0; i < 2; i++) await page.click("#step-100");
+      await page.waitForSelector("#counters[data-phase=improving]", { state: "attached" });
+      assert.match(await page.innerText("#story"), /made shorter/);
+      const improved = await finish(page);
+      assert.equal(improved.fingerprint, plain.fingerprint, "the same trees");
+      assert.ok(improved.length < plain.length - 0.01, `${improved.length} after ${plain.length}`);
+    });
+  });
+
+  test("the naive metric's roadmap is drawn on all of the square", async () => {
+    await onPausedPage(async (page) => {
+      await page.click("#more summary");
+      await page.selectOption("#parameter-metric", "naive");
+      await finish(page);
+      const [left, right] = await page.evaluate(() => {
+        const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector("#cspace canvas[data-layer=growth]"));
+        const half = Math.floor(canvas.width / 2);
+        const ink = (/** @type {number} */ x) => (canvas.getContext("2d")?.getImageData(x, 0, half, canvas.height).data ?? []).filter((v, i) => i % 4 === 3 && v > 240).length;
+        return [ink(0), ink(half)];
+      });
+      assert.ok(left > 0.3 * right && right > 200, `${left} left, ${right} right`);
     });
   });
 });
@@ -394,7 +531,7 @@ describe("looks", () => {
           for (const [mark, ground] of [
             ["ink", "page"], ["quiet", "page"], ["quiet", "stage"], ["collision", "page"],
             ["obstacle-edge", "stage"], ["robot", "stage"], ["start", "stage"], ["goal", "stage"], ["growth", "stage"],
-            ["newest", "stage"], ["path", "stage"], ["rejected", "stage"], ["collision", "stage"], ["control", "page"],
+            ["newest", "stage"], ["path", "stage"], ["unproven", "stage"], ["rejected", "stage"], ["collision", "stage"], ["control", "page"],
           ]) {
             const [a, b] = [luminance(mark), luminance(ground)].sort((x, y) => y - x);
             ratios[`${mark} on ${ground}`] = (a + 0.05) / (b + 0.05);

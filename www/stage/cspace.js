@@ -4,7 +4,7 @@
  */
 import { Pane } from "./pane.js";
 import { shownPose } from "./picture.js";
-import { unrolled } from "./trace.js";
+import { folded, unrolled } from "./trace.js";
 import { View } from "./view.js";
 
 /** @import { Picture } from "./picture.js" */
@@ -64,22 +64,23 @@ export class CSpace extends Pane {
   pixels(rows) {
     const view = /** @type {View} */ (this.view);
     const points = new Float64Array(rows.length);
+    const [wrapsX, wrapsY] = this.circles;
     for (let i = 0; i < rows.length; i += 2) {
-      points[i] = view.x(rows[i]);
-      points[i + 1] = view.y(rows[i + 1]);
+      points[i] = view.x(wrapsX ? folded(rows[i]) : rows[i]);
+      points[i + 1] = view.y(wrapsY ? folded(rows[i + 1]) : rows[i + 1]);
     }
     return points;
   }
 
-  /** @param {Float64Array} ends @override */
-  lines(ends) {
+  /** @param {Float64Array} ends @param {boolean[]} [circles] @override */
+  lines(ends, circles = this.circles) {
     const view = /** @type {View} */ (this.view);
     /** @type {number[]} */
     const points = [];
     const firsts = new Uint32Array(ends.length / 4 + 1);
     for (let m = 0; 4 * m < ends.length; m++) {
       let copies = 0;
-      unrolled(ends, 4 * m, this.circles, (x0, y0, x1, y1) => {
+      unrolled(ends, 4 * m, this.circles, circles, (x0, y0, x1, y1) => {
         if (copies++ > 0) points.push(NaN, NaN);
         points.push(view.x(x0), view.y(y0), view.x(x1), view.y(y1));
       });
@@ -139,8 +140,7 @@ export class CSpace extends Pane {
     const pose = shownPose(picture);
     if (!palette || !view || !pose) return;
     const hit = picture.hand !== null && picture.check !== null && !picture.check.free;
-    const px = view.x(pose[0]);
-    const py = view.y(pose[1]);
+    const [px, py] = this.pixels(pose);
     const { x, y, width, height } = this.frame();
     context.save();
     context.strokeStyle = hit ? palette.collision : palette.robot;

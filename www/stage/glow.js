@@ -7,7 +7,7 @@
 
 /** Milliseconds until a glow has settled. */
 const LIFE = 520;
-const MOST = { vertex: 140, edge: 70, rejected: 40, refused: 30 };
+const MOST = { vertex: 140, edge: 70, rejected: 40, discarded: 40, refused: 30 };
 
 /** @typedef {keyof typeof MOST} GlowKind */
 /** @typedef {{ kind: GlowKind, born: number, points: Float64Array }} Spark   `points` in CSS pixels, x and y in turn */
@@ -15,7 +15,7 @@ const MOST = { vertex: 140, edge: 70, rejected: 40, refused: 30 };
 export class Glow {
   constructor() {
     /** @type {Record<GlowKind, Spark[]>} */
-    this.sparks = { vertex: [], edge: [], rejected: [], refused: [] };
+    this.sparks = { vertex: [], edge: [], rejected: [], discarded: [], refused: [] };
     this.enabled = true;
   }
 
@@ -63,9 +63,9 @@ export class Glow {
       line(context, spark.points);
     }
     context.setLineDash([]);
-    for (const spark of this.sparks.rejected) {
+    for (const spark of [...this.sparks.discarded, ...this.sparks.rejected]) {
       const [x, y] = spark.points;
-      context.globalAlpha = 0.9 * remaining(spark, now);
+      context.globalAlpha = (spark.kind === "rejected" ? 0.9 : 0.4) * remaining(spark, now);
       context.strokeStyle = palette.rejected;
       context.lineWidth = 1.4;
       context.beginPath();

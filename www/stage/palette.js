@@ -4,7 +4,7 @@
  */
 const NAMES = /** @type {const} */ ([
   "stage", "ink", "quiet", "line", "obstacle", "obstacle-edge", "robot", "robot-edge", "start", "goal",
-  "growth", "newest", "halo", "path", "rejected", "collision",
+  "growth", "newest", "halo", "path", "unproven", "rejected", "collision",
 ]);
 
 /** @typedef {Record<typeof NAMES[number], string>} Palette */

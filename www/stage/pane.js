@@ -7,7 +7,8 @@ import { SIDE, EVENT } from "../run.js";
 import { Glow } from "./glow.js";
 import { hatch } from "./hatch.js";
 import { Layer } from "./layer.js";
-import { drawGoal, drawStart } from "./shapes.js";
+import { strokeLine, tracePen } from "./pen.js";
+import { drawGoal, drawHit, drawStart } from "./shapes.js";
 
 /** @import { Picture } from "./picture.js" */
 /** @import { Palette } from "./palette.js" */
@@ -44,7 +45,7 @@ export class Pane {
     this.hatchOnPart = null;
     /** @type {CanvasPattern | null} */
     this.hatchOnObstacle = null;
-    this.drawn = { vertices: 0, edges: 0, expanded: 0 };
+    this.drawn = { vertices: 0, edges: 0, expanded: 0, guards: 0 };
     /** What was born before these counts does not glow (it is being redrawn). */
     this.old = { vertices: 0, edges: 0 };
     /** @type {{ journey: Journey, lines: Lines } | null} */
@@ -59,8 +60,8 @@ export class Pane {
   drawGround(_context, _picture) {}
   /** Configurations to pixels. @param {Float64Array} _rows @returns {Float64Array} */
   pixels(_rows) { throw new Error("a pane must place configurations"); }
-  /** Motions to lines in pixels. @param {Float64Array} _ends  rows of from, to @returns {Lines} */
-  lines(_ends) { throw new Error("a pane must trace motions"); }
+  /** Motions to lines in pixels. @param {Float64Array} _ends  rows of from, to @param {boolean[]} [_circles]  coordinates whose motions go the short way round @returns {Lines} */
+  lines(_ends, _circles) { throw new Error("a pane must trace motions"); }
   /** The robot, above everything else. @param {CanvasRenderingContext2D} _context @param {Picture} _picture */
   drawRobot(_context, _picture) {}
 
@@ -79,7 +80,7 @@ export class Pane {
     this.glow.clear();
     this.prepare(picture);
     this.drawGround(this.ground.context, picture);
-    this.drawn = { vertices: 0, edges: 0, expanded: 0 };
+    this.drawn = { vertices: 0, edges: 0, expanded: 0, guards: 0 };
     this.old = { vertices: picture.run?.vertices.count ?? 0, edges: picture.run?.edges.count ?? 0 };
   }
 
@@ -91,7 +92,7 @@ export class Pane {
     this.growth.clear();
     this.glow.clear();
     this.pathLines = null;
-    this.drawn = { vertices: 0, edges: 0, expanded: 0 };
+    this.drawn = { vertices: 0, edges: 0, expanded: 0, guards: 0 };
     this.old = { vertices: 0, edges: 0 };
   }
 
@@ -99,7 +100,8 @@ export class Pane {
   get caughtUp() {
     const run = this.picture?.run;
     if (!run || !this.view) return true;
-    return this.drawn.vertices >= run.vertices.count && this.drawn.edges >= run.edges.count && this.drawn.expanded >= run.expanded.count;
+    const { drawn } = this;
+    return drawn.vertices >= run.vertices.count && drawn.edges >= run.edges.count && drawn.expanded >= run.expanded.count && drawn.guards >= run.guards.count;
   }
 
   /** Inks what is new, until the clock passes `until`; at least one batch of each. @param {number} now @param {number} until */
@@ -109,6 +111,7 @@ export class Pane {
     do { this.growEdges(run, now); } while (this.drawn.edges < run.edges.count && performance.now() < until);
     do { this.growVertices(run, now); } while (this.drawn.vertices < run.vertices.count && performance.now() < until);
     this.growExpanded(run);
+    this.growGuards(run);
     this.flash(run, now);
   }
 
@@ -124,7 +127,7 @@ export class Pane {
       ends.set(run.vertices.row(from), (e - first) * 2 * n);
       ends.set(run.vertices.row(to), (e - first) * 2 * n + n);
     }
-    const { points, firsts } = this.lines(ends);
+    const { points, firsts } = this.lines(ends, run.circles);
     const context = this.growth.context;
     context.lineWidth = (run.isTree ? 1.2 : 0.8) * Math.max(0.85, this.fineness);
     context.lineCap = "round";
@@ -164,36 +167,55 @@ export class Pane {
     const first = this.drawn.expanded;
     const end = Math.min(run.expanded.count, first + DOTS);
     if (end === first) return;
-    const n = run.dimension;
-    const rows = new Float64Array((end - first) * n);
-    for (let i = first; i < end; i++) rows.set(run.vertices.row(run.expanded.data[i]), (i - first) * n);
     const ink = this.palette?.ink ?? "";
-    this.dots(this.pixels(rows), 2.1, () => ink);
+    this.dots(this.pixels(rowsOf(run, run.expanded.slice(first, end))), 2.1, () => ink);
     this.drawn.expanded = end;
   }
 
-  /** Samples refused flash as crosses, edges refused as broken lines. @param {Run} run @param {number} now */
+  /** Guards of a visibility roadmap stand in a ring; what links them does not. @param {Run} run */
+  growGuards(run) {
+    const first = this.drawn.guards;
+    const end = Math.min(run.guards.count, first + DOTS);
+    if (end === first) return;
+    const points = this.pixels(rowsOf(run, run.guards.slice(first, end)));
+    const context = this.growth.context;
+    context.strokeStyle = this.palette?.growth ?? "";
+    context.lineWidth = 1.6 * this.fineness;
+    for (let i = 0; i < points.length; i += 2) {
+      context.beginPath();
+      context.arc(points[i], points[i + 1], 5.5 * this.fineness, 0, 2 * Math.PI);
+      context.stroke();
+    }
+    this.drawn.guards = end;
+  }
+
+  /** Samples refused flash as crosses, fainter ones where they were free but of no use, edges refused as broken lines. @param {Run} run @param {number} now */
   flash(run, now) {
     const fresh = run.fresh;
     const n = run.dimension;
     const width = run.planner.eventWidth;
     let crosses = this.glow.room("rejected");
+    let faint = this.glow.room("discarded");
     let broken = this.glow.room("refused");
     /** @type {number[]} */
     const samples = [];
     /** @type {number[]} */
+    const discarded = [];
+    /** @type {number[]} */
     const ends = [];
-    for (let i = fresh.length - width; i >= 0 && (crosses > 0 || broken > 0); i -= width) {
+    for (let i = fresh.length - width; i >= 0 && (crosses > 0 || faint > 0 || broken > 0); i -= width) {
       const configuration = fresh.subarray(i + 4, i + 4 + n);
       if (fresh[i] === EVENT.rejected && crosses-- > 0) samples.push(...configuration);
+      else if (fresh[i] === EVENT.discarded && faint-- > 0) discarded.push(...configuration);
       else if (fresh[i] === EVENT.refused && fresh[i + 2] >= 0 && broken-- > 0) ends.push(...run.vertices.row(fresh[i + 2]), ...configuration);
     }
-    if (samples.length > 0) {
-      const points = this.pixels(Float64Array.from(samples));
-      for (let i = 0; i < points.length; i += 2) this.glow.add("rejected", now, points.slice(i, i + 2));
+    for (const [kind, rows] of /** @type {["rejected" | "discarded", number[]][]} */ ([["rejected", samples], ["discarded", discarded]])) {
+      if (rows.length === 0) continue;
+      const points = this.pixels(Float64Array.from(rows));
+      for (let i = 0; i < points.length; i += 2) this.glow.add(kind, now, points.slice(i, i + 2));
     }
     if (ends.length > 0) {
-      const { points, firsts } = this.lines(Float64Array.from(ends));
+      const { points, firsts } = this.lines(Float64Array.from(ends), run.circles);
       for (let i = 0; i + 1 < firsts.length; i++) this.glow.add("refused", now, points.slice(2 * firsts[i], 2 * firsts[i + 1]));
     }
   }
@@ -252,15 +274,31 @@ export class Pane {
     context.save();
     context.lineCap = "round";
     context.lineJoin = "round";
-    for (const [width, colour, alpha] of /** @type {[number, string, number][]} */ ([[8, palette.stage, 0.75], [3.4, palette.path, 1]])) {
+    // Without a proof the line is hollow, and broken where it misses the goal: colour is not all that tells.
+    const colour = this.pathColour(journey);
+    /** @type {[number, string, number][]} */
+    const strokes = [[8, palette.stage, 0.75], [journey.isProven ? 3.4 : 5, colour, 1]];
+    if (!journey.isProven) strokes.push([1.8, palette.stage, 1]);
+    if (journey.isMiss) context.setLineDash([9, 8]);
+    for (const [width, stroke, alpha] of strokes) {
       context.lineWidth = width;
-      context.strokeStyle = colour;
+      context.strokeStyle = stroke;
       context.globalAlpha = alpha;
       context.beginPath();
       tracePen(context, lines.points, 0, lines.firsts[pieces]);
       context.stroke();
     }
     context.restore();
+    if (journey.flaw && journey.drawn >= journey.flaw.at) {
+      const [x, y] = this.pixels(journey.flaw.pose);
+      drawHit(context, x, y, palette);
+    }
+  }
+
+  /** @param {Journey} journey */
+  pathColour(journey) {
+    const palette = /** @type {Palette} */ (this.palette);
+    return journey.isProven ? palette.path : palette.unproven;
   }
 
   /** @param {CanvasRenderingContext2D} context @param {Picture} picture @param {Palette} palette */
@@ -276,26 +314,9 @@ export class Pane {
   }
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Float64Array} points @param {number} first @param {number} end */
-function strokeLine(context, points, first, end) {
-  context.beginPath();
-  tracePen(context, points, first, end);
-  context.stroke();
-}
-
-/** Adds the points to the path; the pen lifts at NaN and between pieces that do not meet. @param {CanvasRenderingContext2D} context @param {Float64Array} points @param {number} first @param {number} end */
-function tracePen(context, points, first, end) {
-  let penX = NaN;
-  let penY = NaN;
-  let down = false;
-  for (let i = first; i < end; i++) {
-    const x = points[2 * i];
-    const y = points[2 * i + 1];
-    if (Number.isNaN(x)) { down = false; continue; }
-    if (!down && !(x === penX && y === penY)) context.moveTo(x, y);
-    else if (down) context.lineTo(x, y);
-    penX = x;
-    penY = y;
-    down = true;
-  }
+/** The configurations of some vertices, row by row. @param {Run} run @param {Uint32Array} vertices @returns {Float64Array} */
+function rowsOf(run, vertices) {
+  const rows = new Float64Array(vertices.length * run.dimension);
+  vertices.forEach((vertex, i) => rows.set(run.vertices.row(vertex), i * run.dimension));
+  return rows;
 }

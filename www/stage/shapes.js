@@ -168,6 +168,24 @@ export function drawStart(context, x, y, palette) {
   context.restore();
 }
 
+/** A ringed cross: here a path collides. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
+export function drawHit(context, x, y, palette) {
+  context.save();
+  context.lineCap = "round";
+  for (const [width, colour] of /** @type {[number, string][]} */ ([[6, palette.stage], [2.4, palette.collision]])) {
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.beginPath();
+    context.arc(x, y, 9, 0, 2 * Math.PI);
+    context.moveTo(x - 4, y - 4);
+    context.lineTo(x + 4, y + 4);
+    context.moveTo(x - 4, y + 4);
+    context.lineTo(x + 4, y - 4);
+    context.stroke();
+  }
+  context.restore();
+}
+
 /** A diamond: the goal. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
 export function drawGoal(context, x, y, palette) {
   context.save();

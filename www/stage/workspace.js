@@ -36,9 +36,9 @@ export class Workspace extends Pane {
     return this.place(/** @type {Picture} */ (this.picture).scenario.endEffectors(rows));
   }
 
-  /** @param {Float64Array} ends @override */
-  lines(ends) {
-    const { points, firsts } = /** @type {Tracer} */ (this.tracer).curves(ends);
+  /** @param {Float64Array} ends @param {boolean[]} [circles] @override */
+  lines(ends, circles) {
+    const { points, firsts } = /** @type {Tracer} */ (this.tracer).curves(ends, circles);
     return { points: this.place(points), firsts };
   }
 
@@ -115,11 +115,15 @@ export class Workspace extends Pane {
   /** @param {CanvasRenderingContext2D} context @param {Journey} journey @param {Palette} palette @override */
   drawPath(context, journey, palette) {
     if (this.view && journey.scenario.robot === "arm") {
-      const style = { colour: palette.path, fill: 0.035, stroke: 0.3, dash: [], width: 1 };
+      const style = { colour: this.pathColour(journey), fill: 0.035, stroke: 0.3, dash: [], width: 1 };
       for (let i = 1; i < STROBE; i++) {
         if (i / STROBE > journey.drawn) break;
         drawGhost(context, this.view, journey.scenario.footprint(journey.configuration(i / STROBE)), style);
       }
+    }
+    if (this.view && journey.flaw && journey.drawn >= journey.flaw.at) {
+      const style = { colour: palette.collision, fill: 0.3, stroke: 1, dash: [], width: 2 };
+      drawGhost(context, this.view, journey.scenario.footprint(journey.flaw.pose), style);
     }
     super.drawPath(context, journey, palette);
   }

@@ -1,7 +1,7 @@
 //! The best candidates of a query so far.
 
 use super::Neighbour;
-use super::packs::LANES;
+use super::packs::{LANES, lane};
 use crate::graph::VertexId;
 
 /// Keeps the `k` first of the neighbours offered, in the order of [`Neighbour::is_before`].
@@ -47,7 +47,7 @@ impl<'a> Closest<'a> {
         while wanted != 0 {
             let at = wanted.trailing_zeros() as usize;
             wanted &= wanted - 1;
-            let (pack, lane) = (at / LANES, at % LANES);
+            let (pack, lane) = (at / LANES, lane(at));
             let neighbour = Neighbour { distance: distances[pack][lane], vertex: vertex(pack, lane) };
             if self.is_sorted {
                 self.sort_in(neighbour);

@@ -1,7 +1,7 @@
 //! The linear scan: looks at every state. Simple, exact, the oracle of every other index, and fastest for few states.
 
 use super::closest::Closest;
-use super::packs::{LANES, Packs};
+use super::packs::{LANES, Packs, lane};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
@@ -88,12 +88,12 @@ impl<S: Space> Default for LinearScan<S> {
 
 impl<S: Space> Nearest<S> for LinearScan<S> {
     fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
-        let (pack, lane) = (self.len / LANES, self.len % LANES);
-        if lane == 0 {
+        let (pack, at) = (self.len / LANES, lane(self.len));
+        if at == 0 {
             self.packs.dimension = space.dimension();
             self.packs.add();
         }
-        self.packs.set(pack, lane, vertex, space.coordinates(&state).iter().copied());
+        self.packs.set(pack, at, vertex, space.coordinates(&state).iter().copied());
         self.len += 1;
     }
 

@@ -6,6 +6,12 @@ use crate::space::{Space, gap};
 /// How many states a pack holds: as many as the compiler computes side by side; without vectors, one.
 pub(super) const LANES: usize = if cfg!(target_arch = "wasm32") { 1 } else { 8 };
 
+/// The lane of the state that comes at number `at`. Where a pack holds one, a remainder would be a mistake to the linter.
+#[inline(always)]
+pub(super) const fn lane(at: usize) -> usize {
+    at - at / LANES * LANES
+}
+
 /// Packs of states and their vertices. An empty lane holds what is not a number, which is near to nothing.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Packs {

@@ -38,10 +38,11 @@ pub fn plan(arguments: &Plan) -> Answer {
         return Err(Error::new(Code::Unsupported, "", sentence));
     }
     let result = drive(run.as_mut(), arguments.max_seconds);
-    files::write(&result.to_json(), arguments.out.as_deref())?;
+    // Before the result: on standard output an error stands alone.
     if let (Some(name), Some(document)) = (&arguments.save_roadmap, run.roadmap()) {
         roadmap::write(&document, name, arguments.roadmap_format)?;
     }
+    files::write(&result.to_json(), arguments.out.as_deref())?;
     files::say(&summary(&result));
     Ok(result.status == Status::Solved)
 }

@@ -1,6 +1,6 @@
 //! How the kd-tree grows: insertion, the splitting of leaves, the rebuilding of what has become lopsided.
 
-use super::{Branch, KdTree, LANES, LEAF, LEAF_PACKS, Leaf, MAX_DEPTH, Node, Sides};
+use super::{Branch, KdTree, LANES, LEAF, LEAF_PACKS, Leaf, MAX_DEPTH, Node, Sides, lane};
 use crate::graph::VertexId;
 use crate::order::select;
 use crate::space::Space;
@@ -97,7 +97,7 @@ impl<S: Space> KdTree<S> {
             };
         }
         let pack = self.leaves[leaf].packs[at / LANES] as usize;
-        self.packs.set(pack, at % LANES, vertex, coordinates.iter().copied());
+        self.packs.set(pack, lane(at), vertex, coordinates.iter().copied());
         self.leaves[leaf].len += 1;
     }
 
@@ -127,8 +127,8 @@ impl<S: Space> KdTree<S> {
         self.free_leaves.push(node.index() as u32);
         for at in 0..len as usize {
             let pack = packs[at / LANES] as usize;
-            entries.numbers.extend(self.packs.rows(pack).iter().map(|row| row[at % LANES]));
-            entries.vertices.push(self.packs.vertices(pack)[at % LANES]);
+            entries.numbers.extend(self.packs.rows(pack).iter().map(|row| row[lane(at)]));
+            entries.vertices.push(self.packs.vertices(pack)[lane(at)]);
         }
         for &pack in &packs[..(len as usize).div_ceil(LANES)] {
             self.packs.clear(pack as usize);

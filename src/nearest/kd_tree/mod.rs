@@ -12,7 +12,7 @@
 mod grow;
 
 use super::closest::Closest;
-use super::packs::{LANES, Packs};
+use super::packs::{LANES, Packs, lane};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::{Space, gap_to_interval};

@@ -30,6 +30,18 @@ impl RawPlanner {
         Ok(self.run.step(count(iterations, "iterations")?).as_str().to_owned())
     }
 
+    /// Does at most `iterations` iterations; answers how many it did. Unlike `step` it hands over no words.
+    pub fn advance(&mut self, iterations: f64) -> Result<f64, JsValue> {
+        let before = self.run.iterations();
+        self.run.step(count(iterations, "iterations")?);
+        Ok((self.run.iterations() - before) as f64)
+    }
+
+    /// A number that stands for the phase: another phase, another number.
+    pub fn phase_mark(&self) -> usize {
+        self.run.phase().as_ptr() as usize
+    }
+
     /// Takes the path as it is while it is being improved; answers the status.
     pub fn finish(&mut self) -> String {
         self.run.finish().as_str().to_owned()

@@ -24,7 +24,7 @@ const types = join(dist, "types", "planarium");
 const OPTIMIZE = ["-O3"];
 
 /** What is hot says so itself: with this, level 2 is as small as level "s" and plans a seventh faster. */
-const INLINE_LESS = "-Cllvm-args=-inline-threshold=30";
+const INLINE_LESS = "-Cllvm-args=-inline-threshold=10";
 
 /** The tool runs for a second and is compiled once: optimizing it and its dependencies would cost more than it gives. */
 const QUICK_TOOL = ["--config", "profile.dev.package.\"*\".opt-level=0", "--config", "profile.dev.debug=0"];

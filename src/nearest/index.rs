@@ -4,6 +4,10 @@ use super::{KdTree, LinearScan, Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
 
+/// Whether a scan ever pays: without vectors it takes as long as the tree where there are few states, and WebAssembly is the
+/// smaller for going without.
+const SCANS: bool = !cfg!(target_arch = "wasm32");
+
 /// Beyond so many states the scan's copy of them is given up: only for a great many neighbours would it still win.
 const MOST_SCANNED: usize = 8192;
 
@@ -46,7 +50,7 @@ impl<S: Space> Nearest<S> for Index<S> {
     fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
         self.len += 1;
         self.tree.insert(space, vertex, state);
-        if self.len <= MOST_SCANNED {
+        if SCANS && self.len <= MOST_SCANNED {
             self.scan.insert(space, vertex, state);
         } else if !self.scan.is_empty() {
             self.scan = LinearScan::new();
@@ -58,7 +62,7 @@ impl<S: Space> Nearest<S> for Index<S> {
     }
 
     fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
-        if self.len <= Self::crossover(space, 1) {
+        if SCANS && self.len <= Self::crossover(space, 1) {
             self.scan.nearest(space, state)
         } else {
             self.tree.nearest(space, state)
@@ -66,7 +70,7 @@ impl<S: Space> Nearest<S> for Index<S> {
     }
 
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
-        if self.len <= Self::crossover(space, k) {
+        if SCANS && self.len <= Self::crossover(space, k) {
             self.scan.k_nearest(space, state, k, found);
         } else {
             self.tree.k_nearest(space, state, k, found);
@@ -74,7 +78,7 @@ impl<S: Space> Nearest<S> for Index<S> {
     }
 
     fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
-        if self.len <= Self::crossover(space, 1) {
+        if SCANS && self.len <= Self::crossover(space, 1) {
             self.scan.within(space, state, radius, found);
         } else {
             self.tree.within(space, state, radius, found);

@@ -7,11 +7,8 @@ use crate::graph::VertexId;
 use crate::space::Space;
 use std::marker::PhantomData;
 
-/// For so few neighbours no guess pays.
-const FEW: usize = 4;
-
-/// Up to so many neighbours are kept sorted: without vectors, few distances are wanted while there are many to compute.
-const SORTED: usize = if cfg!(target_arch = "wasm32") { 64 } else { FEW };
+/// Up to so many neighbours are kept sorted, and no guess pays.
+const SORTED: usize = 4;
 
 /// How many packs are scanned at a time.
 const BLOCK: usize = 64 / LANES;
@@ -49,7 +46,7 @@ impl<S: Space> LinearScan<S> {
     /// A distance within which `k` states probably lie, and not many more: some way up among the distances to the first few.
     /// Infinite where there are too few states for it to be worth it.
     fn guess(&self, space: &S, from: &[f64], k: usize) -> f64 {
-        if k <= FEW || self.len < 4 * SAMPLE || self.len < 8 * k {
+        if k <= SORTED || self.len < 4 * SAMPLE || self.len < 8 * k {
             return f64::INFINITY;
         }
         let mut bits = [0; SAMPLE];

@@ -4,8 +4,8 @@
 //! spaces"; LaValle 2006, "Planning Algorithms", section 5.6; Karaman and Frazzoli 2011, "Sampling-based algorithms for
 //! optimal motion planning". Start and goal are the first two vertices.
 
-use super::query::{Query, SearchRules};
-use super::roadmap::{Connection, GOAL, Roadmap, START, Searched};
+use super::query::SearchRules;
+use super::roadmap::{Connection, Ending, GOAL, Roadmap, START};
 use super::{Counters, Planner, Status};
 use crate::graph::{EventKind, Graph, VertexId};
 use crate::nearest::Neighbour;
@@ -68,10 +68,7 @@ enum Phase {
         next: VertexId,
         end: VertexId,
     },
-    Searching(Query),
-    Done {
-        path: Vec<VertexId>,
-    },
+    Ending(Ending),
 }
 
 impl<S: Space> Prm<S> {
@@ -128,7 +125,7 @@ impl<S: Space> Prm<S> {
             roadmap.graph.add_edge(0, from, to);
         }
         let phase = match is_kept {
-            [true, true] => Phase::Searching(roadmap.begin_search(problem.space())),
+            [true, true] => Phase::Ending(roadmap.begin_search(problem.space())),
             [start, goal] => {
                 let next = if start { GOAL } else { START };
                 Phase::Connecting { next, end: if goal { GOAL } else { VertexId(2) } }
@@ -154,7 +151,7 @@ impl<S: Space> Prm<S> {
         }
         self.phase = match self.order {
             Order::Batch => Phase::Connecting { next: START, end: VertexId(self.vertices as u32) },
-            Order::OneByOne { .. } => Phase::Searching(self.roadmap.begin_search(space)),
+            Order::OneByOne { .. } => Phase::Ending(self.roadmap.begin_search(space)),
         };
     }
 
@@ -233,21 +230,10 @@ impl<S: Space> Planner<S> for Prm<S> {
                 let is_last = next == end;
                 self.connect(problem, iteration, vertex);
                 if is_last {
-                    self.phase = Phase::Searching(self.roadmap.begin_search(problem.space()));
+                    self.phase = Phase::Ending(self.roadmap.begin_search(problem.space()));
                 }
             }
-            Phase::Searching(query) => match self.roadmap.search(problem, iteration, query) {
-                Searched::On => {}
-                Searched::Path(path) => {
-                    self.phase = Phase::Done { path };
-                    return Status::Solved;
-                }
-                Searched::InVain => {
-                    self.phase = Phase::Done { path: Vec::new() };
-                    return Status::Exhausted;
-                }
-            },
-            Phase::Done { path } => return if path.is_empty() { Status::Exhausted } else { Status::Solved },
+            Phase::Ending(ending) => return ending.step(&mut self.roadmap, problem, iteration),
         }
         Status::Running
     }
@@ -256,8 +242,7 @@ impl<S: Space> Planner<S> for Prm<S> {
         match self.phase {
             Phase::Sampling => "sampling",
             Phase::Connecting { .. } => "connecting",
-            Phase::Searching { .. } => "searching",
-            Phase::Done { .. } => "done",
+            Phase::Ending(ref ending) => ending.phase(),
         }
     }
 
@@ -266,7 +251,7 @@ impl<S: Space> Planner<S> for Prm<S> {
     }
 
     fn path(&self) -> Vec<VertexId> {
-        if let Phase::Done { path } = &self.phase { path.clone() } else { Vec::new() }
+        if let Phase::Ending(ending) = &self.phase { ending.path().to_vec() } else { Vec::new() }
     }
 
     fn counters(&self) -> Counters {

@@ -1,8 +1,8 @@
 //! What all roadmap planners share: vertices with their neighbours, edges that are proven before they are added, and
 //! questions asked again and again.
 
-use super::Counters;
 use super::query::{Query, SearchRules};
+use super::{Counters, Status};
 use crate::graph::search::Expansion;
 use crate::graph::{Event, EventKind, Graph, VertexId};
 use crate::nearest::{Index, Nearest, Neighbour};
@@ -121,21 +121,22 @@ impl<S: Space> Roadmap<S> {
     }
 
     /// The search from start to goal on the roadmap as it is.
-    pub(super) fn begin_search(&self, space: &S) -> Query {
-        Query::new(space, &self.graph, &[], &[START, GOAL].map(|v| *self.graph.state(v)), [START, GOAL], self.rules)
+    pub(super) fn begin_search(&self, space: &S) -> Ending {
+        Ending::Searching(Query::new(space, &self.graph, &[], &[], [START, GOAL], self.rules))
     }
 
-    /// Expands one vertex of the search; answers the path once the goal is reached.
-    pub(super) fn search(&mut self, problem: &Problem<S>, iteration: u32, query: &mut Query) -> Searched {
-        let (expansion, vertex) = match query.step(problem, &self.graph, &[]) {
+    /// Expands one vertex of the search.
+    fn search(&mut self, problem: &Problem<S>, iteration: u32, query: &mut Query) -> Expansion {
+        let expansion = query.step(problem, &self.graph, &[]);
+        let (kind, vertex) = match expansion {
             Expansion::Vertex(vertex) => (EventKind::VertexExpanded, vertex),
             Expansion::Goal => (EventKind::SolutionFound, GOAL),
-            Expansion::Nothing => return Searched::InVain,
+            Expansion::Nothing => return expansion,
         };
         self.counters.visited += 1;
         let state = *self.graph.state(vertex);
-        self.graph.add_event(Event { kind: expansion, iteration, vertex: Some(vertex), other: None, state });
-        if expansion == EventKind::SolutionFound { Searched::Path(query.path()) } else { Searched::On }
+        self.graph.add_event(Event { kind, iteration, vertex: Some(vertex), other: None, state });
+        expansion
     }
 
     /// Answers another question: joins start and goal to the roadmap, where motions are proven free, and searches it. The
@@ -181,14 +182,36 @@ impl<S: Space> Roadmap<S> {
     }
 }
 
-/// What one step of the search came to.
-pub(super) enum Searched {
+/// The end of every roadmap planner: the search for a path, and what it came to.
+pub(super) enum Ending {
     /// The search goes on.
-    On,
-    /// The goal is reached by way of these vertices.
-    Path(Vec<VertexId>),
-    /// The goal cannot be reached.
-    InVain,
+    Searching(Query),
+    /// The path from start to goal; empty where there is none.
+    Done(Vec<VertexId>),
+}
+
+impl Ending {
+    /// Expands one vertex, or says again what the search came to.
+    pub fn step<S: Space>(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> Status {
+        if let Ending::Searching(query) = self {
+            match roadmap.search(problem, iteration, query) {
+                Expansion::Vertex(_) => return Status::Running,
+                Expansion::Goal => *self = Ending::Done(query.path()),
+                Expansion::Nothing => *self = Ending::Done(Vec::new()),
+            }
+        }
+        if self.path().is_empty() { Status::Exhausted } else { Status::Solved }
+    }
+
+    /// The path; empty while there is none.
+    pub fn path(&self) -> &[VertexId] {
+        if let Ending::Done(path) = self { path } else { &[] }
+    }
+
+    /// What the planner is busy with.
+    pub fn phase(&self) -> &'static str {
+        if matches!(self, Ending::Searching(_)) { "searching" } else { "done" }
+    }
 }
 
 /// The answer of a roadmap to a question.

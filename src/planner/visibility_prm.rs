@@ -4,8 +4,8 @@
 //! guard sees becomes a guard; one that guards of several components see links them; any other is thrown away. After
 //! m samples in a row that made no guard the free space is covered but for an estimated share of 1/m.
 
-use super::query::{Query, SearchRules};
-use super::roadmap::{Connection, GOAL, Roadmap, START, Searched};
+use super::query::SearchRules;
+use super::roadmap::{Connection, Ending, GOAL, Roadmap, START};
 use super::{Counters, Planner, Status};
 use crate::graph::{Event, EventKind, Graph, UnionFind, VertexId};
 use crate::problem::Problem;
@@ -29,8 +29,7 @@ pub struct VisibilityPrm<S: Space> {
 
 enum Phase {
     Guarding,
-    Searching(Query),
-    Done { path: Vec<VertexId> },
+    Ending(Ending),
 }
 
 impl<S: Space> VisibilityPrm<S> {
@@ -100,7 +99,7 @@ impl<S: Space> VisibilityPrm<S> {
         }
         self.failures += 1;
         if self.failures >= self.most_failures {
-            self.phase = Phase::Searching(self.roadmap.begin_search(problem.space()));
+            self.phase = Phase::Ending(self.roadmap.begin_search(problem.space()));
         }
     }
 
@@ -127,18 +126,7 @@ impl<S: Space> Planner<S> for VisibilityPrm<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
         match &mut self.phase {
             Phase::Guarding => self.sample(problem, iteration),
-            Phase::Searching(query) => match self.roadmap.search(problem, iteration, query) {
-                Searched::On => {}
-                Searched::Path(path) => {
-                    self.phase = Phase::Done { path };
-                    return Status::Solved;
-                }
-                Searched::InVain => {
-                    self.phase = Phase::Done { path: Vec::new() };
-                    return Status::Exhausted;
-                }
-            },
-            Phase::Done { path } => return if path.is_empty() { Status::Exhausted } else { Status::Solved },
+            Phase::Ending(ending) => return ending.step(&mut self.roadmap, problem, iteration),
         }
         Status::Running
     }
@@ -146,8 +134,7 @@ impl<S: Space> Planner<S> for VisibilityPrm<S> {
     fn phase(&self) -> &'static str {
         match self.phase {
             Phase::Guarding => "guarding",
-            Phase::Searching(_) => "searching",
-            Phase::Done { .. } => "done",
+            Phase::Ending(ref ending) => ending.phase(),
         }
     }
 
@@ -156,7 +143,7 @@ impl<S: Space> Planner<S> for VisibilityPrm<S> {
     }
 
     fn path(&self) -> Vec<VertexId> {
-        if let Phase::Done { path } = &self.phase { path.clone() } else { Vec::new() }
+        if let Phase::Ending(ending) = &self.phase { ending.path().to_vec() } else { Vec::new() }
     }
 
     fn counters(&self) -> Counters {

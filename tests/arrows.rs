@@ -22,7 +22,7 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("graph", &["space"]),
     ("nearest", &["graph", "order", "random", "space"]),
     ("result", &["error", "random", "scenario", "stats", "status"]),
-    ("kept", &["error", "graph", "scenario"]),
+    ("kept", &["error", "graph", "scenario", "space"]),
     ("path", &["error", "geometry", "problem", "random", "result", "robot", "scenario", "space", "status", "validity"]),
     ("sampling", &["problem", "random", "space"]),
     ("planner", &["error", "graph", "nearest", "problem", "random", "sampling", "space", "status"]),

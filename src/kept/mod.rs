@@ -14,10 +14,8 @@ pub use fingerprint::fingerprint;
 pub use json::FORMAT;
 
 use crate::error::{Code, Error};
+use crate::space::MAX_DIMENSION;
 use std::f64::consts::{PI, TAU};
-
-/// The most numbers that a vertex has.
-const MAX_DIMENSION: usize = 8;
 
 /// The most neighbours that a vertex may be joined to: where a radius counts, as many as a roadmap may try.
 const MOST_NEIGHBOURS: u32 = 20_000_000;

@@ -1,8 +1,11 @@
 /**
- * The transport: play and pause, steps, run to the end, reset, speed, and once solved, in its place, the way along the path.
+ * The transport: back, play and pause, steps, run to the end, reset, speed, the timeline, and once solved the way along the path.
  * It only tells what was asked; what it shows is set from outside.
  */
+import { grouped, write } from "./counters.js";
 import { byId } from "./dom.js";
+
+/** @import { State } from "../types.js" */
 
 /** Iterations a second at the left end of the slider and one notch before its right end, which means as fast as it goes. */
 const SLOWEST = 1;
@@ -11,7 +14,9 @@ const FASTEST = 10000;
 /**
  * @typedef {object} Orders
  * @property {() => void} toggle
- * @property {(iterations: number) => void} step
+ * @property {(iterations: number) => void} step   below 0: back
+ * @property {(time: number) => void} show         an iteration, or in a race an amount of work
+ * @property {(pace: number) => void} pace         iterations a second; Infinity: as fast as it goes
  * @property {() => void} finish
  * @property {() => void} reset
  * @property {(part: number) => void} seek   0 to 1 along the path
@@ -35,10 +40,23 @@ export class Transport {
     this.speedRow = byId("speed-row", HTMLElement);
     this.along = byId("along", HTMLInputElement);
     this.alongRow = byId("along-row", HTMLElement);
+    this.back = byId("back", HTMLButtonElement);
+    this.timeline = byId("timeline", HTMLInputElement);
+    this.time = byId("time", HTMLInputElement);
+    this.head = byId("time-head", HTMLElement);
+    this.back.addEventListener("click", () => orders.step(-1));
+    this.timeline.addEventListener("input", () => orders.show(Number(this.timeline.value)));
+    this.time.addEventListener("change", () => {
+      const time = Number(this.time.value);
+      if (this.time.value.trim() !== "" && Number.isSafeInteger(time) && time >= 0) orders.show(time);
+    });
     this.play.addEventListener("click", orders.toggle);
     this.finish.addEventListener("click", orders.finish);
     this.reset.addEventListener("click", orders.reset);
-    this.speed.addEventListener("input", () => this.tellSpeed());
+    this.speed.addEventListener("input", () => {
+      this.tellSpeed();
+      orders.pace(this.pace);
+    });
     this.along.addEventListener("input", () => orders.seek(Number(this.along.value)));
     this.tellSpeed();
   }
@@ -65,27 +83,26 @@ export class Transport {
     this.speed.setAttribute("aria-valuetext", pace === Infinity ? "as fast as it goes" : `${text.replace("/s", "")} iterations a second`);
   }
 
-  /**
-   * @param {object} state
-   * @param {boolean} state.ready      there is a run
-   * @param {boolean} state.playing
-   * @param {boolean} state.growing    the run is not finished
-   * @param {boolean} state.travelling a path is there to be followed
-   */
-  show({ ready, playing, growing, travelling }) {
+  /** @param {State} state */
+  show({ clock, playing, growing, travelling, along, lanes }) {
+    const ready = lanes.some(({ status }) => status !== "none");
     this.play.disabled = !ready || (!growing && !travelling);
     this.play.dataset.playing = String(playing);
-    this.playLabel.textContent = playing ? "Pause" : "Play";
+    write(this.playLabel, playing ? "Pause" : "Play");
     for (const button of [...this.steps, this.finish]) button.disabled = !ready || !growing;
+    this.back.disabled = !ready || clock.now === 0;
     this.reset.disabled = !ready;
     this.speed.disabled = !ready;
     this.speedRow.hidden = travelling;
     this.alongRow.hidden = !travelling;
-  }
-
-  /** @param {number} part  0 to 1 along the path */
-  showAlong(part) {
-    if (document.activeElement !== this.along || !this.along.matches(":active")) this.along.value = String(part);
-    this.along.setAttribute("aria-valuetext", `${Math.round(100 * part)} percent of the way`);
+    if (!this.along.matches(":active")) this.along.value = String(along);
+    this.along.setAttribute("aria-valuetext", `${Math.round(100 * along)} percent of the way`);
+    this.timeline.disabled = this.time.disabled = !ready;
+    const head = String(clock.head);
+    if (this.timeline.max !== head) this.timeline.max = head;
+    if (!this.timeline.matches(":active")) this.timeline.value = String(clock.now);
+    this.timeline.setAttribute("aria-valuetext", `${grouped(clock.now)} of ${grouped(clock.head)}`);
+    if (document.activeElement !== this.time) this.time.value = String(clock.now);
+    write(this.head, `of ${grouped(clock.head)}`);
   }
 }

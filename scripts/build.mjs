@@ -49,8 +49,9 @@ export function assemblePage() {
   requireFile(join(page, "index.html"));
   rmSync(out, { recursive: true, force: true });
   mkdirSync(join(out, "planarium"), { recursive: true });
-  for (const part of ["index.html", "style.css", "icon.svg", "scenes"]) cpSync(join(page, part), join(out, part), { recursive: true });
+  for (const part of ["index.html", "icon.svg", "scenes"]) cpSync(join(page, part), join(out, part), { recursive: true });
   cpSync(join(dist, "package", "planarium_bg.wasm"), join(out, "planarium", "planarium_bg.wasm"));
+  joinModules(join(page, "style", "style.css"), join(out, "style.css"), "esm");
   joinModules(join(page, "main.js"), join(out, "main.js"), "esm");
   joinModules(join(page, "worker", "worker.js"), join(out, "worker.js"), "iife");
 }

@@ -5,19 +5,29 @@
 import { byId, make } from "./controls/dom.js";
 import { LAYERS } from "./stage/layer.js";
 
-/** @import { Studio } from "./studio.js" */
-/** @import { PaneKind, Pointer } from "./types.js" */
+/** @import { Page } from "./page.js" */
+/** @import { PaneKind, Pointer, SceneFacts, State } from "./types.js" */
 /** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string }} Sheet */
 /** @typedef {{ figure: HTMLElement, caption: HTMLElement, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
 
 export class Sheets {
-  /** @param {Studio} studio */
-  constructor(studio) {
-    this.studio = studio;
+  /** @param {Page} page */
+  constructor(page) {
+    this.studio = page.studio;
     this.element = byId("stage", HTMLElement);
     /** @type {Map<string, Figure>} */
     this.figures = new Map();
+    this.described = -Infinity;
     this.observer = new ResizeObserver(() => this.measure());
+  }
+
+  /** The sheets that suit a scenario. @param {SceneFacts} facts */
+  arrange({ robot, dimension }) {
+    const square = robot === "arm" && dimension >= 2;
+    this.show([
+      { id: "workspace", kind: "workspace", lane: 0, caption: "Workspace" },
+      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space" }] : []),
+    ]);
   }
 
   /** Shows these sheets and no others, in this order. @param {Sheet[]} wanted */
@@ -72,10 +82,13 @@ export class Sheets {
     }
   }
 
-  /** What someone who cannot see the canvases should know. @param {string[]} summaries  of each lane */
-  describe(summaries) {
+  /** What someone who cannot see the canvases should know; told at rest, and about once a second while it grows. @param {State} state */
+  describe({ settled, summary }) {
+    const now = performance.now();
+    if (!settled && now - this.described < 1000) return;
+    this.described = now;
     for (const { top, kind, lane } of this.figures.values()) {
-      const text = `${kind === "cspace" ? "Configuration space" : "Workspace"}: ${summaries[lane] ?? ""}`;
+      const text = `${kind === "cspace" ? "Configuration space" : "Workspace"}: ${summary[lane] ?? ""}`;
       if (top.getAttribute("aria-label") !== text) top.setAttribute("aria-label", text);
     }
   }

@@ -17,16 +17,18 @@ export class StudioError extends Error {
 }
 
 export class Studio {
-  /** @param {Worker} worker @param {(state: State) => void} onState @param {(error: Error) => void} onFault  what nobody waits for has gone wrong */
-  constructor(worker, onState, onFault) {
+  /** @param {Worker} worker @param {(error: Error) => void} onFault  what nobody waits for has gone wrong */
+  constructor(worker, onFault) {
     this.worker = worker;
     this.onFault = onFault;
+    /** Hears of each frame. @type {(state: State) => void} */
+    this.onState = () => {};
     /** @type {Map<number, Waiting>} */
     this.waiting = new Map();
     this.count = 0;
     worker.addEventListener("message", ({ data }) => {
       if ("state" in data) {
-        onState(data.state);
+        this.onState(data.state);
         return;
       }
       const waiting = this.waiting.get(data.id);

@@ -33,6 +33,7 @@
  * @property {string} [query]
  * @property {number} pace       iterations a second
  * @property {string} story      what the scene says of its own planner
+ * @property {string} teller     that planner
  * @property {boolean} play
  * @property {number} [iteration]   to be shown at once
  *

@@ -1,6 +1,8 @@
 /** Tells milestones to those who listen to the page instead of looking at it, at most one a second and the newest last. */
 import { byId } from "./dom.js";
 
+/** @import { Page } from "../page.js" */
+
 /** Milliseconds between two announcements. */
 const PAUSE = 1000;
 
@@ -21,4 +23,20 @@ export class Announcer {
       this.element.textContent = text;
     }, wait);
   }
+}
+
+/** Milestones: a run's end, a touch, an arrival. @param {Page} page */
+export function watchAnnouncements(page) {
+  const announcer = new Announcer();
+  let end = "";
+  let touch = "";
+  page.onState((state) => {
+    const over = state.settled && !state.inHand && state.lanes.every(({ status }) => status === "solved" || status === "exhausted");
+    const ending = over ? state.sentence : "";
+    if (ending !== end && ending !== "") announcer.say(ending);
+    end = ending;
+    const touching = state.arrived ? state.sentence : state.touching.free ? "" : state.touching.text;
+    if (touching !== touch && touching !== "") announcer.say(touching);
+    touch = touching;
+  });
 }

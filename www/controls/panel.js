@@ -66,6 +66,15 @@ export class Panel {
 
   get algorithm() { return this.planner.value; }
 
+  /** What a planner would be asked with some settings, the rest at their defaults. @param {string} algorithm @param {Settings} settings @returns {Plan} */
+  reads(algorithm, settings) {
+    const info = this.infos.find(({ id }) => id === algorithm);
+    /** @type {Settings} */
+    const all = {};
+    for (const { name, default: value } of info ? withSeed(info.parameters) : []) if (value !== null) all[name] = value;
+    return { algorithm, settings: { ...all, ...settings } };
+  }
+
   /** What the planner is asked, or null while a field holds a value that is refused. @returns {Plan | null} */
   get plan() {
     const { settings } = this;

@@ -1,7 +1,7 @@
 /** The robot's coordinates as sliders and numbers: the way to pose it without a pointer, and the exact way with one. */
 import { byId, make } from "./dom.js";
 
-/** @import { SceneFacts } from "../types.js" */
+/** @import { SceneFacts, State } from "../types.js" */
 /** @typedef {{ range: HTMLInputElement, number: HTMLInputElement, low: number, high: number }} Control */
 
 export class Pose {
@@ -10,6 +10,7 @@ export class Pose {
     this.element = byId("pose", HTMLElement);
     this.touching = byId("touching", HTMLElement);
     this.onPose = onPose;
+    this.awaits = false;
     /** @type {Control[]} */
     this.coordinates = [];
   }
@@ -61,5 +62,15 @@ export class Pose {
     this.onPose(pose);
   }
 
-  focus() { this.coordinates[0]?.range.focus(); }
+  /** @param {State} state */
+  reflect(state) {
+    if (state.pose) this.show(state.pose);
+    this.tell(state.touching.text, state.touching.free);
+    if (!state.inHand || !this.awaits) return;
+    this.awaits = false;
+    this.coordinates[0]?.range.focus();
+  }
+
+  /** Once the robot is in the hand, the focus goes to its first coordinate. */
+  awaitFocus() { this.awaits = true; }
 }

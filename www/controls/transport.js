@@ -1,36 +1,27 @@
 /**
  * The transport: back, play and pause, steps, run to the end, reset, speed, the timeline, and once solved the way along the path.
- * It only tells what was asked; what it shows is set from outside.
+ * It tells the worker what was asked, and shows what the worker tells.
  */
 import { grouped, write } from "./counters.js";
 import { byId } from "./dom.js";
 
+/** @import { Page } from "../page.js" */
 /** @import { State } from "../types.js" */
 
 /** Iterations a second at the left end of the slider and one notch before its right end, which means as fast as it goes. */
 const SLOWEST = 1;
 const FASTEST = 10000;
 
-/**
- * @typedef {object} Orders
- * @property {() => void} toggle
- * @property {(iterations: number) => void} step   below 0: back
- * @property {(time: number) => void} show         an iteration, or in a race an amount of work
- * @property {(pace: number) => void} pace         iterations a second; Infinity: as fast as it goes
- * @property {() => void} finish
- * @property {() => void} reset
- * @property {(part: number) => void} seek   0 to 1 along the path
- */
-
 export class Transport {
-  /** @param {Orders} orders */
-  constructor(orders) {
+  /** @param {Page} page */
+  constructor(page) {
+    const { studio } = page;
     this.bar = byId("transport", HTMLElement);
     this.play = byId("play", HTMLButtonElement);
     this.playLabel = byId("play-label", HTMLElement);
     this.steps = [1, 10, 100].map((count) => {
       const button = byId(`step-${count}`, HTMLButtonElement);
-      button.addEventListener("click", () => orders.step(count));
+      button.addEventListener("click", () => studio.tell("step", count));
       return button;
     });
     this.finish = byId("finish", HTMLButtonElement);
@@ -44,21 +35,25 @@ export class Transport {
     this.timeline = byId("timeline", HTMLInputElement);
     this.time = byId("time", HTMLInputElement);
     this.head = byId("time-head", HTMLElement);
-    this.back.addEventListener("click", () => orders.step(-1));
-    this.timeline.addEventListener("input", () => orders.show(Number(this.timeline.value)));
+    this.back.addEventListener("click", () => studio.tell("step", -1));
+    this.timeline.addEventListener("input", () => studio.tell("seek", Number(this.timeline.value)));
     this.time.addEventListener("change", () => {
       const time = Number(this.time.value);
-      if (this.time.value.trim() !== "" && Number.isSafeInteger(time) && time >= 0) orders.show(time);
+      if (this.time.value.trim() !== "" && Number.isSafeInteger(time) && time >= 0) studio.tell("seek", time);
     });
-    this.play.addEventListener("click", orders.toggle);
-    this.finish.addEventListener("click", orders.finish);
-    this.reset.addEventListener("click", orders.reset);
+    this.play.addEventListener("click", () => studio.tell("toggle"));
+    this.finish.addEventListener("click", () => studio.tell("finish"));
+    this.reset.addEventListener("click", () => studio.tell("reset"));
     this.speed.addEventListener("input", () => {
       this.tellSpeed();
-      orders.pace(this.pace);
+      studio.tell("pace", this.pace);
     });
-    this.along.addEventListener("input", () => orders.seek(Number(this.along.value)));
+    this.along.addEventListener("input", () => studio.tell("along", Number(this.along.value)));
     this.tellSpeed();
+    page.onState((state) => this.show(state));
+    page.onOpen((_, entry) => {
+      if (entry) this.pace = entry.pace;
+    });
   }
 
   /** Iterations a second; Infinity at the right end. */

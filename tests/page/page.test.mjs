@@ -243,6 +243,7 @@ describe("planners", () => {
       assert.ok(rings >= guards, `${rings} rings, ${guards} guards`);
       assert.equal(await page.locator("#legend-guard").isVisible(), true);
       await page.selectOption("#planner", "prm");
+      await atRest(page);
       assert.equal(await page.locator("#legend-guard").isVisible(), false);
     });
   });
@@ -406,6 +407,17 @@ describe("scenes and files", () => {
   });
 });
 
+/** Waits until the worker has told of a pose. @param {import("playwright-core").Page} page @param {number} index @param {(value: number) => boolean} isThere */
+async function poseReaches(page, index, isThere) {
+  let value = NaN;
+  for (let i = 0; i < 40; i++) {
+    value = Number(await page.inputValue(`#pose-${index}-number`));
+    if (isThere(value)) return;
+    await page.waitForTimeout(50);
+  }
+  assert.fail(`coordinate ${index} is ${value}`);
+}
+
 describe("the robot in the hand", () => {
   test("a touching pose turns red and names part and obstacle", async () => {
     await onPausedPage(async (page) => {
@@ -417,7 +429,7 @@ describe("the robot in the hand", () => {
       await page.locator("#pose-0-number").blur();
       await page.locator("#pose-1-number").fill("0");
       await page.locator("#pose-1-number").blur();
-      assert.equal(await page.locator("#touching").getAttribute("data-free"), "false");
+      await page.waitForSelector("#touching[data-free=false]");
       assert.match(await page.innerText("#touching"), /link 1 touches obstacle 0/i);
       await page.waitForTimeout(100);
       assert.ok(await pixelsOf(page, "workspace", "top", "collision") > 100);
@@ -432,13 +444,12 @@ describe("the robot in the hand", () => {
       const square = await page.locator("#cspace canvas[data-layer=top]").boundingBox();
       assert.ok(square);
       await page.mouse.click(square.x + square.width / 2, square.y + square.height / 3);
-      const first = Number(await page.inputValue("#pose-1-number"));
-      assert.ok(first > 0.5 && first < 1.6, `${first}`);
+      await poseReaches(page, 1, (first) => first > 0.5 && first < 1.6);
       await page.mouse.move(square.x + square.width / 2, square.y + square.height / 3);
       await page.mouse.down();
       await page.mouse.move(square.x + square.width * 0.7, square.y + square.height * 0.6, { steps: 5 });
       await page.mouse.up();
-      assert.ok(Number(await page.inputValue("#pose-0-number")) > 0.5);
+      await poseReaches(page, 0, (first) => first > 0.5);
       for (const [i, value] of [[0, "0"], [1, "0"]]) {
         await page.locator(`#pose-${i}-number`).fill(String(value));
         await page.locator(`#pose-${i}-number`).blur();
@@ -461,8 +472,7 @@ describe("the robot in the hand", () => {
       await page.mouse.move(rested.x + 41, rested.y - 41);
       await page.mouse.move(rested.x + 40, rested.y - 40);
       await page.mouse.up();
-      const turned = Number(await page.inputValue("#pose-0-number"));
-      assert.ok(Math.abs(turned - Math.PI / 4) < 0.1, `${turned}`);
+      await poseReaches(page, 0, (turned) => Math.abs(turned - Math.PI / 4) < 0.1);
     });
   });
 
@@ -474,7 +484,7 @@ describe("the robot in the hand", () => {
         await page.locator(`#pose-${i}-number`).fill(String(goal[i]));
         await page.locator(`#pose-${i}-number`).blur();
       }
-      assert.match(await page.innerText("#story"), /reached the goal/);
+      await page.waitForFunction(() => /reached the goal/.test(document.getElementById("story")?.textContent ?? ""));
     });
   });
 });
@@ -498,7 +508,7 @@ describe("looks", () => {
   test("as sharp as the screen", async () => {
     for (const deviceScaleFactor of [1, 2, 3]) {
       await onPausedPage(async (page) => {
-        await page.waitForTimeout(100);
+        await page.waitForTimeout(600);
         const sizes = await page.evaluate(() => [...document.querySelectorAll("canvas[data-layer]")].map((element) => {
           const canvas = /** @type {HTMLCanvasElement} */ (element);
           const { width, height } = canvas.getBoundingClientRect();

@@ -4,7 +4,7 @@ import { call } from "./runtime.js";
 /** @import { PlannerInfo } from "./types.js" */
 
 /**
- * The planners and their parameters, with title, meaning, unit, range and default of each.
+ * The planners: their pseudo-code, and their parameters with title, meaning, unit, range and default of each.
  * @returns {PlannerInfo[]}
  */
 export function planners() {

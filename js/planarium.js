@@ -26,6 +26,8 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").PlannerInfo} PlannerInfo */
 /** @typedef {import("./types.js").ParameterInfo} ParameterInfo */
 /** @typedef {import("./types.js").PlannerOptions} PlannerOptions */
+/** @typedef {import("./types.js").PseudocodeLine} PseudocodeLine */
+/** @typedef {import("./types.js").PseudocodeMark} PseudocodeMark */
 /** @typedef {import("./types.js").QueryOptions} QueryOptions */
 /** @typedef {import("./types.js").RoadmapFormat} RoadmapFormat */
 /** @typedef {import("./types.js").Approximate} Approximate */

@@ -1,7 +1,13 @@
-/** What stands on its own: the list of planners, and a fresh seed. */
+/** What stands on its own: the list of planners, the list of phases, and a fresh seed. */
 import { call } from "./runtime.js";
 
-/** @import { PlannerInfo } from "./types.js" */
+/** @import { Phase, PlannerInfo } from "./types.js" */
+
+/**
+ * The names of phases: a row of `planner.takeHistory()` holds the place of one in this list.
+ * @type {readonly Phase[]}
+ */
+export const phases = Object.freeze(["sampling", "connecting", "guarding", "searching", "growing", "improving", "done"]);
 
 /**
  * The planners: their pseudo-code, and their parameters with title, meaning, unit, range and default of each.

@@ -5,7 +5,7 @@
 import { load, loadSync } from "./runtime.js";
 
 export { PlanariumError } from "./error.js";
-export { freshSeed, planners } from "./functions.js";
+export { freshSeed, phases, planners } from "./functions.js";
 export { Planner } from "./planner.js";
 export { Scenario } from "./scenario.js";
 export { version } from "./version.js";

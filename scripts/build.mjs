@@ -40,32 +40,36 @@ export async function buildPackage() {
 }
 
 /**
- * Assembles the page around the package. The modules of each are joined into one file, so that a browser asks for two scripts and
- * not for forty, one after the other; the maps beside them lead back to the sources.
+ * Assembles the page around the package. The modules are joined into two files, one for the page and one for its worker, which
+ * has the package inside; the maps beside them lead back to the sources.
  */
 export function assemblePage() {
   const page = join(root, "www");
   const out = join(dist, "page");
   requireFile(join(page, "index.html"));
   rmSync(out, { recursive: true, force: true });
-  cpSync(page, out, { recursive: true, filter: (path) => !/(\.js|\.md|tsconfig\.json)$/.test(path) && !path.endsWith(join("www", "stage")) });
   mkdirSync(join(out, "planarium"), { recursive: true });
+  for (const part of ["index.html", "icon.svg", "scenes"]) cpSync(join(page, part), join(out, part), { recursive: true });
   cpSync(join(dist, "package", "planarium_bg.wasm"), join(out, "planarium", "planarium_bg.wasm"));
-  joinModules(join(page, "main.js"), join(out, "main.js"));
-  joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
+  joinModules(join(page, "style", "style.css"), join(out, "style.css"), "esm");
+  joinModules(join(page, "main.js"), join(out, "main.js"), "esm");
+  joinModules(join(page, "worker", "worker.js"), join(out, "worker.js"), "iife");
 }
 
 /**
- * Joins an entry and all it imports, but for the package, into one module.
+ * Joins an entry and all it imports into one file.
  * @param {string} entry
  * @param {string} out
+ * @param {"esm" | "iife"} format
  */
-function joinModules(entry, out) {
+function joinModules(entry, out, format) {
   /** @type {typeof import("esbuild")} */
   const { buildSync } = createRequire(import.meta.url)("esbuild");
   buildSync({
-    entryPoints: [entry], outfile: out, bundle: true, minify: true, sourcemap: true, format: "esm", target: "es2022",
-    external: ["./planarium/planarium.js"], logLevel: "warning",
+    entryPoints: [entry], outfile: out, bundle: true, minify: true, sourcemap: true, format, target: "es2022", logLevel: "warning",
+    alias: { planarium: join(dist, "package", "planarium.js") },
+    // The worker is given the compiled module: the package need not know where it lies.
+    logOverride: { "empty-import-meta": "silent" },
   });
 }
 

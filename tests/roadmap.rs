@@ -5,7 +5,7 @@ mod common;
 
 use common::{SAMPLERS, arm_and_wall, arm_of, begin_with, disc_and_wall, finish, no_way, options, seeds};
 use planarium::planner::{logarithmic_k, prm_star_k};
-use planarium::run::{Run, Status, start};
+use planarium::run::{Phase, Run, Status, start};
 use planarium::space::angular_distance;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -285,7 +285,7 @@ fn improvement_can_be_cut_short_at_any_time() {
     let world = disc_and_wall(0.2, 0.3);
     let mut run = begin_with(&world, "rrt-connect", 1, "shortcut=1000");
     assert_eq!(run.finish(), Status::Running, "there is no path yet to be content with");
-    while run.phase() != "improving" {
+    while run.phase() != Phase::Improving {
         run.step(1);
     }
     run.step(10);

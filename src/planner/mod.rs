@@ -24,6 +24,7 @@ pub use rrt::{Extend, GoalBias, Rrt, RrtOptions};
 pub use rrt_connect::RrtConnect;
 pub use visibility_prm::VisibilityPrm;
 
+pub use crate::phase::Phase;
 pub use crate::status::Status;
 
 use crate::graph::{Graph, VertexId};
@@ -49,8 +50,8 @@ pub trait Planner<S: Space> {
     /// number of motion checks. Called only while the status is `Running`.
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status;
 
-    /// What the planner is busy with, in a word.
-    fn phase(&self) -> &'static str;
+    /// What the planner is busy with.
+    fn phase(&self) -> Phase;
 
     /// All that has grown so far.
     fn graph(&self) -> &Graph<S>;

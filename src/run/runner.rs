@@ -1,10 +1,11 @@
 //! A planner at work on a problem, its path improved afterwards where that is asked for.
 
+use super::history::History;
 use super::{EVENT_HEAD, Run};
 use crate::error::{Code, Error};
 use crate::kept::RoadmapDocument;
 use crate::path::{self, Improvement, Wanted};
-use crate::planner::{Planner, Status};
+use crate::planner::{Phase, Planner, Status};
 use crate::problem::Problem;
 use crate::result::{Approximate, ResultDocument};
 use crate::space::Space;
@@ -37,6 +38,8 @@ pub(super) struct Runner<S: Space> {
     status: Status,
     /// The path being improved, once the planner has solved the problem.
     improvement: Option<Improvement<S>>,
+    /// A row for every iteration, where that was asked for.
+    history: Option<History>,
 }
 
 impl<S: Space> Runner<S> {
@@ -46,7 +49,8 @@ impl<S: Space> Runner<S> {
         ticket: Ticket,
         kept: Option<RoadmapDocument>,
     ) -> Self {
-        Self { problem, planner, ticket, kept, iteration: 0, status: Status::Running, improvement: None }
+        let status = Status::Running;
+        Self { problem, planner, ticket, kept, iteration: 0, status, improvement: None, history: None }
     }
 
     /// One iteration: of the planner, or an attempt at improving its path.
@@ -73,6 +77,16 @@ impl<S: Space> Runner<S> {
             }
             Status::Running if self.iteration == self.ticket.max_iterations => self.status = Status::Exhausted,
             Status::Running | Status::Exhausted => {}
+        }
+    }
+
+    /// Notes how things stand, where that is wanted.
+    fn note(&mut self) {
+        let length = |improvement: &Improvement<S>| path::length(self.problem.space(), improvement.path());
+        let cost = self.improvement.as_ref().map_or(f64::INFINITY, length);
+        let (stats, events, phase) = (self.stats(), self.event_count(), self.phase());
+        if let Some(history) = &mut self.history {
+            history.add(&stats, events, phase, cost);
         }
     }
 
@@ -123,6 +137,9 @@ impl<S: Space> Run for Runner<S> {
         let mut left = iterations;
         while left > 0 && self.status == Status::Running {
             self.iterate();
+            if self.history.is_some() {
+                self.note();
+            }
             left -= 1;
         }
         self.status
@@ -139,12 +156,25 @@ impl<S: Space> Run for Runner<S> {
         self.status
     }
 
-    fn phase(&self) -> &'static str {
+    fn phase(&self) -> Phase {
         match (&self.improvement, self.status) {
-            (Some(_), Status::Running) => "improving",
+            (Some(_), Status::Running) => Phase::Improving,
             (None, Status::Running) => self.planner.phase(),
-            _ => "done",
+            _ => Phase::Done,
         }
+    }
+
+    fn record(&mut self) -> Result<(), Error> {
+        if self.history.is_none() && self.iterations() > 0 {
+            let sentence = format!("a run is recorded from its first iteration on, and {} are made", self.iterations());
+            return Err(Error::new(Code::Unsupported, "", sentence));
+        }
+        self.history.get_or_insert_default();
+        Ok(())
+    }
+
+    fn take_history(&mut self) -> Vec<f64> {
+        self.history.as_mut().map(History::take).unwrap_or_default()
     }
 
     fn iterations(&self) -> u64 {
@@ -257,7 +287,7 @@ impl<S: Space> Run for Runner<S> {
         if keep && self.status == Status::Running && self.improvement.is_none() {
             let sentence = format!(
                 "start and goal can be kept once the roadmap is built and searched, not while {}",
-                self.phase()
+                self.phase().as_str()
             );
             return Err(Error::new(Code::Unsupported, "/keep", sentence));
         }

@@ -1,17 +1,22 @@
 /**
  * One canvas of a sheet, as sharp as the screen: its backing store has the screen's pixels, its coordinates are CSS pixels.
- * A sheet has three: the ground (drawn once a layout), the growth (only ever added to) and the top (light, redrawn each frame).
+ * A sheet has five: the ground (drawn once a layout); edges, vertices and marks (only ever added to while the log grows,
+ * each in the order of the log, so that how it was sliced leaves no trace); the top (light, redrawn each frame).
  */
+
+/** From the lowest to the highest. */
+export const LAYERS = /** @type {const} */ (["ground", "edges", "vertices", "marks", "top"]);
+
+/** @typedef {typeof LAYERS[number]} LayerName */
+
 export class Layer {
-  /** @param {HTMLElement} parent @param {string} name */
-  constructor(parent, name) {
-    this.canvas = document.createElement("canvas");
-    this.canvas.dataset.layer = name;
-    this.canvas.setAttribute("aria-hidden", "true");
-    parent.append(this.canvas);
-    const context = this.canvas.getContext("2d");
+  /** @param {OffscreenCanvas} canvas */
+  constructor(canvas) {
+    this.canvas = canvas;
+    const context = canvas.getContext("2d");
     if (!context) throw new Error("This browser gives no 2d canvas.");
-    this.context = context;
+    // The page draws with what both kinds of context can do, and names one of them.
+    this.context = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (context));
     this.width = 0;
     this.height = 0;
     this.ratio = 1;

@@ -1,39 +1,39 @@
 /** The workspace: the world as it is, the robot in it, and the end-effector's image of every vertex and edge. */
-import { obstacleName, partName } from "../names.js";
+import { obstacleName, partName } from "../worker/names.js";
 import { Pane } from "./pane.js";
-import { shownPose } from "./picture.js";
 import { drawGhost, drawLabel, drawObstacles, drawRobot, drawTouchingParts, obstacleMiddle, obstaclePath } from "./shapes.js";
 import { Tracer } from "./trace.js";
 import { View } from "./view.js";
 
-/** @import { Picture } from "./picture.js" */
-/** @import { Journey } from "../animate.js" */
+/** @import { Lane } from "../worker/lane.js" */
+/** @import { Journey } from "../worker/journey.js" */
+/** @import { LayerName } from "./layer.js" */
 /** @import { Palette } from "./palette.js" */
-/** @import { Obstacle, Part } from "../types.js" */
+/** @import { Obstacle, Part, ScenarioDocument } from "../types.js" */
 
 const MARGIN = { left: 14, right: 14, top: 14, bottom: 14 };
 /** Poses shown along a solved path. */
 const STROBE = 9;
 
 export class Workspace extends Pane {
-  /** @param {HTMLElement} figure */
-  constructor(figure) {
-    super(figure);
+  /** @param {Record<LayerName, OffscreenCanvas>} canvases */
+  constructor(canvases) {
+    super(canvases);
     /** @type {Tracer | null} */
     this.tracer = null;
   }
 
-  /** @param {Picture} picture @param {number} width @param {number} height @override */
-  makeView(picture, width, height) {
-    return new View(picture.scenario.extent(), width, height, MARGIN, false);
+  /** @param {Lane} lane @param {number} width @param {number} height @override */
+  makeView(lane, width, height) {
+    return new View(lane.scenario.extent(), width, height, MARGIN, false);
   }
 
-  /** @param {Picture} picture @override */
-  prepare(picture) { this.tracer = new Tracer(picture.scenario); }
+  /** @param {Lane} lane @override */
+  prepare(lane) { this.tracer = new Tracer(lane.scenario); }
 
   /** @param {Float64Array} rows @override */
   pixels(rows) {
-    return this.place(/** @type {Picture} */ (this.picture).scenario.endEffectors(rows));
+    return this.place(/** @type {Lane} */ (this.lane).scenario.endEffectors(rows));
   }
 
   /** @param {Float64Array} ends @param {boolean[]} [circles] @override */
@@ -52,11 +52,11 @@ export class Workspace extends Pane {
     return points;
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {Picture} picture @override */
-  drawGround(context, picture) {
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
+  drawGround(context, { shown }) {
     const { view, palette } = this;
     if (!view || !palette) return;
-    const { world, robot } = picture.document;
+    const { world, robot } = shown.document;
     this.drawScale(context);
     context.lineWidth = 1;
     if (world.bounds) {
@@ -74,7 +74,7 @@ export class Workspace extends Pane {
       context.setLineDash([]);
     }
     drawObstacles(context, view, world.obstacles, palette);
-    const { start, goal, scenario } = picture;
+    const { start, goal, scenario } = shown;
     const thin = (robot.radius ?? 0) * view.scaleX < 1.6;
     const width = thin ? 2 : 1.5;
     if (goal) drawGhost(context, view, scenario.footprint(goal), { colour: palette.goal, fill: 0.14, stroke: 0.95, dash: [5, 4], width });
@@ -128,38 +128,39 @@ export class Workspace extends Pane {
     super.drawPath(context, journey, palette);
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {Picture} picture @override */
-  drawRobot(context, picture) {
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
+  drawRobot(context, lane) {
     const { view, palette } = this;
-    const pose = shownPose(picture);
+    const { pose } = lane;
     if (!view || !palette || !pose) return;
-    const parts = picture.scenario.footprint(pose);
-    const touching = picture.hand && picture.check ? picture.check.touching : [];
-    for (const { obstacle } of touching) this.drawTouched(context, picture, obstacle);
+    const { scenario, document, hand, check } = lane.shown;
+    const parts = scenario.footprint(pose);
+    const touching = hand && check ? check.touching : [];
+    for (const { obstacle } of touching) this.drawTouched(context, document, obstacle);
     drawRobot(context, view, parts, palette);
     const hit = new Set(touching.map(({ part }) => part));
     drawTouchingParts(context, view, parts.filter((_, i) => hit.has(i)), palette, this.hatchOnPart);
     for (const index of hit) {
       const [x, y] = labelPlace(view, parts[index]);
-      drawLabel(context, partName(picture.scenario, index), x, y, palette.collision, palette);
+      drawLabel(context, partName(scenario, index), x, y, palette.collision, palette);
     }
     const named = new Set();
     for (const { part, obstacle } of touching) {
       if (obstacle === "bounds" || named.has(obstacle)) continue;
       named.add(obstacle);
-      const [x, y] = obstaclePlace(view, picture.document.world.obstacles[obstacle], parts[part]);
+      const [x, y] = obstaclePlace(view, document.world.obstacles[obstacle], parts[part]);
       drawLabel(context, obstacleName(obstacle), x, y, palette.collision, palette);
     }
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {Picture} picture @param {number | "bounds"} obstacle */
-  drawTouched(context, picture, obstacle) {
+  /** @param {CanvasRenderingContext2D} context @param {ScenarioDocument} document @param {number | "bounds"} obstacle */
+  drawTouched(context, document, obstacle) {
     const { view, palette } = this;
     if (!view || !palette) return;
     context.save();
     context.strokeStyle = palette.collision;
     context.lineWidth = 2;
-    const { bounds, obstacles } = picture.document.world;
+    const { bounds, obstacles } = document.world;
     if (obstacle === "bounds") {
       if (bounds) {
         context.setLineDash([8, 5]);

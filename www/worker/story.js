@@ -1,13 +1,15 @@
 /** The page's sentences: what is to be seen just now. */
 import { touchingSentence } from "./names.js";
+import { PAST } from "./run.js";
 
-/** @import { Journey } from "./animate.js" */
+/** @import { Journey } from "./journey.js" */
+/** @import { Lane } from "./lane.js" */
 /** @import { Run } from "./run.js" */
-/** @import { Check, Scenario } from "./types.js" */
+/** @import { Check, Scenario } from "../types.js" */
 
 /** A run that goes on: the scene's own sentence while its own planner proves its edges, else what the planner is at. @param {Run} run @param {{ algorithm: string, sentence: string }} scene */
 export function going(run, scene) {
-  const { phase } = run.planner;
+  const { phase } = run;
   const free = run.isProven ? "proven free" : "free in the places looked at";
   if (phase === "improving") return `A path is found; now it is made shorter, by motions ${free}.`;
   if (run.algorithm === scene.algorithm && run.isProven) return scene.sentence;
@@ -24,15 +26,15 @@ export function going(run, scene) {
 
 /** A run that has ended. @param {Run} run @param {Journey | null} journey */
 export function ending(run, journey) {
-  const iterations = run.iterations.toLocaleString("en");
+  const iterations = run.made.toLocaleString("en");
   const unit = run.scenario.robot === "arm" ? "rad" : "m";
-  const { length, approximate } = run.planner.result();
+  const { length, approximate } = run.result;
   if (run.status === "solved") {
     const found = `Found after ${iterations} iterations: a path of ${length.toFixed(2)} ${unit}`;
     if (run.isProven) return `${found}, proven free from end to end.`;
     return `${found}, not proven. ${journey?.flaw ? collision(run.scenario, journey.flaw.check) : "Checked afterwards, it touches nothing."}`;
   }
-  if (!run.isTree && run.expanded.count === 0) return `No path: ${iterations} iterations were too few to search the roadmap.`;
+  if (!run.isTree && run.expanded === 0) return `No path: ${iterations} iterations were too few to search the roadmap.`;
   if (!run.isTree) return "No path: the search has been to every vertex it can reach, the bold ones, and the goal is not among them.";
   if (!approximate || !journey) return `No path after ${iterations} iterations: ${run.kind === "trees" ? "the two trees never met" : "the tree never came nearer to the goal"}.`;
   const miss = `No path after ${iterations} iterations. The nearest miss, dashed, ends ${approximate.goal_distance.toFixed(2)} ${unit} from the goal`;
@@ -69,6 +71,17 @@ export function arrival(touches) {
 export function summary(title, run) {
   if (!run) return `${title}. Nothing is planned.`;
   const kind = run.kind === "trees" ? "Two trees" : `A ${run.kind}`;
-  const state = run.status === "running" ? run.planner.phase : run.status;
-  return `${title}. ${kind} with ${run.vertices.count.toLocaleString("en")} vertices and ${run.edges.count.toLocaleString("en")} edges; ${state}.`;
+  const state = run.status === "running" ? run.phase : run.status;
+  const { past } = run;
+  return `${title}. ${kind} with ${past[PAST.vertices].toLocaleString("en")} vertices and ${past[PAST.edges].toLocaleString("en")} edges; ${state}.`;
+}
+
+/** Several planners on one scenario. @param {Lane[]} lanes */
+export function race(lanes) {
+  const solved = lanes.filter(({ run }) => run?.status === "solved").length;
+  if (lanes.some(({ run }) => run?.status === "running")) {
+    const names = solved === 0 ? "None has found a path yet" : `${solved} of ${lanes.length} found a path`;
+    return `All get the same number of clearance evaluations, the work that proofs are made of. ${names}.`;
+  }
+  return `${solved === lanes.length ? "All" : `${solved} of ${lanes.length}`} found a path.`;
 }

@@ -4,7 +4,7 @@
  */
 
 /** @import { Run } from "./run.js" */
-/** @import { Check, Scenario } from "./types.js" */
+/** @import { Check, Scenario } from "../types.js" */
 /** @typedef {{ at: number, pose: Float64Array, check: Check }} Flaw   where a path collides: 0 to 1 along it, the pose, and what touches what */
 
 /** Seconds for the line to draw itself. */
@@ -132,7 +132,7 @@ export class Journey {
 export function journeyOf(scenario, run) {
   const { isProven } = run;
   if (run.status === "solved") return new Journey(scenario, run.planner.path(), { isProven });
-  const { approximate } = run.planner.result();
+  const { approximate } = run.result;
   // A tree whose root is nearest to the goal has no way to show.
   if (!approximate || approximate.path.length < 2) return null;
   return new Journey(scenario, Float64Array.from(approximate.path.flat()), { isProven, isMiss: true });

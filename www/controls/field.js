@@ -4,7 +4,7 @@
  */
 import { make } from "./dom.js";
 
-/** @import { ParameterInfo } from "./types.js" */
+/** @import { ParameterInfo } from "../types.js" */
 
 export class Field {
   /**

@@ -1,4 +1,5 @@
 /** The page's one place for bad news: what went wrong, where it stands, and under which code to look it up. */
+import { faultOf } from "../fault.js";
 import { byId, make } from "./dom.js";
 
 export class Notice {
@@ -11,7 +12,7 @@ export class Notice {
    * @param {unknown} error   with `code` and `pointer` where the package threw it
    */
   show(title, error) {
-    const { message, code, pointer } = facts(error);
+    const { message, code, pointer } = faultOf(error);
     this.element.dataset.code = code;
     this.element.dataset.pointer = pointer;
     const close = make("button", { type: "button", className: "quiet" }, "Dismiss");
@@ -29,12 +30,4 @@ export class Notice {
     delete this.element.dataset.code;
     delete this.element.dataset.pointer;
   }
-}
-
-/** Message, code and pointer of anything that was thrown. @param {unknown} error @returns {{ message: string, code: string, pointer: string }} */
-export function facts(error) {
-  if (!(error instanceof Error)) return { message: String(error), code: "", pointer: "" };
-  const code = "code" in error && typeof error.code === "string" ? error.code : "";
-  const pointer = "pointer" in error && typeof error.pointer === "string" ? error.pointer : "";
-  return { message: error.message, code, pointer };
 }

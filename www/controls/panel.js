@@ -5,7 +5,7 @@
 import { byId, make } from "./dom.js";
 import { Field } from "./field.js";
 
-/** @import { Library, ParameterInfo, Settings } from "./types.js" */
+/** @import { ParameterInfo, Plan, PlannerInfo, Settings } from "../types.js" */
 
 /** Parameters worth a place of their own; the others stand under "More parameters". */
 const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "goal_bias", "sampler", "seed"]);
@@ -21,13 +21,15 @@ const REST = "Limits";
 
 export class Panel {
   /**
-   * @param {Library} library
+   * @param {PlannerInfo[]} planners
+   * @param {() => Promise<number>} freshSeed
    * @param {() => void} onChange   a setting that makes a new run was changed
+   * @param {() => void} onQuery    another query was chosen
    */
-  constructor(library, onChange) {
-    this.library = library;
+  constructor(planners, freshSeed, onChange, onQuery) {
+    this.freshSeed = freshSeed;
     this.onChange = onChange;
-    this.infos = library.planners();
+    this.infos = planners;
     this.planner = byId("planner", HTMLSelectElement);
     this.summary = byId("planner-summary", HTMLElement);
     this.first = byId("parameters", HTMLElement);
@@ -44,7 +46,7 @@ export class Panel {
       this.build();
       onChange();
     });
-    this.query.addEventListener("change", onChange);
+    this.query.addEventListener("change", onQuery);
     this.planner.disabled = false;
     this.build();
   }
@@ -56,19 +58,33 @@ export class Panel {
     this.build();
   }
 
-  /** The queries of a scenario. @param {string[]} names */
-  offerQueries(names) {
-    this.query.replaceChildren(...names.map((name) => make("option", { value: name }, name)));
+  /** The queries of a scenario. @param {string[]} names @param {string | undefined} chosen */
+  offerQueries(names, chosen) {
+    this.query.replaceChildren(...names.map((name) => make("option", { value: name, selected: name === chosen }, name)));
     this.queryRow.hidden = names.length < 2;
   }
 
   get algorithm() { return this.planner.value; }
 
+  /** What a planner would be asked with some settings, the rest at their defaults. @param {string} algorithm @param {Settings} settings @returns {Plan} */
+  reads(algorithm, settings) {
+    const info = this.infos.find(({ id }) => id === algorithm);
+    /** @type {Settings} */
+    const all = {};
+    for (const { name, default: value } of info ? withSeed(info.parameters) : []) if (value !== null) all[name] = value;
+    return { algorithm, settings: { ...all, ...settings } };
+  }
+
+  /** What the planner is asked, or null while a field holds a value that is refused. @returns {Plan | null} */
+  get plan() {
+    const { settings } = this;
+    return settings && { algorithm: this.algorithm, settings };
+  }
+
   /** Everything a run needs, or null while a field holds a value that is refused. @returns {Settings | null} */
   get settings() {
     /** @type {Settings} */
     const settings = {};
-    if (this.query.value !== "") settings.query = this.query.value;
     for (const field of this.fields) {
       if (!field.validate()) return null;
       const value = field.value;
@@ -87,10 +103,10 @@ export class Panel {
   }
 
   /** A seed nobody has seen. */
-  reseed() {
+  async reseed() {
     const field = this.fields.find(({ info }) => info.name === "seed");
     if (!field) return;
-    field.set(this.library.freshSeed());
+    field.set(await this.freshSeed());
     this.keep(field);
     this.onChange();
   }
@@ -128,7 +144,7 @@ export class Panel {
   /** @param {Field} field */
   addSeedButton(field) {
     const button = make("button", { type: "button", id: "new-seed" }, "New seed");
-    button.addEventListener("click", () => this.reseed());
+    button.addEventListener("click", () => void this.reseed());
     field.element.append(button);
   }
 

@@ -1,6 +1,6 @@
 /** What the page calls the things that can touch, counted from 0 as in the scenario document. */
 
-/** @import { Check, Scenario } from "./types.js" */
+/** @import { Check, Scenario } from "../types.js" */
 
 /** @param {Scenario} scenario @param {number} part */
 export function partName(scenario, part) {

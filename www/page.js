@@ -1,0 +1,139 @@
+/**
+ * The page as its parts know it: what is open, what the worker last told, and whom to tell. Parts register what they do when a
+ * scene opens, when a state comes, when the colours change; none of them knows the others.
+ */
+import { byId } from "./controls/dom.js";
+import { loadScene } from "./resources.js";
+import { readPalette } from "./stage/palette.js";
+
+/** @import { Notice } from "./controls/notice.js" */
+/** @import { Panel } from "./controls/panel.js" */
+/** @import { Studio } from "./studio.js" */
+/** @import { Look, Plan, SceneEntry, SceneFacts, Source, State } from "./types.js" */
+/** @typedef {{ entry?: SceneEntry, query?: string, plans?: Plan[], iteration?: number, play?: boolean }} Opening   how a scenario is to be put on the stage */
+
+/** Iterations a second at which a scenario of the reader's own is shown. */
+const PACE = 60;
+
+export class Page {
+  /** @param {Studio} studio @param {Panel} panel @param {Notice} notice */
+  constructor(studio, panel, notice) {
+    this.studio = studio;
+    this.panel = panel;
+    this.notice = notice;
+    this.calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    /** What the worker told last. @type {State | null} */
+    this.state = null;
+    /** The scenario on the stage. @type {SceneFacts | null} */
+    this.facts = null;
+    /** Where it comes from. @type {Source | null} */
+    this.source = null;
+    /** The page's own scene, if it is one. @type {SceneEntry | null} */
+    this.entry = null;
+    /** Planners that race with the one of the panel. @type {Plan[]} */
+    this.rivals = [];
+    /** @type {((facts: SceneFacts, entry: SceneEntry | null) => void)[]} */
+    this.openers = [];
+    /** @type {((state: State, before: State | null) => void)[]} */
+    this.watchers = [];
+    /** @type {(() => void)[]} */
+    this.dressers = [];
+    studio.onState = (state) => this.reflect(state);
+    this.watchRatio();
+  }
+
+  /** Calls back whenever a scenario was put on the stage. @param {(facts: SceneFacts, entry: SceneEntry | null) => void} then */
+  onOpen(then) { this.openers.push(then); }
+
+  /** Calls back with each state that the worker tells. @param {(state: State, before: State | null) => void} then */
+  onState(then) { this.watchers.push(then); }
+
+  /** Calls back when colours or pixels are others. @param {() => void} then */
+  onDress(then) { this.dressers.push(then); }
+
+  /** @returns {Look} */
+  get look() { return { palette: readPalette(byId("stage", HTMLElement)), ratio: devicePixelRatio || 1, calm: this.calm }; }
+
+  /** Colours or pixels are others. */
+  dress() {
+    this.studio.tell("dress", this.look);
+    for (const then of this.dressers) then();
+  }
+
+  /** Asks to be told when the number of device pixels a CSS pixel changes. */
+  watchRatio() {
+    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", () => {
+      this.dress();
+      this.watchRatio();
+    }, { once: true });
+  }
+
+  /** @param {SceneEntry} entry @returns {Promise<Source>} */
+  async sourceOf(entry) {
+    return entry.generate ? { generate: entry.generate } : { document: await loadScene(entry.id) };
+  }
+
+  /**
+   * Puts a scenario on the stage, the page's own with the planner and parameters that show it well. What is there stays if it
+   * cannot be read.
+   * @param {Source} source @param {Opening} [opening]
+   * @throws {Error} with `code` and `pointer`
+   */
+  async open(source, { entry, query, plans, iteration, play = !this.calm } = {}) {
+    const { panel } = this;
+    const given = plans?.[0] ?? entry;
+    const plan = given ? panel.reads(given.algorithm, given.settings) : panel.plan ?? { algorithm: panel.algorithm, settings: {} };
+    const rivals = plans?.slice(1) ?? [];
+    const facts = await this.studio.ask("open", [source, {
+      plans: [plan, ...rivals], query, iteration, play, pace: entry?.pace ?? PACE, story: entry?.story ?? "", teller: entry?.algorithm ?? "",
+    }]);
+    this.notice.hide();
+    this.source = source;
+    this.entry = entry ?? null;
+    this.rivals = rivals;
+    if (given) panel.suggest(given.algorithm, given.settings);
+    this.show(facts);
+  }
+
+  /** The scenario on the stage is this now. @param {SceneFacts} facts */
+  show(facts) {
+    this.facts = facts;
+    this.panel.offerQueries(facts.queries, facts.query);
+    document.body.dataset.scene = this.entry?.id ?? "file";
+    for (const then of this.openers) then(facts, this.entry);
+  }
+
+  /** What all planners are asked, or null while a field holds a value that is refused. @returns {Plan[] | null} */
+  get plans() {
+    const { plan } = this.panel;
+    return plan && [plan, ...this.rivals];
+  }
+
+  /** New runs from the settings. @param {boolean} [play] */
+  plan(play = this.goesOn) {
+    const { plans } = this;
+    if (!plans) return;
+    this.notice.hide();
+    this.studio.tell("plan", plans, play);
+  }
+
+  /** The query that is chosen. */
+  ask() { this.studio.tell("ask", this.panel.query.value, this.goesOn); }
+
+  /** Whoever changes a setting of a run that moves or has ended wants to see the new one. */
+  get goesOn() {
+    const { state, calm } = this;
+    return state !== null && (state.playing || (!calm && !state.growing && state.lanes.some(({ status }) => status !== "none")));
+  }
+
+  /** @param {State} state */
+  reflect(state) {
+    const before = this.state;
+    this.state = state;
+    if (state.lanes.length === 0) return;
+    for (const then of this.watchers) then(state, before);
+    const { refusal } = state;
+    if (!refusal || refusal.message === before?.refusal?.message) return;
+    if (!this.panel.refuse(refusal.pointer, refusal.message)) this.notice.show("This cannot be planned.", Object.assign(new Error(refusal.message), refusal));
+  }
+}

@@ -1,0 +1,119 @@
+/**
+ * The figures on the stage, in the document: each a sheet of canvases that are handed to the worker, which draws on them.
+ * Sizes, and what pointers do on them, are passed on.
+ */
+import { byId, make } from "./controls/dom.js";
+import { LAYERS } from "./stage/layer.js";
+
+/** @import { Page } from "./page.js" */
+/** @import { PaneKind, Pointer, SceneFacts, State } from "./types.js" */
+/** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string }} Sheet */
+/** @typedef {{ figure: HTMLElement, caption: HTMLElement, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
+
+export class Sheets {
+  /** @param {Page} page */
+  constructor(page) {
+    this.studio = page.studio;
+    this.element = byId("stage", HTMLElement);
+    /** @type {Map<string, Figure>} */
+    this.figures = new Map();
+    this.described = -Infinity;
+    this.observer = new ResizeObserver(() => this.measure());
+  }
+
+  /** The sheets that suit a scenario. @param {SceneFacts} facts */
+  arrange({ robot, dimension }) {
+    const square = robot === "arm" && dimension >= 2;
+    this.show([
+      { id: "workspace", kind: "workspace", lane: 0, caption: "Workspace" },
+      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space" }] : []),
+    ]);
+  }
+
+  /** Shows these sheets and no others, in this order. @param {Sheet[]} wanted */
+  show(wanted) {
+    for (const [id, { figure, sheet, kind, lane }] of this.figures) {
+      if (wanted.some((one) => one.id === id && one.kind === kind && one.lane === lane)) continue;
+      this.observer.unobserve(sheet);
+      figure.remove();
+      this.figures.delete(id);
+      this.studio.tell("unpane", id);
+    }
+    for (const { id, kind, lane, caption } of wanted) {
+      const figure = this.figures.get(id) ?? this.add(id, kind, lane);
+      if (figure.caption.textContent !== caption) figure.caption.textContent = caption;
+      this.element.append(figure.figure);
+    }
+    this.element.classList.toggle("single", wanted.length === 1);
+    this.element.dataset.sheets = String(wanted.length);
+    this.measure();
+  }
+
+  /** @param {string} id @param {PaneKind} kind @param {number} lane @returns {Figure} */
+  add(id, kind, lane) {
+    const sheet = make("div", { className: "sheet" });
+    const caption = make("span", {});
+    const figure = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, caption), sheet);
+    const canvases = LAYERS.map((name) => {
+      const canvas = make("canvas", {});
+      canvas.dataset.layer = name;
+      canvas.setAttribute("aria-hidden", "true");
+      sheet.append(canvas);
+      return canvas;
+    });
+    const top = canvases[canvases.length - 1];
+    top.removeAttribute("aria-hidden");
+    top.setAttribute("role", "img");
+    this.listen(top, id);
+    const offscreen = canvases.map((canvas) => canvas.transferControlToOffscreen());
+    const named = /** @type {Record<typeof LAYERS[number], OffscreenCanvas>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, offscreen[i]])));
+    void this.studio.ask("pane", [id, kind, lane, named], offscreen);
+    const made = { figure, caption, sheet, top, kind, lane };
+    this.figures.set(id, made);
+    this.observer.observe(sheet);
+    return made;
+  }
+
+  /** Tells the worker how large the sheets are. */
+  measure() {
+    for (const [id, { sheet }] of this.figures) {
+      const { width, height } = sheet.getBoundingClientRect();
+      if (width >= 1 && height >= 1) this.studio.tell("resize", id, width, height);
+    }
+  }
+
+  /** What someone who cannot see the canvases should know; told at rest, and about once a second while it grows. @param {State} state */
+  describe({ settled, summary }) {
+    const now = performance.now();
+    if (!settled && now - this.described < 1000) return;
+    this.described = now;
+    for (const { top, kind, lane } of this.figures.values()) {
+      const text = `${kind === "cspace" ? "Configuration space" : "Workspace"}: ${summary[lane] ?? ""}`;
+      if (top.getAttribute("aria-label") !== text) top.setAttribute("aria-label", text);
+    }
+  }
+
+  /** One pointer at a time, captured while it is down; the others hover. @param {HTMLCanvasElement} canvas @param {string} pane */
+  listen(canvas, pane) {
+    let down = false;
+    /** @param {PointerEvent} event @param {Pointer["type"]} type */
+    const tell = (event, type) => {
+      if (!event.isPrimary) return;
+      this.studio.tell("pointer", { pane, type, x: event.offsetX, y: event.offsetY, shift: event.shiftKey });
+    };
+    canvas.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0 || !event.isPrimary) return;
+      down = true;
+      canvas.setPointerCapture(event.pointerId);
+      tell(event, "down");
+    });
+    canvas.addEventListener("pointermove", (event) => tell(event, down ? "move" : "hover"));
+    for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) {
+      canvas.addEventListener(end, (event) => {
+        if (down) tell(event, "up");
+        down = false;
+      });
+    }
+    canvas.addEventListener("pointerleave", (event) => tell(event, "leave"));
+  }
+}

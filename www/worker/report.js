@@ -1,0 +1,54 @@
+/** What the page is told of a frame: numbers, words and switches, no handles. */
+import { faultOf } from "../fault.js";
+import { PAST } from "./run.js";
+import { poseSentence, summary } from "./story.js";
+
+/** @import { Theatre } from "./theatre.js" */
+/** @import { Lane } from "./lane.js" */
+/** @import { LaneState, State } from "../types.js" */
+
+/** @param {Theatre} theatre @returns {State} */
+export function report(theatre) {
+  const { clock, shown, lanes, settled } = theatre;
+  const [sentence, isBad] = theatre.sentence;
+  const journey = lanes[0]?.journey;
+  const pose = shown?.hand ?? (journey && journey.drawn >= 1 ? lanes[0].pose : null);
+  return {
+    clock: { now: clock.now, head: theatre.head, isRace: clock.isRace },
+    playing: clock.playing,
+    growing: theatre.growing,
+    travelling: theatre.travelling,
+    along: journey ? journey.at : 0,
+    settled,
+    sentence, isBad,
+    inHand: shown?.hand !== null,
+    pose: pose ? Array.from(pose) : null,
+    touching: shown?.hand && shown.check ? { text: poseSentence(shown.scenario, shown.check), free: shown.check.free } : { text: "", free: true },
+    arrived: shown?.hand !== null && theatre.game.arrived,
+    lanes: lanes.map((lane) => laneState(lane, settled)),
+    summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),
+    refusal: theatre.refusal === null ? null : faultOf(theatre.refusal),
+  };
+}
+
+/** @param {Lane} lane @param {boolean} settled @returns {LaneState} */
+function laneState({ plan, run, journey, scenario }, settled) {
+  if (!run) {
+    return {
+      algorithm: plan.algorithm, status: "none", phase: "", iteration: 0, made: 0, vertices: 0, edges: 0, checks: 0, motions: 0, evaluations: 0,
+      cost: Infinity, length: null, unit: "", fingerprint: "", kind: "roadmap", isProven: true, isMiss: false, hasGuards: false, marks: [],
+    };
+  }
+  const { past, status } = run;
+  const isEnd = settled && run.isNewest;
+  return {
+    algorithm: plan.algorithm, status, phase: run.phase, iteration: run.shown, made: run.made,
+    vertices: past[PAST.vertices], edges: past[PAST.edges], checks: past[PAST.checks], motions: past[PAST.motions], evaluations: past[PAST.evaluations],
+    cost: past[PAST.cost],
+    length: isEnd && status === "solved" ? run.result.length : null,
+    unit: scenario.robot === "arm" ? "rad" : "m",
+    fingerprint: isEnd ? run.result.fingerprint : "",
+    kind: run.kind, isProven: run.isProven, isMiss: journey?.isMiss ?? false, hasGuards: run.guards > 0,
+    marks: [...run.marks()],
+  };
+}

@@ -105,6 +105,7 @@
  * @property {string[]} marks      what the iteration did, in the words of the pseudo-code
  *
  * @typedef {object} State   what the page is told of a frame
+ * @property {number} heard   number of the newest order obeyed
  * @property {{ now: number, head: number, isRace: boolean }} clock
  * @property {boolean} playing
  * @property {boolean} growing

@@ -48,6 +48,8 @@ export class Theatre {
     this.settled = false;
     /** How often the hand touched something, and whether it brought the robot to the goal. */
     this.game = { touches: 0, arrived: false };
+    /** The number of the newest order obeyed. */
+    this.heard = -1;
     this.last = 0;
     this.scheduled = false;
     this.measures = 0;

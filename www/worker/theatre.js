@@ -2,6 +2,7 @@
  * What goes on: which scenario is on the stage, which planners grow on it, what time it is, whether the robot follows a path
  * or is in the reader's hand. One frame at a time: a bounded slice of planning, then a bounded slice of drawing.
  */
+import { faultOf } from "../fault.js";
 import { Stage } from "../stage/stage.js";
 import { Clock } from "./clock.js";
 import { contained, coordinatesOf } from "./coordinates.js";
@@ -23,10 +24,12 @@ const MEASURES = 20000;
 export class Theatre {
   /**
    * @param {Library} library
+   * @param {() => void} renew   makes a fresh core after the last one was lost
    * @param {(state: State) => void} tell   hears what is to be told of each frame
    */
-  constructor(library, tell) {
+  constructor(library, renew, tell) {
     this.library = library;
+    this.renew = renew;
     this.tell = tell;
     this.phases = library.phases;
     this.stage = new Stage();
@@ -299,6 +302,40 @@ export class Theatre {
   /** @param {number} now */
   frame(now) {
     if (!this.shown) return;
+    try {
+      this.perform(now);
+    } catch (error) {
+      const { code } = faultOf(error);
+      if (code === "") throw error;
+      if (code === "internal") this.recover();
+      else this.stop(error);
+    }
+  }
+
+  /** The planner cannot go on. @param {unknown} error */
+  stop(error) {
+    this.clock.halt();
+    this.refusal = error;
+    this.tell(report(this));
+  }
+
+  /**
+   * The core has stopped on a fault of its own, and all that it held is lost: a fresh one begins the same runs again, and the
+   * page says so.
+   */
+  recover() {
+    const { shown } = this;
+    if (!shown) return;
+    const plans = this.lanes.map(({ plan }) => plan);
+    this.renew();
+    this.shown = { ...shown, scenario: this.library.Scenario.parse(shown.document), hand: null, check: null, hover: null };
+    this.lanes = [];
+    this.plan(plans, false);
+    this.refusal ??= Object.assign(new Error("Planarium's core stopped on a fault of its own. A fresh one has taken its place, and the run begins again."), { code: "internal" });
+  }
+
+  /** @param {number} now */
+  perform(now) {
     const began = performance.now();
     const elapsed = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = now;

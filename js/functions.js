@@ -1,7 +1,7 @@
-/** What stands on its own: the list of planners, the list of phases, and a fresh seed. */
+/** What stands on its own: the lists of planners, of generators and of phases, and a fresh seed. */
 import { call } from "./runtime.js";
 
-/** @import { Phase, PlannerInfo } from "./types.js" */
+/** @import { GeneratorInfo, Phase, PlannerInfo } from "./types.js" */
 
 /**
  * The names of phases: a row of `planner.takeHistory()` holds the place of one in this list.
@@ -15,6 +15,15 @@ export const phases = Object.freeze(["sampling", "connecting", "guarding", "sear
  */
 export function planners() {
   return call((core) => core.planners());
+}
+
+/**
+ * The generators and their options, with title, meaning, unit, range and default of each. All take `seed` as well, an integer
+ * from 0 (default) to 2^53 - 1.
+ * @returns {GeneratorInfo[]}
+ */
+export function generators() {
+  return call((core) => core.generators());
 }
 
 /**

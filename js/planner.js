@@ -237,6 +237,33 @@ export class Planner {
   }
 
   /**
+   * The path as the planner found it, before it was reduced and shortened: rows as of `path`, empty until it is found, there
+   * while it is being improved and after.
+   * @returns {Float64Array}
+   */
+  rawPath() {
+    return this.#handle.call((raw) => raw.raw_path());
+  }
+
+  /**
+   * Where motions are first refused, each in the space, in the metric and by the test of this run, proven or sampled: the
+   * fraction at which the first stretch begins that is refused, all before it is free; 1 where the whole motion is free. For
+   * the refused edges of `eventsSince`. It is not counted in `stats`.
+   * @param {Float64Array | readonly number[]} ends  rows of two configurations, from and to: 2 `dimension` numbers
+   * @returns {Float64Array} one number from 0 to 1 a row
+   * @throws {PlanariumError} `wrong-dimension`, `wrong-type`, `not-finite`; `out-of-range` outside the limits
+   */
+  firstHits(ends) {
+    return this.#handle.call((raw) => {
+      const width = 2 * raw.dimension();
+      const given = argument.rows(ends, width, "ends");
+      const hits = new Float64Array(given.length / width);
+      argument.blocks(given, width, (block, row) => hits.set(raw.first_hits(block), row));
+      return hits;
+    });
+  }
+
+  /**
    * What was counted, and the time spent in `step` and `stepFor`.
    * @returns {Stats}
    */

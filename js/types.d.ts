@@ -157,6 +157,40 @@ export interface ParameterInfo {
   meaning: string;
 }
 
+/** A generator, as a page would offer it. */
+export interface GeneratorInfo {
+  /** What `Scenario.generate` takes. */
+  id: GeneratorId;
+  /** Title for people. */
+  title: string;
+  /** What it makes, in a sentence. */
+  summary: string;
+  /** What can be set, besides `seed`. */
+  options: OptionInfo[];
+}
+
+/** One option of a generator. */
+export interface OptionInfo {
+  /** Key in the options. */
+  name: string;
+  /** Title for people. */
+  title: string;
+  /** What values it takes. */
+  kind: "integer" | "number" | "choice";
+  /** Unit, or an empty string. */
+  unit: string;
+  /** Least value of a number; null for a choice. */
+  min: number | null;
+  /** Greatest value of a number; null for a choice. */
+  max: number | null;
+  /** Value where it is not set. */
+  default: number | string;
+  /** What a choice may be; null for a number. */
+  choices: string[] | null;
+  /** What it does. */
+  meaning: string;
+}
+
 /** How to plan: the common options, and the planner's own parameters by name (see `planners()`). */
 export interface PlannerOptions {
   /** Id of the planner; `rrt-connect` where absent. */

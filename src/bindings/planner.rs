@@ -133,6 +133,16 @@ impl RawPlanner {
         self.run.path().concat()
     }
 
+    /// The path as the planner found it, in the same form.
+    pub fn raw_path(&self) -> Vec<f64> {
+        self.run.raw_path().concat()
+    }
+
+    /// For rows of two configurations, from and to, the fraction where the motion is first refused; 1 where it is free.
+    pub fn first_hits(&mut self, ends: &[f64]) -> Result<Vec<f64>, JsValue> {
+        self.run.first_hits(ends).map_err(throw)
+    }
+
     /// What was counted, as a plain object.
     pub fn stats(&self) -> Result<JsValue, JsValue> {
         to_object(&self.run.stats())

@@ -8,6 +8,7 @@ mod choices;
 mod factory;
 mod history;
 mod options;
+mod questions;
 mod resume;
 mod runner;
 
@@ -83,8 +84,21 @@ pub trait Run {
     /// The path from start to goal, split so that no step turns a circle joint by more than 3 radians; empty until solved.
     fn path(&self) -> Vec<Vec<f64>>;
 
+    /// The path as the planner found it, before any improvement, split in the same way; empty until it is found. There while
+    /// the path is being improved, and after.
+    fn raw_path(&self) -> Vec<Vec<f64>>;
+
     /// The length of the path in the metric of the space; 0 until solved.
     fn length(&self) -> f64;
+
+    /// Where motions are first refused, in the run's own space and by its own test, proven or sampled: `ends` are rows of two
+    /// configurations, from and to, and for each there is the fraction of the motion at which the first stretch begins that is
+    /// refused, 1 where all of it is free. A question of viewers: what it costs is not counted among the run's own work.
+    ///
+    /// # Errors
+    /// With the pointer `/ends`: `wrong-dimension` where the last row is not whole, `not-finite`,
+    /// `out-of-range` outside the limits.
+    fn first_hits(&mut self, ends: &[f64]) -> Result<Vec<f64>, Error>;
 
     /// What was counted; seconds are 0, as the core reads no clock.
     fn stats(&self) -> Stats;

@@ -40,8 +40,8 @@ export async function buildPackage() {
 }
 
 /**
- * Assembles the page around the package. The modules are joined into two files, one for the page and one for its worker, which
- * has the package inside; the maps beside them lead back to the sources.
+ * Assembles the page around the package. The modules are joined into two files, one for the page and one for its worker; the
+ * package stays a file of its own, the published one. The maps beside them lead back to the sources.
  */
 export function assemblePage() {
   const page = join(root, "www");
@@ -51,26 +51,22 @@ export function assemblePage() {
   mkdirSync(join(out, "planarium"), { recursive: true });
   for (const part of ["index.html", "icon.svg", "scenes"]) cpSync(join(page, part), join(out, part), { recursive: true });
   cpSync(join(dist, "package", "planarium_bg.wasm"), join(out, "planarium", "planarium_bg.wasm"));
-  joinModules(join(page, "style", "style.css"), join(out, "style.css"), "esm");
-  joinModules(join(page, "main.js"), join(out, "main.js"), "esm");
-  joinModules(join(page, "worker", "worker.js"), join(out, "worker.js"), "iife");
+  joinModules(join(page, "style", "style.css"), join(out, "style.css"));
+  joinModules(join(page, "main.js"), join(out, "main.js"));
+  joinModules(join(page, "worker", "worker.js"), join(out, "worker.js"), { alias: { planarium: "./planarium/planarium.js" }, external: ["./planarium/planarium.js"] });
+  joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
 }
 
 /**
  * Joins an entry and all it imports into one file.
  * @param {string} entry
  * @param {string} out
- * @param {"esm" | "iife"} format
+ * @param {import("esbuild").BuildOptions} [more]
  */
-function joinModules(entry, out, format) {
+function joinModules(entry, out, more = {}) {
   /** @type {typeof import("esbuild")} */
   const { buildSync } = createRequire(import.meta.url)("esbuild");
-  buildSync({
-    entryPoints: [entry], outfile: out, bundle: true, minify: true, sourcemap: true, format, target: "es2022", logLevel: "warning",
-    alias: { planarium: join(dist, "package", "planarium.js") },
-    // The worker is given the compiled module: the package need not know where it lies.
-    logOverride: { "empty-import-meta": "silent" },
-  });
+  buildSync({ entryPoints: [entry], outfile: out, bundle: true, minify: true, sourcemap: true, format: "esm", target: "es2022", logLevel: "warning", ...more });
 }
 
 /** The glue and the crate must come from the same wasm-bindgen, or they do not understand each other. */

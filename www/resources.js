@@ -9,7 +9,7 @@ function inline(name) { return document.getElementById(`inline-${name}`)?.textCo
 /** The worker that plans and draws. @returns {Worker} */
 export function makeWorker() {
   const text = inline("worker");
-  if (text === null) return new Worker("worker.js");
+  if (text === null) return new Worker("worker.js", { type: "module" });
   return new Worker(URL.createObjectURL(new Blob([text], { type: "text/javascript" })));
 }
 

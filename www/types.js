@@ -16,6 +16,8 @@
  * @typedef {import("planarium").PlannerInfo} PlannerInfo
  * @typedef {import("planarium").ParameterInfo} ParameterInfo
  * @typedef {import("planarium").GeneratorId} GeneratorId
+ * @typedef {import("planarium").GeneratorInfo} GeneratorInfo
+ * @typedef {import("planarium").OptionInfo} OptionInfo
  * @typedef {typeof import("planarium")} Library  the package, handed to the modules that need it
  *
  * What is asked for:
@@ -31,7 +33,7 @@
  * @typedef {object} Programme   how a scenario is put on the stage
  * @property {Plan[]} plans      one, or up to four that race
  * @property {string} [query]
- * @property {number} pace       iterations a second
+ * @property {number} [pace]     iterations a second; those of before where absent
  * @property {string} story      what the scene says of its own planner
  * @property {string} teller     that planner
  * @property {boolean} play
@@ -111,6 +113,7 @@
  * @property {boolean} travelling
  * @property {number} along
  * @property {boolean} settled
+ * @property {ViewOptions} view
  * @property {string} sentence
  * @property {boolean} isBad
  * @property {boolean} inHand
@@ -138,5 +141,14 @@
  * @property {Settings} settings  parameters that differ from the planner's defaults
  * @property {{ kind: GeneratorId, options: Record<string, number | string | boolean> }} [generate]   made by the core, not read from a file
  * @property {Slider[]} [sliders]
+ *
+ * @typedef {object} Step   one step of a lesson: what it names is put on the stage, what it does not stays
+ * @property {string} text
+ * @property {string} [scene]
+ * @property {string} [algorithm]
+ * @property {Settings} [settings]   the rest at the planner's defaults
+ * @property {number} [iteration]    shown and paused; where it is absent, it plays
+ *
+ * @typedef {{ id: string, title: string, steps: Step[] }} Lesson
  */
 export {};

@@ -60,7 +60,7 @@ export class Theatre {
     const document = scenario.document();
     this.shown = { scenario, document, start: null, goal: null, hand: null, check: null, hover: null, view: this.view };
     this.story = { algorithm: programme.teller, sentence: programme.story };
-    this.clock.pace = programme.pace;
+    if (programme.pace !== undefined) this.clock.pace = programme.pace;
     this.query = document.queries.find(({ name }) => name === programme.query)?.name ?? document.queries[0]?.name;
     this.stage.relay();
     this.plan(programme.plans, programme.play);
@@ -356,7 +356,8 @@ export class Theatre {
     for (const lane of this.lanes) {
       if (!lane.run) continue;
       lane.run.shown = lane.run.iterationAt(clock.column, clock.now);
-      lane.arrive();
+      // Whoever comes to the end while nothing plays sees the whole way at once.
+      if (lane.arrive() && lane.end && !clock.playing) lane.end.drawn = 1;
     }
   }
 

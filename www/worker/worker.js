@@ -25,7 +25,7 @@ const commands = {
   async start(core) {
     await library.default(core);
     theatre = new Theatre(library, (state) => port.postMessage({ state }));
-    return { planners: library.planners(), generators: [], version: library.version };
+    return { planners: library.planners(), generators: library.generators(), version: library.version };
   },
   /** @param {Source} source @param {Programme} programme */
   open: (source, programme) => house().open(source, programme),

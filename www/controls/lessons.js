@@ -1,0 +1,141 @@
+/**
+ * Lessons: a few sentences each, one at a time above the stage, and what they speak of on it. Every step has an address,
+ * `#lesson=ID.STEP`, counted from 1.
+ */
+import { byId, make } from "./dom.js";
+
+/** @import { Page } from "../page.js" */
+/** @import { Lesson, SceneEntry, Step } from "../types.js" */
+
+const ADDRESS = /^#?lesson=([\w-]+)(?:\.(\d{1,4}))?$/;
+
+export class Lessons {
+  /** @param {Page} page @param {Lesson[]} lessons @param {SceneEntry[]} scenes */
+  constructor(page, lessons, scenes) {
+    this.page = page;
+    this.lessons = lessons;
+    this.scenes = scenes;
+    /** @type {Lesson | null} */
+    this.lesson = null;
+    this.at = 0;
+    this.title = make("strong", {});
+    this.count = make("span", { className: "hint" });
+    this.text = make("p", {});
+    this.back = button("Previous", () => this.go(this.at - 1));
+    this.next = button("Next", () => this.go(this.at + 1));
+    const leave = button("Leave", () => this.leave());
+    this.back.id = "lesson-previous";
+    this.next.id = "lesson-next";
+    leave.id = "lesson-leave";
+    const head = make("p", { className: "head" }, this.title, " ", this.count);
+    const words = make("div", { role: "status" }, head, this.text);
+    this.band = make("section", { id: "lesson", className: "lesson", ariaLabel: "Lesson", hidden: true },
+      words, make("div", { className: "buttons" }, this.back, this.next, leave));
+    byId("story", HTMLElement).before(this.band);
+    const list = make("ul", {}, ...lessons.map((lesson) => make("li", {}, button(lesson.title, () => {
+      this.begin(lesson);
+      this.next.focus();
+    }))));
+    byId("lessons", HTMLElement).append(list);
+  }
+
+  /** Is this the address of a step? @param {string} fragment */
+  static owns(fragment) { return /^#?lesson=/.test(fragment); }
+
+  /** Opens the step that an address names; where there is none, says so. @param {string} fragment */
+  async obey(fragment) {
+    const { page } = this;
+    const [, id, step = "1"] = ADDRESS.exec(fragment) ?? [];
+    const lesson = this.lessons.find((one) => one.id === id);
+    if (lesson && lesson.steps[Number(step) - 1]) {
+      this.lesson = lesson;
+      await this.put(Number(step) - 1, true);
+      return;
+    }
+    if (!page.facts) await page.openScene(this.scenes[0]);
+    page.notice.show(lesson ? `The lesson "${lesson.title}" has ${lesson.steps.length} steps, and none of number ${step}.` : `There is no lesson "${id ?? fragment.slice(0, 64)}".`, "");
+  }
+
+  /** @param {Lesson} lesson */
+  begin(lesson) {
+    this.lesson = lesson;
+    void this.put(0, true);
+  }
+
+  /** @param {number} step */
+  go(step) {
+    if (step >= (this.lesson?.steps.length ?? 0)) this.leave();
+    else if (step >= 0) void this.put(step, step < this.at);
+  }
+
+  leave() {
+    this.lesson = null;
+    this.band.hidden = true;
+    address("");
+    byId("stage", HTMLElement).focus();
+  }
+
+  /**
+   * Shows a step and puts what it names on the stage.
+   * @param {number} step
+   * @param {boolean} anew   whoever does not come from the step before sees what that one left
+   */
+  async put(step, anew) {
+    const { lesson, page, scenes } = this;
+    if (!lesson) return;
+    this.at = step;
+    this.title.textContent = lesson.title;
+    this.count.textContent = `${step + 1} of ${lesson.steps.length}`;
+    this.text.textContent = lesson.steps[step].text;
+    this.back.disabled = step === 0;
+    this.next.textContent = step + 1 === lesson.steps.length ? "Finish" : "Next";
+    this.band.hidden = false;
+    address(`#lesson=${lesson.id}.${step + 1}`);
+    const steps = anew || !page.facts ? lesson.steps.slice(0, step + 1) : [lesson.steps[step]];
+    const { scene, algorithm, settings, iteration } = staged(steps);
+    if (page.facts && scene === undefined && algorithm === undefined && settings === undefined && iteration === undefined) return;
+    try {
+      const entry = scenes.find(({ id }) => id === scene);
+      if (scene !== undefined && !entry) throw new Error(`There is no scene "${scene}".`);
+      const opening = {
+        plans: algorithm !== undefined || settings ? [{ algorithm: algorithm ?? entry?.algorithm ?? page.panel.algorithm, settings: settings ?? {} }] : undefined,
+        iteration, play: iteration === undefined && !page.calm,
+      };
+      const here = entry ?? (page.facts ? page.entry : scenes[0]);
+      if (entry || !page.source) await page.openScene(here ?? scenes[0], opening);
+      else await page.open(page.source, { ...opening, entry: here ?? undefined, plans: opening.plans ?? page.plans ?? undefined, query: page.panel.query.value });
+    } catch (error) {
+      if (!page.facts) await page.openScene(scenes[0]);
+      page.notice.show(`What this step of the lesson speaks of cannot be shown.`, error);
+    }
+  }
+}
+
+/** What some steps, one after the other, leave on the stage. @param {Step[]} steps @returns {Omit<Step, "text">} */
+function staged(steps) {
+  /** @type {Omit<Step, "text">} */
+  let stage = {};
+  for (const { scene, algorithm, settings, iteration } of steps) {
+    if (scene !== undefined) stage = { scene };
+    if (algorithm !== undefined) stage = { ...stage, algorithm, settings: undefined };
+    if (settings !== undefined) stage.settings = settings;
+    if ([scene, algorithm, settings, iteration].some((named) => named !== undefined)) stage.iteration = iteration;
+  }
+  return stage;
+}
+
+/** @param {string} text @param {() => void} onClick */
+function button(text, onClick) {
+  const made = make("button", { type: "button" }, text);
+  made.addEventListener("click", onClick);
+  return made;
+}
+
+/** What the address bar says, where it is open to this page. @param {string} fragment */
+function address(fragment) {
+  try {
+    history.replaceState(null, "", fragment || location.pathname + location.search);
+  } catch {
+    // a frame whose address is not its own: the lesson goes on all the same
+  }
+}

@@ -97,6 +97,7 @@ async function start() {
     pose.reflect(state);
     sheets.describe(state);
   });
+  page.onOrder(() => counters.unsettle());
   page.onDress(() => void drawThumbnails());
   turn.addEventListener("click", (event) => {
     if (event.detail === 0) pose.awaitFocus();

@@ -44,7 +44,12 @@ export class Page {
     this.watchers = [];
     /** @type {(() => void)[]} */
     this.dressers = [];
-    studio.onState = (state) => this.reflect(state);
+    /** @type {(() => void)[]} */
+    this.orderers = [];
+    studio.onState = (state) => this.reflect(state.heard < studio.ordered ? { ...state, settled: false } : state);
+    studio.onOrder = () => {
+      for (const then of this.orderers) then();
+    };
     this.watchRatio();
   }
 
@@ -53,6 +58,9 @@ export class Page {
 
   /** Calls back with each state that the worker tells. @param {(state: State, before: State | null) => void} then */
   onState(then) { this.watchers.push(then); }
+
+  /** Calls back when something was ordered that is not done yet. @param {() => void} then */
+  onOrder(then) { this.orderers.push(then); }
 
   /** Calls back when colours or pixels are others. @param {() => void} then */
   onDress(then) { this.dressers.push(then); }
@@ -108,6 +116,7 @@ export class Page {
     const given = plans?.[0] ?? entry;
     const plan = given ? panel.reads(given.algorithm, given.settings) : panel.plan ?? { algorithm: panel.algorithm, settings: {} };
     const rivals = plans?.slice(1) ?? [];
+    this.studio.order();
     const facts = await this.studio.ask("open", [source, {
       plans: [plan, ...rivals], query, iteration, play, pace, story: entry?.story ?? "", teller: entry?.algorithm ?? "",
     }]);

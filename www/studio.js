@@ -6,6 +6,9 @@
 /** @import { Fault, State } from "./types.js" */
 /** @typedef {{ resolve: (value: unknown) => void, reject: (fault: StudioError) => void }} Waiting */
 
+/** Orders after which nothing moves that is counted. */
+const QUIET = new Set(["pointer", "resize", "pace", "unpane"]);
+
 /** What the worker says has gone wrong. */
 export class StudioError extends Error {
   /** @param {Fault} fault */
@@ -23,6 +26,10 @@ export class Studio {
     this.onFault = onFault;
     /** Hears of each frame. @type {(state: State) => void} */
     this.onState = () => {};
+    /** Hears of each order that moves something. */
+    this.onOrder = () => {};
+    /** The number of the newest such order: states from before it are old news. */
+    this.ordered = -1;
     /** @type {Map<number, Waiting>} */
     this.waiting = new Map();
     this.count = 0;
@@ -66,6 +73,13 @@ export class Studio {
 
   /** An order whose answer is to be seen. @template {keyof Commands} C @param {C} command @param {Parameters<Commands[C]>} args */
   tell(command, ...args) {
+    if (!QUIET.has(command)) this.order();
     this.ask(command, args).catch((error) => this.onFault(error));
+  }
+
+  /** The next message is an order that moves something. */
+  order() {
+    this.ordered = this.count;
+    this.onOrder();
   }
 }

@@ -107,6 +107,7 @@
  * @property {string[]} marks      what the iteration did, in the words of the pseudo-code
  *
  * @typedef {object} State   what the page is told of a frame
+ * @property {number} heard   number of the newest order obeyed
  * @property {{ now: number, head: number, isRace: boolean }} clock
  * @property {boolean} playing
  * @property {boolean} growing
@@ -131,6 +132,7 @@
  * @property {number} max
  * @property {number} step
  * @property {string} unit
+ * @property {string[]} [words]   what the numbers from 0 on stand for, of an option that takes words
  *
  * @typedef {object} SceneEntry   one of the page's own scenes
  * @property {string} id          file name in `scenes/`, without its ending

@@ -11,8 +11,8 @@ const consumer = `
 import init, {
   initSync, planners, generators, phases, freshSeed, version, PlanariumError, Planner, Scenario,
   type Box, type Check, type Configuration, type CspaceOptions, type GenerateOptions, type GeneratorInfo, type InitInput, type InitSyncInput, type Obstacle,
-  type OptionInfo, type ParameterInfo, type Part, type Phase, type PlannerInfo, type PlannerOptions, type Point, type PseudocodeLine, type PseudocodeMark, type Query, type ResultDocument, type Robot,
-  type ScenarioDocument, type Stats, type Status, type Touching, type World,
+  type OptionInfo, type ParameterInfo, type Part, type Phase, type PlannerInfo, type PlannerOptions, type Point, type PseudocodeLine,
+  type PseudocodeMark, type Query, type ResultDocument, type Robot, type ScenarioDocument, type Stats, type Status, type Touching, type World,
 } from "planarium";
 
 type IsAny<T> = 0 extends 1 & T ? true : false;

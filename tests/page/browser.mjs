@@ -66,7 +66,7 @@ export async function onPage(options, test, { before, expectErrors = false } = {
 /** A page that waits at iteration 0. @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] */
 export async function onPausedPage(test, options = {}) {
   await onPage({ reducedMotion: "reduce", ...options }, async (page, url) => {
-    await page.waitForSelector("#counters[data-status=running]");
+    await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
     await test(page, url);
   });
 }
@@ -82,24 +82,25 @@ export async function counters(page) {
   });
 }
 
-/** Waits until the run rests with all of it drawn. @param {Page} page */
+/** Waits until all that was ordered is done and drawn. @param {Page} page */
 export async function atRest(page) {
-  await page.waitForSelector("#counters[data-fingerprint]", { timeout: 60_000, state: "attached" });
+  await page.waitForSelector("#counters[data-settled=true]", { timeout: 60_000, state: "attached" });
   return counters(page);
 }
 
 /** Runs to the end and waits for it. @param {Page} page */
 export async function finish(page) {
   await page.click("#finish");
-  await page.waitForSelector("#counters[data-status=solved], #counters[data-status=exhausted]", { timeout: 60_000, state: "attached" });
-  return atRest(page);
+  const ended = ["solved", "exhausted"].map((status) => `#counters[data-settled=true][data-status=${status}]`).join(", ");
+  await page.waitForSelector(ended, { timeout: 60_000, state: "attached" });
+  return counters(page);
 }
 
 /** Puts a scene on the stage. @param {Page} page @param {string} id */
 export async function chooseScene(page, id) {
   await page.locator(`input[name=scene][value=${id}]`).check({ force: true });
   await page.waitForSelector(`body[data-scene=${id}]`);
-  await page.waitForSelector("#counters[data-status=running]");
+  await page.waitForSelector("#counters[data-settled=true][data-status=running]");
 }
 
 /** Types a value into a parameter and leaves the field. @param {Page} page @param {string} name @param {string} value */
@@ -127,7 +128,7 @@ export async function dropFile(page, name, text) {
 
 /**
  * How many pixels of a layer have (nearly) the colour of a custom property.
- * @param {Page} page @param {"workspace" | "cspace"} pane @param {"ground" | "growth" | "top"} layer @param {string} property  without its dashes
+ * @param {Page} page @param {string} pane @param {import("../../www/stage/layer.js").LayerName} layer @param {string} property  without its dashes
  */
 export async function pixelsOf(page, pane, layer, property) {
   return page.evaluate(([paneId, layerName, name]) => {
@@ -137,8 +138,11 @@ export async function pixelsOf(page, pane, layer, property) {
     const wanted = (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).map(Number);
     probe.remove();
     const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(`#${paneId} canvas[data-layer=${layerName}]`));
-    const context = canvas.getContext("2d");
+    // The worker draws on it: its pixels are read from a copy.
+    const copy = new OffscreenCanvas(canvas.width, canvas.height);
+    const context = copy.getContext("2d");
     if (!context) return -1;
+    context.drawImage(canvas, 0, 0);
     const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
     let count = 0;
     for (let i = 0; i < data.length; i += 4) {
@@ -149,14 +153,31 @@ export async function pixelsOf(page, pane, layer, property) {
 }
 
 /**
- * How long the page's thread worked in each animation frame meanwhile, milliseconds of processor time.
- * @param {Page} page @param {() => Promise<void>} meanwhile
+ * What the layers of growth show, as a number that differs when a pixel does.
+ * @param {Page} page @param {string} pane @returns {Promise<string>}
  */
-export async function frameWork(page, meanwhile) {
-  assert.ok(browser, "start() comes first");
-  await browser.startTracing(page, { categories: ["devtools.timeline"] });
-  await meanwhile();
-  /** @type {{ traceEvents: { name: string, tdur?: number }[] }} */
-  const trace = JSON.parse((await browser.stopTracing()).toString());
-  return trace.traceEvents.filter(({ name, tdur }) => name === "FireAnimationFrame" && tdur !== undefined).map(({ tdur }) => (tdur ?? 0) / 1000);
+export async function growthHash(page, pane) {
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  return page.evaluate((id) => {
+    let hash = 0x811c9dc5;
+    let ink = 0;
+    for (const name of ["edges", "vertices", "marks"]) {
+      const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(`#${id} canvas[data-layer=${name}]`));
+      const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
+      context?.drawImage(canvas, 0, 0);
+      const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, canvas.width, canvas.height));
+      for (const byte of data) {
+        hash = Math.imul(hash ^ byte, 0x01000193);
+        if (byte > 0) ink++;
+      }
+    }
+    return `${hash >>> 0} ${ink}`;
+  }, pane);
+}
+
+/** The worker that plans and draws. @param {Page} page */
+export function worker(page) {
+  const found = page.workers()[0];
+  assert.ok(found, "the page has its worker");
+  return found;
 }

@@ -46,6 +46,14 @@ export class Counters {
     if (lane.length !== null) write(this.length, `${lane.length.toFixed(2)} ${lane.unit}`);
   }
 
+  /** Something was ordered: what was told at rest no longer holds. */
+  unsettle() {
+    const { dataset } = this.element;
+    dataset.settled = "false";
+    delete dataset.fingerprint;
+    delete dataset.length;
+  }
+
   /** There is no run at all. @param {"loading" | "failed"} status */
   none(status) {
     Object.assign(this.element.dataset, { status, phase: "", iterations: "0", vertices: "0", edges: "0" });

@@ -14,6 +14,7 @@ export function report(theatre) {
   const journey = lanes[0]?.journey;
   const pose = shown?.hand ?? (journey && journey.drawn >= 1 ? lanes[0].pose : null);
   return {
+    heard: theatre.heard,
     clock: { now: clock.now, head: theatre.head, isRace: clock.isRace },
     playing: clock.playing,
     growing: theatre.growing,

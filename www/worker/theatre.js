@@ -48,6 +48,8 @@ export class Theatre {
     this.settled = false;
     /** How often the hand touched something, and whether it brought the robot to the goal. */
     this.game = { touches: 0, arrived: false };
+    /** The number of the newest order obeyed. */
+    this.heard = -1;
     this.last = 0;
     this.scheduled = false;
     this.measures = 0;
@@ -351,14 +353,15 @@ export class Theatre {
 
   /** @param {number} time */
   showTime(time) {
-    const { clock } = this;
+    const { clock, lanes } = this;
     clock.now = Math.min(time, this.head);
-    for (const lane of this.lanes) {
+    for (const lane of lanes) {
       if (!lane.run) continue;
       lane.run.shown = lane.run.iterationAt(clock.column, clock.now);
-      // Whoever comes to the end while nothing plays sees the whole way at once.
-      if (lane.arrive() && lane.end && !clock.playing) lane.end.drawn = 1;
+      // A path draws itself only before someone who watches it grow, and wants to see it move.
+      if (lane.arrive() && lane.end && (this.stage.look?.calm || !clock.playing || lanes.length > 1)) lane.end.drawn = 1;
     }
+    if (!this.growing && (this.stage.look?.calm || !this.travelling)) clock.playing = false;
   }
 
   /** Leaves the frame's own work in the browser's timeline. @param {number} began */

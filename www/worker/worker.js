@@ -54,20 +54,11 @@ const commands = {
   /** @param {Partial<ViewOptions>} view */
   view: (view) => house().setView(view),
   /** @param {Look} look */
-  dress(look) {
-    house().stage.dress(look);
-    house().wake();
-  },
+  dress: (look) => house().stage.dress(look),
   /** @param {string} id @param {PaneKind} kind @param {number} lane @param {Record<LayerName, OffscreenCanvas>} canvases */
-  pane(id, kind, lane, canvases) {
-    house().stage.add(id, kind, lane, canvases);
-    house().wake();
-  },
+  pane: (id, kind, lane, canvases) => house().stage.add(id, kind, lane, canvases),
   /** @param {string} id @param {number} width @param {number} height */
-  resize(id, width, height) {
-    house().stage.resize(id, width, height);
-    house().wake();
-  },
+  resize: (id, width, height) => house().stage.resize(id, width, height),
   /** @param {string} id */
   unpane: (id) => house().stage.remove(id),
   freshSeed: () => library.freshSeed(),
@@ -88,8 +79,14 @@ addEventListener("message", async ({ data: { id, command, args } }) => {
   try {
     const order = /** @type {(...args: unknown[]) => unknown} */ (commands[/** @type {keyof Commands} */ (command)]);
     const value = await order(...args);
+    if (theatre) {
+      theatre.heard = id;
+      theatre.wake();
+    }
     port.postMessage({ id, value }, value instanceof ImageBitmap ? [value] : []);
   } catch (error) {
+    if (theatre) theatre.heard = id;
+    theatre?.wake();
     port.postMessage({ id, fault: faultOf(error) });
   }
 });

@@ -5,6 +5,7 @@
 import { byId, make } from "./dom.js";
 import { Field } from "./field.js";
 import { withSeed } from "./panel.js";
+import { optionsAt } from "../scenes.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { GeneratorInfo, SceneEntry, Settings, Slider, Source } from "../types.js" */
@@ -39,18 +40,19 @@ export function showSceneOptions(page, generators) {
     const id = `option-${option}`;
     const input = make("input", { type: "range", id, min: String(min), max: String(max), step: String(step) });
     input.addEventListener("input", () => {
-      options = { ...options, [option]: Number(input.value) };
+      if (!shown?.generate) return;
+      options = { ...options, ...optionsAt({ ...shown, generate: undefined }, { [option]: Number(input.value) }) };
       show(slider);
-      if (shown?.generate) wish({ generate: { kind: shown.generate.kind, options } }, shown);
+      wish({ generate: { kind: shown.generate.kind, options } }, shown);
     });
     return make("label", { className: "row", htmlFor: id }, make("span", { className: "name" }, title), input, make("output", { id: `${id}-value` }));
   }
 
   /** @param {Slider} slider */
-  function show({ option, unit }) {
+  function show({ option, unit, words }) {
     const input = byId(`option-${option}`, HTMLInputElement);
-    if (document.activeElement !== input || Number(input.value) !== options[option]) input.value = String(options[option]);
-    const text = `${Number(input.value)}${unit && ` ${unit}`}`;
+    input.value = String(words ? words.indexOf(String(options[option])) : options[option]);
+    const text = `${options[option]}${unit && ` ${unit}`}`;
     byId(`option-${option}-value`, HTMLOutputElement).value = text;
     input.setAttribute("aria-valuetext", text);
   }

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { gzipSync } from "node:zlib";
 import {
-  atRest, chooseScene, counters, dropFile, finish, onPage, onPausedPage, pickFile, pixelsOf, root, setParameter, start, stop, worker,
+  atRest, chooseScene, counters, dropFile, finish, onPage, onPausedPage, pickFile, pixelsOf, root, setParameter, start, stop, tasks, worker,
 } from "./browser.mjs";
 import { SCENES } from "../../www/scenes.js";
 
@@ -665,7 +665,7 @@ describe("keyboard and ears", () => {
 });
 
 describe("cost", () => {
-  test("a frame's work while 20,000 edges grow: median at most 8 ms, 95th percentile at most 16 ms", async (context) => {
+  test("while 20,000 edges grow, a frame's work has a median of at most 8 ms, and the page itself is never blocked for 50 ms", async (context) => {
     await onPage({ reducedMotion: "reduce", deviceScaleFactor: 2 }, async (page) => {
       await page.waitForSelector("#counters[data-status=running]");
       await chooseScene(page, "thicket");
@@ -674,19 +674,21 @@ describe("cost", () => {
       await setParameter(page, "k", "16");
       await page.locator("#speed").fill("100");
       await worker(page).evaluate(() => performance.clearMeasures("planarium-frame"));
-      await page.evaluate(() => {
-        document.body.dataset.long = "0";
-        new PerformanceObserver((list) => { document.body.dataset.long = String(Number(document.body.dataset.long) + list.getEntries().length); }).observe({ type: "longtask" });
+      const worked = await tasks(page, async () => {
+        await page.click("#play");
+        await page.waitForFunction(() => Number(document.getElementById("counters")?.dataset.edges) >= 20_000, undefined, { timeout: 60_000 });
       });
-      await page.click("#play");
-      await page.waitForFunction(() => Number(document.getElementById("counters")?.dataset.edges) >= 20_000, undefined, { timeout: 60_000 });
       const passed = await worker(page).evaluate(() => performance.getEntriesByName("planarium-frame").map(({ duration }) => duration));
+      // Between the frames that grow lie small tasks: the hardest ones are taken for those that grow.
+      const frames = worked.worker.sort((x, y) => x - y).slice(-passed.length);
       const { edges } = await counters(page);
-      context.diagnostic(`${edges} edges in ${passed.length} frames, ms of the worker: median ${at(passed, 0.5)}, 95th percentile ${at(passed, 0.95)}, most ${at(passed, 1)}`);
-      assert.equal(await page.getAttribute("body", "data-long"), "0", "the page itself is never blocked for 50 ms");
-      assert.ok(passed.length > 30, "each frame of growth is measured");
+      for (const [name, times] of /** @type {const} */ ([["worked", frames], ["passed", passed], ["page's own tasks", worked.page]])) {
+        context.diagnostic(`${edges} edges, ms ${name}: ${times.length}, median ${at(times, 0.5)}, 95th percentile ${at(times, 0.95)}, most ${at(times, 1)}`);
+      }
+      assert.ok(passed.length > 30 && frames.length === passed.length, "each frame of growth is measured");
       assert.ok(at(passed, 0.5) <= 8, `median ${at(passed, 0.5)} ms`);
-      assert.ok(at(passed, 0.95) <= 24, `95th percentile ${at(passed, 0.95)} ms`);
+      assert.ok(at(frames, 0.5) <= 16, `with what the browser makes of the canvases: median ${at(frames, 0.5)} ms`);
+      assert.ok(worked.page.length > 30 && at(worked.page, 1) < 50, `the page itself is never blocked: ${at(worked.page, 1)} ms`);
     });
   });
 

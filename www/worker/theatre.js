@@ -270,7 +270,7 @@ export class Theatre {
     const place = this.stage.at(id);
     if (!place || !this.shown) return false;
     const { pane, kind } = place;
-    if (type === "up") return false;
+    if (type !== "down" && type !== "move") return false;
     const pose = kind === "cspace"
       ? this.grip.square(/** @type {CSpace} */ (pane), x, y)
       : type === "down" ? this.grip.take(pane, x, y) : this.grip.drag(pane, x, y);

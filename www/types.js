@@ -143,14 +143,5 @@
  * @property {Settings} settings  parameters that differ from the planner's defaults
  * @property {{ kind: GeneratorId, options: Record<string, number | string | boolean> }} [generate]   made by the core, not read from a file
  * @property {Slider[]} [sliders]
- *
- * @typedef {object} Step   one step of a lesson: what it names is put on the stage, what it does not stays
- * @property {string} text
- * @property {string} [scene]
- * @property {string} [algorithm]
- * @property {Settings} [settings]   the rest at the planner's defaults
- * @property {number} [iteration]    shown and paused; where it is absent, it plays
- *
- * @typedef {{ id: string, title: string, steps: Step[] }} Lesson
  */
 export {};

@@ -21,6 +21,7 @@ const MADE = "make-";
 export function experimentOf({ entry, source, facts, state, asked, panel }) {
   if (!source || !facts || !state) throw new Error("Nothing is on the stage yet.");
   const query = panel.query.value;
+  const { axes, refused, strobe, raw } = state.view;
   /** @type {Experiment} */
   const experiment = {
     version: 1,
@@ -30,7 +31,7 @@ export function experimentOf({ entry, source, facts, state, asked, panel }) {
       return { algorithm, settings: others(settings, (name) => usual.get(name)) };
     }),
     iteration: state.clock.now,
-    view: { ...state.view },
+    view: { axes: axes[0] === 0 && axes[1] === 1 ? undefined : axes, refused, strobe, raw },
   };
   const made = "generate" in source ? source.generate : null;
   if (entry) experiment.scene = entry.id;

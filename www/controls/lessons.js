@@ -2,10 +2,12 @@
  * Lessons: a few sentences each, one at a time above the stage, and what they speak of on it. Every step has an address,
  * `#lesson=ID.STEP`, counted from 1.
  */
+import { stageAt } from "../lessons.js";
 import { byId, make } from "./dom.js";
 
 /** @import { Page } from "../page.js" */
-/** @import { Lesson, SceneEntry, Step } from "../types.js" */
+/** @import { Lesson } from "../lessons.js" */
+/** @import { Plan, SceneEntry } from "../types.js" */
 
 const ADDRESS = /^#?lesson=([\w-]+)(?:\.(\d{1,4}))?$/;
 
@@ -49,7 +51,7 @@ export class Lessons {
     const lesson = this.lessons.find((one) => one.id === id);
     if (lesson && lesson.steps[Number(step) - 1]) {
       this.lesson = lesson;
-      await this.put(Number(step) - 1, true);
+      await this.put(Number(step) - 1);
       return;
     }
     if (!page.facts) await page.openScene(this.scenes[0]);
@@ -59,13 +61,13 @@ export class Lessons {
   /** @param {Lesson} lesson */
   begin(lesson) {
     this.lesson = lesson;
-    void this.put(0, true);
+    void this.put(0);
   }
 
   /** @param {number} step */
   go(step) {
     if (step >= (this.lesson?.steps.length ?? 0)) this.leave();
-    else if (step >= 0) void this.put(step, step < this.at);
+    else if (step >= 0) void this.put(step);
   }
 
   leave() {
@@ -75,12 +77,8 @@ export class Lessons {
     byId("stage", HTMLElement).focus();
   }
 
-  /**
-   * Shows a step and puts what it names on the stage.
-   * @param {number} step
-   * @param {boolean} anew   whoever does not come from the step before sees what that one left
-   */
-  async put(step, anew) {
+  /** Shows a step, and puts what it speaks of on the stage. @param {number} step */
+  async put(step) {
     const { lesson, page, scenes } = this;
     if (!lesson) return;
     this.at = step;
@@ -91,37 +89,29 @@ export class Lessons {
     this.next.textContent = step + 1 === lesson.steps.length ? "Finish" : "Next";
     this.band.hidden = false;
     address(`#lesson=${lesson.id}.${step + 1}`);
-    const steps = anew || !page.facts ? lesson.steps.slice(0, step + 1) : [lesson.steps[step]];
-    const { scene, algorithm, settings, iteration } = staged(steps);
-    if (page.facts && scene === undefined && algorithm === undefined && settings === undefined && iteration === undefined) return;
+    const { iteration } = lesson.steps[step];
+    const { scene, algorithm, settings } = stageAt(lesson, step);
     try {
       const entry = scenes.find(({ id }) => id === scene);
-      if (scene !== undefined && !entry) throw new Error(`There is no scene "${scene}".`);
-      const opening = {
-        plans: algorithm !== undefined || settings ? [{ algorithm: algorithm ?? entry?.algorithm ?? page.panel.algorithm, settings: settings ?? {} }] : undefined,
-        iteration, play: iteration === undefined && !page.calm,
-      };
-      const here = entry ?? (page.facts ? page.entry : scenes[0]);
-      if (entry || !page.source) await page.openScene(here ?? scenes[0], opening);
-      else await page.open(page.source, { ...opening, entry: here ?? undefined, plans: opening.plans ?? page.plans ?? undefined, query: page.panel.query.value });
+      if (!entry) throw new Error(`There is no scene "${scene}".`);
+      const plans = [page.panel.reads(algorithm, settings)];
+      if (!this.isThere(entry, plans)) await page.openScene(entry, { plans, iteration, play: iteration === undefined && !page.calm });
+      else if (iteration !== undefined) page.studio.tell("seek", iteration);
+      if (lesson !== this.lesson || step !== this.at || iteration !== undefined) return;
+      // Whoever asks for less motion is shown the end at once.
+      page.studio.tell(page.calm ? "finish" : "play");
     } catch (error) {
       if (!page.facts) await page.openScene(scenes[0]);
-      page.notice.show(`What this step of the lesson speaks of cannot be shown.`, error);
+      page.notice.show("What this step speaks of cannot be shown.", error);
     }
   }
-}
 
-/** What some steps, one after the other, leave on the stage. @param {Step[]} steps @returns {Omit<Step, "text">} */
-function staged(steps) {
-  /** @type {Omit<Step, "text">} */
-  let stage = {};
-  for (const { scene, algorithm, settings, iteration } of steps) {
-    if (scene !== undefined) stage = { scene };
-    if (algorithm !== undefined) stage = { ...stage, algorithm, settings: undefined };
-    if (settings !== undefined) stage.settings = settings;
-    if ([scene, algorithm, settings, iteration].some((named) => named !== undefined)) stage.iteration = iteration;
+  /** Is this on the stage already, to be gone on with? @param {SceneEntry} entry @param {Plan[]} plans */
+  isThere(entry, plans) {
+    const { source, facts, asked, panel } = this.page;
+    return this.page.entry === entry && (!source || !("generate" in source) || source.generate === entry.generate)
+      && panel.query.value === (facts?.queries[0] ?? "") && JSON.stringify(asked) === JSON.stringify(plans);
   }
-  return stage;
 }
 
 /** @param {string} text @param {() => void} onClick */

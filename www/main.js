@@ -19,13 +19,18 @@ import { watchParent } from "./controls/embed.js";
 import { Gallery, SIDE } from "./controls/gallery.js";
 import { watchKeys } from "./controls/keys.js";
 import { showLegend } from "./controls/legend.js";
+import { Lessons } from "./controls/lessons.js";
+import { Link } from "./controls/link.js";
 import { Notice } from "./controls/notice.js";
 import { Panel } from "./controls/panel.js";
 import { Pose } from "./controls/pose.js";
+import { showPseudocode } from "./controls/pseudocode.js";
+import { showSceneOptions } from "./controls/scene-options.js";
 import { watchTheme } from "./controls/theme.js";
 import { Transport } from "./controls/transport.js";
 import { Page } from "./page.js";
-import { loadCore, loadScene, makeWorker } from "./resources.js";
+import { LESSONS } from "./lessons.js";
+import { loadCore, makeWorker } from "./resources.js";
 import { SCENES } from "./scenes.js";
 import { Sheets } from "./sheets.js";
 import { Studio } from "./studio.js";
@@ -46,12 +51,9 @@ try {
 }
 
 async function start() {
-  const first = SCENES[0];
   const core = loadCore();
-  const text = loadScene(first.id);
-  text.catch(() => {});
   const studio = new Studio(makeWorker(), (error) => notice.show("Something went wrong.", error));
-  const { planners } = await studio.ask("start", [await core]);
+  const { planners, generators } = await studio.ask("start", [await core]);
 
   const story = byId("story", HTMLElement);
   const turn = byId("your-turn", HTMLButtonElement);
@@ -74,6 +76,12 @@ async function start() {
   watchTheme(() => page.dress());
   watchAnnouncements(page);
   watchParent(page);
+  showPseudocode(page);
+  showSceneOptions(page, generators);
+  const link = new Link(page, SCENES, generators);
+  const lessons = new Lessons(page, LESSONS, SCENES);
+  const obey = () => (Lessons.owns(location.hash) ? lessons : link).obey(location.hash);
+  addEventListener("hashchange", () => { if (location.hash) void obey(); });
 
   page.onOpen((facts, entry) => {
     sheets.arrange(facts);
@@ -100,18 +108,14 @@ async function start() {
   turn.disabled = false;
 
   page.dress();
-  await page.open({ document: await text }, { entry: first });
+  if (location.hash) await obey();
+  else await page.openScene(SCENES[0]);
   setTimeout(() => void drawThumbnails(), THUMBNAILS);
-
-  /** The number of the latest wish: an answer that comes after a newer wish is dropped. */
-  let wish = 0;
 
   /** @param {SceneEntry} entry */
   async function choose(entry) {
-    const mine = ++wish;
     try {
-      const source = await page.sourceOf(entry);
-      if (mine === wish) await page.open(source, { entry });
+      await page.openScene(entry);
     } catch (error) {
       notice.show(`The scene "${entry.title}" could not be loaded.`, error);
     }
@@ -119,7 +123,6 @@ async function start() {
 
   /** A file of the reader's own. If it is refused, what is on the stage stays there. @param {string} name @param {string} json */
   async function openFile(name, json) {
-    wish++;
     try {
       await page.open({ document: json });
     } catch (error) {

@@ -30,8 +30,14 @@ export class Page {
     this.source = null;
     /** The page's own scene, if it is one. @type {SceneEntry | null} */
     this.entry = null;
+    /** Iterations a second that it was opened with, if it did not keep those of before. @type {number | undefined} */
+    this.pace = undefined;
     /** Planners that race with the one of the panel. @type {Plan[]} */
     this.rivals = [];
+    /** What the planners on the stage were asked. @type {Plan[]} */
+    this.asked = [];
+    /** Counts what was wished for: what is loaded for an older wish is dropped. */
+    this.wish = 0;
     /** @type {((facts: SceneFacts, entry: SceneEntry | null) => void)[]} */
     this.openers = [];
     /** @type {((state: State, before: State | null) => void)[]} */
@@ -82,6 +88,21 @@ export class Page {
   }
 
   /**
+   * Loads one of the page's own scenes and puts it on the stage, unless something newer is wished for meanwhile.
+   * @param {SceneEntry} entry
+   * @param {Opening} [opening]
+   * @returns {Promise<boolean>} whether it is there
+   * @throws {Error} it cannot be loaded or read
+   */
+  async openScene(entry, opening) {
+    const mine = ++this.wish;
+    const source = await this.sourceOf(entry);
+    if (mine !== this.wish) return false;
+    await this.open(source, { ...opening, entry });
+    return true;
+  }
+
+  /**
    * Puts a scenario on the stage, the page's own with the planner and parameters that show it well. What is there stays if it
    * cannot be read.
    * @param {Source} source @param {Opening} [opening]
@@ -89,17 +110,22 @@ export class Page {
    */
   async open(source, { entry, query, plans, iteration, play = !this.calm } = {}) {
     const { panel } = this;
+    this.wish++;
+    // A scene that is put on the stage anew keeps the speed that it is watched at.
+    const pace = entry && entry === this.entry ? undefined : entry?.pace ?? PACE;
     const given = plans?.[0] ?? entry;
     const plan = given ? panel.reads(given.algorithm, given.settings) : panel.plan ?? { algorithm: panel.algorithm, settings: {} };
     const rivals = plans?.slice(1) ?? [];
     this.studio.order();
     const facts = await this.studio.ask("open", [source, {
-      plans: [plan, ...rivals], query, iteration, play, pace: entry?.pace ?? PACE, story: entry?.story ?? "", teller: entry?.algorithm ?? "",
+      plans: [plan, ...rivals], query, iteration, play, pace, story: entry?.story ?? "", teller: entry?.algorithm ?? "",
     }]);
     this.notice.hide();
     this.source = source;
     this.entry = entry ?? null;
     this.rivals = rivals;
+    this.asked = [plan, ...rivals];
+    this.pace = pace;
     if (given) panel.suggest(given.algorithm, given.settings);
     this.show(facts);
   }
@@ -123,6 +149,7 @@ export class Page {
     const { plans } = this;
     if (!plans) return;
     this.notice.hide();
+    this.asked = plans;
     this.studio.tell("plan", plans, play);
   }
 

@@ -7,8 +7,8 @@ import { LAYERS } from "./stage/layer.js";
 
 /** @import { Page } from "./page.js" */
 /** @import { PaneKind, Pointer, SceneFacts, State } from "./types.js" */
-/** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string }} Sheet */
-/** @typedef {{ figure: HTMLElement, caption: HTMLElement, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
+/** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Sheet   the note says quietly what is to be seen */
+/** @typedef {{ figure: HTMLElement, caption: HTMLElement, note: HTMLElement, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
 
 export class Sheets {
   /** @param {Page} page */
@@ -25,8 +25,8 @@ export class Sheets {
   arrange({ robot, dimension }) {
     const square = robot === "arm" && dimension >= 2;
     this.show([
-      { id: "workspace", kind: "workspace", lane: 0, caption: "Workspace" },
-      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space" }] : []),
+      { id: "workspace", kind: "workspace", lane: 0, caption: "Workspace", note: `the ${robot}\u2019s world; points mark its ${robot === "arm" ? "tip" : "centre"}` },
+      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space", note: `each point is a pose: two ${dimension > 2 ? "of its " : ""}angles` }] : []),
     ]);
   }
 
@@ -39,9 +39,10 @@ export class Sheets {
       this.figures.delete(id);
       this.studio.tell("unpane", id);
     }
-    for (const { id, kind, lane, caption } of wanted) {
+    for (const { id, kind, lane, caption, note = "" } of wanted) {
       const figure = this.figures.get(id) ?? this.add(id, kind, lane);
       if (figure.caption.textContent !== caption) figure.caption.textContent = caption;
+      if (figure.note.textContent !== note) figure.note.textContent = note;
       this.element.append(figure.figure);
     }
     this.element.classList.toggle("single", wanted.length === 1);
@@ -53,7 +54,8 @@ export class Sheets {
   add(id, kind, lane) {
     const sheet = make("div", { className: "sheet" });
     const caption = make("span", {});
-    const figure = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, caption), sheet);
+    const note = make("small", {});
+    const figure = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, caption, " ", note), sheet);
     const canvases = LAYERS.map((name) => {
       const canvas = make("canvas", {});
       canvas.dataset.layer = name;
@@ -68,7 +70,7 @@ export class Sheets {
     const offscreen = canvases.map((canvas) => canvas.transferControlToOffscreen());
     const named = /** @type {Record<typeof LAYERS[number], OffscreenCanvas>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, offscreen[i]])));
     void this.studio.ask("pane", [id, kind, lane, named], offscreen);
-    const made = { figure, caption, sheet, top, kind, lane };
+    const made = { figure, caption, note, sheet, top, kind, lane };
     this.figures.set(id, made);
     this.observer.observe(sheet);
     return made;

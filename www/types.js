@@ -16,6 +16,8 @@
  * @typedef {import("planarium").PlannerInfo} PlannerInfo
  * @typedef {import("planarium").ParameterInfo} ParameterInfo
  * @typedef {import("planarium").GeneratorId} GeneratorId
+ * @typedef {import("planarium").GeneratorInfo} GeneratorInfo
+ * @typedef {import("planarium").OptionInfo} OptionInfo
  * @typedef {typeof import("planarium")} Library  the package, handed to the modules that need it
  *
  * What is asked for:
@@ -31,7 +33,7 @@
  * @typedef {object} Programme   how a scenario is put on the stage
  * @property {Plan[]} plans      one, or up to four that race
  * @property {string} [query]
- * @property {number} pace       iterations a second
+ * @property {number} [pace]     iterations a second; those of before where absent
  * @property {string} story      what the scene says of its own planner
  * @property {string} teller     that planner
  * @property {boolean} play
@@ -112,6 +114,7 @@
  * @property {boolean} travelling
  * @property {number} along
  * @property {boolean} settled
+ * @property {ViewOptions} view
  * @property {string} sentence
  * @property {boolean} isBad
  * @property {boolean} inHand

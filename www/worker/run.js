@@ -172,15 +172,16 @@ export class Run {
     return this.known.result;
   }
 
-  /** What the newest iteration that is shown did, in the words of the pseudo-code's marks. @returns {Set<string>} */
+  /** What the newest iteration that is shown did, in the words of the pseudo-code's marks; before the first, none. @returns {Set<string>} */
   marks() {
     /** @type {Set<string>} */
-    const marks = new Set([this.phase]);
+    const marks = new Set();
     if (this.shown === 0) return marks;
     const now = this.past;
     const before = this.history.row(this.shown - 1);
-    // The last iteration of a phase was still of that phase.
+    // The phase that it began in: the last iteration of a phase was still of that phase.
     marks.add(this.phases[before[PAST.phase]]);
+    if (this.status !== "running") marks.add("done");
     if (now[PAST.vertices] > before[PAST.vertices]) marks.add("vertex");
     if (now[PAST.edges] > before[PAST.edges]) marks.add("edge");
     const words = Object.keys(EVENT);

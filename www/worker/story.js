@@ -7,17 +7,29 @@ import { PAST } from "./run.js";
 /** @import { Run } from "./run.js" */
 /** @import { Check, Scenario } from "../types.js" */
 
-/** A run that goes on: the scene's own sentence while its own planner proves its edges, else what the planner is at. @param {Run} run @param {{ algorithm: string, sentence: string }} scene */
+/** Iterations of a tree, or of guards, for which the page says what is looked for before the scene has its say. */
+const OPENING = 60;
+
+/**
+ * A run that goes on: first what is looked for and what it is made of, then the scene's own sentence, if this is what its own
+ * planner was asked, else what the planner is at.
+ * @param {Run} run
+ * @param {{ algorithm: string, sentence: string }} scene
+ */
 export function going(run, scene) {
   const { phase } = run;
   const free = run.isProven ? "proven free" : "free in the places looked at";
+  const sought = `The ${run.scenario.robot} seeks a way from start to goal`;
+  const begins = run.shown < OPENING;
   if (phase === "improving") return `A path is found; now it is made shorter, by motions ${free}.`;
+  if (phase === "sampling") return `${sought}: each point is a pose that touches nothing.`;
+  if (phase === "searching") return "The search goes out from the start; the bold vertices are those it has been to.";
+  if (begins && phase === "guarding") return `${sought}: a few poses stand guard, each seeing what no other sees.`;
+  if (begins && phase === "growing") return `${sought}: ${run.kind === "trees" ? "two trees of poses reach for each other" : "a tree of poses grows from the start"}.`;
   if (run.algorithm === scene.algorithm && run.isProven) return scene.sentence;
   switch (phase) {
-    case "sampling": return "Each point is a pose that touches nothing.";
     case "connecting": return `Each pose is joined to its neighbours, where the motion is ${free}.`;
     case "guarding": return "A pose that no guard sees becomes a guard, in a ring; one that sees several links them.";
-    case "searching": return "The search goes out from the start; the bold vertices are those it has been to.";
     default: return run.kind === "trees"
       ? "Two trees, rooted at the start and at the goal, reach for each other until they meet."
       : "A tree grows from the start, step by step towards samples, until it reaches the goal.";

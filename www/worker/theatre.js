@@ -65,7 +65,7 @@ export class Theatre {
     const document = scenario.document();
     this.shown = { scenario, document, start: null, goal: null, hand: null, check: null, hover: null, view: this.view };
     this.story = { algorithm: programme.teller, sentence: programme.story };
-    this.clock.pace = programme.pace;
+    if (programme.pace !== undefined) this.clock.pace = programme.pace;
     this.query = document.queries.find(({ name }) => name === programme.query)?.name ?? document.queries[0]?.name;
     this.stage.relay();
     this.plan(programme.plans, programme.play);

@@ -6,6 +6,8 @@ import { Stage } from "../stage/stage.js";
 import { Clock } from "./clock.js";
 import { contained, coordinatesOf } from "./coordinates.js";
 import { Grip } from "./grip.js";
+import { thinned } from "./curve.js";
+import { compete } from "./compete.js";
 import { Lane } from "./lane.js";
 import { report } from "./report.js";
 import * as story from "./story.js";
@@ -42,7 +44,7 @@ export class Theatre {
     this.view = { axes: [0, 1], refused: false, strobe: true, raw: false };
     /** What the scene says of its own planner. */
     this.story = { algorithm: "", sentence: "" };
-    /** Why the core would not plan, if so. @type {unknown} */
+    /** Why the core would not plan, if so, and for which lane. @type {{ error: unknown, lane: number } | null} */
     this.refusal = null;
     /** All that was asked for is made and drawn. */
     this.settled = false;
@@ -111,12 +113,13 @@ export class Theatre {
     });
     for (const lane of this.lanes.splice(plans.length)) lane.free();
     for (const lane of this.lanes) lane.free();
+    let at = 0;
     try {
-      for (const lane of this.lanes) lane.start(this.query, this.phases);
+      for (; at < this.lanes.length; at++) this.lanes[at].start(this.query, this.phases);
       clock.playing = play;
     } catch (error) {
       for (const lane of this.lanes) lane.free();
-      this.refusal = error;
+      this.refusal = { error, lane: at };
       this.showTouching();
     }
     this.stage.restart(this.lanes);
@@ -149,7 +152,10 @@ export class Theatre {
   get growing() { return this.lanes.some(({ run }) => run && run.status === "running"); }
 
   /** Is there a way to follow? */
-  get travelling() { return this.lanes.length === 1 && this.lanes[0].journey !== null; }
+  get travelling() { return !this.growing && this.journeys.length > 0; }
+
+  /** The ways that are known: those of a race are followed in step. */
+  get journeys() { return this.lanes.flatMap(({ journey }) => journey ?? []); }
 
   toggle() {
     if (this.clock.playing) this.pause();
@@ -206,11 +212,10 @@ export class Theatre {
 
   /** Puts the robot somewhere along its way. @param {number} part  0 to 1 */
   along(part) {
-    const journey = this.lanes[0]?.journey;
-    if (!journey) return;
+    if (!this.travelling) return;
     this.release();
     this.clock.playing = false;
-    journey.seek(part);
+    for (const journey of this.journeys) journey.seek(part);
     this.wake();
   }
 
@@ -306,8 +311,7 @@ export class Theatre {
     const moved = this.pass(elapsed, began + PLANNING);
     const working = moved || !stage.caughtUp;
     if (moved) this.stir();
-    const journey = this.lanes[0]?.journey;
-    if (clock.playing && journey && !this.growing) journey.advance(elapsed);
+    if (clock.playing && !this.growing) this.travel(elapsed);
     stage.frame(this.lanes, now, began + FRAME);
     const resting = !clock.owes && (!clock.playing || !this.growing);
     if (resting && stage.caughtUp) this.settled = true;
@@ -330,8 +334,9 @@ export class Theatre {
     }
     const before = clock.now;
     const wanted = Math.floor(clock.wanted);
-    const there = lanes.map(({ run }) => !run || run.advance(clock.column, wanted, until));
-    this.showTime(there.every(Boolean) ? wanted : Math.min(wanted, this.reached()));
+    const runs = lanes.flatMap(({ run }) => run ?? []);
+    const there = clock.isRace ? compete(runs, clock.column, wanted, until) : runs[0].advance(clock.column, wanted, until);
+    this.showTime(there ? wanted : Math.min(wanted, this.reached()));
     if (!this.growing) {
       clock.wanted = clock.now;
       clock.rushing = false;
@@ -341,14 +346,26 @@ export class Theatre {
 
   /** The time that all planners have come to: those that have ended hold nobody up. */
   reached() {
-    const { column } = this.clock;
-    return Math.min(...this.lanes.map(({ run }) => (!run || run.ended ? Infinity : run.clockAt(column, run.made))));
+    return Math.min(...this.lanes.map(({ run }) => run?.reached(this.clock.column) ?? Infinity));
   }
 
-  /** The latest time that the log knows of. */
+  /** The latest time at which it is known how all stand. */
   get head() {
-    const { column } = this.clock;
-    return Math.max(0, ...this.lanes.map(({ run }) => (run ? run.clockAt(column, run.made) : 0)));
+    const reached = this.reached();
+    return reached < Infinity ? reached : Math.max(0, ...this.lanes.map(({ run }) => run?.clock(this.clock.column) ?? 0));
+  }
+
+  /** How each run went, in few points. */
+  curves() {
+    const { clock, head } = this;
+    return { head, isRace: clock.isRace, lanes: this.lanes.map(({ run }) => (run ? thinned(run, clock.column, head) : new Float64Array(0))) };
+  }
+
+  /** The robots drive on, all at the same part of their ways. @param {number} elapsed  seconds */
+  travel(elapsed) {
+    const [lead, ...others] = this.journeys;
+    lead?.advance(elapsed);
+    for (const journey of others) Object.assign(journey, { drawn: lead.drawn, at: lead.at });
   }
 
   /** @param {number} time */
@@ -358,7 +375,8 @@ export class Theatre {
     for (const lane of this.lanes) {
       if (!lane.run) continue;
       lane.run.shown = lane.run.iterationAt(clock.column, clock.now);
-      lane.arrive();
+      // Others may go on for long: in a race a path is shown whole as soon as it is there.
+      if (lane.arrive() && clock.isRace && lane.end) lane.end.drawn = 1;
     }
   }
 
@@ -378,7 +396,7 @@ export class Theatre {
     }
     const { run, journey } = this.lanes[0];
     if (!run) return [`${shown.scenario.title || shown.scenario.name}.`, false];
-    if (this.lanes.length > 1) return [story.race(this.lanes), false];
+    if (this.clock.isRace) return [story.race(this.lanes), false];
     if (run.status === "running") return [story.going(run, this.story), false];
     return [story.ending(run, journey), Boolean(journey?.flaw)];
   }

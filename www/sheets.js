@@ -8,7 +8,7 @@ import { LAYERS } from "./stage/layer.js";
 /** @import { Page } from "./page.js" */
 /** @import { PaneKind, Pointer, SceneFacts, State } from "./types.js" */
 /** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string }} Sheet */
-/** @typedef {{ figure: HTMLElement, caption: HTMLElement, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
+/** @typedef {{ figure: HTMLElement, caption: HTMLElement, note: HTMLElement, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
 
 export class Sheets {
   /** @param {Page} page */
@@ -53,7 +53,8 @@ export class Sheets {
   add(id, kind, lane) {
     const sheet = make("div", { className: "sheet" });
     const caption = make("span", {});
-    const figure = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, caption), sheet);
+    const note = make("span", { className: "note" });
+    const figure = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, caption, note), sheet);
     const canvases = LAYERS.map((name) => {
       const canvas = make("canvas", {});
       canvas.dataset.layer = name;
@@ -68,7 +69,7 @@ export class Sheets {
     const offscreen = canvases.map((canvas) => canvas.transferControlToOffscreen());
     const named = /** @type {Record<typeof LAYERS[number], OffscreenCanvas>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, offscreen[i]])));
     void this.studio.ask("pane", [id, kind, lane, named], offscreen);
-    const made = { figure, caption, sheet, top, kind, lane };
+    const made = { figure, caption, note, sheet, top, kind, lane };
     this.figures.set(id, made);
     this.observer.observe(sheet);
     return made;
@@ -87,8 +88,9 @@ export class Sheets {
     const now = performance.now();
     if (!settled && now - this.described < 1000) return;
     this.described = now;
-    for (const { top, kind, lane } of this.figures.values()) {
-      const text = `${kind === "cspace" ? "Configuration space" : "Workspace"}: ${summary[lane] ?? ""}`;
+    for (const { top, kind, lane, caption } of this.figures.values()) {
+      const what = kind === "cspace" ? "Configuration space" : "Workspace";
+      const text = `${what}${caption.textContent === what ? "" : ` of ${caption.textContent}`}: ${summary[lane] ?? ""}`;
       if (top.getAttribute("aria-label") !== text) top.setAttribute("aria-label", text);
     }
   }

@@ -121,7 +121,14 @@
  * @property {{ text: string, free: boolean }} touching
  * @property {LaneState[]} lanes
  * @property {string[]} summary   of each lane, in words
+ * @property {string} curves   differs where the curves do
  * @property {Fault & { lane: number } | null} refusal   which lane the core would not plan
+ *
+ * @typedef {object} Curves   how each run went, in few points
+ * @property {string} key       as in the state
+ * @property {number} head      the latest time told
+ * @property {boolean} isRace
+ * @property {Float64Array[]} lanes   rows of time, vertices, cost (Infinity without a path)
  *
  * @typedef {object} Slider   an option of a scene's generator that the page offers beneath the gallery
  * @property {string} option

@@ -11,11 +11,12 @@ export class Field {
    * @param {ParameterInfo} info
    * @param {number | string | boolean | null} value   null: the planner's own choice
    * @param {() => void} onChange   a valid value was given
+   * @param {string} [family]       what its id begins with
    */
-  constructor(info, value, onChange) {
+  constructor(info, value, onChange, family = "parameter") {
     this.info = info;
     this.onChange = onChange;
-    const id = `parameter-${info.name}`;
+    const id = `${family}-${info.name}`;
     this.control = control(info, value, id);
     this.reason = make("p", { className: "reason", id: `${id}-reason`, hidden: true });
     const meaning = make("p", { className: "hint", id: `${id}-meaning` }, info.meaning, automatic(info));

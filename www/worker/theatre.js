@@ -12,7 +12,7 @@ import { Lane } from "./lane.js";
 import { report } from "./report.js";
 import * as story from "./story.js";
 
-/** @import { Library, Plan, Pointer, Programme, SceneFacts, Source, State, ViewOptions } from "../types.js" */
+/** @import { Curves, Library, Plan, Pointer, Programme, SceneFacts, Source, State, ViewOptions } from "../types.js" */
 /** @import { Shown } from "./lane.js" */
 /** @import { CSpace } from "../stage/cspace.js" */
 
@@ -55,6 +55,8 @@ export class Theatre {
     this.last = 0;
     this.scheduled = false;
     this.measures = 0;
+    /** How often there were new runs. */
+    this.plannings = 0;
   }
 
   /** Puts a scenario on the stage; the one before it is freed. @param {Source} source @param {Programme} programme @returns {SceneFacts} @throws {Error} it cannot be read */
@@ -102,6 +104,7 @@ export class Theatre {
     const query = shown.document.queries.find(({ name }) => name === this.query);
     shown.start = query?.start ?? null;
     shown.goal = query?.goal ?? null;
+    this.plannings++;
     this.release();
     clock.reset();
     clock.isRace = plans.length > 1;
@@ -355,10 +358,13 @@ export class Theatre {
     return reached < Infinity ? reached : Math.max(0, ...this.lanes.map(({ run }) => run?.clock(this.clock.column) ?? 0));
   }
 
-  /** How each run went, in few points. */
+  /** Differs where the curves do. */
+  get curvesKey() { return `${this.plannings} ${this.head} ${this.lanes.map(({ run }) => run?.ended)}`; }
+
+  /** How each run went, in few points. @returns {Curves} */
   curves() {
-    const { clock, head } = this;
-    return { head, isRace: clock.isRace, lanes: this.lanes.map(({ run }) => (run ? thinned(run, clock.column, head) : new Float64Array(0))) };
+    const { clock, head, curvesKey: key } = this;
+    return { key, head, isRace: clock.isRace, lanes: this.lanes.map(({ run }) => (run ? thinned(run, clock.column, head) : new Float64Array(0))) };
   }
 
   /** The robots drive on, all at the same part of their ways. @param {number} elapsed  seconds */

@@ -137,6 +137,7 @@
  * @property {number} max
  * @property {number} step
  * @property {string} unit
+ * @property {string[]} [words]   what the numbers from 0 on stand for, of an option that takes words
  *
  * @typedef {object} SceneEntry   one of the page's own scenes
  * @property {string} id          file name in `scenes/`, without its ending

@@ -175,6 +175,24 @@ export async function growthHash(page, pane) {
   }, pane);
 }
 
+/**
+ * How long the page's own thread and its worker's worked at each of their tasks meanwhile, milliseconds of processor time: unlike
+ * the time that has passed, it does not count what else the machine does.
+ * @param {Page} page @param {() => Promise<void>} meanwhile
+ */
+export async function tasks(page, meanwhile) {
+  assert.ok(browser, "start() comes first");
+  await browser.startTracing(page, { categories: ["disabled-by-default-devtools.timeline", "__metadata"] });
+  await meanwhile();
+  /** @type {{ traceEvents: { name: string, tid: number, pid: number, tdur?: number, args: { name?: string } }[] }} */
+  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
+  const threads = new Map(traceEvents.filter(({ name }) => name === "thread_name").map(({ pid, tid, args }) => [`${pid} ${tid}`, args.name ?? ""]));
+  const of = (/** @type {RegExp} */ thread) => traceEvents
+    .filter(({ name, pid, tid, tdur }) => /RunTask$/.test(name) && tdur !== undefined && thread.test(threads.get(`${pid} ${tid}`) ?? ""))
+    .map(({ tdur }) => (tdur ?? 0) / 1000);
+  return { page: of(/^CrRendererMain$/), worker: of(/DedicatedWorker/) };
+}
+
 /** The worker that plans and draws. @param {Page} page */
 export function worker(page) {
   const found = page.workers()[0];

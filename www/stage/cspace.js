@@ -29,8 +29,8 @@ export class CSpace extends Pane {
     this.cells = null;
   }
 
-  /** Has a scenario such a square? @param {Scenario} scenario */
-  static fits(scenario) { return scenario.robot === "arm" && scenario.dimension >= 2; }
+  /** Has a scenario such a square? @param {Lane} lane @override */
+  fits({ scenario }) { return scenario.robot === "arm" && scenario.dimension >= 2; }
 
   /** @param {Lane} lane @param {number} width @param {number} height @override */
   makeView(lane, width, height) {

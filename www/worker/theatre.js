@@ -278,7 +278,7 @@ export class Theatre {
     const place = this.stage.at(id);
     if (!place || !this.shown) return false;
     const { pane, kind } = place;
-    if (type === "up") return false;
+    if (type !== "down" && type !== "move") return false;
     const pose = kind === "cspace"
       ? this.grip.square(/** @type {CSpace} */ (pane), x, y)
       : type === "down" ? this.grip.take(pane, x, y) : this.grip.drag(pane, x, y);
@@ -376,14 +376,15 @@ export class Theatre {
 
   /** @param {number} time */
   showTime(time) {
-    const { clock } = this;
+    const { clock, lanes } = this;
     clock.now = Math.min(time, this.head);
-    for (const lane of this.lanes) {
+    for (const lane of lanes) {
       if (!lane.run) continue;
       lane.run.shown = lane.run.iterationAt(clock.column, clock.now);
-      // Others may go on for long: in a race a path is shown whole as soon as it is there.
-      if (lane.arrive() && clock.isRace && lane.end) lane.end.drawn = 1;
+      // A path draws itself only before someone who watches it grow, and wants to see it move.
+      if (lane.arrive() && lane.end && (this.stage.look?.calm || !clock.playing || lanes.length > 1)) lane.end.drawn = 1;
     }
+    if (!this.growing && (this.stage.look?.calm || !this.travelling)) clock.playing = false;
   }
 
   /** Leaves the frame's own work in the browser's timeline. @param {number} began */

@@ -16,6 +16,7 @@ import { Counters } from "./controls/counters.js";
 import { byId } from "./controls/dom.js";
 import { watchFiles } from "./controls/drop.js";
 import { watchParent } from "./controls/embed.js";
+import { watchCurves } from "./controls/curves.js";
 import { Gallery, SIDE } from "./controls/gallery.js";
 import { watchKeys } from "./controls/keys.js";
 import { showLegend } from "./controls/legend.js";
@@ -26,6 +27,7 @@ import { Panel } from "./controls/panel.js";
 import { Pose } from "./controls/pose.js";
 import { showPseudocode } from "./controls/pseudocode.js";
 import { showSceneOptions } from "./controls/scene-options.js";
+import { Race } from "./controls/race.js";
 import { watchTheme } from "./controls/theme.js";
 import { Transport } from "./controls/transport.js";
 import { Page } from "./page.js";
@@ -64,6 +66,8 @@ async function start() {
   const pose = new Pose((at) => studio.tell("hold", at));
   const gallery = new Gallery(SCENES, (entry) => void choose(entry));
   const transport = new Transport(page);
+  const race = new Race(page, sheets);
+  watchCurves(page);
   watchKeys([stage, transport.bar], {
     " ": () => studio.tell("toggle"),
     ".": () => studio.tell("step", 1),
@@ -84,14 +88,14 @@ async function start() {
   addEventListener("hashchange", () => { if (location.hash) void obey(); });
 
   page.onOpen((facts, entry) => {
-    sheets.arrange(facts);
+    if (!race.arrange()) sheets.arrange(facts);
     pose.build(facts);
     gallery.mark(entry?.id ?? null);
   });
   page.onState((state) => {
     const lane = state.lanes[0];
     counters.show(lane, state.settled);
-    showLegend(lane);
+    showLegend(state.lanes);
     if (story.textContent !== state.sentence) story.textContent = state.sentence;
     story.dataset.tone = state.isBad ? "bad" : "";
     turn.textContent = state.inHand ? "Watch again" : "Your turn";

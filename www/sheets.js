@@ -89,8 +89,9 @@ export class Sheets {
     const now = performance.now();
     if (!settled && now - this.described < 1000) return;
     this.described = now;
-    for (const { top, kind, lane } of this.figures.values()) {
-      const text = `${kind === "cspace" ? "Configuration space" : "Workspace"}: ${summary[lane] ?? ""}`;
+    for (const { top, kind, lane, caption } of this.figures.values()) {
+      const what = kind === "cspace" ? "Configuration space" : "Workspace";
+      const text = `${what}${caption.textContent === what ? "" : ` of ${caption.textContent}`}: ${summary[lane] ?? ""}`;
       if (top.getAttribute("aria-label") !== text) top.setAttribute("aria-label", text);
     }
   }

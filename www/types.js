@@ -105,10 +105,11 @@
  * @property {boolean} isMiss
  * @property {boolean} hasGuards
  * @property {string[]} marks      what the iteration did, in the words of the pseudo-code
+ * @property {import("./standings.js").Standing} standing   beside the others of a race
  *
  * @typedef {object} State   what the page is told of a frame
  * @property {number} heard   number of the newest order obeyed
- * @property {{ now: number, head: number, isRace: boolean }} clock
+ * @property {{ now: number, head: number, isRace: boolean, unit: number, rate: number }} clock   `unit`: time in a step; `rate`: time that passes for an iteration of the pace
  * @property {boolean} playing
  * @property {boolean} growing
  * @property {boolean} travelling
@@ -123,7 +124,14 @@
  * @property {{ text: string, free: boolean }} touching
  * @property {LaneState[]} lanes
  * @property {string[]} summary   of each lane, in words
- * @property {Fault | null} refusal
+ * @property {string} curves   differs where the curves do
+ * @property {Fault & { lane: number } | null} refusal   which lane the core would not plan
+ *
+ * @typedef {object} Curves   how each run went, in few points
+ * @property {string} key       as in the state
+ * @property {number} head      the latest time told
+ * @property {boolean} isRace
+ * @property {Float64Array[]} lanes   rows of time, vertices, cost (Infinity without a path)
  *
  * @typedef {object} Slider   an option of a scene's generator that the page offers beneath the gallery
  * @property {string} option

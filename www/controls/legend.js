@@ -3,13 +3,19 @@ import { byId } from "./dom.js";
 
 /** @import { LaneState } from "../types.js" */
 
-/** @param {LaneState} lane */
-export function showLegend(lane) {
-  byId("legend-growth", HTMLElement).textContent = lane.kind;
-  byId("legend-guard", HTMLElement).hidden = !lane.hasGuards;
+/** @param {LaneState[]} lanes */
+export function showLegend(lanes) {
+  byId("legend-growth", HTMLElement).textContent = [...new Set(lanes.map(({ kind }) => kind))].join(", ");
+  byId("legend-guard", HTMLElement).hidden = !lanes.some(({ hasGuards }) => hasGuards);
   const path = byId("legend-path", HTMLElement);
-  path.dataset.proven = String(lane.isProven);
-  path.dataset.miss = String(lane.isMiss);
+  const isProven = lanes.some((lane) => lane.isProven);
+  const isMiss = lanes.every((lane) => lane.isMiss);
+  path.dataset.proven = String(isProven);
+  path.dataset.miss = String(isMiss);
+  const also = [
+    !isMiss && lanes.some((lane) => lane.isMiss) ? "broken: nearest miss" : "",
+    lanes.every((lane) => lane.isProven) ? "" : isProven ? "hollow: not proven" : "not proven",
+  ];
   const words = path.querySelector("span");
-  if (words) words.textContent = `${lane.isMiss ? "nearest miss" : "path"}${lane.isProven ? "" : ", not proven"}`;
+  if (words) words.textContent = [isMiss ? "nearest miss" : "path", ...also].filter(Boolean).join(", ");
 }

@@ -11,11 +11,11 @@ import { poseSentence, summary } from "./story.js";
 export function report(theatre) {
   const { clock, shown, lanes, settled } = theatre;
   const [sentence, isBad] = theatre.sentence;
-  const journey = lanes[0]?.journey;
-  const pose = shown?.hand ?? (journey && journey.drawn >= 1 ? lanes[0].pose : null);
+  const [journey] = theatre.journeys;
+  const pose = shown?.hand ?? (journey && journey.drawn >= 1 ? journey.configuration(journey.at) : null);
   return {
     heard: theatre.heard,
-    clock: { now: clock.now, head: theatre.head, isRace: clock.isRace },
+    clock: { now: clock.now, head: theatre.head, isRace: clock.isRace, unit: clock.unit, rate: clock.rate },
     playing: clock.playing,
     growing: theatre.growing,
     travelling: theatre.travelling,
@@ -29,16 +29,17 @@ export function report(theatre) {
     arrived: shown?.hand !== null && theatre.game.arrived,
     lanes: lanes.map((lane) => laneState(lane, settled)),
     summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),
-    refusal: theatre.refusal === null ? null : faultOf(theatre.refusal),
+    curves: theatre.curvesKey,
+    refusal: theatre.refusal && { ...faultOf(theatre.refusal.error), lane: theatre.refusal.lane },
   };
 }
 
 /** @param {Lane} lane @param {boolean} settled @returns {LaneState} */
-function laneState({ plan, run, journey, scenario }, settled) {
+function laneState({ plan, run, journey, scenario, standing }, settled) {
   if (!run) {
     return {
       algorithm: plan.algorithm, status: "none", phase: "", iteration: 0, made: 0, vertices: 0, edges: 0, checks: 0, motions: 0, evaluations: 0,
-      cost: Infinity, length: null, unit: "", fingerprint: "", kind: "roadmap", isProven: true, isMiss: false, hasGuards: false, marks: [],
+      cost: Infinity, length: null, unit: "", fingerprint: "", kind: "roadmap", isProven: true, isMiss: false, hasGuards: false, marks: [], standing,
     };
   }
   const { past, status } = run;
@@ -51,6 +52,6 @@ function laneState({ plan, run, journey, scenario }, settled) {
     unit: scenario.robot === "arm" ? "rad" : "m",
     fingerprint: isEnd ? run.result.fingerprint : "",
     kind: run.kind, isProven: run.isProven, isMiss: journey?.isMiss ?? false, hasGuards: run.guards > 0,
-    marks: [...run.marks()],
+    marks: [...run.marks()], standing,
   };
 }

@@ -1,4 +1,5 @@
 /** The page's sentences: what is to be seen just now. */
+import { leaders, letters } from "../standings.js";
 import { touchingSentence } from "./names.js";
 import { PAST } from "./run.js";
 
@@ -90,10 +91,13 @@ export function summary(title, run) {
 
 /** Several planners on one scenario. @param {Lane[]} lanes */
 export function race(lanes) {
-  const solved = lanes.filter(({ run }) => run?.status === "solved").length;
-  if (lanes.some(({ run }) => run?.status === "running")) {
-    const names = solved === 0 ? "None has found a path yet" : `${solved} of ${lanes.length} found a path`;
-    return `All get the same number of clearance evaluations, the work that proofs are made of. ${names}.`;
-  }
-  return `${solved === lanes.length ? "All" : `${solved} of ${lanes.length}`} found a path.`;
+  const standings = lanes.map(({ standing }) => standing);
+  const { first, shortest, isOver } = leaders(standings);
+  if (first.length === 0) return isOver ? "None found a path." : "All get the same number of clearance evaluations, the work that proofs are made of.";
+  const { found } = standings[first[0]];
+  const [best] = shortest;
+  const winner = `${letters(first)} found a path first, after ${found?.toLocaleString("en")} clearance evaluations`;
+  if (best === undefined) return `${winner}.`;
+  const unit = lanes[best].scenario.robot === "arm" ? "rad" : "m";
+  return `${winner}; ${letters(shortest)} ${isOver ? "has" : "so far has"} the shortest, ${standings[best].cost.toFixed(2)} ${unit}.`;
 }

@@ -7,11 +7,13 @@ import { Stage } from "../stage/stage.js";
 import { Clock } from "./clock.js";
 import { contained, coordinatesOf } from "./coordinates.js";
 import { Grip } from "./grip.js";
+import { thinned } from "./curve.js";
+import { compete } from "./compete.js";
 import { Lane } from "./lane.js";
 import { report } from "./report.js";
 import * as story from "./story.js";
 
-/** @import { Library, Plan, Pointer, Programme, SceneFacts, Source, State, ViewOptions } from "../types.js" */
+/** @import { Curves, Library, Plan, Pointer, Programme, SceneFacts, Source, State, ViewOptions } from "../types.js" */
 /** @import { Shown } from "./lane.js" */
 /** @import { CSpace } from "../stage/cspace.js" */
 
@@ -45,7 +47,7 @@ export class Theatre {
     this.view = { axes: [0, 1], refused: false, strobe: true, raw: false };
     /** What the scene says of its own planner. */
     this.story = { algorithm: "", sentence: "" };
-    /** Why the core would not plan, if so. @type {unknown} */
+    /** Why the core would not plan, if so, and for which lane. @type {{ error: unknown, lane: number } | null} */
     this.refusal = null;
     /** All that was asked for is made and drawn. */
     this.settled = false;
@@ -56,6 +58,8 @@ export class Theatre {
     this.last = 0;
     this.scheduled = false;
     this.measures = 0;
+    /** How often there were new runs. */
+    this.plannings = 0;
   }
 
   /** Puts a scenario on the stage; the one before it is freed. @param {Source} source @param {Programme} programme @returns {SceneFacts} @throws {Error} it cannot be read */
@@ -103,6 +107,7 @@ export class Theatre {
     const query = shown.document.queries.find(({ name }) => name === this.query);
     shown.start = query?.start ?? null;
     shown.goal = query?.goal ?? null;
+    this.plannings++;
     this.release();
     clock.reset();
     clock.isRace = plans.length > 1;
@@ -114,12 +119,13 @@ export class Theatre {
     });
     for (const lane of this.lanes.splice(plans.length)) lane.free();
     for (const lane of this.lanes) lane.free();
+    let at = 0;
     try {
-      for (const lane of this.lanes) lane.start(this.query, this.phases);
+      for (; at < this.lanes.length; at++) this.lanes[at].start(this.query, this.phases);
       clock.playing = play;
     } catch (error) {
       for (const lane of this.lanes) lane.free();
-      this.refusal = error;
+      this.refusal = { error, lane: at };
       this.showTouching();
     }
     this.stage.restart(this.lanes);
@@ -152,7 +158,10 @@ export class Theatre {
   get growing() { return this.lanes.some(({ run }) => run && run.status === "running"); }
 
   /** Is there a way to follow? */
-  get travelling() { return this.lanes.length === 1 && this.lanes[0].journey !== null; }
+  get travelling() { return !this.growing && this.journeys.length > 0; }
+
+  /** The ways that are known: those of a race are followed in step. */
+  get journeys() { return this.lanes.flatMap(({ journey }) => journey ?? []); }
 
   toggle() {
     if (this.clock.playing) this.pause();
@@ -209,11 +218,10 @@ export class Theatre {
 
   /** Puts the robot somewhere along its way. @param {number} part  0 to 1 */
   along(part) {
-    const journey = this.lanes[0]?.journey;
-    if (!journey) return;
+    if (!this.travelling) return;
     this.release();
     this.clock.playing = false;
-    journey.seek(part);
+    for (const journey of this.journeys) journey.seek(part);
     this.wake();
   }
 
@@ -315,7 +323,7 @@ export class Theatre {
   /** The planner cannot go on. @param {unknown} error */
   stop(error) {
     this.clock.halt();
-    this.refusal = error;
+    this.refusal = { error, lane: 0 };
     this.tell(report(this));
   }
 
@@ -331,7 +339,8 @@ export class Theatre {
     this.shown = { ...shown, scenario: this.library.Scenario.parse(shown.document), hand: null, check: null, hover: null };
     this.lanes = [];
     this.plan(plans, false);
-    this.refusal ??= Object.assign(new Error("Planarium's core stopped on a fault of its own. A fresh one has taken its place, and the run begins again."), { code: "internal" });
+    const error = Object.assign(new Error("Planarium's core stopped on a fault of its own. A fresh one has taken its place, and the run begins again."), { code: "internal" });
+    this.refusal ??= { error, lane: 0 };
   }
 
   /** @param {number} now */
@@ -343,8 +352,7 @@ export class Theatre {
     const moved = this.pass(elapsed, began + PLANNING);
     const working = moved || !stage.caughtUp;
     if (moved) this.stir();
-    const journey = this.lanes[0]?.journey;
-    if (clock.playing && journey && !this.growing) journey.advance(elapsed);
+    if (clock.playing && !this.growing) this.travel(elapsed);
     stage.frame(this.lanes, now, began + FRAME);
     const resting = !clock.owes && (!clock.playing || !this.growing);
     if (resting && stage.caughtUp) this.settled = true;
@@ -367,8 +375,9 @@ export class Theatre {
     }
     const before = clock.now;
     const wanted = Math.floor(clock.wanted);
-    const there = lanes.map(({ run }) => !run || run.advance(clock.column, wanted, until));
-    this.showTime(there.every(Boolean) ? wanted : Math.min(wanted, this.reached()));
+    const runs = lanes.flatMap(({ run }) => run ?? []);
+    const there = clock.isRace ? compete(runs, clock.column, wanted, until) : runs[0].advance(clock.column, wanted, until);
+    this.showTime(there ? wanted : Math.min(wanted, this.reached()));
     if (!this.growing) {
       clock.wanted = clock.now;
       clock.rushing = false;
@@ -378,14 +387,29 @@ export class Theatre {
 
   /** The time that all planners have come to: those that have ended hold nobody up. */
   reached() {
-    const { column } = this.clock;
-    return Math.min(...this.lanes.map(({ run }) => (!run || run.ended ? Infinity : run.clockAt(column, run.made))));
+    return Math.min(...this.lanes.map(({ run }) => run?.reached(this.clock.column) ?? Infinity));
   }
 
-  /** The latest time that the log knows of. */
+  /** The latest time at which it is known how all stand. */
   get head() {
-    const { column } = this.clock;
-    return Math.max(0, ...this.lanes.map(({ run }) => (run ? run.clockAt(column, run.made) : 0)));
+    const reached = this.reached();
+    return reached < Infinity ? reached : Math.max(0, ...this.lanes.map(({ run }) => run?.clock(this.clock.column) ?? 0));
+  }
+
+  /** Differs where the curves do. */
+  get curvesKey() { return `${this.plannings} ${this.head} ${this.lanes.map(({ run }) => run?.ended)}`; }
+
+  /** How each run went, in few points. @returns {Curves} */
+  curves() {
+    const { clock, head, curvesKey: key } = this;
+    return { key, head, isRace: clock.isRace, lanes: this.lanes.map(({ run }) => (run ? thinned(run, clock.column, head) : new Float64Array(0))) };
+  }
+
+  /** The robots drive on, all at the same part of their ways. @param {number} elapsed  seconds */
+  travel(elapsed) {
+    const [lead, ...others] = this.journeys;
+    lead?.advance(elapsed);
+    for (const journey of others) Object.assign(journey, { drawn: lead.drawn, at: lead.at });
   }
 
   /** @param {number} time */
@@ -417,7 +441,7 @@ export class Theatre {
     }
     const { run, journey } = this.lanes[0];
     if (!run) return [`${shown.scenario.title || shown.scenario.name}.`, false];
-    if (this.lanes.length > 1) return [story.race(this.lanes), false];
+    if (this.clock.isRace) return [story.race(this.lanes), false];
     if (run.status === "running") return [story.going(run, this.story), false];
     return [story.ending(run, journey), Boolean(journey?.flaw)];
   }

@@ -46,6 +46,7 @@ const commands = {
   pace: (pace) => house().setPace(pace),
   /** @param {number} part */
   along: (part) => house().along(part),
+  curves: () => house().curves(),
   turn: () => house().turn(),
   /** @param {number[]} pose */
   hold: (pose) => house().hold(Float64Array.from(pose)),

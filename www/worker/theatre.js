@@ -6,6 +6,7 @@ import { Stage } from "../stage/stage.js";
 import { Clock } from "./clock.js";
 import { contained, coordinatesOf } from "./coordinates.js";
 import { Grip } from "./grip.js";
+import { Pointing } from "./pointing.js";
 import { Lane } from "./lane.js";
 import { report } from "./report.js";
 import * as story from "./story.js";
@@ -17,6 +18,8 @@ import * as story from "./story.js";
 /** Milliseconds of planning in a frame at most, and when inking new growth stops. */
 const PLANNING = 4.5;
 const FRAME = 6;
+/** When inking stops where nothing plays and the reader waits for another time. */
+const REDRAW = 24;
 /** Measures kept in the browser's timeline before it is emptied. */
 const MEASURES = 20000;
 
@@ -32,6 +35,7 @@ export class Theatre {
     this.stage = new Stage();
     this.clock = new Clock();
     this.grip = new Grip();
+    this.pointing = new Pointing();
     /** @type {Shown | null} */
     this.shown = null;
     /** @type {Lane[]} */
@@ -39,7 +43,7 @@ export class Theatre {
     /** @type {string | undefined} */
     this.query = undefined;
     /** @type {ViewOptions} */
-    this.view = { axes: [0, 1], refused: false, strobe: true, raw: false };
+    this.view = { axes: [0, 1], refused: false, strobe: true, poses: 8, raw: false, slice: false };
     /** What the scene says of its own planner. */
     this.story = { algorithm: "", sentence: "" };
     /** Why the core would not plan, if so. @type {unknown} */
@@ -270,7 +274,8 @@ export class Theatre {
     const place = this.stage.at(id);
     if (!place || !this.shown) return false;
     const { pane, kind } = place;
-    if (type === "up") return false;
+    this.pointing.at = type === "hover" ? { place, x, y } : null;
+    if (type !== "down" && type !== "move") return false;
     const pose = kind === "cspace"
       ? this.grip.square(/** @type {CSpace} */ (pane), x, y)
       : type === "down" ? this.grip.take(pane, x, y) : this.grip.drag(pane, x, y);
@@ -281,6 +286,7 @@ export class Theatre {
   /** What is to be seen. @param {Partial<ViewOptions>} view */
   setView(view) {
     Object.assign(this.view, view);
+    this.stir();
     this.stage.relay();
     this.wake();
   }
@@ -308,9 +314,11 @@ export class Theatre {
     if (moved) this.stir();
     const journey = this.lanes[0]?.journey;
     if (clock.playing && journey && !this.growing) journey.advance(elapsed);
-    stage.frame(this.lanes, now, began + FRAME);
+    this.shown.hover = this.shown.hand ? null : this.pointing.find(this.lanes, this.grip, this.shown.hover);
+    for (const { run } of this.lanes) run?.frontier.follow();
+    stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
     const resting = !clock.owes && (!clock.playing || !this.growing);
-    if (resting && stage.caughtUp) this.settled = true;
+    if (resting && stage.caughtUp && stage.isTended) this.settled = true;
     if (working) this.measure(began);
     this.tell(report(this));
     if (clock.playing || clock.owes || stage.busy) this.wake();

@@ -7,6 +7,8 @@
  *   drawn), and while it is settled at the newest iteration `data-fingerprint` and, once solved, `data-length`.
  * - `#play` carries `data-playing`; `body` carries `data-scene` (an id of scenes.js, or "file").
  * - `#notice` is hidden, or carries `data-code` and `data-pointer` of the error it shows.
+ * - `#readout` carries `data-vertex` of the vertex that is pointed at, "-1" of a mere pose, and `data-free`; neither while
+ *   nothing is pointed at.
  * - `#touching` carries `data-free` and names what touches what.
  * - `#story` carries `data-tone`, "bad" where a path that was found collides.
  * - In the worker, the work of each frame in which something grew is a `performance.measure` called "planarium-frame".
@@ -22,7 +24,9 @@ import { Notice } from "./controls/notice.js";
 import { Panel } from "./controls/panel.js";
 import { Pose } from "./controls/pose.js";
 import { watchTheme } from "./controls/theme.js";
+import { watchReadout } from "./controls/readout.js";
 import { Transport } from "./controls/transport.js";
+import { watchView } from "./controls/view.js";
 import { Page } from "./page.js";
 import { loadCore, loadScene, makeWorker } from "./resources.js";
 import { SCENES } from "./scenes.js";
@@ -72,6 +76,8 @@ async function start() {
   watchFiles(openFile, (name, error) => notice.show(`${name} could not be read.`, error));
   watchTheme(() => page.dress());
   watchAnnouncements(page);
+  watchView(page, sheets);
+  watchReadout(page);
 
   page.onOpen((facts, entry) => {
     sheets.arrange(facts);
@@ -81,7 +87,7 @@ async function start() {
   page.onState((state) => {
     const lane = state.lanes[0];
     counters.show(lane, state.settled);
-    showLegend(lane);
+    showLegend(page, state);
     if (story.textContent !== state.sentence) story.textContent = state.sentence;
     story.dataset.tone = state.isBad ? "bad" : "";
     turn.textContent = state.inHand ? "Watch again" : "Your turn";

@@ -9,7 +9,7 @@ import { readPalette } from "./stage/palette.js";
 /** @import { Notice } from "./controls/notice.js" */
 /** @import { Panel } from "./controls/panel.js" */
 /** @import { Studio } from "./studio.js" */
-/** @import { Look, Plan, SceneEntry, SceneFacts, Source, State } from "./types.js" */
+/** @import { Look, Plan, SceneEntry, SceneFacts, Source, State, ViewOptions } from "./types.js" */
 /** @typedef {{ entry?: SceneEntry, query?: string, plans?: Plan[], iteration?: number, play?: boolean }} Opening   how a scenario is to be put on the stage */
 
 /** Iterations a second at which a scenario of the reader's own is shown. */
@@ -32,6 +32,8 @@ export class Page {
     this.entry = null;
     /** Planners that race with the one of the panel. @type {Plan[]} */
     this.rivals = [];
+    /** What is to be seen on the stage. @type {ViewOptions} */
+    this.view = { axes: [0, 1], refused: false, strobe: true, poses: 8, raw: false, slice: false };
     /** @type {((facts: SceneFacts, entry: SceneEntry | null) => void)[]} */
     this.openers = [];
     /** @type {((state: State, before: State | null) => void)[]} */
@@ -124,6 +126,12 @@ export class Page {
     if (!plans) return;
     this.notice.hide();
     this.studio.tell("plan", plans, play);
+  }
+
+  /** Other things are to be seen. @param {Partial<ViewOptions>} view */
+  see(view) {
+    Object.assign(this.view, view);
+    this.studio.tell("view", view);
   }
 
   /** The query that is chosen. */

@@ -80,7 +80,7 @@ export class CSpace extends Pane {
 
   /** Fetches the obstacles, where they can be shown. @param {Scenario} scenario */
   paintable(scenario) {
-    if (scenario.dimension !== 2) {
+    if (scenario.dimension !== 2 || !CSpace.fits(scenario)) {
       this.cells = null;
       return;
     }

@@ -287,7 +287,8 @@ export class Theatre {
   setView(view) {
     Object.assign(this.view, view);
     this.stir();
-    this.stage.relay();
+    // Poses and the path as found are on the top, which is drawn anew each frame.
+    if ("axes" in view || "refused" in view) this.stage.relay();
     this.wake();
   }
 

@@ -7,6 +7,8 @@
  *   drawn), and while it is settled at the newest iteration `data-fingerprint` and, once solved, `data-length`.
  * - `#play` carries `data-playing`; `body` carries `data-scene` (an id of scenes.js, or "file").
  * - `#notice` is hidden, or carries `data-code` and `data-pointer` of the error it shows.
+ * - `#readout` carries `data-vertex` of the vertex that is pointed at, "-1" of a mere pose, and `data-free`; neither while
+ *   nothing is pointed at.
  * - `#touching` carries `data-free` and names what touches what.
  * - `#story` carries `data-tone`, "bad" where a path that was found collides.
  * - In the worker, the work of each frame in which something grew is a `performance.measure` called "planarium-frame".
@@ -29,7 +31,9 @@ import { showPseudocode } from "./controls/pseudocode.js";
 import { showSceneOptions } from "./controls/scene-options.js";
 import { Race } from "./controls/race.js";
 import { watchTheme } from "./controls/theme.js";
+import { watchReadout } from "./controls/readout.js";
 import { Transport } from "./controls/transport.js";
+import { watchView } from "./controls/view.js";
 import { Page } from "./page.js";
 import { LESSONS } from "./lessons.js";
 import { loadCore, makeWorker } from "./resources.js";
@@ -86,6 +90,8 @@ async function start() {
   const lessons = new Lessons(page, LESSONS, SCENES);
   const obey = () => (Lessons.owns(location.hash) ? lessons : link).obey(location.hash);
   addEventListener("hashchange", () => { if (location.hash) void obey(); });
+  watchView(page, sheets);
+  watchReadout(page);
 
   page.onOpen((facts, entry) => {
     if (!race.arrange()) sheets.arrange(facts);
@@ -95,7 +101,7 @@ async function start() {
   page.onState((state) => {
     const lane = state.lanes[0];
     counters.show(lane, state.settled);
-    showLegend(state.lanes);
+    showLegend(page, state);
     if (story.textContent !== state.sentence) story.textContent = state.sentence;
     story.dataset.tone = state.isBad ? "bad" : "";
     turn.textContent = state.inHand ? "Watch again" : "Your turn";

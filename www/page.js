@@ -12,7 +12,7 @@ import { letter } from "./standings.js";
 /** @import { Panel } from "./controls/panel.js" */
 /** @import { Race } from "./controls/race.js" */
 /** @import { Studio } from "./studio.js" */
-/** @import { Look, Plan, SceneEntry, SceneFacts, Source, State } from "./types.js" */
+/** @import { Look, Plan, SceneEntry, SceneFacts, Source, State, ViewOptions } from "./types.js" */
 /** @typedef {{ entry?: SceneEntry, query?: string, plans?: Plan[], iteration?: number, play?: boolean }} Opening   how a scenario is to be put on the stage */
 
 /** Iterations a second at which a scenario of the reader's own is shown. */
@@ -45,6 +45,8 @@ export class Page {
     this.race = null;
     /** Was it told why the core would not plan this? */
     this.told = false;
+    /** What is to be seen on the stage. @type {ViewOptions} */
+    this.view = { axes: [0, 1], refused: false, strobe: true, poses: 8, raw: false, slice: false };
     /** @type {((facts: SceneFacts, entry: SceneEntry | null) => void)[]} */
     this.openers = [];
     /** @type {((state: State, before: State | null) => void)[]} */
@@ -166,6 +168,12 @@ export class Page {
     this.asked = plans;
     this.told = false;
     this.studio.tell("plan", plans, play);
+  }
+
+  /** Other things are to be seen. @param {Partial<ViewOptions>} view */
+  see(view) {
+    Object.assign(this.view, view);
+    this.studio.tell("view", view);
   }
 
   /** The query that is chosen. */

@@ -43,7 +43,9 @@
  * @property {[number, number]} axes   coordinates of the configuration square, across and up
  * @property {boolean} refused    do crosses and broken lines stay
  * @property {boolean} strobe     poses along the path
+ * @property {number} poses       how many, 3 to 24
  * @property {boolean} raw        the path as it was found, beside the shortened one
+ * @property {boolean} slice      obstacles of a square of more than two joints, the others held as the robot shows them
  *
  * @typedef {"workspace" | "cspace"} PaneKind
  *
@@ -104,6 +106,12 @@
  * @property {boolean} isProven
  * @property {boolean} isMiss
  * @property {boolean} hasGuards
+ * @property {boolean} hasRejected  samples were refused by then
+ * @property {boolean} hasRefused   motions were refused by then
+ * @property {number} waiting       vertices that the search has reached and not expanded
+ * @property {number | null} raw    length of the path as it was found, where it is shorter now
+ * @property {number | null} segments
+ * @property {{ nearest: number, seconds: number } | null} stats   known of the newest iteration only: questions to the index, time of planning
  * @property {string[]} marks      what the iteration did, in the words of the pseudo-code
  * @property {import("./standings.js").Standing} standing   beside the others of a race
  *
@@ -122,6 +130,7 @@
  * @property {boolean} arrived
  * @property {number[] | null} pose
  * @property {{ text: string, free: boolean }} touching
+ * @property {{ vertex: number, text: string, free: boolean } | null} hover   what is pointed at; vertex -1: a mere pose
  * @property {LaneState[]} lanes
  * @property {string[]} summary   of each lane, in words
  * @property {string} curves   differs where the curves do

@@ -3,6 +3,8 @@
  * The log is only ever added to, and each iteration has left a row of counts in it. So what an earlier iteration showed is
  * the beginning of the log up to its counts: going back costs no planning, and shows what a fresh run to there would.
  */
+import { Frontier } from "./frontier.js";
+import { Kin } from "./kin.js";
 import { Rows } from "./rows.js";
 
 /** @import { ResultDocument, Scenario, Settings } from "../types.js" */
@@ -49,6 +51,10 @@ export class Run {
     /** How many vertices the search has expanded, how many are guards. */
     this.expanded = 0;
     this.guards = 0;
+    /** For each kind of event the place of the first in the log. @type {number[]} */
+    this.firsts = [];
+    this.kin = new Kin(this);
+    this.frontier = new Frontier(this, this.kin);
     /** What grows. @type {"roadmap" | "tree" | "trees"} */
     this.kind = algorithm === "rrt-connect" ? "trees" : algorithm.startsWith("rrt") ? "tree" : "roadmap";
     this.isTree = this.kind !== "roadmap";
@@ -187,6 +193,7 @@ export class Run {
     if (planner.eventCount > first) this.events.add(planner.eventsSince(first));
     const { data, width, count } = this.events;
     for (let i = first; i < count; i++) {
+      this.firsts[data[i * width]] ??= i;
       if (data[i * width] === EVENT.expanded) this.expanded++;
       else if (data[i * width] === EVENT.guard) this.guards++;
     }
@@ -202,6 +209,16 @@ export class Run {
       const child = this.edges.data[2 * i + 1];
       if (sides[child] === SIDE.none) sides[child] = sides[parent];
     }
+  }
+
+  /** Has an event of a kind happened by the iteration that is shown? @param {number} kind  of `EVENT` */
+  has(kind) { return (this.firsts[kind] ?? Infinity) < this.past[PAST.events]; }
+
+  /** The length of the path as it was found, before it was made shorter; Infinity while there is none. */
+  get rawLength() {
+    const { data, width, count } = this.history;
+    for (let i = 0; i < count; i++) if (data[i * width + PAST.cost] < Infinity) return data[i * width + PAST.cost];
+    return Infinity;
   }
 
   /** The result at the newest iteration, made once. */

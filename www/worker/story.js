@@ -4,7 +4,7 @@ import { touchingSentence } from "./names.js";
 import { PAST } from "./run.js";
 
 /** @import { Journey } from "./journey.js" */
-/** @import { Lane } from "./lane.js" */
+/** @import { Hover, Lane } from "./lane.js" */
 /** @import { Run } from "./run.js" */
 /** @import { Check, Scenario } from "../types.js" */
 
@@ -43,7 +43,8 @@ export function ending(run, journey) {
   const unit = run.scenario.robot === "arm" ? "rad" : "m";
   const { length, approximate } = run.result;
   if (run.status === "solved") {
-    const found = `Found after ${iterations} iterations: a path of ${length.toFixed(2)} ${unit}`;
+    const shorter = journey?.raw ? `, ${run.rawLength.toFixed(2)} ${unit} before it was shortened` : "";
+    const found = `Found after ${iterations} iterations: a path of ${length.toFixed(2)} ${unit}${shorter}`;
     if (run.isProven) return `${found}, proven free from end to end.`;
     return `${found}, not proven. ${journey?.flaw ? collision(run.scenario, journey.flaw.check) : "Checked afterwards, it touches nothing."}`;
   }
@@ -72,6 +73,25 @@ export function poseSentence(scenario, check) {
   if (check.free) return "Free: nothing touches.";
   const sentence = touchingSentence(scenario, check);
   return `${sentence[0].toUpperCase()}${sentence.slice(1)}.`;
+}
+
+/** What is pointed at, in words. @param {Hover} hover */
+export function hoverSentence({ lane: { run, scenario }, vertex, pose, check }) {
+  const unit = scenario.robot === "arm" ? "rad" : "m";
+  const numbers = [...pose].map((value) => value.toFixed(2).replace("-", "\u2212")).join(", ");
+  if (vertex < 0 || !run) return `Pose ${numbers} ${unit}: ${check.free ? "free" : touchingSentence(scenario, check)}.`;
+  const { kin, past } = run;
+  const edges = past[PAST.edges];
+  kin.follow();
+  const name = `Vertex ${vertex}${vertex < 2 ? [", the start,", ", the goal,"][vertex] : ""} at ${numbers} ${unit}`;
+  if (!run.isTree) {
+    let degree = 0;
+    kin.neighbours(vertex, edges, () => degree++);
+    return `${name}: ${degree} ${degree === 1 ? "edge" : "edges"}.`;
+  }
+  const parent = kin.parent(vertex, edges);
+  if (parent < 0) return `${name}: ${vertex === 0 || run.kind === "trees" ? "the root of its tree" : "not reached yet"}.`;
+  return `${name}. Parent ${parent}, ${kin.distance(parent, vertex).toFixed(2)} ${unit} away; ${kin.costs[vertex].toFixed(2)} ${unit} from the root.`;
 }
 
 /** @param {number} touches */

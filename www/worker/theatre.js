@@ -9,6 +9,7 @@ import { contained, coordinatesOf } from "./coordinates.js";
 import { Grip } from "./grip.js";
 import { thinned } from "./curve.js";
 import { compete } from "./compete.js";
+import { Pointing } from "./pointing.js";
 import { Lane } from "./lane.js";
 import { report } from "./report.js";
 import * as story from "./story.js";
@@ -20,6 +21,8 @@ import * as story from "./story.js";
 /** Milliseconds of planning in a frame at most, and when inking new growth stops. */
 const PLANNING = 4.5;
 const FRAME = 6;
+/** When inking stops where nothing plays and the reader waits for another time. */
+const REDRAW = 24;
 /** Measures kept in the browser's timeline before it is emptied. */
 const MEASURES = 20000;
 
@@ -37,6 +40,7 @@ export class Theatre {
     this.stage = new Stage();
     this.clock = new Clock();
     this.grip = new Grip();
+    this.pointing = new Pointing();
     /** @type {Shown | null} */
     this.shown = null;
     /** @type {Lane[]} */
@@ -44,7 +48,7 @@ export class Theatre {
     /** @type {string | undefined} */
     this.query = undefined;
     /** @type {ViewOptions} */
-    this.view = { axes: [0, 1], refused: false, strobe: true, raw: false };
+    this.view = { axes: [0, 1], refused: false, strobe: true, poses: 8, raw: false, slice: false };
     /** What the scene says of its own planner. */
     this.story = { algorithm: "", sentence: "" };
     /** Why the core would not plan, if so, and for which lane. @type {{ error: unknown, lane: number } | null} */
@@ -281,6 +285,7 @@ export class Theatre {
     const place = this.stage.at(id);
     if (!place || !this.shown) return false;
     const { pane, kind } = place;
+    this.pointing.at = type === "hover" ? { place, x, y } : null;
     if (type !== "down" && type !== "move") return false;
     const pose = kind === "cspace"
       ? this.grip.square(/** @type {CSpace} */ (pane), x, y)
@@ -292,7 +297,9 @@ export class Theatre {
   /** What is to be seen. @param {Partial<ViewOptions>} view */
   setView(view) {
     Object.assign(this.view, view);
-    this.stage.relay();
+    this.stir();
+    // Poses and the path as found are on the top, which is drawn anew each frame.
+    if ("axes" in view || "refused" in view) this.stage.relay();
     this.wake();
   }
 
@@ -345,6 +352,8 @@ export class Theatre {
 
   /** @param {number} now */
   perform(now) {
+    const { shown } = this;
+    if (!shown) return;
     const began = performance.now();
     const elapsed = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = now;
@@ -353,9 +362,11 @@ export class Theatre {
     const working = moved || !stage.caughtUp;
     if (moved) this.stir();
     if (clock.playing && !this.growing) this.travel(elapsed);
-    stage.frame(this.lanes, now, began + FRAME);
+    shown.hover = shown.hand ? null : this.pointing.find(this.lanes, this.grip, shown.hover);
+    for (const { run } of this.lanes) run?.frontier.follow();
+    stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
     const resting = !clock.owes && (!clock.playing || !this.growing);
-    if (resting && stage.caughtUp) this.settled = true;
+    if (resting && stage.caughtUp && stage.isTended) this.settled = true;
     if (working) this.measure(began);
     this.tell(report(this));
     if (clock.playing || clock.owes || stage.busy) this.wake();

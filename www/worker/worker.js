@@ -52,6 +52,8 @@ const commands = {
   hold: (pose) => house().hold(Float64Array.from(pose)),
   /** @param {Pointer} pointer */
   pointer: (pointer) => house().pointer(pointer),
+  /** @param {number} vertex  -1: none */
+  inspect: (vertex) => house().pointing.choose(vertex),
   /** @param {Partial<ViewOptions>} view */
   view: (view) => house().setView(view),
   /** @param {Look} look */

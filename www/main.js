@@ -15,6 +15,7 @@ import { watchAnnouncements } from "./controls/announce.js";
 import { Counters } from "./controls/counters.js";
 import { byId } from "./controls/dom.js";
 import { watchFiles } from "./controls/drop.js";
+import { EditorControls } from "./controls/editor.js";
 import { Gallery, SIDE } from "./controls/gallery.js";
 import { watchKeys } from "./controls/keys.js";
 import { showLegend } from "./controls/legend.js";
@@ -72,6 +73,7 @@ async function start() {
   watchFiles(openFile, (name, error) => notice.show(`${name} could not be read.`, error));
   watchTheme(() => page.dress());
   watchAnnouncements(page);
+  new EditorControls(page);
 
   page.onOpen((facts, entry) => {
     sheets.arrange(facts);

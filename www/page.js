@@ -142,7 +142,8 @@ export class Page {
     if (state.lanes.length === 0) return;
     for (const then of this.watchers) then(state, before);
     const { refusal } = state;
-    if (!refusal || refusal.message === before?.refusal?.message) return;
-    if (!this.panel.refuse(refusal.pointer, refusal.message)) this.notice.show("This cannot be planned.", Object.assign(new Error(refusal.message), refusal));
+    if (!refusal || (refusal.message === before?.refusal?.message && Boolean(before.edit) === Boolean(state.edit))) return;
+    // The editor says it itself, where the hand is.
+    if (!this.panel.refuse(refusal.pointer, refusal.message) && !state.edit?.touching) this.notice.show("This cannot be planned.", Object.assign(new Error(refusal.message), refusal));
   }
 }

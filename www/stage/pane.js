@@ -56,6 +56,10 @@ export class Pane {
   pixels(_rows) { throw new Error("a pane must place configurations"); }
   /** Motions to lines in pixels. @param {Float64Array} _ends  rows of from, to @param {boolean[]} [_circles]  coordinates whose motions go the short way round @returns {Lines} */
   lines(_ends, _circles) { throw new Error("a pane must trace motions"); }
+  /** Called before anything is drawn of another scenario. @param {Lane} _lane */
+  survey(_lane) {}
+  /** What the editor draws. @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
+  drawOverlay(_context, _lane) {}
   /** The robot, above everything else. @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
   drawRobot(_context, _lane) {}
   /** Keeps what crosses the border of the picture inside. @param {CanvasRenderingContext2D} _context */
@@ -75,9 +79,19 @@ export class Pane {
     this.hatchOnObstacle = hatch(layers.top.context, palette.collision, ratio);
     this.pathLines = null;
     this.glow.clear();
+    this.survey(lane);
     this.prepare(lane);
     this.drawGround(layers.ground.context, lane);
     this.growth.restart(countsOf(lane.run));
+  }
+
+  /** The world changes beneath the reader's hand: another ground, on the same view. @param {Lane} lane */
+  refresh(lane) {
+    this.lane = lane;
+    this.layers.ground.clear();
+    this.survey(lane);
+    this.drawGround(this.layers.ground.context, lane);
+    this.restart();
   }
 
   /** A new run on the same ground. */
@@ -115,6 +129,7 @@ export class Pane {
     context.restore();
     this.drawEnds(context, lane, palette);
     this.drawRobot(context, lane);
+    this.drawOverlay(context, lane);
   }
 
   /** @param {CanvasRenderingContext2D} context @param {Journey} journey @param {Palette} palette */

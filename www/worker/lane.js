@@ -2,6 +2,7 @@
 import { journeyOf } from "./journey.js";
 import { Run } from "./run.js";
 
+/** @import { Overlay } from "./editor.js" */
 /** @import { Journey } from "./journey.js" */
 /** @import { Check, Configuration, Plan, Scenario, ScenarioDocument, ViewOptions } from "../types.js" */
 
@@ -15,6 +16,8 @@ import { Run } from "./run.js";
  * @property {Check | null} check           of the pose held by hand
  * @property {Float64Array | null} hover    the configuration the pointer is at, if any
  * @property {ViewOptions} view
+ * @property {boolean} rough                it is being changed by hand: pictures may be coarse
+ * @property {Overlay | null} overlay       what the editor draws
  */
 
 export class Lane {

@@ -28,6 +28,7 @@ export function report(theatre) {
     arrived: shown?.hand !== null && theatre.game.arrived,
     lanes: lanes.map((lane) => laneState(lane, settled)),
     summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),
+    edit: theatre.editor.state,
     refusal: theatre.refusal === null ? null : faultOf(theatre.refusal),
   };
 }

@@ -52,9 +52,15 @@ const notice = new Notice();
 
 try {
   await start();
+  keepForLater();
 } catch (error) {
   counters.none("failed");
   notice.show("Planarium could not start: it needs a browser with WebAssembly, and its own files beside this page.", error);
+}
+
+/** Has the page's files kept, so that it opens without a network too; a page that may not keep anything does without. */
+function keepForLater() {
+  if (location.protocol.startsWith("http")) navigator.serviceWorker?.register("offline.js").catch(() => {});
 }
 
 async function start() {

@@ -57,8 +57,6 @@ export class Pane {
   fits(_lane) { return true; }
   /** @param {Lane} _lane @param {number} _width @param {number} _height @returns {View} */
   makeView(_lane, _width, _height) { throw new Error("a pane must make its view"); }
-  /** Called after each fit, before anything is drawn. @param {Lane} _lane */
-  prepare(_lane) {}
   /** @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
   drawGround(_context, _lane) {}
   /** Configurations to pixels. @param {Float64Array} _rows @returns {Float64Array} */
@@ -92,7 +90,6 @@ export class Pane {
     this.hatchOnObstacle = hatch(layers.top.context, palette.collision, ratio);
     this.forget();
     this.survey(lane);
-    this.prepare(lane);
     for (const name of /** @type {const} */ (["edges", "vertices", "marks"])) layers[name].enclose((context) => this.clip(context));
     this.drawGround(layers.ground.context, lane);
     this.growth.restart(countsOf(lane.run));

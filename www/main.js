@@ -28,6 +28,7 @@ import { Link } from "./controls/link.js";
 import { Notice } from "./controls/notice.js";
 import { Panel } from "./controls/panel.js";
 import { Pose } from "./controls/pose.js";
+import { Projector } from "./controls/projector.js";
 import { showPseudocode } from "./controls/pseudocode.js";
 import { showSceneOptions } from "./controls/scene-options.js";
 import { Race } from "./controls/race.js";
@@ -100,6 +101,7 @@ async function start() {
   watchView(page, sheets);
   watchReadout(page);
   new EditorControls(page);
+  new Projector(page);
 
   page.onOpen((facts, entry) => {
     if (!race.arrange()) sheets.arrange(facts);

@@ -3,6 +3,7 @@
  * scene opens, when a state comes, when the colours change; none of them knows the others.
  */
 import { byId } from "./controls/dom.js";
+import { isProjected } from "./controls/projector.js";
 import { nameAll } from "./controls/names.js";
 import { loadScene } from "./resources.js";
 import { readPalette } from "./stage/palette.js";
@@ -75,7 +76,7 @@ export class Page {
   onDress(then) { this.dressers.push(then); }
 
   /** @returns {Look} */
-  get look() { return { palette: readPalette(byId("stage", HTMLElement)), ratio: devicePixelRatio || 1, calm: this.calm }; }
+  get look() { return { palette: readPalette(byId("stage", HTMLElement)), ratio: devicePixelRatio || 1, calm: this.calm, bold: isProjected() ? 1.7 : 1 }; }
 
   /** Colours or pixels are others. */
   dress() {

@@ -288,7 +288,7 @@ describe("what is broken", () => {
     const cases = [
       [{ scene: "atlantis", lanes: [{ algorithm: "rrt", settings: { seed: 5 } }] }, /There is no scene "atlantis"; this is the first one/, { scene: "stones", planner: "rrt", "parameter-seed": "5" }],
       [{ lanes: [{ algorithm: "crystal-ball", settings: {} }] }, /There is no planner "crystal-ball"/, { scene: "firs", planner: "rrt-connect", "parameter-seed": "7" }],
-      [{ lanes: [{ algorithm: "prm", settings: { k: -3, samples: 70 } }] }, /neighbours.*-3 is below 1/i, { scene: "firs", planner: "prm", "parameter-samples": "70", "parameter-k": "10" }],
+      [{ lanes: [{ algorithm: "prm", settings: { k: -3, samples: 70 } }] }, /neighbours.*-3 is below 1/i, { scene: "firs", planner: "prm", "parameter-samples": "70", "parameter-k": "" }],
       [{ lanes: [{ algorithm: "prm", settings: { k: "ten", wings: 2, samples: 71 } }] }, /This is not a number.*wings: There is no such setting/, { planner: "prm", "parameter-samples": "71" }],
       [{ lanes: [{ algorithm: "rrt", settings: {} }], query: "home" }, /There is no query "home"/, { scene: "firs", planner: "rrt" }],
       [{ lanes: [{ algorithm: "rrt", settings: {} }], view: { axes: [0, 9] } }, /no coordinates 0 and 9/, { planner: "rrt" }],

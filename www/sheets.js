@@ -49,6 +49,11 @@ export class Sheets {
     this.measure();
   }
 
+  /** How a lane stands, beside its caption. @param {number} lane @param {string} text */
+  note(lane, text) {
+    for (const figure of this.figures.values()) if (figure.lane === lane) figure.note.textContent = text;
+  }
+
   /** @param {string} id @param {PaneKind} kind @param {number} lane @returns {Figure} */
   add(id, kind, lane) {
     const sheet = make("div", { className: "sheet" });

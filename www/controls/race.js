@@ -133,6 +133,6 @@ export class Race {
   show(state) {
     const { page } = this;
     if (page.asked !== this.shown && !this.arrange() && page.facts) this.sheets.arrange(page.facts);
-    if (page.asked.length > 1 && state.lanes.length === page.asked.length) this.table.show(state);
+    if (page.asked.length > 1 && state.lanes.length === page.asked.length) this.table.show(state, this.sheets);
   }
 }

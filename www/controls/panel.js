@@ -5,7 +5,7 @@
 import { byId, make } from "./dom.js";
 import { Field } from "./field.js";
 
-/** @import { ParameterInfo, Plan, PlannerInfo, Settings } from "../types.js" */
+/** @import { OptionInfo, ParameterInfo, Plan, PlannerInfo, Settings } from "../types.js" */
 
 /** Parameters worth a place of their own; the others stand under "More parameters". */
 export const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "goal_bias", "sampler", "seed"]);
@@ -69,12 +69,17 @@ export class Panel {
 
   get algorithm() { return this.planner.value; }
 
+  /** What a planner can be given, its seed with it; nothing where there is no such planner. @param {string} algorithm */
+  parametersOf(algorithm) {
+    const info = this.infos.find(({ id }) => id === algorithm);
+    return info ? withSeed(info.parameters) : [];
+  }
+
   /** What a planner would be asked with some settings, the rest at their defaults. @param {string} algorithm @param {Settings} settings @returns {Plan} */
   reads(algorithm, settings) {
-    const info = this.infos.find(({ id }) => id === algorithm);
     /** @type {Settings} */
     const all = {};
-    for (const { name, default: value } of info ? withSeed(info.parameters) : []) if (value !== null) all[name] = value;
+    for (const { name, default: value } of this.parametersOf(algorithm)) if (value !== null) all[name] = value;
     return { algorithm, settings: { ...all, ...settings } };
   }
 
@@ -159,11 +164,18 @@ export function groupsOf(fields) {
   });
 }
 
-/** Every planner takes a seed, whether its table lists it or not. @param {ParameterInfo[]} parameters @returns {ParameterInfo[]} */
-export function withSeed(parameters) {
+/**
+ * Every planner and every generator takes a seed, whether its table lists it or not.
+ * @template {ParameterInfo | OptionInfo} T
+ * @param {T[]} parameters
+ * @param {string} [what]   it decides
+ */
+export function withSeed(parameters, what = "run") {
   if (parameters.some(({ name }) => name === "seed")) return parameters;
-  return [...parameters, {
-    name: "seed", title: "Seed", kind: "integer", unit: "", min: 0, max: Number.MAX_SAFE_INTEGER, default: 0,
-    meaning: "Decides every random draw: the same seed gives the same run, bit for bit.",
-  }];
+  /** @type {OptionInfo} */
+  const seed = {
+    name: "seed", title: "Seed", kind: "integer", unit: "", min: 0, max: Number.MAX_SAFE_INTEGER, default: 0, choices: null,
+    meaning: `Decides every random draw: the same seed gives the same ${what}, bit for bit.`,
+  };
+  return [...parameters, seed];
 }

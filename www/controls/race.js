@@ -26,7 +26,7 @@ export class Race {
     /** Which picture of each planner, where it was chosen. @type {PaneKind | null} */
     this.kind = null;
     this.table = new Table(byId("standings", HTMLElement));
-    this.counters = byId("counters", HTMLElement);
+    this.numbers = byId("numbers", HTMLElement);
     this.list = make("div", {});
     this.choice = make("select", { id: "rival" }, ...page.panel.infos.map(({ id, title }) => make("option", { value: id }, title)));
     this.choice.value = "rrt-connect";
@@ -119,7 +119,7 @@ export class Race {
     this.shown = asked;
     const hasSquare = facts?.robot === "arm" && facts.dimension > 1;
     lens.hidden = !isRace || !hasSquare;
-    this.counters.hidden = isRace;
+    this.numbers.hidden = isRace;
     const { names } = page;
     this.table.build(isRace ? names : []);
     if (!isRace) return false;

@@ -54,7 +54,7 @@ export class Table {
         found === null ? nothing(lane) : `${grouped(found)}${first.includes(i) ? `, first${first.length > 1 ? ", level" : ""}` : ""}`,
         found === null ? "\u2013" : `${lengthOf(lane)}${shortest.includes(i) ? `, shortest${isOver ? "" : " so far"}` : ""}`,
       ];
-      sheets.note(i, found === null ? `${nothing(lane)}, ${texts[0]} vertices` : texts[6]);
+      sheets.rank(i, found === null ? `${nothing(lane)}, ${texts[0]} vertices` : texts[6]);
       texts.forEach((text, k) => write(this.rows[i].cells[k], text));
     });
     write(this.remark, isAlike ? "" : "Lengths are measured in different metrics here, so none is called the shortest.");

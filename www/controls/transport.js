@@ -55,8 +55,8 @@ export class Transport {
     this.along.addEventListener("input", () => studio.tell("along", Number(this.along.value)));
     this.tellSpeed();
     page.onState((state) => this.show(state));
-    page.onOpen((_, entry) => {
-      if (entry) this.pace = entry.pace;
+    page.onOpen(() => {
+      if (page.pace !== undefined) this.pace = page.pace;
     });
   }
 

@@ -14,8 +14,16 @@ import { PAST, Run } from "./run.js";
  * @property {Configuration | null} goal
  * @property {Float64Array | null} hand     the pose held by hand, if any
  * @property {Check | null} check           of the pose held by hand
- * @property {Float64Array | null} hover    the configuration the pointer is at, if any
+ * @property {Hover | null} hover           what is pointed at, if anything
  * @property {ViewOptions} view
+ */
+
+/**
+ * @typedef {object} Hover   a vertex that is pointed at, or a mere pose
+ * @property {Lane} lane
+ * @property {number} vertex   -1: a pose
+ * @property {Float64Array} pose
+ * @property {Check} check
  */
 
 export class Lane {

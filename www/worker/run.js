@@ -3,6 +3,8 @@
  * The log is only ever added to, and each iteration has left a row of counts in it. So what an earlier iteration showed is
  * the beginning of the log up to its counts: going back costs no planning, and shows what a fresh run to there would.
  */
+import { Frontier } from "./frontier.js";
+import { Kin } from "./kin.js";
 import { Rows } from "./rows.js";
 
 /** @import { ResultDocument, Scenario, Settings } from "../types.js" */
@@ -49,6 +51,10 @@ export class Run {
     /** How many vertices the search has expanded, how many are guards. */
     this.expanded = 0;
     this.guards = 0;
+    /** For each kind of event the place of the first in the log. @type {number[]} */
+    this.firsts = [];
+    this.kin = new Kin(this);
+    this.frontier = new Frontier(this, this.kin);
     /** What grows. @type {"roadmap" | "tree" | "trees"} */
     this.kind = algorithm === "rrt-connect" ? "trees" : algorithm.startsWith("rrt") ? "tree" : "roadmap";
     this.isTree = this.kind !== "roadmap";
@@ -187,6 +193,7 @@ export class Run {
     if (planner.eventCount > first) this.events.add(planner.eventsSince(first));
     const { data, width, count } = this.events;
     for (let i = first; i < count; i++) {
+      this.firsts[data[i * width]] ??= i;
       if (data[i * width] === EVENT.expanded) this.expanded++;
       else if (data[i * width] === EVENT.guard) this.guards++;
     }
@@ -204,6 +211,16 @@ export class Run {
     }
   }
 
+  /** Has an event of a kind happened by the iteration that is shown? @param {number} kind  of `EVENT` */
+  has(kind) { return (this.firsts[kind] ?? Infinity) < this.past[PAST.events]; }
+
+  /** The length of the path as it was found, before it was made shorter; Infinity while there is none. */
+  get rawLength() {
+    const { data, width, count } = this.history;
+    for (let i = 0; i < count; i++) if (data[i * width + PAST.cost] < Infinity) return data[i * width + PAST.cost];
+    return Infinity;
+  }
+
   /** The result at the newest iteration, made once. */
   get result() {
     if (this.known?.made !== this.made || this.known.status !== this.planner.status) {
@@ -212,15 +229,16 @@ export class Run {
     return this.known.result;
   }
 
-  /** What the newest iteration that is shown did, in the words of the pseudo-code's marks. @returns {Set<string>} */
+  /** What the newest iteration that is shown did, in the words of the pseudo-code's marks; before the first, none. @returns {Set<string>} */
   marks() {
     /** @type {Set<string>} */
-    const marks = new Set([this.phase]);
+    const marks = new Set();
     if (this.shown === 0) return marks;
     const now = this.past;
     const before = this.history.row(this.shown - 1);
-    // The last iteration of a phase was still of that phase.
+    // The phase that it began in: the last iteration of a phase was still of that phase.
     marks.add(this.phases[before[PAST.phase]]);
+    if (this.status !== "running") marks.add("done");
     if (now[PAST.vertices] > before[PAST.vertices]) marks.add("vertex");
     if (now[PAST.edges] > before[PAST.edges]) marks.add("edge");
     const words = Object.keys(EVENT);

@@ -2,12 +2,14 @@
  * What goes on: which scenario is on the stage, which planners grow on it, what time it is, whether the robot follows a path
  * or is in the reader's hand. One frame at a time: a bounded slice of planning, then a bounded slice of drawing.
  */
+import { faultOf } from "../fault.js";
 import { Stage } from "../stage/stage.js";
 import { Clock } from "./clock.js";
 import { contained, coordinatesOf } from "./coordinates.js";
 import { Grip } from "./grip.js";
 import { thinned } from "./curve.js";
 import { compete } from "./compete.js";
+import { Pointing } from "./pointing.js";
 import { Lane } from "./lane.js";
 import { report } from "./report.js";
 import * as story from "./story.js";
@@ -19,21 +21,26 @@ import * as story from "./story.js";
 /** Milliseconds of planning in a frame at most, and when inking new growth stops. */
 const PLANNING = 4.5;
 const FRAME = 6;
+/** When inking stops where nothing plays and the reader waits for another time. */
+const REDRAW = 24;
 /** Measures kept in the browser's timeline before it is emptied. */
 const MEASURES = 20000;
 
 export class Theatre {
   /**
    * @param {Library} library
+   * @param {() => void} renew   makes a fresh core after the last one was lost
    * @param {(state: State) => void} tell   hears what is to be told of each frame
    */
-  constructor(library, tell) {
+  constructor(library, renew, tell) {
     this.library = library;
+    this.renew = renew;
     this.tell = tell;
     this.phases = library.phases;
     this.stage = new Stage();
     this.clock = new Clock();
     this.grip = new Grip();
+    this.pointing = new Pointing();
     /** @type {Shown | null} */
     this.shown = null;
     /** @type {Lane[]} */
@@ -41,7 +48,7 @@ export class Theatre {
     /** @type {string | undefined} */
     this.query = undefined;
     /** @type {ViewOptions} */
-    this.view = { axes: [0, 1], refused: false, strobe: true, raw: false };
+    this.view = { axes: [0, 1], refused: false, strobe: true, poses: 8, raw: false, slice: false };
     /** What the scene says of its own planner. */
     this.story = { algorithm: "", sentence: "" };
     /** Why the core would not plan, if so, and for which lane. @type {{ error: unknown, lane: number } | null} */
@@ -66,7 +73,7 @@ export class Theatre {
     const document = scenario.document();
     this.shown = { scenario, document, start: null, goal: null, hand: null, check: null, hover: null, view: this.view };
     this.story = { algorithm: programme.teller, sentence: programme.story };
-    this.clock.pace = programme.pace;
+    if (programme.pace !== undefined) this.clock.pace = programme.pace;
     this.query = document.queries.find(({ name }) => name === programme.query)?.name ?? document.queries[0]?.name;
     this.stage.relay();
     this.plan(programme.plans, programme.play);
@@ -278,6 +285,7 @@ export class Theatre {
     const place = this.stage.at(id);
     if (!place || !this.shown) return false;
     const { pane, kind } = place;
+    this.pointing.at = type === "hover" ? { place, x, y } : null;
     if (type !== "down" && type !== "move") return false;
     const pose = kind === "cspace"
       ? this.grip.square(/** @type {CSpace} */ (pane), x, y)
@@ -289,7 +297,9 @@ export class Theatre {
   /** What is to be seen. @param {Partial<ViewOptions>} view */
   setView(view) {
     Object.assign(this.view, view);
-    this.stage.relay();
+    this.stir();
+    // Poses and the path as found are on the top, which is drawn anew each frame.
+    if ("axes" in view || "refused" in view) this.stage.relay();
     this.wake();
   }
 
@@ -307,6 +317,43 @@ export class Theatre {
   /** @param {number} now */
   frame(now) {
     if (!this.shown) return;
+    try {
+      this.perform(now);
+    } catch (error) {
+      const { code } = faultOf(error);
+      if (code === "") throw error;
+      if (code === "internal") this.recover();
+      else this.stop(error);
+    }
+  }
+
+  /** The planner cannot go on. @param {unknown} error */
+  stop(error) {
+    this.clock.halt();
+    this.refusal = { error, lane: 0 };
+    this.tell(report(this));
+  }
+
+  /**
+   * The core has stopped on a fault of its own, and all that it held is lost: a fresh one begins the same runs again, and the
+   * page says so.
+   */
+  recover() {
+    const { shown } = this;
+    if (!shown) return;
+    const plans = this.lanes.map(({ plan }) => plan);
+    this.renew();
+    this.shown = { ...shown, scenario: this.library.Scenario.parse(shown.document), hand: null, check: null, hover: null };
+    this.lanes = [];
+    this.plan(plans, false);
+    const error = Object.assign(new Error("Planarium's core stopped on a fault of its own. A fresh one has taken its place, and the run begins again."), { code: "internal" });
+    this.refusal ??= { error, lane: 0 };
+  }
+
+  /** @param {number} now */
+  perform(now) {
+    const { shown } = this;
+    if (!shown) return;
     const began = performance.now();
     const elapsed = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = now;
@@ -315,9 +362,11 @@ export class Theatre {
     const working = moved || !stage.caughtUp;
     if (moved) this.stir();
     if (clock.playing && !this.growing) this.travel(elapsed);
-    stage.frame(this.lanes, now, began + FRAME);
+    shown.hover = shown.hand ? null : this.pointing.find(this.lanes, this.grip, shown.hover);
+    for (const { run } of this.lanes) run?.frontier.follow();
+    stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
     const resting = !clock.owes && (!clock.playing || !this.growing);
-    if (resting && stage.caughtUp) this.settled = true;
+    if (resting && stage.caughtUp && stage.isTended) this.settled = true;
     if (working) this.measure(began);
     this.tell(report(this));
     if (clock.playing || clock.owes || stage.busy) this.wake();

@@ -120,6 +120,7 @@ export class Race {
     const hasSquare = facts?.robot === "arm" && facts.dimension > 1;
     lens.hidden = !isRace || !hasSquare;
     this.numbers.hidden = isRace;
+    this.sheets.element.classList.toggle("race", isRace);
     const { names } = page;
     this.table.build(isRace ? names : []);
     if (!isRace) return false;

@@ -19,6 +19,7 @@ import { byId } from "./controls/dom.js";
 import { watchFiles } from "./controls/drop.js";
 import { watchParent } from "./controls/embed.js";
 import { watchCurves } from "./controls/curves.js";
+import { EditorControls } from "./controls/editor.js";
 import { Gallery, SIDE } from "./controls/gallery.js";
 import { watchKeys } from "./controls/keys.js";
 import { showLegend } from "./controls/legend.js";
@@ -92,6 +93,7 @@ async function start() {
   addEventListener("hashchange", () => { if (location.hash) void obey(); });
   watchView(page, sheets);
   watchReadout(page);
+  new EditorControls(page);
 
   page.onOpen((facts, entry) => {
     if (!race.arrange()) sheets.arrange(facts);

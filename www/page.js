@@ -195,8 +195,8 @@ export class Page {
     if (state.lanes.length === 0) return;
     for (const then of this.watchers) then(state, before);
     const { refusal } = state;
-    // Old news is not told, and each refusal once.
-    if (!refusal || this.told || state.heard < this.studio.ordered) return;
+    // Old news is not told, and each refusal once; what the editor is at, it says itself, where the hand is.
+    if (!refusal || this.told || state.heard < this.studio.ordered || state.edit?.touching) return;
     this.told = true;
     const { lane, pointer, message } = refusal;
     if (lane === 0 ? this.panel.refuse(pointer, message) : this.race?.refuse(lane, pointer, message)) return;

@@ -41,12 +41,13 @@ export class Sheets {
       this.figures.delete(id);
       this.studio.tell("unpane", id);
     }
-    for (const { id, kind, lane, caption, note = "" } of wanted) {
+    for (const [at, { id, kind, lane, caption, note = "" }] of wanted.entries()) {
       const figure = this.figures.get(id) ?? this.add(id, kind, lane);
       if (figure.caption.textContent !== caption) figure.caption.textContent = caption;
       figure.said = note;
       this.say(figure);
-      this.element.append(figure.figure);
+      // What is in its place stays there: moving it would take the pointer away from whoever drags.
+      if (this.element.children[at] !== figure.figure) this.element.insertBefore(figure.figure, this.element.children[at] ?? null);
     }
     this.element.classList.toggle("single", wanted.length === 1);
     this.element.dataset.sheets = String(wanted.length);
@@ -126,7 +127,7 @@ export class Sheets {
     /** @param {PointerEvent} event @param {Pointer["type"]} type */
     const tell = (event, type) => {
       if (!event.isPrimary) return;
-      this.studio.tell("pointer", { pane, type, x: event.offsetX, y: event.offsetY, shift: event.shiftKey });
+      this.studio.tell("pointer", { pane, type, x: event.offsetX, y: event.offsetY, shift: event.shiftKey, touch: event.pointerType === "touch" });
     };
     canvas.addEventListener("pointerdown", (event) => {
       if (event.button !== 0 || !event.isPrimary) return;
@@ -137,7 +138,7 @@ export class Sheets {
     canvas.addEventListener("pointermove", (event) => tell(event, down ? "move" : "hover"));
     for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) {
       canvas.addEventListener(end, (event) => {
-        if (down) tell(event, "up");
+        if (down) tell(event, end === "pointerup" ? "up" : "cancel");
         down = false;
       });
     }

@@ -65,6 +65,10 @@ export class Pane {
   pixels(_rows) { throw new Error("a pane must place configurations"); }
   /** Motions to lines in pixels. @param {Float64Array} _ends  rows of from, to @param {boolean[]} [_circles]  coordinates whose motions go the short way round @returns {Lines} */
   lines(_ends, _circles) { throw new Error("a pane must trace motions"); }
+  /** Called before anything is drawn of another scenario. @param {Lane} _lane */
+  survey(_lane) {}
+  /** What the editor draws. @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
+  drawOverlay(_context, _lane) {}
   /** The robot, above everything else. @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
   drawRobot(_context, _lane) {}
   /** Goes on with what the ground still lacks. @param {Lane} _lane @param {number} _until */
@@ -87,10 +91,20 @@ export class Pane {
     this.hatchOnPart = hatch(layers.top.context, palette.stage, ratio);
     this.hatchOnObstacle = hatch(layers.top.context, palette.collision, ratio);
     this.forget();
+    this.survey(lane);
     this.prepare(lane);
     for (const name of /** @type {const} */ (["edges", "vertices", "marks"])) layers[name].enclose((context) => this.clip(context));
     this.drawGround(layers.ground.context, lane);
     this.growth.restart(countsOf(lane.run));
+  }
+
+  /** The world changes beneath the reader's hand: another ground, on the same view. @param {Lane} lane */
+  refresh(lane) {
+    this.lane = lane;
+    this.layers.ground.clear();
+    this.survey(lane);
+    this.drawGround(this.layers.ground.context, lane);
+    this.restart();
   }
 
   /** A new run on the same ground. */
@@ -144,6 +158,7 @@ export class Pane {
     const { hover } = lane.shown;
     if (hover?.lane === lane) this.drawHover(context, hover, palette);
     this.drawRobot(context, lane);
+    this.drawOverlay(context, lane);
   }
 
   /** The vertices that wait for the search, each in a small ring. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette */

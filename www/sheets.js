@@ -7,7 +7,7 @@ import { LAYERS } from "./stage/layer.js";
 
 /** @import { Page } from "./page.js" */
 /** @import { PaneKind, Pointer, SceneFacts, State } from "./types.js" */
-/** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string }} Sheet */
+/** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Sheet   the note says quietly what is to be seen */
 /** @typedef {{ figure: HTMLElement, caption: HTMLElement, note: HTMLElement, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
 
 export class Sheets {
@@ -27,8 +27,8 @@ export class Sheets {
   arrange({ robot, dimension }) {
     const square = robot === "arm" && dimension >= 2;
     this.show([
-      { id: "workspace", kind: "workspace", lane: 0, caption: "Workspace" },
-      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space" }] : []),
+      { id: "workspace", kind: "workspace", lane: 0, caption: "Workspace", note: `the ${robot}\u2019s world; points mark its ${robot === "arm" ? "tip" : "centre"}` },
+      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space", note: `each point is a pose: two ${dimension > 2 ? "of its " : ""}angles` }] : []),
     ]);
   }
 
@@ -41,10 +41,11 @@ export class Sheets {
       this.figures.delete(id);
       this.studio.tell("unpane", id);
     }
-    for (const { id, kind, lane, caption } of wanted) {
+    for (const { id, kind, lane, caption, note = "" } of wanted) {
       const figure = this.figures.get(id) ?? this.add(id, kind, lane);
       if (figure.caption.textContent !== caption) figure.caption.textContent = caption;
-      figure.note.textContent = this.notes[kind] ?? "";
+      const words = this.notes[kind] ?? note;
+      if (figure.note.textContent !== words) figure.note.textContent = words;
       this.element.append(figure.figure);
     }
     this.element.classList.toggle("single", wanted.length === 1);
@@ -52,18 +53,19 @@ export class Sheets {
     this.measure();
   }
 
-  /** Says something beside the caption of every sheet of a kind. @param {PaneKind} kind @param {string} text */
+  /** Says something beside the caption of every sheet of a kind, or from the next arrangement on what it says by itself. @param {PaneKind} kind @param {string | undefined} text */
   annotate(kind, text) {
+    if (this.notes[kind] === text) return;
     this.notes[kind] = text;
-    for (const figure of this.figures.values()) if (figure.kind === kind) figure.note.textContent = text;
+    for (const figure of this.figures.values()) if (figure.kind === kind && text) figure.note.textContent = text;
   }
 
   /** @param {string} id @param {PaneKind} kind @param {number} lane @returns {Figure} */
   add(id, kind, lane) {
     const sheet = make("div", { className: "sheet" });
     const caption = make("span", {});
-    const note = make("span", { className: "note" });
-    const figure = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, caption, note), sheet);
+    const note = make("small", {});
+    const figure = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, caption, " ", note), sheet);
     const canvases = LAYERS.map((name) => {
       const canvas = make("canvas", {});
       canvas.dataset.layer = name;
@@ -97,8 +99,9 @@ export class Sheets {
     const now = performance.now();
     if (!settled && now - this.described < 1000) return;
     this.described = now;
-    for (const { top, kind, lane } of this.figures.values()) {
-      const text = `${kind === "cspace" ? "Configuration space" : "Workspace"}: ${summary[lane] ?? ""}`;
+    for (const { top, kind, lane, caption } of this.figures.values()) {
+      const what = kind === "cspace" ? "Configuration space" : "Workspace";
+      const text = `${what}${caption.textContent === what ? "" : ` of ${caption.textContent}`}: ${summary[lane] ?? ""}`;
       if (top.getAttribute("aria-label") !== text) top.setAttribute("aria-label", text);
     }
   }

@@ -16,6 +16,8 @@
  * @typedef {import("planarium").PlannerInfo} PlannerInfo
  * @typedef {import("planarium").ParameterInfo} ParameterInfo
  * @typedef {import("planarium").GeneratorId} GeneratorId
+ * @typedef {import("planarium").GeneratorInfo} GeneratorInfo
+ * @typedef {import("planarium").OptionInfo} OptionInfo
  * @typedef {typeof import("planarium")} Library  the package, handed to the modules that need it
  *
  * What is asked for:
@@ -31,7 +33,7 @@
  * @typedef {object} Programme   how a scenario is put on the stage
  * @property {Plan[]} plans      one, or up to four that race
  * @property {string} [query]
- * @property {number} pace       iterations a second
+ * @property {number} [pace]     iterations a second; those of before where absent
  * @property {string} story      what the scene says of its own planner
  * @property {string} teller     that planner
  * @property {boolean} play
@@ -111,15 +113,17 @@
  * @property {number | null} segments
  * @property {{ nearest: number, seconds: number } | null} stats   known of the newest iteration only: questions to the index, time of planning
  * @property {string[]} marks      what the iteration did, in the words of the pseudo-code
+ * @property {import("./standings.js").Standing} standing   beside the others of a race
  *
  * @typedef {object} State   what the page is told of a frame
  * @property {number} heard   number of the newest order obeyed
- * @property {{ now: number, head: number, isRace: boolean }} clock
+ * @property {{ now: number, head: number, isRace: boolean, unit: number, rate: number }} clock   `unit`: time in a step; `rate`: time that passes for an iteration of the pace
  * @property {boolean} playing
  * @property {boolean} growing
  * @property {boolean} travelling
  * @property {number} along
  * @property {boolean} settled
+ * @property {ViewOptions} view
  * @property {string} sentence
  * @property {boolean} isBad
  * @property {boolean} inHand
@@ -129,7 +133,14 @@
  * @property {{ vertex: number, text: string, free: boolean } | null} hover   what is pointed at; vertex -1: a mere pose
  * @property {LaneState[]} lanes
  * @property {string[]} summary   of each lane, in words
- * @property {Fault | null} refusal
+ * @property {string} curves   differs where the curves do
+ * @property {Fault & { lane: number } | null} refusal   which lane the core would not plan
+ *
+ * @typedef {object} Curves   how each run went, in few points
+ * @property {string} key       as in the state
+ * @property {number} head      the latest time told
+ * @property {boolean} isRace
+ * @property {Float64Array[]} lanes   rows of time, vertices, cost (Infinity without a path)
  *
  * @typedef {object} Slider   an option of a scene's generator that the page offers beneath the gallery
  * @property {string} option
@@ -138,6 +149,7 @@
  * @property {number} max
  * @property {number} step
  * @property {string} unit
+ * @property {string[]} [words]   what the numbers from 0 on stand for, of an option that takes words
  *
  * @typedef {object} SceneEntry   one of the page's own scenes
  * @property {string} id          file name in `scenes/`, without its ending

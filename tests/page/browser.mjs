@@ -63,12 +63,26 @@ export async function onPage(options, test, { before, expectErrors = false } = {
   }
 }
 
-/** A page that waits at iteration 0. @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] */
-export async function onPausedPage(test, options = {}) {
+/** An empty page in a context of its own. @param {Options} options @param {(page: Page) => Promise<void>} test */
+export async function inBrowser(options, test) {
+  assert.ok(browser, "start() comes first");
+  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, ...options });
+  try {
+    await test(await context.newPage());
+  } finally {
+    await context.close();
+  }
+}
+
+/**
+ * A page that waits at iteration 0.
+ * @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {{ before?: (page: Page) => Promise<void> }} [more]
+ */
+export async function onPausedPage(test, options = {}, more = {}) {
   await onPage({ reducedMotion: "reduce", ...options }, async (page, url) => {
     await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
     await test(page, url);
-  });
+  }, more);
 }
 
 /** The numbers of the run. @param {Page} page */
@@ -173,6 +187,24 @@ export async function growthHash(page, pane) {
     }
     return `${hash >>> 0} ${ink}`;
   }, pane);
+}
+
+/**
+ * How long the page's own thread and its worker's worked at each of their tasks meanwhile, milliseconds of processor time: unlike
+ * the time that has passed, it does not count what else the machine does.
+ * @param {Page} page @param {() => Promise<void>} meanwhile
+ */
+export async function tasks(page, meanwhile) {
+  assert.ok(browser, "start() comes first");
+  await browser.startTracing(page, { categories: ["disabled-by-default-devtools.timeline", "__metadata"] });
+  await meanwhile();
+  /** @type {{ traceEvents: { name: string, tid: number, pid: number, tdur?: number, args: { name?: string } }[] }} */
+  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
+  const threads = new Map(traceEvents.filter(({ name }) => name === "thread_name").map(({ pid, tid, args }) => [`${pid} ${tid}`, args.name ?? ""]));
+  const of = (/** @type {RegExp} */ thread) => traceEvents
+    .filter(({ name, pid, tid, tdur }) => /RunTask$/.test(name) && tdur !== undefined && thread.test(threads.get(`${pid} ${tid}`) ?? ""))
+    .map(({ tdur }) => (tdur ?? 0) / 1000);
+  return { page: of(/^CrRendererMain$/), worker: of(/DedicatedWorker/) };
 }
 
 /** The worker that plans and draws. @param {Page} page */

@@ -6,23 +6,29 @@ import { byId } from "./dom.js";
 /** @import { State } from "../types.js" */
 
 /** @param {Page} page @param {State} state */
-export function showLegend({ view, calm }, { lanes, growing, hover, touching, isBad }) {
-  const [lane] = lanes;
-  const [flashes, isSolved] = [growing && !calm, lanes.some(({ status }) => status === "solved")];
-  // What is refused stays where it is wanted to, and else flashes while it grows.
-  const refuses = view.refused || flashes;
+export function showLegend({ calm }, { lanes, view, growing, hover, touching, isBad }) {
+  const flashes = growing && !calm;
+  const hasPath = lanes.some(({ status, isMiss }) => status === "solved" || isMiss);
+  const samples = lanes.some(({ hasRejected }) => hasRejected);
+  const motions = lanes.some(({ hasRefused }) => hasRefused);
   const seen = {
-    guard: lane.hasGuards, newest: flashes, waiting: lane.waiting > 0,
-    rejected: refuses && (lane.hasRejected || lane.hasRefused), path: isSolved || lane.isMiss,
-    raw: view.raw && lane.raw !== null, poses: view.strobe && (isSolved || lane.isMiss),
-    touching: !touching.free || hover?.free === false || isBad,
+    guard: lanes.some(({ hasGuards }) => hasGuards), newest: flashes, waiting: lanes.some(({ waiting }) => waiting > 0),
+    // What is refused stays where it is wanted to, and else flashes while it grows.
+    rejected: (view.refused || flashes) && (samples || motions), path: hasPath, poses: hasPath && view.strobe,
+    raw: view.raw && lanes.some(({ raw }) => raw !== null), touching: !touching.free || hover?.free === false || isBad,
   };
   for (const [name, isSeen] of Object.entries(seen)) byId(`legend-${name}`, HTMLElement).hidden = !isSeen;
-  byId("legend-rejected", HTMLElement).dataset.kinds = `${lane.hasRejected ? "samples " : ""}${lane.hasRefused ? "motions" : ""}`;
-  write(byId("legend-growth", HTMLElement), lane.kind);
+  byId("legend-rejected", HTMLElement).dataset.kinds = `${samples ? "samples " : ""}${motions ? "motions" : ""}`;
+  write(byId("legend-growth", HTMLElement), [...new Set(lanes.map(({ kind }) => kind))].join(", "));
   const path = byId("legend-path", HTMLElement);
-  path.dataset.proven = String(lane.isProven);
-  path.dataset.miss = String(lane.isMiss);
+  const isProven = lanes.some((lane) => lane.isProven);
+  const isMiss = lanes.every((lane) => lane.isMiss);
+  path.dataset.proven = String(isProven);
+  path.dataset.miss = String(isMiss);
+  const also = [
+    !isMiss && lanes.some((lane) => lane.isMiss) ? "broken: nearest miss" : "",
+    lanes.every((lane) => lane.isProven) ? "" : isProven ? "hollow: not proven" : "not proven",
+  ];
   const words = path.querySelector("span");
-  if (words) write(words, `${lane.isMiss ? "nearest miss" : "path"}${lane.isProven ? "" : ", not proven"}`);
+  if (words) write(words, [isMiss ? "nearest miss" : "path", ...also].filter(Boolean).join(", "));
 }

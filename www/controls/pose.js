@@ -59,6 +59,8 @@ export class Pose {
   give(index, value) {
     const pose = this.coordinates.map(({ range, low, high }) => Math.min(high, Math.max(low, Number(range.value))));
     pose[index] = value;
+    // The other controls are read again before the worker has answered.
+    this.coordinates[index].range.value = String(value);
     this.onPose(pose);
   }
 

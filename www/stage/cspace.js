@@ -32,8 +32,8 @@ export class CSpace extends Pane {
     this.slice = null;
   }
 
-  /** Has a scenario such a square? @param {Scenario} scenario */
-  static fits(scenario) { return scenario.robot === "arm" && scenario.dimension >= 2; }
+  /** Has a scenario such a square? @param {Lane} lane @override */
+  fits({ scenario }) { return scenario.robot === "arm" && scenario.dimension >= 2; }
 
   /** @param {Lane} lane @param {number} width @param {number} height @override */
   makeView(lane, width, height) {
@@ -80,7 +80,7 @@ export class CSpace extends Pane {
 
   /** Fetches the obstacles, where they can be shown. @param {Scenario} scenario */
   paintable(scenario) {
-    if (scenario.dimension !== 2 || !CSpace.fits(scenario)) {
+    if (scenario.dimension !== 2) {
       this.cells = null;
       return;
     }

@@ -53,6 +53,8 @@ export class Pane {
 
   // What a kind of pane must say of itself.
 
+  /** Can it show this? @param {Lane} _lane */
+  fits(_lane) { return true; }
   /** @param {Lane} _lane @param {number} _width @param {number} _height @returns {View} */
   makeView(_lane, _width, _height) { throw new Error("a pane must make its view"); }
   /** Called after each fit, before anything is drawn. @param {Lane} _lane */
@@ -77,7 +79,8 @@ export class Pane {
     this.lane = lane;
     this.palette = palette;
     const { width, height, layers } = this;
-    if (width < 1 || height < 1) return;
+    this.view = null;
+    if (width < 1 || height < 1 || !this.fits(lane)) return;
     for (const name of LAYERS) layers[name].fit(width, height, ratio);
     this.view = this.makeView(lane, width, height);
     this.fineness = Math.min(1.5, Math.max(0.72, Math.min(width, height) / 460));

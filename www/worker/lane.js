@@ -1,7 +1,8 @@
 /** One planner's place in the theatre: what it was asked, its run and its way, and the panes that show it. */
 import { journeyOf } from "./journey.js";
-import { Run } from "./run.js";
+import { PAST, Run } from "./run.js";
 
+/** @import { Standing } from "../standings.js" */
 /** @import { Journey } from "./journey.js" */
 /** @import { Check, Configuration, Plan, Scenario, ScenarioDocument, ViewOptions } from "../types.js" */
 
@@ -46,6 +47,18 @@ export class Lane {
     this.free();
     const settings = query === undefined ? this.plan.settings : { ...this.plan.settings, query };
     this.run = new Run(this.scenario, this.plan.algorithm, settings, phases);
+  }
+
+  /** How it stands beside others. @returns {Standing} */
+  get standing() {
+    const { run, plan, scenario } = this;
+    const at = run ? run.foundBy() : -1;
+    return {
+      isOver: run?.status !== "running",
+      found: run && at >= 0 ? run.history.row(at)[PAST.evaluations] : null,
+      cost: run ? run.past[PAST.cost] : Infinity,
+      metric: scenario.robot === "arm" ? String(plan.settings.metric ?? "sum") : "euclidean",
+    };
   }
 
   /** Where the robot is to be drawn, if anywhere. @returns {Float64Array | null} */

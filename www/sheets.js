@@ -8,7 +8,7 @@ import { LAYERS } from "./stage/layer.js";
 /** @import { Page } from "./page.js" */
 /** @import { PaneKind, Pointer, SceneFacts, State } from "./types.js" */
 /** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Sheet   the note says quietly what is to be seen */
-/** @typedef {{ figure: HTMLElement, caption: HTMLElement, note: HTMLElement, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
+/** @typedef {{ figure: HTMLElement, caption: HTMLElement, note: HTMLElement, said: string, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
 
 export class Sheets {
   /** @param {Page} page */
@@ -44,8 +44,8 @@ export class Sheets {
     for (const { id, kind, lane, caption, note = "" } of wanted) {
       const figure = this.figures.get(id) ?? this.add(id, kind, lane);
       if (figure.caption.textContent !== caption) figure.caption.textContent = caption;
-      const words = this.notes[kind] ?? note;
-      if (figure.note.textContent !== words) figure.note.textContent = words;
+      figure.said = note;
+      this.say(figure);
       this.element.append(figure.figure);
     }
     this.element.classList.toggle("single", wanted.length === 1);
@@ -53,11 +53,17 @@ export class Sheets {
     this.measure();
   }
 
-  /** Says something beside the caption of every sheet of a kind, or from the next arrangement on what it says by itself. @param {PaneKind} kind @param {string | undefined} text */
+  /** Says something beside the caption of every sheet of a kind, or again what it says by itself. @param {PaneKind} kind @param {string | undefined} text */
   annotate(kind, text) {
     if (this.notes[kind] === text) return;
     this.notes[kind] = text;
-    for (const figure of this.figures.values()) if (figure.kind === kind && text) figure.note.textContent = text;
+    for (const figure of this.figures.values()) this.say(figure);
+  }
+
+  /** What was said of a kind of sheet now goes before what is said of each always. @param {Figure} figure */
+  say({ kind, note, said }) {
+    const text = this.notes[kind] || said;
+    if (note.textContent !== text) note.textContent = text;
   }
 
   /** @param {string} id @param {PaneKind} kind @param {number} lane @returns {Figure} */
@@ -80,7 +86,7 @@ export class Sheets {
     const offscreen = canvases.map((canvas) => canvas.transferControlToOffscreen());
     const named = /** @type {Record<typeof LAYERS[number], OffscreenCanvas>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, offscreen[i]])));
     void this.studio.ask("pane", [id, kind, lane, named], offscreen);
-    const made = { figure, caption, note, sheet, top, kind, lane };
+    const made = { figure, caption, note, said: "", sheet, top, kind, lane };
     this.figures.set(id, made);
     this.observer.observe(sheet);
     return made;

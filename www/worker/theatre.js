@@ -352,11 +352,12 @@ export class Theatre {
 
   /** @param {number} now */
   perform(now) {
+    const { shown } = this;
+    if (!shown) return;
     const began = performance.now();
     const elapsed = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = now;
     const { stage, clock } = this;
-    const shown = /** @type {Shown} */ (this.shown);
     const moved = this.pass(elapsed, began + PLANNING);
     const working = moved || !stage.caughtUp;
     if (moved) this.stir();

@@ -46,8 +46,6 @@ export class Page {
     this.race = null;
     /** Was it told why the core would not plan this? */
     this.told = false;
-    /** What is to be seen on the stage. @type {ViewOptions} */
-    this.view = { axes: [0, 1], refused: false, strobe: true, poses: 8, raw: false, slice: false };
     /** @type {((facts: SceneFacts, entry: SceneEntry | null) => void)[]} */
     this.openers = [];
     /** @type {((state: State, before: State | null) => void)[]} */
@@ -172,10 +170,7 @@ export class Page {
   }
 
   /** Other things are to be seen. @param {Partial<ViewOptions>} view */
-  see(view) {
-    Object.assign(this.view, view);
-    this.studio.tell("view", view);
-  }
+  see(view) { this.studio.tell("view", view); }
 
   /** The query that is chosen. */
   ask() {

@@ -387,7 +387,7 @@ export class Theatre {
     for (const { run } of this.lanes) run?.frontier.follow();
     stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
     const resting = !clock.owes && (!clock.playing || !this.growing);
-    if (resting && stage.caughtUp && stage.isTended) this.settled = true;
+    this.settled = resting && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isTended);
     if (working) this.measure(began);
     this.tell(report(this));
     if (clock.playing || clock.owes || stage.busy) this.wake();

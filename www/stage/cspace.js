@@ -6,6 +6,7 @@
 import { coordinatesOf } from "../worker/coordinates.js";
 import { Pane } from "./pane.js";
 import { drawSelectedPoint } from "./selection.js";
+import { Slice, keyOf } from "./slice.js";
 import { folded, unrolled } from "./trace.js";
 import { View } from "./view.js";
 
@@ -30,6 +31,8 @@ export class CSpace extends Pane {
     this.cells = null;
     /** What a cell took the last time, milliseconds. */
     this.cost = 1e-3;
+    /** The slice that is being made or shown. @type {Slice | null} */
+    this.slice = null;
   }
 
   /** Has a scenario such a square? @param {Lane} lane @override */
@@ -48,16 +51,34 @@ export class CSpace extends Pane {
   survey({ scenario, shown }) {
     const circles = scenario.circles();
     this.circles = this.axes.map((axis) => circles[axis]);
+    this.slice = null;
     this.paintable(scenario, shown);
   }
 
-  /** @param {Lane} _lane @override */
-  prepare(_lane) {
-    for (const name of /** @type {const} */ (["edges", "vertices", "marks"])) {
-      const { context } = this.layers[name];
-      context.save();
-      this.clip(context);
+  /** A slice of more than two joints follows the robot. @param {Lane} lane @param {number} until @override */
+  tend(lane, until) {
+    const { scenario, shown } = lane;
+    if (!this.view || scenario.dimension < 3) return;
+    const pose = shown.view.slice ? lane.pose ?? shown.start : null;
+    if (!pose) {
+      if (this.slice) this.repaint(null);
+      this.slice = null;
+      return;
     }
+    if (this.slice?.key !== keyOf(pose, this.axes)) this.slice = new Slice(scenario, pose, this.axes, this.view.box);
+    if (this.slice.isDone) return;
+    const picture = this.slice.advance(until);
+    if (picture) this.repaint({ world: shown.document.world, side: picture.side, mask: soften(picture.mask, picture.side) });
+  }
+
+  /** @override */
+  get isTended() { return !this.slice || this.slice.isDone; }
+
+  /** The ground with other obstacles. @param {CSpace["cells"]} cells */
+  repaint(cells) {
+    this.cells = cells;
+    this.layers.ground.clear();
+    this.drawGround(this.layers.ground.context, /** @type {Lane} */ (this.lane));
   }
 
   /** Fetches the obstacles, where they can be shown; while the world is being changed, only as finely as there is time. @param {Scenario} scenario @param {Shown} shown */

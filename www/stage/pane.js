@@ -7,10 +7,13 @@ import { Glow } from "./glow.js";
 import { Growth, countsOf } from "./growth.js";
 import { hatch } from "./hatch.js";
 import { LAYERS, Layer } from "./layer.js";
+import { ring } from "./marks.js";
 import { tracePen } from "./pen.js";
+import { Places } from "./places.js";
 import { drawGoal, drawHit, drawStart } from "./shapes.js";
+import { Strobe } from "./strobe.js";
 
-/** @import { Lane } from "../worker/lane.js" */
+/** @import { Hover, Lane } from "../worker/lane.js" */
 /** @import { Journey } from "../worker/journey.js" */
 /** @import { LayerName } from "./layer.js" */
 /** @import { Palette } from "./palette.js" */
@@ -40,6 +43,12 @@ export class Pane {
     this.hatchOnObstacle = null;
     /** @type {{ journey: Journey, lines: Lines } | null} */
     this.pathLines = null;
+    /** @type {{ raw: Float64Array, lines: Lines } | null} */
+    this.rawLines = null;
+    /** @type {Strobe | null} */
+    this.flashes = null;
+    /** @type {Places | null} */
+    this.found = null;
   }
 
   // What a kind of pane must say of itself.
@@ -62,6 +71,10 @@ export class Pane {
   drawOverlay(_context, _lane) {}
   /** The robot, above everything else. @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
   drawRobot(_context, _lane) {}
+  /** Goes on with what the ground still lacks. @param {Lane} _lane @param {number} _until */
+  tend(_lane, _until) {}
+  /** Is the ground complete? */
+  get isTended() { return true; }
   /** Keeps what crosses the border of the picture inside. @param {CanvasRenderingContext2D} _context */
   clip(_context) {}
 
@@ -77,10 +90,10 @@ export class Pane {
     this.fineness = Math.min(1.5, Math.max(0.72, Math.min(width, height) / 460));
     this.hatchOnPart = hatch(layers.top.context, palette.stage, ratio);
     this.hatchOnObstacle = hatch(layers.top.context, palette.collision, ratio);
-    this.pathLines = null;
-    this.glow.clear();
+    this.forget();
     this.survey(lane);
     this.prepare(lane);
+    for (const name of /** @type {const} */ (["edges", "vertices", "marks"])) layers[name].enclose((context) => this.clip(context));
     this.drawGround(layers.ground.context, lane);
     this.growth.restart(countsOf(lane.run));
   }
@@ -96,9 +109,22 @@ export class Pane {
 
   /** A new run on the same ground. */
   restart() {
-    this.glow.clear();
-    this.pathLines = null;
+    this.forget();
     this.growth.restart();
+  }
+
+  /** What was made for another layout or run. */
+  forget() {
+    this.glow.clear();
+    this.pathLines = this.rawLines = this.flashes = this.found = null;
+  }
+
+  /** Where vertices are; none while there is no run or no room. @returns {Places | null} */
+  get places() {
+    const run = this.lane?.run;
+    if (!run || !this.view) return null;
+    if (this.found?.run !== run) this.found = new Places(this, run);
+    return this.found;
   }
 
   /** Has everything that is shown been inked? */
@@ -124,12 +150,70 @@ export class Pane {
     this.layers.top.clear();
     context.save();
     this.clip(context);
+    this.drawWaiting(context, lane, palette);
     this.glow.draw(context, palette, now);
     if (lane.journey) this.drawPath(context, lane.journey, palette);
     context.restore();
     this.drawEnds(context, lane, palette);
+    const { hover } = lane.shown;
+    if (hover?.lane === lane) this.drawHover(context, hover, palette);
     this.drawRobot(context, lane);
     this.drawOverlay(context, lane);
+  }
+
+  /** The vertices that wait for the search, each in a small ring. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette */
+  drawWaiting(context, { run }, palette) {
+    const { places } = this;
+    if (!run || !places || run.frontier.count === 0) return;
+    places.follow();
+    const radius = 3.4 * this.fineness;
+    context.strokeStyle = palette.ink;
+    context.lineWidth = 1.1;
+    context.beginPath();
+    run.frontier.each((vertex) => {
+      const [x, y] = [places.points[2 * vertex], places.points[2 * vertex + 1]];
+      context.moveTo(x + radius, y);
+      context.arc(x, y, radius, 0, 2 * Math.PI);
+    });
+    context.stroke();
+  }
+
+  /** What is pointed at: a ring about it. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette */
+  drawHover(context, { pose, check }, palette) {
+    const [x, y] = this.pixels(pose);
+    for (const [width, colour] of /** @type {[number, string][]} */ ([[4.6, palette.stage], [1.8, check.free ? palette.ink : palette.collision]])) {
+      context.lineWidth = width;
+      context.strokeStyle = colour;
+      ring(context, x, y, 9);
+    }
+  }
+
+  /** The robot's poses along the path, where they are to be seen. @param {Journey} journey @returns {Strobe | null} */
+  strobe(journey) {
+    const { strobe, poses } = /** @type {Lane} */ (this.lane).shown.view;
+    if (!strobe) return null;
+    if (this.flashes?.journey !== journey || this.flashes.count !== poses) this.flashes = new Strobe(this, journey, poses);
+    return this.flashes;
+  }
+
+  /** The path as it was found, a thin line. @param {CanvasRenderingContext2D} context @param {Journey} journey */
+  drawRaw(context, { raw, scenario }) {
+    if (!raw) return;
+    if (this.rawLines?.raw !== raw) {
+      const n = scenario.dimension;
+      const ends = new Float64Array(2 * (raw.length - n));
+      for (let i = 0; i + n < raw.length; i += n) ends.set(raw.subarray(i, i + 2 * n), 2 * i);
+      this.rawLines = { raw, lines: this.lines(ends) };
+    }
+    const { points, firsts } = this.rawLines.lines;
+    context.save();
+    context.lineWidth = 1.5;
+    context.lineJoin = "round";
+    context.strokeStyle = /** @type {Palette} */ (this.palette).path;
+    context.beginPath();
+    tracePen(context, points, 0, firsts[firsts.length - 1]);
+    context.stroke();
+    context.restore();
   }
 
   /** @param {CanvasRenderingContext2D} context @param {Journey} journey @param {Palette} palette */
@@ -141,6 +225,7 @@ export class Pane {
       for (let i = 0; i + 1 < parts.length; i++) ends.set(rows.subarray(i * n, (i + 2) * n), i * 2 * n);
       this.pathLines = { journey, lines: this.lines(ends) };
     }
+    if (/** @type {Lane} */ (this.lane).shown.view.raw) this.drawRaw(context, journey);
     const { lines } = this.pathLines;
     const parts = journey.samples.parts;
     let pieces = 0;
@@ -163,6 +248,7 @@ export class Pane {
       context.stroke();
     }
     context.restore();
+    this.strobe(journey)?.draw(context, palette.stage);
     if (journey.flaw && journey.drawn >= journey.flaw.at) {
       const [x, y] = this.pixels(journey.flaw.pose);
       drawHit(context, x, y, palette);

@@ -7,15 +7,13 @@ import { drawGhost, drawLabel, drawObstacles, drawRobot, drawTouchingParts, obst
 import { Tracer } from "./trace.js";
 import { View } from "./view.js";
 
-/** @import { Lane } from "../worker/lane.js" */
+/** @import { Hover, Lane } from "../worker/lane.js" */
 /** @import { Journey } from "../worker/journey.js" */
 /** @import { LayerName } from "./layer.js" */
 /** @import { Palette } from "./palette.js" */
-/** @import { Obstacle, Part, ScenarioDocument } from "../types.js" */
+/** @import { Check, Obstacle, Part, ScenarioDocument } from "../types.js" */
 
 const MARGIN = { left: 14, right: 14, top: 14, bottom: 14 };
-/** Poses shown along a solved path. */
-const STROBE = 9;
 
 export class Workspace extends Pane {
   /** @param {Record<LayerName, OffscreenCanvas>} canvases */
@@ -116,12 +114,8 @@ export class Workspace extends Pane {
 
   /** @param {CanvasRenderingContext2D} context @param {Journey} journey @param {Palette} palette @override */
   drawPath(context, journey, palette) {
-    if (this.view && journey.scenario.robot === "arm") {
-      const style = { colour: this.pathColour(journey), fill: 0.035, stroke: 0.3, dash: [], width: 1 };
-      for (let i = 1; i < STROBE; i++) {
-        if (i / STROBE > journey.drawn) break;
-        drawGhost(context, this.view, journey.scenario.footprint(journey.configuration(i / STROBE)), style);
-      }
+    for (const { part, parts, colour } of this.strobe(journey)?.seen ?? []) {
+      if (this.view) drawGhost(context, this.view, parts, { colour, fill: 0.05, stroke: 0.55, dash: [], width: 0.7 + 1.5 * part });
     }
     if (this.view && journey.flaw && journey.drawn >= journey.flaw.at) {
       const style = { colour: palette.collision, fill: 0.3, stroke: 1, dash: [], width: 2 };
@@ -135,11 +129,27 @@ export class Workspace extends Pane {
     const { view, palette } = this;
     const { pose } = lane;
     if (!view || !palette || !pose) return;
-    const { scenario, document, hand, check } = lane.shown;
+    const { scenario, hand, check } = lane.shown;
     const parts = scenario.footprint(pose);
-    const touching = hand && check ? check.touching : [];
+    this.drawTouching(context, lane, parts, hand && check ? check.touching : [], () => drawRobot(context, view, parts, palette));
+  }
+
+  /** The robot at what is pointed at, fine. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette @override */
+  drawHover(context, hover, palette) {
+    const { view } = this;
+    if (!view) return;
+    const parts = hover.lane.scenario.footprint(hover.pose);
+    const style = { colour: palette.ink, fill: 0.06, stroke: 0.85, dash: [], width: 1.3 };
+    this.drawTouching(context, hover.lane, parts, hover.check.touching, () => drawGhost(context, view, parts, style));
+    super.drawHover(context, hover, palette);
+  }
+
+  /** A robot, what it touches, and with which parts, by name. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Part[]} parts @param {Check["touching"]} touching @param {() => void} draw  the robot */
+  drawTouching(context, { shown: { scenario, document } }, parts, touching, draw) {
+    const { view, palette } = this;
+    if (!view || !palette) return;
     for (const { obstacle } of touching) this.drawTouched(context, document, obstacle);
-    drawRobot(context, view, parts, palette);
+    draw();
     const hit = new Set(touching.map(({ part }) => part));
     drawTouchingParts(context, view, parts.filter((_, i) => hit.has(i)), palette, this.hatchOnPart);
     for (const index of hit) {

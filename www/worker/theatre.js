@@ -109,7 +109,7 @@ export class Theatre {
     if (!shown) return;
     for (const lane of lanes) lane.free();
     shown.scenario.free();
-    this.shown = { ...shown, scenario, document, rough: live };
+    this.shown = { ...shown, scenario, document, hover: null, rough: live };
     this.plan(lanes.map(({ plan }) => plan), false);
     if (!live) this.stage.relay();
   }

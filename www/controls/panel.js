@@ -8,7 +8,7 @@ import { Field } from "./field.js";
 /** @import { OptionInfo, ParameterInfo, Plan, PlannerInfo, Settings } from "../types.js" */
 
 /** Parameters worth a place of their own; the others stand under "More parameters". */
-const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "goal_bias", "sampler", "seed"]);
+export const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "goal_bias", "sampler", "seed"]);
 
 /** How the others are grouped, in this order; what no group names comes last. @type {[string, string[]][]} */
 const GROUPS = [
@@ -57,6 +57,9 @@ export class Panel {
     this.given = { ...settings };
     this.build();
   }
+
+  /** @param {string} algorithm */
+  titleOf(algorithm) { return this.infos.find(({ id }) => id === algorithm)?.title ?? algorithm; }
 
   /** The queries of a scenario. @param {string[]} names @param {string | undefined} chosen */
   offerQueries(names, chosen) {
@@ -131,19 +134,8 @@ export class Panel {
       if (FIRST.has(parameter.name)) this.first.append(field.element);
       return field;
     });
-    this.group();
+    this.rest.append(...groupsOf(this.fields));
     this.more.hidden = this.rest.childElementCount === 0;
-  }
-
-  /** Puts the fields that are not first under headings. */
-  group() {
-    const others = this.fields.filter(({ info }) => !FIRST.has(info.name));
-    const grouped = new Set(GROUPS.flatMap(([, names]) => names));
-    const rest = others.filter(({ info }) => !grouped.has(info.name)).map(({ info }) => info.name);
-    for (const [title, names] of [...GROUPS, /** @type {[string, string[]]} */ ([REST, rest])]) {
-      const elements = others.filter(({ info }) => names.includes(info.name)).map(({ element }) => element);
-      if (elements.length > 0) this.rest.append(make("div", { className: "group" }, make("h3", {}, title), ...elements));
-    }
   }
 
   /** @param {Field} field */
@@ -159,6 +151,17 @@ export class Panel {
     if (value === undefined) delete this.given[field.info.name];
     else this.given[field.info.name] = value;
   }
+}
+
+/** The fields that are not first, under headings. @param {Field[]} fields @returns {HTMLElement[]} */
+export function groupsOf(fields) {
+  const others = fields.filter(({ info }) => !FIRST.has(info.name));
+  const grouped = new Set(GROUPS.flatMap(([, names]) => names));
+  const rest = others.filter(({ info }) => !grouped.has(info.name)).map(({ info }) => info.name);
+  return [...GROUPS, /** @type {[string, string[]]} */ ([REST, rest])].flatMap(([title, names]) => {
+    const elements = others.filter(({ info }) => names.includes(info.name)).map(({ element }) => element);
+    return elements.length > 0 ? make("div", { className: "group" }, make("h3", {}, title), ...elements) : [];
+  });
 }
 
 /**

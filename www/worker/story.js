@@ -1,9 +1,10 @@
 /** The page's sentences: what is to be seen just now. */
+import { leaders, letters } from "../standings.js";
 import { touchingSentence } from "./names.js";
 import { PAST } from "./run.js";
 
 /** @import { Journey } from "./journey.js" */
-/** @import { Lane } from "./lane.js" */
+/** @import { Hover, Lane } from "./lane.js" */
 /** @import { Run } from "./run.js" */
 /** @import { Check, Scenario } from "../types.js" */
 
@@ -42,7 +43,8 @@ export function ending(run, journey) {
   const unit = run.scenario.robot === "arm" ? "rad" : "m";
   const { length, approximate } = run.result;
   if (run.status === "solved") {
-    const found = `Found after ${iterations} iterations: a path of ${length.toFixed(2)} ${unit}`;
+    const shorter = journey?.raw ? `, cut from ${run.rawLength.toFixed(2)} ${unit}` : "";
+    const found = `Found after ${iterations} iterations: a path of ${length.toFixed(2)} ${unit}${shorter}`;
     if (run.isProven) return `${found}, proven free from end to end.`;
     return `${found}, not proven. ${journey?.flaw ? collision(run.scenario, journey.flaw.check) : "Checked afterwards, it touches nothing."}`;
   }
@@ -73,6 +75,25 @@ export function poseSentence(scenario, check) {
   return `${sentence[0].toUpperCase()}${sentence.slice(1)}.`;
 }
 
+/** What is pointed at, in words. @param {Hover} hover */
+export function hoverSentence({ lane: { run, scenario }, vertex, pose, check }) {
+  const unit = scenario.robot === "arm" ? "rad" : "m";
+  const numbers = [...pose].map((value) => value.toFixed(2).replace("-", "\u2212")).join(", ");
+  if (vertex < 0 || !run) return `Pose ${numbers} ${unit}: ${check.free ? "free" : touchingSentence(scenario, check)}.`;
+  const { kin, past } = run;
+  const edges = past[PAST.edges];
+  kin.follow();
+  const name = `Vertex ${vertex}${vertex < 2 ? [", the start,", ", the goal,"][vertex] : ""} at ${numbers} ${unit}`;
+  if (!run.isTree) {
+    let degree = 0;
+    kin.neighbours(vertex, edges, () => degree++);
+    return `${name}: ${degree} ${degree === 1 ? "edge" : "edges"}.`;
+  }
+  const parent = kin.parent(vertex, edges);
+  if (parent < 0) return `${name}: ${vertex === 0 || run.kind === "trees" ? "the root of its tree" : "not reached yet"}.`;
+  return `${name}. Parent ${parent}, ${kin.distance(parent, vertex).toFixed(2)} ${unit} away; ${kin.costs[vertex].toFixed(2)} ${unit} from the root.`;
+}
+
 /** @param {number} touches */
 export function arrival(touches) {
   if (touches === 0) return "You reached the goal and touched nothing.";
@@ -90,10 +111,14 @@ export function summary(title, run) {
 
 /** Several planners on one scenario. @param {Lane[]} lanes */
 export function race(lanes) {
-  const solved = lanes.filter(({ run }) => run?.status === "solved").length;
-  if (lanes.some(({ run }) => run?.status === "running")) {
-    const names = solved === 0 ? "None has found a path yet" : `${solved} of ${lanes.length} found a path`;
-    return `All get the same number of clearance evaluations, the work that proofs are made of. ${names}.`;
-  }
-  return `${solved === lanes.length ? "All" : `${solved} of ${lanes.length}`} found a path.`;
+  const standings = lanes.map(({ standing }) => standing);
+  const { first, shortest, isOver } = leaders(standings);
+  if (first.length === 0) return isOver ? "None found a path." : "All get the same number of clearance evaluations, the work that proofs are made of.";
+  const { found } = standings[first[0]];
+  if (isOver && lanes.every(({ run }) => run?.past[PAST.evaluations] === 0)) return "There is nothing to keep clear of here: no clearance is ever evaluated, so all are done at once.";
+  const [best] = shortest;
+  const winner = `${letters(first)} found a path first, after ${found?.toLocaleString("en")} clearance evaluations`;
+  if (best === undefined) return `${winner}.`;
+  const unit = lanes[best].scenario.robot === "arm" ? "rad" : "m";
+  return `${winner}; ${letters(shortest)} ${isOver ? "has" : "so far has"} the shortest, ${standings[best].cost.toFixed(2)} ${unit}.`;
 }

@@ -391,6 +391,7 @@ describe("curves", () => {
     const plans = [{ algorithm: "prm", settings: { ...A.settings, shortcut: 60 } }, { algorithm: "rrt-connect", settings: { seed: 0, shortcut: 60 } }];
     const runs = await Promise.all(plans.map((plan) => alone("stones", plan)));
     await onPausedPage(async (page) => {
+      await page.locator("#more > summary").click();
       await setParameter(page, "shortcut", "60");
       await race(page, "rrt-connect");
       assert.equal(await page.locator("#curves-fold").evaluate((fold) => /** @type {HTMLDetailsElement} */ (fold).open), true);

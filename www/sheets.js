@@ -63,8 +63,9 @@ export class Sheets {
     }
   }
 
-  /** Says something beside the caption of every sheet of a kind. @param {PaneKind} kind @param {string} text */
+  /** Says something beside the caption of every sheet of a kind, or again what it says by itself. @param {PaneKind} kind @param {string | undefined} text */
   annotate(kind, text) {
+    if (this.notes[kind] === text) return;
     this.notes[kind] = text;
     for (const figure of this.figures.values()) this.say(figure);
   }

@@ -38,7 +38,8 @@ export async function stop() {
 export async function onPage(options, test, { before, expectErrors = false } = {}) {
   assert.ok(browser && server, "start() comes first");
   const url = server.url;
-  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, ...options });
+  // What the page keeps for later would answer in the place of the files that tests put in its way.
+  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, serviceWorkers: "block", ...options });
   const page = await context.newPage();
   page.setDefaultTimeout(20_000);
   /** @type {string[]} */
@@ -76,7 +77,7 @@ export async function inBrowser(options, test) {
 
 /**
  * A page that waits at iteration 0.
- * @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {{ before?: (page: Page) => Promise<void> }} [more]
+ * @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean }} [more]
  */
 export async function onPausedPage(test, options = {}, more = {}) {
   await onPage({ reducedMotion: "reduce", ...options }, async (page, url) => {

@@ -144,7 +144,7 @@ export class SvgContext {
 
   /** Takes away all; what lies under a part of a figure cannot be. @param {number} x @param {number} y @param {number} width @param {number} height */
   clearRect(x, y, width, height) {
-    if (x > 0 || y > 0 || x + width < this.#width || y + height < this.#height) throw new RangeError("Only the whole figure can be cleared.");
+    if (x > 0 || y > 0 || x + width < this.#width || y + height < this.#height) throw new RangeError("A figure can only be cleared whole.");
     this.#elements = [];
   }
 

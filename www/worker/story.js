@@ -43,7 +43,7 @@ export function ending(run, journey) {
   const unit = run.scenario.robot === "arm" ? "rad" : "m";
   const { length, approximate } = run.result;
   if (run.status === "solved") {
-    const shorter = journey?.raw ? `, ${run.rawLength.toFixed(2)} ${unit} before it was shortened` : "";
+    const shorter = journey?.raw ? `, cut from ${run.rawLength.toFixed(2)} ${unit}` : "";
     const found = `Found after ${iterations} iterations: a path of ${length.toFixed(2)} ${unit}${shorter}`;
     if (run.isProven) return `${found}, proven free from end to end.`;
     return `${found}, not proven. ${journey?.flaw ? collision(run.scenario, journey.flaw.check) : "Checked afterwards, it touches nothing."}`;

@@ -109,7 +109,7 @@ export class Theatre {
     if (!shown) return;
     for (const lane of lanes) lane.free();
     shown.scenario.free();
-    this.shown = { ...shown, scenario, document, rough: live };
+    this.shown = { ...shown, scenario, document, hover: null, rough: live };
     this.plan(lanes.map(({ plan }) => plan), false);
     if (!live) this.stage.relay();
   }
@@ -387,7 +387,7 @@ export class Theatre {
     for (const { run } of this.lanes) run?.frontier.follow();
     stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
     const resting = !clock.owes && (!clock.playing || !this.growing);
-    if (resting && stage.caughtUp && stage.isTended) this.settled = true;
+    this.settled = resting && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isTended);
     if (working) this.measure(began);
     this.tell(report(this));
     if (clock.playing || clock.owes || stage.busy) this.wake();

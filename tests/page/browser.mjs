@@ -115,7 +115,7 @@ export async function finish(page) {
 export async function chooseScene(page, id) {
   await page.locator(`input[name=scene][value=${id}]`).check({ force: true });
   await page.waitForSelector(`body[data-scene=${id}]`);
-  await page.waitForSelector("#counters[data-settled=true][data-status=running]");
+  await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
 }
 
 /** Types a value into a parameter and leaves the field. @param {Page} page @param {string} name @param {string} value */

@@ -120,8 +120,9 @@ export class SvgContext {
     sweep = sign * Math.min(sweep, TURN);
     const size = round(radius * Math.hypot(this.turn[0], this.turn[1]));
     this.lineTo(x + radius * Math.cos(from), y + radius * Math.sin(from));
-    // In two pieces, neither is longer than half a turn, and neither ends where it begins.
-    for (const angle of [from + sweep / 2, from + sweep]) {
+    // In three pieces: one of half a turn would stand on its rounded ends too loosely, one of a whole turn not at all.
+    for (const third of [1, 2, 3]) {
+      const angle = from + (sweep * third) / 3;
       this.#go(`A${size} ${size} 0 0 ${back ? 0 : 1} `, x + radius * Math.cos(angle), y + radius * Math.sin(angle));
     }
   }

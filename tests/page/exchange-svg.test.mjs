@@ -298,9 +298,9 @@ test("words are escaped, placed and turned", () => {
   }, { title: "<title> & \"more\"", background: '"><script>' });
   const [filled, stroked, turned] = allOf(root, "text");
   assert.deepEqual(filled.children, ["a < b & \"c\" > 'd' \u{1f916} \u03c0  end"]);
-  assert.deepEqual([filled.attributes.x, filled.attributes.y, filled.attributes["text-anchor"], filled.attributes.dy], ["10", "20", "middle", "0.35em"]);
+  assert.deepEqual([filled.attributes.x, filled.attributes.y, filled.attributes["text-anchor"], filled.attributes.dy], ["10", "20", "middle", "0.28em"]);
   assert.equal(filled.attributes.style, 'font:600 13px "Some Font", sans-serif');
-  assert.deepEqual([stroked.children, stroked.attributes["text-anchor"], stroked.attributes.dy, stroked.attributes["stroke-width"], stroked.attributes.fill], [["<b>"], "end", "0.8em", "4", "none"]);
+  assert.deepEqual([stroked.children, stroked.attributes["text-anchor"], stroked.attributes.dy, stroked.attributes["stroke-width"], stroked.attributes.fill], [["<b>"], "end", "0.78em", "4", "none"]);
   const matrix = /^matrix\((.*)\)$/.exec(turned.attributes.transform)?.[1].split(" ").map(Number) ?? [];
   assert.deepEqual(matrix.map((value) => Math.round(value * 1e6) / 1e6 || 0), [0, -1, 1, 0, 55, 60]);
   assert.equal(turned.attributes.x, undefined);

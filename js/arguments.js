@@ -7,6 +7,9 @@ import { PlanariumError } from "./error.js";
 /** Longest scenario text that is read, in characters. */
 const LONGEST_TEXT = 32 * 1024 * 1024;
 
+/** Rows handed over to the core at once. */
+const ROWS_AT_ONCE = 16384;
+
 /** Longest roadmap that is read, in bytes or characters. */
 const LONGEST_FILE = 256 * 1024 * 1024;
 
@@ -68,6 +71,18 @@ export function rows(value, dimension, name) {
     const sentence = `\`${name}\` must have whole rows of ${dimension} numbers; ${length} numbers are not.`;
     throw new PlanariumError("wrong-dimension", sentence, `/${name}`);
   });
+}
+
+/**
+ * Hands over rows a block at a time, so that a long list does not make the core's memory grow.
+ * @param {Float64Array} rows
+ * @param {number} width  numbers in a row
+ * @param {(block: Float64Array, row: number) => void} use  a block and the number of its first row
+ */
+export function blocks(rows, width, use) {
+  for (let row = 0; row * width < rows.length; row += ROWS_AT_ONCE) {
+    use(rows.subarray(row * width, (row + ROWS_AT_ONCE) * width), row);
+  }
 }
 
 /**

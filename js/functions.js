@@ -1,14 +1,29 @@
-/** What stands on its own: the list of planners, and a fresh seed. */
+/** What stands on its own: the lists of planners, of generators and of phases, and a fresh seed. */
 import { call } from "./runtime.js";
 
-/** @import { PlannerInfo } from "./types.js" */
+/** @import { GeneratorInfo, Phase, PlannerInfo } from "./types.js" */
 
 /**
- * The planners and their parameters, with title, meaning, unit, range and default of each.
+ * The names of phases: a row of `planner.takeHistory()` holds the place of one in this list.
+ * @type {readonly Phase[]}
+ */
+export const phases = Object.freeze(["sampling", "connecting", "guarding", "searching", "growing", "improving", "done"]);
+
+/**
+ * The planners: their pseudo-code, and their parameters with title, meaning, unit, range and default of each.
  * @returns {PlannerInfo[]}
  */
 export function planners() {
   return call((core) => core.planners());
+}
+
+/**
+ * The generators and their options, with title, meaning, unit, range and default of each. All take `seed` as well, an integer
+ * from 0 (default) to 2^53 - 1.
+ * @returns {GeneratorInfo[]}
+ */
+export function generators() {
+  return call((core) => core.generators());
 }
 
 /**

@@ -5,7 +5,7 @@
 import { load, loadSync } from "./runtime.js";
 
 export { PlanariumError } from "./error.js";
-export { freshSeed, planners } from "./functions.js";
+export { freshSeed, generators, phases, planners } from "./functions.js";
 export { Planner } from "./planner.js";
 export { Scenario } from "./scenario.js";
 export { version } from "./version.js";
@@ -25,7 +25,11 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").ScenarioDocument} ScenarioDocument */
 /** @typedef {import("./types.js").PlannerInfo} PlannerInfo */
 /** @typedef {import("./types.js").ParameterInfo} ParameterInfo */
+/** @typedef {import("./types.js").GeneratorInfo} GeneratorInfo */
+/** @typedef {import("./types.js").OptionInfo} OptionInfo */
 /** @typedef {import("./types.js").PlannerOptions} PlannerOptions */
+/** @typedef {import("./types.js").PseudocodeLine} PseudocodeLine */
+/** @typedef {import("./types.js").PseudocodeMark} PseudocodeMark */
 /** @typedef {import("./types.js").QueryOptions} QueryOptions */
 /** @typedef {import("./types.js").RoadmapFormat} RoadmapFormat */
 /** @typedef {import("./types.js").Approximate} Approximate */

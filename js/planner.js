@@ -2,6 +2,7 @@
 /** A planning run that is stepped from outside, and read by cursors. */
 import * as argument from "./arguments.js";
 import { PlanariumError } from "./error.js";
+import { phases } from "./functions.js";
 import { Handle, key } from "./handle.js";
 
 /** @import { RawPlanner } from "./planarium_glue.js" */
@@ -10,8 +11,8 @@ import { Handle, key } from "./handle.js";
 /** Iterations in one call of the core at most: cheap iterations still outweigh the call, dear ones do not stall. */
 const LONGEST_SLICE = 64;
 
-/** Phases whose time counts as search; all others build. */
-const SEARCHING = new Set(["searching", "improving"]);
+/** Phases whose time counts as search, by their places in `phases`; all others build. */
+const SEARCHING = new Set([phases.indexOf("searching"), phases.indexOf("improving")]);
 
 /**
  * Makes the handle of a run.
@@ -85,6 +86,33 @@ export class Planner {
   }
 
   /**
+   * Has every iteration leave a row behind for `takeHistory`, to draw how the run went. Nothing else changes. To be called
+   * before the first step; twice is as good as once.
+   * @returns {void}
+   * @throws {PlanariumError} `unsupported` once there are iterations that were not recorded
+   */
+  record() {
+    this.#handle.call((raw) => raw.record());
+  }
+
+  /**
+   * The rows that iterations have left behind since the last call, and forgets them; until then they take 64 bytes each. Empty
+   * unless `record` was called. Row i of the run, counted from 0, says how things stood after iteration i + 1, in `historyWidth`
+   * numbers: vertices, edges, events, phase (its place in `phases`), configuration checks, motion checks, clearance evaluations
+   * (as in `stats`), and the length of the best path so far in the metric of the run, which only ever falls and is `Infinity`
+   * while there is none. `finish` is no iteration and leaves no row: then the last one still says `improving`.
+   * @returns {Float64Array}
+   */
+  takeHistory() {
+    return this.#handle.call((raw) => raw.take_history());
+  }
+
+  /** Numbers in a row of `takeHistory`. @returns {number} */
+  get historyWidth() {
+    return this.#handle.call((raw) => raw.history_width());
+  }
+
+  /**
    * Asks the roadmap of `prm`, `prm-star` or `visibility-prm`, as far as it is built, for another path: start and goal are
    * joined to their neighbours where motions are proven free, and the roadmap is searched. It stays as it was, unless the
    * two are to be kept as its last vertices, which can be asked for once the run is over. The path is not improved.
@@ -131,7 +159,7 @@ export class Planner {
 
   /** What the planner is at: see `Phase`. @returns {Phase} */
   get phase() {
-    return /** @type {Phase} */ (this.#handle.call((raw) => raw.phase()));
+    return phases[this.#handle.call((raw) => raw.phase())];
   }
 
   /** Iterations made so far. @returns {number} */
@@ -209,6 +237,33 @@ export class Planner {
   }
 
   /**
+   * The path as the planner found it, before it was reduced and shortened: rows as of `path`, empty until it is found, there
+   * while it is being improved and after.
+   * @returns {Float64Array}
+   */
+  rawPath() {
+    return this.#handle.call((raw) => raw.raw_path());
+  }
+
+  /**
+   * Where motions are first refused, each in the space, in the metric and by the test of this run, proven or sampled: the
+   * fraction at which the first stretch begins that is refused, all before it is free; 1 where the whole motion is free. For
+   * the refused edges of `eventsSince`. It is not counted in `stats`.
+   * @param {Float64Array | readonly number[]} ends  rows of two configurations, from and to: 2 `dimension` numbers
+   * @returns {Float64Array} one number from 0 to 1 a row
+   * @throws {PlanariumError} `wrong-dimension`, `wrong-type`, `not-finite`; `out-of-range` outside the limits
+   */
+  firstHits(ends) {
+    return this.#handle.call((raw) => {
+      const width = 2 * raw.dimension();
+      const given = argument.rows(ends, width, "ends");
+      const hits = new Float64Array(given.length / width);
+      argument.blocks(given, width, (block, row) => hits.set(raw.first_hits(block), row));
+      return hits;
+    });
+  }
+
+  /**
    * What was counted, and the time spent in `step` and `stepFor`.
    * @returns {Stats}
    */
@@ -258,26 +313,23 @@ export class Planner {
     let now = began;
     let left = iterations;
     let slice = 1;
-    // Words are dear against the quickest slices: a phase is asked for by name only where its mark is new.
-    let mark = raw.phase_mark();
-    let isSearch = SEARCHING.has(raw.phase());
+    let phase = raw.phase();
     while (left > 0) {
       const asked = Math.min(slice, left);
       const made = raw.advance(asked);
       const spent = performance.now() - now;
       now += spent;
-      if (isSearch) this.#searchMilliseconds += spent;
+      if (SEARCHING.has(phase)) this.#searchMilliseconds += spent;
       else this.#buildMilliseconds += spent;
       left -= made;
       const room = Math.min(budget / 4, budget - (now - began));
       // A run that did less than it was asked is over.
       if (made < asked || room <= 0) break;
-      const reached = raw.phase_mark();
-      if (reached !== mark) slice = 1;
+      const reached = raw.phase();
+      if (reached !== phase) slice = 1;
       else if (spent > room) slice = Math.max(1, slice >> 1);
       else if (2 * spent <= room) slice = Math.min(LONGEST_SLICE, 2 * slice);
-      if (reached !== mark) isSearch = SEARCHING.has(raw.phase());
-      mark = reached;
+      phase = reached;
     }
     return /** @type {Status} */ (raw.status());
   }

@@ -1,16 +1,13 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 /** A scenario: the world, the robot in it, and the queries to plan for. */
+/** @import { RawScenario } from "./planarium_glue.js" */
 import * as argument from "./arguments.js";
 import { PlanariumError } from "./error.js";
 import { Handle, key } from "./handle.js";
 import { Planner, makePlanner } from "./planner.js";
 import { call } from "./runtime.js";
 
-/** @import { RawScenario } from "./planarium_glue.js" */
 /** @import { Box, Check, Configuration, CspaceOptions, GenerateOptions, GeneratorId, Part, PlannerOptions, ScenarioDocument } from "./types.js" */
-
-/** Rows handed over at once by `endEffectors`, so that a long list does not make the core's memory grow. */
-const ROWS_AT_ONCE = 16384;
 
 /**
  * A parsed, checked scenario: it answers questions about configurations and motions, and makes planners.
@@ -47,7 +44,7 @@ export class Scenario {
   }
 
   /**
-   * Makes a scenario from a seed; the same kind and options always make the same scenario. Kinds:
+   * Makes a scenario from a seed; the same kind and options always make the same scenario. `generators()` tells all; in short:
    * - `forest`: an arm among triangles (`links`);
    * - `clutter`: a disc or an arm among convex polygons (`robot`, `links`, `radius`, `count`, `smallest`, `largest`, `gap`);
    * - `discs`: the same among discs, and `placement` says whether they stand `"apart"` or are `"overlapping"`;
@@ -146,10 +143,7 @@ export class Scenario {
       const dimension = this.#dimension;
       const given = argument.rows(vertices, dimension, "vertices");
       const points = new Float64Array((given.length / dimension) * 2);
-      for (let row = 0; row * dimension < given.length; row += ROWS_AT_ONCE) {
-        const block = given.subarray(row * dimension, (row + ROWS_AT_ONCE) * dimension);
-        points.set(raw.end_effectors(block), row * 2);
-      }
+      argument.blocks(given, dimension, (block, row) => points.set(raw.end_effectors(block), row * 2));
       return points;
     });
   }

@@ -11,6 +11,7 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("stats", &[]),
     ("status", &[]),
     ("order", &[]),
+    ("phase", &[]),
     ("geometry", &["order"]),
     ("random", &[]),
     ("validity", &[]),
@@ -25,7 +26,7 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("kept", &["error", "graph", "scenario", "space"]),
     ("path", &["error", "geometry", "problem", "random", "result", "robot", "scenario", "space", "status", "validity"]),
     ("sampling", &["problem", "random", "space"]),
-    ("planner", &["error", "graph", "nearest", "problem", "random", "sampling", "space", "status"]),
+    ("planner", &["error", "graph", "nearest", "phase", "problem", "random", "sampling", "space", "status"]),
     (
         "run",
         &[

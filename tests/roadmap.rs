@@ -5,7 +5,7 @@ mod common;
 
 use common::{SAMPLERS, arm_and_wall, arm_of, begin_with, disc_and_wall, finish, no_way, options, seeds};
 use planarium::planner::{logarithmic_k, prm_star_k};
-use planarium::run::{Run, Status, start};
+use planarium::run::{Phase, Run, Status, start};
 use planarium::space::angular_distance;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -285,7 +285,7 @@ fn improvement_can_be_cut_short_at_any_time() {
     let world = disc_and_wall(0.2, 0.3);
     let mut run = begin_with(&world, "rrt-connect", 1, "shortcut=1000");
     assert_eq!(run.finish(), Status::Running, "there is no path yet to be content with");
-    while run.phase() != "improving" {
+    while run.phase() != Phase::Improving {
         run.step(1);
     }
     run.step(10);
@@ -342,4 +342,24 @@ fn every_planner_and_sampler_keeps_its_paths_clear() {
             }
         }
     }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_path_as_it_was_found_stays_at_hand() {
+    for world in [arm_and_wall(0.1), disc_and_wall(0.2, 0.3)] {
+        for planner in ["prm", "visibility-prm", "rrt", "rrt-connect"] {
+            let plain = finish(begin_with(&world, planner, 3, ""));
+            assert_eq!(plain.raw_path(), plain.path(), "{planner}: without improvement the two are one");
+            let mut run = begin_with(&world, planner, 3, "reduce=true shortcut=60");
+            while run.phase() != Phase::Improving {
+                assert!(run.raw_path().is_empty(), "{planner}: nothing is found yet");
+                run.step(1);
+            }
+            assert_eq!((run.raw_path(), run.path().len()), (plain.path(), 0), "{planner}: while it is improved");
+            run.step(u64::MAX);
+            assert_eq!(run.raw_path(), plain.path(), "{planner}: afterwards");
+            assert!(run.length() < plain.length() && run.raw_path() != run.path());
+        }
+    }
+    assert!(finish(begin_with(&no_way(), "rrt", 1, "max_iterations=50")).raw_path().is_empty());
 }

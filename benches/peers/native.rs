@@ -5,7 +5,7 @@
 //! FILE is a scenario document; seeds are SEED, SEED + 1, ...; a run ends after LIMIT seconds, solved or not. Every run is
 //! fresh: its set-up begins with the parsed scenario, its search ends with the path.
 
-use planarium::run::{Options, Status, Value, start};
+use planarium::run::{Options, Phase, Status, Value, start};
 use planarium::scenario::Scenario;
 use std::io::{BufRead, Write};
 use std::time::Instant;
@@ -55,7 +55,7 @@ fn outcome(scenario: &Scenario, options: &Options, limit: f64) -> Result<serde_j
     let began = Instant::now();
     let mut built = None;
     while run.step(SLICE) == Status::Running && began.elapsed().as_secs_f64() < limit {
-        if built.is_none() && run.phase() == "searching" {
+        if built.is_none() && run.phase() == Phase::Searching {
             built = Some(began.elapsed().as_secs_f64());
         }
     }

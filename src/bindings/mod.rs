@@ -19,6 +19,12 @@ pub fn planners() -> Result<JsValue, JsValue> {
     convert::to_object(&crate::planner::catalogue())
 }
 
+/// Every generator with its options, as plain objects.
+#[wasm_bindgen]
+pub fn generators() -> Result<JsValue, JsValue> {
+    convert::to_object(&crate::scenario::generate::catalogue())
+}
+
 /// A seed from the platform's entropy: a whole number from 0 to 2^53 - 1.
 #[wasm_bindgen]
 pub fn fresh_seed() -> Result<f64, JsValue> {

@@ -3,7 +3,7 @@
 use super::convert::{count, cursor, throw, to_object};
 use crate::error::{Code, Error};
 use crate::kept::RoadmapDocument;
-use crate::run::{EVENT_HEAD, Run};
+use crate::run::{EVENT_HEAD, HISTORY_WIDTH, Run};
 use wasm_bindgen::prelude::*;
 
 /// A planning run. Arrays handed out are copies and stay valid.
@@ -37,11 +37,6 @@ impl RawPlanner {
         Ok((self.run.iterations() - before) as f64)
     }
 
-    /// A number that stands for the phase: another phase, another number.
-    pub fn phase_mark(&self) -> usize {
-        self.run.phase().as_ptr() as usize
-    }
-
     /// Takes the path as it is while it is being improved; answers the status.
     pub fn finish(&mut self) -> String {
         self.run.finish().as_str().to_owned()
@@ -68,9 +63,24 @@ impl RawPlanner {
         self.run.status().as_str().to_owned()
     }
 
-    /// What the run is busy with.
-    pub fn phase(&self) -> String {
-        self.run.phase().to_owned()
+    /// What the run is busy with: the number of the phase.
+    pub fn phase(&self) -> u8 {
+        self.run.phase() as u8
+    }
+
+    /// Has every iteration leave a row behind.
+    pub fn record(&mut self) -> Result<(), JsValue> {
+        self.run.record().map_err(throw)
+    }
+
+    /// The rows left behind since the last call, `history_width` numbers each.
+    pub fn take_history(&mut self) -> Vec<f64> {
+        self.run.take_history()
+    }
+
+    /// Numbers a row of the history.
+    pub fn history_width(&self) -> usize {
+        HISTORY_WIDTH
     }
 
     /// Iterations made so far.
@@ -121,6 +131,16 @@ impl RawPlanner {
     /// The path, `dimension` numbers a waypoint; empty until solved.
     pub fn path(&self) -> Vec<f64> {
         self.run.path().concat()
+    }
+
+    /// The path as the planner found it, in the same form.
+    pub fn raw_path(&self) -> Vec<f64> {
+        self.run.raw_path().concat()
+    }
+
+    /// For rows of two configurations, from and to, the fraction where the motion is first refused; 1 where it is free.
+    pub fn first_hits(&mut self, ends: &[f64]) -> Result<Vec<f64>, JsValue> {
+        self.run.first_hits(ends).map_err(throw)
     }
 
     /// What was counted, as a plain object.

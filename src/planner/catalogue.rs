@@ -1,6 +1,7 @@
 //! The planners that exist, with their parameters: the one table that help texts, documents and controls are made from.
 
 use super::parameters::{Fallback, Kind, ParameterInfo};
+use super::pseudocode::PseudocodeLine;
 use super::table::PLANNERS;
 use crate::error::{Code, Error};
 use serde::Serialize;
@@ -14,6 +15,8 @@ pub struct PlannerInfo {
     pub title: &'static str,
     /// What it does, in one sentence.
     pub summary: &'static str,
+    /// How it works, line by line.
+    pub pseudocode: &'static [PseudocodeLine],
     /// Its parameters.
     pub parameters: &'static [ParameterInfo],
 }
@@ -40,6 +43,7 @@ pub struct PlannerRow {
     id: &'static str,
     title: &'static str,
     summary: &'static str,
+    pseudocode: &'static [PseudocodeLine],
     parameters: Vec<ParameterRow>,
 }
 
@@ -73,6 +77,7 @@ pub fn catalogue() -> Vec<PlannerRow> {
         id: info.id,
         title: info.title,
         summary: info.summary,
+        pseudocode: info.pseudocode,
         parameters: info.parameters.iter().map(parameter_row).collect(),
     };
     PLANNERS.iter().map(row).collect()

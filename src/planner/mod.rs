@@ -1,4 +1,4 @@
-//! Planners, one file an algorithm, all behind one small trait; and the table of their parameters.
+//! Planners, one file an algorithm, all behind one small trait; and the table of their parameters and their pseudo-code.
 //!
 //! A planner sees a space and what is free in it, never a robot or an obstacle. It owns its graph and its generator, so
 //! that stepping in any slices gives the same result.
@@ -6,6 +6,7 @@
 mod catalogue;
 mod parameters;
 mod prm;
+mod pseudocode;
 mod query;
 mod roadmap;
 mod rrt;
@@ -16,12 +17,14 @@ mod visibility_prm;
 pub use catalogue::{DEFAULT_PLANNER, DEFAULT_TOLERANCE, PlannerInfo, PlannerRow, catalogue, planner_info, planners};
 pub use parameters::{Fallback, Kind, ParameterInfo, Parameters, Value};
 pub use prm::{Order, Prm, PrmOptions, logarithmic_k, prm_star_k};
+pub use pseudocode::{Mark, PseudocodeLine};
 pub use query::{Algorithm, Cost, Heuristic, SearchRules};
 pub use roadmap::{Answer, Connection, Roadmap};
 pub use rrt::{Extend, GoalBias, Rrt, RrtOptions};
 pub use rrt_connect::RrtConnect;
 pub use visibility_prm::VisibilityPrm;
 
+pub use crate::phase::Phase;
 pub use crate::status::Status;
 
 use crate::graph::{Graph, VertexId};
@@ -47,8 +50,8 @@ pub trait Planner<S: Space> {
     /// number of motion checks. Called only while the status is `Running`.
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status;
 
-    /// What the planner is busy with, in a word.
-    fn phase(&self) -> &'static str;
+    /// What the planner is busy with.
+    fn phase(&self) -> Phase;
 
     /// All that has grown so far.
     fn graph(&self) -> &Graph<S>;

@@ -6,7 +6,7 @@
 
 use super::query::SearchRules;
 use super::roadmap::{Connection, Ending, GOAL, Roadmap, START};
-use super::{Counters, Planner, Status};
+use super::{Counters, Phase, Planner, Status};
 use crate::graph::{EventKind, Graph, VertexId};
 use crate::nearest::Neighbour;
 use crate::problem::Problem;
@@ -58,10 +58,10 @@ pub struct Prm<S: Space> {
     /// For every vertex already connected its last neighbour, and so which later vertices it has tried.
     farthest: Vec<Neighbour>,
     neighbours: Vec<Neighbour>,
-    phase: Phase,
+    stage: Stage,
 }
 
-enum Phase {
+enum Stage {
     Sampling,
     /// The next vertex to connect, and the one after the last.
     Connecting {
@@ -82,7 +82,7 @@ impl<S: Space> Prm<S> {
             sampler,
             farthest: Vec::new(),
             neighbours: Vec::new(),
-            phase: Phase::Sampling,
+            stage: Stage::Sampling,
         };
         // One by one the goal comes second, and its neighbour is the start.
         let distance = problem.space().distance(problem.start(), problem.goal());
@@ -124,11 +124,11 @@ impl<S: Space> Prm<S> {
             let [from, to] = edge.map(|vertex| vertices[vertex as usize]);
             roadmap.graph.add_edge(0, from, to);
         }
-        let phase = match is_kept {
-            [true, true] => Phase::Ending(roadmap.begin_search(problem.space())),
+        let stage = match is_kept {
+            [true, true] => Stage::Ending(roadmap.begin_search(problem.space())),
             [start, goal] => {
                 let next = if start { GOAL } else { START };
-                Phase::Connecting { next, end: if goal { GOAL } else { VertexId(2) } }
+                Stage::Connecting { next, end: if goal { GOAL } else { VertexId(2) } }
             }
         };
         // A start that is not connected anew has tried nothing from its side.
@@ -140,7 +140,7 @@ impl<S: Space> Prm<S> {
             sampler,
             farthest: if is_kept[0] { vec![nothing] } else { Vec::new() },
             neighbours: Vec::new(),
-            phase,
+            stage,
         }
     }
 
@@ -149,9 +149,9 @@ impl<S: Space> Prm<S> {
         if self.roadmap.graph.states().len() < self.vertices {
             return;
         }
-        self.phase = match self.order {
-            Order::Batch => Phase::Connecting { next: START, end: VertexId(self.vertices as u32) },
-            Order::OneByOne { .. } => Phase::Ending(self.roadmap.begin_search(space)),
+        self.stage = match self.order {
+            Order::Batch => Stage::Connecting { next: START, end: VertexId(self.vertices as u32) },
+            Order::OneByOne { .. } => Stage::Ending(self.roadmap.begin_search(space)),
         };
     }
 
@@ -222,27 +222,27 @@ impl<S: Space> Prm<S> {
 
 impl<S: Space> Planner<S> for Prm<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
-        match &mut self.phase {
-            Phase::Sampling => self.sample(problem, iteration),
-            Phase::Connecting { next, end } => {
+        match &mut self.stage {
+            Stage::Sampling => self.sample(problem, iteration),
+            Stage::Connecting { next, end } => {
                 let vertex = *next;
                 *next = VertexId(vertex.0 + 1);
                 let is_last = next == end;
                 self.connect(problem, iteration, vertex);
                 if is_last {
-                    self.phase = Phase::Ending(self.roadmap.begin_search(problem.space()));
+                    self.stage = Stage::Ending(self.roadmap.begin_search(problem.space()));
                 }
             }
-            Phase::Ending(ending) => return ending.step(&mut self.roadmap, problem, iteration),
+            Stage::Ending(ending) => return ending.step(&mut self.roadmap, problem, iteration),
         }
         Status::Running
     }
 
-    fn phase(&self) -> &'static str {
-        match self.phase {
-            Phase::Sampling => "sampling",
-            Phase::Connecting { .. } => "connecting",
-            Phase::Ending(ref ending) => ending.phase(),
+    fn phase(&self) -> Phase {
+        match self.stage {
+            Stage::Sampling => Phase::Sampling,
+            Stage::Connecting { .. } => Phase::Connecting,
+            Stage::Ending(ref ending) => ending.phase(),
         }
     }
 
@@ -251,7 +251,7 @@ impl<S: Space> Planner<S> for Prm<S> {
     }
 
     fn path(&self) -> Vec<VertexId> {
-        if let Phase::Ending(ending) = &self.phase { ending.path().to_vec() } else { Vec::new() }
+        if let Stage::Ending(ending) = &self.stage { ending.path().to_vec() } else { Vec::new() }
     }
 
     fn counters(&self) -> Counters {

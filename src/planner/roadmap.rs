@@ -2,7 +2,7 @@
 //! questions asked again and again.
 
 use super::query::{Query, SearchRules};
-use super::{Counters, Status};
+use super::{Counters, Phase, Status};
 use crate::graph::search::Expansion;
 use crate::graph::{Event, EventKind, Graph, VertexId};
 use crate::nearest::{Index, Nearest, Neighbour};
@@ -209,8 +209,8 @@ impl Ending {
     }
 
     /// What the planner is busy with.
-    pub fn phase(&self) -> &'static str {
-        if matches!(self, Ending::Searching(_)) { "searching" } else { "done" }
+    pub fn phase(&self) -> Phase {
+        if matches!(self, Ending::Searching(_)) { Phase::Searching } else { Phase::Done }
     }
 }
 

@@ -4,7 +4,7 @@
 //! kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 5.5. The goal is vertex 1 from the beginning, but in
 //! the tree only once it is reached.
 
-use super::{Counters, Planner, Status};
+use super::{Counters, Phase, Planner, Status};
 use crate::graph::{Event, EventKind, Graph, VertexId};
 use crate::nearest::{Index, Nearest};
 use crate::problem::Problem;
@@ -184,8 +184,8 @@ impl<S: Space> Planner<S> for Rrt<S> {
         Status::Running
     }
 
-    fn phase(&self) -> &'static str {
-        if self.is_solved { "done" } else { "growing" }
+    fn phase(&self) -> Phase {
+        if self.is_solved { Phase::Done } else { Phase::Growing }
     }
 
     fn graph(&self) -> &Graph<S> {

@@ -5,7 +5,7 @@
 //! Trees are kept in balance: the smaller one takes the sample, the start's tree where they are equal (LaValle 2006,
 //! "Planning Algorithms", section 5.5.3).
 
-use super::{Counters, Planner, Status};
+use super::{Counters, Phase, Planner, Status};
 use crate::graph::{Event, EventKind, Graph, VertexId};
 use crate::nearest::{Index, Nearest};
 use crate::problem::Problem;
@@ -147,8 +147,8 @@ impl<S: Space> Planner<S> for RrtConnect<S> {
         Status::Solved
     }
 
-    fn phase(&self) -> &'static str {
-        if self.bridge.is_some() { "done" } else { "growing" }
+    fn phase(&self) -> Phase {
+        if self.bridge.is_some() { Phase::Done } else { Phase::Growing }
     }
 
     fn graph(&self) -> &Graph<S> {

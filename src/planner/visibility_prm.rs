@@ -6,7 +6,7 @@
 
 use super::query::SearchRules;
 use super::roadmap::{Connection, Ending, GOAL, Roadmap, START};
-use super::{Counters, Planner, Status};
+use super::{Counters, Phase, Planner, Status};
 use crate::graph::{Event, EventKind, Graph, UnionFind, VertexId};
 use crate::problem::Problem;
 use crate::sampling::Sampler;
@@ -24,10 +24,10 @@ pub struct VisibilityPrm<S: Space> {
     failures: u32,
     /// For every component whether this sample has seen it, by the iteration that did.
     seen: Vec<u32>,
-    phase: Phase,
+    stage: Stage,
 }
 
-enum Phase {
+enum Stage {
     Guarding,
     Ending(Ending),
 }
@@ -50,7 +50,7 @@ impl<S: Space> VisibilityPrm<S> {
             most_failures,
             failures: 0,
             seen: vec![0; 2],
-            phase: Phase::Guarding,
+            stage: Stage::Guarding,
         };
         for end in [START, GOAL] {
             planner.components.add();
@@ -99,7 +99,7 @@ impl<S: Space> VisibilityPrm<S> {
         }
         self.failures += 1;
         if self.failures >= self.most_failures {
-            self.phase = Phase::Ending(self.roadmap.begin_search(problem.space()));
+            self.stage = Stage::Ending(self.roadmap.begin_search(problem.space()));
         }
     }
 
@@ -124,17 +124,17 @@ impl<S: Space> VisibilityPrm<S> {
 
 impl<S: Space> Planner<S> for VisibilityPrm<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
-        match &mut self.phase {
-            Phase::Guarding => self.sample(problem, iteration),
-            Phase::Ending(ending) => return ending.step(&mut self.roadmap, problem, iteration),
+        match &mut self.stage {
+            Stage::Guarding => self.sample(problem, iteration),
+            Stage::Ending(ending) => return ending.step(&mut self.roadmap, problem, iteration),
         }
         Status::Running
     }
 
-    fn phase(&self) -> &'static str {
-        match self.phase {
-            Phase::Guarding => "guarding",
-            Phase::Ending(ref ending) => ending.phase(),
+    fn phase(&self) -> Phase {
+        match self.stage {
+            Stage::Guarding => Phase::Guarding,
+            Stage::Ending(ref ending) => ending.phase(),
         }
     }
 
@@ -143,7 +143,7 @@ impl<S: Space> Planner<S> for VisibilityPrm<S> {
     }
 
     fn path(&self) -> Vec<VertexId> {
-        if let Phase::Ending(ending) = &self.phase { ending.path().to_vec() } else { Vec::new() }
+        if let Stage::Ending(ending) = &self.stage { ending.path().to_vec() } else { Vec::new() }
     }
 
     fn counters(&self) -> Counters {

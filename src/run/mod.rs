@@ -6,15 +6,18 @@
 
 mod choices;
 mod factory;
+mod history;
 mod options;
+mod questions;
 mod resume;
 mod runner;
 
 pub use factory::start;
+pub use history::HISTORY_WIDTH;
 pub use options::Options;
 pub use resume::resume;
 
-pub use crate::planner::{PlannerInfo, Status, Value, planners};
+pub use crate::planner::{Phase, PlannerInfo, Status, Value, planners};
 
 use crate::error::Error;
 use crate::kept::RoadmapDocument;
@@ -29,14 +32,27 @@ pub trait Run {
     /// Does at most `iterations` iterations, and nothing once the status is no longer `Running`.
     fn step(&mut self, iterations: u64) -> Status;
 
-    /// Takes the path as it is, where it is being improved; else does nothing.
+    /// Takes the path as it is, where it is being improved, and ends the run; else does nothing. It is no iteration.
     fn finish(&mut self) -> Status;
 
     /// Where the run stands.
     fn status(&self) -> Status;
 
-    /// What the run is busy with: a planner's phase, `improving`, or `done`.
-    fn phase(&self) -> &'static str;
+    /// What the run is busy with: a planner's phase, `Improving`, or `Done`.
+    fn phase(&self) -> Phase;
+
+    /// Has every iteration leave a row behind, for [`Run::take_history`]; that it does so changes nothing else. Until they are
+    /// taken, rows are kept: 64 bytes an iteration. Asked for twice is as good as once.
+    ///
+    /// # Errors
+    /// `unsupported` after the first iteration, unless it was asked for before.
+    fn record(&mut self) -> Result<(), Error>;
+
+    /// The rows that iterations have left behind since the last call, and forgets them; empty where nothing is recorded. Row i
+    /// of the run, from 0, is how things stood after iteration i + 1: [`HISTORY_WIDTH`] numbers each, the counts those of
+    /// [`Run::stats`], the last one the length of the best path so far in the metric of the space, infinite while there is
+    /// none; it only ever falls. [`Run::finish`] is no iteration and leaves no row.
+    fn take_history(&mut self) -> Vec<f64>;
 
     /// Iterations made so far.
     fn iterations(&self) -> u64;
@@ -68,8 +84,21 @@ pub trait Run {
     /// The path from start to goal, split so that no step turns a circle joint by more than 3 radians; empty until solved.
     fn path(&self) -> Vec<Vec<f64>>;
 
+    /// The path as the planner found it, before any improvement, split in the same way; empty until it is found. There while
+    /// the path is being improved, and after.
+    fn raw_path(&self) -> Vec<Vec<f64>>;
+
     /// The length of the path in the metric of the space; 0 until solved.
     fn length(&self) -> f64;
+
+    /// Where motions are first refused, in the run's own space and by its own test, proven or sampled: `ends` are rows of two
+    /// configurations, from and to, and for each there is the fraction of the motion at which the first stretch begins that is
+    /// refused, 1 where all of it is free. A question of viewers: what it costs is not counted among the run's own work.
+    ///
+    /// # Errors
+    /// With the pointer `/ends`: `wrong-dimension` where the last row is not whole, `not-finite`,
+    /// `out-of-range` outside the limits.
+    fn first_hits(&mut self, ends: &[f64]) -> Result<Vec<f64>, Error>;
 
     /// What was counted; seconds are 0, as the core reads no clock.
     fn stats(&self) -> Stats;

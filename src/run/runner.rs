@@ -1,10 +1,11 @@
 //! A planner at work on a problem, its path improved afterwards where that is asked for.
 
-use super::{EVENT_HEAD, Run};
+use super::history::History;
+use super::{EVENT_HEAD, Run, questions};
 use crate::error::{Code, Error};
 use crate::kept::RoadmapDocument;
 use crate::path::{self, Improvement, Wanted};
-use crate::planner::{Planner, Status};
+use crate::planner::{Phase, Planner, Status};
 use crate::problem::Problem;
 use crate::result::{Approximate, ResultDocument};
 use crate::space::Space;
@@ -37,6 +38,10 @@ pub(super) struct Runner<S: Space> {
     status: Status,
     /// The path being improved, once the planner has solved the problem.
     improvement: Option<Improvement<S>>,
+    /// A row for every iteration, where that was asked for.
+    history: Option<History>,
+    /// How many clearances were evaluated for viewers, not for the run.
+    looked: u64,
 }
 
 impl<S: Space> Runner<S> {
@@ -46,7 +51,8 @@ impl<S: Space> Runner<S> {
         ticket: Ticket,
         kept: Option<RoadmapDocument>,
     ) -> Self {
-        Self { problem, planner, ticket, kept, iteration: 0, status: Status::Running, improvement: None }
+        let status = Status::Running;
+        Self { problem, planner, ticket, kept, iteration: 0, status, improvement: None, history: None, looked: 0 }
     }
 
     /// One iteration: of the planner, or an attempt at improving its path.
@@ -63,9 +69,7 @@ impl<S: Space> Runner<S> {
         self.status = self.planner.iterate(&self.problem, self.iteration);
         match self.status {
             Status::Solved => {
-                let graph = self.planner.graph();
-                let path = self.planner.path().into_iter().map(|vertex| *graph.state(vertex)).collect();
-                let improvement = Improvement::new(path, self.ticket.wanted, self.ticket.seed);
+                let improvement = Improvement::new(self.found(), self.ticket.wanted, self.ticket.seed);
                 if !improvement.is_done() {
                     self.status = Status::Running;
                 }
@@ -74,6 +78,22 @@ impl<S: Space> Runner<S> {
             Status::Running if self.iteration == self.ticket.max_iterations => self.status = Status::Exhausted,
             Status::Running | Status::Exhausted => {}
         }
+    }
+
+    /// Notes how things stand, where that is wanted.
+    fn note(&mut self) {
+        let length = |improvement: &Improvement<S>| path::length(self.problem.space(), improvement.path());
+        let cost = self.improvement.as_ref().map_or(f64::INFINITY, length);
+        let (stats, events, phase) = (self.stats(), self.event_count(), self.phase());
+        if let Some(history) = &mut self.history {
+            history.add(&stats, events, phase, cost);
+        }
+    }
+
+    /// The path of the planner, as it found it; empty until then.
+    fn found(&self) -> Vec<S::State> {
+        let graph = self.planner.graph();
+        self.planner.path().into_iter().map(|vertex| *graph.state(vertex)).collect()
     }
 
     /// The path as it is emitted; empty until solved.
@@ -123,6 +143,9 @@ impl<S: Space> Run for Runner<S> {
         let mut left = iterations;
         while left > 0 && self.status == Status::Running {
             self.iterate();
+            if self.history.is_some() {
+                self.note();
+            }
             left -= 1;
         }
         self.status
@@ -139,12 +162,25 @@ impl<S: Space> Run for Runner<S> {
         self.status
     }
 
-    fn phase(&self) -> &'static str {
+    fn phase(&self) -> Phase {
         match (&self.improvement, self.status) {
-            (Some(_), Status::Running) => "improving",
+            (Some(_), Status::Running) => Phase::Improving,
             (None, Status::Running) => self.planner.phase(),
-            _ => "done",
+            _ => Phase::Done,
         }
+    }
+
+    fn record(&mut self) -> Result<(), Error> {
+        if self.history.is_none() && self.iterations() > 0 {
+            let sentence = format!("a run is recorded from its first iteration on, and {} are made", self.iterations());
+            return Err(Error::new(Code::Unsupported, "", sentence));
+        }
+        self.history.get_or_insert_default();
+        Ok(())
+    }
+
+    fn take_history(&mut self) -> Vec<f64> {
+        self.history.as_mut().map(History::take).unwrap_or_default()
     }
 
     fn iterations(&self) -> u64 {
@@ -198,8 +234,21 @@ impl<S: Space> Run for Runner<S> {
         self.rows(&self.states())
     }
 
+    fn raw_path(&self) -> Vec<Vec<f64>> {
+        self.rows(&path::split(self.problem.space(), &self.found()))
+    }
+
     fn length(&self) -> f64 {
         path::length(self.problem.space(), &self.states())
+    }
+
+    fn first_hits(&mut self, ends: &[f64]) -> Result<Vec<f64>, Error> {
+        let motions = questions::motions(self.problem.space(), ends)?;
+        let validity = self.problem.validity();
+        let before = validity.clearance_evaluations();
+        let hits = motions.iter().map(|[from, to]| validity.first_hit(from, to).unwrap_or(1.0)).collect();
+        self.looked += validity.clearance_evaluations() - before;
+        Ok(hits)
     }
 
     fn stats(&self) -> Stats {
@@ -213,7 +262,7 @@ impl<S: Space> Run for Runner<S> {
             motion_checks: counters.motion_checks + improvement_checks,
             nearest_queries: counters.nearest_queries,
             visited: counters.visited,
-            clearance_evaluations: self.problem.validity().clearance_evaluations(),
+            clearance_evaluations: self.problem.validity().clearance_evaluations() - self.looked,
             build_seconds: 0.0,
             search_seconds: 0.0,
         }
@@ -233,31 +282,13 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error> {
-        let space = self.problem.space();
-        for (q, what) in [(start, "start"), (goal, "goal")] {
-            if q.len() != space.dimension() {
-                let sentence = format!("the {what} must have {} numbers, not {}", space.dimension(), q.len());
-                return Err(Error::new(Code::WrongDimension, format!("/{what}"), sentence));
-            }
-            if let Some(i) = q.iter().position(|x| !x.is_finite() || x.abs() > crate::scenario::LARGEST) {
-                let sentence = format!("the {what} has {} for coordinate {i}", q[i]);
-                let code = if q[i].is_finite() { Code::OutOfRange } else { Code::NotFinite };
-                return Err(Error::new(code, format!("/{what}/{i}"), sentence));
-            }
-        }
-        let ends = [start, goal].map(|q| space.state(q));
-        for (end, what) in ends.iter().zip(["start", "goal"]) {
-            if !space.contains(end) {
-                let sentence = format!("the {what} {:?} lies outside the limits", space.coordinates(end));
-                return Err(Error::new(Code::OutOfRange, format!("/{what}"), sentence));
-            }
-        }
+        let ends = questions::ends(self.problem.space(), start, goal)?;
         self.problem.check_ends(&ends[0], &ends[1])?;
         // What still grows counts its own vertices: guests would be taken for them.
         if keep && self.status == Status::Running && self.improvement.is_none() {
             let sentence = format!(
                 "start and goal can be kept once the roadmap is built and searched, not while {}",
-                self.phase()
+                self.phase().as_str()
             );
             return Err(Error::new(Code::Unsupported, "/keep", sentence));
         }

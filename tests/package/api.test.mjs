@@ -1,7 +1,7 @@
 /** What the package does, member by member. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import init, { Planner, Scenario, freshSeed, initSync, planners, version } from "planarium";
+import init, { Planner, Scenario, freshSeed, generators, initSync, phases, planners, version } from "planarium";
 import { arm, disc, finish } from "./scenes.mjs";
 
 const close = (/** @type {number} */ a, /** @type {number} */ b) => assert.ok(Math.abs(a - b) < 1e-12, `${a} is not ${b}`);
@@ -33,6 +33,30 @@ test("planners() lists every planner with complete parameters", () => {
   }
 });
 
+test("each iteration of every planner lights lines of its pseudo-code", () => {
+  const kinds = ["rejected", "refused", "expanded", "solved", "discarded", "guard"];
+  for (const { id, pseudocode } of planners()) {
+    assert.ok(pseudocode.length >= 6 && pseudocode.length <= 12, id);
+    for (const { text, indent, lit_by } of pseudocode) {
+      assert.ok(text.length > 0 && Number.isInteger(indent) && indent >= 0 && Array.isArray(lit_by), id);
+    }
+    const planner = Scenario.parse(arm).planner({ algorithm: id, seed: 1, max_iterations: 800 });
+    while (planner.status === "running") {
+      const { phase, vertexCount, edgeCount, eventCount } = planner;
+      planner.step(1);
+      /** @type {string[]} */
+      const marks = [phase];
+      if (planner.vertexCount > vertexCount) marks.push("vertex");
+      if (planner.edgeCount > edgeCount) marks.push("edge");
+      const events = planner.eventsSince(eventCount);
+      for (let i = 0; i < events.length; i += planner.eventWidth) marks.push(kinds[events[i]]);
+      if (planner.status !== "running") marks.push("done");
+      assert.ok(pseudocode.some(({ lit_by }) => lit_by.some((mark) => marks.includes(mark))), `${id}: ${marks}`);
+    }
+    planner.free();
+  }
+});
+
 test("every parameter of every planner takes its default, its choices and its ends, unless the scenario narrows them", () => {
   const scenario = Scenario.parse(arm);
   for (const { id, parameters } of planners()) {
@@ -45,6 +69,28 @@ test("every parameter of every planner takes its default, its choices and its en
         const beyond = inside + outside * Math.max(1, Math.abs(inside));
         assert.throws(() => scenario.planner({ algorithm: id, [name]: beyond }), { code: "out-of-range", pointer: `/${name}` }, `${id} ${name} = ${beyond}`);
         if (name !== "step") assert.equal(scenario.planner({ algorithm: id, [name]: inside }).iterations, 0, `${id} ${name} = ${inside}`);
+      }
+    }
+  }
+});
+
+test("generators() lists every generator; each takes its options' defaults, choices and ends, unless others narrow them", () => {
+  const list = generators();
+  assert.deepEqual(list.map(({ id }) => id), ["forest", "clutter", "discs", "maze", "gap", "bug-trap"]);
+  for (const { id, title, summary, options } of list) {
+    assert.ok(title.length > 0 && summary.length > 0);
+    assert.ok(Scenario.generate(id, Object.fromEntries(options.filter(({ name }) => name !== "links" || id === "forest").map((option) => [option.name, option.default]))).title);
+    for (const { name, title, kind, unit, min, max, choices, meaning, default: value } of options) {
+      assert.ok(/^[a-z]+$/.test(name) && title.length > 0 && meaning.length > 0 && typeof unit === "string", name);
+      if (kind === "choice") {
+        assert.ok(choices !== null && choices[0] === value && min === null && max === null, `${id} ${name}`);
+        for (const choice of choices) assert.ok(Scenario.generate(id, { [name]: choice }).name);
+        continue;
+      }
+      assert.ok(choices === null && min !== null && max !== null && typeof value === "number" && min <= value && value <= max, `${id} ${name}`);
+      const with_ = name === "links" && id !== "forest" ? { robot: /** @type {const} */ ("arm") } : {};
+      for (const beyond of [min - 1, max + 1]) {
+        assert.throws(() => Scenario.generate(id, { ...with_, [name]: beyond }), { code: "out-of-range", pointer: `/${name}` }, `${id} ${name} = ${beyond}`);
       }
     }
   }
@@ -221,6 +267,81 @@ for (const algorithm of ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connec
     assert.equal(planner.phase, "done");
   });
 }
+
+test("a recorded run leaves a row for every iteration, whoever steps it, and is the same run", () => {
+  const scenario = Scenario.parse(arm);
+  const start = () => scenario.planner({ algorithm: "prm", seed: 4, samples: 200, shortcut: 50 });
+  const plain = finish(start());
+  const planner = start();
+  planner.record();
+  planner.record();
+  const width = planner.historyWidth;
+  assert.equal(width, 8);
+  /** @type {number[][]} */ const rows = [];
+  for (let frame = 0; planner.status === "running"; frame += 1) {
+    if (frame % 2 === 0) planner.step(13);
+    else planner.stepFor(0.1);
+    const taken = planner.takeHistory();
+    for (let i = 0; i < taken.length; i += width) rows.push([...taken.subarray(i, i + width)]);
+    const { vertices, edges, configuration_checks, motion_checks, clearance_evaluations } = planner.stats();
+    const [now] = rows.slice(-1);
+    assert.deepEqual(now.slice(0, 7), [
+      vertices, edges, planner.eventCount, phases.indexOf(planner.phase), configuration_checks, motion_checks, clearance_evaluations,
+    ]);
+  }
+  assert.equal(rows.length, planner.iterations);
+  assert.deepEqual([planner.fingerprint(), planner.iterations], [plain.fingerprint(), plain.iterations]);
+  const seen = rows.map((row) => phases[row[3]]).filter((phase, i, all) => phase !== all[i - 1]);
+  assert.deepEqual(seen, ["sampling", "connecting", "searching", "improving", "done"]);
+  const costs = rows.map((row) => row[7]);
+  const first = costs.findIndex(Number.isFinite);
+  assert.ok(costs.slice(0, first).every((cost) => cost === Infinity));
+  assert.ok(costs.slice(first + 1).every((cost, i) => cost <= costs[first + i]) && costs[costs.length - 1] < costs[first]);
+  close(costs[costs.length - 1], planner.result().length);
+  assert.equal(planner.takeHistory().length, 0);
+  assert.equal(plain.takeHistory().length, 0);
+  assert.throws(() => plain.record(), { name: "PlanariumError", code: "unsupported", message: /from its first iteration on/ });
+});
+
+test("rawPath is the path as it was found", () => {
+  const scenario = Scenario.parse(disc);
+  const plain = finish(scenario.planner({ seed: 2 }));
+  assert.deepEqual(plain.rawPath(), plain.path());
+  const planner = scenario.planner({ seed: 2, shortcut: 100 });
+  assert.equal(planner.rawPath().length, 0);
+  while (planner.phase !== "improving") planner.step(1);
+  assert.deepEqual([planner.rawPath(), planner.path().length], [plain.path(), 0]);
+  finish(planner);
+  assert.deepEqual(planner.rawPath(), plain.path());
+  assert.notDeepEqual(planner.path(), plain.path());
+});
+
+test("firstHits tells where each refused edge is refused, by the run's own test, and is not counted", () => {
+  for (const options of [{}, { edge_check: "sampled", edge_samples: 6 }]) {
+    for (const scene of [arm, disc]) {
+      const planner = finish(Scenario.parse(scene).planner({ algorithm: "prm", samples: 300, metric: scene === arm ? "euclidean" : undefined, ...options }));
+      const vertices = planner.verticesSince(0);
+      const events = planner.eventsSince(0);
+      /** @type {number[]} */ const ends = [];
+      for (let i = 0; i < events.length; i += planner.eventWidth) {
+        if (events[i] === 1) ends.push(...vertices.subarray(2 * events[i + 2], 2 * events[i + 2] + 2), ...events.subarray(i + 4, i + 6));
+      }
+      const stats = planner.stats();
+      const hits = planner.firstHits(ends);
+      assert.ok(hits.length > 20 && hits.every((hit) => hit >= 0 && hit < 1), String(hits));
+      const edges = Array.from(planner.edgesSince(0), (vertex) => [...vertices.subarray(2 * vertex, 2 * vertex + 2)]).flat();
+      assert.ok(planner.firstHits(edges).every((hit) => hit === 1));
+      assert.deepEqual(planner.stats(), stats);
+    }
+  }
+  const planner = Scenario.parse(disc).planner();
+  assert.equal(planner.firstHits([]).length, 0);
+  // More rows than go over at once.
+  const many = Float64Array.from({ length: 4 * 20_000 }, (_, i) => (i % 4 === 3 ? 8 : 2));
+  many.set([2, 2, 8, 2], 4 * 19_999);
+  const hits = planner.firstHits(many);
+  assert.ok(hits.slice(0, -1).every((hit) => hit === 1) && Math.abs(hits[19_999] - 2.5 / 6) < 1e-9);
+});
 
 test("step makes at most n iterations, and none at n = 0", () => {
   const planner = Scenario.parse(arm).planner({ algorithm: "prm" });

@@ -115,6 +115,17 @@ test("configurations", () => {
   fails(() => scenario.check(proxy), "wrong-type", "/q", /hands off/);
 });
 
+test("motions asked of a run", () => {
+  const planner = Scenario.parse(disc).planner();
+  fails(() => planner.firstHits([1, 2, 3, 4, 5, 6]), "wrong-dimension", "/ends", /rows of 4 numbers/);
+  fails(() => planner.firstHits([1, 2, 3, NaN]), "not-finite", "/ends/3");
+  fails(() => planner.firstHits(/** @type {any} */ ("1234")), "wrong-type", "/ends");
+  fails(() => planner.firstHits([1, 2, 3, 11]), "out-of-range", "/ends", /\[3\.0, 11\.0\] lies outside the limits/);
+  fails(() => planner.firstHits([1e300, 2, 3, 4]), "out-of-range", "/ends");
+  planner.step(1);
+  fails(() => planner.record(), "unsupported", "", /1 are made/);
+});
+
 test("pictures of the configuration space", () => {
   const scenario = Scenario.parse(arm);
   fails(() => scenario.cspace({ width: 0, height: 8 }), "out-of-range");

@@ -9,10 +9,10 @@ import { addFiles, install, pack } from "./packed.mjs";
 
 const consumer = `
 import init, {
-  initSync, planners, freshSeed, version, PlanariumError, Planner, Scenario,
-  type Box, type Check, type Configuration, type CspaceOptions, type GenerateOptions, type InitInput, type InitSyncInput, type Obstacle,
-  type ParameterInfo, type Part, type Phase, type PlannerInfo, type PlannerOptions, type Point, type Query, type ResultDocument, type Robot,
-  type ScenarioDocument, type Stats, type Status, type Touching, type World,
+  initSync, planners, generators, phases, freshSeed, version, PlanariumError, Planner, Scenario,
+  type Box, type Check, type Configuration, type CspaceOptions, type GenerateOptions, type GeneratorInfo, type InitInput, type InitSyncInput, type Obstacle,
+  type OptionInfo, type ParameterInfo, type Part, type Phase, type PlannerInfo, type PlannerOptions, type Point, type PseudocodeLine,
+  type PseudocodeMark, type Query, type ResultDocument, type Robot, type ScenarioDocument, type Stats, type Status, type Touching, type World,
 } from "planarium";
 
 type IsAny<T> = 0 extends 1 & T ? true : false;
@@ -25,6 +25,7 @@ type No<T extends false> = T;
 export type Proofs = [
   None<AnyMembers<Planner>>, None<AnyMembers<Scenario>>, None<AnyMembers<PlanariumError>>, None<AnyMembers<Stats>>, None<AnyMembers<ResultDocument>>,
   None<AnyMembers<PlannerInfo>>, None<AnyMembers<ParameterInfo>>, None<AnyMembers<ScenarioDocument>>, None<AnyMembers<World>>, None<AnyMembers<Query>>,
+  None<AnyMembers<GeneratorInfo>>, None<AnyMembers<OptionInfo>>, No<IsAny<(typeof phases)[number]>>,
   No<IsAny<Parameters<typeof init>[0]>>, No<IsAny<Parameters<typeof initSync>[0]>>, No<IsAny<InitInput>>, No<IsAny<InitSyncInput>>,
   No<IsAny<ReturnType<typeof planners>>>, No<IsAny<Configuration>>, No<IsAny<PlannerOptions["whatever"]>>, No<IsAny<GenerateOptions["whatever"]>>,
 ];
@@ -65,8 +66,17 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   const robot: Robot = again.robot;
 
   const info: PlannerInfo[] = planners();
+  const lines: PseudocodeLine[] = info[0]?.pseudocode ?? [];
+  const marks: PseudocodeMark[] = lines.flatMap((line) => line.lit_by);
   const options: PlannerOptions = { algorithm: info[0]?.id ?? "prm", query: "q", seed: 1, metric: "euclidean", k: 5, samples: 50 };
+  const kinds: GeneratorInfo[] = generators();
+  const choices: (string[] | null)[] = kinds.flatMap(({ options: all }) => all.map((option: OptionInfo) => option.choices));
   const planner: Planner = scenario.planner(options);
+  planner.record();
+  const history: Float64Array = planner.takeHistory().subarray(0, planner.historyWidth);
+  const reached: Phase | undefined = phases[history[3] ?? 0];
+  const raw: Float64Array = planner.rawPath();
+  const hits: Float64Array = planner.firstHits([0, 0, 1, 1]);
   let status: Status = planner.step(10);
   status = planner.stepFor(8);
   const phase: Phase = planner.phase;
@@ -98,7 +108,7 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   // @ts-expect-error: a count is a number
   planner.step("10");
   return JSON.stringify([free, names, radii, box, tip, tips, hit, cells, low, circles, kind, obstacle, robot, status, phase, counts, vertices, edges,
-    events, path, stats, result, version, scenario.name, scenario.title, scenario.distance(q, half), planner.fingerprint()]);
+    events, path, stats, result, marks, choices, reached, raw, hits, version, scenario.name, scenario.title, scenario.distance(q, half), planner.fingerprint()]);
 }
 `;
 

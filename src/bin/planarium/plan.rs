@@ -9,7 +9,7 @@ use planarium::Error;
 use planarium::error::Code;
 use planarium::planner::DEFAULT_PLANNER;
 use planarium::result::ResultDocument;
-use planarium::run::{self, Options, Run, Status, Value};
+use planarium::run::{self, Options, Phase, Run, Status, Value};
 use planarium::scenario::Scenario;
 use std::time::{Duration, Instant};
 
@@ -68,7 +68,7 @@ fn drive(run: &mut dyn Run, max_seconds: Option<f64>) -> ResultDocument {
     let begin = Instant::now();
     let mut iterations = 1;
     while run.status() == Status::Running && !is_up(begin.elapsed()) {
-        let spent = if matches!(run.phase(), "searching" | "improving") { &mut search } else { &mut build };
+        let spent = if matches!(run.phase(), Phase::Searching | Phase::Improving) { &mut search } else { &mut build };
         let before = Instant::now();
         run.step(iterations);
         let took = before.elapsed();

@@ -30,7 +30,7 @@ impl Progress {
         let is_due = |_: &&ProgressBar| self.drawn.elapsed() >= STANDS;
         if let Some(bar) = self.bar.as_ref().filter(is_due) {
             self.drawn = Instant::now();
-            bar.set_message(format!("{}, {} vertices", run.phase(), run.vertex_count()));
+            bar.set_message(format!("{}, {} vertices", run.phase().as_str(), run.vertex_count()));
             bar.set_position(run.iterations());
         }
     }

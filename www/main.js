@@ -94,14 +94,13 @@ async function start() {
   watchParent(page);
   showPseudocode(page);
   showSceneOptions(page, generators);
-  const link = new Link(page, SCENES, generators);
+  const link = new Link(page, SCENES, generators, new Projector(page));
   const lessons = new Lessons(page, LESSONS, SCENES);
   const obey = () => (Lessons.owns(location.hash) ? lessons : link).obey(location.hash);
   addEventListener("hashchange", () => { if (location.hash) void obey(); });
   watchView(page, sheets);
   watchReadout(page);
   new EditorControls(page);
-  new Projector(page);
 
   page.onOpen((facts, entry) => {
     if (!race.arrange()) sheets.arrange(facts);

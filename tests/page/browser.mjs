@@ -46,7 +46,8 @@ export async function onPage(options, test, { before, expectErrors = false } = {
   const faults = [];
   page.on("console", (message) => {
     // The tests read canvases back more often than a page would, and Chromium remarks on it.
-    const remark = message.text().startsWith("Canvas2D: Multiple readback operations");
+    // Playwright says that it keeps the page's service worker out, as it is told to.
+    const remark = /^(Canvas2D: Multiple readback operations|Service Worker registration blocked by Playwright)/.test(message.text());
     if ((message.type() === "error" || message.type() === "warning") && !remark) faults.push(`console: ${message.text()}`);
   });
   page.on("pageerror", (error) => faults.push(`thrown: ${error.message}`));

@@ -45,8 +45,7 @@ export async function onPage(options, test, { before, expectErrors = false } = {
   /** @type {string[]} */
   const faults = [];
   page.on("console", (message) => {
-    // The tests read canvases back more often than a page would, and Chromium remarks on it.
-    // Playwright says that it keeps the page's service worker out, as it is told to.
+    // The tests read canvases back more often than a page would, and keep its files from being kept: both are remarked on.
     const remark = /^(Canvas2D: Multiple readback operations|Service Worker registration blocked by Playwright)/.test(message.text());
     if ((message.type() === "error" || message.type() === "warning") && !remark) faults.push(`console: ${message.text()}`);
   });

@@ -11,6 +11,7 @@
  *   nothing is pointed at.
  * - `#touching` carries `data-free` and names what touches what.
  * - `#story` carries `data-tone`, "bad" where a path that was found collides.
+ * - In a race each row of `#standings tbody` carries `data-status` and, at rest at the newest iteration, `data-fingerprint`.
  * - In the worker, the work of each frame in which something grew is a `performance.measure` called "planarium-frame".
  */
 import { watchAnnouncements } from "./controls/announce.js";

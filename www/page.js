@@ -3,6 +3,7 @@
  * scene opens, when a state comes, when the colours change; none of them knows the others.
  */
 import { byId } from "./controls/dom.js";
+import { isProjected } from "./controls/projector.js";
 import { nameAll } from "./controls/names.js";
 import { loadScene } from "./resources.js";
 import { readPalette } from "./stage/palette.js";
@@ -73,7 +74,7 @@ export class Page {
   onDress(then) { this.dressers.push(then); }
 
   /** @returns {Look} */
-  get look() { return { palette: readPalette(byId("stage", HTMLElement)), ratio: devicePixelRatio || 1, calm: this.calm }; }
+  get look() { return { palette: readPalette(byId("stage", HTMLElement)), ratio: devicePixelRatio || 1, calm: this.calm, bold: isProjected() ? 1.7 : 1 }; }
 
   /** Colours or pixels are others. */
   dress() {
@@ -190,8 +191,9 @@ export class Page {
     if (state.lanes.length === 0) return;
     for (const then of this.watchers) then(state, before);
     const { refusal } = state;
-    // Old news is not told, and each refusal once.
-    if (!refusal || this.told || state.heard < this.studio.ordered) return;
+    // Old news is not told, and each refusal once; what the editor is at, it says itself, where the hand is.
+    if (Boolean(before?.edit) !== Boolean(state.edit)) this.told = false;
+    if (!refusal || this.told || state.heard < this.studio.ordered || state.edit?.touching) return;
     this.told = true;
     const { lane, pointer, message } = refusal;
     if (lane === 0 ? this.panel.refuse(pointer, message) : this.race?.refuse(lane, pointer, message)) return;

@@ -8,7 +8,7 @@ import { LAYERS } from "./stage/layer.js";
 /** @import { Page } from "./page.js" */
 /** @import { PaneKind, Pointer, SceneFacts, State } from "./types.js" */
 /** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Sheet   the note says quietly what is to be seen */
-/** @typedef {{ figure: HTMLElement, caption: HTMLElement, note: HTMLElement, said: string, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
+/** @typedef {{ figure: HTMLElement, caption: HTMLElement, note: HTMLElement, said: string, standing: string, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
 
 export class Sheets {
   /** @param {Page} page */
@@ -41,16 +41,26 @@ export class Sheets {
       this.figures.delete(id);
       this.studio.tell("unpane", id);
     }
-    for (const { id, kind, lane, caption, note = "" } of wanted) {
+    for (const [at, { id, kind, lane, caption, note = "" }] of wanted.entries()) {
       const figure = this.figures.get(id) ?? this.add(id, kind, lane);
       if (figure.caption.textContent !== caption) figure.caption.textContent = caption;
       figure.said = note;
       this.say(figure);
-      this.element.append(figure.figure);
+      // What is in its place stays there: moving it would take the pointer away from whoever drags.
+      if (this.element.children[at] !== figure.figure) this.element.insertBefore(figure.figure, this.element.children[at] ?? null);
     }
     this.element.classList.toggle("single", wanted.length === 1);
     this.element.dataset.sheets = String(wanted.length);
     this.measure();
+  }
+
+  /** How a lane of a race stands. @param {number} lane @param {string} text */
+  rank(lane, text) {
+    for (const figure of this.figures.values()) {
+      if (figure.lane !== lane || figure.standing === text) continue;
+      figure.standing = text;
+      this.say(figure);
+    }
   }
 
   /** Says something beside the caption of every sheet of a kind, or again what it says by itself. @param {PaneKind} kind @param {string | undefined} text */
@@ -61,8 +71,8 @@ export class Sheets {
   }
 
   /** What was said of a kind of sheet now goes before what is said of each always. @param {Figure} figure */
-  say({ kind, note, said }) {
-    const text = this.notes[kind] || said;
+  say({ kind, note, said, standing }) {
+    const text = standing ? [standing, this.notes[kind]].filter(Boolean).join("; ") : this.notes[kind] || said;
     if (note.textContent !== text) note.textContent = text;
   }
 
@@ -86,7 +96,7 @@ export class Sheets {
     const offscreen = canvases.map((canvas) => canvas.transferControlToOffscreen());
     const named = /** @type {Record<typeof LAYERS[number], OffscreenCanvas>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, offscreen[i]])));
     void this.studio.ask("pane", [id, kind, lane, named], offscreen);
-    const made = { figure, caption, note, said: "", sheet, top, kind, lane };
+    const made = { figure, caption, note, said: "", standing: "", sheet, top, kind, lane };
     this.figures.set(id, made);
     this.observer.observe(sheet);
     return made;
@@ -120,7 +130,7 @@ export class Sheets {
     /** @param {PointerEvent} event @param {Pointer["type"]} type */
     const tell = (event, type) => {
       if (!event.isPrimary) return;
-      this.studio.tell("pointer", { pane, type, x: event.offsetX, y: event.offsetY, shift: event.shiftKey });
+      this.studio.tell("pointer", { pane, type, x: event.offsetX, y: event.offsetY, shift: event.shiftKey, touch: event.pointerType === "touch" });
     };
     canvas.addEventListener("pointerdown", (event) => {
       if (event.button !== 0 || !event.isPrimary) return;
@@ -131,7 +141,7 @@ export class Sheets {
     canvas.addEventListener("pointermove", (event) => tell(event, down ? "move" : "hover"));
     for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) {
       canvas.addEventListener(end, (event) => {
-        if (down) tell(event, "up");
+        if (down) tell(event, end === "pointerup" ? "up" : "cancel");
         down = false;
       });
     }

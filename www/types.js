@@ -53,13 +53,19 @@
  * @property {import("./stage/palette.js").Palette} palette
  * @property {number} ratio   device pixels a CSS pixel
  * @property {boolean} calm   less motion is asked for
+ * @property {number} bold    how much thicker lines and dots are than usual
  *
  * @typedef {object} Pointer
  * @property {string} pane
- * @property {"down" | "move" | "up" | "hover" | "leave"} type
+ * @property {"down" | "move" | "up" | "cancel" | "hover" | "leave"} type
  * @property {number} x   CSS pixels of the pane
  * @property {number} y
  * @property {boolean} shift
+ * @property {boolean} touch   a finger
+ *
+ * @typedef {"select" | "disc" | "rectangle" | "polygon"} EditTool
+ * @typedef {["turn", boolean] | ["use", EditTool] | ["select" | "pick", -1 | 1] | ["nudge", number, number, boolean] | ["set", number, number]
+ *   | ["go", -1 | 1] | ["insert" | "remove" | "duplicate" | "enter" | "cancel" | "revert"]} EditOrder   a method of the worker's editor, and what it takes
  *
  * What is told:
  *
@@ -135,6 +141,31 @@
  * @property {string[]} summary   of each lane, in words
  * @property {string} curves   differs where the curves do
  * @property {Fault & { lane: number } | null} refusal   which lane the core would not plan
+ * @property {EditState | null} edit   while the editor is on
+ *
+ * @typedef {object} Field   one number of what is selected
+ * @property {string} name
+ * @property {number} value
+ * @property {string} unit
+ * @property {number} low
+ * @property {number} high
+ *
+ * @typedef {object} EditState
+ * @property {EditTool} tool
+ * @property {"" | "end" | "disc" | "polygon"} kind   of what is selected; an end is start or goal
+ * @property {string} title      of what is selected
+ * @property {number} parts      its vertices or joints
+ * @property {number | null} part
+ * @property {Field[]} fields
+ * @property {string} said       what was done last
+ * @property {string} reason     why the last change was refused, or empty
+ * @property {string} code       of that refusal
+ * @property {string} touching   start or goal in collision, in words
+ * @property {number} undoable
+ * @property {number} redoable
+ * @property {boolean} isChanged
+ * @property {boolean} isBusy    a gesture is under way
+ * @property {number} changes    ends of gestures so far
  *
  * @typedef {object} Curves   how each run went, in few points
  * @property {string} key       as in the state

@@ -87,7 +87,8 @@ export class Stage {
     if (!this.look) return;
     for (const { id, lane, pane } of this.places.values()) {
       if (!lanes[lane] || (pane.lane === lanes[lane] && !this.stale.has(id))) continue;
-      pane.layout(lanes[lane], this.look.palette, this.look.ratio);
+      if (pane.view && lanes[lane].shown.rough && !this.stale.has(id)) pane.refresh(lanes[lane]);
+      else pane.layout(lanes[lane], this.look);
     }
     this.stale.clear();
     const { panes } = this;

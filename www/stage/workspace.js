@@ -1,6 +1,8 @@
 /** The workspace: the world as it is, the robot in it, and the end-effector's image of every vertex and edge. */
+import { contains } from "../worker/handles.js";
 import { obstacleName, partName } from "../worker/names.js";
 import { Pane } from "./pane.js";
+import { drawSelection } from "./selection.js";
 import { drawGhost, drawLabel, drawObstacles, drawRobot, drawTouchingParts, obstacleMiddle, obstaclePath } from "./shapes.js";
 import { Tracer } from "./trace.js";
 import { View } from "./view.js";
@@ -27,7 +29,7 @@ export class Workspace extends Pane {
   }
 
   /** @param {Lane} lane @override */
-  prepare(lane) { this.tracer = new Tracer(lane.scenario); }
+  survey(lane) { this.tracer = new Tracer(lane.scenario); }
 
   /** @param {Float64Array} rows @override */
   pixels(rows) {
@@ -99,7 +101,7 @@ export class Workspace extends Pane {
   drawScale(context) {
     const { view, palette } = this;
     if (!view || !palette) return;
-    const step = niceStep(46 / view.scaleX);
+    const step = view.grid;
     const [left, bottom] = view.toPlane(0, view.height);
     const [right, top] = view.toPlane(view.width, 0);
     context.fillStyle = palette.line;
@@ -163,6 +165,9 @@ export class Workspace extends Pane {
     }
   }
 
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
+  drawOverlay(context, lane) { drawSelection(this, context, lane); }
+
   /** @param {CanvasRenderingContext2D} context @param {ScenarioDocument} document @param {number | "bounds"} obstacle */
   drawTouched(context, document, obstacle) {
     const { view, palette } = this;
@@ -201,16 +206,6 @@ function obstaclePlace(view, obstacle, part) {
   return [view.x(nearest[0]), view.y(nearest[1]) + 26];
 }
 
-/** Is a point inside a polygon? @param {[number, number][]} vertices @param {number} x @param {number} y */
-function contains(vertices, x, y) {
-  let inside = false;
-  vertices.forEach(([ax, ay], i) => {
-    const [bx, by] = vertices[(i + 1) % vertices.length];
-    if (ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax)) inside = !inside;
-  });
-  return inside;
-}
-
 /** Beside the middle of a part, CSS pixels. @param {View} view @param {Part} part @returns {[number, number]} */
 function labelPlace(view, part) {
   const clear = part.radius * view.scaleX + 16;
@@ -220,11 +215,4 @@ function labelPlace(view, part) {
   const length = Math.hypot(dx, dy);
   const side = dx >= 0 ? 1 : -1;
   return [view.x(part.a[0]) + dx / 2 + (side * dy * clear * 1.5) / length, view.y(part.a[1]) + dy / 2 - (side * dx * clear) / length];
-}
-
-/** The nearest of 1, 2, 5 times a power of ten that is not below a length. @param {number} least */
-function niceStep(least) {
-  const power = 10 ** Math.floor(Math.log10(least));
-  for (const factor of [1, 2, 5]) if (factor * power >= least) return factor * power;
-  return 10 * power;
 }

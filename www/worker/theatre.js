@@ -6,6 +6,7 @@ import { faultOf } from "../fault.js";
 import { Stage } from "../stage/stage.js";
 import { Clock } from "./clock.js";
 import { contained, coordinatesOf } from "./coordinates.js";
+import { Editor } from "./editor.js";
 import { Grip } from "./grip.js";
 import { thinned } from "./curve.js";
 import { compete } from "./compete.js";
@@ -14,7 +15,7 @@ import { Lane } from "./lane.js";
 import { report } from "./report.js";
 import * as story from "./story.js";
 
-/** @import { Curves, Library, Plan, Pointer, Programme, SceneFacts, Source, State, ViewOptions } from "../types.js" */
+/** @import { Curves, Library, Plan, Pointer, Programme, Scenario, ScenarioDocument, SceneFacts, Source, State, ViewOptions } from "../types.js" */
 /** @import { Shown } from "./lane.js" */
 /** @import { CSpace } from "../stage/cspace.js" */
 
@@ -59,6 +60,7 @@ export class Theatre {
     this.game = { touches: 0, arrived: false };
     /** The number of the newest order obeyed. */
     this.heard = -1;
+    this.editor = new Editor(this);
     this.last = 0;
     this.scheduled = false;
     this.measures = 0;
@@ -71,12 +73,13 @@ export class Theatre {
     const scenario = this.read(source);
     this.clear();
     const document = scenario.document();
-    this.shown = { scenario, document, start: null, goal: null, hand: null, check: null, hover: null, view: this.view };
+    this.shown = { scenario, document, start: null, goal: null, hand: null, check: null, hover: null, view: this.view, rough: false, overlay: null };
     this.story = { algorithm: programme.teller, sentence: programme.story };
     if (programme.pace !== undefined) this.clock.pace = programme.pace;
     this.query = document.queries.find(({ name }) => name === programme.query)?.name ?? document.queries[0]?.name;
     this.stage.relay();
-    this.plan(programme.plans, programme.play);
+    this.editor.begin();
+    this.plan(programme.plans, programme.play && !this.editor.on);
     if (programme.iteration !== undefined && programme.iteration > 0) this.seek(programme.iteration);
     return this.facts();
   }
@@ -95,6 +98,20 @@ export class Theatre {
       queries: document.queries.map(({ name }) => name), query: this.query, coordinates: coordinatesOf({ scenario, document }),
       start: start ? Array.from(start) : null, goal: goal ? Array.from(goal) : null, document,
     };
+  }
+
+  /**
+   * Another world or query under the same plans, which wait at iteration 0.
+   * @param {Scenario} scenario @param {ScenarioDocument} document @param {boolean} live  it is being changed by hand
+   */
+  replace(scenario, document, live) {
+    const { shown, lanes } = this;
+    if (!shown) return;
+    for (const lane of lanes) lane.free();
+    shown.scenario.free();
+    this.shown = { ...shown, scenario, document, hover: null, rough: live };
+    this.plan(lanes.map(({ plan }) => plan), false);
+    if (!live) this.stage.relay();
   }
 
   /** Another query of the scenario. @param {string} query @param {boolean} play */
@@ -130,7 +147,7 @@ export class Theatre {
     } catch (error) {
       for (const lane of this.lanes) lane.free();
       this.refusal = { error, lane: at };
-      this.showTouching();
+      if (!this.editor.on) this.showTouching();
     }
     this.stage.restart(this.lanes);
     this.wake();
@@ -281,7 +298,9 @@ export class Theatre {
   }
 
   /** A pointer on a pane, pixels of the pane. @param {Pointer} pointer @returns {boolean} whether it holds something */
-  pointer({ pane: id, type, x, y }) {
+  pointer(pointer) {
+    if (this.editor.on) return this.editor.pointer(pointer);
+    const { pane: id, type, x, y } = pointer;
     const place = this.stage.at(id);
     if (!place || !this.shown) return false;
     const { pane, kind } = place;
@@ -355,6 +374,8 @@ export class Theatre {
     const { shown } = this;
     if (!shown) return;
     const began = performance.now();
+    this.editor.hand.pass();
+    this.editor.overlay();
     const elapsed = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = now;
     const { stage, clock } = this;
@@ -402,18 +423,18 @@ export class Theatre {
   }
 
   /** The latest time at which it is known how all stand. */
-  get head() {
+  get limit() {
     const reached = this.reached();
     return reached < Infinity ? reached : Math.max(0, ...this.lanes.map(({ run }) => run?.clock(this.clock.column) ?? 0));
   }
 
   /** Differs where the curves do. */
-  get curvesKey() { return `${this.plannings} ${this.head} ${this.lanes.map(({ run }) => run?.ended)}`; }
+  get curvesKey() { return `${this.plannings} ${this.clock.head} ${this.lanes.map(({ run }) => run?.ended)}`; }
 
   /** How each run went, in few points. @returns {Curves} */
   curves() {
-    const { clock, head, curvesKey: key } = this;
-    return { key, head, isRace: clock.isRace, lanes: this.lanes.map(({ run }) => (run ? thinned(run, clock.column, head) : new Float64Array(0))) };
+    const { clock: { head, isRace, column }, curvesKey: key } = this;
+    return { key, head, isRace, lanes: this.lanes.map(({ run }) => (run ? thinned(run, column, head) : new Float64Array(0))) };
   }
 
   /** The robots drive on, all at the same part of their ways. @param {number} elapsed  seconds */
@@ -426,7 +447,8 @@ export class Theatre {
   /** @param {number} time */
   showTime(time) {
     const { clock, lanes } = this;
-    clock.now = Math.min(time, this.head);
+    clock.now = Math.min(time, this.limit);
+    clock.head = Math.max(clock.head, clock.now);
     for (const lane of lanes) {
       if (!lane.run) continue;
       lane.run.shown = lane.run.iterationAt(clock.column, clock.now);
@@ -446,6 +468,8 @@ export class Theatre {
   get sentence() {
     const { shown, game } = this;
     if (!shown) return ["", false];
+    const editing = shown.hand ? "" : this.editor.sentence;
+    if (editing) return [editing, this.editor.isBad];
     if (shown.hand && shown.check) {
       if (!shown.check.free) return [story.poseSentence(shown.scenario, shown.check), false];
       return [game.arrived ? story.arrival(game.touches) : story.invitation(shown.scenario, this.panesOf("cspace") > 0), false];

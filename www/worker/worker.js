@@ -9,7 +9,7 @@ import { drawThumbnail } from "./thumbnail.js";
 import { Theatre } from "./theatre.js";
 
 /** @import { LayerName } from "../stage/layer.js" */
-/** @import { Look, PaneKind, Plan, Pointer, Programme, Source, ViewOptions } from "../types.js" */
+/** @import { EditOrder, Look, PaneKind, Plan, Pointer, Programme, Source, ViewOptions } from "../types.js" */
 
 const port = /** @type {{ postMessage(message: unknown, transfer?: Transferable[]): void }} */ (/** @type {unknown} */ (self));
 
@@ -50,6 +50,9 @@ const commands = {
   turn: () => house().turn(),
   /** @param {number[]} pose */
   hold: (pose) => house().hold(Float64Array.from(pose)),
+  /** @param {EditOrder} order */
+  edit: (order) => house().editor.obey(order),
+  facts: () => house().facts(),
   /** @param {Pointer} pointer */
   pointer: (pointer) => house().pointer(pointer),
   /** @param {number} vertex  -1: none */

@@ -383,7 +383,7 @@ export class Theatre {
     const working = moved || !stage.caughtUp;
     if (moved) this.stir();
     if (clock.playing && !this.growing) this.travel(elapsed);
-    shown.hover = shown.hand ? null : this.pointing.find(this.lanes, this.grip, shown.hover);
+    shown.hover = shown.hand || this.editor.on ? null : this.pointing.find(this.lanes, this.grip, shown.hover);
     for (const { run } of this.lanes) run?.frontier.follow();
     stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
     const resting = !clock.owes && (!clock.playing || !this.growing);

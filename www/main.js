@@ -17,9 +17,9 @@ import { watchAnnouncements } from "./controls/announce.js";
 import { Counters } from "./controls/counters.js";
 import { byId } from "./controls/dom.js";
 import { watchFiles } from "./controls/drop.js";
-import { EditorControls } from "./controls/editor.js";
 import { watchParent } from "./controls/embed.js";
 import { watchCurves } from "./controls/curves.js";
+import { EditorControls } from "./controls/editor.js";
 import { Gallery, SIDE } from "./controls/gallery.js";
 import { watchKeys } from "./controls/keys.js";
 import { showLegend } from "./controls/legend.js";
@@ -28,6 +28,7 @@ import { Link } from "./controls/link.js";
 import { Notice } from "./controls/notice.js";
 import { Panel } from "./controls/panel.js";
 import { Pose } from "./controls/pose.js";
+import { Projector } from "./controls/projector.js";
 import { showPseudocode } from "./controls/pseudocode.js";
 import { showSceneOptions } from "./controls/scene-options.js";
 import { Race } from "./controls/race.js";
@@ -52,9 +53,15 @@ const notice = new Notice();
 
 try {
   await start();
+  keepForLater();
 } catch (error) {
   counters.none("failed");
   notice.show("Planarium could not start: it needs a browser with WebAssembly, and its own files beside this page.", error);
+}
+
+/** Has the page's files kept, so that it opens without a network too; a page that may not keep anything does without. */
+function keepForLater() {
+  if (location.protocol.startsWith("http")) navigator.serviceWorker?.register("offline.js").catch(() => {});
 }
 
 async function start() {
@@ -84,7 +91,6 @@ async function start() {
   watchFiles(openFile, (name, error) => notice.show(`${name} could not be read.`, error));
   watchTheme(() => page.dress());
   watchAnnouncements(page);
-  new EditorControls(page);
   watchParent(page);
   showPseudocode(page);
   showSceneOptions(page, generators);
@@ -94,6 +100,8 @@ async function start() {
   addEventListener("hashchange", () => { if (location.hash) void obey(); });
   watchView(page, sheets);
   watchReadout(page);
+  new EditorControls(page);
+  new Projector(page);
 
   page.onOpen((facts, entry) => {
     if (!race.arrange()) sheets.arrange(facts);

@@ -53,6 +53,7 @@
  * @property {import("./stage/palette.js").Palette} palette
  * @property {number} ratio   device pixels a CSS pixel
  * @property {boolean} calm   less motion is asked for
+ * @property {number} bold    how much thicker lines and dots are than usual
  *
  * @typedef {object} Pointer
  * @property {string} pane
@@ -138,9 +139,9 @@
  * @property {{ vertex: number, text: string, free: boolean } | null} hover   what is pointed at; vertex -1: a mere pose
  * @property {LaneState[]} lanes
  * @property {string[]} summary   of each lane, in words
- * @property {EditState | null} edit   while the editor is on
  * @property {string} curves   differs where the curves do
  * @property {Fault & { lane: number } | null} refusal   which lane the core would not plan
+ * @property {EditState | null} edit   while the editor is on
  *
  * @typedef {object} Field   one number of what is selected
  * @property {string} name

@@ -5,8 +5,8 @@
  */
 import { coordinatesOf } from "../worker/coordinates.js";
 import { Pane } from "./pane.js";
-import { drawSelectedPoint } from "./selection.js";
 import { Slice, keyOf } from "./slice.js";
+import { drawSelectedPoint } from "./selection.js";
 import { folded, unrolled } from "./trace.js";
 import { View } from "./view.js";
 
@@ -29,10 +29,10 @@ export class CSpace extends Pane {
     this.circles = [];
     /** @type {{ world: object, side: number, mask: Float32Array } | null} */
     this.cells = null;
-    /** What a cell took the last time, milliseconds. */
-    this.cost = 1e-3;
     /** The slice that is being made or shown. @type {Slice | null} */
     this.slice = null;
+    /** What a cell took the last time, milliseconds. */
+    this.cost = 1e-3;
   }
 
   /** Has a scenario such a square? @param {Lane} lane @override */

@@ -2,8 +2,8 @@
 import { journeyOf } from "./journey.js";
 import { PAST, Run } from "./run.js";
 
-/** @import { Overlay } from "./editor.js" */
 /** @import { Standing } from "../standings.js" */
+/** @import { Overlay } from "./editor.js" */
 /** @import { Journey } from "./journey.js" */
 /** @import { Check, Configuration, Plan, Scenario, ScenarioDocument, ViewOptions } from "../types.js" */
 

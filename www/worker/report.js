@@ -15,7 +15,7 @@ export function report(theatre) {
   const pose = shown?.hand ?? (journey && journey.drawn >= 1 ? journey.configuration(journey.at) : null);
   return {
     heard: theatre.heard,
-    clock: { now: clock.now, head: theatre.head, isRace: clock.isRace, unit: clock.unit, rate: clock.rate },
+    clock: { now: clock.now, head: clock.head, isRace: clock.isRace, unit: clock.unit, rate: clock.rate },
     playing: clock.playing,
     growing: theatre.growing,
     travelling: theatre.travelling,
@@ -30,8 +30,8 @@ export function report(theatre) {
     hover: shown?.hover ? { vertex: shown.hover.vertex, text: hoverSentence(shown.hover), free: shown.hover.check.free } : null,
     lanes: lanes.map((lane) => laneState(lane, settled)),
     summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),
-    edit: theatre.editor.state,
     curves: theatre.curvesKey,
+    edit: theatre.editor.state,
     refusal: theatre.refusal && { ...faultOf(theatre.refusal.error), lane: theatre.refusal.lane },
   };
 }

@@ -371,11 +371,11 @@ export class Theatre {
 
   /** @param {number} now */
   perform(now) {
+    const { shown } = this;
+    if (!shown) return;
     const began = performance.now();
     this.editor.hand.pass();
     this.editor.overlay();
-    const { shown } = this;
-    if (!shown) return;
     const elapsed = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = now;
     const { stage, clock } = this;
@@ -387,7 +387,7 @@ export class Theatre {
     for (const { run } of this.lanes) run?.frontier.follow();
     stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
     const resting = !clock.owes && (!clock.playing || !this.growing);
-    if (resting && stage.caughtUp && stage.isTended) this.settled = true;
+    this.settled = resting && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isTended);
     if (working) this.measure(began);
     this.tell(report(this));
     if (clock.playing || clock.owes || stage.busy) this.wake();
@@ -423,18 +423,18 @@ export class Theatre {
   }
 
   /** The latest time at which it is known how all stand. */
-  get head() {
+  get limit() {
     const reached = this.reached();
     return reached < Infinity ? reached : Math.max(0, ...this.lanes.map(({ run }) => run?.clock(this.clock.column) ?? 0));
   }
 
   /** Differs where the curves do. */
-  get curvesKey() { return `${this.plannings} ${this.head} ${this.lanes.map(({ run }) => run?.ended)}`; }
+  get curvesKey() { return `${this.plannings} ${this.clock.head} ${this.lanes.map(({ run }) => run?.ended)}`; }
 
   /** How each run went, in few points. @returns {Curves} */
   curves() {
-    const { clock, head, curvesKey: key } = this;
-    return { key, head, isRace: clock.isRace, lanes: this.lanes.map(({ run }) => (run ? thinned(run, clock.column, head) : new Float64Array(0))) };
+    const { clock: { head, isRace, column }, curvesKey: key } = this;
+    return { key, head, isRace, lanes: this.lanes.map(({ run }) => (run ? thinned(run, column, head) : new Float64Array(0))) };
   }
 
   /** The robots drive on, all at the same part of their ways. @param {number} elapsed  seconds */
@@ -447,7 +447,8 @@ export class Theatre {
   /** @param {number} time */
   showTime(time) {
     const { clock, lanes } = this;
-    clock.now = Math.min(time, this.head);
+    clock.now = Math.min(time, this.limit);
+    clock.head = Math.max(clock.head, clock.now);
     for (const lane of lanes) {
       if (!lane.run) continue;
       lane.run.shown = lane.run.iterationAt(clock.column, clock.now);

@@ -7,6 +7,8 @@
  *   drawn), and while it is settled at the newest iteration `data-fingerprint` and, once solved, `data-length`.
  * - `#play` carries `data-playing`; `body` carries `data-scene` (an id of scenes.js, or "file").
  * - `#notice` is hidden, or carries `data-code` and `data-pointer` of the error it shows.
+ * - `#readout` carries `data-vertex` of the vertex that is pointed at, "-1" of a mere pose, and `data-free`; neither while
+ *   nothing is pointed at.
  * - `#touching` carries `data-free` and names what touches what.
  * - `#story` carries `data-tone`, "bad" where a path that was found collides.
  * - In the worker, the work of each frame in which something grew is a `performance.measure` called "planarium-frame".
@@ -15,16 +17,28 @@ import { watchAnnouncements } from "./controls/announce.js";
 import { Counters } from "./controls/counters.js";
 import { byId } from "./controls/dom.js";
 import { watchFiles } from "./controls/drop.js";
+import { watchParent } from "./controls/embed.js";
+import { watchCurves } from "./controls/curves.js";
+import { EditorControls } from "./controls/editor.js";
 import { Gallery, SIDE } from "./controls/gallery.js";
 import { watchKeys } from "./controls/keys.js";
 import { showLegend } from "./controls/legend.js";
+import { Lessons } from "./controls/lessons.js";
+import { Link } from "./controls/link.js";
 import { Notice } from "./controls/notice.js";
 import { Panel } from "./controls/panel.js";
 import { Pose } from "./controls/pose.js";
+import { Projector } from "./controls/projector.js";
+import { showPseudocode } from "./controls/pseudocode.js";
+import { showSceneOptions } from "./controls/scene-options.js";
+import { Race } from "./controls/race.js";
 import { watchTheme } from "./controls/theme.js";
+import { watchReadout } from "./controls/readout.js";
 import { Transport } from "./controls/transport.js";
+import { watchView } from "./controls/view.js";
 import { Page } from "./page.js";
-import { loadCore, loadScene, makeWorker } from "./resources.js";
+import { LESSONS } from "./lessons.js";
+import { loadCore, makeWorker } from "./resources.js";
 import { SCENES } from "./scenes.js";
 import { Sheets } from "./sheets.js";
 import { Studio } from "./studio.js";
@@ -39,18 +53,21 @@ const notice = new Notice();
 
 try {
   await start();
+  keepForLater();
 } catch (error) {
   counters.none("failed");
   notice.show("Planarium could not start: it needs a browser with WebAssembly, and its own files beside this page.", error);
 }
 
+/** Has the page's files kept, so that it opens without a network too; a page that may not keep anything does without. */
+function keepForLater() {
+  if (location.protocol.startsWith("http")) navigator.serviceWorker?.register("offline.js").catch(() => {});
+}
+
 async function start() {
-  const first = SCENES[0];
   const core = loadCore();
-  const text = loadScene(first.id);
-  text.catch(() => {});
   const studio = new Studio(makeWorker(), (error) => notice.show("Something went wrong.", error));
-  const { planners } = await studio.ask("start", [await core]);
+  const { planners, generators } = await studio.ask("start", [await core]);
 
   const story = byId("story", HTMLElement);
   const turn = byId("your-turn", HTMLButtonElement);
@@ -61,6 +78,8 @@ async function start() {
   const pose = new Pose((at) => studio.tell("hold", at));
   const gallery = new Gallery(SCENES, (entry) => void choose(entry));
   const transport = new Transport(page);
+  const race = new Race(page, sheets);
+  watchCurves(page);
   watchKeys([stage, transport.bar], {
     " ": () => studio.tell("toggle"),
     ".": () => studio.tell("step", 1),
@@ -72,16 +91,27 @@ async function start() {
   watchFiles(openFile, (name, error) => notice.show(`${name} could not be read.`, error));
   watchTheme(() => page.dress());
   watchAnnouncements(page);
+  watchParent(page);
+  showPseudocode(page);
+  showSceneOptions(page, generators);
+  const link = new Link(page, SCENES, generators);
+  const lessons = new Lessons(page, LESSONS, SCENES);
+  const obey = () => (Lessons.owns(location.hash) ? lessons : link).obey(location.hash);
+  addEventListener("hashchange", () => { if (location.hash) void obey(); });
+  watchView(page, sheets);
+  watchReadout(page);
+  new EditorControls(page);
+  new Projector(page);
 
   page.onOpen((facts, entry) => {
-    sheets.arrange(facts);
+    if (!race.arrange()) sheets.arrange(facts);
     pose.build(facts);
     gallery.mark(entry?.id ?? null);
   });
   page.onState((state) => {
     const lane = state.lanes[0];
     counters.show(lane, state.settled);
-    showLegend(lane);
+    showLegend(page, state);
     if (story.textContent !== state.sentence) story.textContent = state.sentence;
     story.dataset.tone = state.isBad ? "bad" : "";
     turn.textContent = state.inHand ? "Watch again" : "Your turn";
@@ -98,18 +128,14 @@ async function start() {
   turn.disabled = false;
 
   page.dress();
-  await page.open({ document: await text }, { entry: first });
+  if (location.hash) await obey();
+  else await page.openScene(SCENES[0]);
   setTimeout(() => void drawThumbnails(), THUMBNAILS);
-
-  /** The number of the latest wish: an answer that comes after a newer wish is dropped. */
-  let wish = 0;
 
   /** @param {SceneEntry} entry */
   async function choose(entry) {
-    const mine = ++wish;
     try {
-      const source = await page.sourceOf(entry);
-      if (mine === wish) await page.open(source, { entry });
+      await page.openScene(entry);
     } catch (error) {
       notice.show(`The scene "${entry.title}" could not be loaded.`, error);
     }
@@ -117,7 +143,6 @@ async function start() {
 
   /** A file of the reader's own. If it is refused, what is on the stage stays there. @param {string} name @param {string} json */
   async function openFile(name, json) {
-    wish++;
     try {
       await page.open({ document: json });
     } catch (error) {

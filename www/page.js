@@ -3,13 +3,17 @@
  * scene opens, when a state comes, when the colours change; none of them knows the others.
  */
 import { byId } from "./controls/dom.js";
+import { isProjected } from "./controls/projector.js";
+import { nameAll } from "./controls/names.js";
 import { loadScene } from "./resources.js";
 import { readPalette } from "./stage/palette.js";
+import { letter } from "./standings.js";
 
 /** @import { Notice } from "./controls/notice.js" */
 /** @import { Panel } from "./controls/panel.js" */
+/** @import { Race } from "./controls/race.js" */
 /** @import { Studio } from "./studio.js" */
-/** @import { Look, Plan, SceneEntry, SceneFacts, Source, State } from "./types.js" */
+/** @import { Look, Plan, SceneEntry, SceneFacts, Source, State, ViewOptions } from "./types.js" */
 /** @typedef {{ entry?: SceneEntry, query?: string, plans?: Plan[], iteration?: number, play?: boolean }} Opening   how a scenario is to be put on the stage */
 
 /** Iterations a second at which a scenario of the reader's own is shown. */
@@ -30,8 +34,18 @@ export class Page {
     this.source = null;
     /** The page's own scene, if it is one. @type {SceneEntry | null} */
     this.entry = null;
+    /** Iterations a second that it was opened with, if it did not keep those of before. @type {number | undefined} */
+    this.pace = undefined;
     /** Planners that race with the one of the panel. @type {Plan[]} */
     this.rivals = [];
+    /** What the planners on the stage were asked. @type {Plan[]} */
+    this.asked = [];
+    /** Counts what was wished for: what is loaded for an older wish is dropped. */
+    this.wish = 0;
+    /** Where rivals are chosen. @type {Race | null} */
+    this.race = null;
+    /** Was it told why the core would not plan this? */
+    this.told = false;
     /** @type {((facts: SceneFacts, entry: SceneEntry | null) => void)[]} */
     this.openers = [];
     /** @type {((state: State, before: State | null) => void)[]} */
@@ -60,7 +74,7 @@ export class Page {
   onDress(then) { this.dressers.push(then); }
 
   /** @returns {Look} */
-  get look() { return { palette: readPalette(byId("stage", HTMLElement)), ratio: devicePixelRatio || 1, calm: this.calm }; }
+  get look() { return { palette: readPalette(byId("stage", HTMLElement)), ratio: devicePixelRatio || 1, calm: this.calm, bold: isProjected() ? 1.7 : 1 }; }
 
   /** Colours or pixels are others. */
   dress() {
@@ -82,6 +96,21 @@ export class Page {
   }
 
   /**
+   * Loads one of the page's own scenes and puts it on the stage, unless something newer is wished for meanwhile.
+   * @param {SceneEntry} entry
+   * @param {Opening} [opening]
+   * @returns {Promise<boolean>} whether it is there
+   * @throws {Error} it cannot be loaded or read
+   */
+  async openScene(entry, opening) {
+    const mine = ++this.wish;
+    const source = await this.sourceOf(entry);
+    if (mine !== this.wish) return false;
+    await this.open(source, { ...opening, entry });
+    return true;
+  }
+
+  /**
    * Puts a scenario on the stage, the page's own with the planner and parameters that show it well. What is there stays if it
    * cannot be read.
    * @param {Source} source @param {Opening} [opening]
@@ -89,17 +118,24 @@ export class Page {
    */
   async open(source, { entry, query, plans, iteration, play = !this.calm } = {}) {
     const { panel } = this;
+    this.wish++;
+    // A scene that is put on the stage anew keeps the speed that it is watched at.
+    const pace = entry && entry === this.entry ? undefined : entry?.pace ?? PACE;
     const given = plans?.[0] ?? entry;
     const plan = given ? panel.reads(given.algorithm, given.settings) : panel.plan ?? { algorithm: panel.algorithm, settings: {} };
-    const rivals = plans?.slice(1) ?? [];
+    const rivals = plans?.slice(1) ?? this.race?.beside(plan) ?? this.rivals;
     this.studio.order();
     const facts = await this.studio.ask("open", [source, {
-      plans: [plan, ...rivals], query, iteration, play, pace: entry?.pace ?? PACE, story: entry?.story ?? "", teller: entry?.algorithm ?? "",
+      plans: [plan, ...rivals], query, iteration, play, pace, story: entry?.story ?? "", teller: entry?.algorithm ?? "",
     }]);
     this.notice.hide();
     this.source = source;
     this.entry = entry ?? null;
     this.rivals = rivals;
+    this.asked = [plan, ...rivals];
+    this.pace = pace;
+    this.told = false;
+    if (plans) this.race?.adopt(this.asked);
     if (given) panel.suggest(given.algorithm, given.settings);
     this.show(facts);
   }
@@ -115,19 +151,32 @@ export class Page {
   /** What all planners are asked, or null while a field holds a value that is refused. @returns {Plan[] | null} */
   get plans() {
     const { plan } = this.panel;
-    return plan && [plan, ...this.rivals];
+    const rivals = plan && (this.race ? this.race.beside(plan) : []);
+    return rivals && [plan, ...rivals];
   }
+
+  /** What the planners on the stage are called. */
+  get names() { return nameAll(this.asked, (algorithm) => this.panel.titleOf(algorithm)); }
 
   /** New runs from the settings. @param {boolean} [play] */
   plan(play = this.goesOn) {
     const { plans } = this;
     if (!plans) return;
     this.notice.hide();
+    this.rivals = plans.slice(1);
+    this.asked = plans;
+    this.told = false;
     this.studio.tell("plan", plans, play);
   }
 
+  /** Other things are to be seen. @param {Partial<ViewOptions>} view */
+  see(view) { this.studio.tell("view", view); }
+
   /** The query that is chosen. */
-  ask() { this.studio.tell("ask", this.panel.query.value, this.goesOn); }
+  ask() {
+    this.told = false;
+    this.studio.tell("ask", this.panel.query.value, this.goesOn);
+  }
 
   /** Whoever changes a setting of a run that moves or has ended wants to see the new one. */
   get goesOn() {
@@ -142,7 +191,13 @@ export class Page {
     if (state.lanes.length === 0) return;
     for (const then of this.watchers) then(state, before);
     const { refusal } = state;
-    if (!refusal || refusal.message === before?.refusal?.message) return;
-    if (!this.panel.refuse(refusal.pointer, refusal.message)) this.notice.show("This cannot be planned.", Object.assign(new Error(refusal.message), refusal));
+    // Old news is not told, and each refusal once; what the editor is at, it says itself, where the hand is.
+    if (Boolean(before?.edit) !== Boolean(state.edit)) this.told = false;
+    if (!refusal || this.told || state.heard < this.studio.ordered || state.edit?.touching) return;
+    this.told = true;
+    const { lane, pointer, message } = refusal;
+    if (lane === 0 ? this.panel.refuse(pointer, message) : this.race?.refuse(lane, pointer, message)) return;
+    const who = state.clock.isRace ? `${letter(lane)}, ${this.panel.titleOf(state.lanes[lane].algorithm)},` : "This";
+    this.notice.show(`${who} cannot be planned.`, Object.assign(new Error(message), refusal));
   }
 }

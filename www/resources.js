@@ -24,8 +24,19 @@ export async function loadCore() {
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
+/** Documents of scenes, once fetched: from then on they need no network. @type {Map<string, Promise<string>>} */
+const scenes = new Map();
+
 /** The text of a scene's document. @param {string} id @returns {Promise<string>} */
-export async function loadScene(id) {
+export function loadScene(id) {
+  const known = scenes.get(id) ?? fetchScene(id);
+  scenes.set(id, known);
+  known.catch(() => scenes.delete(id));
+  return known;
+}
+
+/** @param {string} id @returns {Promise<string>} */
+async function fetchScene(id) {
   const text = inline(`scene-${id}`);
   if (text !== null) return text;
   const response = await fetch(`scenes/${id}.json`);

@@ -7,8 +7,8 @@ import { LAYERS } from "./stage/layer.js";
 
 /** @import { Page } from "./page.js" */
 /** @import { PaneKind, Pointer, SceneFacts, State } from "./types.js" */
-/** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string }} Sheet */
-/** @typedef {{ figure: HTMLElement, caption: HTMLElement, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
+/** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Sheet   the note says quietly what is to be seen */
+/** @typedef {{ figure: HTMLElement, caption: HTMLElement, note: HTMLElement, said: string, standing: string, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
 
 export class Sheets {
   /** @param {Page} page */
@@ -18,6 +18,8 @@ export class Sheets {
     /** @type {Map<string, Figure>} */
     this.figures = new Map();
     this.described = -Infinity;
+    /** What is said beside the caption of a kind of sheet. @type {Partial<Record<PaneKind, string>>} */
+    this.notes = {};
     this.observer = new ResizeObserver(() => this.measure());
   }
 
@@ -25,8 +27,8 @@ export class Sheets {
   arrange({ robot, dimension }) {
     const square = robot === "arm" && dimension >= 2;
     this.show([
-      { id: "workspace", kind: "workspace", lane: 0, caption: "Workspace" },
-      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space" }] : []),
+      { id: "workspace", kind: "workspace", lane: 0, caption: "Workspace", note: `the ${robot}\u2019s world; points mark its ${robot === "arm" ? "tip" : "centre"}` },
+      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space", note: `each point is a pose: two ${dimension > 2 ? "of its " : ""}angles` }] : []),
     ]);
   }
 
@@ -39,21 +41,47 @@ export class Sheets {
       this.figures.delete(id);
       this.studio.tell("unpane", id);
     }
-    for (const { id, kind, lane, caption } of wanted) {
+    for (const [at, { id, kind, lane, caption, note = "" }] of wanted.entries()) {
       const figure = this.figures.get(id) ?? this.add(id, kind, lane);
       if (figure.caption.textContent !== caption) figure.caption.textContent = caption;
-      this.element.append(figure.figure);
+      figure.said = note;
+      this.say(figure);
+      // What is in its place stays there: moving it would take the pointer away from whoever drags.
+      if (this.element.children[at] !== figure.figure) this.element.insertBefore(figure.figure, this.element.children[at] ?? null);
     }
     this.element.classList.toggle("single", wanted.length === 1);
     this.element.dataset.sheets = String(wanted.length);
     this.measure();
   }
 
+  /** How a lane of a race stands. @param {number} lane @param {string} text */
+  rank(lane, text) {
+    for (const figure of this.figures.values()) {
+      if (figure.lane !== lane || figure.standing === text) continue;
+      figure.standing = text;
+      this.say(figure);
+    }
+  }
+
+  /** Says something beside the caption of every sheet of a kind, or again what it says by itself. @param {PaneKind} kind @param {string | undefined} text */
+  annotate(kind, text) {
+    if (this.notes[kind] === text) return;
+    this.notes[kind] = text;
+    for (const figure of this.figures.values()) this.say(figure);
+  }
+
+  /** What was said of a kind of sheet now goes before what is said of each always. @param {Figure} figure */
+  say({ kind, note, said, standing }) {
+    const text = standing ? [standing, this.notes[kind]].filter(Boolean).join("; ") : this.notes[kind] || said;
+    if (note.textContent !== text) note.textContent = text;
+  }
+
   /** @param {string} id @param {PaneKind} kind @param {number} lane @returns {Figure} */
   add(id, kind, lane) {
     const sheet = make("div", { className: "sheet" });
     const caption = make("span", {});
-    const figure = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, caption), sheet);
+    const note = make("small", {});
+    const figure = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, caption, " ", note), sheet);
     const canvases = LAYERS.map((name) => {
       const canvas = make("canvas", {});
       canvas.dataset.layer = name;
@@ -68,7 +96,7 @@ export class Sheets {
     const offscreen = canvases.map((canvas) => canvas.transferControlToOffscreen());
     const named = /** @type {Record<typeof LAYERS[number], OffscreenCanvas>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, offscreen[i]])));
     void this.studio.ask("pane", [id, kind, lane, named], offscreen);
-    const made = { figure, caption, sheet, top, kind, lane };
+    const made = { figure, caption, note, said: "", standing: "", sheet, top, kind, lane };
     this.figures.set(id, made);
     this.observer.observe(sheet);
     return made;
@@ -87,8 +115,9 @@ export class Sheets {
     const now = performance.now();
     if (!settled && now - this.described < 1000) return;
     this.described = now;
-    for (const { top, kind, lane } of this.figures.values()) {
-      const text = `${kind === "cspace" ? "Configuration space" : "Workspace"}: ${summary[lane] ?? ""}`;
+    for (const { top, kind, lane, caption } of this.figures.values()) {
+      const what = kind === "cspace" ? "Configuration space" : "Workspace";
+      const text = `${what}${caption.textContent === what ? "" : ` of ${caption.textContent}`}: ${summary[lane] ?? ""}`;
       if (top.getAttribute("aria-label") !== text) top.setAttribute("aria-label", text);
     }
   }
@@ -99,7 +128,7 @@ export class Sheets {
     /** @param {PointerEvent} event @param {Pointer["type"]} type */
     const tell = (event, type) => {
       if (!event.isPrimary) return;
-      this.studio.tell("pointer", { pane, type, x: event.offsetX, y: event.offsetY, shift: event.shiftKey });
+      this.studio.tell("pointer", { pane, type, x: event.offsetX, y: event.offsetY, shift: event.shiftKey, touch: event.pointerType === "touch" });
     };
     canvas.addEventListener("pointerdown", (event) => {
       if (event.button !== 0 || !event.isPrimary) return;
@@ -110,7 +139,7 @@ export class Sheets {
     canvas.addEventListener("pointermove", (event) => tell(event, down ? "move" : "hover"));
     for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) {
       canvas.addEventListener(end, (event) => {
-        if (down) tell(event, "up");
+        if (down) tell(event, end === "pointerup" ? "up" : "cancel");
         down = false;
       });
     }

@@ -16,6 +16,8 @@
  * @typedef {import("planarium").PlannerInfo} PlannerInfo
  * @typedef {import("planarium").ParameterInfo} ParameterInfo
  * @typedef {import("planarium").GeneratorId} GeneratorId
+ * @typedef {import("planarium").GeneratorInfo} GeneratorInfo
+ * @typedef {import("planarium").OptionInfo} OptionInfo
  * @typedef {typeof import("planarium")} Library  the package, handed to the modules that need it
  *
  * What is asked for:
@@ -31,7 +33,7 @@
  * @typedef {object} Programme   how a scenario is put on the stage
  * @property {Plan[]} plans      one, or up to four that race
  * @property {string} [query]
- * @property {number} pace       iterations a second
+ * @property {number} [pace]     iterations a second; those of before where absent
  * @property {string} story      what the scene says of its own planner
  * @property {string} teller     that planner
  * @property {boolean} play
@@ -41,7 +43,9 @@
  * @property {[number, number]} axes   coordinates of the configuration square, across and up
  * @property {boolean} refused    do crosses and broken lines stay
  * @property {boolean} strobe     poses along the path
+ * @property {number} poses       how many, 3 to 24
  * @property {boolean} raw        the path as it was found, beside the shortened one
+ * @property {boolean} slice      obstacles of a square of more than two joints, the others held as the robot shows them
  *
  * @typedef {"workspace" | "cspace"} PaneKind
  *
@@ -49,13 +53,19 @@
  * @property {import("./stage/palette.js").Palette} palette
  * @property {number} ratio   device pixels a CSS pixel
  * @property {boolean} calm   less motion is asked for
+ * @property {number} bold    how much thicker lines and dots are than usual
  *
  * @typedef {object} Pointer
  * @property {string} pane
- * @property {"down" | "move" | "up" | "hover" | "leave"} type
+ * @property {"down" | "move" | "up" | "cancel" | "hover" | "leave"} type
  * @property {number} x   CSS pixels of the pane
  * @property {number} y
  * @property {boolean} shift
+ * @property {boolean} touch   a finger
+ *
+ * @typedef {"select" | "disc" | "rectangle" | "polygon"} EditTool
+ * @typedef {["turn", boolean] | ["use", EditTool] | ["select" | "pick", -1 | 1] | ["nudge", number, number, boolean] | ["set", number, number]
+ *   | ["go", -1 | 1] | ["insert" | "remove" | "duplicate" | "enter" | "cancel" | "revert"]} EditOrder   a method of the worker's editor, and what it takes
  *
  * What is told:
  *
@@ -102,25 +112,66 @@
  * @property {boolean} isProven
  * @property {boolean} isMiss
  * @property {boolean} hasGuards
+ * @property {boolean} hasRejected  samples were refused by then
+ * @property {boolean} hasRefused   motions were refused by then
+ * @property {number} waiting       vertices that the search has reached and not expanded
+ * @property {number | null} raw    length of the path as it was found, where it is shorter now
+ * @property {number | null} segments
+ * @property {{ nearest: number, seconds: number } | null} stats   known of the newest iteration only: questions to the index, time of planning
  * @property {string[]} marks      what the iteration did, in the words of the pseudo-code
+ * @property {import("./standings.js").Standing} standing   beside the others of a race
  *
  * @typedef {object} State   what the page is told of a frame
  * @property {number} heard   number of the newest order obeyed
- * @property {{ now: number, head: number, isRace: boolean }} clock
+ * @property {{ now: number, head: number, isRace: boolean, unit: number, rate: number }} clock   `unit`: time in a step; `rate`: time that passes for an iteration of the pace
  * @property {boolean} playing
  * @property {boolean} growing
  * @property {boolean} travelling
  * @property {number} along
  * @property {boolean} settled
+ * @property {ViewOptions} view
  * @property {string} sentence
  * @property {boolean} isBad
  * @property {boolean} inHand
  * @property {boolean} arrived
  * @property {number[] | null} pose
  * @property {{ text: string, free: boolean }} touching
+ * @property {{ vertex: number, text: string, free: boolean } | null} hover   what is pointed at; vertex -1: a mere pose
  * @property {LaneState[]} lanes
  * @property {string[]} summary   of each lane, in words
- * @property {Fault | null} refusal
+ * @property {string} curves   differs where the curves do
+ * @property {Fault & { lane: number } | null} refusal   which lane the core would not plan
+ * @property {EditState | null} edit   while the editor is on
+ *
+ * @typedef {object} Field   one number of what is selected
+ * @property {string} name
+ * @property {number} value
+ * @property {string} unit
+ * @property {number} low
+ * @property {number} high
+ *
+ * @typedef {object} EditState
+ * @property {EditTool} tool
+ * @property {"" | "end" | "disc" | "polygon"} kind   of what is selected; an end is start or goal
+ * @property {string} title      of what is selected
+ * @property {number} parts      its vertices or joints
+ * @property {number | null} part
+ * @property {Field[]} fields
+ * @property {string} said       what was done last
+ * @property {string} reason     why the last change was refused, or empty
+ * @property {string} code       of that refusal
+ * @property {string} touching   start or goal in collision, in words
+ * @property {number} undoable
+ * @property {number} redoable
+ * @property {boolean} isChanged
+ * @property {boolean} isBusy    a gesture is under way
+ * @property {number} changes    ends of gestures so far
+ *
+ * @typedef {object} Curves   how each run went, in few points
+ * @property {string} key       as in the state
+ * @property {number} head      the latest time told
+ * @property {boolean} isRace
+ * @property {Float64Array[]} lanes   rows of time, vertices, cost (Infinity without a path)
  *
  * @typedef {object} Slider   an option of a scene's generator that the page offers beneath the gallery
  * @property {string} option

@@ -38,7 +38,8 @@ export async function stop() {
 export async function onPage(options, test, { before, expectErrors = false } = {}) {
   assert.ok(browser && server, "start() comes first");
   const url = server.url;
-  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, ...options });
+  // What the page keeps for later would answer in the place of the files that tests put in its way.
+  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, serviceWorkers: "block", ...options });
   const page = await context.newPage();
   page.setDefaultTimeout(20_000);
   /** @type {string[]} */
@@ -63,12 +64,26 @@ export async function onPage(options, test, { before, expectErrors = false } = {
   }
 }
 
-/** A page that waits at iteration 0. @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] */
-export async function onPausedPage(test, options = {}) {
+/** An empty page in a context of its own. @param {Options} options @param {(page: Page) => Promise<void>} test */
+export async function inBrowser(options, test) {
+  assert.ok(browser, "start() comes first");
+  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, ...options });
+  try {
+    await test(await context.newPage());
+  } finally {
+    await context.close();
+  }
+}
+
+/**
+ * A page that waits at iteration 0.
+ * @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean }} [more]
+ */
+export async function onPausedPage(test, options = {}, more = {}) {
   await onPage({ reducedMotion: "reduce", ...options }, async (page, url) => {
     await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
     await test(page, url);
-  });
+  }, more);
 }
 
 /** The numbers of the run. @param {Page} page */

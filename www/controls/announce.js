@@ -1,4 +1,5 @@
 /** Tells milestones to those who listen to the page instead of looking at it, at most one a second and the newest last. */
+import { letters } from "../standings.js";
 import { byId } from "./dom.js";
 
 /** @import { Page } from "../page.js" */
@@ -25,12 +26,16 @@ export class Announcer {
   }
 }
 
-/** Milestones: a run's end, a touch, an arrival. @param {Page} page */
+/** Milestones: a run's end, the paths found in a race, a touch, an arrival. @param {Page} page */
 export function watchAnnouncements(page) {
   const announcer = new Announcer();
   let end = "";
   let touch = "";
+  let finders = "";
   page.onState((state) => {
+    const found = state.clock.isRace ? letters(state.lanes.flatMap(({ standing }, i) => (standing.found === null ? [] : [i]))) : "";
+    if (found.length > finders.length) announcer.say(`${found} found a path.`);
+    finders = found;
     const over = state.settled && !state.inHand && state.lanes.every(({ status }) => status === "solved" || status === "exhausted");
     const ending = over ? state.sentence : "";
     if (ending !== end && ending !== "") announcer.say(ending);

@@ -6,19 +6,21 @@ import { byId } from "./dom.js";
 /** Milliseconds between two changes of the text. */
 const READABLE = 80;
 
+const NUMBERS = /** @type {const} */ ([
+  "phase", "iterations", "vertices", "edges", "length", "segments", "checks", "motions", "evaluations", "nearest", "time", "rate", "fingerprint",
+]);
+
 export class Counters {
   constructor() {
     this.element = byId("counters", HTMLElement);
-    this.phase = byId("count-phase", HTMLElement);
-    this.iterations = byId("count-iterations", HTMLElement);
-    this.vertices = byId("count-vertices", HTMLElement);
-    this.edges = byId("count-edges", HTMLElement);
-    this.motions = byId("count-motions", HTMLElement);
-    this.length = byId("count-length", HTMLElement);
-    this.lengthRow = byId("count-length-row", HTMLElement);
-    this.fingerprint = byId("count-fingerprint", HTMLElement);
-    this.fingerprintRow = byId("count-fingerprint-row", HTMLElement);
+    this.cells = Object.fromEntries(NUMBERS.map((name) => [name, byId(`count-${name}`, HTMLElement)]));
     this.written = -Infinity;
+    // On a desk all numbers stand in one line; on a phone the rest is folded away.
+    const more = byId("more-counters", HTMLDetailsElement);
+    const desk = matchMedia("(min-width: 77.5rem)");
+    const unfold = () => { more.open = desk.matches; };
+    desk.addEventListener("change", unfold);
+    unfold();
   }
 
   /** The numbers of a run; while it moves the text follows a few times a second, as fast as it can be read. @param {LaneState} lane @param {boolean} settled */
@@ -35,15 +37,22 @@ export class Counters {
     const now = performance.now();
     if (!settled && now - this.written < READABLE) return;
     this.written = now;
-    write(this.phase, lane.status === "running" ? lane.phase : lane.status === "none" ? "no plan" : lane.status);
-    write(this.iterations, grouped(lane.iteration));
-    write(this.vertices, grouped(lane.vertices));
-    write(this.edges, grouped(lane.edges));
-    write(this.motions, grouped(lane.motions));
-    this.fingerprintRow.hidden = lane.fingerprint === "";
-    write(this.fingerprint, lane.fingerprint);
-    this.lengthRow.hidden = lane.length === null;
-    if (lane.length !== null) write(this.length, `${lane.length.toFixed(2)} ${lane.unit}`);
+    this.tell({
+      phase: lane.status === "running" ? lane.phase : lane.status === "none" ? "no plan" : lane.status,
+      iterations: grouped(lane.iteration), vertices: grouped(lane.vertices), edges: grouped(lane.edges),
+      length: lane.length === null ? "" : `${lane.length.toFixed(2)} ${lane.unit}`,
+      segments: lane.segments === null ? "" : grouped(lane.segments),
+      checks: short(lane.checks), motions: short(lane.motions), evaluations: short(lane.evaluations),
+      nearest: lane.stats ? short(lane.stats.nearest) : "",
+      time: lane.stats ? duration(lane.stats.seconds) : "",
+      rate: lane.stats && lane.stats.seconds > 0 ? short(lane.iteration / lane.stats.seconds) : "",
+      fingerprint: lane.fingerprint,
+    });
+  }
+
+  /** Puts words in their places; a dash where nothing is known. @param {Partial<Record<typeof NUMBERS[number], string>>} words */
+  tell(words) {
+    for (const [name, word] of Object.entries(words)) write(this.cells[name], word || "\u2013");
   }
 
   /** Something was ordered: what was told at rest no longer holds. */
@@ -57,9 +66,17 @@ export class Counters {
   /** There is no run at all. @param {"loading" | "failed"} status */
   none(status) {
     Object.assign(this.element.dataset, { status, phase: "", iterations: "0", vertices: "0", edges: "0" });
-    write(this.phase, status);
+    this.tell({ phase: status });
   }
 }
+
+const compact = new Intl.NumberFormat("en", { notation: "compact", maximumSignificantDigits: 3 });
+
+/** A number in at most five characters where it is large. @param {number} count */
+function short(count) { return count < 100_000 ? grouped(Math.round(count)) : compact.format(count); }
+
+/** @param {number} seconds */
+function duration(seconds) { return seconds < 1 ? `${Math.round(1000 * seconds)} ms` : `${seconds.toFixed(seconds < 10 ? 2 : 1)} s`; }
 
 const digits = new Intl.NumberFormat("en");
 

@@ -4,18 +4,19 @@
  */
 import { make } from "./dom.js";
 
-/** @import { ParameterInfo } from "../types.js" */
+/** @import { OptionInfo, ParameterInfo } from "../types.js" */
 
 export class Field {
   /**
-   * @param {ParameterInfo} info
+   * @param {ParameterInfo | OptionInfo} info
    * @param {number | string | boolean | null} value   null: the planner's own choice
    * @param {() => void} onChange   a valid value was given
+   * @param {string} [family]   begins the ids of its elements
    */
-  constructor(info, value, onChange) {
+  constructor(info, value, onChange, family = "parameter") {
     this.info = info;
     this.onChange = onChange;
-    const id = `parameter-${info.name}`;
+    const id = `${family}-${info.name}`;
     this.control = control(info, value, id);
     this.reason = make("p", { className: "reason", id: `${id}-reason`, hidden: true });
     const meaning = make("p", { className: "hint", id: `${id}-meaning` }, info.meaning, automatic(info));
@@ -67,18 +68,25 @@ export class Field {
     const badInput = control.validity.badInput;
     if (text === "" && !badInput) return isMissing(info.default) ? "" : `Give ${info.kind === "integer" ? "a whole number" : "a number"}.`;
     const number = Number(text);
-    if (badInput || !Number.isFinite(number)) return "This is not a number.";
-    if (info.kind === "integer" && !Number.isInteger(number)) return `${text} is not a whole number.`;
-    if (info.min !== null && number < info.min) return `${text} is below ${info.min}.`;
-    if (info.max !== null && number > info.max) return `${text} is above ${info.max}.`;
-    return "";
+    return reasonAgainst(info, badInput ? NaN : number);
   }
+}
+
+/** What is wrong with a value, or nothing. @param {ParameterInfo | OptionInfo} info @param {unknown} value @returns {string} */
+export function reasonAgainst({ kind, min, max, choices }, value) {
+  if (kind === "boolean") return typeof value === "boolean" ? "" : `${value} is neither true nor false.`;
+  if (kind === "choice") return choices?.includes(String(value)) ? "" : `${value} is not one of its choices.`;
+  if (typeof value !== "number" || !Number.isFinite(value)) return "This is not a number.";
+  if (kind === "integer" && !Number.isInteger(value)) return `${value} is not a whole number.`;
+  if (min !== null && value < min) return `${value} is below ${min}.`;
+  if (max !== null && value > max) return `${value} is above ${max}.`;
+  return "";
 }
 
 /** @param {unknown} value */
 function isMissing(value) { return value === null || value === undefined; }
 
-/** What the planner takes where it is left to choose. @param {ParameterInfo} info */
+/** What the planner takes where it is left to choose. @param {ParameterInfo | OptionInfo} info */
 function automatic(info) {
   const words = "default_meaning" in info ? info.default_meaning : null;
   if (typeof words !== "string") return "";
@@ -90,7 +98,7 @@ function nothing(words) {
   return /^(none|never)(?=:)/.exec(String(words))?.[0] ?? "";
 }
 
-/** @param {ParameterInfo} info @param {number | string | boolean | null} value @param {string} id @returns {HTMLInputElement | HTMLSelectElement} */
+/** @param {ParameterInfo | OptionInfo} info @param {number | string | boolean | null} value @param {string} id @returns {HTMLInputElement | HTMLSelectElement} */
 function control(info, value, id) {
   if (info.kind === "choice") {
     const select = make("select", { id });
@@ -104,6 +112,6 @@ function control(info, value, id) {
     id, type: "number", step: info.kind === "integer" ? "1" : "any", autocomplete: "off",
     inputMode: info.kind === "integer" ? "numeric" : "decimal", value: isMissing(value) ? "" : String(value),
   });
-  if (isMissing(info.default)) input.placeholder = nothing(info.default_meaning) || "automatic";
+  if (isMissing(info.default)) input.placeholder = "default_meaning" in info && nothing(info.default_meaning) || "automatic";
   return input;
 }

@@ -5,10 +5,10 @@
 import { byId, make } from "./dom.js";
 import { Field } from "./field.js";
 
-/** @import { ParameterInfo, Plan, PlannerInfo, Settings } from "../types.js" */
+/** @import { OptionInfo, ParameterInfo, Plan, PlannerInfo, Settings } from "../types.js" */
 
 /** Parameters worth a place of their own; the others stand under "More parameters". */
-const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "goal_bias", "sampler", "seed"]);
+export const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "goal_bias", "sampler", "seed"]);
 
 /** How the others are grouped, in this order; what no group names comes last. @type {[string, string[]][]} */
 const GROUPS = [
@@ -58,6 +58,9 @@ export class Panel {
     this.build();
   }
 
+  /** @param {string} algorithm */
+  titleOf(algorithm) { return this.infos.find(({ id }) => id === algorithm)?.title ?? algorithm; }
+
   /** The queries of a scenario. @param {string[]} names @param {string | undefined} chosen */
   offerQueries(names, chosen) {
     this.query.replaceChildren(...names.map((name) => make("option", { value: name, selected: name === chosen }, name)));
@@ -66,12 +69,17 @@ export class Panel {
 
   get algorithm() { return this.planner.value; }
 
+  /** What a planner can be given, its seed with it; nothing where there is no such planner. @param {string} algorithm */
+  parametersOf(algorithm) {
+    const info = this.infos.find(({ id }) => id === algorithm);
+    return info ? withSeed(info.parameters) : [];
+  }
+
   /** What a planner would be asked with some settings, the rest at their defaults. @param {string} algorithm @param {Settings} settings @returns {Plan} */
   reads(algorithm, settings) {
-    const info = this.infos.find(({ id }) => id === algorithm);
     /** @type {Settings} */
     const all = {};
-    for (const { name, default: value } of info ? withSeed(info.parameters) : []) if (value !== null) all[name] = value;
+    for (const { name, default: value } of this.parametersOf(algorithm)) if (value !== null) all[name] = value;
     return { algorithm, settings: { ...all, ...settings } };
   }
 
@@ -126,19 +134,8 @@ export class Panel {
       if (FIRST.has(parameter.name)) this.first.append(field.element);
       return field;
     });
-    this.group();
+    this.rest.append(...groupsOf(this.fields));
     this.more.hidden = this.rest.childElementCount === 0;
-  }
-
-  /** Puts the fields that are not first under headings. */
-  group() {
-    const others = this.fields.filter(({ info }) => !FIRST.has(info.name));
-    const grouped = new Set(GROUPS.flatMap(([, names]) => names));
-    const rest = others.filter(({ info }) => !grouped.has(info.name)).map(({ info }) => info.name);
-    for (const [title, names] of [...GROUPS, /** @type {[string, string[]]} */ ([REST, rest])]) {
-      const elements = others.filter(({ info }) => names.includes(info.name)).map(({ element }) => element);
-      if (elements.length > 0) this.rest.append(make("div", { className: "group" }, make("h3", {}, title), ...elements));
-    }
   }
 
   /** @param {Field} field */
@@ -156,11 +153,29 @@ export class Panel {
   }
 }
 
-/** Every planner takes a seed, whether its table lists it or not. @param {ParameterInfo[]} parameters @returns {ParameterInfo[]} */
-function withSeed(parameters) {
+/** The fields that are not first, under headings. @param {Field[]} fields @returns {HTMLElement[]} */
+export function groupsOf(fields) {
+  const others = fields.filter(({ info }) => !FIRST.has(info.name));
+  const grouped = new Set(GROUPS.flatMap(([, names]) => names));
+  const rest = others.filter(({ info }) => !grouped.has(info.name)).map(({ info }) => info.name);
+  return [...GROUPS, /** @type {[string, string[]]} */ ([REST, rest])].flatMap(([title, names]) => {
+    const elements = others.filter(({ info }) => names.includes(info.name)).map(({ element }) => element);
+    return elements.length > 0 ? make("div", { className: "group" }, make("h3", {}, title), ...elements) : [];
+  });
+}
+
+/**
+ * Every planner and every generator takes a seed, whether its table lists it or not.
+ * @template {ParameterInfo | OptionInfo} T
+ * @param {T[]} parameters
+ * @param {string} [what]   it decides
+ */
+export function withSeed(parameters, what = "run") {
   if (parameters.some(({ name }) => name === "seed")) return parameters;
-  return [...parameters, {
-    name: "seed", title: "Seed", kind: "integer", unit: "", min: 0, max: Number.MAX_SAFE_INTEGER, default: 0,
-    meaning: "Decides every random draw: the same seed gives the same run, bit for bit.",
-  }];
+  /** @type {OptionInfo} */
+  const seed = {
+    name: "seed", title: "Seed", kind: "integer", unit: "", min: 0, max: Number.MAX_SAFE_INTEGER, default: 0, choices: null,
+    meaning: `Decides every random draw: the same seed gives the same ${what}, bit for bit.`,
+  };
+  return [...parameters, seed];
 }

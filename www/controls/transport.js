@@ -35,6 +35,10 @@ export class Transport {
     this.timeline = byId("timeline", HTMLInputElement);
     this.time = byId("time", HTMLInputElement);
     this.head = byId("time-head", HTMLElement);
+    this.timeName = byId("time-name", HTMLElement);
+    /** Time in a step, and time that passes for an iteration of the pace. */
+    this.unit = 1;
+    this.rate = 1;
     this.back.addEventListener("click", () => studio.tell("step", -1));
     this.timeline.addEventListener("input", () => studio.tell("seek", Number(this.timeline.value)));
     this.time.addEventListener("change", () => {
@@ -51,8 +55,8 @@ export class Transport {
     this.along.addEventListener("input", () => studio.tell("along", Number(this.along.value)));
     this.tellSpeed();
     page.onState((state) => this.show(state));
-    page.onOpen((_, entry) => {
-      if (entry) this.pace = entry.pace;
+    page.onOpen(() => {
+      if (page.pace !== undefined) this.pace = page.pace;
     });
   }
 
@@ -73,13 +77,34 @@ export class Transport {
 
   tellSpeed() {
     const pace = this.pace;
-    const text = pace === Infinity ? "max" : `${pace < 10 ? pace.toFixed(1) : Math.round(pace).toLocaleString("en")}/s`;
+    const speed = pace * this.rate;
+    const text = pace === Infinity ? "max" : `${speed < 10 ? speed.toFixed(1) : Math.round(speed).toLocaleString("en")}/s`;
     this.speedValue.textContent = text;
-    this.speed.setAttribute("aria-valuetext", pace === Infinity ? "as fast as it goes" : `${text.replace("/s", "")} iterations a second`);
+    this.speed.setAttribute("aria-valuetext", pace === Infinity ? "as fast as it goes" : `${text.replace("/s", "")} ${this.name} a second`);
+  }
+
+  /** What time is counted in. */
+  get name() { return this.unit > 1 ? "clearance evaluations" : "iterations"; }
+
+  /** Time is counted in this from now on. @param {State["clock"]} clock */
+  count({ unit, rate }) {
+    this.unit = unit;
+    this.rate = rate;
+    const { name } = this;
+    this.timeline.setAttribute("aria-label", unit > 1 ? "Timeline: the clearance evaluations until which all are shown" : "Timeline: the iteration that is shown");
+    this.timeName.textContent = unit > 1 ? "Clearance evaluations" : "Iteration";
+    this.back.setAttribute("aria-label", unit > 1 ? `Back ${unit} ${name}` : "Back 1");
+    this.steps.forEach((button, i) => {
+      const count = grouped(unit * 10 ** i);
+      button.textContent = count;
+      button.setAttribute("aria-label", unit > 1 ? `Step ${count} ${name}` : `Step ${count}`);
+    });
+    this.tellSpeed();
   }
 
   /** @param {State} state */
   show({ clock, playing, growing, travelling, along, lanes }) {
+    if (clock.unit !== this.unit) this.count(clock);
     const ready = lanes.some(({ status }) => status !== "none");
     this.play.disabled = !ready || (!growing && !travelling);
     this.play.dataset.playing = String(playing);
@@ -96,8 +121,8 @@ export class Transport {
     const head = String(clock.head);
     if (this.timeline.max !== head) this.timeline.max = head;
     if (!this.timeline.matches(":active")) this.timeline.value = String(clock.now);
-    this.timeline.setAttribute("aria-valuetext", `${grouped(clock.now)} of ${grouped(clock.head)}`);
+    this.timeline.setAttribute("aria-valuetext", `${grouped(clock.now)} of ${grouped(clock.head)}${clock.isRace ? " clearance evaluations" : ""}`);
     if (document.activeElement !== this.time) this.time.value = String(clock.now);
-    write(this.head, `of ${grouped(clock.head)}`);
+    write(this.head, `of ${grouped(clock.head)}${clock.isRace ? " evaluations" : ""}`);
   }
 }

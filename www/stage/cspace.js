@@ -5,17 +5,19 @@
  */
 import { coordinatesOf } from "../worker/coordinates.js";
 import { Pane } from "./pane.js";
+import { Slice, keyOf } from "./slice.js";
+import { drawSelectedPoint } from "./selection.js";
 import { folded, unrolled } from "./trace.js";
 import { View } from "./view.js";
 
-/** @import { Lane } from "../worker/lane.js" */
+/** @import { Lane, Shown } from "../worker/lane.js" */
 /** @import { LayerName } from "./layer.js" */
 /** @import { Scenario } from "../types.js" */
 /** @import { Palette } from "./palette.js" */
 
 const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };
-/** Cells a side of the obstacle image: as many as the screen is worth, within reason (the core takes some 0.3 us a cell). */
-const CELLS = { least: 256, most: 512, pixels: 2 };
+/** Cells a side of the obstacle image: as many as the screen is worth, within reason (the core takes some 0.3 us a cell); while the world changes, as many as `time` milliseconds allow. */
+const CELLS = { least: 256, most: 512, pixels: 2, rough: 48, time: 4 };
 
 export class CSpace extends Pane {
   /** @param {Record<LayerName, OffscreenCanvas>} canvases */
@@ -25,8 +27,12 @@ export class CSpace extends Pane {
     this.axes = [0, 1];
     /** Are they circles? @type {boolean[]} */
     this.circles = [];
-    /** @type {{ scenario: object, side: number, mask: Float32Array } | null} */
+    /** @type {{ world: object, side: number, mask: Float32Array } | null} */
     this.cells = null;
+    /** The slice that is being made or shown. @type {Slice | null} */
+    this.slice = null;
+    /** What a cell took the last time, milliseconds. */
+    this.cost = 1e-3;
   }
 
   /** Has a scenario such a square? @param {Lane} lane @override */
@@ -42,28 +48,52 @@ export class CSpace extends Pane {
   }
 
   /** @param {Lane} lane @override */
-  prepare({ scenario }) {
+  survey({ scenario, shown }) {
     const circles = scenario.circles();
     this.circles = this.axes.map((axis) => circles[axis]);
-    this.paintable(scenario);
-    for (const name of /** @type {const} */ (["edges", "vertices", "marks"])) {
-      const { context } = this.layers[name];
-      context.save();
-      this.clip(context);
-    }
+    this.slice = null;
+    this.paintable(scenario, shown);
   }
 
-  /** Fetches the obstacles, where they can be shown. @param {Scenario} scenario */
-  paintable(scenario) {
+  /** A slice of more than two joints follows the robot. @param {Lane} lane @param {number} until @override */
+  tend(lane, until) {
+    const { scenario, shown } = lane;
+    if (!this.view || scenario.dimension < 3) return;
+    const pose = shown.view.slice ? lane.pose ?? shown.start : null;
+    if (!pose) {
+      if (this.slice) this.repaint(null);
+      this.slice = null;
+      return;
+    }
+    if (this.slice?.key !== keyOf(pose, this.axes)) this.slice = new Slice(scenario, pose, this.axes, this.view.box);
+    if (this.slice.isDone) return;
+    const picture = this.slice.advance(until);
+    if (picture) this.repaint({ world: shown.document.world, side: picture.side, mask: soften(picture.mask, picture.side) });
+  }
+
+  /** @override */
+  get isTended() { return !this.slice || this.slice.isDone; }
+
+  /** The ground with other obstacles. @param {CSpace["cells"]} cells */
+  repaint(cells) {
+    this.cells = cells;
+    this.layers.ground.clear();
+    this.drawGround(this.layers.ground.context, /** @type {Lane} */ (this.lane));
+  }
+
+  /** Fetches the obstacles, where they can be shown; while the world is being changed, only as finely as there is time. @param {Scenario} scenario @param {Shown} shown */
+  paintable(scenario, { document: { world }, rough }) {
     if (scenario.dimension !== 2) {
       this.cells = null;
       return;
     }
     const wanted = (this.frame().width * this.layers.ground.ratio) / CELLS.pixels;
-    const side = Math.round(Math.min(CELLS.most, Math.max(CELLS.least, wanted)));
-    if (this.cells?.scenario !== scenario || this.cells.side * 1.4 < side) {
-      this.cells = { scenario, side, mask: soften(scenario.cspace({ width: side, height: side }), side) };
-    }
+    const fine = Math.min(CELLS.most, Math.max(CELLS.least, wanted));
+    const side = Math.round(rough ? Math.min(fine, Math.max(CELLS.rough, Math.sqrt(CELLS.time / this.cost))) : fine);
+    if (this.cells?.world === world && this.cells.side * 1.4 >= side) return;
+    const began = performance.now();
+    this.cells = { world, side, mask: soften(scenario.cspace({ width: side, height: side }), side) };
+    this.cost = Math.max(1e-6, performance.now() - began) / side ** 2;
   }
 
   /** @param {CanvasRenderingContext2D} context @override */
@@ -119,12 +149,12 @@ export class CSpace extends Pane {
     return { points: Float64Array.from(points), firsts };
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {Lane} _lane @override */
-  drawGround(context, _lane) {
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
+  drawGround(context, { shown: { rough } }) {
     const { palette, cells } = this;
     if (!palette) return;
     const { x, y, width, height } = this.frame();
-    const { ratio } = this.layers.ground;
+    const ratio = rough ? 1 : this.layers.ground.ratio;
     if (cells) context.drawImage(paint(cells.mask, cells.side, Math.round(width * ratio), Math.round(height * ratio), palette), x, y, width, height);
     context.strokeStyle = palette["obstacle-edge"];
     context.lineWidth = 1;
@@ -163,6 +193,9 @@ export class CSpace extends Pane {
     context.fillText(`joint ${this.axes[1]}`, 0, 0);
     context.restore();
   }
+
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
+  drawOverlay(context, lane) { drawSelectedPoint(this, context, lane); }
 
   /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
   drawRobot(context, lane) {

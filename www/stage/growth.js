@@ -1,9 +1,10 @@
 /**
  * Inks the log of a run on a pane's layers, up to the iteration that is shown. Going forward it only adds what is new;
- * going back it begins anew. Each layer is drawn in the order of the log, one mark at a time, so that the picture of an
+ * going far it begins at the nearest copy that was kept. Each layer is drawn in the order of the log, one mark at a time, so that the picture of an
  * iteration is the same to the pixel, whichever way one came to it.
  */
 import { EVENT, PAST } from "../worker/run.js";
+import { Keeps } from "./keeps.js";
 import { cross, disc, ring } from "./marks.js";
 import { strokeLine } from "./pen.js";
 import { way } from "./trace.js";
@@ -16,6 +17,10 @@ const BATCH = { edges: 48, vertices: 256, events: 128 };
 /** Roots: the marks of start and goal stand for them. */
 const ROOTS = 2;
 
+/** Which layer holds what. */
+const LAYER = /** @type {const} */ ({ edges: "edges", vertices: "vertices", events: "marks" });
+const KINDS = /** @type {(keyof typeof LAYER)[]} */ (Object.keys(LAYER));
+
 /** @typedef {{ vertices: number, edges: number, events: number }} Counts */
 
 export class Growth {
@@ -26,12 +31,17 @@ export class Growth {
     this.drawn = { vertices: 0, edges: 0, events: 0 };
     /** What was there before these counts does not glow: it is being redrawn. @type {Counts} */
     this.old = { vertices: 0, edges: 0, events: 0 };
+    this.keeps = {
+      edges: new Keeps(pane.layers.edges), vertices: new Keeps(pane.layers.vertices), events: new Keeps(pane.layers.marks),
+    };
   }
 
   /** Begins anew. @param {Counts} old  what does not glow */
   restart(old = { vertices: 0, edges: 0, events: 0 }) {
-    const { edges, vertices, marks } = this.pane.layers;
-    for (const layer of [edges, vertices, marks]) layer.clear();
+    for (const kind of KINDS) {
+      this.keeps[kind].clear();
+      this.pane.layers[LAYER[kind]].paste(null);
+    }
     this.drawn = { vertices: 0, edges: 0, events: 0 };
     this.old = old;
   }
@@ -49,13 +59,23 @@ export class Growth {
     const run = this.pane.lane?.run;
     if (!run) return;
     const { target } = this;
-    if (this.drawn.vertices > target.vertices || this.drawn.edges > target.edges || this.drawn.events > target.events) {
-      this.pane.glow.clear();
-      this.restart(target);
-    }
+    this.leap(target);
     do { this.inkEdges(run, target.edges, now); } while (this.drawn.edges < target.edges && performance.now() < until);
     do { this.inkVertices(run, target.vertices, now); } while (this.drawn.vertices < target.vertices && performance.now() < until);
     do { this.inkEvents(run, target.events, now); } while (this.drawn.events < target.events && performance.now() < until);
+  }
+
+  /** Where more is inked than is to be shown, or a copy is nearer, begins at the copy. @param {Counts} target */
+  leap(target) {
+    const { drawn, keeps } = this;
+    if (KINDS.some((kind) => drawn[kind] > target[kind])) {
+      this.pane.glow.clear();
+      this.old = target;
+    }
+    for (const kind of KINDS) {
+      const count = keeps[kind].best(target[kind])?.count ?? 0;
+      if (drawn[kind] > target[kind] || count > drawn[kind]) drawn[kind] = keeps[kind].restore(target[kind]);
+    }
   }
 
   /** @param {Run} run @param {number} target @param {number} now */
@@ -85,6 +105,7 @@ export class Growth {
     }
     context.globalAlpha = 1;
     this.drawn.edges = end;
+    this.keeps.edges.pass(end);
     const glowing = Math.max(first, this.old.edges, target - pane.glow.room("edge"));
     for (let e = glowing; e < end; e++) pane.glow.add("edge", now, points.slice(2 * firsts[e - first], 2 * firsts[e - first + 1]));
   }
@@ -103,6 +124,7 @@ export class Growth {
       disc(context, points[2 * (v - first)], points[2 * (v - first) + 1], radius);
     }
     this.drawn.vertices = end;
+    this.keeps.vertices.pass(end);
     const glowing = Math.max(first, this.old.vertices, target - pane.glow.room("vertex"));
     for (let v = glowing; v < end; v++) pane.glow.add("vertex", now, points.slice(2 * (v - first), 2 * (v - first) + 2));
   }
@@ -160,6 +182,7 @@ export class Growth {
       }
     }
     this.drawn.events = end;
+    this.keeps.events.pass(end);
   }
 
   /** Where events are: their vertex, or the configuration that they are about. @param {Run} run @param {number} first @param {number} end */

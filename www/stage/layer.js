@@ -20,6 +20,8 @@ export class Layer {
     this.width = 0;
     this.height = 0;
     this.ratio = 1;
+    /** What keeps the drawing inside of the picture, if anything. @type {((context: CanvasRenderingContext2D) => void) | null} */
+    this.clip = null;
   }
 
   /** Fits the backing store; empties the layer. @param {number} width @param {number} height @param {number} ratio  device pixels a CSS pixel */
@@ -30,6 +32,26 @@ export class Layer {
     this.canvas.width = Math.max(1, Math.round(width * ratio));
     this.canvas.height = Math.max(1, Math.round(height * ratio));
     this.context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.clip = null;
+  }
+
+  /** From now on nothing is drawn outside of a border. @param {(context: CanvasRenderingContext2D) => void} clip */
+  enclose(clip) {
+    this.clip = clip;
+    this.context.save();
+    clip(this.context);
+  }
+
+  /** Puts a copy of this layer in place of what it holds, pixel by pixel, or nothing. @param {OffscreenCanvas | null} copy */
+  paste(copy) {
+    const { context, clip, canvas } = this;
+    if (clip) context.restore();
+    context.save();
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    if (copy) context.drawImage(copy, 0, 0);
+    context.restore();
+    if (clip) this.enclose(clip);
   }
 
   clear() {

@@ -7,13 +7,17 @@ import { Glow } from "./glow.js";
 import { Growth, countsOf } from "./growth.js";
 import { hatch } from "./hatch.js";
 import { LAYERS, Layer } from "./layer.js";
+import { ring } from "./marks.js";
 import { tracePen } from "./pen.js";
+import { Places } from "./places.js";
 import { drawGoal, drawHit, drawStart } from "./shapes.js";
+import { Strobe } from "./strobe.js";
 
-/** @import { Lane } from "../worker/lane.js" */
+/** @import { Hover, Lane } from "../worker/lane.js" */
 /** @import { Journey } from "../worker/journey.js" */
 /** @import { LayerName } from "./layer.js" */
 /** @import { Palette } from "./palette.js" */
+/** @import { Look } from "../types.js" */
 /** @import { View } from "./view.js" */
 /** @typedef {{ points: Float64Array, firsts: Uint32Array }} Lines  line i: pixels x, y in turn, points firsts[i] up to firsts[i + 1]; NaN lifts the pen */
 
@@ -34,12 +38,20 @@ export class Pane {
     this.height = 0;
     /** How fine dots and lines are: 1 on a middling sheet, less on a small one. */
     this.fineness = 1;
+    /** How much thicker the strong lines are than usual. */
+    this.bold = 1;
     /** @type {CanvasPattern | null} */
     this.hatchOnPart = null;
     /** @type {CanvasPattern | null} */
     this.hatchOnObstacle = null;
     /** @type {{ journey: Journey, lines: Lines } | null} */
     this.pathLines = null;
+    /** @type {{ raw: Float64Array, lines: Lines } | null} */
+    this.rawLines = null;
+    /** @type {Strobe | null} */
+    this.flashes = null;
+    /** @type {Places | null} */
+    this.found = null;
   }
 
   // What a kind of pane must say of itself.
@@ -48,21 +60,27 @@ export class Pane {
   fits(_lane) { return true; }
   /** @param {Lane} _lane @param {number} _width @param {number} _height @returns {View} */
   makeView(_lane, _width, _height) { throw new Error("a pane must make its view"); }
-  /** Called after each fit, before anything is drawn. @param {Lane} _lane */
-  prepare(_lane) {}
   /** @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
   drawGround(_context, _lane) {}
   /** Configurations to pixels. @param {Float64Array} _rows @returns {Float64Array} */
   pixels(_rows) { throw new Error("a pane must place configurations"); }
   /** Motions to lines in pixels. @param {Float64Array} _ends  rows of from, to @param {boolean[]} [_circles]  coordinates whose motions go the short way round @returns {Lines} */
   lines(_ends, _circles) { throw new Error("a pane must trace motions"); }
+  /** Called before anything is drawn of another scenario. @param {Lane} _lane */
+  survey(_lane) {}
+  /** What the editor draws. @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
+  drawOverlay(_context, _lane) {}
   /** The robot, above everything else. @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
   drawRobot(_context, _lane) {}
+  /** Goes on with what the ground still lacks. @param {Lane} _lane @param {number} _until */
+  tend(_lane, _until) {}
+  /** Is the ground complete? */
+  get isTended() { return true; }
   /** Keeps what crosses the border of the picture inside. @param {CanvasRenderingContext2D} _context */
   clip(_context) {}
 
-  /** Fits the layers to the sheet and draws all anew. @param {Lane} lane @param {Palette} palette @param {number} ratio */
-  layout(lane, palette, ratio) {
+  /** Fits the layers to the sheet and draws all anew. @param {Lane} lane @param {Look} look */
+  layout(lane, { palette, ratio, bold }) {
     this.lane = lane;
     this.palette = palette;
     const { width, height, layers } = this;
@@ -70,21 +88,44 @@ export class Pane {
     if (width < 1 || height < 1 || !this.fits(lane)) return;
     for (const name of LAYERS) layers[name].fit(width, height, ratio);
     this.view = this.makeView(lane, width, height);
-    this.fineness = Math.min(1.5, Math.max(0.72, Math.min(width, height) / 460));
+    this.fineness = Math.min(1.5, Math.max(0.72, Math.min(width, height) / 460)) * bold;
+    this.bold = bold;
     this.hatchOnPart = hatch(layers.top.context, palette.stage, ratio);
     this.hatchOnObstacle = hatch(layers.top.context, palette.collision, ratio);
-    this.pathLines = null;
-    this.glow.clear();
-    this.prepare(lane);
+    this.forget();
+    this.survey(lane);
+    for (const name of /** @type {const} */ (["edges", "vertices", "marks"])) layers[name].enclose((context) => this.clip(context));
     this.drawGround(layers.ground.context, lane);
     this.growth.restart(countsOf(lane.run));
   }
 
+  /** The world changes beneath the reader's hand: another ground, on the same view. @param {Lane} lane */
+  refresh(lane) {
+    this.lane = lane;
+    this.layers.ground.clear();
+    this.survey(lane);
+    this.drawGround(this.layers.ground.context, lane);
+    this.restart();
+  }
+
   /** A new run on the same ground. */
   restart() {
-    this.glow.clear();
-    this.pathLines = null;
+    this.forget();
     this.growth.restart();
+  }
+
+  /** What was made for another layout or run. */
+  forget() {
+    this.glow.clear();
+    this.pathLines = this.rawLines = this.flashes = this.found = null;
+  }
+
+  /** Where vertices are; none while there is no run or no room. @returns {Places | null} */
+  get places() {
+    const run = this.lane?.run;
+    if (!run || !this.view) return null;
+    if (this.found?.run !== run) this.found = new Places(this, run);
+    return this.found;
   }
 
   /** Has everything that is shown been inked? */
@@ -110,11 +151,70 @@ export class Pane {
     this.layers.top.clear();
     context.save();
     this.clip(context);
+    this.drawWaiting(context, lane, palette);
     this.glow.draw(context, palette, now);
     if (lane.journey) this.drawPath(context, lane.journey, palette);
     context.restore();
     this.drawEnds(context, lane, palette);
+    const { hover } = lane.shown;
+    if (hover?.lane === lane) this.drawHover(context, hover, palette);
     this.drawRobot(context, lane);
+    this.drawOverlay(context, lane);
+  }
+
+  /** The vertices that wait for the search, each in a small ring. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette */
+  drawWaiting(context, { run }, palette) {
+    const { places } = this;
+    if (!run || !places || run.frontier.count === 0) return;
+    places.follow();
+    const radius = 3.4 * this.fineness;
+    context.strokeStyle = palette.ink;
+    context.lineWidth = 1.1;
+    context.beginPath();
+    run.frontier.each((vertex) => {
+      const [x, y] = [places.points[2 * vertex], places.points[2 * vertex + 1]];
+      context.moveTo(x + radius, y);
+      context.arc(x, y, radius, 0, 2 * Math.PI);
+    });
+    context.stroke();
+  }
+
+  /** What is pointed at: a ring about it. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette */
+  drawHover(context, { pose, check }, palette) {
+    const [x, y] = this.pixels(pose);
+    for (const [width, colour] of /** @type {[number, string][]} */ ([[4.6, palette.stage], [1.8, check.free ? palette.ink : palette.collision]])) {
+      context.lineWidth = width;
+      context.strokeStyle = colour;
+      ring(context, x, y, 9);
+    }
+  }
+
+  /** The robot's poses along the path, where they are to be seen. @param {Journey} journey @returns {Strobe | null} */
+  strobe(journey) {
+    const { strobe, poses } = /** @type {Lane} */ (this.lane).shown.view;
+    if (!strobe) return null;
+    if (this.flashes?.journey !== journey || this.flashes.count !== poses) this.flashes = new Strobe(this, journey, poses);
+    return this.flashes;
+  }
+
+  /** The path as it was found, a thin line. @param {CanvasRenderingContext2D} context @param {Journey} journey */
+  drawRaw(context, { raw, scenario }) {
+    if (!raw) return;
+    if (this.rawLines?.raw !== raw) {
+      const n = scenario.dimension;
+      const ends = new Float64Array(2 * (raw.length - n));
+      for (let i = 0; i + n < raw.length; i += n) ends.set(raw.subarray(i, i + 2 * n), 2 * i);
+      this.rawLines = { raw, lines: this.lines(ends) };
+    }
+    const { points, firsts } = this.rawLines.lines;
+    context.save();
+    context.lineWidth = 1.5;
+    context.lineJoin = "round";
+    context.strokeStyle = /** @type {Palette} */ (this.palette).path;
+    context.beginPath();
+    tracePen(context, points, 0, firsts[firsts.length - 1]);
+    context.stroke();
+    context.restore();
   }
 
   /** @param {CanvasRenderingContext2D} context @param {Journey} journey @param {Palette} palette */
@@ -126,6 +226,7 @@ export class Pane {
       for (let i = 0; i + 1 < parts.length; i++) ends.set(rows.subarray(i * n, (i + 2) * n), i * 2 * n);
       this.pathLines = { journey, lines: this.lines(ends) };
     }
+    if (/** @type {Lane} */ (this.lane).shown.view.raw) this.drawRaw(context, journey);
     const { lines } = this.pathLines;
     const parts = journey.samples.parts;
     let pieces = 0;
@@ -136,7 +237,7 @@ export class Pane {
     // Without a proof the line is hollow, and broken where it misses the goal: colour is not all that tells.
     const colour = this.pathColour(journey);
     /** @type {[number, string, number][]} */
-    const strokes = [[8, palette.stage, 0.75], [journey.isProven ? 3.4 : 5, colour, 1]];
+    const strokes = [[8 * this.bold, palette.stage, 0.75], [(journey.isProven ? 3.4 : 5) * this.bold, colour, 1]];
     if (!journey.isProven) strokes.push([1.8, palette.stage, 1]);
     if (journey.isMiss) context.setLineDash([9, 8]);
     for (const [width, stroke, alpha] of strokes) {
@@ -148,6 +249,7 @@ export class Pane {
       context.stroke();
     }
     context.restore();
+    this.strobe(journey)?.draw(context, palette.stage);
     if (journey.flaw && journey.drawn >= journey.flaw.at) {
       const [x, y] = this.pixels(journey.flaw.pose);
       drawHit(context, x, y, palette);

@@ -11,6 +11,9 @@ import { Workspace } from "./workspace.js";
 /** @import { Pane } from "./pane.js" */
 /** @typedef {{ id: string, kind: PaneKind, lane: number, pane: Pane }} Place */
 
+/** Milliseconds a frame for grounds that are not complete. */
+const TENDING = 4;
+
 const KINDS = { workspace: Workspace, cspace: CSpace };
 
 export class Stage {
@@ -71,21 +74,26 @@ export class Stage {
   get panes() { return [...this.places.values()].map(({ pane }) => pane); }
 
   /** Is there something that is not inked yet, or a glow that has not settled? */
-  get busy() { return this.stale.size > 0 || this.panes.some((pane) => !pane.caughtUp || pane.glow.alive); }
+  get busy() { return this.stale.size > 0 || this.panes.some((pane) => !pane.caughtUp || !pane.isTended || pane.glow.alive); }
 
   /** Has everything that is shown been inked? */
   get caughtUp() { return this.stale.size === 0 && this.panes.every((pane) => pane.caughtUp); }
+
+  /** Are all grounds complete? */
+  get isTended() { return this.panes.every((pane) => pane.isTended); }
 
   /** Draws one frame. @param {Lane[]} lanes @param {number} now @param {number} until  when to stop inking, on the clock of performance.now() */
   frame(lanes, now, until) {
     if (!this.look) return;
     for (const { id, lane, pane } of this.places.values()) {
       if (!lanes[lane] || (pane.lane === lanes[lane] && !this.stale.has(id))) continue;
-      pane.layout(lanes[lane], this.look.palette, this.look.ratio);
+      if (pane.view && lanes[lane].shown.rough && !this.stale.has(id)) pane.refresh(lanes[lane]);
+      else pane.layout(lanes[lane], this.look);
     }
     this.stale.clear();
     const { panes } = this;
     const began = performance.now();
+    for (const pane of panes) if (pane.lane) pane.tend(pane.lane, performance.now() + TENDING);
     panes.forEach((pane, i) => pane.grow(now, began + ((until - began) * (i + 1)) / panes.length));
     for (const pane of panes) pane.drawTop(now);
   }

@@ -1,19 +1,19 @@
 /** The workspace: the world as it is, the robot in it, and the end-effector's image of every vertex and edge. */
+import { contains } from "../worker/handles.js";
 import { obstacleName, partName } from "../worker/names.js";
 import { Pane } from "./pane.js";
+import { drawSelection } from "./selection.js";
 import { drawGhost, drawLabel, drawObstacles, drawRobot, drawTouchingParts, obstacleMiddle, obstaclePath } from "./shapes.js";
 import { Tracer } from "./trace.js";
 import { View } from "./view.js";
 
-/** @import { Lane } from "../worker/lane.js" */
+/** @import { Hover, Lane } from "../worker/lane.js" */
 /** @import { Journey } from "../worker/journey.js" */
 /** @import { LayerName } from "./layer.js" */
 /** @import { Palette } from "./palette.js" */
-/** @import { Obstacle, Part, ScenarioDocument } from "../types.js" */
+/** @import { Check, Obstacle, Part, ScenarioDocument } from "../types.js" */
 
 const MARGIN = { left: 14, right: 14, top: 14, bottom: 14 };
-/** Poses shown along a solved path. */
-const STROBE = 9;
 
 export class Workspace extends Pane {
   /** @param {Record<LayerName, OffscreenCanvas>} canvases */
@@ -29,7 +29,7 @@ export class Workspace extends Pane {
   }
 
   /** @param {Lane} lane @override */
-  prepare(lane) { this.tracer = new Tracer(lane.scenario); }
+  survey(lane) { this.tracer = new Tracer(lane.scenario); }
 
   /** @param {Float64Array} rows @override */
   pixels(rows) {
@@ -101,7 +101,7 @@ export class Workspace extends Pane {
   drawScale(context) {
     const { view, palette } = this;
     if (!view || !palette) return;
-    const step = niceStep(46 / view.scaleX);
+    const step = view.grid;
     const [left, bottom] = view.toPlane(0, view.height);
     const [right, top] = view.toPlane(view.width, 0);
     context.fillStyle = palette.line;
@@ -114,12 +114,8 @@ export class Workspace extends Pane {
 
   /** @param {CanvasRenderingContext2D} context @param {Journey} journey @param {Palette} palette @override */
   drawPath(context, journey, palette) {
-    if (this.view && journey.scenario.robot === "arm") {
-      const style = { colour: this.pathColour(journey), fill: 0.035, stroke: 0.3, dash: [], width: 1 };
-      for (let i = 1; i < STROBE; i++) {
-        if (i / STROBE > journey.drawn) break;
-        drawGhost(context, this.view, journey.scenario.footprint(journey.configuration(i / STROBE)), style);
-      }
+    for (const { part, parts, colour } of this.strobe(journey)?.seen ?? []) {
+      if (this.view) drawGhost(context, this.view, parts, { colour, fill: 0.05, stroke: 0.55, dash: [], width: 0.7 + 1.5 * part });
     }
     if (this.view && journey.flaw && journey.drawn >= journey.flaw.at) {
       const style = { colour: palette.collision, fill: 0.3, stroke: 1, dash: [], width: 2 };
@@ -133,11 +129,27 @@ export class Workspace extends Pane {
     const { view, palette } = this;
     const { pose } = lane;
     if (!view || !palette || !pose) return;
-    const { scenario, document, hand, check } = lane.shown;
+    const { scenario, hand, check } = lane.shown;
     const parts = scenario.footprint(pose);
-    const touching = hand && check ? check.touching : [];
+    this.drawTouching(context, lane, parts, hand && check ? check.touching : [], () => drawRobot(context, view, parts, palette));
+  }
+
+  /** The robot at what is pointed at, fine. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette @override */
+  drawHover(context, hover, palette) {
+    const { view } = this;
+    if (!view) return;
+    const parts = hover.lane.scenario.footprint(hover.pose);
+    const style = { colour: palette.ink, fill: 0.06, stroke: 0.85, dash: [], width: 1.3 };
+    this.drawTouching(context, hover.lane, parts, hover.check.touching, () => drawGhost(context, view, parts, style));
+    super.drawHover(context, hover, palette);
+  }
+
+  /** A robot, what it touches, and with which parts, by name. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Part[]} parts @param {Check["touching"]} touching @param {() => void} draw  the robot */
+  drawTouching(context, { shown: { scenario, document } }, parts, touching, draw) {
+    const { view, palette } = this;
+    if (!view || !palette) return;
     for (const { obstacle } of touching) this.drawTouched(context, document, obstacle);
-    drawRobot(context, view, parts, palette);
+    draw();
     const hit = new Set(touching.map(({ part }) => part));
     drawTouchingParts(context, view, parts.filter((_, i) => hit.has(i)), palette, this.hatchOnPart);
     for (const index of hit) {
@@ -152,6 +164,9 @@ export class Workspace extends Pane {
       drawLabel(context, obstacleName(obstacle), x, y, palette.collision, palette);
     }
   }
+
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
+  drawOverlay(context, lane) { drawSelection(this, context, lane); }
 
   /** @param {CanvasRenderingContext2D} context @param {ScenarioDocument} document @param {number | "bounds"} obstacle */
   drawTouched(context, document, obstacle) {
@@ -191,16 +206,6 @@ function obstaclePlace(view, obstacle, part) {
   return [view.x(nearest[0]), view.y(nearest[1]) + 26];
 }
 
-/** Is a point inside a polygon? @param {[number, number][]} vertices @param {number} x @param {number} y */
-function contains(vertices, x, y) {
-  let inside = false;
-  vertices.forEach(([ax, ay], i) => {
-    const [bx, by] = vertices[(i + 1) % vertices.length];
-    if (ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax)) inside = !inside;
-  });
-  return inside;
-}
-
 /** Beside the middle of a part, CSS pixels. @param {View} view @param {Part} part @returns {[number, number]} */
 function labelPlace(view, part) {
   const clear = part.radius * view.scaleX + 16;
@@ -210,11 +215,4 @@ function labelPlace(view, part) {
   const length = Math.hypot(dx, dy);
   const side = dx >= 0 ? 1 : -1;
   return [view.x(part.a[0]) + dx / 2 + (side * dy * clear * 1.5) / length, view.y(part.a[1]) + dy / 2 - (side * dx * clear) / length];
-}
-
-/** The nearest of 1, 2, 5 times a power of ten that is not below a length. @param {number} least */
-function niceStep(least) {
-  const power = 10 ** Math.floor(Math.log10(least));
-  for (const factor of [1, 2, 5]) if (factor * power >= least) return factor * power;
-  return 10 * power;
 }

@@ -4,8 +4,9 @@
  */
 import { PAST } from "./run.js";
 
-/** Evaluations that stand for one iteration, so that steps and speeds of a race are of the same kind. */
+/** Evaluations in a step of a race, and those that pass where a single run makes one iteration: an iteration makes about ten. */
 const PER_STEP = 100;
+const PER_ITERATION = 10;
 
 export class Clock {
   constructor() {
@@ -13,6 +14,8 @@ export class Clock {
     this.pace = 60;
     /** The time that is shown. */
     this.now = 0;
+    /** The latest time that was shown: up to there it can be replayed. */
+    this.head = 0;
     /** The time to be reached: where it is ahead, planning or replay goes on. */
     this.wanted = 0;
     this.playing = false;
@@ -21,7 +24,7 @@ export class Clock {
   }
 
   reset() {
-    this.now = 0;
+    this.now = this.head = 0;
     this.halt();
   }
 
@@ -31,14 +34,17 @@ export class Clock {
   /** One step of the transport, in units of time. */
   get unit() { return this.isRace ? PER_STEP : 1; }
 
-  get speed() { return this.rushing ? Infinity : this.pace * this.unit; }
+  /** How much faster than the pace time passes. */
+  get rate() { return this.isRace ? PER_ITERATION : 1; }
+
+  get speed() { return this.rushing ? Infinity : this.pace * this.rate; }
 
   /** Lets seconds pass while it plays. Being behind does not pile up beyond a quarter of a second. @param {number} seconds */
   pass(seconds) {
     if (!this.playing) return;
     const { speed } = this;
     if (speed === Infinity) this.wanted = Infinity;
-    else this.wanted = Math.min((this.wanted === Infinity ? this.now : this.wanted) + speed * seconds, this.now + speed / 4 + this.unit);
+    else this.wanted = Math.min((this.wanted === Infinity ? this.now : this.wanted) + speed * seconds, this.now + speed / 4 + this.rate);
   }
 
   /** Is there time to be caught up with? */

@@ -20,12 +20,13 @@ export class Journey {
   /**
    * @param {Scenario} scenario
    * @param {Float64Array} path  rows of `dimension`, at least one
-   * @param {{ isProven?: boolean, isMiss?: boolean }} [kind]  are its motions proven free; does it end short of the goal
+   * @param {{ isProven?: boolean, isMiss?: boolean, raw?: Float64Array | null }} [kind]  are its motions proven free; does it end short of the goal; how it was found, where it is shorter now
    */
-  constructor(scenario, path, { isProven = true, isMiss = false } = {}) {
+  constructor(scenario, path, { isProven = true, isMiss = false, raw = null } = {}) {
     this.scenario = scenario;
     this.isProven = isProven;
     this.isMiss = isMiss;
+    this.raw = raw;
     const n = scenario.dimension;
     /** @type {Float64Array[]} */
     this.waypoints = [];
@@ -131,7 +132,10 @@ export class Journey {
  */
 export function journeyOf(scenario, run) {
   const { isProven } = run;
-  if (run.status === "solved") return new Journey(scenario, run.planner.path(), { isProven });
+  if (run.status === "solved") {
+    const raw = run.rawLength > run.result.length ? run.planner.rawPath() : null;
+    return new Journey(scenario, run.planner.path(), { isProven, raw });
+  }
   const { approximate } = run.result;
   // A tree whose root is nearest to the goal has no way to show.
   if (!approximate || approximate.path.length < 2) return null;

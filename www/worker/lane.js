@@ -1,7 +1,9 @@
 /** One planner's place in the theatre: what it was asked, its run and its way, and the panes that show it. */
 import { journeyOf } from "./journey.js";
-import { Run } from "./run.js";
+import { PAST, Run } from "./run.js";
 
+/** @import { Standing } from "../standings.js" */
+/** @import { Overlay } from "./editor.js" */
 /** @import { Journey } from "./journey.js" */
 /** @import { Check, Configuration, Plan, Scenario, ScenarioDocument, ViewOptions } from "../types.js" */
 
@@ -13,8 +15,18 @@ import { Run } from "./run.js";
  * @property {Configuration | null} goal
  * @property {Float64Array | null} hand     the pose held by hand, if any
  * @property {Check | null} check           of the pose held by hand
- * @property {Float64Array | null} hover    the configuration the pointer is at, if any
+ * @property {Hover | null} hover           what is pointed at, if anything
  * @property {ViewOptions} view
+ * @property {boolean} rough                it is being changed by hand: pictures may be coarse
+ * @property {Overlay | null} overlay       what the editor draws
+ */
+
+/**
+ * @typedef {object} Hover   a vertex that is pointed at, or a mere pose
+ * @property {Lane} lane
+ * @property {number} vertex   -1: a pose
+ * @property {Float64Array} pose
+ * @property {Check} check
  */
 
 export class Lane {
@@ -38,6 +50,18 @@ export class Lane {
     this.free();
     const settings = query === undefined ? this.plan.settings : { ...this.plan.settings, query };
     this.run = new Run(this.scenario, this.plan.algorithm, settings, phases);
+  }
+
+  /** How it stands beside others. @returns {Standing} */
+  get standing() {
+    const { run, plan, scenario } = this;
+    const at = run ? run.foundBy() : -1;
+    return {
+      isOver: run?.status !== "running",
+      found: run && at >= 0 ? run.history.row(at)[PAST.evaluations] : null,
+      cost: run ? run.past[PAST.cost] : Infinity,
+      metric: scenario.robot === "arm" ? String(plan.settings.metric ?? "sum") : "euclidean",
+    };
   }
 
   /** Where the robot is to be drawn, if anywhere. @returns {Float64Array | null} */

@@ -3,6 +3,8 @@
  * The log is only ever added to, and each iteration has left a row of counts in it. So what an earlier iteration showed is
  * the beginning of the log up to its counts: going back costs no planning, and shows what a fresh run to there would.
  */
+import { Frontier } from "./frontier.js";
+import { Kin } from "./kin.js";
 import { Rows } from "./rows.js";
 
 /** @import { ResultDocument, Scenario, Settings } from "../types.js" */
@@ -49,6 +51,10 @@ export class Run {
     /** How many vertices the search has expanded, how many are guards. */
     this.expanded = 0;
     this.guards = 0;
+    /** For each kind of event the place of the first in the log. @type {number[]} */
+    this.firsts = [];
+    this.kin = new Kin(this);
+    this.frontier = new Frontier(this, this.kin);
     /** What grows. @type {"roadmap" | "tree" | "trees"} */
     this.kind = algorithm === "rrt-connect" ? "trees" : algorithm.startsWith("rrt") ? "tree" : "roadmap";
     this.isTree = this.kind !== "roadmap";
@@ -83,6 +89,8 @@ export class Run {
   /** The last iteration made until a clock of the log has passed a value: column -1 counts iterations. @param {number} column @param {number} value */
   iterationAt(column, value) {
     if (column < 0) return Math.min(this.made, Math.max(0, Math.floor(value)));
+    // Time 0 is before the first iteration, even before one that costs nothing.
+    if (value < 1) return 0;
     const { data, width, count } = this.history;
     let low = 0;
     let high = count;
@@ -93,25 +101,63 @@ export class Run {
     return low;
   }
 
-  /** What a clock of the log shows at an iteration. @param {number} column @param {number} iteration */
+  /** What a clock of the log shows at an iteration. Time 0 is before the first one. @param {number} column @param {number} iteration */
   clockAt(column, iteration) {
-    return column < 0 ? iteration : this.history.data[iteration * this.history.width + column];
+    if (column < 0 || iteration === 0) return iteration;
+    return Math.max(1, this.history.data[iteration * this.history.width + column]);
+  }
+
+  /** What a clock of the log shows at the newest iteration made. @param {number} column */
+  clock(column) { return this.clockAt(column, this.made); }
+
+  /**
+   * Is all made that belongs to a time? Iterations are counted; of another clock several may share a time, so that only the
+   * first one past it tells.
+   * @param {number} column @param {number} wanted
+   */
+  hasPassed(column, wanted) {
+    return this.ended || (column < 0 ? this.made >= wanted : this.clock(column) > wanted);
+  }
+
+  /** The latest time of which everything is known to be made; Infinity once it has ended. @param {number} column */
+  reached(column) {
+    if (this.ended) return Infinity;
+    return column < 0 ? this.made : Math.max(0, this.clock(column) - 1);
+  }
+
+  /** The iteration that first had a path, of those up to one; -1 where none had. @param {number} [last] */
+  foundBy(last = this.shown) {
+    const { data, width } = this.history;
+    const hasPath = (/** @type {number} */ i) => data[i * width + PAST.cost] < Infinity;
+    if (!hasPath(last)) return -1;
+    let low = 0;
+    let high = last;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (hasPath(middle)) high = middle; else low = middle;
+    }
+    return high;
+  }
+
+  /** How far one frame may grow, where it shares the frame with others. @param {number} [share] */
+  burst(share = 1) {
+    return { vertices: this.planner.vertexCount + BURST.vertices / share, edges: this.planner.edgeCount + BURST.edges / share };
   }
 
   /**
-   * Plans until a clock of the log reaches `wanted`, the run ends, the time passes `until`, or as much has grown as a frame
+   * Plans until a clock of the log has passed `wanted`, the run ends, the time passes `until`, or as much has grown as a frame
    * can draw. Slices are small at first and grow as long as they prove cheap, so that one slice never takes a frame.
    * @param {number} column  of the history, -1 for iterations
    * @param {number} wanted  may be Infinity
    * @param {number} until   on the clock of performance.now(), milliseconds
+   * @param {{ vertices: number, edges: number }} [most]  how far it may grow
    * @returns {boolean} whether it has come that far, or ended
    */
-  advance(column, wanted, until) {
+  advance(column, wanted, until, most = this.burst()) {
     const planner = this.planner;
-    const most = { vertices: planner.vertexCount + BURST.vertices, edges: planner.edgeCount + BURST.edges };
     let slice = 1;
     try {
-      while (!this.ended && this.clockAt(column, this.made) < wanted) {
+      while (!this.hasPassed(column, wanted)) {
         if (planner.vertexCount >= most.vertices || planner.edgeCount >= most.edges) return false;
         const began = performance.now();
         if (began >= until) return false;
@@ -147,6 +193,7 @@ export class Run {
     if (planner.eventCount > first) this.events.add(planner.eventsSince(first));
     const { data, width, count } = this.events;
     for (let i = first; i < count; i++) {
+      this.firsts[data[i * width]] ??= i;
       if (data[i * width] === EVENT.expanded) this.expanded++;
       else if (data[i * width] === EVENT.guard) this.guards++;
     }
@@ -164,6 +211,16 @@ export class Run {
     }
   }
 
+  /** Has an event of a kind happened by the iteration that is shown? @param {number} kind  of `EVENT` */
+  has(kind) { return (this.firsts[kind] ?? Infinity) < this.past[PAST.events]; }
+
+  /** The length of the path as it was found, before it was made shorter; Infinity while there is none. */
+  get rawLength() {
+    const { data, width, count } = this.history;
+    for (let i = 0; i < count; i++) if (data[i * width + PAST.cost] < Infinity) return data[i * width + PAST.cost];
+    return Infinity;
+  }
+
   /** The result at the newest iteration, made once. */
   get result() {
     if (this.known?.made !== this.made || this.known.status !== this.planner.status) {
@@ -172,15 +229,16 @@ export class Run {
     return this.known.result;
   }
 
-  /** What the newest iteration that is shown did, in the words of the pseudo-code's marks. @returns {Set<string>} */
+  /** What the newest iteration that is shown did, in the words of the pseudo-code's marks; before the first, none. @returns {Set<string>} */
   marks() {
     /** @type {Set<string>} */
-    const marks = new Set([this.phase]);
+    const marks = new Set();
     if (this.shown === 0) return marks;
     const now = this.past;
     const before = this.history.row(this.shown - 1);
-    // The last iteration of a phase was still of that phase.
+    // The phase that it began in: the last iteration of a phase was still of that phase.
     marks.add(this.phases[before[PAST.phase]]);
+    if (this.status !== "running") marks.add("done");
     if (now[PAST.vertices] > before[PAST.vertices]) marks.add("vertex");
     if (now[PAST.edges] > before[PAST.edges]) marks.add("edge");
     const words = Object.keys(EVENT);

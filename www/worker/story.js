@@ -1,23 +1,36 @@
 /** The page's sentences: what is to be seen just now. */
+import { leaders, letters } from "../standings.js";
 import { touchingSentence } from "./names.js";
 import { PAST } from "./run.js";
 
 /** @import { Journey } from "./journey.js" */
-/** @import { Lane } from "./lane.js" */
+/** @import { Hover, Lane } from "./lane.js" */
 /** @import { Run } from "./run.js" */
 /** @import { Check, Scenario } from "../types.js" */
 
-/** A run that goes on: the scene's own sentence while its own planner proves its edges, else what the planner is at. @param {Run} run @param {{ algorithm: string, sentence: string }} scene */
+/** Iterations of a tree, or of guards, for which the page says what is looked for before the scene has its say. */
+const OPENING = 60;
+
+/**
+ * A run that goes on: first what is looked for and what it is made of, then the scene's own sentence, if this is what its own
+ * planner was asked, else what the planner is at.
+ * @param {Run} run
+ * @param {{ algorithm: string, sentence: string }} scene
+ */
 export function going(run, scene) {
   const { phase } = run;
   const free = run.isProven ? "proven free" : "free in the places looked at";
+  const sought = `The ${run.scenario.robot} seeks a way from start to goal`;
+  const begins = run.shown < OPENING;
   if (phase === "improving") return `A path is found; now it is made shorter, by motions ${free}.`;
+  if (phase === "sampling") return `${sought}: each point is a pose that touches nothing.`;
+  if (phase === "searching") return "The search goes out from the start; the bold vertices are those it has been to.";
+  if (begins && phase === "guarding") return `${sought}: a few poses stand guard, each seeing what no other sees.`;
+  if (begins && phase === "growing") return `${sought}: ${run.kind === "trees" ? "two trees of poses reach for each other" : "a tree of poses grows from the start"}.`;
   if (run.algorithm === scene.algorithm && run.isProven) return scene.sentence;
   switch (phase) {
-    case "sampling": return "Each point is a pose that touches nothing.";
     case "connecting": return `Each pose is joined to its neighbours, where the motion is ${free}.`;
     case "guarding": return "A pose that no guard sees becomes a guard, in a ring; one that sees several links them.";
-    case "searching": return "The search goes out from the start; the bold vertices are those it has been to.";
     default: return run.kind === "trees"
       ? "Two trees, rooted at the start and at the goal, reach for each other until they meet."
       : "A tree grows from the start, step by step towards samples, until it reaches the goal.";
@@ -30,7 +43,8 @@ export function ending(run, journey) {
   const unit = run.scenario.robot === "arm" ? "rad" : "m";
   const { length, approximate } = run.result;
   if (run.status === "solved") {
-    const found = `Found after ${iterations} iterations: a path of ${length.toFixed(2)} ${unit}`;
+    const shorter = journey?.raw ? `, cut from ${run.rawLength.toFixed(2)} ${unit}` : "";
+    const found = `Found after ${iterations} iterations: a path of ${length.toFixed(2)} ${unit}${shorter}`;
     if (run.isProven) return `${found}, proven free from end to end.`;
     return `${found}, not proven. ${journey?.flaw ? collision(run.scenario, journey.flaw.check) : "Checked afterwards, it touches nothing."}`;
   }
@@ -61,6 +75,25 @@ export function poseSentence(scenario, check) {
   return `${sentence[0].toUpperCase()}${sentence.slice(1)}.`;
 }
 
+/** What is pointed at, in words. @param {Hover} hover */
+export function hoverSentence({ lane: { run, scenario }, vertex, pose, check }) {
+  const unit = scenario.robot === "arm" ? "rad" : "m";
+  const numbers = [...pose].map((value) => value.toFixed(2).replace("-", "\u2212")).join(", ");
+  if (vertex < 0 || !run) return `Pose ${numbers} ${unit}: ${check.free ? "free" : touchingSentence(scenario, check)}.`;
+  const { kin, past } = run;
+  const edges = past[PAST.edges];
+  kin.follow();
+  const name = `Vertex ${vertex}${vertex < 2 ? [", the start,", ", the goal,"][vertex] : ""} at ${numbers} ${unit}`;
+  if (!run.isTree) {
+    let degree = 0;
+    kin.neighbours(vertex, edges, () => degree++);
+    return `${name}: ${degree} ${degree === 1 ? "edge" : "edges"}.`;
+  }
+  const parent = kin.parent(vertex, edges);
+  if (parent < 0) return `${name}: ${vertex === 0 || run.kind === "trees" ? "the root of its tree" : "not reached yet"}.`;
+  return `${name}. Parent ${parent}, ${kin.distance(parent, vertex).toFixed(2)} ${unit} away; ${kin.costs[vertex].toFixed(2)} ${unit} from the root.`;
+}
+
 /** @param {number} touches */
 export function arrival(touches) {
   if (touches === 0) return "You reached the goal and touched nothing.";
@@ -78,10 +111,14 @@ export function summary(title, run) {
 
 /** Several planners on one scenario. @param {Lane[]} lanes */
 export function race(lanes) {
-  const solved = lanes.filter(({ run }) => run?.status === "solved").length;
-  if (lanes.some(({ run }) => run?.status === "running")) {
-    const names = solved === 0 ? "None has found a path yet" : `${solved} of ${lanes.length} found a path`;
-    return `All get the same number of clearance evaluations, the work that proofs are made of. ${names}.`;
-  }
-  return `${solved === lanes.length ? "All" : `${solved} of ${lanes.length}`} found a path.`;
+  const standings = lanes.map(({ standing }) => standing);
+  const { first, shortest, isOver } = leaders(standings);
+  if (first.length === 0) return isOver ? "None found a path." : "All get the same number of clearance evaluations, the work that proofs are made of.";
+  const { found } = standings[first[0]];
+  if (isOver && lanes.every(({ run }) => run?.past[PAST.evaluations] === 0)) return "There is nothing to keep clear of here: no clearance is ever evaluated, so all are done at once.";
+  const [best] = shortest;
+  const winner = `${letters(first)} found a path first, after ${found?.toLocaleString("en")} clearance evaluations`;
+  if (best === undefined) return `${winner}.`;
+  const unit = lanes[best].scenario.robot === "arm" ? "rad" : "m";
+  return `${winner}; ${letters(shortest)} ${isOver ? "has" : "so far has"} the shortest, ${standings[best].cost.toFixed(2)} ${unit}.`;
 }

@@ -2,36 +2,46 @@
  * What goes on: which scenario is on the stage, which planners grow on it, what time it is, whether the robot follows a path
  * or is in the reader's hand. One frame at a time: a bounded slice of planning, then a bounded slice of drawing.
  */
+import { faultOf } from "../fault.js";
 import { Stage } from "../stage/stage.js";
 import { Clock } from "./clock.js";
 import { contained, coordinatesOf } from "./coordinates.js";
+import { Editor } from "./editor.js";
 import { Grip } from "./grip.js";
+import { thinned } from "./curve.js";
+import { compete } from "./compete.js";
+import { Pointing } from "./pointing.js";
 import { Lane } from "./lane.js";
 import { report } from "./report.js";
 import * as story from "./story.js";
 
-/** @import { Library, Plan, Pointer, Programme, SceneFacts, Source, State, ViewOptions } from "../types.js" */
+/** @import { Curves, Library, Plan, Pointer, Programme, Scenario, ScenarioDocument, SceneFacts, Source, State, ViewOptions } from "../types.js" */
 /** @import { Shown } from "./lane.js" */
 /** @import { CSpace } from "../stage/cspace.js" */
 
 /** Milliseconds of planning in a frame at most, and when inking new growth stops. */
 const PLANNING = 4.5;
 const FRAME = 6;
+/** When inking stops where nothing plays and the reader waits for another time. */
+const REDRAW = 24;
 /** Measures kept in the browser's timeline before it is emptied. */
 const MEASURES = 20000;
 
 export class Theatre {
   /**
    * @param {Library} library
+   * @param {() => void} renew   makes a fresh core after the last one was lost
    * @param {(state: State) => void} tell   hears what is to be told of each frame
    */
-  constructor(library, tell) {
+  constructor(library, renew, tell) {
     this.library = library;
+    this.renew = renew;
     this.tell = tell;
     this.phases = library.phases;
     this.stage = new Stage();
     this.clock = new Clock();
     this.grip = new Grip();
+    this.pointing = new Pointing();
     /** @type {Shown | null} */
     this.shown = null;
     /** @type {Lane[]} */
@@ -39,10 +49,10 @@ export class Theatre {
     /** @type {string | undefined} */
     this.query = undefined;
     /** @type {ViewOptions} */
-    this.view = { axes: [0, 1], refused: false, strobe: true, raw: false };
+    this.view = { axes: [0, 1], refused: false, strobe: true, poses: 8, raw: false, slice: false };
     /** What the scene says of its own planner. */
     this.story = { algorithm: "", sentence: "" };
-    /** Why the core would not plan, if so. @type {unknown} */
+    /** Why the core would not plan, if so, and for which lane. @type {{ error: unknown, lane: number } | null} */
     this.refusal = null;
     /** All that was asked for is made and drawn. */
     this.settled = false;
@@ -50,9 +60,12 @@ export class Theatre {
     this.game = { touches: 0, arrived: false };
     /** The number of the newest order obeyed. */
     this.heard = -1;
+    this.editor = new Editor(this);
     this.last = 0;
     this.scheduled = false;
     this.measures = 0;
+    /** How often there were new runs. */
+    this.plannings = 0;
   }
 
   /** Puts a scenario on the stage; the one before it is freed. @param {Source} source @param {Programme} programme @returns {SceneFacts} @throws {Error} it cannot be read */
@@ -60,12 +73,13 @@ export class Theatre {
     const scenario = this.read(source);
     this.clear();
     const document = scenario.document();
-    this.shown = { scenario, document, start: null, goal: null, hand: null, check: null, hover: null, view: this.view };
+    this.shown = { scenario, document, start: null, goal: null, hand: null, check: null, hover: null, view: this.view, rough: false, overlay: null };
     this.story = { algorithm: programme.teller, sentence: programme.story };
-    this.clock.pace = programme.pace;
+    if (programme.pace !== undefined) this.clock.pace = programme.pace;
     this.query = document.queries.find(({ name }) => name === programme.query)?.name ?? document.queries[0]?.name;
     this.stage.relay();
-    this.plan(programme.plans, programme.play);
+    this.editor.begin();
+    this.plan(programme.plans, programme.play && !this.editor.on);
     if (programme.iteration !== undefined && programme.iteration > 0) this.seek(programme.iteration);
     return this.facts();
   }
@@ -86,6 +100,20 @@ export class Theatre {
     };
   }
 
+  /**
+   * Another world or query under the same plans, which wait at iteration 0.
+   * @param {Scenario} scenario @param {ScenarioDocument} document @param {boolean} live  it is being changed by hand
+   */
+  replace(scenario, document, live) {
+    const { shown, lanes } = this;
+    if (!shown) return;
+    for (const lane of lanes) lane.free();
+    shown.scenario.free();
+    this.shown = { ...shown, scenario, document, hover: null, rough: live };
+    this.plan(lanes.map(({ plan }) => plan), false);
+    if (!live) this.stage.relay();
+  }
+
   /** Another query of the scenario. @param {string} query @param {boolean} play */
   ask(query, play) {
     this.query = query;
@@ -100,6 +128,7 @@ export class Theatre {
     const query = shown.document.queries.find(({ name }) => name === this.query);
     shown.start = query?.start ?? null;
     shown.goal = query?.goal ?? null;
+    this.plannings++;
     this.release();
     clock.reset();
     clock.isRace = plans.length > 1;
@@ -111,13 +140,14 @@ export class Theatre {
     });
     for (const lane of this.lanes.splice(plans.length)) lane.free();
     for (const lane of this.lanes) lane.free();
+    let at = 0;
     try {
-      for (const lane of this.lanes) lane.start(this.query, this.phases);
+      for (; at < this.lanes.length; at++) this.lanes[at].start(this.query, this.phases);
       clock.playing = play;
     } catch (error) {
       for (const lane of this.lanes) lane.free();
-      this.refusal = error;
-      this.showTouching();
+      this.refusal = { error, lane: at };
+      if (!this.editor.on) this.showTouching();
     }
     this.stage.restart(this.lanes);
     this.wake();
@@ -149,7 +179,10 @@ export class Theatre {
   get growing() { return this.lanes.some(({ run }) => run && run.status === "running"); }
 
   /** Is there a way to follow? */
-  get travelling() { return this.lanes.length === 1 && this.lanes[0].journey !== null; }
+  get travelling() { return !this.growing && this.journeys.length > 0; }
+
+  /** The ways that are known: those of a race are followed in step. */
+  get journeys() { return this.lanes.flatMap(({ journey }) => journey ?? []); }
 
   toggle() {
     if (this.clock.playing) this.pause();
@@ -206,11 +239,10 @@ export class Theatre {
 
   /** Puts the robot somewhere along its way. @param {number} part  0 to 1 */
   along(part) {
-    const journey = this.lanes[0]?.journey;
-    if (!journey) return;
+    if (!this.travelling) return;
     this.release();
     this.clock.playing = false;
-    journey.seek(part);
+    for (const journey of this.journeys) journey.seek(part);
     this.wake();
   }
 
@@ -266,10 +298,13 @@ export class Theatre {
   }
 
   /** A pointer on a pane, pixels of the pane. @param {Pointer} pointer @returns {boolean} whether it holds something */
-  pointer({ pane: id, type, x, y }) {
+  pointer(pointer) {
+    if (this.editor.on) return this.editor.pointer(pointer);
+    const { pane: id, type, x, y } = pointer;
     const place = this.stage.at(id);
     if (!place || !this.shown) return false;
     const { pane, kind } = place;
+    this.pointing.at = type === "hover" ? { place, x, y } : null;
     if (type !== "down" && type !== "move") return false;
     const pose = kind === "cspace"
       ? this.grip.square(/** @type {CSpace} */ (pane), x, y)
@@ -281,7 +316,9 @@ export class Theatre {
   /** What is to be seen. @param {Partial<ViewOptions>} view */
   setView(view) {
     Object.assign(this.view, view);
-    this.stage.relay();
+    this.stir();
+    // Poses and the path as found are on the top, which is drawn anew each frame.
+    if ("axes" in view || "refused" in view) this.stage.relay();
     this.wake();
   }
 
@@ -299,18 +336,58 @@ export class Theatre {
   /** @param {number} now */
   frame(now) {
     if (!this.shown) return;
+    try {
+      this.perform(now);
+    } catch (error) {
+      const { code } = faultOf(error);
+      if (code === "") throw error;
+      if (code === "internal") this.recover();
+      else this.stop(error);
+    }
+  }
+
+  /** The planner cannot go on. @param {unknown} error */
+  stop(error) {
+    this.clock.halt();
+    this.refusal = { error, lane: 0 };
+    this.tell(report(this));
+  }
+
+  /**
+   * The core has stopped on a fault of its own, and all that it held is lost: a fresh one begins the same runs again, and the
+   * page says so.
+   */
+  recover() {
+    const { shown } = this;
+    if (!shown) return;
+    const plans = this.lanes.map(({ plan }) => plan);
+    this.renew();
+    this.shown = { ...shown, scenario: this.library.Scenario.parse(shown.document), hand: null, check: null, hover: null };
+    this.lanes = [];
+    this.plan(plans, false);
+    const error = Object.assign(new Error("Planarium's core stopped on a fault of its own. A fresh one has taken its place, and the run begins again."), { code: "internal" });
+    this.refusal ??= { error, lane: 0 };
+  }
+
+  /** @param {number} now */
+  perform(now) {
+    const { shown } = this;
+    if (!shown) return;
     const began = performance.now();
+    this.editor.hand.pass();
+    this.editor.overlay();
     const elapsed = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = now;
     const { stage, clock } = this;
     const moved = this.pass(elapsed, began + PLANNING);
     const working = moved || !stage.caughtUp;
     if (moved) this.stir();
-    const journey = this.lanes[0]?.journey;
-    if (clock.playing && journey && !this.growing) journey.advance(elapsed);
-    stage.frame(this.lanes, now, began + FRAME);
+    if (clock.playing && !this.growing) this.travel(elapsed);
+    shown.hover = shown.hand ? null : this.pointing.find(this.lanes, this.grip, shown.hover);
+    for (const { run } of this.lanes) run?.frontier.follow();
+    stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
     const resting = !clock.owes && (!clock.playing || !this.growing);
-    if (resting && stage.caughtUp) this.settled = true;
+    this.settled = resting && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isTended);
     if (working) this.measure(began);
     this.tell(report(this));
     if (clock.playing || clock.owes || stage.busy) this.wake();
@@ -330,8 +407,9 @@ export class Theatre {
     }
     const before = clock.now;
     const wanted = Math.floor(clock.wanted);
-    const there = lanes.map(({ run }) => !run || run.advance(clock.column, wanted, until));
-    this.showTime(there.every(Boolean) ? wanted : Math.min(wanted, this.reached()));
+    const runs = lanes.flatMap(({ run }) => run ?? []);
+    const there = clock.isRace ? compete(runs, clock.column, wanted, until) : runs[0].advance(clock.column, wanted, until);
+    this.showTime(there ? wanted : Math.min(wanted, this.reached()));
     if (!this.growing) {
       clock.wanted = clock.now;
       clock.rushing = false;
@@ -341,20 +419,36 @@ export class Theatre {
 
   /** The time that all planners have come to: those that have ended hold nobody up. */
   reached() {
-    const { column } = this.clock;
-    return Math.min(...this.lanes.map(({ run }) => (!run || run.ended ? Infinity : run.clockAt(column, run.made))));
+    return Math.min(...this.lanes.map(({ run }) => run?.reached(this.clock.column) ?? Infinity));
   }
 
-  /** The latest time that the log knows of. */
-  get head() {
-    const { column } = this.clock;
-    return Math.max(0, ...this.lanes.map(({ run }) => (run ? run.clockAt(column, run.made) : 0)));
+  /** The latest time at which it is known how all stand. */
+  get limit() {
+    const reached = this.reached();
+    return reached < Infinity ? reached : Math.max(0, ...this.lanes.map(({ run }) => run?.clock(this.clock.column) ?? 0));
+  }
+
+  /** Differs where the curves do. */
+  get curvesKey() { return `${this.plannings} ${this.clock.head} ${this.lanes.map(({ run }) => run?.ended)}`; }
+
+  /** How each run went, in few points. @returns {Curves} */
+  curves() {
+    const { clock: { head, isRace, column }, curvesKey: key } = this;
+    return { key, head, isRace, lanes: this.lanes.map(({ run }) => (run ? thinned(run, column, head) : new Float64Array(0))) };
+  }
+
+  /** The robots drive on, all at the same part of their ways. @param {number} elapsed  seconds */
+  travel(elapsed) {
+    const [lead, ...others] = this.journeys;
+    lead?.advance(elapsed);
+    for (const journey of others) Object.assign(journey, { drawn: lead.drawn, at: lead.at });
   }
 
   /** @param {number} time */
   showTime(time) {
     const { clock, lanes } = this;
-    clock.now = Math.min(time, this.head);
+    clock.now = Math.min(time, this.limit);
+    clock.head = Math.max(clock.head, clock.now);
     for (const lane of lanes) {
       if (!lane.run) continue;
       lane.run.shown = lane.run.iterationAt(clock.column, clock.now);
@@ -374,13 +468,15 @@ export class Theatre {
   get sentence() {
     const { shown, game } = this;
     if (!shown) return ["", false];
+    const editing = shown.hand ? "" : this.editor.sentence;
+    if (editing) return [editing, this.editor.isBad];
     if (shown.hand && shown.check) {
       if (!shown.check.free) return [story.poseSentence(shown.scenario, shown.check), false];
       return [game.arrived ? story.arrival(game.touches) : story.invitation(shown.scenario, this.panesOf("cspace") > 0), false];
     }
     const { run, journey } = this.lanes[0];
     if (!run) return [`${shown.scenario.title || shown.scenario.name}.`, false];
-    if (this.lanes.length > 1) return [story.race(this.lanes), false];
+    if (this.clock.isRace) return [story.race(this.lanes), false];
     if (run.status === "running") return [story.going(run, this.story), false];
     return [story.ending(run, journey), Boolean(journey?.flaw)];
   }

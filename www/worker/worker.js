@@ -9,7 +9,7 @@ import { drawThumbnail } from "./thumbnail.js";
 import { Theatre } from "./theatre.js";
 
 /** @import { LayerName } from "../stage/layer.js" */
-/** @import { Look, PaneKind, Plan, Pointer, Programme, Source, ViewOptions } from "../types.js" */
+/** @import { EditOrder, Look, PaneKind, Plan, Pointer, Programme, Source, ViewOptions } from "../types.js" */
 
 const port = /** @type {{ postMessage(message: unknown, transfer?: Transferable[]): void }} */ (/** @type {unknown} */ (self));
 
@@ -24,7 +24,7 @@ const commands = {
   /** Loads the package. @param {WebAssembly.Module | ArrayBuffer} core  the WebAssembly, compiled or as bytes */
   async start(core) {
     await library.default(core);
-    theatre = new Theatre(library, (state) => port.postMessage({ state }));
+    theatre = new Theatre(library, () => library.initSync(core), (state) => port.postMessage({ state }));
     return { planners: library.planners(), generators: library.generators(), version: library.version };
   },
   /** @param {Source} source @param {Programme} programme */
@@ -46,11 +46,17 @@ const commands = {
   pace: (pace) => house().setPace(pace),
   /** @param {number} part */
   along: (part) => house().along(part),
+  curves: () => house().curves(),
   turn: () => house().turn(),
   /** @param {number[]} pose */
   hold: (pose) => house().hold(Float64Array.from(pose)),
+  /** @param {EditOrder} order */
+  edit: (order) => house().editor.obey(order),
+  facts: () => house().facts(),
   /** @param {Pointer} pointer */
   pointer: (pointer) => house().pointer(pointer),
+  /** @param {number} vertex  -1: none */
+  inspect: (vertex) => house().pointing.choose(vertex),
   /** @param {Partial<ViewOptions>} view */
   view: (view) => house().setView(view),
   /** @param {Look} look */
@@ -85,8 +91,12 @@ addEventListener("message", async ({ data: { id, command, args } }) => {
     }
     port.postMessage({ id, value }, value instanceof ImageBitmap ? [value] : []);
   } catch (error) {
-    if (theatre) theatre.heard = id;
-    theatre?.wake();
-    port.postMessage({ id, fault: faultOf(error) });
+    const fault = faultOf(error);
+    if (theatre) {
+      theatre.heard = id;
+      if (fault.code === "internal") theatre.recover();
+      theatre.wake();
+    }
+    port.postMessage({ id, fault });
   }
 });

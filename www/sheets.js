@@ -105,7 +105,9 @@ export class Sheets {
   /** Tells the worker how large the sheets are. */
   measure() {
     for (const [id, { sheet }] of this.figures) {
-      const { width, height } = sheet.getBoundingClientRect();
+      const box = sheet.getBoundingClientRect();
+      // Less than a pixel of the screen is no other size.
+      const [width, height] = [box.width, box.height].map((side) => Math.round(side * devicePixelRatio) / devicePixelRatio);
       if (width >= 1 && height >= 1) this.studio.tell("resize", id, width, height);
     }
   }

@@ -45,8 +45,8 @@ export async function onPage(options, test, { before, expectErrors = false } = {
   /** @type {string[]} */
   const faults = [];
   page.on("console", (message) => {
-    // The tests read canvases back more often than a page would, and Chromium remarks on it.
-    const remark = message.text().startsWith("Canvas2D: Multiple readback operations");
+    // The tests read canvases back more often than a page would, and keep its files from being kept: both are remarked on.
+    const remark = /^(Canvas2D: Multiple readback operations|Service Worker registration blocked by Playwright)/.test(message.text());
     if ((message.type() === "error" || message.type() === "warning") && !remark) faults.push(`console: ${message.text()}`);
   });
   page.on("pageerror", (error) => faults.push(`thrown: ${error.message}`));
@@ -115,7 +115,7 @@ export async function finish(page) {
 export async function chooseScene(page, id) {
   await page.locator(`input[name=scene][value=${id}]`).check({ force: true });
   await page.waitForSelector(`body[data-scene=${id}]`);
-  await page.waitForSelector("#counters[data-settled=true][data-status=running]");
+  await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
 }
 
 /** Types a value into a parameter and leaves the field. @param {Page} page @param {string} name @param {string} value */

@@ -54,7 +54,7 @@ export function watchView(page, sheets) {
     if (!plane.hidden) {
       selects.forEach((select, i) => { select.value = String(view.axes[i]); });
       const [across, up] = view.axes;
-      sheets.annotate("cspace", `joint ${across} across, joint ${up} up${view.slice ? "; grey is a slice at the robot\u2019s pose" : ""}`);
+      sheets.annotate("cspace", `joint ${across} across, joint ${up} up${view.slice ? "; slice at the robot\u2019s pose" : ""}`);
     }
     write(lengths, found !== null && length !== null
       ? `${found.toFixed(2)} ${unit} as found, ${length.toFixed(2)} ${unit} shortened.`

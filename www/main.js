@@ -18,27 +18,21 @@ import { watchAnnouncements } from "./controls/announce.js";
 import { Counters } from "./controls/counters.js";
 import { byId } from "./controls/dom.js";
 import { watchFiles } from "./controls/drop.js";
-import { watchParent } from "./controls/embed.js";
-import { watchCurves } from "./controls/curves.js";
-import { EditorControls } from "./controls/editor.js";
 import { Gallery, SIDE } from "./controls/gallery.js";
 import { watchKeys } from "./controls/keys.js";
 import { showLegend } from "./controls/legend.js";
-import { Lessons } from "./controls/lessons.js";
-import { Link } from "./controls/link.js";
 import { Notice } from "./controls/notice.js";
 import { Panel } from "./controls/panel.js";
 import { Pose } from "./controls/pose.js";
 import { Projector } from "./controls/projector.js";
 import { showPseudocode } from "./controls/pseudocode.js";
 import { showSceneOptions } from "./controls/scene-options.js";
-import { Race } from "./controls/race.js";
 import { watchTheme } from "./controls/theme.js";
 import { watchReadout } from "./controls/readout.js";
 import { Transport } from "./controls/transport.js";
 import { watchView } from "./controls/view.js";
 import { Page } from "./page.js";
-import { LESSONS } from "./lessons.js";
+import { Part } from "./part.js";
 import { loadCore, makeWorker } from "./resources.js";
 import { SCENES } from "./scenes.js";
 import { Sheets } from "./sheets.js";
@@ -51,6 +45,7 @@ const THUMBNAILS = 250;
 
 const counters = new Counters();
 const notice = new Notice();
+document.documentElement.classList.toggle("embed", new URLSearchParams(location.search).get("embed") === "1");
 
 try {
   await start();
@@ -79,8 +74,6 @@ async function start() {
   const pose = new Pose((at) => studio.tell("hold", at));
   const gallery = new Gallery(SCENES, (entry) => void choose(entry));
   const transport = new Transport(page);
-  const race = new Race(page, sheets);
-  watchCurves(page);
   watchKeys([stage, transport.bar], {
     " ": () => studio.tell("toggle"),
     ".": () => studio.tell("step", 1),
@@ -92,19 +85,25 @@ async function start() {
   watchFiles(openFile, (name, error) => notice.show(`${name} could not be read.`, error));
   watchTheme(() => page.dress());
   watchAnnouncements(page);
-  watchParent(page);
   showPseudocode(page);
   showSceneOptions(page, generators);
-  const link = new Link(page, SCENES, generators, new Projector(page));
-  const lessons = new Lessons(page, LESSONS, SCENES);
-  const obey = () => (Lessons.owns(location.hash) ? lessons : link).obey(location.hash);
-  addEventListener("hashchange", () => { if (location.hash) void obey(); });
   watchView(page, sheets);
   watchReadout(page);
-  new EditorControls(page);
+  const projector = new Projector(page);
+
+  const race = new Part(notice, async () => new (await import("./controls/race.js")).Race(page, sheets)).inFold("race-fold");
+  page.needRace = () => race.get();
+  new Part(notice, async () => (await import("./controls/curves.js")).watchCurves(page)).inFold("curves-fold");
+  new Part(notice, async () => new (await import("./controls/editor.js")).EditorControls(page)).inFold("editor-fold").byButton("edit", (editor) => editor.begin());
+  const lessons = new Part(notice, async () => new (await import("./controls/lessons.js")).Lessons(page, SCENES)).inFold("lessons-fold");
+  const link = new Part(notice, async () => new (await import("./controls/link.js")).Link(page, SCENES, generators, projector)).byButton("link", (part) => part.copy());
+  if (window.parent !== window) (await import("./controls/embed.js")).watchParent(page);
+  /** Puts on the stage what the address says, a step of a lesson or an experiment. */
+  const obey = async () => (await (location.hash.startsWith("#lesson=") ? lessons : link).get()).obey(location.hash);
+  addEventListener("hashchange", () => { if (location.hash) void obey(); });
 
   page.onOpen((facts, entry) => {
-    if (!race.arrange()) sheets.arrange(facts);
+    if (!page.race?.arrange()) sheets.arrange(facts);
     pose.build(facts);
     gallery.mark(entry?.id ?? null);
   });

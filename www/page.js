@@ -42,8 +42,10 @@ export class Page {
     this.asked = [];
     /** Counts what was wished for: what is loaded for an older wish is dropped. */
     this.wish = 0;
-    /** Where rivals are chosen. @type {Race | null} */
+    /** Where rivals are chosen, once it was asked for. @type {Race | null} */
     this.race = null;
+    /** Asks for it. @type {() => Promise<unknown>} */
+    this.needRace = async () => {};
     /** Was it told why the core would not plan this? */
     this.told = false;
     /** @type {((facts: SceneFacts, entry: SceneEntry | null) => void)[]} */
@@ -119,6 +121,7 @@ export class Page {
   async open(source, { entry, query, plans, iteration, play = !this.calm } = {}) {
     const { panel } = this;
     this.wish++;
+    if (plans && plans.length > 1) await this.needRace();
     // A scene that is put on the stage anew keeps the speed that it is watched at.
     const pace = entry && entry === this.entry ? undefined : entry?.pace ?? PACE;
     const given = plans?.[0] ?? entry;

@@ -68,13 +68,6 @@ export class EditorControls {
       + "Insert adds a vertex, Delete deletes, D duplicates, Enter puts what the tool draws or closes a polygon, Escape cancels, "
       + "Ctrl+Z undoes, Ctrl+Shift+Z redoes. While dragging, Shift snaps to a grid and to 15 degrees."));
     this.host.append(this.bar, this.title, this.parts, this.fields, this.reason, make("div", { className: "parts" }, save, this.revert), keys);
-    this.open = make("button", { type: "button", id: "edit", className: "quiet" }, "Edit");
-    byId("tools", HTMLElement).append(this.open);
-    this.open.addEventListener("click", () => {
-      this.fold.open = true;
-      this.place();
-      (this.narrow.matches ? byId("story", HTMLElement) : this.fold).scrollIntoView({ block: "start", behavior: page.calm ? "auto" : "smooth" });
-    });
     this.fold.addEventListener("toggle", () => this.turn());
     this.narrow.addEventListener("change", () => this.place());
     // The robot in the hand wants the pointer for itself.
@@ -84,6 +77,15 @@ export class EditorControls {
       if (!this.adopting) this.original = { source: page.source, entry: page.entry };
     });
     page.onState(({ edit }) => { if (edit) this.show(edit); });
+    this.original = { source: page.source, entry: page.entry };
+    if (this.fold.open) this.turn();
+  }
+
+  /** Opens the editor and goes there. */
+  begin() {
+    this.fold.open = true;
+    this.place();
+    (this.narrow.matches ? byId("story", HTMLElement) : this.fold).scrollIntoView({ block: "start", behavior: this.page.calm ? "auto" : "smooth" });
   }
 
   /** @param {EditOrder} order */

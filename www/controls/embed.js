@@ -25,11 +25,8 @@ function told(state) {
   return { playing, settled, sentence, iteration: lanes[0].iteration, clock, lanes };
 }
 
-/** @param {Page} page */
+/** Obeys the page around this one. @param {Page} page */
 export function watchParent(page) {
-  const embedded = new URLSearchParams(location.search).get("embed") === "1";
-  document.documentElement.classList.toggle("embed", embedded);
-  if (window.parent === window) return;
   const { studio } = page;
 
   /** @param {Order} order @returns {Promise<unknown>} */
@@ -75,7 +72,7 @@ export function watchParent(page) {
   });
 
   // Escape gives the keys back to whoever shows the frame.
-  if (embedded) {
+  if (document.documentElement.classList.contains("embed")) {
     addEventListener("keydown", (event) => {
       if (event.key !== "Escape" || event.defaultPrevented) return;
       if (document.activeElement instanceof HTMLElement) document.activeElement.blur();

@@ -2,7 +2,7 @@
  * Lessons: a few sentences each, one at a time above the stage, and what they speak of on it. Every step has an address,
  * `#lesson=ID.STEP`, counted from 1.
  */
-import { stageAt } from "../lessons.js";
+import { LESSONS, stageAt } from "../lessons.js";
 import { byId, make } from "./dom.js";
 
 /** @import { Page } from "../page.js" */
@@ -12,8 +12,8 @@ import { byId, make } from "./dom.js";
 const ADDRESS = /^#?lesson=([\w-]+)(?:\.(\d{1,4}))?$/;
 
 export class Lessons {
-  /** @param {Page} page @param {Lesson[]} lessons @param {SceneEntry[]} scenes */
-  constructor(page, lessons, scenes) {
+  /** @param {Page} page @param {SceneEntry[]} scenes @param {Lesson[]} [lessons] */
+  constructor(page, scenes, lessons = LESSONS) {
     this.page = page;
     this.lessons = lessons;
     this.scenes = scenes;
@@ -42,9 +42,6 @@ export class Lessons {
     }))));
     byId("lessons", HTMLElement).append(list);
   }
-
-  /** Is this the address of a step? @param {string} fragment */
-  static owns(fragment) { return /^#?lesson=/.test(fragment); }
 
   /** Opens the step that an address names; where there is none, says so. @param {string} fragment */
   async obey(fragment) {

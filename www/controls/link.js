@@ -25,24 +25,20 @@ export class Link {
     this.wanted = null;
     /** What of the link could not be had. @type {string[]} */
     this.faults = [];
-    this.button = make("button", { type: "button", id: "link", className: "quiet", disabled: true }, "Link");
+    this.button = byId("link", HTMLButtonElement);
     this.words = make("span", {});
     this.field = make("input", { type: "text", readOnly: true, ariaLabel: "Link", hidden: true });
     this.told = make("div", { id: "link-told", className: "told", role: "status" }, this.words, this.field);
-    byId("tools", HTMLElement).append(this.button, this.told);
+    byId("tools", HTMLElement).append(this.told);
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.timer = undefined;
-    this.button.addEventListener("click", () => void this.copy());
     this.told.addEventListener("keydown", ({ key }) => {
       if (key !== "Escape") return;
       this.say("");
       this.button.focus();
     });
     this.field.addEventListener("blur", () => this.say(""));
-    page.onOpen(() => {
-      this.wanted = null;
-      this.button.disabled = false;
-    });
+    page.onOpen(() => { this.wanted = null; });
     page.onState((state) => {
       const { wanted } = this;
       if (wanted === null) return;

@@ -34,7 +34,7 @@ export class Race {
     this.button.addEventListener("click", () => this.add());
     this.hint = make("p", { className: "hint" });
     byId("race", HTMLElement).append(
-      make("h3", {}, "Race"), this.list,
+      this.list,
       make("div", { className: "row" }, make("label", { htmlFor: "rival" }, "Against"), this.choice, this.button), this.hint,
     );
     this.lens = this.makeLens();

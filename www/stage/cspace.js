@@ -6,7 +6,6 @@
 import { coordinatesOf } from "../worker/coordinates.js";
 import { Pane } from "./pane.js";
 import { Slice, keyOf } from "./slice.js";
-import { drawSelectedPoint } from "./selection.js";
 import { folded, unrolled } from "./trace.js";
 import { View } from "./view.js";
 
@@ -193,9 +192,6 @@ export class CSpace extends Pane {
     context.fillText(`joint ${this.axes[1]}`, 0, 0);
     context.restore();
   }
-
-  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
-  drawOverlay(context, lane) { drawSelectedPoint(this, context, lane); }
 
   /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
   drawRobot(context, lane) {

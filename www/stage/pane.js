@@ -68,8 +68,6 @@ export class Pane {
   lines(_ends, _circles) { throw new Error("a pane must trace motions"); }
   /** Called before anything is drawn of another scenario. @param {Lane} _lane */
   survey(_lane) {}
-  /** What the editor draws. @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
-  drawOverlay(_context, _lane) {}
   /** The robot, above everything else. @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
   drawRobot(_context, _lane) {}
   /** Goes on with what the ground still lacks. @param {Lane} _lane @param {number} _until */
@@ -159,7 +157,7 @@ export class Pane {
     const { hover } = lane.shown;
     if (hover?.lane === lane) this.drawHover(context, hover, palette);
     this.drawRobot(context, lane);
-    this.drawOverlay(context, lane);
+    lane.shown.overlay?.draw(this, context, lane);
   }
 
   /** The vertices that wait for the search, each in a small ring. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette */

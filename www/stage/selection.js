@@ -3,17 +3,23 @@ import { handlesOf } from "../worker/handles.js";
 import { touchingSentence } from "../worker/names.js";
 import { obstacleOf } from "../worker/things.js";
 import { drawGhost, drawHit, drawLabel, drawTouchingParts, obstaclePath } from "./shapes.js";
+import { Workspace } from "./workspace.js";
 
 /** @import { Lane } from "../worker/lane.js" */
 /** @import { Pane } from "./pane.js" */
 /** @import { Palette } from "./palette.js" */
 /** @import { View } from "./view.js" */
-/** @import { Workspace } from "./workspace.js" */
 /** @import { Overlay } from "../worker/editor.js" */
 /** @import { Scenario } from "../types.js" */
 
+/** On any pane. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
+export function drawOverlay(pane, context, lane) {
+  if (pane instanceof Workspace) drawSelection(pane, context, lane);
+  else drawSelectedPoint(pane, context, lane);
+}
+
 /** On the workspace. @param {Workspace} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
-export function drawSelection(pane, context, lane) {
+function drawSelection(pane, context, lane) {
   const { shown } = lane;
   const { overlay, document, scenario } = shown;
   const palette = /** @type {Palette} */ (pane.palette);
@@ -72,7 +78,7 @@ export function drawSelection(pane, context, lane) {
 }
 
 /** On the configuration square, where start and goal are points. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
-export function drawSelectedPoint(pane, context, { shown }) {
+function drawSelectedPoint(pane, context, { shown }) {
   const { overlay, scenario } = shown;
   const palette = /** @type {Palette} */ (pane.palette);
   if (!overlay) return;

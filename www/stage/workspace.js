@@ -2,7 +2,6 @@
 import { contains } from "../worker/handles.js";
 import { obstacleName, partName } from "../worker/names.js";
 import { Pane } from "./pane.js";
-import { drawSelection } from "./selection.js";
 import { drawGhost, drawLabel, drawObstacles, drawRobot, drawTouchingParts, obstacleMiddle, obstaclePath } from "./shapes.js";
 import { Tracer } from "./trace.js";
 import { View } from "./view.js";
@@ -164,9 +163,6 @@ export class Workspace extends Pane {
       drawLabel(context, obstacleName(obstacle), x, y, palette.collision, palette);
     }
   }
-
-  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
-  drawOverlay(context, lane) { drawSelection(this, context, lane); }
 
   /** @param {CanvasRenderingContext2D} context @param {ScenarioDocument} document @param {number | "bounds"} obstacle */
   drawTouched(context, document, obstacle) {

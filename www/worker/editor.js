@@ -4,6 +4,7 @@
  * plays.
  */
 import { faultOf } from "../fault.js";
+import { drawOverlay } from "../stage/selection.js";
 import { copies, middle, nudged, places, simple } from "./alterations.js";
 import { coordinatesOf } from "./coordinates.js";
 import { Edits } from "./edits.js";
@@ -12,12 +13,14 @@ import { touchingSentence } from "./names.js";
 import { fieldsOf, obstacleOf, poseOf, same, thingsOf, withField, withObstacle, withVertex } from "./things.js";
 
 /** @import { Check, EditOrder, EditState, EditTool, Fault, Obstacle, Pointer, Scenario, ScenarioDocument } from "../types.js" */
-/** @import { Shown } from "./lane.js" */
+/** @import { Pane } from "../stage/pane.js" */
+/** @import { Lane, Shown } from "./lane.js" */
 /** @import { Theatre } from "./theatre.js" */
 /** @import { Point, Thing } from "./things.js" */
 
 /**
  * @typedef {object} Overlay   what the panes draw of the editor
+ * @property {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} draw
  * @property {Thing | null} selected
  * @property {number | null} part       vertex or joint
  * @property {Point[]} draft            the polygon being drawn, its loose end last
@@ -32,6 +35,15 @@ const HINTS = {
   rectangle: "Drag from corner to corner; Shift makes a square.",
   polygon: "Click the corners; click the first again, double-click or press Enter to close the polygon.",
 };
+
+/** The editor of a theatre: made when it is first asked for. @param {Theatre} theatre */
+export function editorOf(theatre) {
+  if (!theatre.editor) {
+    theatre.editor = new Editor(theatre);
+    if (theatre.shown) theatre.editor.begin();
+  }
+  return theatre.editor;
+}
 
 export class Editor {
   /** @param {Theatre} theatre */
@@ -319,6 +331,7 @@ export class Editor {
     }
     const ends = this.theatre.refusal ? [{ end: /** @type {const} */ ("start"), pose: shown.start }, { end: /** @type {const} */ ("goal"), pose: shown.goal }] : [];
     shown.overlay = {
+      draw: drawOverlay,
       selected, part, refused, draft: loose ? [...draft, loose] : draft,
       touching: ends.flatMap(({ end, pose }) => {
         const check = pose && shown.scenario.check(pose);

@@ -31,7 +31,7 @@ export function report(theatre) {
     lanes: lanes.map((lane) => laneState(lane, settled)),
     summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),
     curves: theatre.curvesKey,
-    edit: theatre.editor.state,
+    edit: theatre.editor?.state ?? null,
     refusal: theatre.refusal && { ...faultOf(theatre.refusal.error), lane: theatre.refusal.lane },
   };
 }

@@ -6,7 +6,6 @@ import { faultOf } from "../fault.js";
 import { Stage } from "../stage/stage.js";
 import { Clock } from "./clock.js";
 import { contained, coordinatesOf } from "./coordinates.js";
-import { Editor } from "./editor.js";
 import { Grip } from "./grip.js";
 import { thinned } from "./curve.js";
 import { compete } from "./compete.js";
@@ -16,6 +15,7 @@ import { report } from "./report.js";
 import * as story from "./story.js";
 
 /** @import { Curves, Library, Plan, Pointer, Programme, Scenario, ScenarioDocument, SceneFacts, Source, State, ViewOptions } from "../types.js" */
+/** @import { Editor } from "./editor.js" */
 /** @import { Shown } from "./lane.js" */
 /** @import { CSpace } from "../stage/cspace.js" */
 
@@ -60,7 +60,8 @@ export class Theatre {
     this.game = { touches: 0, arrived: false };
     /** The number of the newest order obeyed. */
     this.heard = -1;
-    this.editor = new Editor(this);
+    /** Once it was asked for. @type {Editor | null} */
+    this.editor = null;
     this.last = 0;
     this.scheduled = false;
     this.measures = 0;
@@ -78,8 +79,8 @@ export class Theatre {
     if (programme.pace !== undefined) this.clock.pace = programme.pace;
     this.query = document.queries.find(({ name }) => name === programme.query)?.name ?? document.queries[0]?.name;
     this.stage.relay();
-    this.editor.begin();
-    this.plan(programme.plans, programme.play && !this.editor.on);
+    this.editor?.begin();
+    this.plan(programme.plans, programme.play && !this.editor?.on);
     if (programme.iteration !== undefined && programme.iteration > 0) this.seek(programme.iteration);
     return this.facts();
   }
@@ -147,7 +148,7 @@ export class Theatre {
     } catch (error) {
       for (const lane of this.lanes) lane.free();
       this.refusal = { error, lane: at };
-      if (!this.editor.on) this.showTouching();
+      if (!this.editor?.on) this.showTouching();
     }
     this.stage.restart(this.lanes);
     this.wake();
@@ -299,7 +300,7 @@ export class Theatre {
 
   /** A pointer on a pane, pixels of the pane. @param {Pointer} pointer @returns {boolean} whether it holds something */
   pointer(pointer) {
-    if (this.editor.on) return this.editor.pointer(pointer);
+    if (this.editor?.on) return this.editor.pointer(pointer);
     const { pane: id, type, x, y } = pointer;
     const place = this.stage.at(id);
     if (!place || !this.shown) return false;
@@ -374,8 +375,8 @@ export class Theatre {
     const { shown } = this;
     if (!shown) return;
     const began = performance.now();
-    this.editor.hand.pass();
-    this.editor.overlay();
+    this.editor?.hand.pass();
+    this.editor?.overlay();
     const elapsed = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = now;
     const { stage, clock } = this;
@@ -383,7 +384,7 @@ export class Theatre {
     const working = moved || !stage.caughtUp;
     if (moved) this.stir();
     if (clock.playing && !this.growing) this.travel(elapsed);
-    shown.hover = shown.hand || this.editor.on ? null : this.pointing.find(this.lanes, this.grip, shown.hover);
+    shown.hover = shown.hand || this.editor?.on ? null : this.pointing.find(this.lanes, this.grip, shown.hover);
     for (const { run } of this.lanes) run?.frontier.follow();
     stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
     const resting = !clock.owes && (!clock.playing || !this.growing);
@@ -468,8 +469,8 @@ export class Theatre {
   get sentence() {
     const { shown, game } = this;
     if (!shown) return ["", false];
-    const editing = shown.hand ? "" : this.editor.sentence;
-    if (editing) return [editing, this.editor.isBad];
+    const { editor } = this;
+    if (editor?.sentence && !shown.hand) return [editor.sentence, editor.isBad];
     if (shown.hand && shown.check) {
       if (!shown.check.free) return [story.poseSentence(shown.scenario, shown.check), false];
       return [game.arrived ? story.arrival(game.touches) : story.invitation(shown.scenario, this.panesOf("cspace") > 0), false];

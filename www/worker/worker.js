@@ -51,7 +51,10 @@ const commands = {
   /** @param {number[]} pose */
   hold: (pose) => house().hold(Float64Array.from(pose)),
   /** @param {EditOrder} order */
-  edit: (order) => house().editor.obey(order),
+  async edit(order) {
+    const { editorOf } = await import("./editor.js");
+    return editorOf(house()).obey(order);
+  },
   facts: () => house().facts(),
   /** @param {Pointer} pointer */
   pointer: (pointer) => house().pointer(pointer),

@@ -7,7 +7,7 @@
 use planarium::collision::{ArmValidity, Sampled, joint_space};
 use planarium::random::{Random, Stream};
 use planarium::robot::Arm;
-use planarium::scenario::{Robot, Scenario, World};
+use planarium::scenario::{Node, Robot, Scenario, World};
 use planarium::space::{Metric, Space, Torus};
 use planarium::validity::Validity;
 use std::hint::black_box;
@@ -122,7 +122,7 @@ fn edges<const N: usize>(space: &Torus<N>, validity: &ArmValidity<N>, samples: u
 /// A forest whose arm has links of the given radius.
 fn forest(links: usize, seed: u64, radius: f64) -> Scenario {
     let options = serde_json::json!({ "links": links, "seed": seed });
-    let node = serde_json::from_value(options).expect("a JSON value is a node");
+    let node = Node::parse(&options.to_string()).expect("a JSON value is a node");
     let forest = planarium::scenario::generate::generate("forest", &node).expect("a forest can be generated");
     with_radius(&forest, radius)
 }

@@ -133,12 +133,21 @@ export function textOrBytes(value, name) {
  * @returns {Record<string, unknown>}
  */
 export function options(value) {
-  if (value === undefined) return {};
-  const copy = JSON.parse(json(value));
-  if (typeof copy !== "object" || copy === null || Array.isArray(copy)) {
+  return JSON.parse(optionsText(value));
+}
+
+/**
+ * Options as JSON text.
+ * @param {unknown} value
+ * @returns {string}
+ */
+export function optionsText(value) {
+  if (value === undefined) return "{}";
+  const written = json(value);
+  if (!written.startsWith("{")) {
     throw new PlanariumError("wrong-type", `Options are an object, not ${show(value)}.`);
   }
-  return copy;
+  return written;
 }
 
 /**

@@ -14,7 +14,7 @@ export const phases = Object.freeze(["sampling", "connecting", "guarding", "sear
  * @returns {PlannerInfo[]}
  */
 export function planners() {
-  return call((core) => core.planners());
+  return JSON.parse(call((core) => core.planners()));
 }
 
 /**
@@ -23,7 +23,7 @@ export function planners() {
  * @returns {GeneratorInfo[]}
  */
 export function generators() {
-  return call((core) => core.generators());
+  return JSON.parse(call((core) => core.generators()));
 }
 
 /**
@@ -31,5 +31,8 @@ export function generators() {
  * @returns {number}
  */
 export function freshSeed() {
-  return call((core) => core.fresh_seed());
+  return call(() => {
+    const [high, low] = crypto.getRandomValues(new Uint32Array(2));
+    return (high >>> 11) * 2 ** 32 + low;
+  });
 }

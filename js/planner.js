@@ -11,6 +11,9 @@ import { Handle, key } from "./handle.js";
 /** Iterations in one call of the core at most: cheap iterations still outweigh the call, dear ones do not stall. */
 const LONGEST_SLICE = 64;
 
+/** The core counts them. @type {readonly Status[]} */
+const STATUSES = ["running", "solved", "exhausted"];
+
 /** Phases whose time counts as search, by their places in `phases`; all others build. */
 const SEARCHING = new Set([phases.indexOf("searching"), phases.indexOf("improving")]);
 
@@ -82,7 +85,10 @@ export class Planner {
    * @returns {Status}
    */
   finish() {
-    return /** @type {Status} */ (this.#handle.call((raw) => raw.finish()));
+    return this.#handle.call((raw) => {
+      raw.finish();
+      return STATUSES[raw.status()];
+    });
   }
 
   /**
@@ -130,7 +136,7 @@ export class Planner {
       if (unknown !== undefined) throw new PlanariumError("unknown-field", `There is no option \`${unknown}\`; there is keep.`, `/${unknown}`);
       if (typeof keep !== "boolean") throw new PlanariumError("wrong-type", "`keep` must be true or false.", "/keep");
       const [from, to] = [argument.configuration(start, raw.dimension(), "start"), argument.configuration(goal, raw.dimension(), "goal")];
-      return /** @type {ResultDocument} */ (raw.query(from, to, keep));
+      return JSON.parse(raw.query(from, to, keep));
     });
   }
 
@@ -154,7 +160,7 @@ export class Planner {
 
   /** Where the run stands. @returns {Status} */
   get status() {
-    return /** @type {Status} */ (this.#handle.call((raw) => raw.status()));
+    return STATUSES[this.#handle.call((raw) => raw.status())];
   }
 
   /** What the planner is at: see `Phase`. @returns {Phase} */
@@ -268,7 +274,7 @@ export class Planner {
    * @returns {Stats}
    */
   stats() {
-    return this.#timed(this.#handle.call((raw) => raw.stats()));
+    return this.#timed(JSON.parse(this.#handle.call((raw) => raw.stats())));
   }
 
   /**
@@ -276,7 +282,8 @@ export class Planner {
    * @returns {ResultDocument}
    */
   result() {
-    const result = this.#handle.call((raw) => raw.result());
+    /** @type {ResultDocument} */
+    const result = JSON.parse(this.#handle.call((raw) => raw.result()));
     return { ...result, stats: this.#timed(result.stats) };
   }
 
@@ -331,7 +338,7 @@ export class Planner {
       else if (2 * spent <= room) slice = Math.min(LONGEST_SLICE, 2 * slice);
       phase = reached;
     }
-    return /** @type {Status} */ (raw.status());
+    return STATUSES[raw.status()];
   }
 
   /** @param {Stats} stats @returns {Stats} */

@@ -7,7 +7,7 @@ import { Handle, key } from "./handle.js";
 import { Planner, makePlanner } from "./planner.js";
 import { call } from "./runtime.js";
 
-/** @import { Box, Check, Configuration, CspaceOptions, GenerateOptions, GeneratorId, Part, PlannerOptions, ScenarioDocument } from "./types.js" */
+/** @import { Box, Check, Configuration, CspaceOptions, GenerateOptions, GeneratorId, Part, PlannerOptions, ScenarioDocument, Touching } from "./types.js" */
 
 /**
  * A parsed, checked scenario: it answers questions about configurations and motions, and makes planners.
@@ -57,7 +57,7 @@ export class Scenario {
    * @throws {PlanariumError} `unknown-generator`, `unknown-field`, `out-of-range`, `wrong-type`, `unknown-type`, `not-finite`
    */
   static generate(kind, options) {
-    return call((core) => new Scenario(key, core.RawScenario.generate(argument.text(kind, "kind"), argument.options(options))));
+    return call((core) => new Scenario(key, core.RawScenario.generate(argument.text(kind, "kind"), argument.optionsText(options))));
   }
 
   /** Name of the scenario. @returns {string} */
@@ -72,7 +72,7 @@ export class Scenario {
 
   /** What moves. @returns {"arm" | "disc"} */
   get robot() {
-    return /** @type {"arm" | "disc"} */ (this.#handle.call((raw) => raw.robot()));
+    return this.#handle.call((raw) => raw.is_arm()) ? "arm" : "disc";
   }
 
   /** Degrees of freedom: the length of a configuration. @returns {number} */
@@ -85,7 +85,7 @@ export class Scenario {
    * @returns {ScenarioDocument}
    */
   document() {
-    return this.#handle.call((raw) => raw.document());
+    return JSON.parse(this.#handle.call((raw) => raw.document()));
   }
 
   /**
@@ -111,7 +111,11 @@ export class Scenario {
    * @returns {Check}
    */
   check(q) {
-    return this.#handle.call((raw) => raw.check(this.#configuration(q, "q")));
+    const pairs = this.#handle.call((raw) => raw.check(this.#configuration(q, "q")));
+    /** @type {Touching[]} */
+    const touching = [];
+    for (let i = 0; i < pairs.length; i += 2) touching.push({ part: pairs[i], obstacle: pairs[i + 1] < 0 ? "bounds" : pairs[i + 1] });
+    return { free: touching.length === 0, touching };
   }
 
   /**
@@ -120,7 +124,15 @@ export class Scenario {
    * @returns {Part[]}
    */
   footprint(q) {
-    return this.#handle.call((raw) => raw.footprint(this.#configuration(q, "q")));
+    const numbers = this.#handle.call((raw) => raw.footprint(this.#configuration(q, "q")));
+    if (this.robot === "disc") return [{ type: "disc", center: [numbers[0], numbers[1]], radius: numbers[2] }];
+    /** @type {Part[]} */
+    const parts = [];
+    for (let i = 0; i < numbers.length; i += 5) {
+      const [ax, ay, bx, by, radius] = numbers.subarray(i, i + 5);
+      parts.push({ type: "capsule", a: [ax, ay], b: [bx, by], radius });
+    }
+    return parts;
   }
 
   /**
@@ -221,7 +233,7 @@ export class Scenario {
    *   `start-in-collision`, `goal-in-collision` (the message names what touches what)
    */
   planner(options) {
-    return this.#handle.call((raw) => makePlanner(raw.planner(argument.options(options))));
+    return this.#handle.call((raw) => makePlanner(raw.planner(argument.optionsText(options))));
   }
 
   /**
@@ -236,7 +248,7 @@ export class Scenario {
    */
   resume(roadmap, options) {
     return this.#handle.call((raw) =>
-      makePlanner(raw.resume(argument.textOrBytes(roadmap, "roadmap"), argument.options(options))));
+      makePlanner(raw.resume(argument.textOrBytes(roadmap, "roadmap"), argument.optionsText(options))));
   }
 
   /** Gives the memory back. Any use afterwards throws `freed`; freeing twice does nothing. @returns {void} */

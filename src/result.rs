@@ -1,16 +1,15 @@
 //! The document that a run ends with: what was asked, the path, its length, the work, and a fingerprint of the growth.
 
 use crate::error::{Code, Error};
+use crate::json::{Node, quoted};
 use crate::random::MAX_SEED;
-use crate::scenario::Node;
-use crate::scenario::reader::{Reader, quoted};
+use crate::scenario::reader::Reader;
 use crate::stats::Stats;
 use crate::status::Status;
-use serde::{Serialize, Serializer};
 
 /// The result of a plan, in the order and under the names of its JSON form. Numbers are written with the fewest digits
 /// that parse back to the same bits.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct ResultDocument {
     /// The name of the scenario.
     pub scenario: String,
@@ -29,22 +28,18 @@ pub struct ResultDocument {
     /// The work done.
     pub stats: Stats,
     /// A hash over every vertex, edge and event; 16 lower-case hex digits in JSON.
-    #[serde(serialize_with = "write_fingerprint")]
     pub fingerprint: u64,
     /// `sampled` where edges were only looked at in places: the path is not proven. Absent where it is.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub edge_check: Option<String>,
     /// The estimated share of the free space that a visibility roadmap covers; absent for other planners, and where a kept one
     /// was gone on with.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub coverage: Option<f64>,
     /// How far an RRT came that gave up; absent otherwise.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub approximate: Option<Approximate>,
 }
 
 /// An approximate answer: the path to the vertex nearest to the goal. It does not reach the goal.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Approximate {
     /// The waypoints from the start on.
     pub path: Vec<Vec<f64>>,
@@ -112,9 +107,31 @@ impl ResultDocument {
         })
     }
 
+    /// The document as a tree.
+    pub fn to_node(&self) -> Node {
+        let near = |near: &Approximate| {
+            let distance = Node::Number(near.goal_distance);
+            Node::object(vec![("path", Some(Node::rows(&near.path))), ("goal_distance", Some(distance))])
+        };
+        Node::object(vec![
+            ("scenario", Some(Node::text(&self.scenario))),
+            ("query", Some(Node::text(&self.query))),
+            ("planner", Some(Node::text(&self.planner))),
+            ("seed", Some(Node::Number(self.seed as f64))),
+            ("status", Some(Node::text(self.status.as_str()))),
+            ("path", Some(Node::rows(&self.path))),
+            ("length", Some(Node::Number(self.length))),
+            ("stats", Some(self.stats.to_node())),
+            ("fingerprint", Some(Node::String(format!("{:016x}", self.fingerprint)))),
+            ("edge_check", self.edge_check.as_deref().map(Node::text)),
+            ("coverage", self.coverage.map(Node::Number)),
+            ("approximate", self.approximate.as_ref().map(near)),
+        ])
+    }
+
     /// The document as one line of JSON.
     pub fn to_json(&self) -> String {
-        serde_json::to_string(self).expect("strings, numbers and lists can be written as JSON")
+        self.to_node().to_json()
     }
 }
 
@@ -154,8 +171,4 @@ fn approximate(value: Reader) -> Result<Approximate, Error> {
         path,
         goal_distance: fields.required("goal_distance")?.number_within("a distance", 0.0, f64::MAX)?,
     })
-}
-
-fn write_fingerprint<S: Serializer>(fingerprint: &u64, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(&format!("{fingerprint:016x}"))
 }

@@ -1,10 +1,7 @@
 //! Where a run stands.
 
-use serde::Serialize;
-
 /// Where a run stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
     /// More iterations may help.
     Running,

@@ -7,26 +7,28 @@ use std::path::{Path, PathBuf};
 
 /// Every room of `src`, from the ground up, and the rooms it may name.
 const HOUSE: &[(&str, &[&str])] = &[
+    ("decimal", &[]),
     ("error", &[]),
-    ("stats", &[]),
-    ("status", &[]),
     ("order", &[]),
+    ("json", &["decimal", "error", "order"]),
+    ("stats", &["json"]),
+    ("status", &[]),
     ("phase", &[]),
     ("geometry", &["order"]),
     ("random", &[]),
     ("validity", &[]),
     ("space", &["random"]),
     ("robot", &["error", "geometry"]),
-    ("scenario", &["error", "geometry", "random", "robot"]),
+    ("scenario", &["error", "geometry", "json", "random", "robot"]),
     ("collision", &["geometry", "order", "robot", "scenario", "space", "validity"]),
     ("problem", &["error", "space", "validity"]),
     ("graph", &["space"]),
     ("nearest", &["graph", "order", "random", "space"]),
-    ("result", &["error", "random", "scenario", "stats", "status"]),
-    ("kept", &["error", "graph", "scenario", "space"]),
+    ("result", &["error", "json", "random", "scenario", "stats", "status"]),
+    ("kept", &["error", "graph", "json", "scenario", "space"]),
     ("path", &["error", "geometry", "problem", "random", "result", "robot", "scenario", "space", "status", "validity"]),
     ("sampling", &["problem", "random", "space"]),
-    ("planner", &["error", "graph", "nearest", "phase", "problem", "random", "sampling", "space", "status"]),
+    ("planner", &["error", "graph", "json", "nearest", "phase", "problem", "random", "sampling", "space", "status"]),
     (
         "run",
         &[
@@ -50,7 +52,10 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("inspect", &["collision", "error", "geometry", "planner", "robot", "scenario", "space", "validity"]),
     (
         "bindings",
-        &["error", "geometry", "inspect", "kept", "planner", "random", "robot", "run", "scenario", "validity"],
+        &[
+            "error", "geometry", "decimal", "inspect", "json", "kept", "planner", "random", "robot", "run", "scenario",
+            "validity",
+        ],
     ),
 ];
 

@@ -21,7 +21,7 @@ const KINDS: [EventKind; 6] = [
 
 /// The word of a mark, as viewers see it.
 fn word(mark: Mark) -> String {
-    serde_json::to_value(mark).expect("a word").as_str().expect("a word").to_owned()
+    mark.word().to_owned()
 }
 
 /// Does one iteration and says by which marks.
@@ -140,7 +140,7 @@ fn a_roadmap_gone_on_with_lights_lines_too() {
         let lines = planner_info(planner).expect("a planner").pseudocode;
         let kept = finish(begin_with(&world, planner, 5, settings)).roadmap().expect("a roadmap");
         // Another start, so that it has to be joined.
-        let mut other = world.to_json();
+        let mut other: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
         other["queries"][0]["start"][0] = 0.7.into();
         let other = common::parse(&other.to_string());
         let mut run = resume(&other, &options(planner, 5, ""), &kept).unwrap_or_else(|error| panic!("{error}"));

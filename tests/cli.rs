@@ -89,7 +89,7 @@ fn plan_prints_the_result_document() {
         names.into_iter().for_each(|(key, name)| assert_eq!(result[key], name));
         assert_eq!(result["seed"], 3);
         let path = result["path"].as_array().expect("a path");
-        assert_eq!((&path[0], &path[path.len() - 1]), (&serde_json::json!([0.5, 0.5]), &serde_json::json!([2.0, 0.5])));
+        assert_eq!((&path[0], &path[path.len() - 1]), (&serde_json::json!([0.5, 0.5]), &serde_json::json!([2, 0.5])));
         assert!(result["length"].as_f64().expect("a length") > 2.0, "over the wall");
         assert_eq!(result["fingerprint"].as_str().expect("digits").len(), 16);
         let stats = &result["stats"];

@@ -2,7 +2,7 @@
 //! writes them anew after a change that is meant to change results.
 
 use planarium::run::{Options, Value, start};
-use planarium::scenario::{Scenario, generate::generate};
+use planarium::scenario::{Node, Scenario, generate::generate};
 use serde_json::{Value as Json, json};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -11,7 +11,7 @@ const GOLDEN: &str = include_str!("golden.json");
 /// The scenario of a case: a scene of the page, or a generated one.
 fn scenario(case: &Json) -> Scenario {
     if let Some(kind) = case["generate"].as_str() {
-        let options = serde_json::from_value(case["options"].clone()).expect("options");
+        let options = Node::parse(&case["options"].to_string()).expect("options");
         return generate(kind, &options).expect("it can be generated");
     }
     let text = match case["scene"].as_str().expect("a scene or a generator") {

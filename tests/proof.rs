@@ -10,7 +10,7 @@ use planarium::path::{Verdict, verify};
 use planarium::random::{Random, Stream};
 use planarium::robot::{Arm, MAX_LINKS};
 use planarium::run::Status;
-use planarium::scenario::{Obstacle, Robot, Scenario, World};
+use planarium::scenario::{Node, Obstacle, Robot, Scenario, World};
 use planarium::space::{Metric, Space, Torus};
 use planarium::validity::Validity;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -81,7 +81,7 @@ fn arm_in(scenario: &Scenario) -> (Torus<MAX_LINKS>, ArmValidity<MAX_LINKS>, &Wo
 }
 
 fn generated(kind: &str, options: serde_json::Value) -> Scenario {
-    let node = serde_json::from_value(options).expect("a JSON value is a node");
+    let node = Node::parse(&options.to_string()).expect("a JSON value is a node");
     planarium::scenario::generate::generate(kind, &node).expect("it can be generated")
 }
 

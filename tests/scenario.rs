@@ -329,7 +329,7 @@ fn a_written_scenario_reads_back_as_the_same() {
         assert_eq!(again, scenario);
         assert_eq!(again.to_json_string(), text);
         assert_eq!(Scenario::from_node(&scenario.to_node()), Ok(scenario.clone()));
-        assert_eq!(Scenario::parse(&scenario.to_json().to_string()), Ok(scenario));
+        assert_eq!(Scenario::parse(&scenario.to_node().to_json()), Ok(scenario));
     }
 }
 

@@ -1,6 +1,6 @@
 //! A planning run in JavaScript's hands.
 
-use super::convert::{count, cursor, throw, to_object};
+use super::convert::{count, cursor, throw};
 use crate::error::{Code, Error};
 use crate::kept::RoadmapDocument;
 use crate::run::{EVENT_HEAD, HISTORY_WIDTH, Run};
@@ -25,26 +25,21 @@ impl RawPlanner {
 
 #[wasm_bindgen]
 impl RawPlanner {
-    /// Does at most `iterations` iterations; answers the status.
-    pub fn step(&mut self, iterations: f64) -> Result<String, JsValue> {
-        Ok(self.run.step(count(iterations, "iterations")?).as_str().to_owned())
-    }
-
-    /// Does at most `iterations` iterations; answers how many it did. Unlike `step` it hands over no words.
+    /// Does at most `iterations` iterations; answers how many it did.
     pub fn advance(&mut self, iterations: f64) -> Result<f64, JsValue> {
         let before = self.run.iterations();
-        self.run.step(count(iterations, "iterations")?);
+        self.run.step(count(iterations, "iterations").map_err(throw)?);
         Ok((self.run.iterations() - before) as f64)
     }
 
-    /// Takes the path as it is while it is being improved; answers the status.
-    pub fn finish(&mut self) -> String {
-        self.run.finish().as_str().to_owned()
+    /// Takes the path as it is while it is being improved.
+    pub fn finish(&mut self) {
+        self.run.finish();
     }
 
-    /// Asks a built roadmap for another path; answers a result document, as a plain object.
-    pub fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<JsValue, JsValue> {
-        to_object(&self.run.query(start, goal, keep).map_err(throw)?)
+    /// Asks a built roadmap for another path; answers a result document, as JSON text.
+    pub fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<String, JsValue> {
+        Ok(self.run.query(start, goal, keep).map_err(throw)?.to_json())
     }
 
     /// The roadmap as JSON or GraphML text.
@@ -58,9 +53,9 @@ impl RawPlanner {
         Ok(self.document()?.to_bytes())
     }
 
-    /// `running`, `solved` or `exhausted`.
-    pub fn status(&self) -> String {
-        self.run.status().as_str().to_owned()
+    /// 0 where the run goes on, 1 where it is solved, 2 where it is exhausted.
+    pub fn status(&self) -> u8 {
+        self.run.status() as u8
     }
 
     /// What the run is busy with: the number of the phase.
@@ -143,14 +138,14 @@ impl RawPlanner {
         self.run.first_hits(ends).map_err(throw)
     }
 
-    /// What was counted, as a plain object.
-    pub fn stats(&self) -> Result<JsValue, JsValue> {
-        to_object(&self.run.stats())
+    /// What was counted, as JSON text.
+    pub fn stats(&self) -> String {
+        self.run.stats().to_node().to_json()
     }
 
-    /// The result document, as a plain object.
-    pub fn result(&self) -> Result<JsValue, JsValue> {
-        to_object(&self.run.result())
+    /// The result document, as JSON text.
+    pub fn result(&self) -> String {
+        self.run.result().to_json()
     }
 
     /// 16 hexadecimal digits over every vertex, edge and event.

@@ -1,15 +1,14 @@
 //! A scenario in JavaScript's hands.
 
 use super::RawPlanner;
-use super::convert::{count, entries, node, number, text, throw, to_object, value};
-use crate::geometry::Point;
+use super::convert::{count, options, throw};
 use crate::inspect::Inspector;
+use crate::json::Node;
 use crate::kept::RoadmapDocument;
 use crate::robot::Part;
 use crate::run::{self, Options};
 use crate::scenario::{Robot, Scenario};
 use crate::validity::Touched;
-use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 /// A checked scenario and answers about it.
@@ -17,36 +16,6 @@ use wasm_bindgen::prelude::*;
 pub struct RawScenario {
     scenario: Scenario,
     inspector: Inspector,
-}
-
-/// The answer of a check, as JavaScript sees it.
-#[derive(Serialize)]
-struct Check {
-    free: bool,
-    touching: Vec<Touching>,
-}
-
-/// A touching pair, as JavaScript sees it.
-#[derive(Serialize)]
-struct Touching {
-    part: usize,
-    obstacle: Thing,
-}
-
-/// What is touched: the number of an obstacle, or the word `bounds`.
-#[derive(Serialize)]
-#[serde(untagged)]
-enum Thing {
-    Obstacle(usize),
-    Bounds(&'static str),
-}
-
-/// A part of the robot, as JavaScript sees it.
-#[derive(Serialize)]
-#[serde(tag = "type", rename_all = "lowercase")]
-enum Drawn {
-    Capsule { a: [f64; 2], b: [f64; 2], radius: f64 },
-    Disc { center: [f64; 2], radius: f64 },
 }
 
 impl RawScenario {
@@ -63,10 +32,10 @@ impl RawScenario {
         Scenario::parse(text).map(Self::new).map_err(throw)
     }
 
-    /// Generates a scenario by the generator's id, with options as a plain object.
-    pub fn generate(kind: &str, options: JsValue) -> Result<RawScenario, JsValue> {
-        let node = node(options)?;
-        crate::scenario::generate::generate(kind, &node).map(Self::new).map_err(throw)
+    /// Generates a scenario by the generator's id, with options as JSON text.
+    pub fn generate(kind: &str, options: &str) -> Result<RawScenario, JsValue> {
+        let generated = Node::parse(options).and_then(|options| crate::scenario::generate::generate(kind, &options));
+        generated.map(Self::new).map_err(throw)
     }
 
     /// The name.
@@ -79,12 +48,9 @@ impl RawScenario {
         self.scenario.title().to_owned()
     }
 
-    /// `arm` or `disc`.
-    pub fn robot(&self) -> String {
-        match self.scenario.robot() {
-            Robot::Arm(_) => "arm".to_owned(),
-            Robot::Disc(_) => "disc".to_owned(),
-        }
+    /// Whether the robot is an arm; else it is a disc.
+    pub fn is_arm(&self) -> bool {
+        matches!(self.scenario.robot(), Robot::Arm(_))
     }
 
     /// Numbers a configuration.
@@ -92,9 +58,9 @@ impl RawScenario {
         self.inspector.dimension()
     }
 
-    /// The scenario as a plain object, normalised.
-    pub fn document(&self) -> Result<JsValue, JsValue> {
-        to_object(&self.scenario.to_node())
+    /// The scenario as JSON text, normalised.
+    pub fn document(&self) -> String {
+        self.scenario.to_json_string()
     }
 
     /// The box worth drawing: min x, min y, max x, max y.
@@ -108,28 +74,23 @@ impl RawScenario {
         self.inspector.circles().into_iter().map(u8::from).collect()
     }
 
-    /// Whether `q` is free, and each touching pair.
-    pub fn check(&self, q: &[f64]) -> Result<JsValue, JsValue> {
+    /// Each touching pair at `q`: the part, and the number of the obstacle or -1 for the bounds.
+    pub fn check(&self, q: &[f64]) -> Result<Vec<i32>, JsValue> {
         let contacts = self.inspector.check(q).map_err(throw)?;
-        let touching: Vec<Touching> = contacts
-            .iter()
-            .map(|contact| match contact.with {
-                Touched::Obstacle(i) => Touching { part: contact.part, obstacle: Thing::Obstacle(i) },
-                Touched::Bounds => Touching { part: contact.part, obstacle: Thing::Bounds("bounds") },
-            })
-            .collect();
-        to_object(&Check { free: touching.is_empty(), touching })
+        let touched = |with| if let Touched::Obstacle(i) = with { i as i32 } else { -1 };
+        Ok(contacts.iter().flat_map(|contact| [contact.part as i32, touched(contact.with)]).collect())
     }
 
-    /// The parts of the robot at `q`.
-    pub fn footprint(&self, q: &[f64]) -> Result<JsValue, JsValue> {
-        let place = |p: Point| [p.x, p.y];
-        let parts = self.inspector.footprint(q).map_err(throw)?;
-        let drawn = parts.into_iter().map(|part| match part {
-            Part::Capsule { a, b, radius } => Drawn::Capsule { a: place(a), b: place(b), radius },
-            Part::Disc { center, radius } => Drawn::Disc { center: place(center), radius },
-        });
-        to_object(&drawn.collect::<Vec<_>>())
+    /// The parts of the robot at `q`: both ends and the radius of every link of an arm, centre and radius of a disc.
+    pub fn footprint(&self, q: &[f64]) -> Result<Vec<f64>, JsValue> {
+        let mut numbers = Vec::new();
+        for part in self.inspector.footprint(q).map_err(throw)? {
+            match part {
+                Part::Capsule { a, b, radius } => numbers.extend([a.x, a.y, b.x, b.y, radius]),
+                Part::Disc { center, radius } => numbers.extend([center.x, center.y, radius]),
+            }
+        }
+        Ok(numbers)
     }
 
     /// The tip of the arm or the centre of the disc at `q`: x, y.
@@ -164,7 +125,8 @@ impl RawScenario {
 
     /// The configuration space of an arm of two links, one byte a cell, 1 for collision.
     pub fn cspace(&self, width: f64, height: f64) -> Result<Vec<u8>, JsValue> {
-        let (width, height) = (count(width, "width")?, count(height, "height")?);
+        let [width, height] = [count(width, "width"), count(height, "height")].map(|cells| cells.map_err(throw));
+        let (width, height) = (width?, height?);
         // A width beyond what this machine can count is beyond the limit too.
         let cells = |count: u64| usize::try_from(count).unwrap_or(usize::MAX);
         self.inspector.configuration_space(cells(width), cells(height)).map_err(throw)
@@ -175,33 +137,19 @@ impl RawScenario {
         self.inspector.configuration_space_range().map(|range| range.concat()).map_err(throw)
     }
 
-    /// Begins a run; `options` holds `algorithm`, `query`, `seed` and the planner's parameters.
-    pub fn planner(&self, options: JsValue) -> Result<RawPlanner, JsValue> {
-        let wanted = wanted(&options, Options::default())?;
-        run::start(&self.scenario, &wanted).map(RawPlanner::new).map_err(throw)
+    /// Begins a run; `text` is JSON and holds `algorithm`, `query`, `seed` and the planner's parameters.
+    pub fn planner(&self, text: &str) -> Result<RawPlanner, JsValue> {
+        let run = options(text, Options::default()).and_then(|wanted| run::start(&self.scenario, &wanted));
+        run.map(RawPlanner::new).map_err(throw)
     }
 
     /// Begins a run that goes on with a roadmap, in its JSON or its binary form; the same options, but that the planner is
     /// the one that built it.
-    pub fn resume(&self, roadmap: &[u8], options: JsValue) -> Result<RawPlanner, JsValue> {
-        let document = RoadmapDocument::read(roadmap).map_err(throw)?;
-        let wanted = wanted(&options, Options { planner: document.planner.clone(), ..Options::default() })?;
-        run::resume(&self.scenario, &wanted, &document).map(RawPlanner::new).map_err(throw)
+    pub fn resume(&self, roadmap: &[u8], text: &str) -> Result<RawPlanner, JsValue> {
+        let run = RoadmapDocument::read(roadmap).and_then(|document| {
+            let wanted = options(text, Options { planner: document.planner.clone(), ..Options::default() })?;
+            run::resume(&self.scenario, &wanted, &document)
+        });
+        run.map(RawPlanner::new).map_err(throw)
     }
-}
-
-/// The options of a run from a plain object, beginning with the defaults.
-fn wanted(options: &JsValue, mut wanted: Options) -> Result<Options, JsValue> {
-    for (name, given) in entries(options)? {
-        match name.as_str() {
-            "algorithm" => wanted.planner = text(&name, &given)?,
-            "query" => wanted.query = Some(text(&name, &given)?),
-            "seed" => wanted.seed = count(number(&name, &given)?, &name)?,
-            _ => {
-                let parameter = value(&name, &given)?;
-                wanted.parameters.push((name, parameter));
-            }
-        }
-    }
-    Ok(wanted)
 }

@@ -2,8 +2,8 @@
 
 use super::{MAX_DIMENSION, RoadmapDocument, damaged};
 use crate::error::{Code, Error};
-use crate::scenario::Node;
-use crate::scenario::reader::{Reader, quoted};
+use crate::json::{Node, quoted};
+use crate::scenario::reader::Reader;
 
 /// The `format` of the document.
 pub const FORMAT: &str = "planarium-roadmap-1";
@@ -31,32 +31,28 @@ impl RoadmapDocument {
     /// The document as one line of JSON. Text beyond [`MAX_TEXT`](crate::scenario::MAX_TEXT), some million vertices, cannot be
     /// read again: then bytes serve better.
     pub fn to_json(&self) -> String {
-        let text = |value: &str| Node::String(value.to_owned());
         let hash = |value: u64| Node::String(format!("{value:016x}"));
-        let numbers = |row: &[f64]| Node::Array(row.iter().copied().map(Node::Number).collect());
-        let edge = |edge: &[u32; 2]| numbers(&edge.map(f64::from));
+        let edge = |edge: &[u32; 2]| Node::numbers(&edge.map(f64::from));
         let radius = if self.radius == f64::INFINITY { Node::Null } else { Node::Number(self.radius) };
-        let mut fields = vec![
-            ("format", text(FORMAT)),
-            ("scenario", text(&self.scenario)),
-            ("fingerprint", hash(self.fingerprint)),
-            ("dimension", Node::Number(self.dimension() as f64)),
-            ("circles", Node::Array(self.circles.iter().copied().map(Node::Bool).collect())),
-            ("planner", text(&self.planner)),
-            ("metric", text(&self.metric)),
-            ("k", Node::Number(f64::from(self.k))),
-            ("radius", radius),
-            ("edge_check", text(if self.edge_samples.is_some() { "sampled" } else { "proven" })),
-        ];
-        fields.extend(self.edge_samples.map(|places| ("edge_samples", Node::Number(f64::from(places)))));
-        fields.extend([
-            ("tolerance", Node::Number(self.tolerance)),
-            ("vertices", Node::Array(self.rows().map(numbers).collect())),
-            ("edges", Node::Array(self.edges.iter().map(edge).collect())),
-            ("checksum", hash(self.checksum())),
+        let edge_check = if self.edge_samples.is_some() { "sampled" } else { "proven" };
+        let document = Node::object(vec![
+            ("format", Some(Node::text(FORMAT))),
+            ("scenario", Some(Node::text(&self.scenario))),
+            ("fingerprint", Some(hash(self.fingerprint))),
+            ("dimension", Some(Node::Number(self.dimension() as f64))),
+            ("circles", Some(Node::Array(self.circles.iter().copied().map(Node::Bool).collect()))),
+            ("planner", Some(Node::text(&self.planner))),
+            ("metric", Some(Node::text(&self.metric))),
+            ("k", Some(Node::Number(f64::from(self.k)))),
+            ("radius", Some(radius)),
+            ("edge_check", Some(Node::text(edge_check))),
+            ("edge_samples", self.edge_samples.map(|places| Node::Number(f64::from(places)))),
+            ("tolerance", Some(Node::Number(self.tolerance))),
+            ("vertices", Some(Node::Array(self.rows().map(Node::numbers).collect()))),
+            ("edges", Some(Node::Array(self.edges.iter().map(edge).collect()))),
+            ("checksum", Some(hash(self.checksum()))),
         ]);
-        let fields = fields.into_iter().map(|(name, value)| (name.to_owned(), value));
-        serde_json::to_string(&Node::Object(fields.collect())).expect("a tree of strings and finite numbers is JSON")
+        document.to_json()
     }
 
     /// Reads the JSON form.

@@ -4,7 +4,7 @@ use super::parameters::{Fallback, Kind, ParameterInfo};
 use super::pseudocode::PseudocodeLine;
 use super::table::PLANNERS;
 use crate::error::{Code, Error};
-use serde::Serialize;
+use crate::json::Node;
 
 /// What there is to know about a planner before it runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,67 +37,46 @@ pub fn planner_info(id: &str) -> Result<&'static PlannerInfo, Error> {
     })
 }
 
-/// One planner of the table, as it is written.
-#[derive(Debug, Serialize)]
-pub struct PlannerRow {
-    id: &'static str,
-    title: &'static str,
-    summary: &'static str,
-    pseudocode: &'static [PseudocodeLine],
-    parameters: Vec<ParameterRow>,
-}
-
-/// One parameter of a planner, as it is written: a default that depends on the space is null and told in words.
-#[derive(Debug, Serialize)]
-struct ParameterRow {
-    name: &'static str,
-    title: &'static str,
-    kind: &'static str,
-    unit: &'static str,
-    min: Option<f64>,
-    max: Option<f64>,
-    choices: Option<&'static [&'static str]>,
-    default: Option<Default>,
-    default_meaning: Option<&'static str>,
-    meaning: &'static str,
-}
-
-/// A default, as it is written.
-#[derive(Debug, Serialize)]
-#[serde(untagged)]
-enum Default {
-    Number(f64),
-    Text(&'static str),
-    Off(bool),
-}
-
-/// The table of planners, to be written.
-pub fn catalogue() -> Vec<PlannerRow> {
-    let row = |info: &PlannerInfo| PlannerRow {
-        id: info.id,
-        title: info.title,
-        summary: info.summary,
-        pseudocode: info.pseudocode,
-        parameters: info.parameters.iter().map(parameter_row).collect(),
+/// The table of planners, to be written: a default that depends on the space is null and told in words.
+pub fn catalogue() -> Node {
+    let row = |info: &PlannerInfo| {
+        Node::object(vec![
+            ("id", Some(Node::text(info.id))),
+            ("title", Some(Node::text(info.title))),
+            ("summary", Some(Node::text(info.summary))),
+            ("pseudocode", Some(Node::Array(info.pseudocode.iter().map(PseudocodeLine::node).collect()))),
+            ("parameters", Some(Node::Array(info.parameters.iter().map(parameter).collect()))),
+        ])
     };
-    PLANNERS.iter().map(row).collect()
+    Node::Array(PLANNERS.iter().map(row).collect())
 }
 
-fn parameter_row(info: &ParameterInfo) -> ParameterRow {
-    let (kind, min, max, choices) = match info.kind {
-        Kind::Integer { min, max } => ("integer", Some(min), Some(max), None),
-        Kind::Number { min, max } => ("number", Some(min), Some(max), None),
-        Kind::Choice(words) => ("choice", None, None, Some(words)),
-        Kind::Switch => ("boolean", None, None, None),
+fn parameter(info: &ParameterInfo) -> Node {
+    let (kind, range, choices) = match info.kind {
+        Kind::Integer { min, max } => ("integer", Some([min, max]), None),
+        Kind::Number { min, max } => ("number", Some([min, max]), None),
+        Kind::Choice(words) => ("choice", None, Some(words)),
+        Kind::Switch => ("boolean", None, None),
     };
-    let (default, default_meaning) = match info.default {
-        Fallback::Number(number) => (Some(Default::Number(number)), None),
-        Fallback::Text(word) => (Some(Default::Text(word)), None),
-        Fallback::Off => (Some(Default::Off(false)), None),
-        Fallback::Computed(words) => (None, Some(words)),
+    let (default, meaning) = match info.default {
+        Fallback::Number(number) => (Node::Number(number), None),
+        Fallback::Text(word) => (Node::text(word), None),
+        Fallback::Off => (Node::Bool(false), None),
+        Fallback::Computed(words) => (Node::Null, Some(words)),
     };
-    let ParameterInfo { name, title, unit, meaning, .. } = *info;
-    ParameterRow { name, title, kind, unit, min, max, choices, default, default_meaning, meaning }
+    let or_null = |node: Option<Node>| Some(node.unwrap_or(Node::Null));
+    Node::object(vec![
+        ("name", Some(Node::text(info.name))),
+        ("title", Some(Node::text(info.title))),
+        ("kind", Some(Node::text(kind))),
+        ("unit", Some(Node::text(info.unit))),
+        ("min", or_null(range.map(|[min, _]| Node::Number(min)))),
+        ("max", or_null(range.map(|[_, max]| Node::Number(max)))),
+        ("choices", or_null(choices.map(Node::words))),
+        ("default", Some(default)),
+        ("default_meaning", or_null(meaning.map(Node::text))),
+        ("meaning", Some(Node::text(info.meaning))),
+    ])
 }
 
 /// The planner taken where none is named.

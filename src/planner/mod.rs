@@ -14,7 +14,7 @@ mod rrt_connect;
 mod table;
 mod visibility_prm;
 
-pub use catalogue::{DEFAULT_PLANNER, DEFAULT_TOLERANCE, PlannerInfo, PlannerRow, catalogue, planner_info, planners};
+pub use catalogue::{DEFAULT_PLANNER, DEFAULT_TOLERANCE, PlannerInfo, catalogue, planner_info, planners};
 pub use parameters::{Fallback, Kind, ParameterInfo, Parameters, Value};
 pub use prm::{Order, Prm, PrmOptions, logarithmic_k, prm_star_k};
 pub use pseudocode::{Mark, PseudocodeLine};

@@ -5,11 +5,10 @@
 //! is there to be read. Each iteration lights at least one line.
 
 use crate::graph::EventKind;
-use serde::Serialize;
+use crate::json::Node;
 
 /// What lights a line of pseudo-code.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mark {
     /// The iteration began in the phase of this name: a sample is tried for a roadmap.
     Sampling,
@@ -63,6 +62,27 @@ impl Mark {
         Mark::Guard,
     ];
 
+    /// The word that it is written as.
+    pub fn word(self) -> &'static str {
+        match self {
+            Mark::Sampling => "sampling",
+            Mark::Connecting => "connecting",
+            Mark::Guarding => "guarding",
+            Mark::Searching => "searching",
+            Mark::Growing => "growing",
+            Mark::Improving => "improving",
+            Mark::Done => "done",
+            Mark::Vertex => "vertex",
+            Mark::Edge => "edge",
+            Mark::Rejected => "rejected",
+            Mark::Refused => "refused",
+            Mark::Expanded => "expanded",
+            Mark::Solved => "solved",
+            Mark::Discarded => "discarded",
+            Mark::Guard => "guard",
+        }
+    }
+
     /// The mark of a kind of event.
     pub fn of(kind: EventKind) -> Self {
         match kind {
@@ -77,7 +97,7 @@ impl Mark {
 }
 
 /// One line of pseudo-code.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PseudocodeLine {
     /// The line, of 46 characters at most.
     pub text: &'static str,
@@ -85,6 +105,18 @@ pub struct PseudocodeLine {
     pub indent: u8,
     /// What lights it; nothing lights a line that only frames others.
     pub lit_by: &'static [Mark],
+}
+
+impl PseudocodeLine {
+    /// The line as it is written.
+    pub(super) fn node(&self) -> Node {
+        let lit_by: Vec<&str> = self.lit_by.iter().map(|mark| mark.word()).collect();
+        Node::object(vec![
+            ("text", Some(Node::text(self.text))),
+            ("indent", Some(Node::Number(f64::from(self.indent)))),
+            ("lit_by", Some(Node::words(&lit_by))),
+        ])
+    }
 }
 
 const fn line(indent: u8, text: &'static str, lit_by: &'static [Mark]) -> PseudocodeLine {

@@ -1,8 +1,7 @@
 //! Reads a document from its tree and keeps track of where it is, so that every refusal carries a JSON pointer.
 
-use super::Node;
-use super::node::push_field;
 use crate::error::{Code, Error};
+use crate::json::{Node, push_field, quoted};
 
 /// Where a value stands: a chain from the value up to the root. Text is made of it only where an error needs it.
 #[derive(Clone, Copy)]
@@ -207,13 +206,5 @@ impl<'a> Fields<'a> {
             Place::Field(self.place, name).write(&mut pointer);
             Error::new(Code::MissingField, pointer, format!("the field {name:?} is missing"))
         })
-    }
-}
-
-/// A string in quotes, cut to 60 characters.
-pub(crate) fn quoted(text: &str) -> String {
-    match text.char_indices().nth(60) {
-        Some((cut, _)) => format!("{:?}...", &text[..cut]),
-        None => format!("{text:?}"),
     }
 }

@@ -8,84 +8,70 @@ impl Scenario {
     /// The normalised document: fields in the order of the contract, defaults written out, polygons open,
     /// counter-clockwise and without repeated vertices. It reads back as an equal scenario.
     pub fn to_node(&self) -> Node {
-        let mut fields = vec![field("format", text(FORMAT)), field("name", text(&self.name))];
-        fields.extend(self.title.as_deref().map(|title| field("title", text(title))));
-        fields.push(field("world", world(&self.world)));
-        fields.push(field("robot", robot(&self.robot)));
-        fields.push(field("queries", Node::Array(self.queries.iter().map(query).collect())));
-        Node::Object(fields)
-    }
-
-    /// The normalised document as a value of serde_json, which sorts the fields by name.
-    pub fn to_json(&self) -> serde_json::Value {
-        serde_json::to_value(self.to_node()).expect("a tree of strings and finite numbers is JSON")
+        Node::object(vec![
+            ("format", Some(Node::text(FORMAT))),
+            ("name", Some(Node::text(&self.name))),
+            ("title", self.title.as_deref().map(Node::text)),
+            ("world", Some(world(&self.world))),
+            ("robot", Some(robot(&self.robot))),
+            ("queries", Some(Node::Array(self.queries.iter().map(query).collect()))),
+        ])
     }
 
     /// The normalised document as text, on one line. Equal scenarios give equal text, on every platform.
     pub fn to_json_string(&self) -> String {
-        serde_json::to_string(&self.to_node()).expect("a tree of strings and finite numbers is JSON")
+        self.to_node().to_json()
     }
 }
 
-fn field(name: &str, value: Node) -> (String, Node) {
-    (name.to_owned(), value)
-}
-
-fn text(value: &str) -> Node {
-    Node::String(value.to_owned())
-}
-
-fn numbers(values: impl IntoIterator<Item = f64>) -> Node {
-    Node::Array(values.into_iter().map(Node::Number).collect())
-}
-
 fn point(p: Point) -> Node {
-    numbers([p.x, p.y])
+    Node::numbers(&[p.x, p.y])
 }
 
 fn world(world: &World) -> Node {
-    let bounds =
-        |Aabb { min, max }| field("bounds", Node::Object(vec![field("min", point(min)), field("max", point(max))]));
-    let mut fields: Vec<(String, Node)> = world.bounds.map(bounds).into_iter().collect();
-    fields.push(field("obstacles", Node::Array(world.obstacles.iter().map(obstacle).collect())));
-    Node::Object(fields)
+    let bounds = |Aabb { min, max }| Node::object(vec![("min", Some(point(min))), ("max", Some(point(max)))]);
+    Node::object(vec![
+        ("bounds", world.bounds.map(bounds)),
+        ("obstacles", Some(Node::Array(world.obstacles.iter().map(obstacle).collect()))),
+    ])
 }
 
 fn obstacle(obstacle: &Obstacle) -> Node {
-    Node::Object(match obstacle {
-        Obstacle::Disc(disc) => vec![
-            field("type", text("disc")),
-            field("center", point(disc.center)),
-            field("radius", Node::Number(disc.radius)),
-        ],
-        Obstacle::Polygon(polygon) => vec![
-            field("type", text("polygon")),
-            field("vertices", Node::Array(polygon.vertices().iter().copied().map(point).collect())),
-        ],
-    })
+    match obstacle {
+        Obstacle::Disc(disc) => Node::object(vec![
+            ("type", Some(Node::text("disc"))),
+            ("center", Some(point(disc.center))),
+            ("radius", Some(Node::Number(disc.radius))),
+        ]),
+        Obstacle::Polygon(polygon) => Node::object(vec![
+            ("type", Some(Node::text("polygon"))),
+            ("vertices", Some(Node::Array(polygon.vertices().iter().copied().map(point).collect()))),
+        ]),
+    }
 }
 
 fn robot(robot: &Robot) -> Node {
-    Node::Object(match robot {
+    match robot {
         Robot::Arm(arm) => {
-            let mut fields = vec![
-                field("type", text("arm")),
-                field("base", point(arm.base())),
-                field("links", numbers(arm.links().iter().copied())),
-                field("radius", Node::Number(arm.radius())),
-            ];
-            let pairs = |limits: &[[f64; 2]]| Node::Array(limits.iter().copied().map(numbers).collect());
-            fields.extend(arm.joint_limits().map(|limits| field("joint_limits", pairs(limits))));
-            fields
+            let pairs = |limits: &[[f64; 2]]| Node::Array(limits.iter().map(|pair| Node::numbers(pair)).collect());
+            Node::object(vec![
+                ("type", Some(Node::text("arm"))),
+                ("base", Some(point(arm.base()))),
+                ("links", Some(Node::numbers(arm.links()))),
+                ("radius", Some(Node::Number(arm.radius()))),
+                ("joint_limits", arm.joint_limits().map(pairs)),
+            ])
         }
-        Robot::Disc(disc) => vec![field("type", text("disc")), field("radius", Node::Number(disc.radius()))],
-    })
+        Robot::Disc(disc) => {
+            Node::object(vec![("type", Some(Node::text("disc"))), ("radius", Some(Node::Number(disc.radius())))])
+        }
+    }
 }
 
 fn query(query: &Query) -> Node {
-    Node::Object(vec![
-        field("name", text(&query.name)),
-        field("start", numbers(query.start.iter().copied())),
-        field("goal", numbers(query.goal.iter().copied())),
+    Node::object(vec![
+        ("name", Some(Node::text(&query.name))),
+        ("start", Some(Node::numbers(&query.start))),
+        ("goal", Some(Node::numbers(&query.goal))),
     ])
 }

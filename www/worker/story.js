@@ -27,7 +27,7 @@ export function going(run, scene) {
   if (phase === "searching") return "The search goes out from the start; the bold vertices are those it has been to.";
   if (begins && phase === "guarding") return `${sought}: a few poses stand guard, each seeing what no other sees.`;
   if (begins && phase === "growing") return `${sought}: ${run.kind === "trees" ? "two trees of poses reach for each other" : "a tree of poses grows from the start"}.`;
-  if (run.algorithm === scene.algorithm && run.isProven) return scene.sentence;
+  if (run.algorithm === scene.algorithm && run.isProven === scene.isProven) return scene.sentence;
   switch (phase) {
     case "connecting": return `Each pose is joined to its neighbours, where the motion is ${free}.`;
     case "guarding": return "A pose that no guard sees becomes a guard, in a ring; one that sees several links them.";

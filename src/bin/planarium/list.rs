@@ -4,9 +4,10 @@ use crate::Answer;
 use crate::arguments::List;
 use crate::files;
 use planarium::error::Code;
+use planarium::json::Node;
 use planarium::planner::{Fallback, Kind, ParameterInfo, catalogue, planners};
 use planarium::scenario::generate::{self, GENERATORS, OptionInfo, OptionKind};
-use serde_json::json;
+use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Prints tables, or JSON.
@@ -18,7 +19,9 @@ pub fn list(arguments: &List) -> Answer {
 fn as_json() -> String {
     let errors: Vec<_> =
         Code::ALL.iter().map(|code| json!({ "code": code.as_str(), "meaning": code.meaning() })).collect();
-    let document = json!({ "planners": catalogue(), "generators": generate::catalogue(), "errors": errors });
+    let table = |node: Node| -> Value { serde_json::from_str(&node.to_json()).expect("a tree is written as JSON") };
+    let document =
+        json!({ "planners": table(catalogue()), "generators": table(generate::catalogue()), "errors": errors });
     serde_json::to_string_pretty(&document).expect("tables of words and numbers are JSON")
 }
 

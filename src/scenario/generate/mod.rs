@@ -12,7 +12,7 @@ mod options;
 mod robots;
 
 pub use bug_trap::{BugTrapOptions, BugTrapStart, Turn, bug_trap};
-pub use catalogue::{GeneratorRow, catalogue};
+pub use catalogue::catalogue;
 pub use clutter::{ClutterOptions, clutter};
 pub use discs::{DiscsOptions, Placement, discs};
 pub use forest::{ForestOptions, forest};
@@ -21,9 +21,9 @@ pub use maze::{Difficulty, MazeOptions, maze};
 pub use options::{GeneratorInfo, OptionInfo, OptionKind};
 pub use robots::RobotChoice;
 
-use super::reader::quoted;
 use super::{Node, Scenario};
 use crate::error::{Code, Error};
+use crate::json::quoted;
 
 /// The generators with their options: the one table that help texts, documents and controls are made from. Every generator
 /// takes `seed` as well, a whole number from 0 (default) to 2^53 - 1.

@@ -2,8 +2,9 @@
 //! against them. Every generator also takes `seed`, which has no row, like the seed of a run.
 
 use crate::error::{Code, Error};
+use crate::json::quoted;
 use crate::random::MAX_SEED;
-use crate::scenario::reader::{Fields, Reader, quoted};
+use crate::scenario::reader::{Fields, Reader};
 
 /// What values an option takes, and the one taken where none is given.
 #[derive(Debug, Clone, Copy, PartialEq)]

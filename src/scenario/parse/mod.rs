@@ -5,9 +5,10 @@ mod queries;
 mod robot;
 mod world;
 
-use super::reader::{Reader, quoted};
+use super::reader::Reader;
 use super::{Node, Robot, Scenario};
 use crate::error::{Code, Error};
+use crate::json::quoted;
 
 /// The `format` of a scenario.
 pub const FORMAT: &str = "planarium-scenario-1";

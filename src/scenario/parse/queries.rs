@@ -2,26 +2,27 @@
 
 use super::LARGEST;
 use crate::error::{Code, Error};
-use crate::scenario::reader::{Reader, quoted};
+use crate::json::{Names, quoted};
+use crate::scenario::reader::Reader;
 use crate::scenario::{Query, Robot};
-use std::collections::BTreeSet;
 
 /// Reads `queries` for the robot.
 pub(super) fn read(queries: &Reader, robot: &Robot) -> Result<Vec<Query>, Error> {
-    let mut names = BTreeSet::new();
-    let query = |item: Reader| {
+    let (mut read, mut names) = (Vec::<Query>::new(), Names::default());
+    for item in queries.items()? {
         let fields = item.object()?;
         fields.only(&["name", "start", "goal"]).map_err(|error| explain_tolerance(error, robot))?;
         let name = fields.required("name")?;
-        if !names.insert(name.name()?.to_owned()) {
+        if names.has(name.name()?, &|i| &read[i as usize].name) {
             let sentence = format!("another query is named {}, too", quoted(name.name()?));
             return Err(name.error(Code::DuplicateName, sentence));
         }
         let start = read_configuration(&fields.required("start")?, robot)?;
         let goal = read_configuration(&fields.required("goal")?, robot)?;
-        Ok(Query { name: name.name()?.to_owned(), start, goal })
-    };
-    queries.items()?.map(query).collect()
+        read.push(Query { name: name.name()?.to_owned(), start, goal });
+        names.add(&|i| &read[i as usize].name);
+    }
+    Ok(read)
 }
 
 /// Says why a tolerance of the goal, which the contract has for other robots, is not known here.

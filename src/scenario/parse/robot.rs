@@ -2,9 +2,10 @@
 
 use super::world::read_point;
 use crate::error::{Code, Error};
+use crate::json::quoted;
 use crate::robot::{Arm, DiscRobot};
 use crate::scenario::Robot;
-use crate::scenario::reader::{Reader, quoted};
+use crate::scenario::reader::Reader;
 
 /// Reads `robot`. The ranges of lengths, radii and limits are the robots' own.
 pub(super) fn read(robot: &Reader) -> Result<Robot, Error> {

@@ -3,7 +3,8 @@
 use super::{LARGEST, MAX_OBSTACLES, MAX_VERTICES};
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Disc, Point, Polygon, PolygonFault};
-use crate::scenario::reader::{Reader, quoted};
+use crate::json::quoted;
+use crate::scenario::reader::Reader;
 use crate::scenario::{Obstacle, World};
 
 /// Reads `world`.

@@ -129,7 +129,8 @@ export class Page {
     const rivals = plans?.slice(1) ?? this.race?.beside(plan) ?? this.rivals;
     this.studio.order();
     const facts = await this.studio.ask("open", [source, {
-      plans: [plan, ...rivals], query, iteration, play, pace, story: entry?.story ?? "", teller: entry?.algorithm ?? "",
+      plans: [plan, ...rivals], query, iteration, play, pace, 
+      story: { sentence: entry?.story ?? "", algorithm: entry?.algorithm ?? "", isProven: entry?.settings.edge_check !== "sampled" },
     }]);
     this.notice.hide();
     this.source = source;

@@ -34,8 +34,7 @@
  * @property {Plan[]} plans      one, or up to four that race
  * @property {string} [query]
  * @property {number} [pace]     iterations a second; those of before where absent
- * @property {string} story      what the scene says of its own planner
- * @property {string} teller     that planner
+ * @property {import("./worker/story.js").Story} story
  * @property {boolean} play
  * @property {number} [iteration]   to be shown at once
  *

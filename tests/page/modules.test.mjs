@@ -184,7 +184,7 @@ test("the length that is told is the run's own, in its own metric", () => {
 });
 
 test("each phase has its sentence; the scene's own is told of its own planner only", () => {
-  const scene = { algorithm: "prm", sentence: "The scene's own." };
+  const scene = { algorithm: "prm", isProven: true, sentence: "The scene's own." };
   const sentences = new Set();
   for (const [algorithm, settings] of /** @type {[string, import("../../www/types.js").Settings][]} */ ([
     ["prm-star", { samples: 60, shortcut: 5 }], ["visibility-prm", {}], ["rrt", { step: 0.5 }], ["rrt-connect", { step: 0.5 }],
@@ -198,7 +198,7 @@ test("each phase has its sentence; the scene's own is told of its own planner on
   assert.equal(sentences.size, 10, [...sentences].join("\n"));
   assert.ok(!sentences.has(scene.sentence));
   assert.equal(going(new Run(load("stones"), "prm", {}, phases), scene), scene.sentence);
-  assert.doesNotMatch(going(new Run(load("stones"), "prm", { edge_check: "sampled" }, phases), { algorithm: "prm", sentence: "Each line is proven." }), /proven/);
+  assert.doesNotMatch(going(new Run(load("stones"), "prm", { edge_check: "sampled" }, phases), { algorithm: "prm", isProven: true, sentence: "Each line is proven." }), /proven/);
 });
 
 test("a sample that was free but of no use flashes fainter than one in collision", () => {

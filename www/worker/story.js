@@ -3,6 +3,7 @@ import { leaders, letters } from "../standings.js";
 import { touchingSentence } from "./names.js";
 import { PAST } from "./run.js";
 
+/** @typedef {{ algorithm: string, isProven: boolean, sentence: string }} Story   what a scene says of its own planner, and whether it is to prove its edges */
 /** @import { Journey } from "./journey.js" */
 /** @import { Hover, Lane } from "./lane.js" */
 /** @import { Run } from "./run.js" */
@@ -15,7 +16,7 @@ const OPENING = 60;
  * A run that goes on: first what is looked for and what it is made of, then the scene's own sentence, if this is what its own
  * planner was asked, else what the planner is at.
  * @param {Run} run
- * @param {{ algorithm: string, sentence: string }} scene
+ * @param {Story} scene
  */
 export function going(run, scene) {
   const { phase } = run;

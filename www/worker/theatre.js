@@ -51,7 +51,7 @@ export class Theatre {
     /** @type {ViewOptions} */
     this.view = { axes: [0, 1], refused: false, strobe: true, poses: 8, raw: false, slice: false };
     /** What the scene says of its own planner. */
-    this.story = { algorithm: "", sentence: "" };
+    this.story = { algorithm: "", isProven: true, sentence: "" };
     /** Why the core would not plan, if so, and for which lane. @type {{ error: unknown, lane: number } | null} */
     this.refusal = null;
     /** All that was asked for is made and drawn. */
@@ -75,7 +75,7 @@ export class Theatre {
     this.clear();
     const document = scenario.document();
     this.shown = { scenario, document, start: null, goal: null, hand: null, check: null, hover: null, view: this.view, rough: false, overlay: null };
-    this.story = { algorithm: programme.teller, sentence: programme.story };
+    this.story = programme.story;
     if (programme.pace !== undefined) this.clock.pace = programme.pace;
     this.query = document.queries.find(({ name }) => name === programme.query)?.name ?? document.queries[0]?.name;
     this.stage.relay();

@@ -75,6 +75,8 @@ async function swipe(page, points) {
   }
   await send("touchEnd", []);
   await session.detach();
+  // Chromium takes a tap right after a swipe for a part of it.
+  await page.waitForTimeout(400);
 }
 
 /** The document as it is saved. @param {Page} page @returns {Promise<{ text: string, document: ScenarioDocument, name: string }>} */

@@ -383,7 +383,7 @@ export class Theatre {
     const working = moved || !stage.caughtUp;
     if (moved) this.stir();
     if (clock.playing && !this.growing) this.travel(elapsed);
-    shown.hover = shown.hand ? null : this.pointing.find(this.lanes, this.grip, shown.hover);
+    shown.hover = shown.hand || this.editor.on ? null : this.pointing.find(this.lanes, this.grip, shown.hover);
     for (const { run } of this.lanes) run?.frontier.follow();
     stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
     const resting = !clock.owes && (!clock.playing || !this.growing);
@@ -434,7 +434,7 @@ export class Theatre {
   /** How each run went, in few points. @returns {Curves} */
   curves() {
     const { clock: { head, isRace, column }, curvesKey: key } = this;
-    return { key, head, isRace, lanes: this.lanes.map(({ run }) => (run ? thinned(run, column, head) : new Float64Array(0))) };
+    return { key, head, isRace, lanes: thinned(this.lanes.flatMap(({ run }) => run ?? []), column, head) };
   }
 
   /** The robots drive on, all at the same part of their ways. @param {number} elapsed  seconds */

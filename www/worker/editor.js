@@ -361,7 +361,7 @@ export class Editor {
     if (!this.on) return "";
     if (this.reason) return this.reason;
     if (clock.now > 0 || clock.playing) return "";
-    return touching ? `${touching} Move it free, so that it can be planned.` : HINTS[this.tool];
+    return touching ? `${touching} Move it free to plan.` : HINTS[this.tool];
   }
 
   /** @returns {EditState | null} */

@@ -27,7 +27,7 @@ fn word(mark: Mark) -> String {
 /// Does one iteration and says by which marks.
 fn marks_of_one(run: &mut dyn Run) -> BTreeSet<String> {
     let (vertices, edges, events) = (run.vertex_count(), run.edge_count(), run.event_count());
-    let mut marks = BTreeSet::from([run.phase().to_owned()]);
+    let mut marks = BTreeSet::from([run.phase().as_str().to_owned()]);
     run.step(1);
     let mut add = |is_so: bool, mark: Mark| {
         if is_so {
@@ -146,7 +146,7 @@ fn a_roadmap_gone_on_with_lights_lines_too() {
         let mut run = resume(&other, &options(planner, 5, ""), &kept).unwrap_or_else(|error| panic!("{error}"));
         let mut phases = BTreeSet::new();
         while run.status() == Status::Running {
-            phases.insert(run.phase());
+            phases.insert(run.phase().as_str());
             let marks = marks_of_one(&mut *run);
             assert!(!lit(lines, &marks).is_empty(), "{planner}: nothing is lit by {marks:?}");
         }

@@ -9,7 +9,7 @@ import { SCENES } from "./scenes.js";
  * @property {string} [scene]       this scene, with its own planner and settings; else that of the step before
  * @property {string} [algorithm]   another planner than there was, with no settings but those below
  * @property {Plan["settings"]} [settings]   laid over the scene's, or over those of the step before
- * @property {number} [iteration]   where the run rests; else it runs to its end
+ * @property {number} [iteration]   where the run rests, at its end where that would take long to watch; else it runs to its end
  *
  * @typedef {object} Lesson
  * @property {string} id
@@ -54,7 +54,7 @@ export const LESSONS = [
     steps: [
       { scene: "passage", text: "Samples fill both rooms, but hardly any falls into the passage. This time it was enough for a path." },
       { settings: { seed: 0 }, text: "Another seed, and the map falls in two: each room is known well, the way between them is not." },
-      { settings: { samples: 1200 }, text: "Four times as many samples do it, but most of them only crowd the rooms." },
+      { settings: { samples: 1200 }, iteration: 3208, text: "Four times as many samples do it, but most of them only crowd the rooms." },
       { settings: { samples: 260, sampler: "gaussian" }, text: "Gaussian samples stay near obstacles. More of them fall into the passage, and 260 are enough." },
       { algorithm: "rrt-connect", settings: { seed: 0 }, text: "Two trees need no map of the rooms: they meet in the passage after a few dozen iterations." },
     ],
@@ -66,15 +66,15 @@ export const LESSONS = [
       { iteration: 120, text: "So the tree is pulled into the open: with a third of its vertices it already spans the room." },
       { text: "What is left are small gaps: samples fall close to the tree, and its steps become shorter." },
       { settings: { goal_bias: 0.3 }, text: "Now the goal takes the place of three samples in ten: the tree needs about a tenth of the vertices." },
-      { scene: "trap", settings: { goal_bias: 0.6 }, text: "In a trap such haste runs into the wall again and again: it takes twice as long as a goal bias of 0.05." },
+      { scene: "trap", settings: { goal_bias: 0.6 }, iteration: 3951, text: "In a trap such haste runs into the wall again and again: it takes twice as long as a goal bias of 0.05." },
     ],
   },
   {
     id: "trees", title: "One tree or two",
     steps: [
-      { scene: "thicket", algorithm: "rrt", settings: { step: 0.5, seed: 1 }, text: "One tree spreads through the space of four joints until it comes upon the goal: 1,608 iterations." },
+      { scene: "thicket", algorithm: "rrt", settings: { step: 0.5, seed: 1 }, iteration: 1608, text: "One tree spreads through the space of four joints until it comes upon the goal: 1,608 iterations." },
       { scene: "thicket", text: "Two trees reach for each other as far as they get: 146 iterations, and a shorter path." },
-      { scene: "shelf", algorithm: "rrt", settings: { step: 0.2, seed: 8 }, text: "A goal deep in a shelf is hard to come upon: one tree needs more than 12,000 iterations. Run to the end." },
+      { scene: "shelf", algorithm: "rrt", settings: { step: 0.2, seed: 8 }, iteration: 12010, text: "A goal deep in a shelf is hard to come upon: one tree needs more than 12,000 iterations." },
       { scene: "shelf", text: "From inside it is easy to find out: with a tree at each end, 172 iterations do." },
       { scene: "trap", algorithm: "rrt-connect", settings: { step: 0.1, seed: 5 }, text: "In the bug trap two trees are only twice as quick as one: somebody still has to find the mouth." },
     ],

@@ -11,6 +11,7 @@
  *   nothing is pointed at.
  * - `#touching` carries `data-free` and names what touches what.
  * - `#story` carries `data-tone`, "bad" where a path that was found collides.
+ * - In a race each row of `#standings tbody` carries `data-status` and, at rest at the newest iteration, `data-fingerprint`.
  * - In the worker, the work of each frame in which something grew is a `performance.measure` called "planarium-frame".
  */
 import { watchAnnouncements } from "./controls/announce.js";
@@ -94,14 +95,13 @@ async function start() {
   watchParent(page);
   showPseudocode(page);
   showSceneOptions(page, generators);
-  const link = new Link(page, SCENES, generators);
+  const link = new Link(page, SCENES, generators, new Projector(page));
   const lessons = new Lessons(page, LESSONS, SCENES);
   const obey = () => (Lessons.owns(location.hash) ? lessons : link).obey(location.hash);
   addEventListener("hashchange", () => { if (location.hash) void obey(); });
   watchView(page, sheets);
   watchReadout(page);
   new EditorControls(page);
-  new Projector(page);
 
   page.onOpen((facts, entry) => {
     if (!race.arrange()) sheets.arrange(facts);

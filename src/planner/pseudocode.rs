@@ -97,8 +97,7 @@ const KEEP: PseudocodeLine = line(1, "add q to G", &[Mark::Vertex]);
 const JOIN: PseudocodeLine = line(1, "if the motion q – p is free: add that edge", &[Mark::Edge]);
 const REFUSE: PseudocodeLine = line(1, "else: refuse it", &[Mark::Refused]);
 const SEARCH: PseudocodeLine = line(0, "search G from start to goal:", &[Mark::Searching]);
-const EXPAND: PseudocodeLine =
-    line(1, "expand the next open vertex (A*: least g + h)", &[Mark::Expanded, Mark::Solved]);
+const EXPAND: PseudocodeLine = line(1, "expand the next open vertex", &[Mark::Expanded, Mark::Solved]);
 const NONE_FOUND: PseudocodeLine = line(1, "if the sampler finds none: once more", &[Mark::Rejected]);
 const IMPROVE: PseudocodeLine = line(0, "shorten the path, where that is asked for", &[Mark::Improving]);
 const END: PseudocodeLine = line(0, "return the path, or that there is none", &[Mark::Done]);

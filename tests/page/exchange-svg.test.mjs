@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { SvgContext } from "../../www/exchange/svg.js";
-import { seeded } from "./seeded.mjs";
+import { processorTime, seeded } from "./seeded.mjs";
 import { allOf, readXml } from "./xml.mjs";
 
 /** What is drawn, read again. @param {(context: SvgContext) => void} draw @param {{ background?: string, title?: string }} [options] */
@@ -349,7 +349,7 @@ test("coordinates that are not finite are ignored, as on a canvas", () => {
 test("ten thousand faint edges stay a figure of a reasonable size, written quickly", () => {
   const random = seeded(11);
   const context = new SvgContext(800, 600);
-  const began = performance.now();
+  const began = processorTime();
   context.globalAlpha = 0.42;
   context.lineCap = "round";
   for (let i = 0; i < 10000; i++) {
@@ -359,7 +359,7 @@ test("ten thousand faint edges stay a figure of a reasonable size, written quick
     context.stroke();
   }
   const text = context.toString({ background: "white" });
-  assert.ok(performance.now() - began < 2000);
+  assert.ok(processorTime() - began < 2000);
   assert.ok(text.length < 50 * 10000, String(text.length));
   assert.equal(allOf(readXml(text), "path").length, 10000);
 });

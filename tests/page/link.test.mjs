@@ -179,16 +179,28 @@ describe("there and back", () => {
   test("what is to be seen comes back: axes, crosses, poses, the path as it was found", async () => {
     await onPausedPage(async (page, url) => {
       /** @type {Experiment} */
-      const wanted = { version: 1, scene: "tentacle", lanes: [{ algorithm: "rrt", settings: {} }], iteration: 20, view: { axes: [4, 1], refused: true, raw: true } };
+      const wanted = { version: 1, scene: "tentacle", lanes: [{ algorithm: "rrt", settings: {} }], iteration: 20, view: { axes: [4, 1], refused: true, strobe: true, poses: 5, raw: true, slice: true, projector: true } };
       await afresh(page, url, `#${await encodeLink(wanted)}`, async (fresh) => {
+        assert.deepEqual([await fresh.inputValue("#view-across"), await fresh.inputValue("#view-up"), await fresh.inputValue("#view-poses")], ["4", "1", "5"]);
+        assert.equal(await fresh.getAttribute("#projector", "aria-pressed"), "true");
         const { experiment } = await decodeLink(await linkOf(fresh));
         assert.deepEqual(experiment, wanted);
       });
     });
   });
 
-  test("a race comes back with its rivals, and rests at its own time", async () => {
+  test("a race comes back with its rivals and its picture, and rests at its own time", async () => {
     await onPausedPage(async (page, url) => {
+      for (const [algorithm, lens] of [["rrt", "cspace"], ["prm-star", "workspace"]]) {
+        await page.selectOption("#rival", algorithm);
+        await page.click("#add-rival");
+        await page.locator(`input[name=lens][value=${lens}]`).check({ force: true });
+        await page.click("#step-100");
+        await atRest(page);
+        const race = await roundTrip(page, url, `against ${algorithm}`);
+        assert.equal(race.lanes[race.lanes.length - 1].algorithm, algorithm);
+        assert.equal(race.view.lens, lens === "workspace" ? undefined : lens);
+      }
       /** @type {Experiment["lanes"]} */
       const lanes = [{ algorithm: "prm", settings: { samples: 80 } }, { algorithm: "rrt", settings: { seed: 3 } }];
       const fragment = `#${await encodeLink({ version: 1, scene: "stones", lanes, iteration: 900, view: { strobe: true } })}`;

@@ -66,8 +66,10 @@ export function watchCurves(page) {
   function draw() {
     const { state } = page;
     const { names } = page;
-    if (!fold.open || !state || curves?.lanes.length !== names.length) return;
+    if (!fold.open || !state || !curves) return;
     const { head, isRace, lanes } = curves;
+    // Those of other planners; none at all is where nothing is planned.
+    if (lanes.length > 0 && lanes.length !== names.length) return;
     const time = isRace ? "clearance evaluations" : "iterations";
     const unit = state.lanes[0].unit;
     const [grown, costs] = [1, 2].map((which) => lanes.map((rows, i) => ({ label: isRace ? letter(i) : "", points: column(rows, which) })));

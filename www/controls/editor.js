@@ -66,7 +66,7 @@ export class EditorControls {
     const keys = make("details", {}, make("summary", {}, "Editing keys"), make("p", { className: "hint" },
       "On the stage: [ and ] select, Page Up and Page Down pick a vertex or joint, arrows move (Shift: ten times as far), "
       + "Insert adds a vertex, Delete deletes, D duplicates, Enter puts what the tool draws or closes a polygon, Escape cancels, "
-      + "Ctrl+Z undoes, Ctrl+Shift+Z redoes. While dragging, Shift snaps to the dots and to 15 degrees."));
+      + "Ctrl+Z undoes, Ctrl+Shift+Z redoes. While dragging, Shift snaps to a grid and to 15 degrees."));
     this.host.append(this.bar, this.title, this.parts, this.fields, this.reason, make("div", { className: "parts" }, save, this.revert), keys);
     this.open = make("button", { type: "button", id: "edit", className: "quiet" }, "Edit");
     byId("tools", HTMLElement).append(this.open);

@@ -4,11 +4,15 @@
  */
 import { reasonAgainst } from "./field.js";
 import { withSeed } from "./panel.js";
+import { isProjected } from "./projector.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { Experiment } from "../exchange/link.js" */
 /** @import { GeneratorInfo, OptionInfo, ParameterInfo, Plan, SceneEntry, Settings, Source } from "../types.js" */
 /** @typedef {{ source: Source | null, entry: SceneEntry | undefined, plans: Plan[] | undefined }} Found   no source: the entry's own */
+
+/** Poses along a path, unless others are wanted. */
+export const POSES = 8;
 
 /** Begins the name of a scenario that was made from a generator of the core, and is none of the page's scenes. */
 const MADE = "make-";
@@ -18,10 +22,10 @@ const MADE = "make-";
  * @param {Page} page   with a scenario on its stage
  * @returns {Experiment}
  */
-export function experimentOf({ entry, source, facts, state, asked, panel }) {
+export function experimentOf({ entry, source, facts, state, asked, panel, race }) {
   if (!source || !facts || !state) throw new Error("Nothing is on the stage yet.");
   const query = panel.query.value;
-  const { axes, refused, strobe, raw } = state.view;
+  const { axes, refused, strobe, poses, raw, slice } = state.view;
   /** @type {Experiment} */
   const experiment = {
     version: 1,
@@ -31,7 +35,10 @@ export function experimentOf({ entry, source, facts, state, asked, panel }) {
       return { algorithm, settings: others(settings, (name) => usual.get(name)) };
     }),
     iteration: state.clock.now,
-    view: { axes: axes[0] === 0 && axes[1] === 1 ? undefined : axes, refused, strobe, raw },
+    view: {
+      axes: axes[0] === 0 && axes[1] === 1 ? undefined : axes, refused, strobe, poses: poses === POSES ? undefined : poses, raw, slice,
+      projector: isProjected(), lens: asked.length > 1 ? race?.picture : undefined,
+    },
   };
   const made = "generate" in source ? source.generate : null;
   if (entry) experiment.scene = entry.id;

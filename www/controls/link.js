@@ -5,9 +5,10 @@
 import { decodeLink, encodeLink } from "../exchange/link.js";
 import { grouped } from "./counters.js";
 import { byId, make } from "./dom.js";
-import { experimentOf, find } from "./experiment.js";
+import { POSES, experimentOf, find } from "./experiment.js";
 
 /** @import { Page } from "../page.js" */
+/** @import { Projector } from "./projector.js" */
 /** @import { Experiment } from "../exchange/link.js" */
 /** @import { GeneratorInfo, SceneEntry } from "../types.js" */
 
@@ -15,9 +16,10 @@ import { experimentOf, find } from "./experiment.js";
 const READING = 6000;
 
 export class Link {
-  /** @param {Page} page @param {SceneEntry[]} scenes @param {GeneratorInfo[]} generators */
-  constructor(page, scenes, generators) {
+  /** @param {Page} page @param {SceneEntry[]} scenes @param {GeneratorInfo[]} generators @param {Projector} projector */
+  constructor(page, scenes, generators, projector) {
     this.page = page;
+    this.projector = projector;
     this.house = { scenes, generators, page };
     /** The time that a link asks for and is not there yet. @type {number | null} */
     this.wanted = null;
@@ -85,7 +87,10 @@ export class Link {
     const [across, up] = view.axes ?? [0, 1];
     const areThere = Math.max(across, up) < facts.dimension && across !== up;
     if (view.axes && !areThere) faults.push(`There are no coordinates ${across} and ${up} to draw.`);
-    page.studio.tell("view", { axes: areThere ? [across, up] : [0, 1], refused: view.refused === true, strobe: view.strobe === true, raw: view.raw === true });
+    const { refused = false, strobe = false, poses = POSES, raw = false, slice = false, projector = false, lens = "workspace" } = view;
+    page.see({ axes: areThere ? [across, up] : [0, 1], refused, strobe, poses, raw, slice });
+    this.projector.turn(projector);
+    if (page.asked.length > 1) page.race?.look(lens);
     this.wanted = iteration;
     if (faults.length > 0) this.complain(...faults);
   }

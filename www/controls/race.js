@@ -49,10 +49,7 @@ export class Race {
     const lens = make("fieldset", { className: "lens", hidden: true }, make("legend", { className: "visually-hidden" }, "Picture"));
     for (const [kind, words] of /** @type {[PaneKind, string][]} */ ([["workspace", "Workspace"], ["cspace", "Configuration space"]])) {
       const input = make("input", { type: "radio", name: "lens", value: kind });
-      input.addEventListener("change", () => {
-        this.kind = kind;
-        this.arrange();
-      });
+      input.addEventListener("change", () => this.look(kind));
       lens.append(make("label", {}, input, words));
     }
     return lens;
@@ -111,20 +108,33 @@ export class Race {
   /** @param {number} lane @param {string} pointer @param {string} reason */
   refuse(lane, pointer, reason) { this.rivals[lane - 1]?.refuse(pointer, reason); }
 
+  get hasSquare() {
+    const { facts } = this.page;
+    return facts?.robot === "arm" && facts.dimension > 1;
+  }
+
+  /** Which picture of each planner is shown. @returns {PaneKind} */
+  get picture() { return this.hasSquare ? this.kind ?? (this.page.facts?.dimension === 2 ? "cspace" : "workspace") : "workspace"; }
+
+  /** Shows this picture of each planner. @param {PaneKind} kind */
+  look(kind) {
+    this.kind = kind;
+    this.arrange();
+  }
+
   /** Shows a sheet for each planner. @returns {boolean} whether there is a race */
   arrange() {
     const { page, lens } = this;
-    const { facts, asked } = page;
+    const { asked } = page;
     const isRace = asked.length > 1;
     this.shown = asked;
-    const hasSquare = facts?.robot === "arm" && facts.dimension > 1;
-    lens.hidden = !isRace || !hasSquare;
+    lens.hidden = !isRace || !this.hasSquare;
     this.numbers.hidden = isRace;
     this.sheets.element.classList.toggle("race", isRace);
     const { names } = page;
     this.table.build(isRace ? names : []);
     if (!isRace) return false;
-    const kind = hasSquare ? this.kind ?? (facts.dimension === 2 ? "cspace" : "workspace") : "workspace";
+    const kind = this.picture;
     for (const input of lens.querySelectorAll("input")) input.checked = input.value === kind;
     this.sheets.show(names.map((caption, lane) => ({ id: `lane-${letter(lane)}`, kind, lane, caption })));
     return true;

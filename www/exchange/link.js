@@ -10,7 +10,9 @@
  * @property {[number, number]} [axes]  the two coordinates of a configuration that are drawn
  * @property {boolean} [refused]    refused samples and edges
  * @property {boolean} [strobe]     poses along the path
+ * @property {number} [poses]       how many, where they are not as many as usual
  * @property {boolean} [raw]        the path before it was improved
+ * @property {boolean} [slice]      obstacles on the plane of those two coordinates
  * @property {boolean} [projector]  large type and strong lines
  * @property {"workspace" | "cspace"} [lens]
  *
@@ -88,7 +90,7 @@ const experimentRule = record({
   lanes: list(record({ algorithm: name, settings }), 1, 4),
   iteration: whole(Number.MAX_SAFE_INTEGER),
   view: record({
-    axes: list(whole(63), 2, 2), refused: flag, strobe: flag, raw: flag, projector: flag,
+    axes: list(whole(63), 2, 2), refused: flag, strobe: flag, poses: whole(99), raw: flag, slice: flag, projector: flag,
     lens: rule((value) => value === "workspace" || value === "cspace"),
   }),
   options: settings,

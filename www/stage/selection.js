@@ -35,18 +35,6 @@ export function drawSelection(pane, context, lane) {
   }
   context.save();
   context.lineJoin = "round";
-  if (refused) {
-    obstaclePath(context, view, refused);
-    context.fillStyle = pane.hatchOnObstacle ?? palette.collision;
-    context.globalAlpha = 0.5;
-    context.fill("evenodd");
-    context.globalAlpha = 1;
-    context.strokeStyle = palette.collision;
-    context.setLineDash([5, 4]);
-    context.lineWidth = 2;
-    context.stroke();
-    context.setLineDash([]);
-  }
   const obstacle = obstacleOf(document, selected);
   context.strokeStyle = palette.ink;
   if (obstacle) {
@@ -66,6 +54,18 @@ export function drawSelection(pane, context, lane) {
     context.stroke();
     context.setLineDash([]);
     draft.forEach(([x, y], i) => drawHandle(context, view.x(x), view.y(y), i === 0 ? 6 : 3.5, i > 0, palette.stage));
+  }
+  if (refused) {
+    obstaclePath(context, view, refused);
+    context.fillStyle = pane.hatchOnObstacle ?? palette.collision;
+    context.globalAlpha = 0.5;
+    context.fill("evenodd");
+    context.globalAlpha = 1;
+    context.strokeStyle = palette.collision;
+    context.setLineDash([5, 4]);
+    context.lineWidth = 2;
+    context.stroke();
+    context.setLineDash([]);
   }
   context.restore();
   nameTouching(pane, context, overlay, scenario);

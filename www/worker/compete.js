@@ -17,7 +17,7 @@ const LEAD = 1000;
  * @returns {boolean} whether all have come that far
  */
 export function compete(runs, column, wanted, until) {
-  const bursts = new Map(runs.map((run) => [run, run.burst(runs.length / 2)]));
+  const bursts = new Map(runs.map((run) => [run, run.burst()]));
   for (;;) {
     const behind = runs.filter((run) => !run.hasPassed(column, wanted)).sort((a, b) => a.clock(column) - b.clock(column));
     if (behind.length === 0) return true;

@@ -1,6 +1,6 @@
 /**
  * What a drag does: each gesture is a function from where the pointer is to the document as it is then. Shift snaps points to
- * the grid of dots, joints and directions to 15 degrees, and makes rectangles squares.
+ * fifths of the grid of dots, joints and directions to 15 degrees, and makes rectangles squares.
  */
 import { contained, coordinatesOf, wrap } from "./coordinates.js";
 import { moved, obstacleOf, rectangle, rounded, withObstacle, withPose, withVertex } from "./things.js";
@@ -15,7 +15,7 @@ import { moved, obstacleOf, rectangle, rounded, withObstacle, withPose, withVert
 /**
  * @typedef {object} Scale
  * @property {number} unit   what lengths are rounded to, metres
- * @property {number} grid   distance of the dots, metres
+ * @property {number} grid   what Shift snaps to, metres
  * @property {number} pixels   CSS pixels a metre
  */
 

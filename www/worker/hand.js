@@ -75,7 +75,7 @@ export class Hand {
     if (!found || !view) return null;
     const [x, y] = view.toPlane(Math.min(view.width, Math.max(0, px)), Math.min(view.height, Math.max(0, py)));
     return {
-      pane: found.pane, x, y, scale: { unit: this.editor.unit, grid: view.grid, pixels: view.scaleX },
+      pane: found.pane, x, y, scale: { unit: this.editor.unit, grid: view.grid / 5, pixels: view.scaleX },
       square: found.kind === "cspace" ? /** @type {CSpace} */ (found.pane) : null,
     };
   }

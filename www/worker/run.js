@@ -139,10 +139,8 @@ export class Run {
     return high;
   }
 
-  /** How far one frame may grow, where it shares the frame with others. @param {number} [share] */
-  burst(share = 1) {
-    return { vertices: this.planner.vertexCount + BURST.vertices / share, edges: this.planner.edgeCount + BURST.edges / share };
-  }
+  /** How far it may grow within a frame. */
+  burst() { return { vertices: this.planner.vertexCount + BURST.vertices, edges: this.planner.edgeCount + BURST.edges }; }
 
   /**
    * Plans until a clock of the log has passed `wanted`, the run ends, the time passes `until`, or as much has grown as a frame

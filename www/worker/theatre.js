@@ -434,7 +434,7 @@ export class Theatre {
   /** How each run went, in few points. @returns {Curves} */
   curves() {
     const { clock: { head, isRace, column }, curvesKey: key } = this;
-    return { key, head, isRace, lanes: this.lanes.map(({ run }) => (run ? thinned(run, column, head) : new Float64Array(0))) };
+    return { key, head, isRace, lanes: thinned(this.lanes.flatMap(({ run }) => run ?? []), column, head) };
   }
 
   /** The robots drive on, all at the same part of their ways. @param {number} elapsed  seconds */

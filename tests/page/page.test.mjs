@@ -261,7 +261,7 @@ describe("planners", () => {
       assert.equal(await page.innerText("#legend-path"), "path, not proven");
       for (const pane of /** @type {const} */ (["workspace", "cspace"])) {
         await page.waitForTimeout(100);
-        assert.ok(await pixelsOf(page, pane, "top", "unproven") > 100);
+        assert.ok(await pixelsOf(page, pane, "top", "unproven") > 40);
         assert.ok(await pixelsOf(page, pane, "top", "collision") > 30);
         assert.equal(await pixelsOf(page, pane, "top", "path"), 0);
       }

@@ -31,9 +31,9 @@ export class Strobe {
   draw(context, ground) {
     for (const { part, x, y, colour } of this.seen) {
       context.fillStyle = ground;
-      disc(context, x, y, 4.4 + 2.4 * part);
+      disc(context, x, y, 3.2 + 2.2 * part);
       context.fillStyle = colour;
-      disc(context, x, y, 2.6 + 2.4 * part);
+      disc(context, x, y, 2 + 2.2 * part);
     }
   }
 }

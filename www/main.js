@@ -16,7 +16,7 @@
 import { watchAnnouncements } from "./controls/announce.js";
 import { Counters } from "./controls/counters.js";
 import { byId } from "./controls/dom.js";
-import { watchFiles } from "./controls/drop.js";
+import { isArray, watchFiles } from "./controls/drop.js";
 import { watchParent } from "./controls/embed.js";
 import { watchCurves } from "./controls/curves.js";
 import { EditorControls } from "./controls/editor.js";
@@ -31,6 +31,7 @@ import { Pose } from "./controls/pose.js";
 import { showPseudocode } from "./controls/pseudocode.js";
 import { showSceneOptions } from "./controls/scene-options.js";
 import { Race } from "./controls/race.js";
+import { watchTake } from "./controls/take.js";
 import { watchTheme } from "./controls/theme.js";
 import { watchReadout } from "./controls/readout.js";
 import { Transport } from "./controls/transport.js";
@@ -93,6 +94,7 @@ async function start() {
   addEventListener("hashchange", () => { if (location.hash) void obey(); });
   watchView(page, sheets);
   watchReadout(page);
+  watchTake(page);
   new EditorControls(page);
 
   page.onOpen((facts, entry) => {
@@ -133,12 +135,13 @@ async function start() {
     }
   }
 
-  /** A file of the reader's own. If it is refused, what is on the stage stays there. @param {string} name @param {string} json */
-  async function openFile(name, json) {
+  /** A file of the reader's own. If it is refused, what is on the stage stays there. @param {string} name @param {Uint8Array<ArrayBuffer>} bytes */
+  async function openFile(name, bytes) {
     try {
-      await page.open({ document: json });
+      if (isArray(name, bytes)) await (await import("./take/arrays.js")).openArray(page, name, bytes);
+      else await page.open({ document: new TextDecoder().decode(bytes) });
     } catch (error) {
-      notice.show(`${name} is not a scenario that can be shown.`, error);
+      notice.show(isArray(name, bytes) ? `${name} cannot be shown.` : `${name} is not a scenario that can be shown.`, error);
     }
   }
 

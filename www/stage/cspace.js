@@ -4,6 +4,7 @@
  * comes back on the other.
  */
 import { coordinatesOf } from "../worker/coordinates.js";
+import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
 import { Slice, keyOf } from "./slice.js";
 import { drawSelectedPoint } from "./selection.js";
@@ -150,7 +151,8 @@ export class CSpace extends Pane {
   }
 
   /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
-  drawGround(context, { shown: { rough } }) {
+  drawGround(context, lane) {
+    const { rough } = lane.shown;
     const { palette, cells } = this;
     if (!palette) return;
     const { x, y, width, height } = this.frame();
@@ -160,6 +162,7 @@ export class CSpace extends Pane {
     context.lineWidth = 1;
     context.strokeRect(x, y, width, height);
     this.drawTicks(context);
+    drawMarked(this, context, lane);
   }
 
   /** @param {CanvasRenderingContext2D} context */

@@ -293,7 +293,8 @@ function paint(mask, side, width, height, palette) {
   const image = context.createImageData(canvas.width, canvas.height);
   const inner = bytesOf(palette.obstacle);
   const edge = bytesOf(palette["obstacle-edge"]);
-  const cell = Math.min(width, height) / side;
+  // However small the picture, what is deep inside has the colour of obstacles.
+  const cell = Math.max(1.4, Math.min(width, height) / side);
   const pixels = image.data;
   for (let py = 0; py < canvas.height; py++) {
     const gy = Math.min(side - 1, Math.max(0, (1 - (py + 0.5) / canvas.height) * side - 0.5));

@@ -86,8 +86,9 @@ export function showTake(page) {
       }
     });
     offers.push({ button, hint, meaning, lack });
-    const row = make("div", { className: "row" }, make("span", { className: "name" }, title, hint), button);
-    return make("div", { className: "offer" }, row, choices.length > 0 ? make("div", { className: "parts" }, ...choices) : "");
+    const [beside, below] = choices.length === 1 ? [choices, []] : [[], choices];
+    const row = make("div", { className: "row" }, make("span", { className: "name" }, title, hint), ...beside, button);
+    return make("div", { className: "offer" }, row, below.length > 0 ? make("div", { className: "parts" }, ...below) : "");
   }
 
   /** @param {State} state */

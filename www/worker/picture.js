@@ -20,6 +20,7 @@ const SLICE = 8;
 /** Of captions: CSS pixels. */
 const FONT = "13px system-ui, sans-serif";
 const LINE = 18;
+const GAP = 9;
 
 export class Picture {
   /**
@@ -115,15 +116,22 @@ export function writeCaption(context, { caption: { x, y, width, name, note } }, 
   let line = 0;
   for (const [words, colour] of [[name, palette.ink], [note, palette.quiet]]) {
     context.fillStyle = colour;
+    let text = "";
+    const write = () => {
+      context.fillText(text, x + left, y + LINE * (line + 0.5));
+      left += ruler.measureText(text).width + GAP;
+      text = "";
+    };
     for (const word of words.split(/\s+/).filter(Boolean)) {
-      const wide = ruler.measureText(word).width;
-      if (left > 0 && left + wide > width) {
+      const longer = `${text} ${word}`.trimStart();
+      if (left + ruler.measureText(longer).width <= width || left + text.length === 0) text = longer;
+      else {
+        write();
         left = 0;
         line++;
+        text = word;
       }
-      context.fillText(word, x + left, y + LINE * (line + 0.5));
-      left += wide + ruler.measureText(" ").width;
     }
-    left += 6;
+    if (text) write();
   }
 }

@@ -65,7 +65,8 @@ export class Desk {
         this.making = null;
         return 1;
       }
-      if (performance.now() > until) return value;
+      // It is whole only once nothing more comes.
+      if (performance.now() > until) return Math.min(value, 0.999);
     }
   }
 

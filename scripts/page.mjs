@@ -2,15 +2,15 @@
 import { createHash } from "node:crypto";
 import { cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { basename, join } from "node:path";
+import { basename, join, relative, sep } from "node:path";
 import { gzipSync } from "node:zlib";
 import { requireFile, root } from "./run.mjs";
 
 const dist = join(root, "dist");
 
 /**
- * Assembles the page around the package. The modules are joined into two files, one for the page and one for its worker; the
- * package stays a file of its own, the published one. The maps beside them lead back to the sources.
+ * Assembles the page around the package: a script for the page and one for its worker, each with the parts that are loaded when
+ * they are asked for; the package stays a file of its own, the published one. The maps beside them lead back to the sources.
  */
 export function assemblePage() {
   const page = join(root, "www");
@@ -20,10 +20,19 @@ export function assemblePage() {
   mkdirSync(join(out, "planarium"), { recursive: true });
   for (const part of ["index.html", "icon.svg", "scenes"]) cpSync(join(page, part), join(out, part), { recursive: true });
   cpSync(join(dist, "package", "planarium_bg.wasm"), join(out, "planarium", "planarium_bg.wasm"));
+  const inParts = { outfile: undefined, outdir: out, splitting: true, chunkNames: "parts/[name]-[hash]" };
   joinModules(join(page, "style", "style.css"), join(out, "style.css"));
-  joinModules(join(page, "main.js"), join(out, "main.js"));
-  joinModules(join(page, "worker", "worker.js"), join(out, "worker.js"), { alias: { planarium: "./planarium/planarium.js" }, external: ["./planarium/planarium.js"] });
+  joinModules(join(page, "main.js"), "", inParts);
+  joinModules(join(page, "worker", "worker.js"), "", { ...inParts, alias: { planarium: "./planarium/planarium.js" }, external: ["./planarium/planarium.js"] });
   joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
+  const files = readdirSync(out, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile() && !entry.name.endsWith(".map"))
+    .map((entry) => relative(out, join(entry.parentPath, entry.name)).split(sep).join("/"))
+    .sort();
+  const version = files.reduce((hash, file) => hash.update(file).update(readFileSync(join(out, file))), createHash("sha256")).digest("hex").slice(0, 16);
+  joinModules(join(page, "offline.js"), join(out, "offline.js"), {
+    banner: { js: `globalThis.VERSION=${JSON.stringify(version)};globalThis.FILES=${JSON.stringify(["./", ...files])};` },
+  });
 }
 
 /**

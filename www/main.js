@@ -28,6 +28,7 @@ import { Link } from "./controls/link.js";
 import { Notice } from "./controls/notice.js";
 import { Panel } from "./controls/panel.js";
 import { Pose } from "./controls/pose.js";
+import { Projector } from "./controls/projector.js";
 import { showPseudocode } from "./controls/pseudocode.js";
 import { showSceneOptions } from "./controls/scene-options.js";
 import { Race } from "./controls/race.js";
@@ -53,9 +54,15 @@ const notice = new Notice();
 
 try {
   await start();
+  keepForLater();
 } catch (error) {
   counters.none("failed");
   notice.show("Planarium could not start: it needs a browser with WebAssembly, and its own files beside this page.", error);
+}
+
+/** Has the page's files kept, so that it opens without a network too; a page that may not keep anything does without. */
+function keepForLater() {
+  if (location.protocol.startsWith("http")) navigator.serviceWorker?.register("offline.js").catch(() => {});
 }
 
 async function start() {
@@ -96,6 +103,7 @@ async function start() {
   watchReadout(page);
   watchTake(page);
   new EditorControls(page);
+  new Projector(page);
 
   page.onOpen((facts, entry) => {
     if (!race.arrange()) sheets.arrange(facts);

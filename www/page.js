@@ -3,6 +3,7 @@
  * scene opens, when a state comes, when the colours change; none of them knows the others.
  */
 import { byId } from "./controls/dom.js";
+import { isProjected } from "./controls/projector.js";
 import { nameAll } from "./controls/names.js";
 import { loadScene } from "./resources.js";
 import { readPalette } from "./stage/palette.js";
@@ -45,8 +46,6 @@ export class Page {
     this.race = null;
     /** Was it told why the core would not plan this? */
     this.told = false;
-    /** What is to be seen on the stage. @type {ViewOptions} */
-    this.view = { axes: [0, 1], refused: false, strobe: true, poses: 8, raw: false, slice: false };
     /** @type {((facts: SceneFacts, entry: SceneEntry | null) => void)[]} */
     this.openers = [];
     /** @type {((state: State, before: State | null) => void)[]} */
@@ -75,7 +74,7 @@ export class Page {
   onDress(then) { this.dressers.push(then); }
 
   /** @returns {Look} */
-  get look() { return { palette: readPalette(byId("stage", HTMLElement)), ratio: devicePixelRatio || 1, calm: this.calm }; }
+  get look() { return { palette: readPalette(byId("stage", HTMLElement)), ratio: devicePixelRatio || 1, calm: this.calm, bold: isProjected() ? 1.7 : 1 }; }
 
   /** Colours or pixels are others. */
   dress() {
@@ -171,10 +170,7 @@ export class Page {
   }
 
   /** Other things are to be seen. @param {Partial<ViewOptions>} view */
-  see(view) {
-    Object.assign(this.view, view);
-    this.studio.tell("view", view);
-  }
+  see(view) { this.studio.tell("view", view); }
 
   /** The query that is chosen. */
   ask() {
@@ -196,6 +192,7 @@ export class Page {
     for (const then of this.watchers) then(state, before);
     const { refusal } = state;
     // Old news is not told, and each refusal once; what the editor is at, it says itself, where the hand is.
+    if (Boolean(before?.edit) !== Boolean(state.edit)) this.told = false;
     if (!refusal || this.told || state.heard < this.studio.ordered || state.edit?.touching) return;
     this.told = true;
     const { lane, pointer, message } = refusal;

@@ -8,7 +8,7 @@ import { LAYERS } from "./stage/layer.js";
 /** @import { Page } from "./page.js" */
 /** @import { PaneKind, Pointer, SceneFacts, State } from "./types.js" */
 /** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Sheet   the note says quietly what is to be seen */
-/** @typedef {{ figure: HTMLElement, caption: HTMLElement, note: HTMLElement, said: string, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
+/** @typedef {{ figure: HTMLElement, caption: HTMLElement, note: HTMLElement, said: string, standing: string, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
 
 export class Sheets {
   /** @param {Page} page */
@@ -54,15 +54,25 @@ export class Sheets {
     this.measure();
   }
 
-  /** Says something beside the caption of every sheet of a kind. @param {PaneKind} kind @param {string} text */
+  /** How a lane of a race stands. @param {number} lane @param {string} text */
+  rank(lane, text) {
+    for (const figure of this.figures.values()) {
+      if (figure.lane !== lane || figure.standing === text) continue;
+      figure.standing = text;
+      this.say(figure);
+    }
+  }
+
+  /** Says something beside the caption of every sheet of a kind, or again what it says by itself. @param {PaneKind} kind @param {string | undefined} text */
   annotate(kind, text) {
+    if (this.notes[kind] === text) return;
     this.notes[kind] = text;
     for (const figure of this.figures.values()) this.say(figure);
   }
 
   /** What was said of a kind of sheet now goes before what is said of each always. @param {Figure} figure */
-  say({ kind, note, said }) {
-    const text = this.notes[kind] || said;
+  say({ kind, note, said, standing }) {
+    const text = standing ? [standing, this.notes[kind]].filter(Boolean).join("; ") : this.notes[kind] || said;
     if (note.textContent !== text) note.textContent = text;
   }
 
@@ -86,7 +96,7 @@ export class Sheets {
     const offscreen = canvases.map((canvas) => canvas.transferControlToOffscreen());
     const named = /** @type {Record<typeof LAYERS[number], OffscreenCanvas>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, offscreen[i]])));
     void this.studio.ask("pane", [id, kind, lane, named], offscreen);
-    const made = { figure, caption, note, said: "", sheet, top, kind, lane };
+    const made = { figure, caption, note, said: "", standing: "", sheet, top, kind, lane };
     this.figures.set(id, made);
     this.observer.observe(sheet);
     return made;
@@ -95,7 +105,9 @@ export class Sheets {
   /** Tells the worker how large the sheets are. */
   measure() {
     for (const [id, { sheet }] of this.figures) {
-      const { width, height } = sheet.getBoundingClientRect();
+      const box = sheet.getBoundingClientRect();
+      // Less than a pixel of the screen is no other size.
+      const [width, height] = [box.width, box.height].map((side) => Math.round(side * devicePixelRatio) / devicePixelRatio);
       if (width >= 1 && height >= 1) this.studio.tell("resize", id, width, height);
     }
   }

@@ -53,6 +53,7 @@
  * @property {import("./stage/palette.js").Palette} palette
  * @property {number} ratio   device pixels a CSS pixel
  * @property {boolean} calm   less motion is asked for
+ * @property {number} bold    how much thicker lines and dots are than usual
  *
  * @typedef {object} Pointer
  * @property {string} pane

@@ -27,6 +27,26 @@ describe("without a network", () => {
   });
 });
 
+describe("kept for later", () => {
+  test("a page that was open once opens without a network, and plans the same", async () => {
+    await onPausedPage(async (page, url) => {
+      await page.waitForFunction(async () => (await navigator.serviceWorker.ready).active?.state === "activated");
+      const there = await finish(page);
+      await page.context().setOffline(true);
+      await page.goto("about:blank");
+      await page.goto(url);
+      await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
+      assert.equal((await finish(page)).fingerprint, there.fingerprint);
+      await chooseScene(page, "rings");
+      for (const fold of ["editor", "lessons", "take", "curves"]) {
+        await page.click(`#${fold}-fold > summary`);
+        await page.waitForFunction((id) => (document.getElementById(id)?.childElementCount ?? 0) > 0, fold);
+      }
+      assert.equal(await page.locator("#notice").isHidden(), true);
+    }, { serviceWorkers: "allow" }, { expectErrors: true });
+  });
+});
+
 describe("one file", () => {
   test("has at most 600 KB and asks for nothing", () => {
     assert.ok(statSync(oneFile).size <= 600 * 1024, `${statSync(oneFile).size}`);

@@ -38,14 +38,15 @@ export async function stop() {
 export async function onPage(options, test, { before, expectErrors = false } = {}) {
   assert.ok(browser && server, "start() comes first");
   const url = server.url;
-  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, ...options });
+  // What the page keeps for later would answer in the place of the files that tests put in its way.
+  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, serviceWorkers: "block", ...options });
   const page = await context.newPage();
   page.setDefaultTimeout(20_000);
   /** @type {string[]} */
   const faults = [];
   page.on("console", (message) => {
-    // The tests read canvases back more often than a page would, and Chromium remarks on it.
-    const remark = message.text().startsWith("Canvas2D: Multiple readback operations");
+    // The tests read canvases back more often than a page would, and keep its files from being kept: both are remarked on.
+    const remark = /^(Canvas2D: Multiple readback operations|Service Worker registration blocked by Playwright)/.test(message.text());
     if ((message.type() === "error" || message.type() === "warning") && !remark) faults.push(`console: ${message.text()}`);
   });
   page.on("pageerror", (error) => faults.push(`thrown: ${error.message}`));
@@ -76,7 +77,7 @@ export async function inBrowser(options, test) {
 
 /**
  * A page that waits at iteration 0.
- * @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {{ before?: (page: Page) => Promise<void> }} [more]
+ * @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean }} [more]
  */
 export async function onPausedPage(test, options = {}, more = {}) {
   await onPage({ reducedMotion: "reduce", ...options }, async (page, url) => {
@@ -114,7 +115,7 @@ export async function finish(page) {
 export async function chooseScene(page, id) {
   await page.locator(`input[name=scene][value=${id}]`).check({ force: true });
   await page.waitForSelector(`body[data-scene=${id}]`);
-  await page.waitForSelector("#counters[data-settled=true][data-status=running]");
+  await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
 }
 
 /** Types a value into a parameter and leaves the field. @param {Page} page @param {string} name @param {string} value */

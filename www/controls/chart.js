@@ -95,7 +95,7 @@ export class Chart {
 
 /** Round numbers, evenly spaced, that reach from at most `low` to at least `high`; two of them at least. @param {number} low @param {number} high @param {number} count  about how many steps @returns {number[]} */
 export function ticks(low, high, count) {
-  const rough = Math.max((high - low) / Math.max(1, count), Math.abs(high) * 1e-6, 1e-9);
+  const rough = Math.max((high - low) / Math.max(1, count), Math.abs(high) * 0.005, 1e-9);
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = power * ([1, 2, 5].find((factor) => factor * power >= rough * (1 - 1e-9)) ?? 10);
   const first = Math.floor(low / step + 1e-9);

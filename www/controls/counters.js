@@ -17,7 +17,7 @@ export class Counters {
     this.written = -Infinity;
     // On a desk all numbers stand in one line; on a phone the rest is folded away.
     const more = byId("more-counters", HTMLDetailsElement);
-    const desk = matchMedia("(min-width: 44rem)");
+    const desk = matchMedia("(min-width: 77.5rem)");
     const unfold = () => { more.open = desk.matches; };
     desk.addEventListener("change", unfold);
     unfold();

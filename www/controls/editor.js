@@ -72,7 +72,8 @@ export class EditorControls {
     byId("tools", HTMLElement).append(this.open);
     this.open.addEventListener("click", () => {
       this.fold.open = true;
-      (this.narrow.matches ? this.bar : this.fold).scrollIntoView({ block: "start", behavior: page.calm ? "auto" : "smooth" });
+      this.place();
+      (this.narrow.matches ? byId("story", HTMLElement) : this.fold).scrollIntoView({ block: "start", behavior: page.calm ? "auto" : "smooth" });
     });
     this.fold.addEventListener("toggle", () => this.turn());
     this.narrow.addEventListener("change", () => this.place());

@@ -41,9 +41,9 @@ export function experimentOf({ entry, source, facts, state, asked, panel }) {
   return experiment;
 }
 
-/** The settings that are not as usual. @param {Settings} settings @param {(name: string) => unknown} usual @returns {Settings} */
+/** The settings that are not as usual, by name in order: one experiment, one link. @param {Settings} settings @param {(name: string) => unknown} usual @returns {Settings} */
 function others(settings, usual) {
-  return Object.fromEntries(Object.entries(settings).filter(([name, value]) => value !== usual(name)));
+  return Object.fromEntries(Object.entries(settings).filter(([name, value]) => value !== usual(name)).sort());
 }
 
 /**

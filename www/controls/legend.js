@@ -1,21 +1,25 @@
 /** The legend names what can be seen just now, and no more. */
+import { write } from "./counters.js";
 import { byId } from "./dom.js";
 
 /** @import { Page } from "../page.js" */
-/** @import { LaneState, State } from "../types.js" */
+/** @import { State } from "../types.js" */
 
 /** @param {Page} page @param {State} state */
-export function showLegend({ view, calm }, { growing, lanes }) {
-  byId("legend-growth", HTMLElement).textContent = [...new Set(lanes.map(({ kind }) => kind))].join(", ");
-  const some = (/** @type {(lane: LaneState) => boolean} */ is) => lanes.some(is);
-  // What is refused stays where it is wanted to, and else flashes while it grows.
-  const refuses = view.refused || (growing && !calm);
+export function showLegend({ calm }, { lanes, view, growing, hover, touching, isBad }) {
+  const flashes = growing && !calm;
+  const hasPath = lanes.some(({ status, isMiss }) => status === "solved" || isMiss);
+  const samples = lanes.some(({ hasRejected }) => hasRejected);
+  const motions = lanes.some(({ hasRefused }) => hasRefused);
   const seen = {
-    guard: some(({ hasGuards }) => hasGuards), waiting: some(({ waiting }) => waiting > 0),
-    rejected: refuses && some(({ hasRejected }) => hasRejected), refused: refuses && some(({ hasRefused }) => hasRefused),
-    raw: view.raw && some(({ raw }) => raw !== null), poses: view.strobe && some(({ status, isMiss }) => status === "solved" || isMiss),
+    guard: lanes.some(({ hasGuards }) => hasGuards), newest: flashes, waiting: lanes.some(({ waiting }) => waiting > 0),
+    // What is refused stays where it is wanted to, and else flashes while it grows.
+    rejected: (view.refused || flashes) && (samples || motions), path: hasPath, poses: hasPath && view.strobe,
+    raw: view.raw && lanes.some(({ raw }) => raw !== null), touching: !touching.free || hover?.free === false || isBad,
   };
   for (const [name, isSeen] of Object.entries(seen)) byId(`legend-${name}`, HTMLElement).hidden = !isSeen;
+  byId("legend-rejected", HTMLElement).dataset.kinds = `${samples ? "samples " : ""}${motions ? "motions" : ""}`;
+  write(byId("legend-growth", HTMLElement), [...new Set(lanes.map(({ kind }) => kind))].join(", "));
   const path = byId("legend-path", HTMLElement);
   const isProven = lanes.some((lane) => lane.isProven);
   const isMiss = lanes.every((lane) => lane.isMiss);
@@ -26,5 +30,5 @@ export function showLegend({ view, calm }, { growing, lanes }) {
     lanes.every((lane) => lane.isProven) ? "" : isProven ? "hollow: not proven" : "not proven",
   ];
   const words = path.querySelector("span");
-  if (words) words.textContent = [isMiss ? "nearest miss" : "path", ...also].filter(Boolean).join(", ");
+  if (words) write(words, [isMiss ? "nearest miss" : "path", ...also].filter(Boolean).join(", "));
 }

@@ -28,6 +28,8 @@ export class Lessons {
     const leave = button("Leave", () => this.leave());
     this.back.id = "lesson-previous";
     this.next.id = "lesson-next";
+    this.next.className = "primary";
+    leave.className = "quiet";
     leave.id = "lesson-leave";
     const head = make("p", { className: "head" }, this.title, " ", this.count);
     const words = make("div", { role: "status" }, head, this.text);
@@ -95,11 +97,11 @@ export class Lessons {
       const entry = scenes.find(({ id }) => id === scene);
       if (!entry) throw new Error(`There is no scene "${scene}".`);
       const plans = [page.panel.reads(algorithm, settings)];
-      if (!this.isThere(entry, plans)) await page.openScene(entry, { plans, iteration, play: iteration === undefined && !page.calm });
-      else if (iteration !== undefined) page.studio.tell("seek", iteration);
-      if (lesson !== this.lesson || step !== this.at || iteration !== undefined) return;
-      // Whoever asks for less motion is shown the end at once.
-      page.studio.tell(page.calm ? "finish" : "play");
+      // Where it does not rest it runs to its end, at once before those who ask for less motion.
+      const rest = iteration ?? (page.calm ? Infinity : undefined);
+      if (!this.isThere(entry, plans)) await page.openScene(entry, { plans, iteration: rest, play: rest === undefined });
+      else if (rest !== undefined) page.studio.tell("seek", rest);
+      else page.studio.tell("play");
     } catch (error) {
       if (!page.facts) await page.openScene(scenes[0]);
       page.notice.show("What this step speaks of cannot be shown.", error);

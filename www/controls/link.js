@@ -101,6 +101,7 @@ export class Link {
     const { page } = this;
     const { state } = page;
     if (!state) return;
+    this.say("");
     try {
       const fragment = `#${await encodeLink(experimentOf(page))}`;
       try {

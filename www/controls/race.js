@@ -26,7 +26,7 @@ export class Race {
     /** Which picture of each planner, where it was chosen. @type {PaneKind | null} */
     this.kind = null;
     this.table = new Table(byId("standings", HTMLElement));
-    this.counters = byId("counters", HTMLElement);
+    this.numbers = byId("numbers", HTMLElement);
     this.list = make("div", {});
     this.choice = make("select", { id: "rival" }, ...page.panel.infos.map(({ id, title }) => make("option", { value: id }, title)));
     this.choice.value = "rrt-connect";
@@ -119,7 +119,8 @@ export class Race {
     this.shown = asked;
     const hasSquare = facts?.robot === "arm" && facts.dimension > 1;
     lens.hidden = !isRace || !hasSquare;
-    this.counters.hidden = isRace;
+    this.numbers.hidden = isRace;
+    this.sheets.element.classList.toggle("race", isRace);
     const { names } = page;
     this.table.build(isRace ? names : []);
     if (!isRace) return false;
@@ -133,6 +134,6 @@ export class Race {
   show(state) {
     const { page } = this;
     if (page.asked !== this.shown && !this.arrange() && page.facts) this.sheets.arrange(page.facts);
-    if (page.asked.length > 1 && state.lanes.length === page.asked.length) this.table.show(state);
+    if (page.asked.length > 1 && state.lanes.length === page.asked.length) this.table.show(state, this.sheets);
   }
 }

@@ -101,7 +101,8 @@ function makeForm(generators, onMake) {
     if (!good) return;
     /** @type {Settings} */
     const options = {};
-    for (const { info, value } of fields) if (value !== undefined) options[info.name] = value;
+    // What is as usual is left out: some options go with others only.
+    for (const { info, value } of fields) if (value !== undefined && value !== info.default) options[info.name] = value;
     onMake(generators[kind.selectedIndex].id, options);
   });
   return make("details", {}, make("summary", {}, "Make a scene"), form);

@@ -3,6 +3,7 @@ import { leaders } from "../standings.js";
 import { grouped, write } from "./counters.js";
 import { make } from "./dom.js";
 
+/** @import { Sheets } from "../sheets.js" */
 /** @import { LaneState, State } from "../types.js" */
 
 /** Milliseconds between two changes of the text. */
@@ -39,8 +40,8 @@ export class Table {
     this.room.append(scroll, this.remark);
   }
 
-  /** @param {State} state */
-  show({ lanes, settled }) {
+  /** @param {State} state @param {Sheets} sheets */
+  show({ lanes, settled }, sheets) {
     lanes.forEach(({ status, fingerprint }, i) => Object.assign(this.rows[i].row.dataset, { status, fingerprint }));
     const now = performance.now();
     if (!settled && now - this.written < READABLE) return;
@@ -53,6 +54,7 @@ export class Table {
         found === null ? nothing(lane) : `${grouped(found)}${first.includes(i) ? `, first${first.length > 1 ? ", level" : ""}` : ""}`,
         found === null ? "\u2013" : `${lengthOf(lane)}${shortest.includes(i) ? `, shortest${isOver ? "" : " so far"}` : ""}`,
       ];
+      sheets.rank(i, found === null ? `${nothing(lane)}, ${texts[0]} vertices` : texts[6]);
       texts.forEach((text, k) => write(this.rows[i].cells[k], text));
     });
     write(this.remark, isAlike ? "" : "Lengths are measured in different metrics here, so none is called the shortest.");

@@ -10,62 +10,62 @@ const POSES = { least: 3, most: 24 };
 
 /** @param {Page} page @param {Sheets} sheets */
 export function watchView(page, sheets) {
-  const { view } = page;
-  const poses = make("input", { type: "number", id: "view-poses", min: String(POSES.least), max: String(POSES.most), step: "1", value: String(view.poses), autocomplete: "off" });
+  const poses = make("input", { type: "number", id: "view-poses", min: String(POSES.least), max: String(POSES.most), step: "1", autocomplete: "off" });
   poses.addEventListener("input", () => {
     const count = Number(poses.value);
     const good = Number.isInteger(count) && count >= POSES.least && count <= POSES.most;
     if (good) page.see({ poses: count });
     poses.setAttribute("aria-invalid", String(!good));
   });
-  const [across, up] = ["across", "up"].map((way, i) => {
+  const selects = ["across", "up"].map((way, i) => {
     const select = make("select", { id: `view-${way}` });
     select.addEventListener("change", () => {
+      const [before, other] = [page.state?.view.axes[i] ?? 0, Number(selects[1 - i].value)];
       const chosen = Number(select.value);
       // The two change places where both would be the same.
-      page.see({ axes: i === 0 ? [chosen, chosen === view.axes[1] ? view.axes[0] : view.axes[1]] : [chosen === view.axes[0] ? view.axes[1] : view.axes[0], chosen] });
-      showPlane();
+      const rest = chosen === other ? before : other;
+      page.see({ axes: i === 0 ? [chosen, rest] : [rest, chosen] });
     });
     return select;
   });
-  const slice = toggle("slice", "Slice of the obstacles", "What would collide on this plane, with the other joints as the robot has them.");
-  const plane = make("div", { id: "view-plane" }, row("Joint across", across), row("Joint up", up), slice);
   const lengths = make("p", { className: "hint", id: "view-lengths" });
-  const raw = toggle("raw", "Path as found");
+  const switches = {
+    refused: toggle("refused"), strobe: toggle("strobe"), raw: toggle("raw"), slice: toggle("slice"),
+  };
+  const plane = make("div", { id: "view-plane" }, row("Joint across", selects[0]), row("Joint up", selects[1]),
+    row("Slice of the obstacles", switches.slice, "What would collide on this plane, with the other joints as the robot has them."));
+  const raw = row("Path as found", switches.raw);
   raw.append(lengths);
   byId("view", HTMLElement).append(
-    toggle("refused", "What was refused", "Samples that collide as crosses; motions as broken lines, up to where they hit."),
-    toggle("strobe", "Poses along the path"), row("How many poses", poses), raw, plane,
+    row("What was refused", switches.refused, "Samples that collide as crosses; motions as broken lines, up to where they hit."),
+    row("Poses along the path", switches.strobe), row("How many poses", poses), raw, plane,
   );
 
   page.onOpen(({ robot, dimension }) => {
     const many = robot === "arm" && dimension > 2;
     plane.hidden = !many;
-    for (const select of [across, up]) select.replaceChildren(...Array.from({ length: many ? dimension : 0 }, (_, i) => make("option", { value: String(i) }, `joint ${i}`)));
-    if (!view.axes.every((axis) => axis < dimension)) page.see({ axes: [0, 1] });
-    showPlane();
+    for (const select of selects) select.replaceChildren(...Array.from({ length: many ? dimension : 0 }, (_, i) => make("option", { value: String(i) }, `joint ${i}`)));
+    sheets.annotate("cspace", undefined);
+    if (page.state?.view.axes.some((axis) => axis >= dimension)) page.see({ axes: [0, 1] });
   });
-  page.onState(({ lanes: [lane] }) => {
-    const { raw: found, length, unit } = lane;
+  page.onState(({ view, lanes: [{ raw: found, length, unit }] }) => {
+    for (const option of /** @type {const} */ (["refused", "strobe", "raw", "slice"])) switches[option].checked = view[option];
+    if (document.activeElement !== poses) poses.value = String(view.poses);
+    if (!plane.hidden) {
+      selects.forEach((select, i) => { select.value = String(view.axes[i]); });
+      const [across, up] = view.axes;
+      sheets.annotate("cspace", `joint ${across} across, joint ${up} up${view.slice ? "; slice at the robot\u2019s pose" : ""}`);
+    }
     write(lengths, found !== null && length !== null
       ? `${found.toFixed(2)} ${unit} as found, ${length.toFixed(2)} ${unit} shortened.`
-      : "The path before it was shortened, where it was: see the planner\u2019s parameters.");
+      : "A second line where the path was shortened: see the planner\u2019s parameters.");
   });
 
-  function showPlane() {
-    [across, up].forEach((select, i) => { select.value = String(view.axes[i]); });
-    const names = plane.hidden ? "" : `joint ${view.axes[0]} across, joint ${view.axes[1]} up`;
-    sheets.annotate("cspace", names && view.slice ? `${names}; slice at the robot\u2019s pose` : names);
-  }
-
-  /** A switch for something to be seen. @param {"refused" | "strobe" | "raw" | "slice"} option @param {string} name @param {string} [meaning] */
-  function toggle(option, name, meaning) {
-    const input = make("input", { type: "checkbox", role: "switch", id: `view-${option}`, checked: view[option] });
-    input.addEventListener("change", () => {
-      page.see({ [option]: input.checked });
-      showPlane();
-    });
-    return row(name, input, meaning);
+  /** A switch for something to be seen. @param {"refused" | "strobe" | "raw" | "slice"} option */
+  function toggle(option) {
+    const input = make("input", { type: "checkbox", role: "switch", id: `view-${option}` });
+    input.addEventListener("change", () => page.see({ [option]: input.checked }));
+    return input;
   }
 }
 

@@ -37,8 +37,7 @@ export function paletteOf(frames, most = 255) {
   while (groups.length < most) {
     const [{ colours, mean, error, axis }] = groups.sort((a, b) => b.error - a.error);
     if (error === 0) break;
-    const [low, high] = [true, false].map((isLow) => colours.filter((colour) => colour[axis] <= mean[axis] === isLow));
-    groups.splice(0, 1, groupOf(low), groupOf(high));
+    groups.splice(0, 1, ...[true, false].map((isLow) => groupOf(colours.filter((colour) => colour[axis] <= mean[axis] === isLow))));
   }
   return Uint8Array.from(groups.flatMap(({ mean }) => mean.map(Math.round)));
 }

@@ -25,7 +25,6 @@
  * @property {Settings} [options]  of the scene
  */
 
-const VERSION = "1";
 const MOST_FRAGMENT = 65536;
 const MOST_BYTES = 1 << 20;
 
@@ -119,8 +118,8 @@ export async function encodeLink(experiment) {
   const bytes = new TextEncoder().encode(JSON.stringify({ ...rest, iteration: iteration || undefined, view: seen(view) }));
   const packed = await pump(bytes, new CompressionStream("deflate-raw"));
   const binary = Array.from(packed, (byte) => String.fromCharCode(byte)).join("");
-  const fragment = VERSION + btoa(binary).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "");
-  must(bytes.length <= MOST_BYTES && fragment.length <= MOST_FRAGMENT, "it is too long");
+  const fragment = `1${btoa(binary).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "")}`;
+  must(bytes.length <= MOST_BYTES && fragment.length < MOST_FRAGMENT, "it is too long");
   return fragment;
 }
 
@@ -130,9 +129,9 @@ export async function encodeLink(experiment) {
  */
 export async function decodeLink(fragment) {
   try {
-    must(String(fragment).length <= MOST_FRAGMENT + 1, "it is too long");
-    const [, version, packed] = /^#?(\d)([\w-]+)$/.exec(fragment) ?? [];
-    must(version === VERSION, "it is not one of version 1");
+    must(String(fragment).length <= MOST_FRAGMENT, "it is too long");
+    const [, packed] = /^#?1([\w-]+)$/.exec(fragment) ?? [];
+    must(packed, "it is not one of version 1");
     const binary = atob(packed.replace(/-/g, "+").replace(/_/g, "/"));
     const bytes = await pump(Uint8Array.from(binary, (c) => c.charCodeAt(0)), new DecompressionStream("deflate-raw"));
     const value = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes));

@@ -46,8 +46,7 @@ export function packCodes(values, bits) {
     }
   }
   emit(prefix);
-  // The reader adds a string for every code but the first: the last code may be one bit wider.
-  if (next === 1 << size && size < 12) size++;
+  // A reader may expect this code a bit wider; the bits that follow it are zeros, and at least one.
   emit(clear + 1);
   bytes.push(held);
   const out = [bits];

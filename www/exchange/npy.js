@@ -32,23 +32,26 @@ export function readNpyPolygons(bytes) {
   let vertices = 0;
   /** @param {unknown} value */
   const values = (value) => (value instanceof NdArray ? value.lists() : value);
-  /** @param {unknown} value @param {number} least @param {number} most @param {string} name @returns {unknown[]} */
-  const list = (value, least, most, name) => {
+  /** @param {unknown} value @param {number} least @param {number} most @param {string} sentence @returns {unknown[]} */
+  const list = (value, least, most, sentence) => {
     const items = values(value);
-    must(Array.isArray(items) && items.length >= least && items.length <= most, `${name} must be a list of ${least} to ${most}.`);
+    must(Array.isArray(items) && items.length >= least && items.length <= most, sentence);
     return items;
   };
-  const all = list(array.type === "|O" ? readPickle(/** @type {Uint8Array} */ (array.bytes)) : array, 1, MOST_VERTICES, "The array");
-  const isOne = typeof values(list(all[0], 1, MOST_VERTICES, "A polygon")[0]) === "number";
+  const all = list(array.type === "|O" ? readPickle(/** @type {Uint8Array} */ (array.bytes)) : array, 1, MOST_VERTICES, "There is no list of polygons.");
+  const isOne = typeof values(list(all[0], 1, MOST_VERTICES, "There is no list of vertices.")[0]) === "number";
   return (isOne ? [all] : all).map((entry, p) => {
-    const polygon = list(entry, 3, MOST_VERTICES, `Polygon ${p}`);
+    const polygon = list(entry, 3, MOST_VERTICES, `Polygon ${p} must be three vertices or more.`);
     vertices += polygon.length;
     must(vertices <= MOST_VERTICES, "There are more than 5000 vertices.");
-    return polygon.map((vertex, v) => list(vertex, 2, 2, `Vertex ${v} of polygon ${p}`).map((coordinate) => {
-      const number = values(coordinate);
-      must(typeof number === "number" && Number.isFinite(number), `Vertex ${v} of polygon ${p} must be finite.`);
-      return number;
-    }));
+    return polygon.map((vertex, v) => {
+      const sentence = `Vertex ${v} of polygon ${p} must be two finite numbers.`;
+      return list(vertex, 2, 2, sentence).map((coordinate) => {
+        const number = values(coordinate);
+        must(typeof number === "number" && Number.isFinite(number), sentence);
+        return number;
+      });
+    });
   });
 }
 
@@ -82,6 +85,6 @@ function open(bytes) {
   const type = entry("descr", `['"]([^'"]+)['"]`);
   const fortran = entry("fortran_order", "(True|False)");
   const shape = entry("shape", "\\(([\\dL, ]*)\\)");
-  must(type && fortran && shape !== undefined && end <= bytes.length, "The header does not tell of one plain array.");
+  must(type && fortran && shape !== undefined && end <= bytes.length, "The file is not of one plain array.");
   return new NdArray((shape.match(/\d+/g) ?? []).map(Number), type, fortran === "True", bytes.subarray(end));
 }

@@ -9,8 +9,8 @@
  */
 
 const TURN = 2 * Math.PI;
-/** From the line named to the baseline, in sizes of the font. @type {Record<string, number>} */
-const DROP = { top: 0.8, middle: 0.35, bottom: -0.2 };
+/** From the line named to the baseline, in sizes of the font, as most fonts have it. @type {Record<string, number>} */
+const DROP = { top: 0.78, middle: 0.28, bottom: -0.22 };
 /** @type {Record<string, string>} */
 const ANCHOR = { center: "middle", right: "end" };
 
@@ -90,7 +90,7 @@ export class SvgContext {
   }
 
   /** @param {readonly number[]} dash */
-  setLineDash(dash) { this.dash = dash; }
+  setLineDash(dash) { this.dash = [...dash]; }
 
   beginPath() { this.#path = ""; }
 
@@ -120,8 +120,9 @@ export class SvgContext {
     sweep = sign * Math.min(sweep, TURN);
     const size = round(radius * Math.hypot(this.turn[0], this.turn[1]));
     this.lineTo(x + radius * Math.cos(from), y + radius * Math.sin(from));
-    // In two pieces, neither is longer than half a turn, and neither ends where it begins.
-    for (const angle of [from + sweep / 2, from + sweep]) {
+    // In three pieces: one of half a turn would stand on its rounded ends too loosely, one of a whole turn not at all.
+    for (const third of [1, 2, 3]) {
+      const angle = from + (sweep * third) / 3;
       this.#go(`A${size} ${size} 0 0 ${back ? 0 : 1} `, x + radius * Math.cos(angle), y + radius * Math.sin(angle));
     }
   }
@@ -144,7 +145,7 @@ export class SvgContext {
 
   /** Takes away all; what lies under a part of a figure cannot be. @param {number} x @param {number} y @param {number} width @param {number} height */
   clearRect(x, y, width, height) {
-    if (x > 0 || y > 0 || x + width < this.#width || y + height < this.#height) throw new RangeError("Only the whole figure can be cleared.");
+    if (x > 0 || y > 0 || x + width < this.#width || y + height < this.#height) throw new RangeError("A figure can only be cleared whole.");
     this.#elements = [];
   }
 

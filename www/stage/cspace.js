@@ -156,7 +156,7 @@ export class CSpace extends Pane {
     const { palette, cells } = this;
     if (!palette) return;
     const { x, y, width, height } = this.frame();
-    const ratio = rough ? 0.5 : this.layers.ground.ratio;
+    const ratio = rough ? 1 : this.layers.ground.ratio;
     if (cells) context.drawImage(paint(cells.mask, cells.side, Math.round(width * ratio), Math.round(height * ratio), palette), x, y, width, height);
     context.strokeStyle = palette["obstacle-edge"];
     context.lineWidth = 1;

@@ -17,6 +17,7 @@ import { Strobe } from "./strobe.js";
 /** @import { Journey } from "../worker/journey.js" */
 /** @import { LayerName } from "./layer.js" */
 /** @import { Palette } from "./palette.js" */
+/** @import { Look } from "../types.js" */
 /** @import { View } from "./view.js" */
 /** @typedef {{ points: Float64Array, firsts: Uint32Array }} Lines  line i: pixels x, y in turn, points firsts[i] up to firsts[i + 1]; NaN lifts the pen */
 
@@ -37,6 +38,8 @@ export class Pane {
     this.height = 0;
     /** How fine dots and lines are: 1 on a middling sheet, less on a small one. */
     this.fineness = 1;
+    /** How much thicker the strong lines are than usual. */
+    this.bold = 1;
     /** @type {CanvasPattern | null} */
     this.hatchOnPart = null;
     /** @type {CanvasPattern | null} */
@@ -57,8 +60,6 @@ export class Pane {
   fits(_lane) { return true; }
   /** @param {Lane} _lane @param {number} _width @param {number} _height @returns {View} */
   makeView(_lane, _width, _height) { throw new Error("a pane must make its view"); }
-  /** Called after each fit, before anything is drawn. @param {Lane} _lane */
-  prepare(_lane) {}
   /** @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
   drawGround(_context, _lane) {}
   /** Configurations to pixels. @param {Float64Array} _rows @returns {Float64Array} */
@@ -78,8 +79,8 @@ export class Pane {
   /** Keeps what crosses the border of the picture inside. @param {CanvasRenderingContext2D} _context */
   clip(_context) {}
 
-  /** Fits the layers to the sheet and draws all anew. @param {Lane} lane @param {Palette} palette @param {number} ratio */
-  layout(lane, palette, ratio) {
+  /** Fits the layers to the sheet and draws all anew. @param {Lane} lane @param {Look} look */
+  layout(lane, { palette, ratio, bold }) {
     this.lane = lane;
     this.palette = palette;
     const { width, height, layers } = this;
@@ -87,12 +88,12 @@ export class Pane {
     if (width < 1 || height < 1 || !this.fits(lane)) return;
     for (const name of LAYERS) layers[name].fit(width, height, ratio);
     this.view = this.makeView(lane, width, height);
-    this.fineness = Math.min(1.5, Math.max(0.72, Math.min(width, height) / 460));
+    this.fineness = Math.min(1.5, Math.max(0.72, Math.min(width, height) / 460)) * bold;
+    this.bold = bold;
     this.hatchOnPart = hatch(layers.top.context, palette.stage, ratio);
     this.hatchOnObstacle = hatch(layers.top.context, palette.collision, ratio);
     this.forget();
     this.survey(lane);
-    this.prepare(lane);
     for (const name of /** @type {const} */ (["edges", "vertices", "marks"])) layers[name].enclose((context) => this.clip(context));
     this.drawGround(layers.ground.context, lane);
     this.growth.restart(countsOf(lane.run));
@@ -236,7 +237,7 @@ export class Pane {
     // Without a proof the line is hollow, and broken where it misses the goal: colour is not all that tells.
     const colour = this.pathColour(journey);
     /** @type {[number, string, number][]} */
-    const strokes = [[8, palette.stage, 0.75], [journey.isProven ? 3.4 : 5, colour, 1]];
+    const strokes = [[8 * this.bold, palette.stage, 0.75], [(journey.isProven ? 3.4 : 5) * this.bold, colour, 1]];
     if (!journey.isProven) strokes.push([1.8, palette.stage, 1]);
     if (journey.isMiss) context.setLineDash([9, 8]);
     for (const [width, stroke, alpha] of strokes) {

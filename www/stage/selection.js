@@ -13,7 +13,8 @@ import { drawGhost, drawHit, drawLabel, drawTouchingParts, obstaclePath } from "
 /** @import { Scenario } from "../types.js" */
 
 /** On the workspace. @param {Workspace} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
-export function drawSelection(pane, context, { shown }) {
+export function drawSelection(pane, context, lane) {
+  const { shown } = lane;
   const { overlay, document, scenario } = shown;
   const palette = /** @type {Palette} */ (pane.palette);
   const view = /** @type {View} */ (pane.view);
@@ -24,6 +25,7 @@ export function drawSelection(pane, context, { shown }) {
     const hit = new Set(check.touching.map((pair) => pair.part));
     drawTouchingParts(context, view, scenario.footprint(pose).filter((_, i) => hit.has(i)), palette, pane.hatchOnPart);
   }
+  if (touching.length > 0) pane.drawEnds(context, lane, palette);
   const pose = selected?.kind === "start" ? shown.start : selected?.kind === "goal" ? shown.goal : null;
   if (selected && pose) {
     const colour = palette[selected.kind === "start" ? "start" : "goal"];

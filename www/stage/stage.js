@@ -88,7 +88,7 @@ export class Stage {
     for (const { id, lane, pane } of this.places.values()) {
       if (!lanes[lane] || (pane.lane === lanes[lane] && !this.stale.has(id))) continue;
       if (pane.view && lanes[lane].shown.rough && !this.stale.has(id)) pane.refresh(lanes[lane]);
-      else pane.layout(lanes[lane], this.look.palette, this.look.ratio);
+      else pane.layout(lanes[lane], this.look);
     }
     this.stale.clear();
     const { panes } = this;

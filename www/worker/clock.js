@@ -14,6 +14,8 @@ export class Clock {
     this.pace = 60;
     /** The time that is shown. */
     this.now = 0;
+    /** The latest time that was shown: up to there it can be replayed. */
+    this.head = 0;
     /** The time to be reached: where it is ahead, planning or replay goes on. */
     this.wanted = 0;
     this.playing = false;
@@ -22,7 +24,7 @@ export class Clock {
   }
 
   reset() {
-    this.now = 0;
+    this.now = this.head = 0;
     this.halt();
   }
 

@@ -102,6 +102,7 @@ export class Editor {
     this.selected = null;
     this.on = on;
     if (on) {
+      theatre.pointing.at = null;
       theatre.release();
       theatre.pause();
     } else if (theatre.refusal) theatre.showTouching();
@@ -218,8 +219,9 @@ export class Editor {
       this.refusal = null;
       return scenario;
     } catch (error) {
-      this.refusal = faultOf(error);
-      if (this.refusal.code === "") throw error;
+      const fault = faultOf(error);
+      if (fault.code === "" || fault.code === "internal") throw error;
+      this.refusal = fault;
       return null;
     }
   }

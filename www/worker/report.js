@@ -15,7 +15,7 @@ export function report(theatre) {
   const pose = shown?.hand ?? (journey && journey.drawn >= 1 ? journey.configuration(journey.at) : null);
   return {
     heard: theatre.heard,
-    clock: { now: clock.now, head: theatre.head, isRace: clock.isRace, unit: clock.unit, rate: clock.rate },
+    clock: { now: clock.now, head: clock.head, isRace: clock.isRace, unit: clock.unit, rate: clock.rate },
     playing: clock.playing,
     growing: theatre.growing,
     travelling: theatre.travelling,

@@ -43,7 +43,7 @@ export function ending(run, journey) {
   const unit = run.scenario.robot === "arm" ? "rad" : "m";
   const { length, approximate } = run.result;
   if (run.status === "solved") {
-    const shorter = journey?.raw ? `, ${run.rawLength.toFixed(2)} ${unit} before it was shortened` : "";
+    const shorter = journey?.raw ? `, cut from ${run.rawLength.toFixed(2)} ${unit}` : "";
     const found = `Found after ${iterations} iterations: a path of ${length.toFixed(2)} ${unit}${shorter}`;
     if (run.isProven) return `${found}, proven free from end to end.`;
     return `${found}, not proven. ${journey?.flaw ? collision(run.scenario, journey.flaw.check) : "Checked afterwards, it touches nothing."}`;
@@ -115,6 +115,7 @@ export function race(lanes) {
   const { first, shortest, isOver } = leaders(standings);
   if (first.length === 0) return isOver ? "None found a path." : "All get the same number of clearance evaluations, the work that proofs are made of.";
   const { found } = standings[first[0]];
+  if (isOver && lanes.every(({ run }) => run?.past[PAST.evaluations] === 0)) return "There is nothing to keep clear of here: no clearance is ever evaluated, so all are done at once.";
   const [best] = shortest;
   const winner = `${letters(first)} found a path first, after ${found?.toLocaleString("en")} clearance evaluations`;
   if (best === undefined) return `${winner}.`;

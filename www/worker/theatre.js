@@ -109,7 +109,7 @@ export class Theatre {
     if (!shown) return;
     for (const lane of lanes) lane.free();
     shown.scenario.free();
-    this.shown = { ...shown, scenario, document, rough: live, marked: null };
+    this.shown = { ...shown, scenario, document, hover: null, rough: live, marked: null };
     this.plan(lanes.map(({ plan }) => plan), false);
     if (!live) this.stage.relay();
   }
@@ -404,7 +404,7 @@ export class Theatre {
     for (const { run } of this.lanes) run?.frontier.follow();
     stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
     const resting = !clock.owes && (!clock.playing || !this.growing);
-    if (resting && stage.caughtUp && stage.isTended) this.settled = true;
+    this.settled = resting && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isTended);
     if (working) this.measure(began);
     this.tell(report(this));
     if (clock.playing || clock.owes || stage.busy) this.wake();
@@ -440,18 +440,18 @@ export class Theatre {
   }
 
   /** The latest time at which it is known how all stand. */
-  get head() {
+  get limit() {
     const reached = this.reached();
     return reached < Infinity ? reached : Math.max(0, ...this.lanes.map(({ run }) => run?.clock(this.clock.column) ?? 0));
   }
 
   /** Differs where the curves do. */
-  get curvesKey() { return `${this.plannings} ${this.head} ${this.lanes.map(({ run }) => run?.ended)}`; }
+  get curvesKey() { return `${this.plannings} ${this.clock.head} ${this.lanes.map(({ run }) => run?.ended)}`; }
 
   /** How each run went, in few points. @returns {Curves} */
   curves() {
-    const { clock, head, curvesKey: key } = this;
-    return { key, head, isRace: clock.isRace, lanes: this.lanes.map(({ run }) => (run ? thinned(run, clock.column, head) : new Float64Array(0))) };
+    const { clock: { head, isRace, column }, curvesKey: key } = this;
+    return { key, head, isRace, lanes: this.lanes.map(({ run }) => (run ? thinned(run, column, head) : new Float64Array(0))) };
   }
 
   /** The robots drive on, all at the same part of their ways. @param {number} elapsed  seconds */
@@ -464,7 +464,8 @@ export class Theatre {
   /** @param {number} time */
   showTime(time) {
     const { clock, lanes } = this;
-    clock.now = Math.min(time, this.head);
+    clock.now = Math.min(time, this.limit);
+    clock.head = Math.max(clock.head, clock.now);
     for (const lane of lanes) {
       if (!lane.run) continue;
       lane.run.shown = lane.run.iterationAt(clock.column, clock.now);

@@ -9,7 +9,7 @@ import { Frontier } from "./frontier.js";
 /** @import { LayerName } from "../stage/layer.js" */
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { Palette } from "../stage/palette.js" */
-/** @import { SheetLayout } from "../types.js" */
+/** @import { Look, SheetLayout } from "../types.js" */
 /** @import { Lane, Shown } from "./lane.js" */
 /** @import { Run } from "./run.js" */
 /** @import { Theatre } from "./theatre.js" */
@@ -32,7 +32,8 @@ export class Picture {
    */
   constructor(theatre, sheets, ratio, makeCanvas, whole = false) {
     this.clock = { column: theatre.clock.column };
-    this.palette = /** @type {Palette} */ (theatre.stage.look?.palette);
+    const look = /** @type {Look} */ (theatre.stage.look);
+    this.palette = look.palette;
     this.ratio = ratio;
     const shown = /** @type {Shown} */ (theatre.shown);
     /** @type {Shown} */
@@ -50,7 +51,7 @@ export class Picture {
       // Obstacles that the stage has computed need not be computed again.
       if (pane instanceof KINDS.cspace && place.pane instanceof KINDS.cspace) pane.cells = place.pane.cells;
       pane.glow.enabled = false;
-      pane.layout(lane, this.palette, ratio);
+      pane.layout(lane, { ...look, ratio });
       // Time goes on, or begins anew: no copies on the way.
       for (const keeps of Object.values(pane.growth.keeps)) keeps.spacing = Infinity;
       return [{ layout, pane, layers, lane }];

@@ -17,7 +17,7 @@
 import { watchAnnouncements } from "./controls/announce.js";
 import { Counters } from "./controls/counters.js";
 import { byId } from "./controls/dom.js";
-import { watchFiles } from "./controls/drop.js";
+import { isArray, watchFiles } from "./controls/drop.js";
 import { Gallery, SIDE } from "./controls/gallery.js";
 import { watchKeys } from "./controls/keys.js";
 import { showLegend } from "./controls/legend.js";
@@ -27,6 +27,7 @@ import { Pose } from "./controls/pose.js";
 import { Projector } from "./controls/projector.js";
 import { showPseudocode } from "./controls/pseudocode.js";
 import { showSceneOptions } from "./controls/scene-options.js";
+import { watchTake } from "./controls/take.js";
 import { watchTheme } from "./controls/theme.js";
 import { watchReadout } from "./controls/readout.js";
 import { Transport } from "./controls/transport.js";
@@ -100,6 +101,7 @@ async function start() {
   if (window.parent !== window) (await import("./controls/embed.js")).watchParent(page);
   /** Puts on the stage what the address says, a step of a lesson or an experiment. */
   const obey = async () => (await (location.hash.startsWith("#lesson=") ? lessons : link).get()).obey(location.hash);
+  watchTake(page);
   addEventListener("hashchange", () => { if (location.hash) void obey(); });
 
   page.onOpen((facts, entry) => {
@@ -140,12 +142,13 @@ async function start() {
     }
   }
 
-  /** A file of the reader's own. If it is refused, what is on the stage stays there. @param {string} name @param {string} json */
-  async function openFile(name, json) {
+  /** A file of the reader's own. If it is refused, what is on the stage stays there. @param {string} name @param {Uint8Array<ArrayBuffer>} bytes */
+  async function openFile(name, bytes) {
     try {
-      await page.open({ document: json });
+      if (isArray(name, bytes)) await (await import("./take/arrays.js")).openArray(page, name, bytes);
+      else await page.open({ document: new TextDecoder().decode(bytes) });
     } catch (error) {
-      notice.show(`${name} is not a scenario that can be shown.`, error);
+      notice.show(isArray(name, bytes) ? `${name} cannot be shown.` : `${name} is not a scenario that can be shown.`, error);
     }
   }
 

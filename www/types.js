@@ -166,6 +166,29 @@
  * @property {boolean} isBusy    a gesture is under way
  * @property {number} changes    ends of gestures so far
  *
+ * @typedef {object} SheetLayout   a sheet's place on the stage, CSS pixels from its corner
+ * @property {string} id
+ * @property {number} x
+ * @property {number} y
+ * @property {{ x: number, y: number, width: number, name: string, note: string }} caption
+ *
+ * @typedef {object} TakeRequest   a picture to be made of the stage
+ * @property {"png" | "svg" | "gif"} kind
+ * @property {{ width: number, height: number, sheets: SheetLayout[] }} layout
+ * @property {string} title
+ * @property {number} ratio    of a png: pixels a CSS pixel
+ * @property {number} width    of a gif: pixels
+ * @property {number} frames   of a gif, at least 2
+ *
+ * @typedef {object} LaneLog   what a run left behind
+ * @property {readonly string[]} phases   names, as the history numbers them
+ * @property {number} width               numbers a row of history
+ * @property {Float64Array} history       a row an iteration, from before the first on
+ * @property {number} dimension
+ * @property {Float64Array} vertices      those that are shown, rows of `dimension`
+ * @property {Float64Array | null} path   once solved, and shown
+ * @property {ResultDocument} result      at the newest iteration
+ *
  * @typedef {object} Curves   how each run went, in few points
  * @property {string} key       as in the state
  * @property {number} head      the latest time told

@@ -1,14 +1,14 @@
-/** A scenario from the reader's own disk: picked, or dropped anywhere on the page. */
+/** A file of the reader's own, a scenario or an array of NumPy's: picked, or dropped anywhere on the page. */
 import { byId } from "./dom.js";
 
 /** Largest file that is read, bytes. */
 const MOST = 10 * 1024 * 1024;
 
 /**
- * @param {(name: string, text: string) => void} onText
+ * @param {(name: string, bytes: Uint8Array<ArrayBuffer>) => void} onFile
  * @param {(name: string, error: Error) => void} onError   the file could not be read
  */
-export function watchFiles(onText, onError) {
+export function watchFiles(onFile, onError) {
   const input = byId("file", HTMLInputElement);
   const button = byId("open", HTMLButtonElement);
   const veil = byId("veil", HTMLElement);
@@ -36,10 +36,15 @@ export function watchFiles(onText, onError) {
   /** @param {File} file */
   async function read(file) {
     try {
-      if (file.size > MOST) throw new Error(`It has ${(file.size / 1048576).toFixed(1)} MB; at most 10 MB are read.`);
-      onText(file.name, await file.text());
+      if (file.size > MOST) {
+        throw Object.assign(new Error(`It has ${(file.size / 1048576).toFixed(1)} MB; at most 10 MB are read.`), { code: "too-large" });
+      }
+      onFile(file.name, new Uint8Array(await file.arrayBuffer()));
     } catch (error) {
       onError(file.name, error instanceof Error ? error : new Error(String(error)));
     }
   }
 }
+
+/** Is a file an array of NumPy's, by its name or by how it begins? @param {string} name @param {Uint8Array} bytes */
+export function isArray(name, bytes) { return /\.npy$/i.test(name) || bytes[0] === 0x93; }

@@ -4,6 +4,7 @@
  * comes back on the other.
  */
 import { coordinatesOf } from "../worker/coordinates.js";
+import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
 import { Slice, keyOf } from "./slice.js";
 import { folded, unrolled } from "./trace.js";
@@ -149,7 +150,8 @@ export class CSpace extends Pane {
   }
 
   /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
-  drawGround(context, { shown: { rough } }) {
+  drawGround(context, lane) {
+    const { rough } = lane.shown;
     const { palette, cells } = this;
     if (!palette) return;
     const { x, y, width, height } = this.frame();
@@ -159,6 +161,7 @@ export class CSpace extends Pane {
     context.lineWidth = 1;
     context.strokeRect(x, y, width, height);
     this.drawTicks(context);
+    drawMarked(this, context, lane);
   }
 
   /** @param {CanvasRenderingContext2D} context */
@@ -286,7 +289,8 @@ function paint(mask, side, width, height, palette) {
   const image = context.createImageData(canvas.width, canvas.height);
   const inner = bytesOf(palette.obstacle);
   const edge = bytesOf(palette["obstacle-edge"]);
-  const cell = Math.min(width, height) / side;
+  // However small the picture, what is deep inside has the colour of obstacles.
+  const cell = Math.max(1.4, Math.min(width, height) / side);
   const pixels = image.data;
   for (let py = 0; py < canvas.height; py++) {
     const gy = Math.min(side - 1, Math.max(0, (1 - (py + 0.5) / canvas.height) * side - 0.5));

@@ -14,7 +14,7 @@ import { Workspace } from "./workspace.js";
 /** Milliseconds a frame for grounds that are not complete. */
 const TENDING = 4;
 
-const KINDS = { workspace: Workspace, cspace: CSpace };
+export const KINDS = { workspace: Workspace, cspace: CSpace };
 
 export class Stage {
   constructor() {

@@ -1,6 +1,7 @@
 /** The workspace: the world as it is, the robot in it, and the end-effector's image of every vertex and edge. */
 import { contains } from "../worker/handles.js";
 import { obstacleName, partName } from "../worker/names.js";
+import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
 import { drawGhost, drawLabel, drawObstacles, drawRobot, drawTouchingParts, obstacleMiddle, obstaclePath } from "./shapes.js";
 import { Tracer } from "./trace.js";
@@ -52,7 +53,8 @@ export class Workspace extends Pane {
   }
 
   /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
-  drawGround(context, { shown }) {
+  drawGround(context, lane) {
+    const { shown } = lane;
     const { view, palette } = this;
     if (!view || !palette) return;
     const { world, robot } = shown.document;
@@ -79,6 +81,7 @@ export class Workspace extends Pane {
     if (goal) drawGhost(context, view, scenario.footprint(goal), { colour: palette.goal, fill: 0.14, stroke: 0.95, dash: [5, 4], width });
     if (start) drawGhost(context, view, scenario.footprint(start), { colour: palette.start, fill: 0.16, stroke: 0.95, dash: [], width });
     if (robot.type === "arm") this.drawBase(context, robot.base);
+    drawMarked(this, context, lane);
   }
 
   /** @param {CanvasRenderingContext2D} context @param {ArrayLike<number>} base */

@@ -295,7 +295,7 @@ export class Editor {
       this.said = this.whereabouts;
     }
     this.changes++;
-    theatre.story = history.now === history.first ? this.story : { algorithm: "", sentence: "" };
+    theatre.story = history.now === history.first ? this.story : { algorithm: "", isProven: true, sentence: "" };
     this.shown.rough = false;
     theatre.stage.relay();
   }

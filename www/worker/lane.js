@@ -3,6 +3,7 @@ import { journeyOf } from "./journey.js";
 import { PAST, Run } from "./run.js";
 
 /** @import { Standing } from "../standings.js" */
+/** @import { Marked } from "../stage/marked.js" */
 /** @import { Overlay } from "./editor.js" */
 /** @import { Journey } from "./journey.js" */
 /** @import { Check, Configuration, Plan, Scenario, ScenarioDocument, ViewOptions } from "../types.js" */
@@ -17,6 +18,7 @@ import { PAST, Run } from "./run.js";
  * @property {Check | null} check           of the pose held by hand
  * @property {Hover | null} hover           what is pointed at, if anything
  * @property {ViewOptions} view
+ * @property {Marked | null} marked         configurations of the reader's own
  * @property {boolean} rough                it is being changed by hand: pictures may be coarse
  * @property {Overlay | null} overlay       what the editor draws
  */

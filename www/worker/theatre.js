@@ -74,7 +74,7 @@ export class Theatre {
     const scenario = this.read(source);
     this.clear();
     const document = scenario.document();
-    this.shown = { scenario, document, start: null, goal: null, hand: null, check: null, hover: null, view: this.view, rough: false, overlay: null };
+    this.shown = { scenario, document, start: null, goal: null, hand: null, check: null, hover: null, view: this.view, rough: false, overlay: null, marked: null };
     this.story = programme.story;
     if (programme.pace !== undefined) this.clock.pace = programme.pace;
     this.query = document.queries.find(({ name }) => name === programme.query)?.name ?? document.queries[0]?.name;
@@ -110,9 +110,26 @@ export class Theatre {
     if (!shown) return;
     for (const lane of lanes) lane.free();
     shown.scenario.free();
-    this.shown = { ...shown, scenario, document, hover: null, rough: live };
+    this.shown = { ...shown, scenario, document, hover: null, rough: live, marked: null };
     this.plan(lanes.map(({ plan }) => plan), false);
     if (!live) this.stage.relay();
+  }
+
+  /**
+   * Configurations of the reader's own, to be seen until the scene is another; none: those before are taken away.
+   * @param {Float64Array | null} rows  of `dimension` finite numbers
+   * @returns {number} how many of them are free
+   */
+  mark(rows) {
+    const { shown } = this;
+    if (!shown) return 0;
+    const { scenario } = shown;
+    const n = scenario.dimension;
+    const free = rows && Uint8Array.from({ length: rows.length / n }, (_, i) => Number(scenario.check(rows.subarray(n * i, n * i + n)).free));
+    shown.marked = rows && free && { rows, free };
+    this.stir();
+    this.stage.relay();
+    return free ? free.reduce((sum, one) => sum + one, 0) : 0;
   }
 
   /** Another query of the scenario. @param {string} query @param {boolean} play */

@@ -9,7 +9,7 @@ import { drawThumbnail } from "./thumbnail.js";
 import { Theatre } from "./theatre.js";
 
 /** @import { LayerName } from "../stage/layer.js" */
-/** @import { EditOrder, Look, PaneKind, Plan, Pointer, Programme, Source, ViewOptions } from "../types.js" */
+/** @import { EditOrder, Look, PaneKind, Plan, Pointer, Programme, Source, TakeRequest, ViewOptions } from "../types.js" */
 
 const port = /** @type {{ postMessage(message: unknown, transfer?: Transferable[]): void }} */ (/** @type {unknown} */ (self));
 
@@ -18,6 +18,13 @@ let theatre;
 function house() {
   if (!theatre) throw new Error("The worker has not started.");
   return theatre;
+}
+
+/** What is taken away is made here; fetched when it is first asked for. @type {Promise<import("./take.js").Desk> | undefined} */
+let making;
+function desk() {
+  making ??= import("./take.js").then(({ Desk }) => new Desk(house()));
+  return making;
 }
 
 const commands = {
@@ -70,6 +77,15 @@ const commands = {
   resize: (id, width, height) => house().stage.resize(id, width, height),
   /** @param {string} id */
   unpane: (id) => house().stage.remove(id),
+  /** @param {Float64Array | null} rows */
+  mark: (rows) => house().mark(rows),
+  /** @param {TakeRequest} request */
+  take: async (request) => (await desk()).begin(request),
+  takeStep: async () => (await desk()).step(),
+  takeEnd: async () => (await desk()).end(),
+  takeDrop: async () => (await desk()).drop(),
+  /** @param {number} lane */
+  log: async (lane) => (await desk()).log(lane),
   freshSeed: () => library.freshSeed(),
   /** @param {Source} source @param {number} side @param {Look} look @returns {ImageBitmap} */
   thumbnail(source, side, look) {

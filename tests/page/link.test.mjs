@@ -56,7 +56,7 @@ async function shown(page) {
 /** The link that the page gives, as its fragment. @param {Page} page */
 async function linkOf(page) {
   await page.click("#link");
-  await page.waitForFunction(() => document.getElementById("link-told")?.textContent !== "");
+  await page.waitForFunction(() => document.getElementById("link-told")?.textContent);
   return new URL(page.url()).hash;
 }
 
@@ -191,6 +191,7 @@ describe("there and back", () => {
 
   test("a race comes back with its rivals and its picture, and rests at its own time", async () => {
     await onPausedPage(async (page, url) => {
+      await page.evaluate(() => { /** @type {HTMLDetailsElement} */ (document.getElementById("race-fold")).open = true; });
       for (const [algorithm, lens] of [["rrt", "cspace"], ["prm-star", "workspace"]]) {
         await page.selectOption("#rival", algorithm);
         await page.click("#add-rival");
@@ -221,7 +222,7 @@ describe("the button", () => {
       await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
       await seek(page, 137);
       await page.click("#link");
-      await page.waitForFunction(() => document.getElementById("link-told")?.textContent !== "");
+      await page.waitForFunction(() => document.getElementById("link-told")?.textContent);
       assert.equal(await page.innerText("#link-told"), "Link copied: this scene, these settings, iteration 137.");
       assert.equal(await page.evaluate(() => navigator.clipboard.readText()), page.url());
       assert.match(page.url(), /#1[\w-]+$/);

@@ -175,6 +175,7 @@ describe("lessons", () => {
   test("each is begun from its title; previous, next and leave do so, and every step has its address", async () => {
     await onPausedPage(async (page, url) => {
       await page.evaluate(() => { /** @type {HTMLDetailsElement} */ (document.getElementById("lessons-fold")).open = true; });
+      await page.locator("#lessons button").first().waitFor();
       assert.deepEqual(await page.locator("#lessons button").allInnerTexts(), LESSONS.map(({ title }) => title));
       const lesson = LESSONS[0];
       await page.click("#lessons button >> nth=0");

@@ -39,6 +39,7 @@ async function decode(page, files) {
       image.src = `data:${type};base64,${base64}`;
       await image.decode();
       image.id = `decoded-${name}`;
+      image.hidden = true;
       document.body.append(image);
     }
   }, Object.fromEntries(Object.entries(files).map(([name, { bytes, type }]) => [name, { base64: bytes.toString("base64"), type }])));
@@ -115,14 +116,10 @@ test("the drawing of lines is well formed and looks like the picture; it asks fo
   const png = await take(page, "png");
   const svg = await take(page, "svg");
   const text = svg.bytes.toString();
-  const parsed = await page.evaluate((source) => {
-    const document = new DOMParser().parseFromString(source, "image/svg+xml");
-    return { faults: document.querySelectorAll("parsererror").length, paths: document.querySelectorAll("path").length, title: document.querySelector("title")?.textContent };
-  }, text);
-  assert.equal(parsed.faults, 0);
-  assert.ok(parsed.paths > 500, `${parsed.paths} paths`);
-  assert.match(parsed.title ?? "", /roadmap/);
+  assert.ok(text.split("<path").length > 500, "its lines are paths");
+  assert.match(text, /<title>[^<]*roadmap[^<]*<\/title>/);
   assert.doesNotMatch(text, /color-mix|image:\d|href="(?!data:image\/png)/);
+  // An image that is not well formed cannot be decoded.
   await decode(page, { png: { bytes: png.bytes, type: "image/png" }, svg: { bytes: svg.bytes, type: "image/svg+xml" } });
   const mean = await difference(page, "svg", "png");
   assert.ok(mean > 0 && mean < 3, `the mean difference is ${mean}`);
@@ -255,7 +252,8 @@ test("counters, result, path and vertices are the numbers of the run", () => onP
 }));
 
 test("of a race each planner is told of, in one table, and by choice in a file of its own", () => onPausedPage(async (page) => {
-  await page.locator("#race button", { hasText: /race|add/i }).first().click();
+  await page.locator("#race-fold > summary").click();
+  await page.click("#add-rival");
   await page.waitForSelector("#lane-B");
   await page.click("#finish");
   await page.waitForFunction(() => [...document.querySelectorAll("#standings tbody tr")].length === 2 && document.getElementById("counters")?.dataset.settled === "true", undefined, { timeout: 60_000 });
@@ -265,7 +263,7 @@ test("of a race each planner is told of, in one table, and by choice in a file o
   assert.equal(new Set(rows.slice(1).map(([planner]) => planner)).size, 2);
   await page.selectOption("#take-lane", "1");
   const { planner } = JSON.parse((await take(page, "result")).bytes.toString());
-  assert.ok(rows.some(([name]) => name === `B ${planner}`), planner);
+  assert.ok(rows.some(([name]) => name === `"B ${planner}"`), planner);
   const { name, bytes } = await take(page, "png");
   assert.match(name, /^stones-race-/);
   assert.ok(sizeOfPng(bytes)[0] > 100);

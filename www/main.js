@@ -10,6 +10,8 @@
  * - `#readout` carries `data-vertex` of the vertex that is pointed at, "-1" of a mere pose, and `data-free`; neither while
  *   nothing is pointed at.
  * - `#touching` carries `data-free` and names what touches what.
+ * - `#editor`, while it is open, carries `data-tool`, `data-kind` and `data-title` of what is selected, `data-undo`, `data-redo`, `data-changes`,
+ *   `data-busy` ("true" during a gesture), `data-code` of the last refusal and `data-touching`, which names a start or goal in collision.
  * - `#story` carries `data-tone`, "bad" where a path that was found collides.
  * - In a race each row of `#standings tbody` carries `data-status` and, at rest at the newest iteration, `data-fingerprint`.
  * - In the worker, the work of each frame in which something grew is a `performance.measure` called "planarium-frame".

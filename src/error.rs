@@ -1,6 +1,6 @@
 //! The one error type of the crate: a stable code, a sentence with the offending value, and where it stands.
 
-use std::fmt;
+use std::fmt::{self, Write};
 
 /// What went wrong, as a stable kebab-case code that programs may match on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -207,3 +207,23 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+/// A string in quotes for a sentence, its control characters escaped, cut to 60 characters.
+pub(crate) fn quoted(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for (i, character) in text.chars().enumerate() {
+        if i == 60 {
+            return quoted + "\"...";
+        }
+        match character {
+            '"' | '\\' => quoted.extend(['\\', character]),
+            '\n' => quoted.push_str("\\n"),
+            '\r' => quoted.push_str("\\r"),
+            '\t' => quoted.push_str("\\t"),
+            // Writing to a string cannot fail.
+            '\0'..' ' | '\u{7f}'..'\u{a0}' => drop(write!(quoted, "\\u{{{:x}}}", u32::from(character))),
+            _ => quoted.push(character),
+        }
+    }
+    quoted + "\""
+}

@@ -2,6 +2,7 @@
 //! configuration space look like. For viewers; planners ask through [`Validity`].
 
 use crate::collision::{ArmValidity, DiscValidity, joint_space, plane};
+use crate::decimal::Decimal;
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Point};
 use crate::planner::DEFAULT_TOLERANCE;
@@ -94,7 +95,7 @@ impl Inspector {
     pub fn interpolate(&self, a: &[f64], b: &[f64], t: f64) -> Result<Vec<f64>, Error> {
         self.refuse_motion(a, b)?;
         if !(0.0..=1.0).contains(&t) {
-            return Err(Error::new(Code::OutOfRange, "/t", format!("t must lie within [0, 1], not {t}")));
+            return Err(Error::new(Code::OutOfRange, "/t", format!("t must lie within [0, 1], not {}", Decimal(t))));
         }
         let space = &self.space;
         Ok(space.coordinates(&space.interpolate(&space.state(a), &space.state(b), t)).to_vec())
@@ -166,6 +167,7 @@ impl Inspector {
             for (i, angle) in q.iter().enumerate().filter(|(i, _)| !self.space.is_circle(*i)) {
                 let [low, high] = self.space.range(i);
                 if !(low..=high).contains(angle) {
+                    let [low, high, angle] = [low, high, *angle].map(Decimal);
                     let sentence = format!("joint {i} must lie within its limits [{low}, {high}], not {angle}");
                     return Err(Error::new(Code::OutOfRange, format!("{pointer}/{i}"), sentence));
                 }
@@ -179,14 +181,15 @@ impl Inspector {
             let sentence = format!("a configuration of this robot has {} numbers, not {}", self.dimension(), q.len());
             return Err(Error::new(Code::WrongDimension, pointer, sentence));
         }
-        for (i, value) in q.iter().enumerate() {
+        for (i, &value) in q.iter().enumerate() {
             let pointer = format!("{pointer}/{i}");
             if !value.is_finite() {
-                let sentence = format!("a configuration holds finite numbers, not {value}");
+                let sentence = format!("a configuration holds finite numbers, not {}", Decimal(value));
                 return Err(Error::new(Code::NotFinite, pointer, sentence));
             }
             if value.abs() > LARGEST {
-                let sentence = format!("a configuration holds numbers within [-{LARGEST}, {LARGEST}], not {value}");
+                let [most, value] = [LARGEST, value].map(Decimal);
+                let sentence = format!("a configuration holds numbers within [-{most}, {most}], not {value}");
                 return Err(Error::new(Code::OutOfRange, pointer, sentence));
             }
         }

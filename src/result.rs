@@ -1,7 +1,7 @@
 //! The document that a run ends with: what was asked, the path, its length, the work, and a fingerprint of the growth.
 
-use crate::error::{Code, Error};
-use crate::json::{Node, quoted};
+use crate::error::{Code, Error, quoted};
+use crate::json::Node;
 use crate::random::MAX_SEED;
 use crate::scenario::reader::Reader;
 use crate::stats::Stats;

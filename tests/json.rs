@@ -136,10 +136,8 @@ fn numbers_are_read_to_the_last_bit() {
         let Ok(Node::Number(found)) = Node::parse(&text) else { panic!("{text} is a number") };
         assert_eq!(found.to_bits(), expected.to_bits(), "{text}");
         let written = Node::Number(found).to_json();
-        let double =
-            found.fract() != 0.0 || found.abs() >= 9007199254740992.0 || found.to_bits() == (-0.0f64).to_bits();
-        let theirs = serde_json::to_string(&found).unwrap().replace('+', "");
-        assert!(!double || written == theirs, "{written} {theirs}");
+        // Others write no shorter.
+        assert!(written.len() <= serde_json::to_string(&found).unwrap().len(), "{written}");
         assert_eq!(Node::parse(&written), Ok(Node::Number(found)), "{text} is written {written}");
     }
 }

@@ -27,7 +27,6 @@ import { Pose } from "./controls/pose.js";
 import { Projector } from "./controls/projector.js";
 import { showPseudocode } from "./controls/pseudocode.js";
 import { showSceneOptions } from "./controls/scene-options.js";
-import { watchTake } from "./controls/take.js";
 import { watchTheme } from "./controls/theme.js";
 import { watchReadout } from "./controls/readout.js";
 import { Transport } from "./controls/transport.js";
@@ -97,11 +96,11 @@ async function start() {
   new Part(notice, async () => (await import("./controls/curves.js")).watchCurves(page)).inFold("curves-fold");
   new Part(notice, async () => new (await import("./controls/editor.js")).EditorControls(page)).inFold("editor-fold").byButton("edit", (editor) => editor.begin());
   const lessons = new Part(notice, async () => new (await import("./controls/lessons.js")).Lessons(page, SCENES)).inFold("lessons-fold");
+  new Part(notice, async () => (await import("./take/take.js")).showTake(page)).inFold("take-fold");
   const link = new Part(notice, async () => new (await import("./controls/link.js")).Link(page, SCENES, generators, projector)).byButton("link", (part) => part.copy());
   if (window.parent !== window) (await import("./controls/embed.js")).watchParent(page);
   /** Puts on the stage what the address says, a step of a lesson or an experiment. */
   const obey = async () => (await (location.hash.startsWith("#lesson=") ? lessons : link).get()).obey(location.hash);
-  watchTake(page);
   addEventListener("hashchange", () => { if (location.hash) void obey(); });
 
   page.onOpen((facts, entry) => {

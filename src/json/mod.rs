@@ -8,5 +8,5 @@ mod read;
 mod write;
 
 pub(crate) use names::Names;
+pub(crate) use node::push_field;
 pub use node::{MAX_DEPTH, MAX_TEXT, Node};
-pub(crate) use node::{push_field, quoted};

@@ -1,7 +1,5 @@
 //! A JSON value.
 
-use std::fmt::Write;
-
 /// The longest text that is read, in bytes.
 pub const MAX_TEXT: usize = 64 << 20;
 
@@ -64,24 +62,4 @@ pub(crate) fn push_field(pointer: &mut String, name: &str) {
             _ => pointer.push(character),
         }
     }
-}
-
-/// A string in quotes for a sentence, its control characters escaped, cut to 60 characters.
-pub(crate) fn quoted(text: &str) -> String {
-    let mut quoted = String::from("\"");
-    for (i, character) in text.chars().enumerate() {
-        if i == 60 {
-            return quoted + "\"...";
-        }
-        match character {
-            '"' | '\\' => quoted.extend(['\\', character]),
-            '\n' => quoted.push_str("\\n"),
-            '\r' => quoted.push_str("\\r"),
-            '\t' => quoted.push_str("\\t"),
-            // Writing to a string cannot fail.
-            '\0'..' ' | '\u{7f}'..'\u{a0}' => drop(write!(quoted, "\\u{{{:x}}}", u32::from(character))),
-            _ => quoted.push(character),
-        }
-    }
-    quoted + "\""
 }

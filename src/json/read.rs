@@ -1,9 +1,9 @@
 //! JSON text (RFC 8259) to a tree.
 
 use super::names::Names;
-use super::{MAX_DEPTH, MAX_TEXT, Node, push_field, quoted};
+use super::{MAX_DEPTH, MAX_TEXT, Node, push_field};
 use crate::decimal;
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, quoted};
 
 impl Node {
     /// Reads JSON text. O(n log^2 n) in its length.

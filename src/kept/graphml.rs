@@ -2,6 +2,7 @@
 //! networkx, igraph, Gephi and yEd read. It is written only: it holds no checksum and proves nothing.
 
 use super::RoadmapDocument;
+use crate::decimal::exact;
 use std::fmt::Write;
 
 impl RoadmapDocument {
@@ -25,14 +26,14 @@ impl RoadmapDocument {
         for (vertex, row) in self.rows().enumerate() {
             let _ = write!(xml, "<node id=\"n{vertex}\">");
             for (name, number) in coordinates.iter().zip(row) {
-                let _ = write!(xml, "<data key=\"{name}\">{number:?}</data>");
+                let _ = write!(xml, "<data key=\"{name}\">{}</data>", exact(*number, -3));
             }
             xml.push_str("</node>\n");
         }
         for (i, &[from, to]) in self.edges.iter().enumerate() {
             let weight = self.length([from, to]);
             let _ = write!(xml, "<edge id=\"e{i}\" source=\"n{from}\" target=\"n{to}\">");
-            let _ = writeln!(xml, "<data key=\"weight\">{weight:?}</data></edge>");
+            let _ = writeln!(xml, "<data key=\"weight\">{}</data></edge>", exact(weight, -3));
         }
         xml.push_str("</graph>\n</graphml>\n");
         xml

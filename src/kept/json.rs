@@ -1,8 +1,8 @@
 //! The JSON form: one line, numbers with the fewest digits that parse back to the same bits.
 
 use super::{MAX_DIMENSION, RoadmapDocument, damaged};
-use crate::error::{Code, Error};
-use crate::json::{Node, quoted};
+use crate::error::{Code, Error, quoted};
+use crate::json::Node;
 use crate::scenario::reader::Reader;
 
 /// The `format` of the document.
@@ -68,7 +68,7 @@ impl RoadmapDocument {
         // First of all, so that another kind of document is called just that.
         let format = fields.required("format")?;
         if format.string()? != FORMAT {
-            let sentence = format!("the format is {}; {FORMAT:?} is understood", quoted(format.string()?));
+            let sentence = format!("the format is {}; \"{FORMAT}\" is understood", quoted(format.string()?));
             return Err(damaged("/format", sentence));
         }
         fields.only(FIELDS)?;

@@ -13,6 +13,7 @@ pub use binary::MAGIC;
 pub use fingerprint::fingerprint;
 pub use json::FORMAT;
 
+use crate::decimal::Decimal;
 use crate::error::{Code, Error};
 use crate::space::MAX_DIMENSION;
 use std::f64::consts::{PI, TAU};
@@ -113,17 +114,21 @@ impl RoadmapDocument {
         }
         let is_positive = |x: f64| x > 0.0;
         if !is_positive(self.radius) {
-            return Err(damaged("/radius", format!("a radius must be positive, not {}", self.radius)));
+            return Err(damaged("/radius", format!("a radius must be positive, not {}", Decimal(self.radius))));
         }
         if !is_positive(self.tolerance) || self.tolerance == f64::INFINITY {
-            return Err(damaged("/tolerance", format!("a tolerance must be positive, not {}", self.tolerance)));
+            return Err(damaged(
+                "/tolerance",
+                format!("a tolerance must be positive, not {}", Decimal(self.tolerance)),
+            ));
         }
         if !self.vertices.len().is_multiple_of(dimension) || self.vertex_count() >= u32::MAX as usize - 2 {
             return Err(damaged("/vertices", format!("{} numbers are no rows of {dimension}", self.vertices.len())));
         }
         if let Some(i) = self.vertices.iter().position(|x| !x.is_finite()) {
             let pointer = format!("/vertices/{}/{}", i / dimension, i % dimension);
-            return Err(damaged(pointer, format!("a coordinate must be finite, not {}", self.vertices[i])));
+            let sentence = format!("a coordinate must be finite, not {}", Decimal(self.vertices[i]));
+            return Err(damaged(pointer, sentence));
         }
         let count = self.vertex_count();
         for (i, edge) in self.edges.iter().enumerate() {

@@ -3,7 +3,7 @@
 use super::parameters::{Fallback, Kind, ParameterInfo};
 use super::pseudocode::PseudocodeLine;
 use super::table::PLANNERS;
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, quoted};
 use crate::json::Node;
 
 /// What there is to know about a planner before it runs.
@@ -33,7 +33,7 @@ pub fn planners() -> &'static [PlannerInfo] {
 pub fn planner_info(id: &str) -> Result<&'static PlannerInfo, Error> {
     PLANNERS.iter().find(|info| info.id == id).ok_or_else(|| {
         let known = PLANNERS.iter().map(|info| info.id).collect::<Vec<_>>().join(", ");
-        Error::new(Code::UnknownPlanner, "/algorithm", format!("there is no planner {id:?}; there are {known}"))
+        Error::new(Code::UnknownPlanner, "/algorithm", format!("there is no planner {}; there are {known}", quoted(id)))
     })
 }
 

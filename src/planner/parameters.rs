@@ -1,6 +1,8 @@
 //! Parameters of planners: their table, and values checked against it.
 
-use crate::error::{Code, Error};
+use crate::decimal::Decimal;
+use crate::error::{Code, Error, quoted};
+use crate::json::push_field;
 
 /// What values a parameter takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,8 +82,8 @@ impl Value {
 impl std::fmt::Display for Value {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Value::Number(number) => write!(f, "{number}"),
-            Value::Text(text) => write!(f, "{text:?}"),
+            Value::Number(number) => write!(f, "{}", Decimal(*number)),
+            Value::Text(text) => f.write_str(&quoted(text)),
             Value::Boolean(yes) => write!(f, "{yes}"),
         }
     }
@@ -110,7 +112,7 @@ impl Parameters {
         for (i, (name, value)) in given.iter().enumerate() {
             let Some(at) = table.iter().position(|info| info.name == name) else {
                 let known = table.iter().map(|info| info.name).collect::<Vec<_>>().join(", ");
-                let sentence = format!("there is no parameter {name:?}; this planner takes {known}");
+                let sentence = format!("there is no parameter {}; this planner takes {known}", quoted(name));
                 return Err(Error::new(Code::UnknownParameter, pointer(name), sentence));
             };
             if given[..i].iter().any(|(earlier, _)| earlier == name) {
@@ -161,7 +163,7 @@ impl Parameters {
     pub fn is_on(&self, name: &str) -> bool {
         match self.get(name) {
             Some(Value::Boolean(on)) => *on,
-            other => unreachable!("{name} is not a switch but {other:?}"),
+            _ => unreachable!("{name} is not a switch"),
         }
     }
 
@@ -178,7 +180,9 @@ impl Parameters {
 
 /// The JSON pointer of a field at the top.
 fn pointer(name: &str) -> String {
-    format!("/{}", name.replace('~', "~0").replace('/', "~1"))
+    let mut pointer = String::new();
+    push_field(&mut pointer, name);
+    pointer
 }
 
 /// Refuses a value that the row does not allow.
@@ -188,13 +192,14 @@ fn check(info: &ParameterInfo, value: &Value) -> Result<(), Error> {
     match (info.kind, value) {
         (Kind::Integer { min, max } | Kind::Number { min, max }, Value::Number(number)) => {
             if !number.is_finite() {
-                return fail(Code::NotFinite, format!("{name} must be a finite number, not {number}"));
+                return fail(Code::NotFinite, format!("{name} must be a finite number, not {value}"));
             }
             if matches!(info.kind, Kind::Integer { .. }) && *number != libm::trunc(*number) {
-                return fail(Code::OutOfRange, format!("{name} must be a whole number, not {number}"));
+                return fail(Code::OutOfRange, format!("{name} must be a whole number, not {value}"));
             }
             if !(min..=max).contains(number) {
-                return fail(Code::OutOfRange, format!("{name} must lie within [{min}, {max}], not {number}"));
+                let [min, max] = [min, max].map(Decimal);
+                return fail(Code::OutOfRange, format!("{name} must lie within [{min}, {max}], not {value}"));
             }
             Ok(())
         }

@@ -2,6 +2,7 @@
 
 use super::Part;
 use super::range::{LARGEST, check_radius, check_range, not_finite};
+use crate::decimal::Decimal;
 use crate::error::{Code, Error};
 use crate::geometry::Point;
 
@@ -132,11 +133,12 @@ fn check_limits(limits: &[[f64; 2]], links: usize) -> Result<(), Error> {
                 return Err(not_finite(&pointer, "a joint limit", value));
             }
             if value.abs() > 100.0 {
-                let sentence = format!("a joint limit must lie within [-100, 100] radians, not {value}");
+                let sentence = format!("a joint limit must lie within [-100, 100] radians, not {}", Decimal(value));
                 return Err(Error::new(Code::OutOfRange, pointer, sentence));
             }
         }
         if low >= high {
+            let [low, high] = [low, high].map(Decimal);
             let sentence = format!("the lower joint limit {low} must be less than the upper {high}");
             return Err(Error::new(Code::OutOfRange, format!("/joint_limits/{i}"), sentence));
         }

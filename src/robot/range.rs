@@ -1,5 +1,6 @@
 //! Which numbers a robot may be made from.
 
+use crate::decimal::Decimal;
 use crate::error::{Code, Error};
 
 /// The largest coordinate, length or radius, in metres, and the largest angle of a circle joint, in radians (some 159,000
@@ -8,7 +9,7 @@ pub const LARGEST: f64 = 1e6;
 
 /// The error for a coordinate, length or radius that is not finite.
 pub(super) fn not_finite(pointer: &str, what: &str, value: f64) -> Error {
-    Error::new(Code::NotFinite, pointer, format!("{what} must be a finite number, not {value}"))
+    Error::new(Code::NotFinite, pointer, format!("{what} must be a finite number, not {}", Decimal(value)))
 }
 
 /// Refuses what is not a finite number within [low, 1e6].
@@ -17,7 +18,8 @@ pub(super) fn check_range(pointer: &str, what: &str, value: f64, low: f64) -> Re
         return Err(not_finite(pointer, what, value));
     }
     if !(low..=LARGEST).contains(&value) {
-        let sentence = format!("{what} must lie within [{low}, {LARGEST}], not {value}");
+        let [low, value] = [low, value].map(Decimal);
+        let sentence = format!("{what} must lie within [{low}, {}], not {value}", Decimal(LARGEST));
         return Err(Error::new(Code::OutOfRange, pointer, sentence));
     }
     Ok(())

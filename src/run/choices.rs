@@ -1,5 +1,6 @@
 //! From a planner's parameters to the planner: where the names of planners, samplers and searches become types.
 
+use crate::decimal::Decimal;
 use crate::error::{Code, Error};
 use crate::kept::RoadmapDocument;
 use crate::planner::{
@@ -154,6 +155,7 @@ fn step(parameters: &Parameters, extent: f64) -> Result<f64, Error> {
     let Some(step) = parameters.number("step") else { return Ok(DEFAULT_STEP * extent) };
     let smallest = SMALLEST_STEP * extent;
     if step < smallest {
+        let [smallest, step] = [smallest, step].map(Decimal);
         let sentence = format!("step must be at least {smallest}, a 10,000th of the space's extent, not {step}");
         return Err(Error::new(Code::OutOfRange, "/step", sentence));
     }

@@ -91,7 +91,7 @@ impl Launch<'_> {
 
     fn disc(self, disc: &DiscRobot) -> Result<Box<dyn Run>, Error> {
         if let Some(word @ ("sum" | "naive")) = self.parameters.text("metric") {
-            let sentence = format!("the metric of a disc is always euclidean, not {word:?}");
+            let sentence = format!("the metric of a disc is always euclidean, not \"{word}\"");
             return Err(Error::new(Code::OutOfRange, "/metric", sentence));
         }
         let world = self.scenario.world();

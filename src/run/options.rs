@@ -1,7 +1,7 @@
 //! What a run is asked to do.
 
 use super::Value;
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, quoted};
 use crate::planner::DEFAULT_PLANNER;
 use crate::random::MAX_SEED;
 use crate::scenario::{Query, Scenario};
@@ -35,9 +35,11 @@ impl Options {
         let is_meant = |query: &Query| self.query.as_ref().is_none_or(|name| query.name == *name);
         let found = queries.iter().enumerate().find(|(_, query)| is_meant(query));
         found.ok_or_else(|| {
-            let known: Vec<&str> = queries.iter().map(|query| query.name.as_str()).collect();
+            let known: Vec<String> = queries.iter().map(|query| quoted(&query.name)).collect();
             let sentence = match &self.query {
-                Some(name) => format!("there is no query {name:?} in this scenario; there are {known:?}"),
+                Some(name) => {
+                    format!("there is no query {} in this scenario; there are [{}]", quoted(name), known.join(", "))
+                }
                 None => "this scenario has no query".to_owned(),
             };
             Error::new(Code::UnknownQuery, "/query", sentence)

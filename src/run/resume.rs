@@ -2,7 +2,8 @@
 
 use super::factory::launch;
 use super::{Options, Run};
-use crate::error::{Code, Error};
+use crate::decimal::Row;
+use crate::error::{Code, Error, quoted};
 use crate::kept::{RoadmapDocument, damaged, fingerprint};
 use crate::planner::{Parameters, PlannerInfo, Value, planner_info};
 use crate::scenario::{Robot, Scenario};
@@ -30,8 +31,9 @@ pub fn resume(scenario: &Scenario, options: &Options, document: &RoadmapDocument
     let found = fingerprint(scenario);
     if document.fingerprint != found {
         let sentence = format!(
-            "the roadmap was built for another world or robot (of scenario {:?}, fingerprint {:016x}, not {found:016x})",
-            document.scenario, document.fingerprint
+            "the roadmap was built for another world or robot (of scenario {}, fingerprint {:016x}, not {found:016x})",
+            quoted(&document.scenario),
+            document.fingerprint
         );
         return Err(Error::new(Code::OtherScenario, "/fingerprint", sentence));
     }
@@ -41,12 +43,12 @@ pub fn resume(scenario: &Scenario, options: &Options, document: &RoadmapDocument
         return Err(damaged("/dimension", sentence));
     }
     if matches!(scenario.robot(), Robot::Disc(_)) && document.metric != "euclidean" {
-        return Err(damaged("/metric", format!("the metric of a disc is euclidean, not {:?}", document.metric)));
+        return Err(damaged("/metric", format!("the metric of a disc is euclidean, not {}", quoted(&document.metric))));
     }
     // Roadmaps are what is searched.
     let is_roadmap = |info: &&PlannerInfo| info.parameters.iter().any(|parameter| parameter.name == "search");
     let Some(info) = planner_info(&document.planner).ok().filter(is_roadmap) else {
-        return Err(damaged("/planner", format!("{:?} is no planner that builds a roadmap", document.planner)));
+        return Err(damaged("/planner", format!("{} is no planner that builds a roadmap", quoted(&document.planner))));
     };
     if options.planner != info.id {
         let sentence = format!("the roadmap was built by {}, not {}", info.id, options.planner);
@@ -107,7 +109,7 @@ pub(super) fn prove<S: Space>(
                 continue;
             }
         };
-        return Err(damaged(format!("/vertices/{i}"), format!("vertex {i} {row:?} {why}")));
+        return Err(damaged(format!("/vertices/{i}"), format!("vertex {i} {} {why}", Row(row))));
     }
     for (i, &[from, to]) in document.edges.iter().enumerate() {
         if !validity.is_motion_free(&states[from as usize], &states[to as usize]) {

@@ -1,7 +1,8 @@
 //! Reads a document from its tree and keeps track of where it is, so that every refusal carries a JSON pointer.
 
-use crate::error::{Code, Error};
-use crate::json::{Node, push_field, quoted};
+use crate::decimal::Decimal;
+use crate::error::{Code, Error, quoted};
+use crate::json::{Node, push_field};
 
 /// Where a value stands: a chain from the value up to the root. Text is made of it only where an error needs it.
 #[derive(Clone, Copy)]
@@ -117,7 +118,7 @@ impl<'a> Reader<'a> {
         match self.node {
             Node::Number(value) if value.is_finite() => Ok(value + 0.0),
             Node::Number(value) => {
-                Err(self.error(Code::NotFinite, format!("this must be a finite number, not {value}")))
+                Err(self.error(Code::NotFinite, format!("this must be a finite number, not {}", Decimal(*value))))
             }
             _ => Err(self.wrong_type("a number")),
         }
@@ -127,6 +128,7 @@ impl<'a> Reader<'a> {
     pub fn number_within(&self, what: &str, low: f64, high: f64) -> Result<f64, Error> {
         let value = self.number()?;
         if !(low..=high).contains(&value) {
+            let [low, high, value] = [low, high, value].map(Decimal);
             return Err(self.error(Code::OutOfRange, format!("{what} must lie within [{low}, {high}], not {value}")));
         }
         Ok(value)
@@ -136,7 +138,7 @@ impl<'a> Reader<'a> {
     pub fn integer(&self, what: &str, low: u64, high: u64) -> Result<u64, Error> {
         let value = self.number()?;
         if value.fract() != 0.0 || !(low as f64..=high as f64).contains(&value) {
-            let sentence = format!("{what} must be a whole number from {low} to {high}, not {value}");
+            let sentence = format!("{what} must be a whole number from {low} to {high}, not {}", Decimal(value));
             return Err(self.error(Code::OutOfRange, sentence));
         }
         Ok(value as u64)
@@ -158,7 +160,7 @@ impl<'a> Reader<'a> {
         let found = match self.node {
             Node::Null => "null".to_owned(),
             Node::Bool(value) => value.to_string(),
-            Node::Number(value) => format!("the number {value}"),
+            Node::Number(value) => format!("the number {}", Decimal(*value)),
             Node::String(value) => format!("the string {}", quoted(value)),
             Node::Array(items) => format!("an array of {}", items.len()),
             Node::Object(_) => "an object".to_owned(),
@@ -204,7 +206,7 @@ impl<'a> Fields<'a> {
         self.optional(name).ok_or_else(|| {
             let mut pointer = String::new();
             Place::Field(self.place, name).write(&mut pointer);
-            Error::new(Code::MissingField, pointer, format!("the field {name:?} is missing"))
+            Error::new(Code::MissingField, pointer, format!("the field {} is missing", quoted(name)))
         })
     }
 }

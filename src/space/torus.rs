@@ -58,7 +58,7 @@ impl<const N: usize> Torus<N> {
                 Joint::Circle => (space.low[i], space.high[i], space.half[i]) = (-PI, PI, PI),
                 Joint::CutCircle => (space.high[i], space.is_cut[i]) = (LAST, true),
                 Joint::Interval { low, high } => {
-                    assert!(low < high, "an interval from {low} to {high} is empty");
+                    assert!(low < high, "an interval must not be empty");
                     (space.low[i], space.high[i]) = (low, high);
                 }
             }

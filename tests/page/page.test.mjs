@@ -7,6 +7,7 @@ import { gzipSync } from "node:zlib";
 import {
   atRest, chooseScene, counters, dropFile, finish, onPage, onPausedPage, pickFile, pixelsOf, root, setParameter, start, stop, tasks, worker,
 } from "./browser.mjs";
+import { Scenario } from "planarium";
 import { SCENES } from "../../www/scenes.js";
 
 before(start);
@@ -14,6 +15,9 @@ after(stop);
 
 /** A quantile, rounded to 0.01. @param {number[]} values @param {number} part */
 const at = (values, part) => Math.round(100 * values.toSorted((a, b) => a - b)[Math.floor(part * (values.length - 1))]) / 100;
+
+/** One of the page's scenes, read or made by the package. @param {import("../../www/types.js").SceneEntry} entry */
+const scenarioOf = ({ id, generate }) => (generate ? Scenario.generate(generate.kind, generate.options) : Scenario.parse(scene(id)));
 
 const scene = (/** @type {string} */ id) => readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8");
 
@@ -117,12 +121,12 @@ describe("transport", () => {
 
 describe("settings", () => {
   test("the page's run is the package's run, bit for bit", async () => {
-    const { Scenario } = await import("planarium");
     await onPausedPage(async (page) => {
-      for (const { id, algorithm, settings } of SCENES) {
+      for (const entry of SCENES) {
+        const { id, algorithm, settings } = entry;
         await chooseScene(page, id);
         const shown = await finish(page);
-        const planner = Scenario.parse(scene(id)).planner({ ...settings, algorithm });
+        const planner = scenarioOf(entry).planner({ ...settings, algorithm });
         while (planner.step(1000) === "running");
         assert.equal(shown.fingerprint, planner.fingerprint(), id);
         assert.equal(shown.iterations, planner.iterations, id);
@@ -217,7 +221,6 @@ describe("planners", () => {
   });
 
   test("the guards of a visibility roadmap stand in rings, links do not", async () => {
-    const { Scenario } = await import("planarium");
     await onPausedPage(async (page) => {
       await worker(page).evaluate(() => {
         const { arc } = OffscreenCanvasRenderingContext2D.prototype;
@@ -331,16 +334,19 @@ describe("planners", () => {
 });
 
 describe("scenes and files", () => {
-  for (const { id, title } of SCENES) {
+  for (const entry of SCENES) {
+    const { id, title } = entry;
     const wanted = id === "locked" ? "exhausted" : "solved";
     test(`"${title}" ends ${wanted}`, async () => {
       await onPausedPage(async (page) => {
         await chooseScene(page, id);
         const end = await finish(page);
         assert.equal(end.status, wanted);
-        assert.ok(end.edges > 5);
-        assert.ok(await pixelsOf(page, "workspace", "vertices", (await page.inputValue("#planner")) === "prm" ? "growth" : "start") > 20);
-        assert.equal(await page.locator("#cspace").isVisible(), id !== "rings");
+        assert.ok(end.edges > 0);
+        const marks = await Promise.all(["growth", "start", "goal"].map((colour) => pixelsOf(page, "workspace", "edges", colour)));
+        const dots = await Promise.all(["growth", "start", "goal"].map((colour) => pixelsOf(page, "workspace", "vertices", colour)));
+        assert.ok(Math.max(...marks, ...dots) > 0, `${marks} ${dots}`);
+        assert.equal(await page.locator("#cspace").isVisible(), scenarioOf(entry).robot === "arm");
         assert.match(await page.innerText("#story"), wanted === "solved" ? /^Found/ : /^No path/);
       });
     });
@@ -508,7 +514,10 @@ describe("looks", () => {
   test("as sharp as the screen", async () => {
     for (const deviceScaleFactor of [1, 2, 3]) {
       await onPausedPage(async (page) => {
-        await page.waitForTimeout(600);
+        await page.waitForFunction(() => [...document.querySelectorAll("canvas[data-layer]")].every((element) => {
+          const canvas = /** @type {HTMLCanvasElement} */ (element);
+          return Math.abs(canvas.width - canvas.getBoundingClientRect().width * devicePixelRatio) <= 1;
+        }));
         const sizes = await page.evaluate(() => [...document.querySelectorAll("canvas[data-layer]")].map((element) => {
           const canvas = /** @type {HTMLCanvasElement} */ (element);
           const { width, height } = canvas.getBoundingClientRect();

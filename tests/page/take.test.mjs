@@ -39,6 +39,7 @@ async function decode(page, files) {
       image.src = `data:${type};base64,${base64}`;
       await image.decode();
       image.id = `decoded-${name}`;
+      image.hidden = true;
       document.body.append(image);
     }
   }, Object.fromEntries(Object.entries(files).map(([name, { bytes, type }]) => [name, { base64: bytes.toString("base64"), type }])));
@@ -115,14 +116,10 @@ test("the drawing of lines is well formed and looks like the picture; it asks fo
   const png = await take(page, "png");
   const svg = await take(page, "svg");
   const text = svg.bytes.toString();
-  const parsed = await page.evaluate((source) => {
-    const document = new DOMParser().parseFromString(source, "image/svg+xml");
-    return { faults: document.querySelectorAll("parsererror").length, paths: document.querySelectorAll("path").length, title: document.querySelector("title")?.textContent };
-  }, text);
-  assert.equal(parsed.faults, 0);
-  assert.ok(parsed.paths > 500, `${parsed.paths} paths`);
-  assert.match(parsed.title ?? "", /roadmap/);
+  assert.ok(text.split("<path").length > 500, "its lines are paths");
+  assert.match(text, /<title>[^<]*roadmap[^<]*<\/title>/);
   assert.doesNotMatch(text, /color-mix|image:\d|href="(?!data:image\/png)/);
+  // An image that is not well formed cannot be decoded.
   await decode(page, { png: { bytes: png.bytes, type: "image/png" }, svg: { bytes: svg.bytes, type: "image/svg+xml" } });
   const mean = await difference(page, "svg", "png");
   assert.ok(mean > 0 && mean < 3, `the mean difference is ${mean}`);
@@ -255,7 +252,8 @@ test("counters, result, path and vertices are the numbers of the run", () => onP
 }));
 
 test("of a race each planner is told of, in one table, and by choice in a file of its own", () => onPausedPage(async (page) => {
-  await page.locator("#race button", { hasText: /race|add/i }).first().click();
+  await page.locator("#race-fold > summary").click();
+  await page.click("#add-rival");
   await page.waitForSelector("#lane-B");
   await page.click("#finish");
   await page.waitForFunction(() => [...document.querySelectorAll("#standings tbody tr")].length === 2 && document.getElementById("counters")?.dataset.settled === "true", undefined, { timeout: 60_000 });
@@ -265,7 +263,7 @@ test("of a race each planner is told of, in one table, and by choice in a file o
   assert.equal(new Set(rows.slice(1).map(([planner]) => planner)).size, 2);
   await page.selectOption("#take-lane", "1");
   const { planner } = JSON.parse((await take(page, "result")).bytes.toString());
-  assert.ok(rows.some(([name]) => name === `B ${planner}`), planner);
+  assert.ok(rows.some(([name]) => name === `"B ${planner}"`), planner);
   const { name, bytes } = await take(page, "png");
   assert.match(name, /^stones-race-/);
   assert.ok(sizeOfPng(bytes)[0] > 100);
@@ -322,6 +320,9 @@ describe("arrays of NumPy's come in", () => {
       assert.ok(await pixelsOf(page, pane, "ground", "collision") > 50, `${pane}: crosses`);
       assert.ok(await pixelsOf(page, pane, "ground", "ink") > 50, `${pane}: discs`);
     }
+    // More than a polygon may have can only be configurations.
+    await pickArray(page, "cloud.npy", writeNpy(new Float64Array(12_000), [6000, 2]));
+    await page.waitForSelector("#marked[data-count='6000']");
     await page.click("#marked button");
     await atRest(page);
     assert.equal(await pixelsOf(page, "cspace", "ground", "collision"), 0);
@@ -341,7 +342,7 @@ describe("arrays of NumPy's come in", () => {
       ["cut.npy", fixture("numpy2-ragged").subarray(0, 170), /./],
       ["empty.npy", new Uint8Array(), /not a NumPy array/],
       ["wide.npy", writeNpy(new Float64Array(35), [5, 7]), /Its shape is \(5, 7\)/],
-      ["nan.npy", writeNpy(Float64Array.of(0, 0, 1, NaN, 2, 2), [3, 2]), /Vertex 1 of polygon 0 must be two finite numbers/],
+      ["nan.npy", writeNpy(Float64Array.of(0, 0, 1, NaN, 2, 2), [1, 3, 2]), /Vertex 1 of polygon 0 must be two finite numbers/],
       ["pair.npy", writeNpy(Float64Array.of(0, 0, 1, NaN), [2, 2]), /Number 1 of configuration 1 is not finite/],
       ["many.npy", writeNpy(new Float64Array(5001 * 2 * 3), [5001, 3, 2]), /5000 vertices|list of polygons/],
       ["huge.npy", new Uint8Array(11 * 2 ** 20).fill(0x93), /11\.0 MB; at most 10 MB/],

@@ -126,6 +126,8 @@ describe("what is pointed at", () => {
               const distance = Math.hypot(other.x - point.x, other.y - point.y);
               if (distance < least) [nearest, least] = [v, distance];
             }
+            // On a phone the transport stands over the lower end of the page.
+            await page.locator(`#${pane}`).evaluate((figure) => figure.scrollIntoView({ block: "start" }));
             await page.hover(`#${pane} .sheet`, { position: point, force: true });
             const told = await readout(page);
             assert.equal(told.vertex, nearest, `${pane}, vertex ${wanted}`);
@@ -138,6 +140,7 @@ describe("what is pointed at", () => {
         await page.fill("#time", "0");
         await page.press("#time", "Enter");
         const { x, y } = at(rows[2 * 60], rows[2 * 60 + 1]);
+        await page.locator("#cspace").evaluate((figure) => figure.scrollIntoView({ block: "start" }));
         await page.hover("#cspace .sheet", { position: { x, y }, force: true });
         assert.equal((await readout(page)).vertex, -1);
       }, options);

@@ -35,8 +35,8 @@ export async function openArray(page, name, bytes) {
   const choices = [];
   let what = "";
   let polygons = /** @type {number[][][]} */ ([]);
-  if (isPolygons && !(isRows && Number(shape[0]) < 3)) {
-    polygons = readNpyPolygons(bytes);
+  if (isPolygons) polygons = isRows ? maybePolygons(bytes) : readNpyPolygons(bytes);
+  if (polygons.length > 0) {
     const vertices = polygons.reduce((sum, polygon) => sum + polygon.length, 0);
     what = `${name} holds ${count(polygons.length, "polygon")} of ${grouped(vertices)} vertices`;
     choices.push(["add", "Add to the scene"], ["replace", "Replace its obstacles"]);
@@ -49,6 +49,16 @@ export async function openArray(page, name, bytes) {
   const choice = choices.length === 1 ? choices[0][0] : await page.notice.ask(`${what}.`, choices);
   if (choice === "mark") await mark(page, name, bytes);
   else if (choice) await build(page, polygons, choice === "replace");
+}
+
+/** Polygons, or none where an array can only be configurations. @param {Uint8Array} bytes */
+function maybePolygons(bytes) {
+  try {
+    return readNpyPolygons(bytes);
+  } catch (error) {
+    if (error instanceof NpyError) return [];
+    throw error;
+  }
 }
 
 /** The shape of an array of numbers; of one of objects none. @param {Uint8Array} bytes @returns {number[] | null} @throws {NpyError} */

@@ -6,6 +6,7 @@
 
 use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind};
 use super::robots::{DISC_RADIUS, SIDE};
+use crate::decimal::Decimal;
 use crate::error::Error;
 use crate::geometry::{Aabb, Point, Polygon, Vector};
 use crate::random::{Random, Stream};
@@ -134,11 +135,12 @@ pub fn bug_trap(options: &BugTrapOptions) -> Result<Scenario, Error> {
         BugTrapStart::Outside => ("in", outside, inside),
     };
     let narrow = if mouth <= 2.0 * radius { ", too narrow for it: no path" } else { "" };
+    let (disc, gap) = (Decimal(radius), Decimal(mouth));
     let word = if way == "out" { "out of" } else { "into" };
     Ok(Scenario {
         name: format!("bug-trap-{way}-{seed}"),
         title: Some(format!(
-            "Disc of radius {radius} m {word} a bug trap with a mouth of {mouth} m{narrow}, seed {seed}"
+            "Disc of radius {disc} m {word} a bug trap with a mouth of {gap} m{narrow}, seed {seed}"
         )),
         world: World {
             bounds: Some(Aabb { min: Point::origin(), max: Point::new(SIDE, SIDE) }),

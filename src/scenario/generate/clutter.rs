@@ -8,6 +8,7 @@ use super::free::{are_apart, is_clear_of};
 use super::no_place;
 use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};
 use super::robots::{LINKS, RADIUS, ROBOT, RobotChoice, SIDE, parts_at_ends};
+use crate::decimal::Decimal;
 use crate::error::Error;
 use crate::geometry::{Aabb, Point, Polygon};
 use crate::random::{Random, Stream};
@@ -107,6 +108,7 @@ impl ClutterOptions {
         values.extend(self.robot.links());
         INFO.check(self.seed, &values)?;
         if smallest > largest {
+            let [smallest, largest] = [smallest, largest].map(Decimal);
             return Err(refused("smallest", format!("smallest must be at most largest, {largest}, not {smallest}")));
         }
         Ok(())

@@ -7,6 +7,7 @@ use super::free::{SOME, is_disc_clear_of};
 use super::no_place;
 use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};
 use super::robots::{LINKS, RADIUS, ROBOT, RobotChoice, SIDE, parts_at_ends};
+use crate::decimal::Decimal;
 use crate::error::Error;
 use crate::geometry::{Aabb, Disc, Point};
 use crate::random::{Random, Stream};
@@ -134,6 +135,7 @@ impl DiscsOptions {
         values.extend(self.robot.links());
         INFO.check(self.seed, &values)?;
         if smallest > largest {
+            let [smallest, largest] = [smallest, largest].map(Decimal);
             return Err(refused("smallest", format!("smallest must be at most largest, {largest}, not {smallest}")));
         }
         Ok(())

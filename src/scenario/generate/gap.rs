@@ -9,6 +9,7 @@
 use super::free::SOME;
 use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};
 use super::robots::{LINKS, RADIUS, ROBOT, RobotChoice, SIDE};
+use crate::decimal::Decimal;
 use crate::error::Error;
 use crate::geometry::{Aabb, Point, Polygon};
 use crate::random::{Random, Stream};
@@ -123,12 +124,13 @@ pub fn gap(options: &GapOptions) -> Result<Scenario, Error> {
         }
         RobotChoice::Arm(links) => reach_through(options, links, middle, &mut random)?,
     };
+    let (disc, gap) = (Decimal(radius), Decimal(width));
     let what = match choice {
         RobotChoice::Disc if width <= 2.0 * radius => {
-            format!("Disc of radius {radius} m at a gap of {width} m, too narrow for it: no path")
+            format!("Disc of radius {disc} m at a gap of {gap} m, too narrow for it: no path")
         }
-        RobotChoice::Disc => format!("Disc of radius {radius} m through a gap of {width} m"),
-        RobotChoice::Arm(links) => format!("{links}R arm reaching through a gap of {width} m"),
+        RobotChoice::Disc => format!("Disc of radius {disc} m through a gap of {gap} m"),
+        RobotChoice::Arm(links) => format!("{links}R arm reaching through a gap of {gap} m"),
     };
     let wall = |low: f64, high: f64| {
         let (left, right) = ((SIDE - thickness) / 2.0, (SIDE + thickness) / 2.0);

@@ -8,6 +8,7 @@
 use super::free::SOME;
 use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};
 use super::robots::DISC_RADIUS;
+use crate::decimal::Decimal;
 use crate::error::Error;
 use crate::geometry::{Aabb, Point, Polygon};
 use crate::random::{Random, Stream};
@@ -107,8 +108,9 @@ impl MazeOptions {
         INFO.check(self.seed, &[("radius", radius), ("thickness", thickness)])?;
         let corridor = CELL - thickness;
         if corridor - 2.0 * radius < PLAY - SOME {
+            let [radius, play, corridor] = [radius, PLAY, corridor].map(Decimal);
             let sentence =
-                format!("a disc of radius {radius} with {PLAY} of play does not fit a corridor {corridor} wide");
+                format!("a disc of radius {radius} with {play} of play does not fit a corridor {corridor} wide");
             return Err(refused("radius", sentence));
         }
         Ok(())

@@ -22,8 +22,7 @@ pub use options::{GeneratorInfo, OptionInfo, OptionKind};
 pub use robots::RobotChoice;
 
 use super::{Node, Scenario};
-use crate::error::{Code, Error};
-use crate::json::quoted;
+use crate::error::{Code, Error, quoted};
 
 /// The generators with their options: the one table that help texts, documents and controls are made from. Every generator
 /// takes `seed` as well, a whole number from 0 (default) to 2^53 - 1.

@@ -1,8 +1,8 @@
 //! The options of a generator: the rows that help texts, documents and controls are made from, and values checked
 //! against them. Every generator also takes `seed`, which has no row, like the seed of a run.
 
-use crate::error::{Code, Error};
-use crate::json::quoted;
+use crate::decimal::Decimal;
+use crate::error::{Code, Error, quoted};
 use crate::random::MAX_SEED;
 use crate::scenario::reader::{Fields, Reader};
 
@@ -77,10 +77,11 @@ impl GeneratorInfo {
         for &(name, value) in values {
             let [min, max, _] = self.range(name);
             if !value.is_finite() {
-                let sentence = format!("{name} must be a finite number, not {value}");
+                let sentence = format!("{name} must be a finite number, not {}", Decimal(value));
                 return Err(Error::new(Code::NotFinite, format!("/{name}"), sentence));
             }
             if !(min..=max).contains(&value) {
+                let [min, max, value] = [min, max, value].map(Decimal);
                 return Err(refused(name, format!("{name} must lie within [{min}, {max}], not {value}")));
             }
         }

@@ -1,5 +1,6 @@
 //! The base of an arm never moves: what touches it would make every configuration a collision.
 
+use crate::decimal::Decimal;
 use crate::error::{Code, Error};
 use crate::geometry::{Point, Segment, distance_segment_polygon};
 use crate::robot::Arm;
@@ -14,16 +15,15 @@ pub(super) fn check(world: &World, robot: &Robot) -> Result<(), Error> {
     for (i, obstacle) in world.obstacles.iter().enumerate() {
         let distance = distance_to(base, obstacle);
         if distance <= radius + slack {
-            let sentence = format!(
-                "obstacle {i} is {distance} from the arm's base [{}, {}], which takes {radius} around it",
-                base.x, base.y
-            );
+            let [x, y, radius, distance] = [base.x, base.y, radius, distance].map(Decimal);
+            let sentence =
+                format!("obstacle {i} is {distance} from the arm's base [{x}, {y}], which takes {radius} around it");
             return Err(Error::new(Code::BaseInCollision, format!("/world/obstacles/{i}"), sentence));
         }
     }
     if world.bounds.is_some_and(|bounds| bounds.depth(base) - radius < -slack) {
-        let sentence =
-            format!("the arm's base [{}, {}] with {radius} around it is not within the bounds", base.x, base.y);
+        let [x, y, radius] = [base.x, base.y, radius].map(Decimal);
+        let sentence = format!("the arm's base [{x}, {y}] with {radius} around it is not within the bounds");
         return Err(Error::new(Code::BaseInCollision, "/robot/base", sentence));
     }
     Ok(())

@@ -7,8 +7,7 @@ mod world;
 
 use super::reader::Reader;
 use super::{Node, Robot, Scenario};
-use crate::error::{Code, Error};
-use crate::json::quoted;
+use crate::error::{Code, Error, quoted};
 
 /// The `format` of a scenario.
 pub const FORMAT: &str = "planarium-scenario-1";
@@ -50,7 +49,7 @@ impl Scenario {
         // First of all, so that another kind of document is called just that.
         let format = fields.required("format")?;
         if format.string()? != FORMAT {
-            let sentence = format!("the format is {}; {FORMAT:?} is understood", quoted(format.string()?));
+            let sentence = format!("the format is {}; \"{FORMAT}\" is understood", quoted(format.string()?));
             return Err(format.error(Code::UnknownFormat, sentence));
         }
         fields.only(FIELDS)?;

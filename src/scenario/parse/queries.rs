@@ -1,8 +1,8 @@
 //! The queries: names, starts and goals.
 
 use super::LARGEST;
-use crate::error::{Code, Error};
-use crate::json::{Names, quoted};
+use crate::error::{Code, Error, quoted};
+use crate::json::Names;
 use crate::scenario::reader::Reader;
 use crate::scenario::{Query, Robot};
 

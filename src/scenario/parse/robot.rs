@@ -1,8 +1,7 @@
 //! The robot.
 
 use super::world::read_point;
-use crate::error::{Code, Error};
-use crate::json::quoted;
+use crate::error::{Code, Error, quoted};
 use crate::robot::{Arm, DiscRobot};
 use crate::scenario::Robot;
 use crate::scenario::reader::Reader;

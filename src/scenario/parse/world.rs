@@ -1,9 +1,9 @@
 //! Bounds and obstacles.
 
 use super::{LARGEST, MAX_OBSTACLES, MAX_VERTICES};
-use crate::error::{Code, Error};
+use crate::decimal::Decimal;
+use crate::error::{Code, Error, quoted};
 use crate::geometry::{Aabb, Disc, Point, Polygon, PolygonFault};
-use crate::json::quoted;
 use crate::scenario::reader::Reader;
 use crate::scenario::{Obstacle, World};
 
@@ -22,6 +22,7 @@ fn read_bounds(bounds: &Reader) -> Result<Aabb, Error> {
     let (min, max) = (read_point(&fields.required("min")?)?, read_point(&fields.required("max")?)?);
     for (axis, low, high) in [("x", min.x, max.x), ("y", min.y, max.y)] {
         if low >= high {
+            let [low, high] = [low, high].map(Decimal);
             let sentence = format!("in {axis} the bounds run from {low} to {high}; min must be less than max");
             return Err(bounds.error(Code::OutOfRange, sentence));
         }

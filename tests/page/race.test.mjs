@@ -156,7 +156,7 @@ describe("one transport", () => {
       }
       assert.match(await page.locator("#timeline").getAttribute("aria-label") ?? "", /clearance evaluations/);
       assert.match(await page.locator("#speed").getAttribute("aria-valuetext") ?? "", /clearance evaluations a second/);
-      assert.equal(await page.getByLabel("Clearance evaluations", { exact: true }).getAttribute("id"), "time");
+      assert.equal(await page.getByRole("spinbutton", { name: /^Clearance evaluations/ }).getAttribute("id"), "time");
       await page.click("#step-10");
       await atRest(page);
       assert.equal(await time(page), 1000);

@@ -33,6 +33,7 @@ async function alone(id, { algorithm, settings }) {
 
 /** Adds rivals. @param {Page} page @param {string[]} algorithms */
 async function race(page, ...algorithms) {
+  if (!(await page.locator("#rival").isVisible())) await page.locator("#race-fold > summary").click();
   for (const algorithm of algorithms) {
     await page.selectOption("#rival", algorithm);
     await page.click("#add-rival");
@@ -103,7 +104,7 @@ describe("fairness", () => {
     while (!compete(runs, PAST.evaluations, Infinity, performance.now() + 0.5)) {
       frames++;
       const going = runs.filter(({ ended }) => !ended).map((run) => run.clock(PAST.evaluations));
-      const dearest = Math.max(...runs.map(({ history: { data, width, count } }) => Math.max(...Array.from({ length: count - 1 }, (_, i) => data[(i + 1) * width + PAST.evaluations] - data[i * width + PAST.evaluations]))));
+      const dearest = Math.max(0, ...runs.map(({ history: { data, width, count } }) => Math.max(...Array.from({ length: count - 1 }, (_, i) => data[(i + 1) * width + PAST.evaluations] - data[i * width + PAST.evaluations]))));
       assert.ok(Math.max(...going) - Math.min(...going) <= 1000 + 64 * dearest, `${going}`);
       assert.ok(frames < 100_000);
     }
@@ -155,7 +156,7 @@ describe("one transport", () => {
       }
       assert.match(await page.locator("#timeline").getAttribute("aria-label") ?? "", /clearance evaluations/);
       assert.match(await page.locator("#speed").getAttribute("aria-valuetext") ?? "", /clearance evaluations a second/);
-      assert.equal(await page.getByLabel("Clearance evaluations", { exact: true }).getAttribute("id"), "time");
+      assert.equal(await page.getByRole("spinbutton", { name: /^Clearance evaluations/ }).getAttribute("id"), "time");
       await page.click("#step-10");
       await atRest(page);
       assert.equal(await time(page), 1000);

@@ -582,3 +582,22 @@ describe("on a phone", () => {
     });
   }
 });
+
+describe("for everyone", () => {
+  for (const options of [{}, { ...phone, colorScheme: /** @type {const} */ ("dark") }]) {
+    test(`no rule of accessibility is broken while editing, at ${"viewport" in options ? 390 : 1280} px`, async () => {
+      await onPausedPage(async (page) => {
+        await edit(page);
+        await page.focus("#stage");
+        for (const key of ["]", "]", "]", "]", "PageDown"]) await page.keyboard.press(key);
+        await until(page, "title", "Obstacle 1, a polygon, vertex 0");
+        await page.evaluate(readFileSync(join(root, "node_modules", "axe-core", "axe.min.js"), "utf8"));
+        const broken = await page.evaluate(async () => {
+          const { axe } = /** @type {{ axe: { run(options: object): Promise<{ violations: { id: string }[] }> } }} */ (/** @type {unknown} */ (globalThis));
+          return (await axe.run({ runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa", "best-practice"] })).violations.map(({ id }) => id);
+        });
+        assert.deepEqual(broken, []);
+      }, options);
+    });
+  }
+});

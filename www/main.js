@@ -17,7 +17,7 @@
  * - In the worker, the work of each frame in which something grew is a `performance.measure` called "planarium-frame".
  */
 import { watchAnnouncements } from "./controls/announce.js";
-import { Counters } from "./controls/counters.js";
+import { Counters, write } from "./controls/counters.js";
 import { byId } from "./controls/dom.js";
 import { isArray, watchFiles } from "./controls/drop.js";
 import { Gallery, SIDE } from "./controls/gallery.js";
@@ -68,6 +68,7 @@ async function start() {
   const { planners, generators } = await studio.ask("start", [await core]);
 
   const story = byId("story", HTMLElement);
+  const where = byId("where", HTMLElement);
   const turn = byId("your-turn", HTMLButtonElement);
   const stage = byId("stage", HTMLElement);
   const panel = new Panel(planners, () => studio.ask("freshSeed", []), () => page.plan(), () => page.ask());
@@ -114,9 +115,10 @@ async function start() {
     const lane = state.lanes[0];
     counters.show(lane, state.settled);
     showLegend(page, state);
-    if (story.textContent !== state.sentence) story.textContent = state.sentence;
+    write(story, state.sentence);
     story.dataset.tone = state.isBad ? "bad" : "";
     turn.textContent = state.inHand ? "Watch again" : "Your turn";
+    write(where, `${page.facts?.title ?? ""} \u00b7 ${page.names.join(" against ")}`);
     stage.classList.toggle("in-hand", state.inHand);
     pose.reflect(state);
     sheets.describe(state);

@@ -52,6 +52,8 @@ export class Page {
     this.openers = [];
     /** @type {((state: State, before: State | null) => void)[]} */
     this.watchers = [];
+    /** Who waits for a state. @type {((value: unknown) => void)[]} */
+    this.arrivals = [];
     /** @type {(() => void)[]} */
     this.dressers = [];
     /** @type {(() => void)[]} */
@@ -152,6 +154,15 @@ export class Page {
     for (const then of this.openers) then(facts, this.entry);
   }
 
+  /** Waits until all that was ordered is shown, or at least under way. @returns {Promise<State | null>} */
+  async arrived() {
+    for (;;) {
+      const { state, studio } = this;
+      if (!state || state.playing || (state.settled && state.heard >= studio.ordered)) return state;
+      await new Promise((resolve) => this.arrivals.push(resolve));
+    }
+  }
+
   /** What all planners are asked, or null while a field holds a value that is refused. @returns {Plan[] | null} */
   get plans() {
     const { plan } = this.panel;
@@ -194,6 +205,7 @@ export class Page {
     this.state = state;
     if (state.lanes.length === 0) return;
     for (const then of this.watchers) then(state, before);
+    for (const arrive of this.arrivals.splice(0)) arrive(null);
     const { refusal } = state;
     // Old news is not told, and each refusal once; what the editor is at, it says itself, where the hand is.
     if (Boolean(before?.edit) !== Boolean(state.edit)) this.told = false;

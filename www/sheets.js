@@ -108,7 +108,10 @@ export class Sheets {
       const box = sheet.getBoundingClientRect();
       // Less than a pixel of the screen is no other size.
       const [width, height] = [box.width, box.height].map((side) => Math.round(side * devicePixelRatio) / devicePixelRatio);
-      if (width >= 1 && height >= 1) this.studio.tell("resize", id, width, height);
+      if (width < 1 || height < 1) continue;
+      // Whole pixels: a canvas that is stretched by a fraction of one is blurred.
+      for (const canvas of sheet.children) if (canvas instanceof HTMLElement) Object.assign(canvas.style, { width: `${width}px`, height: `${height}px` });
+      this.studio.tell("resize", id, width, height);
     }
   }
 

@@ -111,6 +111,8 @@
  * @property {boolean} isProven
  * @property {boolean} isMiss
  * @property {boolean} hasGuards
+ * @property {boolean} isSearched   has the search been to some vertex
+ * @property {boolean} isApart      is it a roadmap in pieces, without a path
  * @property {boolean} hasRejected  samples were refused by then
  * @property {boolean} hasRefused   motions were refused by then
  * @property {number} waiting       vertices that the search has reached and not expanded
@@ -122,7 +124,7 @@
  *
  * @typedef {object} State   what the page is told of a frame
  * @property {number} heard   number of the newest order obeyed
- * @property {{ now: number, head: number, isRace: boolean, unit: number, rate: number }} clock   `unit`: time in a step; `rate`: time that passes for an iteration of the pace
+ * @property {{ now: number, head: number, isRace: boolean, unit: number, wanted: number }} clock   `unit`: time in a step; `wanted`: the time that will be shown
  * @property {boolean} playing
  * @property {boolean} growing
  * @property {boolean} travelling

@@ -148,6 +148,7 @@ export async function dropFile(page, name, text) {
 export async function pixelsOf(page, pane, layer, property) {
   return page.evaluate(([paneId, layerName, name]) => {
     const probe = document.createElement("span");
+    probe.style.forcedColorAdjust = "none";
     probe.style.color = `var(--${name})`;
     document.body.append(probe);
     const wanted = (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).map(Number);

@@ -18,7 +18,7 @@ export class Chart {
   constructor(id, title) {
     this.id = id;
     this.title = make("figcaption", {}, title);
-    this.picture = svg("svg", { role: "img", class: `chart ${id}` });
+    this.picture = svg("svg", { role: "img", class: `chart ${id}`, "aria-label": title });
     this.element = make("figure", {}, this.title, this.picture);
     /** What is before the time that is shown, and that time. */
     this.past = svg("rect", { x: 0, y: 0, height: HEIGHT });

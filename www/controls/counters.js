@@ -4,7 +4,7 @@ import { byId } from "./dom.js";
 /** @import { LaneState } from "../types.js" */
 
 /** Milliseconds between two changes of the text. */
-const READABLE = 80;
+export const READABLE = 80;
 
 const NUMBERS = /** @type {const} */ ([
   "phase", "iterations", "vertices", "edges", "length", "segments", "checks", "motions", "evaluations", "nearest", "time", "rate", "fingerprint",

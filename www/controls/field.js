@@ -6,6 +6,9 @@ import { make } from "./dom.js";
 
 /** @import { OptionInfo, ParameterInfo } from "../types.js" */
 
+/** Milliseconds after which what is typed is taken for meant. */
+const TYPING = 900;
+
 export class Field {
   /**
    * @param {ParameterInfo | OptionInfo} info
@@ -19,14 +22,31 @@ export class Field {
     const id = `${family}-${info.name}`;
     this.control = control(info, value, id);
     this.reason = make("p", { className: "reason", id: `${id}-reason`, hidden: true });
-    const meaning = make("p", { className: "hint", id: `${id}-meaning` }, info.meaning, automatic(info));
+    const meaning = make("p", { className: "hint", id: `${id}-meaning` }, info.meaning);
+    this.automatic = make("span", {}, automatic(info));
+    meaning.append(this.automatic);
     this.control.setAttribute("aria-describedby", `${id}-meaning ${id}-reason`);
-    this.control.addEventListener("change", () => { if (this.validate()) this.onChange(); });
-    this.control.addEventListener("input", () => this.validate());
+    /** What was handed on last, and when what is being typed will be. */
+    this.told = this.value;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    this.timer = undefined;
+    this.control.addEventListener("change", () => this.tell());
+    this.control.addEventListener("input", () => {
+      clearTimeout(this.timer);
+      if (this.validate()) this.timer = setTimeout(() => this.tell(), TYPING);
+    });
     const name = make("span", { className: "name" }, info.title || info.name);
     if (info.unit) name.append(make("span", { className: "unit" }, ` ${info.unit}`));
     this.row = make("label", { className: "row", htmlFor: id }, name, this.control);
     this.element = make("div", { className: "field" }, this.row, this.reason, meaning);
+  }
+
+  /** Hands the value on, if it is a good one and another. */
+  tell() {
+    clearTimeout(this.timer);
+    if (!this.validate() || this.value === this.told) return;
+    this.told = this.value;
+    this.onChange();
   }
 
   /** The value, or undefined where the planner is left to choose. @returns {number | string | boolean | undefined} */
@@ -42,6 +62,7 @@ export class Field {
   set(value) {
     if (this.control instanceof HTMLInputElement && this.control.type === "checkbox") this.control.checked = value === true;
     else this.control.value = String(value);
+    this.told = this.value;
     this.validate();
   }
 
@@ -55,6 +76,7 @@ export class Field {
 
   /** Is the value in the field a good one? Says so beside it. */
   validate() {
+    this.automatic.hidden = this.value !== undefined;
     const reason = this.fault();
     this.refuse(reason);
     return reason === "";

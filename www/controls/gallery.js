@@ -24,7 +24,12 @@ export class Gallery {
 
   /** Marks the scene that is on the stage; none for a file of the reader's own. @param {string | null} id */
   mark(id) {
-    for (const [name, { input }] of this.cards) input.checked = name === id;
+    for (const [name, { input }] of this.cards) {
+      input.checked = name === id;
+      const card = input.parentElement;
+      // Only the strip moves, not the page.
+      if (name === id && card) this.element.scrollTo({ left: card.offsetLeft - (this.element.clientWidth - card.offsetWidth) / 2 });
+    }
   }
 
   /** Shows a scene's thumbnail. @param {string} id @param {ImageBitmap} picture */

@@ -3,22 +3,26 @@ import { write } from "./counters.js";
 import { byId } from "./dom.js";
 
 /** @import { Page } from "../page.js" */
-/** @import { State } from "../types.js" */
+/** @import { LaneState, State } from "../types.js" */
 
 /** @param {Page} page @param {State} state */
-export function showLegend({ calm }, { lanes, view, growing, hover, touching, isBad }) {
+export function showLegend({ calm }, { lanes, view, growing, playing, clock, hover, touching, isBad }) {
+  const some = (/** @type {(lane: LaneState) => boolean} */ is) => lanes.some(is);
+  const waits = growing && !playing && clock.now > 0;
   const flashes = growing && !calm;
   const hasPath = lanes.some(({ status, isMiss }) => status === "solved" || isMiss);
   const samples = lanes.some(({ hasRejected }) => hasRejected);
   const motions = lanes.some(({ hasRefused }) => hasRefused);
   const seen = {
-    guard: lanes.some(({ hasGuards }) => hasGuards), newest: flashes, waiting: lanes.some(({ waiting }) => waiting > 0),
+    guard: lanes.some(({ hasGuards }) => hasGuards), newest: flashes || waits, waiting: lanes.some(({ waiting }) => waiting > 0),
     // What is refused stays where it is wanted to, and else flashes while it grows.
-    rejected: (view.refused || flashes) && (samples || motions), path: hasPath, poses: hasPath && view.strobe,
+    rejected: (view.refused || flashes || waits) && (samples || motions), path: hasPath, poses: hasPath && view.strobe,
+    piece: some(({ isApart }) => isApart), searched: some(({ isSearched }) => isSearched),
     raw: view.raw && lanes.some(({ raw }) => raw !== null), touching: !touching.free || hover?.free === false || isBad,
   };
   for (const [name, isSeen] of Object.entries(seen)) byId(`legend-${name}`, HTMLElement).hidden = !isSeen;
   byId("legend-rejected", HTMLElement).dataset.kinds = `${samples ? "samples " : ""}${motions ? "motions" : ""}`;
+  byId("legend-growth-row", HTMLElement).dataset.kind = lanes[0].kind;
   write(byId("legend-growth", HTMLElement), [...new Set(lanes.map(({ kind }) => kind))].join(", "));
   const path = byId("legend-path", HTMLElement);
   const isProven = lanes.some((lane) => lane.isProven);

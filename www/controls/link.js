@@ -100,7 +100,8 @@ export class Link {
   /** Gives the link: to the clipboard and the address bar where they are open to this page, else to be copied by hand. */
   async copy() {
     const { page } = this;
-    const { state } = page;
+    // What was asked for a moment ago belongs to it.
+    const state = await page.arrived();
     if (!state) return;
     this.say("");
     try {

@@ -41,6 +41,8 @@ export class Panel {
     this.fields = [];
     /** What was given by hand or by a scene, by name: kept when the planner changes. @type {Settings} */
     this.given = {};
+    /** Names of what a scene or a link has set. @type {Set<string>} */
+    this.lead = new Set();
     for (const info of this.infos) this.planner.append(make("option", { value: info.id }, info.title));
     this.planner.addEventListener("change", () => {
       this.build();
@@ -55,6 +57,7 @@ export class Panel {
   suggest(algorithm, settings) {
     this.planner.value = algorithm;
     this.given = { ...settings };
+    this.lead = new Set(Object.keys(settings));
     this.build();
   }
 
@@ -125,16 +128,18 @@ export class Panel {
     this.summary.textContent = info.summary;
     this.first.replaceChildren();
     this.rest.replaceChildren();
+    // What a scene or a link sets by itself is there to be seen.
+    const isFirst = (/** @type {string} */ name) => FIRST.has(name) || this.lead.has(name);
     this.fields = withSeed(info.parameters).map((parameter) => {
       const field = new Field(parameter, this.given[parameter.name] ?? parameter.default, () => {
         this.keep(field);
         this.onChange();
       });
       if (parameter.name === "seed") this.addSeedButton(field);
-      if (FIRST.has(parameter.name)) this.first.append(field.element);
+      if (isFirst(parameter.name)) this.first.append(field.element);
       return field;
     });
-    this.rest.append(...groupsOf(this.fields));
+    this.rest.append(...groupsOf(this.fields.filter(({ info: { name } }) => !isFirst(name))));
     this.more.hidden = this.rest.childElementCount === 0;
   }
 

@@ -2,7 +2,7 @@
  * The transport: back, play and pause, steps, run to the end, reset, speed, the timeline, and once solved the way along the path.
  * It tells the worker what was asked, and shows what the worker tells.
  */
-import { grouped, write } from "./counters.js";
+import { READABLE, grouped, write } from "./counters.js";
 import { byId } from "./dom.js";
 
 /** @import { Page } from "../page.js" */
@@ -36,12 +36,18 @@ export class Transport {
     this.time = byId("time", HTMLInputElement);
     this.head = byId("time-head", HTMLElement);
     this.timeName = byId("time-name", HTMLElement);
-    /** Time in a step, and time that passes for an iteration of the pace. */
+    this.brief = byId("brief", HTMLElement);
+    /** Time in a step, and that passes for an iteration of the pace. */
     this.unit = 1;
-    this.rate = 1;
+    /** Is something in the field that was not asked for yet? */
+    this.isTyping = false;
+    this.written = -Infinity;
     this.back.addEventListener("click", () => studio.tell("step", -1));
     this.timeline.addEventListener("input", () => studio.tell("seek", Number(this.timeline.value)));
+    this.time.addEventListener("input", () => { this.isTyping = true; });
+    this.time.addEventListener("blur", () => { this.isTyping = false; });
     this.time.addEventListener("change", () => {
+      this.isTyping = false;
       const time = Number(this.time.value);
       if (this.time.value.trim() !== "" && Number.isSafeInteger(time) && time >= 0) studio.tell("seek", time);
     });
@@ -77,7 +83,7 @@ export class Transport {
 
   tellSpeed() {
     const pace = this.pace;
-    const speed = pace * this.rate;
+    const speed = pace * this.unit;
     const text = pace === Infinity ? "max" : `${speed < 10 ? speed.toFixed(1) : Math.round(speed).toLocaleString("en")}/s`;
     this.speedValue.textContent = text;
     this.speed.setAttribute("aria-valuetext", pace === Infinity ? "as fast as it goes" : `${text.replace("/s", "")} ${this.name} a second`);
@@ -87,9 +93,8 @@ export class Transport {
   get name() { return this.unit > 1 ? "clearance evaluations" : "iterations"; }
 
   /** Time is counted in this from now on. @param {State["clock"]} clock */
-  count({ unit, rate }) {
+  count({ unit }) {
     this.unit = unit;
-    this.rate = rate;
     const { name } = this;
     this.timeline.setAttribute("aria-label", unit > 1 ? "Timeline: the clearance evaluations until which all are shown" : "Timeline: the iteration that is shown");
     this.timeName.textContent = unit > 1 ? "Clearance evaluations" : "Iteration";
@@ -103,10 +108,10 @@ export class Transport {
   }
 
   /** @param {State} state */
-  show({ clock, playing, growing, travelling, along, lanes }) {
+  show({ clock, playing, growing, travelling, along, lanes, settled }) {
     if (clock.unit !== this.unit) this.count(clock);
     const ready = lanes.some(({ status }) => status !== "none");
-    this.play.disabled = !ready || (!growing && !travelling);
+    this.play.disabled = !ready || (!growing && !travelling && clock.head === 0);
     this.play.dataset.playing = String(playing);
     write(this.playLabel, playing ? "Pause" : "Play");
     for (const button of [...this.steps, this.finish]) button.disabled = !ready || !growing;
@@ -122,7 +127,20 @@ export class Transport {
     if (this.timeline.max !== head) this.timeline.max = head;
     if (!this.timeline.matches(":active")) this.timeline.value = String(clock.now);
     this.timeline.setAttribute("aria-valuetext", `${grouped(clock.now)} of ${grouped(clock.head)}${clock.isRace ? " clearance evaluations" : ""}`);
-    if (document.activeElement !== this.time) this.time.value = String(clock.now);
+    // As often as the numbers below are written, so that they agree.
+    const now = performance.now();
+    if (!settled && now - this.written < READABLE) return;
+    this.written = now;
+    if (!this.isTyping) this.time.value = String(clock.now);
+    write(this.brief, brief(lanes));
     write(this.head, `of ${grouped(clock.head)}${clock.isRace ? " evaluations" : ""}`);
   }
+}
+
+/** How the run stands, in a few words: for those who see the controls and not the stage. @param {State["lanes"]} lanes */
+function brief(lanes) {
+  const [{ status, phase, length, unit, iteration }] = lanes;
+  if (lanes.length > 1 || status === "none") return "";
+  if (status === "solved") return length === null ? "Path found" : `Path found: ${length.toFixed(2)} ${unit}`;
+  return `${status === "exhausted" ? "No path" : phase} \u00b7 ${grouped(iteration)}`;
 }

@@ -151,10 +151,10 @@ export class Growth {
       const kind = data[i * width];
       const x = points[2 * (i - first)];
       const y = points[2 * (i - first) + 1];
-      const glows = i >= glowing;
+      const glows = i >= glowing && pane.glow.enabled;
       if (kind === EVENT.expanded) {
         context.fillStyle = palette.ink;
-        disc(context, x, y, 2.1 * pane.fineness);
+        disc(context, x, y, 2.5 * pane.fineness);
       } else if (kind === EVENT.guard) {
         context.strokeStyle = palette.growth;
         context.lineWidth = 1.6 * pane.fineness;
@@ -183,6 +183,48 @@ export class Growth {
     }
     this.drawn.events = end;
     this.keeps.events.pass(end);
+  }
+
+  /** What the shown iteration did, above all else: so it can be looked at as long as the run waits. @param {CanvasRenderingContext2D} context */
+  inkLatest(context) {
+    const { pane } = this;
+    const run = pane.lane?.run;
+    const { palette } = pane;
+    if (!run || !palette || run.shown === 0) return;
+    const before = run.history.row(run.shown - 1);
+    const { past } = run;
+    const n = run.dimension;
+    const first = { vertices: before[PAST.vertices], edges: before[PAST.edges], events: before[PAST.events] };
+    context.save();
+    context.lineCap = "round";
+    const ends = new Float64Array((past[PAST.edges] - first.edges) * 2 * n);
+    for (let e = first.edges; e < past[PAST.edges]; e++) {
+      const [from, to] = run.edges.row(e);
+      ends.set(run.vertices.row(from), (e - first.edges) * 2 * n);
+      ends.set(run.vertices.row(to), (e - first.edges) * 2 * n + n);
+    }
+    const { points, firsts } = pane.lines(ends, run.circles);
+    context.strokeStyle = palette.newest;
+    context.lineWidth = 2.2 * pane.fineness;
+    for (let i = 0; i + 1 < firsts.length; i++) strokeLine(context, points, firsts[i], firsts[i + 1]);
+    const dots = pane.pixels(run.vertices.slice(first.vertices, past[PAST.vertices]));
+    context.fillStyle = palette.newest;
+    for (let i = 0; i < dots.length; i += 2) disc(context, dots[i], dots[i + 1], 3.4 * pane.fineness);
+    const { data, width } = run.events;
+    const places = pane.pixels(this.placesOf(run, first.events, past[PAST.events]));
+    const refused = this.refusedLines(run, first.events, past[PAST.events], 0);
+    context.strokeStyle = palette.rejected;
+    for (let i = first.events; i < past[PAST.events]; i++) {
+      const kind = data[i * width];
+      context.lineWidth = 1.6;
+      if (kind === EVENT.rejected || kind === EVENT.discarded) cross(context, places[2 * (i - first.events)], places[2 * (i - first.events) + 1], 3.6 * pane.fineness);
+      const line = refused.get(i);
+      if (!line) continue;
+      context.setLineDash([4, 4]);
+      strokeLine(context, line, 0, line.length / 2);
+      context.setLineDash([]);
+    }
+    context.restore();
   }
 
   /** Where events are: their vertex, or the configuration that they are about. @param {Run} run @param {number} first @param {number} end */

@@ -8,12 +8,14 @@ import { Growth, countsOf } from "./growth.js";
 import { hatch } from "./hatch.js";
 import { LAYERS, Layer } from "./layer.js";
 import { ring } from "./marks.js";
+import { disc } from "./marks.js";
 import { tracePen } from "./pen.js";
 import { Places } from "./places.js";
 import { drawGoal, drawHit, drawStart } from "./shapes.js";
 import { Strobe } from "./strobe.js";
 
 /** @import { Hover, Lane } from "../worker/lane.js" */
+/** @import { Run } from "../worker/run.js" */
 /** @import { Journey } from "../worker/journey.js" */
 /** @import { LayerName } from "./layer.js" */
 /** @import { Palette } from "./palette.js" */
@@ -151,6 +153,8 @@ export class Pane {
     this.clip(context);
     this.drawWaiting(context, lane, palette);
     this.glow.draw(context, palette, now);
+    if (lane.run?.pieces) this.drawPieces(context, lane.run, palette);
+    if (lane.still) this.growth.inkLatest(context);
     if (lane.journey) this.drawPath(context, lane.journey, palette);
     context.restore();
     this.drawEnds(context, lane, palette);
@@ -158,6 +162,17 @@ export class Pane {
     if (hover?.lane === lane) this.drawHover(context, hover, palette);
     this.drawRobot(context, lane);
     lane.shown.overlay?.draw(this, context, lane);
+  }
+
+  /** Of a roadmap without a path: what hangs together with the start, and with the goal. @param {CanvasRenderingContext2D} context @param {Run} run @param {Palette} palette */
+  drawPieces(context, { pieces }, palette) {
+    const { places } = this;
+    if (!pieces || !places) return;
+    places.follow();
+    for (const [members, colour] of /** @type {[number[], string][]} */ ([[pieces.start, palette.start], [pieces.goal, palette.goal]])) {
+      context.fillStyle = colour;
+      for (const vertex of members) disc(context, places.points[2 * vertex], places.points[2 * vertex + 1], 3.2 * this.fineness);
+    }
   }
 
   /** The vertices that wait for the search, each in a small ring. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette */

@@ -4,9 +4,8 @@
  */
 import { PAST } from "./run.js";
 
-/** Evaluations in a step of a race, and those that pass where a single run makes one iteration: an iteration makes about ten. */
-const PER_STEP = 100;
-const PER_ITERATION = 10;
+/** Evaluations in a step of a race, and those that pass where a single run makes one iteration: it makes about as many. */
+const PER_STEP = 10;
 
 export class Clock {
   constructor() {
@@ -34,17 +33,14 @@ export class Clock {
   /** One step of the transport, in units of time. */
   get unit() { return this.isRace ? PER_STEP : 1; }
 
-  /** How much faster than the pace time passes. */
-  get rate() { return this.isRace ? PER_ITERATION : 1; }
-
-  get speed() { return this.rushing ? Infinity : this.pace * this.rate; }
+  get speed() { return this.rushing ? Infinity : this.pace * this.unit; }
 
   /** Lets seconds pass while it plays. Being behind does not pile up beyond a quarter of a second. @param {number} seconds */
   pass(seconds) {
     if (!this.playing) return;
     const { speed } = this;
     if (speed === Infinity) this.wanted = Infinity;
-    else this.wanted = Math.min((this.wanted === Infinity ? this.now : this.wanted) + speed * seconds, this.now + speed / 4 + this.rate);
+    else this.wanted = Math.min((this.wanted === Infinity ? this.now : this.wanted) + speed * seconds, this.now + speed / 4 + this.unit);
   }
 
   /** Is there time to be caught up with? */

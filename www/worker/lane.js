@@ -40,6 +40,8 @@ export class Lane {
     this.run = null;
     /** The way of the run's end, once it was reached. @type {Journey | null} */
     this.end = null;
+    /** Does the run wait at an iteration in its midst? */
+    this.still = false;
   }
 
   get scenario() { return this.shown.scenario; }

@@ -15,7 +15,7 @@ export function report(theatre) {
   const pose = shown?.hand ?? (journey && journey.drawn >= 1 ? journey.configuration(journey.at) : null);
   return {
     heard: theatre.heard,
-    clock: { now: clock.now, head: clock.head, isRace: clock.isRace, unit: clock.unit, rate: clock.rate },
+    clock: { now: clock.now, head: clock.head, isRace: clock.isRace, unit: clock.unit, wanted: clock.wanted },
     playing: clock.playing,
     growing: theatre.growing,
     travelling: theatre.travelling,
@@ -41,7 +41,7 @@ function laneState({ plan, run, journey, scenario, standing }, settled) {
   if (!run) {
     return {
       algorithm: plan.algorithm, status: "none", phase: "", iteration: 0, made: 0, vertices: 0, edges: 0, checks: 0, motions: 0, evaluations: 0,
-      cost: Infinity, length: null, unit: "", fingerprint: "", kind: "roadmap", isProven: true, isMiss: false, hasGuards: false, marks: [], standing,
+      cost: Infinity, length: null, unit: "", fingerprint: "", kind: "roadmap", isProven: true, isMiss: false, hasGuards: false, isSearched: false, isApart: false, marks: [], standing,
       hasRejected: false, hasRefused: false, waiting: 0, raw: null, segments: null, stats: null,
     };
   }
@@ -55,7 +55,7 @@ function laneState({ plan, run, journey, scenario, standing }, settled) {
     length: isEnd && status === "solved" ? run.result.length : null,
     unit: scenario.robot === "arm" ? "rad" : "m",
     fingerprint: isEnd ? run.result.fingerprint : "",
-    kind: run.kind, isProven: run.isProven, isMiss: journey?.isMiss ?? false, hasGuards: run.has(EVENT.guard),
+    kind: run.kind, isProven: run.isProven, isMiss: journey?.isMiss ?? false, hasGuards: run.has(EVENT.guard), isSearched: run.has(EVENT.expanded), isApart: run.pieces !== null,
     hasRejected: run.has(EVENT.rejected) || run.has(EVENT.discarded), hasRefused: run.has(EVENT.refused),
     waiting: run.frontier.count,
     raw: journey?.raw ? run.rawLength : null,

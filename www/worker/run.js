@@ -5,6 +5,7 @@
  */
 import { Frontier } from "./frontier.js";
 import { Kin } from "./kin.js";
+import { piecesOf } from "./pieces.js";
 import { Rows } from "./rows.js";
 
 /** @import { ResultDocument, Scenario, Settings } from "../types.js" */
@@ -67,6 +68,8 @@ export class Run {
     this.ended = false;
     /** @type {{ made: number, status: string, result: ResultDocument } | null} */
     this.known = null;
+    /** @type {ReturnType<typeof piecesOf> | null} */
+    this.fallen = null;
     this.history.add([this.planner.vertexCount, this.planner.edgeCount, this.planner.eventCount, Math.max(0, phases.indexOf(this.planner.phase)), 0, 0, 0, Infinity]);
     this.fetch();
   }
@@ -217,6 +220,13 @@ export class Run {
     const { data, width, count } = this.history;
     for (let i = 0; i < count; i++) if (data[i * width + PAST.cost] < Infinity) return data[i * width + PAST.cost];
     return Infinity;
+  }
+
+  /** The pieces that a roadmap without a path has fallen into; of others null. */
+  get pieces() {
+    if (this.isTree || this.status !== "exhausted" || this.expanded === 0) return null;
+    this.fallen ??= piecesOf(this);
+    return this.fallen;
   }
 
   /** The result at the newest iteration, made once. */

@@ -47,18 +47,24 @@ export function ending(run, journey) {
     const shorter = journey?.raw ? `, cut from ${run.rawLength.toFixed(2)} ${unit}` : "";
     const found = `Found after ${iterations} iterations: a path of ${length.toFixed(2)} ${unit}${shorter}`;
     if (run.isProven) return `${found}, proven free from end to end.`;
-    return `${found}, not proven. ${journey?.flaw ? collision(run.scenario, journey.flaw.check) : "Checked afterwards, it touches nothing."}`;
+    return `${found}, not proven. ${journey?.flaw ? collision(run, journey.flaw.check) : "Checked afterwards, it touches nothing."}`;
   }
   if (!run.isTree && run.expanded === 0) return `No path: ${iterations} iterations were too few to search the roadmap.`;
-  if (!run.isTree) return "No path: the search has been to every vertex it can reach, the bold ones, and the goal is not among them.";
+  if (run.pieces) return `No path: ${asked(run)}the map is in ${run.pieces.count.toLocaleString("en")} pieces. Start and goal lie in different ones, in their colours.`;
   if (!approximate || !journey) return `No path after ${iterations} iterations: ${run.kind === "trees" ? "the two trees never met" : "the tree never came nearer to the goal"}.`;
   const miss = `No path after ${iterations} iterations. The nearest miss, dashed, ends ${approximate.goal_distance.toFixed(2)} ${unit} from the goal`;
-  return `${miss}${run.isProven ? "." : `, not proven. ${journey.flaw ? collision(run.scenario, journey.flaw.check) : ""}`}`.trim();
+  return `${miss}${run.isProven ? "." : `, not proven. ${journey.flaw ? collision(run, journey.flaw.check) : ""}`}`.trim();
 }
 
-/** @param {Scenario} scenario @param {Check} check */
-function collision(scenario, check) {
-  return `It collides: ${touchingSentence(scenario, check)}.`;
+/** How many neighbours each vertex was to have, if that was said. @param {Run} run */
+function asked({ settings: { k } }) {
+  return typeof k === "number" ? `with ${k} neighbour${k === 1 ? "" : "s"} each, ` : "";
+}
+
+/** @param {Run} run @param {Check} check */
+function collision({ scenario, settings: { edge_samples: places } }, check) {
+  const looked = typeof places === "number" ? `in ${places} place${places === 1 ? "" : "s"} only` : "in places only";
+  return `It collides: ${touchingSentence(scenario, check)}. Edges were looked at ${looked}: set \u201cEdges are\u201d to proven.`;
 }
 
 /** What to do with the robot in the hand. @param {Scenario} scenario @param {boolean} square  is there a configuration square beside the workspace */

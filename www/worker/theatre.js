@@ -208,7 +208,12 @@ export class Theatre {
   }
 
   play() {
-    if (!this.growing && !this.travelling) return;
+    if (!this.growing && !this.travelling) {
+      // At its end, and nothing drives: it is watched again from the beginning.
+      if (this.clock.head === 0) return;
+      this.showTime(0);
+      this.clock.halt();
+    }
     this.release();
     this.clock.playing = true;
     if (this.growing) this.stir();
@@ -403,6 +408,7 @@ export class Theatre {
     if (clock.playing && !this.growing) this.travel(elapsed);
     shown.hover = shown.hand || this.editor?.on ? null : this.pointing.find(this.lanes, this.grip, shown.hover);
     for (const { run } of this.lanes) run?.frontier.follow();
+    for (const lane of this.lanes) lane.still = !clock.playing && !clock.owes && lane.run?.status === "running";
     stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
     const resting = !clock.owes && (!clock.playing || !this.growing);
     this.settled = resting && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isTended);

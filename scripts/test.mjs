@@ -17,6 +17,9 @@ import {
 /** @typedef {import("./counts.mjs").Counts} Counts */
 /** @typedef {{ group: string, name: string, run: () => Promise<Counts | undefined> }} Suite */
 
+/** Files of tests that run side by side: most of them wait for a browser. */
+const CONCURRENCY = 2;
+
 const WASM = ["--target", "wasm32-unknown-unknown"];
 const NO_WARNINGS = ["--", "-D", "warnings"];
 
@@ -100,7 +103,7 @@ async function nodeTests(folder) {
   mkdirSync(join(root, "dist"), { recursive: true });
   const report = join(root, "dist", `${folder}-tests.tap`);
   const { code } = await watch(process.execPath, [
-    "--test", "--test-concurrency=1",
+    "--test", `--test-concurrency=${CONCURRENCY}`,
     "--test-reporter=spec", "--test-reporter-destination=stdout",
     "--test-reporter=tap", `--test-reporter-destination=${report}`,
     ...files.map((name) => join(place, name)),

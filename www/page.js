@@ -142,7 +142,7 @@ export class Page {
     this.pace = pace;
     this.told = false;
     if (plans) this.race?.adopt(this.asked);
-    if (given) panel.suggest(given.algorithm, given.settings);
+    if (given) panel.suggest(given.algorithm, given.settings, entry?.settings);
     this.show(facts);
   }
 

@@ -213,8 +213,9 @@ describe("lessons", () => {
         await fresh.click("#lesson-previous");
         await fresh.waitForSelector(`#counters[data-settled=true][data-iterations="${steps[1].iteration}"]`, { state: "attached" });
         assert.equal(await growthHash(fresh, "workspace"), there);
-        const [band, story, stage] = await Promise.all(["#lesson", "#story", "#stage"].map((name) => fresh.locator(name).boundingBox()));
-        assert.ok(band && story && stage && band.y + band.height <= story.y && story.y + story.height <= stage.y, "one above the other");
+        const [band, stage] = await Promise.all(["#lesson", "#stage"].map((name) => fresh.locator(name).boundingBox()));
+        assert.ok(band && stage && band.y + band.height <= stage.y, "one above the other");
+        assert.equal(await fresh.locator("#story").isVisible(), false, "one voice at a time");
         await fresh.click("#lesson-leave");
         assert.equal(fresh.url(), url);
         await fresh.close();

@@ -41,7 +41,7 @@ export class Panel {
     this.fields = [];
     /** What was given by hand or by a scene, by name: kept when the planner changes. @type {Settings} */
     this.given = {};
-    /** Names of what a scene or a link has set. @type {Set<string>} */
+    /** Names of what the scene sets by itself. @type {Set<string>} */
     this.lead = new Set();
     for (const info of this.infos) this.planner.append(make("option", { value: info.id }, info.title));
     this.planner.addEventListener("change", () => {
@@ -53,11 +53,11 @@ export class Panel {
     this.build();
   }
 
-  /** A scene's own planner and parameters, the rest at their defaults. @param {string} algorithm @param {Settings} settings */
-  suggest(algorithm, settings) {
+  /** A planner and some of its parameters, the rest at their defaults. @param {string} algorithm @param {Settings} settings @param {Settings} [scene]  what the scene itself sets */
+  suggest(algorithm, settings, scene = {}) {
     this.planner.value = algorithm;
     this.given = { ...settings };
-    this.lead = new Set(Object.keys(settings));
+    this.lead = new Set(Object.keys(scene));
     this.build();
   }
 
@@ -128,7 +128,7 @@ export class Panel {
     this.summary.textContent = info.summary;
     this.first.replaceChildren();
     this.rest.replaceChildren();
-    // What a scene or a link sets by itself is there to be seen.
+    // What a scene sets by itself is there to be seen.
     const isFirst = (/** @type {string} */ name) => FIRST.has(name) || this.lead.has(name);
     this.fields = withSeed(info.parameters).map((parameter) => {
       const field = new Field(parameter, this.given[parameter.name] ?? parameter.default, () => {

@@ -10,7 +10,7 @@ import { call } from "./runtime.js";
 export const phases = Object.freeze(["sampling", "connecting", "guarding", "searching", "growing", "improving", "done"]);
 
 /**
- * The planners and their parameters, with title, meaning, unit, range and default of each.
+ * The planners: their pseudo-code, and their parameters with title, meaning, unit, range and default of each.
  * @returns {PlannerInfo[]}
  */
 export function planners() {

@@ -111,9 +111,27 @@ export interface PlannerInfo {
   title: string;
   /** What it does, in a sentence or two. */
   summary: string;
+  /** How it works, line by line. */
+  pseudocode: PseudocodeLine[];
   /** What can be set. */
   parameters: ParameterInfo[];
 }
+
+/** One line of pseudo-code. It is lit by an iteration that has one of its marks; each iteration lights at least one line. */
+export interface PseudocodeLine {
+  /** The line, of 46 characters at most. */
+  text: string;
+  /** How deep it stands, from 0. */
+  indent: number;
+  /** What lights it; nothing lights a line that only frames others. */
+  lit_by: PseudocodeMark[];
+}
+
+/**
+ * What an iteration did: the phase it began in; `vertex` and `edge` where it added some; the kinds of its events (`eventsSince`), from
+ * 0 on: `rejected`, `refused`, `expanded`, `solved`, `discarded`, `guard`; and `done` where the run has ended with it.
+ */
+export type PseudocodeMark = Phase | "vertex" | "edge" | "rejected" | "refused" | "expanded" | "solved" | "discarded" | "guard";
 
 /** One parameter of a planner. */
 export interface ParameterInfo {

@@ -5,6 +5,7 @@
  *   dist/types/    declarations of the package, from the JSDoc types
  *   dist/package/  what `npm pack` publishes
  *   dist/page/     the static page
+ *   dist/planarium.html   the same in one file
  *
  * `node scripts/build.mjs` builds all, `node scripts/build.mjs package` leaves the page out.
  */
@@ -13,8 +14,11 @@ import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, r
 import { createRequire } from "node:module";
 import { homedir } from "node:os";
 import { basename, join } from "node:path";
-import { Problem, ask, isMain, root, run, script } from "./run.mjs";
+import { assembleOneFile, assemblePage } from "./page.mjs";
+import { Problem, ask, isMain, requireFile, root, run, script } from "./run.mjs";
 import { ensureNodeModules, ensureWasmTarget, lockedVersion } from "./setup.mjs";
+
+export { assembleOneFile, assemblePage };
 
 const dist = join(root, "dist");
 const glue = join(dist, "glue");
@@ -37,36 +41,6 @@ export async function buildPackage() {
   await makeGlue(await compileCrate());
   await makeTypes();
   await assemblePackage();
-}
-
-/**
- * Assembles the page around the package. The modules of each are joined into one file, so that a browser asks for two scripts and
- * not for forty, one after the other; the maps beside them lead back to the sources.
- */
-export function assemblePage() {
-  const page = join(root, "www");
-  const out = join(dist, "page");
-  requireFile(join(page, "index.html"));
-  rmSync(out, { recursive: true, force: true });
-  cpSync(page, out, { recursive: true, filter: (path) => !/(\.js|\.md|tsconfig\.json)$/.test(path) && !path.endsWith(join("www", "stage")) });
-  mkdirSync(join(out, "planarium"), { recursive: true });
-  cpSync(join(dist, "package", "planarium_bg.wasm"), join(out, "planarium", "planarium_bg.wasm"));
-  joinModules(join(page, "main.js"), join(out, "main.js"));
-  joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
-}
-
-/**
- * Joins an entry and all it imports, but for the package, into one module.
- * @param {string} entry
- * @param {string} out
- */
-function joinModules(entry, out) {
-  /** @type {typeof import("esbuild")} */
-  const { buildSync } = createRequire(import.meta.url)("esbuild");
-  buildSync({
-    entryPoints: [entry], outfile: out, bundle: true, minify: true, sourcemap: true, format: "esm", target: "es2022",
-    external: ["./planarium/planarium.js"], logLevel: "warning",
-  });
 }
 
 /** The glue and the crate must come from the same wasm-bindgen, or they do not understand each other. */
@@ -156,14 +130,11 @@ function publicDeclarations() {
   return reached;
 }
 
-/** @param {string} path */
-function requireFile(path) {
-  if (!existsSync(path)) throw new Problem(`${path} is missing.`);
-}
-
 if (isMain(import.meta.url)) {
   await script(async () => {
     await buildPackage();
-    if (process.argv[2] !== "package") assemblePage();
+    if (process.argv[2] === "package") return;
+    assemblePage();
+    assembleOneFile();
   });
 }

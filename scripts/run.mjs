@@ -1,5 +1,6 @@
 /** Running other programs: output goes where it should, and a failure names the command. */
 import { spawn, spawnSync } from "node:child_process";
+import { existsSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
 /** Root of the project; every command runs here. */
@@ -7,6 +8,11 @@ export const root = fileURLToPath(new URL("..", import.meta.url));
 
 /** A failure that needs no stack trace: the message says what to do. */
 export class Problem extends Error {}
+
+/** @param {string} path @throws {Problem} */
+export function requireFile(path) {
+  if (!existsSync(path)) throw new Problem(`${path} is missing.`);
+}
 
 /**
  * Runs a program to its end, its output on our standard error, so that standard output stays free for results.

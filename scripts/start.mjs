@@ -1,6 +1,7 @@
 /** `npm start`: sets up, builds and serves the page on PORT (8080). */
 import { join } from "node:path";
-import { assemblePage, buildPackage } from "./build.mjs";
+import { buildPackage } from "./build.mjs";
+import { assemblePage } from "./page.mjs";
 import { Problem, root, script } from "./run.mjs";
 import { requireFreePort, serve } from "./serve.mjs";
 

@@ -6,7 +6,8 @@
  */
 import { existsSync, mkdirSync, readFileSync, readdirSync } from "node:fs";
 import { delimiter, join } from "node:path";
-import { assemblePage, buildPackage } from "./build.mjs";
+import { buildPackage } from "./build.mjs";
+import { assembleOneFile, assemblePage } from "./page.mjs";
 import { countsOfHarness, countsOfTap } from "./counts.mjs";
 import { Problem, root, script, watch } from "./run.mjs";
 import {
@@ -39,7 +40,7 @@ const needs = {
   rust: [async () => requireCompilers()],
   wasm: [ensureWasmTarget, ensureWasmBindgen, ensureWasmPack, useBrowser],
   package: [buildPackage, useBrowser],
-  page: [buildPackage, async () => assemblePage(), useBrowser],
+  page: [buildPackage, async () => { assemblePage(); assembleOneFile(); }, useBrowser],
 };
 
 /**

@@ -326,6 +326,10 @@ fn list_tells_planners_parameters_and_error_codes() {
             let numeric = parameter["kind"] == "integer" || parameter["kind"] == "number";
             assert!(!numeric || parameter["min"].as_f64() <= parameter["max"].as_f64(), "{parameter}");
         }
+        for line in planner["pseudocode"].as_array().expect("pseudo-code") {
+            assert!(line["text"].as_str().is_some_and(|text| !text.is_empty()) && line["indent"].is_u64(), "{line}");
+            assert!(line["lit_by"].as_array().expect("marks").iter().all(Value::is_string), "{line}");
+        }
         let parameters = names(&planner["parameters"], "name");
         assert!(parameters.iter().any(|name| name == "max_iterations"), "{parameters:?}");
         parameters.iter().for_each(|name| assert!(tables.stdout.contains(name.as_str()), "{name}"));

@@ -1,154 +1,164 @@
 /**
- * The page's wiring: it loads the package, makes the parts and lets them know of each other. Nothing is put on `window`.
+ * The page's wiring: it starts the worker, makes the controls and lets them know of each other. Nothing is put on `window`.
  *
  * What tests may rely on:
  * - `#counters` carries `data-status` ("loading", "failed", "none", "running", "solved", "exhausted"), `data-phase`,
- *   `data-iterations`, `data-vertices`, `data-edges`, and while the run is at rest and all is drawn `data-fingerprint`
- *   and, once solved, `data-length`.
+ *   `data-iterations`, `data-vertices`, `data-edges` of what is shown, `data-settled` ("true" while nothing moves and all is
+ *   drawn), and while it is settled at the newest iteration `data-fingerprint` and, once solved, `data-length`.
  * - `#play` carries `data-playing`; `body` carries `data-scene` (an id of scenes.js, or "file").
  * - `#notice` is hidden, or carries `data-code` and `data-pointer` of the error it shows.
+ * - `#readout` carries `data-vertex` of the vertex that is pointed at, "-1" of a mere pose, and `data-free`; neither while
+ *   nothing is pointed at.
  * - `#touching` carries `data-free` and names what touches what.
+ * - `#editor`, while it is open, carries `data-tool`, `data-kind` and `data-title` of what is selected, `data-undo`, `data-redo`, `data-changes`,
+ *   `data-busy` ("true" during a gesture), `data-code` of the last refusal and `data-touching`, which names a start or goal in collision.
  * - `#story` carries `data-tone`, "bad" where a path that was found collides.
- * - The work of each frame in which something grew is a `performance.measure` called "planarium-frame".
+ * - In a race each row of `#standings tbody` carries `data-status` and, at rest at the newest iteration, `data-fingerprint`.
+ * - In the worker, the work of each frame in which something grew is a `performance.measure` called "planarium-frame".
  */
-import { Announcer } from "./announce.js";
-import { Counters } from "./counters.js";
-import { byId } from "./dom.js";
-import { watchFiles } from "./drop.js";
-import { Gallery } from "./gallery.js";
-import { watchKeys } from "./keys.js";
-import { showLegend } from "./legend.js";
-import { Notice } from "./notice.js";
-import { Panel } from "./panel.js";
-import { Pose } from "./pose.js";
+import { watchAnnouncements } from "./controls/announce.js";
+import { Counters, write } from "./controls/counters.js";
+import { byId } from "./controls/dom.js";
+import { isArray, watchFiles } from "./controls/drop.js";
+import { Gallery, SIDE } from "./controls/gallery.js";
+import { watchKeys } from "./controls/keys.js";
+import { showLegend } from "./controls/legend.js";
+import { Notice } from "./controls/notice.js";
+import { Panel } from "./controls/panel.js";
+import { Pose } from "./controls/pose.js";
+import { Projector } from "./controls/projector.js";
+import { showPseudocode } from "./controls/pseudocode.js";
+import { showSceneOptions } from "./controls/scene-options.js";
+import { watchTheme } from "./controls/theme.js";
+import { watchReadout } from "./controls/readout.js";
+import { Transport } from "./controls/transport.js";
+import { watchView } from "./controls/view.js";
+import { Page } from "./page.js";
+import { Part } from "./part.js";
+import { loadCore, makeWorker } from "./resources.js";
 import { SCENES } from "./scenes.js";
-import { Stage } from "./stage/stage.js";
-import { Theatre } from "./theatre.js";
-import { watchTheme } from "./theme.js";
-import { Transport } from "./transport.js";
+import { Sheets } from "./sheets.js";
+import { Studio } from "./studio.js";
 
-/** @import { Library, SceneEntry } from "./types.js" */
+/** @import { SceneEntry } from "./types.js" */
 
 /** Milliseconds after which the thumbnails are drawn: the stage comes first. */
 const THUMBNAILS = 250;
 
 const counters = new Counters();
 const notice = new Notice();
+document.documentElement.classList.toggle("embed", new URLSearchParams(location.search).get("embed") === "1");
 
 try {
   await start();
+  keepForLater();
 } catch (error) {
   counters.none("failed");
   notice.show("Planarium could not start: it needs a browser with WebAssembly, and its own files beside this page.", error);
 }
 
+/** Has the page's files kept, so that it opens without a network too; a page that may not keep anything does without. */
+function keepForLater() {
+  if (location.protocol.startsWith("http")) navigator.serviceWorker?.register("offline.js").catch(() => {});
+}
+
 async function start() {
-  const first = SCENES[0];
-  const [library, text] = await Promise.all([load(), fetchScene(first)]);
-  const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const core = loadCore();
+  const studio = new Studio(makeWorker(), (error) => notice.show("Something went wrong.", error));
+  const { planners, generators } = await studio.ask("start", [await core]);
+
   const story = byId("story", HTMLElement);
+  const where = byId("where", HTMLElement);
   const turn = byId("your-turn", HTMLButtonElement);
-  const stageElement = byId("stage", HTMLElement);
-
-  /** @type {Theatre} */
-  let theatre;
-  const stage = new Stage(stageElement, { change: () => theatre?.wake(), pose: (pose) => theatre.hold(pose) });
-  const transport = new Transport({
-    toggle: () => theatre.toggle(),
-    step: (iterations) => theatre.step(iterations),
-    finish: () => theatre.finish(),
-    reset: () => theatre.reset(),
-    seek: (part) => theatre.seek(part),
-  });
-  const panel = new Panel(library, () => theatre.changed());
-  const pose = new Pose((at) => theatre.hold(at));
-  theatre = new Theatre({
-    stage, transport, counters, panel, pose, notice, announcer: new Announcer(),
-    tell: (sentence, isBad = false) => {
-      story.textContent = sentence;
-      story.dataset.tone = isBad ? "bad" : "";
-    },
-    legend: showLegend,
-    turn: (inHand) => {
-      turn.textContent = inHand ? "Watch again" : "Your turn";
-      stageElement.classList.toggle("in-hand", inHand);
-    },
-  }, calm);
-
-  const gallery = new Gallery((entry) => void choose(entry));
-  turn.addEventListener("click", (event) => theatre.takeTurn(event.detail === 0));
-  turn.disabled = false;
-  watchKeys([stageElement, transport.bar], {
-    " ": () => theatre.toggle(),
-    ".": () => theatre.step(1),
-    e: () => theatre.finish(),
-    r: () => theatre.reset(),
-    n: () => panel.reseed(),
+  const stage = byId("stage", HTMLElement);
+  const panel = new Panel(planners, () => studio.ask("freshSeed", []), () => page.plan(), () => page.ask());
+  const page = new Page(studio, panel, notice);
+  const sheets = new Sheets(page);
+  const pose = new Pose((at) => studio.tell("hold", at));
+  const gallery = new Gallery(SCENES, (entry) => void choose(entry));
+  const transport = new Transport(page);
+  watchKeys([stage, transport.bar], {
+    " ": () => studio.tell("toggle"),
+    ".": () => studio.tell("step", 1),
+    ",": () => studio.tell("step", -1),
+    e: () => studio.tell("finish"),
+    r: () => studio.tell("reset"),
+    n: () => void panel.reseed(),
   });
   watchFiles(openFile, (name, error) => notice.show(`${name} could not be read.`, error));
-  watchTheme(() => {
-    stage.relay();
-    void drawThumbnails();
+  watchTheme(() => page.dress());
+  watchAnnouncements(page);
+  showPseudocode(page);
+  showSceneOptions(page, generators);
+  watchView(page, sheets);
+  watchReadout(page);
+  const projector = new Projector(page);
+
+  const race = new Part(notice, async () => new (await import("./controls/race.js")).Race(page, sheets)).inFold("race-fold");
+  page.needRace = () => race.get();
+  new Part(notice, async () => (await import("./controls/curves.js")).watchCurves(page)).inFold("curves-fold");
+  new Part(notice, async () => new (await import("./controls/editor.js")).EditorControls(page)).inFold("editor-fold").byButton("edit", (editor) => editor.begin());
+  const lessons = new Part(notice, async () => new (await import("./controls/lessons.js")).Lessons(page, SCENES)).inFold("lessons-fold");
+  new Part(notice, async () => (await import("./take/take.js")).showTake(page)).inFold("take-fold");
+  const link = new Part(notice, async () => new (await import("./controls/link.js")).Link(page, SCENES, generators, projector)).byButton("link", (part) => part.copy());
+  if (window.parent !== window) (await import("./controls/embed.js")).watchParent(page);
+  /** Puts on the stage what the address says, a step of a lesson or an experiment. */
+  const obey = async () => (await (location.hash.startsWith("#lesson=") ? lessons : link).get()).obey(location.hash);
+  addEventListener("hashchange", () => { if (location.hash) void obey(); });
+
+  page.onOpen((facts, entry) => {
+    if (!page.race?.arrange()) sheets.arrange(facts);
+    pose.build(facts);
+    gallery.mark(entry?.id ?? null);
   });
+  page.onState((state) => {
+    const lane = state.lanes[0];
+    counters.show(lane, state.settled);
+    showLegend(page, state);
+    write(story, state.sentence);
+    story.dataset.tone = state.isBad ? "bad" : "";
+    turn.textContent = state.inHand ? "Watch again" : "Your turn";
+    write(where, `${page.facts?.title ?? ""} \u00b7 ${page.names.join(" against ")}`);
+    stage.classList.toggle("in-hand", state.inHand);
+    pose.reflect(state);
+    sheets.describe(state);
+  });
+  page.onOrder(() => counters.unsettle());
+  page.onDress(() => void drawThumbnails());
+  turn.addEventListener("click", (event) => {
+    if (event.detail === 0) pose.awaitFocus();
+    studio.tell("turn");
+  });
+  turn.disabled = false;
 
-  openEntry(first, text);
+  page.dress();
+  if (location.hash) await obey();
+  else await page.openScene(SCENES[0]);
   setTimeout(() => void drawThumbnails(), THUMBNAILS);
-
-  /** The number of the latest wish: an answer that comes after a newer wish is dropped. */
-  let wish = 0;
 
   /** @param {SceneEntry} entry */
   async function choose(entry) {
-    const mine = ++wish;
     try {
-      const json = await fetchScene(entry);
-      if (mine === wish) openEntry(entry, json);
+      await page.openScene(entry);
     } catch (error) {
       notice.show(`The scene "${entry.title}" could not be loaded.`, error);
     }
   }
 
-  /** @param {SceneEntry} entry @param {string} json */
-  function openEntry(entry, json) {
-    theatre.open(library.Scenario.parse(json), entry);
-    document.body.dataset.scene = entry.id;
-    gallery.mark(entry.id);
-  }
-
-  /** A file of the reader's own. If it is refused, what is on the stage stays there. @param {string} name @param {string} json */
-  function openFile(name, json) {
-    let scenario;
+  /** A file of the reader's own. If it is refused, what is on the stage stays there. @param {string} name @param {Uint8Array<ArrayBuffer>} bytes */
+  async function openFile(name, bytes) {
     try {
-      scenario = library.Scenario.parse(json);
+      if (isArray(name, bytes)) await (await import("./take/arrays.js")).openArray(page, name, bytes);
+      else await page.open({ document: new TextDecoder().decode(bytes) });
     } catch (error) {
-      notice.show(`${name} is not a scenario that can be shown.`, error);
-      return;
+      notice.show(isArray(name, bytes) ? `${name} cannot be shown.` : `${name} is not a scenario that can be shown.`, error);
     }
-    wish++;
-    theatre.open(scenario, { algorithm: panel.algorithm, settings: {}, pace: 60, story: `${scenario.title || scenario.name || name}.` });
-    document.body.dataset.scene = "file";
-    gallery.mark(null);
   }
 
   async function drawThumbnails() {
     for (const entry of SCENES) {
-      const scenario = library.Scenario.parse(await fetchScene(entry));
-      gallery.draw(entry.id, scenario);
-      scenario.free();
+      const picture = await studio.ask("thumbnail", [await page.sourceOf(entry), SIDE, page.look]);
+      gallery.draw(entry.id, picture);
     }
   }
-}
-
-/** The package: a page without it says so instead of staying empty. @returns {Promise<Library>} */
-async function load() {
-  const library = await import("./planarium/planarium.js");
-  await library.default();
-  return library;
-}
-
-/** @param {SceneEntry} entry @returns {Promise<string>} */
-async function fetchScene(entry) {
-  const response = await fetch(`scenes/${entry.id}.json`);
-  if (!response.ok) throw new Error(`scenes/${entry.id}.json: ${response.status} ${response.statusText}`);
-  return response.text();
 }

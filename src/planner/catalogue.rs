@@ -1,6 +1,7 @@
 //! The planners that exist, with their parameters: the one table that help texts, documents and controls are made from.
 
 use super::parameters::{Fallback, Kind, ParameterInfo};
+use super::pseudocode::PseudocodeLine;
 use super::table::PLANNERS;
 use crate::error::{Code, Error, quoted};
 use crate::json::Node;
@@ -14,6 +15,8 @@ pub struct PlannerInfo {
     pub title: &'static str,
     /// What it does, in one sentence.
     pub summary: &'static str,
+    /// How it works, line by line.
+    pub pseudocode: &'static [PseudocodeLine],
     /// Its parameters.
     pub parameters: &'static [ParameterInfo],
 }
@@ -41,6 +44,7 @@ pub fn catalogue() -> Node {
             ("id", Some(Node::text(info.id))),
             ("title", Some(Node::text(info.title))),
             ("summary", Some(Node::text(info.summary))),
+            ("pseudocode", Some(Node::Array(info.pseudocode.iter().map(PseudocodeLine::node).collect()))),
             ("parameters", Some(Node::Array(info.parameters.iter().map(parameter).collect()))),
         ])
     };

@@ -1,4 +1,4 @@
-//! Planners, one file an algorithm, all behind one small trait; and the table of their parameters.
+//! Planners, one file an algorithm, all behind one small trait; and the table of their parameters and their pseudo-code.
 //!
 //! A planner sees a space and what is free in it, never a robot or an obstacle. It owns its graph and its generator, so
 //! that stepping in any slices gives the same result.
@@ -6,6 +6,7 @@
 mod catalogue;
 mod parameters;
 mod prm;
+mod pseudocode;
 mod query;
 mod roadmap;
 mod rrt;
@@ -16,6 +17,7 @@ mod visibility_prm;
 pub use catalogue::{DEFAULT_PLANNER, DEFAULT_TOLERANCE, PlannerInfo, catalogue, planner_info, planners};
 pub use parameters::{Fallback, Kind, ParameterInfo, Parameters, Value};
 pub use prm::{Order, Prm, PrmOptions, logarithmic_k, prm_star_k};
+pub use pseudocode::{Mark, PseudocodeLine};
 pub use query::{Algorithm, Cost, Heuristic, SearchRules};
 pub use roadmap::{Answer, Connection, Roadmap};
 pub use rrt::{Extend, GoalBias, Rrt, RrtOptions};

@@ -2,12 +2,14 @@
 
 use super::catalogue::{DEFAULT_TOLERANCE, PlannerInfo};
 use super::parameters::{Fallback, Kind, ParameterInfo};
+use super::pseudocode;
 
 pub(super) const PLANNERS: [PlannerInfo; 5] = [
     PlannerInfo {
         id: "prm",
         title: "PRM",
-        summary: "Scatters free samples, joins each to its nearest neighbours, then searches the roadmap.",
+        summary: "Scatters free samples, joins each to its nearest neighbours, and searches this roadmap for a path.",
+        pseudocode: pseudocode::PRM,
         parameters: &[
             SAMPLES,
             K,
@@ -32,7 +34,8 @@ pub(super) const PLANNERS: [PlannerInfo; 5] = [
     PlannerInfo {
         id: "prm-star",
         title: "PRM*",
-        summary: "A PRM whose number of neighbours grows with the logarithm of the samples, as the shortest path demands.",
+        summary: "A PRM that takes more neighbours as samples grow: just enough for its path to near the shortest.",
+        pseudocode: pseudocode::PRM_STAR,
         parameters: &[
             ParameterInfo { kind: whole(0.0, 250_000.0), ..SAMPLES },
             K_RULE,
@@ -54,7 +57,8 @@ pub(super) const PLANNERS: [PlannerInfo; 5] = [
     PlannerInfo {
         id: "visibility-prm",
         title: "Visibility PRM",
-        summary: "Keeps a sample only as a guard that sees what no other sees, or as a link between guards.",
+        summary: "Keeps few samples: guards, which no other guard sees, and links between guards.",
+        pseudocode: pseudocode::VISIBILITY_PRM,
         parameters: &[
             FAILURES,
             SAMPLER,
@@ -75,10 +79,11 @@ pub(super) const PLANNERS: [PlannerInfo; 5] = [
     PlannerInfo {
         id: "rrt",
         title: "RRT",
-        summary: "Grows a tree from the start: again and again its nearest vertex takes a step towards a sample.",
+        summary: "Grows a tree from the start: again and again its nearest vertex takes a step towards a random sample.",
+        pseudocode: pseudocode::RRT,
         parameters: &[
             ParameterInfo {
-                meaning: "How far the tree grows at once, and how near the goal must be to be tried; at least a 10,000th of the largest distance. Growth by half goes farther.",
+                meaning: "How far the tree grows at once, and how near it tries the goal: short steps find bends, long ones are quick.",
                 ..STEP
             },
             EXTEND,
@@ -100,6 +105,7 @@ pub(super) const PLANNERS: [PlannerInfo; 5] = [
         id: "rrt-connect",
         title: "RRT-Connect",
         summary: "Grows one tree from the start and one from the goal, each reaching for the other, until they meet.",
+        pseudocode: pseudocode::RRT_CONNECT,
         parameters: &[
             STEP,
             SAMPLER,
@@ -136,7 +142,7 @@ const SAMPLES: ParameterInfo = row(
     "Samples",
     whole(0.0, 1e6),
     Fallback::Number(2000.0),
-    "How many free samples become vertices of the roadmap, besides start and goal.",
+    "How many free samples the roadmap gets: more find narrower ways and shorter paths, but take longer.",
 );
 
 const K: ParameterInfo = row(
@@ -144,7 +150,7 @@ const K: ParameterInfo = row(
     "Neighbours",
     whole(1.0, 1000.0),
     Fallback::Computed("15, or all within the radius where one is given, for up to 4470 samples"),
-    "To how many of its nearest neighbours each vertex is joined, where the motion is free.",
+    "To how many nearest neighbours each vertex is joined: too few leave gaps, more shorten paths and take longer.",
 );
 
 const RADIUS: ParameterInfo = ParameterInfo {
@@ -154,7 +160,7 @@ const RADIUS: ParameterInfo = ParameterInfo {
         "Radius",
         Kind::Number { min: 1e-6, max: 1e7 },
         Fallback::Computed("none: only the number of neighbours counts"),
-        "How far away a neighbour may be for a vertex to be joined to it.",
+        "How far away a neighbour may be: a small radius leaves gaps, a large one joins more and takes longer.",
     )
 };
 
@@ -163,7 +169,7 @@ const INSERTION: ParameterInfo = row(
     "Insertion",
     Kind::Choice(&["batch", "one-by-one"]),
     Fallback::Text("batch"),
-    "Whether all samples are drawn before the first edge, or each is joined at once to those before it.",
+    "Whether edges come in a batch, after all samples, or one by one, each sample joined at once to earlier ones.",
 );
 
 const DISCARD: ParameterInfo = row(
@@ -171,7 +177,7 @@ const DISCARD: ParameterInfo = row(
     "Discard unconnected",
     Kind::Switch,
     Fallback::Off,
-    "Throw away a sample that connects to nothing; for samples inserted one by one.",
+    "Throws a sample away that can be joined to nothing; only where samples are inserted one by one.",
 );
 
 const K_RULE: ParameterInfo = row(
@@ -179,7 +185,7 @@ const K_RULE: ParameterInfo = row(
     "Rule for neighbours",
     Kind::Choice(&["karaman-frazzoli", "log-n"]),
     Fallback::Text("karaman-frazzoli"),
-    "How many neighbours for n vertices: the least whole number above e (1 + 1/d) ln n, or ln n rounded up.",
+    "How many neighbours for n vertices in d dimensions: e (1 + 1/d) ln n nears the shortest path, ln n is quicker.",
 );
 
 const FAILURES: ParameterInfo = row(
@@ -187,7 +193,7 @@ const FAILURES: ParameterInfo = row(
     "Failures at most",
     whole(1.0, 1e6),
     Fallback::Number(400.0),
-    "After how many samples in a row without a new guard the roadmap is complete; 1 in so many is the share not covered.",
+    "How many samples in a row may bring no new guard before it stops: more cover more of the free space.",
 );
 
 const STEP: ParameterInfo = ParameterInfo {
@@ -197,7 +203,7 @@ const STEP: ParameterInfo = ParameterInfo {
         "Step",
         Kind::Number { min: 1e-6, max: 1e7 },
         Fallback::Computed("a fifth of the largest distance in the space"),
-        "The longest edge: how far a tree grows towards a sample at once; at least a 10,000th of the largest distance.",
+        "How far a tree grows at once: short steps find their way round bends, long ones cross open space quickly.",
     )
 };
 
@@ -206,7 +212,7 @@ const EXTEND: ParameterInfo = row(
     "Growth",
     Kind::Choice(&["step", "half", "until-obstacle"]),
     Fallback::Text("step"),
-    "How far the tree grows towards a sample: one step, half the way, or up to the last free place before an obstacle.",
+    "How far the tree grows towards a sample: one step, half the way, or until just before an obstacle.",
 );
 
 const GOAL_BIAS: ParameterInfo = row(
@@ -214,15 +220,15 @@ const GOAL_BIAS: ParameterInfo = row(
     "Goal bias",
     Kind::Number { min: 0.0, max: 1.0 },
     Fallback::Number(0.05),
-    "With what probability the tree grows towards the goal instead of a sample.",
+    "How often the tree grows towards the goal: 0 is never, 1 always; too often, and it is stuck at obstacles.",
 );
 
 const GOAL_EVERY: ParameterInfo = row(
     "goal_every",
-    "Goal every",
+    "Goal every n-th time",
     whole(1.0, 1e6),
     Fallback::Computed("never: the goal bias decides"),
-    "Every how many iterations the tree grows towards the goal, in place of the goal bias.",
+    "Grows towards the goal every so many iterations, in place of the goal bias: a small number is often.",
 );
 
 const SAMPLER: ParameterInfo = row(
@@ -230,7 +236,7 @@ const SAMPLER: ParameterInfo = row(
     "Sampler",
     Kind::Choice(&["uniform", "halton", "lattice", "gaussian", "bridge", "obstacle-based", "goal-biased"]),
     Fallback::Text("uniform"),
-    "Where samples fall: anywhere, evenly, near obstacles, between obstacles, on their surface, or about the goal.",
+    "Where samples fall: anywhere, evenly (halton, lattice), near obstacles, between or on them, or about the goal.",
 );
 
 const SPREAD: ParameterInfo = ParameterInfo {
@@ -240,7 +246,7 @@ const SPREAD: ParameterInfo = ParameterInfo {
         "Spread",
         Kind::Number { min: 1e-6, max: 1e6 },
         Fallback::Computed("a twentieth of the largest distance in the space, divided by its dimension"),
-        "The deviation of every coordinate for the samplers gaussian, bridge and goal-biased.",
+        "How widely gaussian, bridge and goal-biased samples scatter: less keeps them nearer to obstacles or the goal.",
     )
 };
 
@@ -249,7 +255,7 @@ const SEARCH: ParameterInfo = row(
     "Search",
     Kind::Choice(&["a-star", "dijkstra", "breadth-first", "bidirectional"]),
     Fallback::Text("a-star"),
-    "How the roadmap is searched for a path.",
+    "How the roadmap is searched: A* heads for the goal, bidirectional starts at both ends, the others spread out.",
 );
 
 const COST: ParameterInfo = row(
@@ -257,7 +263,7 @@ const COST: ParameterInfo = row(
     "Cost of an edge",
     Kind::Choice(&["metric", "hops"]),
     Fallback::Text("metric"),
-    "What A* and Dijkstra's search count: the length of an edge, or 1; the breadth-first searches always count edges.",
+    "What A* and Dijkstra make least: the length of the path, or its hops; breadth-first always counts hops.",
 );
 
 const HEURISTIC: ParameterInfo = row(
@@ -265,7 +271,7 @@ const HEURISTIC: ParameterInfo = row(
     "Heuristic",
     Kind::Choice(&["metric", "end-effector", "metric-as-hops", "none"]),
     Fallback::Text("metric"),
-    "What A* takes for the rest of the way: the distance, the end effector's scaled to stay below it, the distance as if it were hops, or 0.",
+    "How A* guesses the rest of the way: close guesses expand fewer vertices; metric-as-hops may miss the best.",
 );
 
 const EDGE_CHECK: ParameterInfo = row(
@@ -273,7 +279,7 @@ const EDGE_CHECK: ParameterInfo = row(
     "Edges are",
     Kind::Choice(&["proven", "sampled"]),
     Fallback::Text("proven"),
-    "Proven free along all of it, or only looked at in a few places: then a path may cross a thin wall.",
+    "Proven free all along, or sampled: looked at in a few places only, so that a path may go through a thin wall.",
 );
 
 const EDGE_SAMPLES: ParameterInfo = row(
@@ -281,7 +287,7 @@ const EDGE_SAMPLES: ParameterInfo = row(
     "Places on an edge",
     whole(1.0, 10_000.0),
     Fallback::Number(20.0),
-    "In how many evenly spaced places a sampled edge is looked at, its far end included.",
+    "In how many evenly spaced places a sampled edge is looked at: fewer are quicker and miss more.",
 );
 
 const REDUCE: ParameterInfo = row(
@@ -289,7 +295,7 @@ const REDUCE: ParameterInfo = row(
     "Reduce vertices",
     Kind::Switch,
     Fallback::Off,
-    "Leave out vertices of the path where the straight motion past them is free; improvement comes on top of the iterations.",
+    "Leaves out vertices of the finished path wherever the straight motion past them is free.",
 );
 
 const SHORTCUT: ParameterInfo = row(
@@ -297,7 +303,7 @@ const SHORTCUT: ParameterInfo = row(
     "Shortcuts",
     whole(0.0, 1e6),
     Fallback::Number(0.0),
-    "How many shortcuts are tried on the path once it is found.",
+    "How many shortcuts between random places are tried on the finished path: more make it shorter.",
 );
 
 const PARTIAL_SHORTCUT: ParameterInfo = row(
@@ -305,7 +311,7 @@ const PARTIAL_SHORTCUT: ParameterInfo = row(
     "Partial shortcuts",
     whole(0.0, 1e6),
     Fallback::Number(0.0),
-    "How many shortcuts of one joint or coordinate alone are tried after that.",
+    "How many shortcuts of one joint or coordinate alone are tried after that: more take out needless turns.",
 );
 
 const METRIC: ParameterInfo = row(
@@ -313,7 +319,7 @@ const METRIC: ParameterInfo = row(
     "Metric",
     Kind::Choice(&["sum", "euclidean", "naive"]),
     Fallback::Computed("sum for arms, euclidean for discs"),
-    "How the distances of an arm's joints make one: their sum, the root of their squares, or that root without wrapping at full turns; a disc is always Euclidean.",
+    "How joints' turns make a distance: their sum, the root of their squares, or that as if no joint went round.",
 );
 
 const TOLERANCE: ParameterInfo = ParameterInfo {
@@ -323,7 +329,7 @@ const TOLERANCE: ParameterInfo = ParameterInfo {
         "Tolerance",
         Kind::Number { min: 1e-9, max: 0.1 },
         Fallback::Number(DEFAULT_TOLERANCE),
-        "A motion that stays this near to an obstacle may be refused unproven; none that touches one is ever accepted.",
+        "How near an obstacle a motion may be refused unproven: less fits finer gaps and takes longer; none may touch.",
     )
 };
 
@@ -332,5 +338,5 @@ const MAX_ITERATIONS: ParameterInfo = row(
     "Iterations at most",
     whole(1.0, 4e9),
     Fallback::Number(100_000.0),
-    "After how many iterations without a path the planner gives up.",
+    "After how many iterations without a path the planner gives up: more let it find harder ones.",
 );

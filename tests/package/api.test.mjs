@@ -33,6 +33,30 @@ test("planners() lists every planner with complete parameters", () => {
   }
 });
 
+test("each iteration of every planner lights lines of its pseudo-code", () => {
+  const kinds = ["rejected", "refused", "expanded", "solved", "discarded", "guard"];
+  for (const { id, pseudocode } of planners()) {
+    assert.ok(pseudocode.length >= 6 && pseudocode.length <= 12, id);
+    for (const { text, indent, lit_by } of pseudocode) {
+      assert.ok(text.length > 0 && Number.isInteger(indent) && indent >= 0 && Array.isArray(lit_by), id);
+    }
+    const planner = Scenario.parse(arm).planner({ algorithm: id, seed: 1, max_iterations: 800 });
+    while (planner.status === "running") {
+      const { phase, vertexCount, edgeCount, eventCount } = planner;
+      planner.step(1);
+      /** @type {string[]} */
+      const marks = [phase];
+      if (planner.vertexCount > vertexCount) marks.push("vertex");
+      if (planner.edgeCount > edgeCount) marks.push("edge");
+      const events = planner.eventsSince(eventCount);
+      for (let i = 0; i < events.length; i += planner.eventWidth) marks.push(kinds[events[i]]);
+      if (planner.status !== "running") marks.push("done");
+      assert.ok(pseudocode.some(({ lit_by }) => lit_by.some((mark) => marks.includes(mark))), `${id}: ${marks}`);
+    }
+    planner.free();
+  }
+});
+
 test("every parameter of every planner takes its default, its choices and its ends, unless the scenario narrows them", () => {
   const scenario = Scenario.parse(arm);
   for (const { id, parameters } of planners()) {

@@ -11,8 +11,8 @@ const consumer = `
 import init, {
   initSync, planners, generators, phases, freshSeed, version, PlanariumError, Planner, Scenario,
   type Box, type Check, type Configuration, type CspaceOptions, type GenerateOptions, type GeneratorInfo, type InitInput, type InitSyncInput, type Obstacle,
-  type OptionInfo, type ParameterInfo, type Part, type Phase, type PlannerInfo, type PlannerOptions, type Point, type Query, type ResultDocument, type Robot,
-  type ScenarioDocument, type Stats, type Status, type Touching, type World,
+  type OptionInfo, type ParameterInfo, type Part, type Phase, type PlannerInfo, type PlannerOptions, type Point, type PseudocodeLine,
+  type PseudocodeMark, type Query, type ResultDocument, type Robot, type ScenarioDocument, type Stats, type Status, type Touching, type World,
 } from "planarium";
 
 type IsAny<T> = 0 extends 1 & T ? true : false;
@@ -66,6 +66,8 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   const robot: Robot = again.robot;
 
   const info: PlannerInfo[] = planners();
+  const lines: PseudocodeLine[] = info[0]?.pseudocode ?? [];
+  const marks: PseudocodeMark[] = lines.flatMap((line) => line.lit_by);
   const options: PlannerOptions = { algorithm: info[0]?.id ?? "prm", query: "q", seed: 1, metric: "euclidean", k: 5, samples: 50 };
   const kinds: GeneratorInfo[] = generators();
   const choices: (string[] | null)[] = kinds.flatMap(({ options: all }) => all.map((option: OptionInfo) => option.choices));
@@ -106,7 +108,7 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   // @ts-expect-error: a count is a number
   planner.step("10");
   return JSON.stringify([free, names, radii, box, tip, tips, hit, cells, low, circles, kind, obstacle, robot, status, phase, counts, vertices, edges,
-    events, path, stats, result, choices, reached, raw, hits, version, scenario.name, scenario.title, scenario.distance(q, half), planner.fingerprint()]);
+    events, path, stats, result, marks, choices, reached, raw, hits, version, scenario.name, scenario.title, scenario.distance(q, half), planner.fingerprint()]);
 }
 `;
 

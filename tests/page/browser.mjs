@@ -38,14 +38,15 @@ export async function stop() {
 export async function onPage(options, test, { before, expectErrors = false } = {}) {
   assert.ok(browser && server, "start() comes first");
   const url = server.url;
-  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, ...options });
+  // What the page keeps for later would answer in the place of the files that tests put in its way.
+  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, serviceWorkers: "block", ...options });
   const page = await context.newPage();
   page.setDefaultTimeout(20_000);
   /** @type {string[]} */
   const faults = [];
   page.on("console", (message) => {
-    // The tests read canvases back more often than a page would, and Chromium remarks on it.
-    const remark = message.text().startsWith("Canvas2D: Multiple readback operations");
+    // The tests read canvases back more often than a page would, and keep its files from being kept: both are remarked on.
+    const remark = /^(Canvas2D: Multiple readback operations|Service Worker registration blocked by Playwright)/.test(message.text());
     if ((message.type() === "error" || message.type() === "warning") && !remark) faults.push(`console: ${message.text()}`);
   });
   page.on("pageerror", (error) => faults.push(`thrown: ${error.message}`));
@@ -63,12 +64,26 @@ export async function onPage(options, test, { before, expectErrors = false } = {
   }
 }
 
-/** A page that waits at iteration 0. @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] */
-export async function onPausedPage(test, options = {}) {
+/** An empty page in a context of its own. @param {Options} options @param {(page: Page) => Promise<void>} test */
+export async function inBrowser(options, test) {
+  assert.ok(browser, "start() comes first");
+  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, ...options });
+  try {
+    await test(await context.newPage());
+  } finally {
+    await context.close();
+  }
+}
+
+/**
+ * A page that waits at iteration 0.
+ * @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean }} [more]
+ */
+export async function onPausedPage(test, options = {}, more = {}) {
   await onPage({ reducedMotion: "reduce", ...options }, async (page, url) => {
-    await page.waitForSelector("#counters[data-status=running]");
+    await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
     await test(page, url);
-  });
+  }, more);
 }
 
 /** The numbers of the run. @param {Page} page */
@@ -82,24 +97,25 @@ export async function counters(page) {
   });
 }
 
-/** Waits until the run rests with all of it drawn. @param {Page} page */
+/** Waits until all that was ordered is done and drawn. @param {Page} page */
 export async function atRest(page) {
-  await page.waitForSelector("#counters[data-fingerprint]", { timeout: 60_000, state: "attached" });
+  await page.waitForSelector("#counters[data-settled=true]", { timeout: 60_000, state: "attached" });
   return counters(page);
 }
 
 /** Runs to the end and waits for it. @param {Page} page */
 export async function finish(page) {
   await page.click("#finish");
-  await page.waitForSelector("#counters[data-status=solved], #counters[data-status=exhausted]", { timeout: 60_000, state: "attached" });
-  return atRest(page);
+  const ended = ["solved", "exhausted"].map((status) => `#counters[data-settled=true][data-status=${status}]`).join(", ");
+  await page.waitForSelector(ended, { timeout: 60_000, state: "attached" });
+  return counters(page);
 }
 
 /** Puts a scene on the stage. @param {Page} page @param {string} id */
 export async function chooseScene(page, id) {
   await page.locator(`input[name=scene][value=${id}]`).check({ force: true });
   await page.waitForSelector(`body[data-scene=${id}]`);
-  await page.waitForSelector("#counters[data-status=running]");
+  await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
 }
 
 /** Types a value into a parameter and leaves the field. @param {Page} page @param {string} name @param {string} value */
@@ -127,18 +143,22 @@ export async function dropFile(page, name, text) {
 
 /**
  * How many pixels of a layer have (nearly) the colour of a custom property.
- * @param {Page} page @param {"workspace" | "cspace"} pane @param {"ground" | "growth" | "top"} layer @param {string} property  without its dashes
+ * @param {Page} page @param {string} pane @param {import("../../www/stage/layer.js").LayerName} layer @param {string} property  without its dashes
  */
 export async function pixelsOf(page, pane, layer, property) {
   return page.evaluate(([paneId, layerName, name]) => {
     const probe = document.createElement("span");
+    probe.style.forcedColorAdjust = "none";
     probe.style.color = `var(--${name})`;
     document.body.append(probe);
     const wanted = (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).map(Number);
     probe.remove();
     const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(`#${paneId} canvas[data-layer=${layerName}]`));
-    const context = canvas.getContext("2d");
+    // The worker draws on it: its pixels are read from a copy.
+    const copy = new OffscreenCanvas(canvas.width, canvas.height);
+    const context = copy.getContext("2d");
     if (!context) return -1;
+    context.drawImage(canvas, 0, 0);
     const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
     let count = 0;
     for (let i = 0; i < data.length; i += 4) {
@@ -149,14 +169,49 @@ export async function pixelsOf(page, pane, layer, property) {
 }
 
 /**
- * How long the page's thread worked in each animation frame meanwhile, milliseconds of processor time.
+ * What the layers of growth show, as a number that differs when a pixel does.
+ * @param {Page} page @param {string} pane @returns {Promise<string>}
+ */
+export async function growthHash(page, pane) {
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  return page.evaluate((id) => {
+    let hash = 0x811c9dc5;
+    let ink = 0;
+    for (const name of ["edges", "vertices", "marks"]) {
+      const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(`#${id} canvas[data-layer=${name}]`));
+      const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
+      context?.drawImage(canvas, 0, 0);
+      const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, canvas.width, canvas.height));
+      for (const byte of data) {
+        hash = Math.imul(hash ^ byte, 0x01000193);
+        if (byte > 0) ink++;
+      }
+    }
+    return `${hash >>> 0} ${ink}`;
+  }, pane);
+}
+
+/**
+ * How long the page's own thread and its worker's worked at each of their tasks meanwhile, milliseconds of processor time: unlike
+ * the time that has passed, it does not count what else the machine does.
  * @param {Page} page @param {() => Promise<void>} meanwhile
  */
-export async function frameWork(page, meanwhile) {
+export async function tasks(page, meanwhile) {
   assert.ok(browser, "start() comes first");
-  await browser.startTracing(page, { categories: ["devtools.timeline"] });
+  await browser.startTracing(page, { categories: ["disabled-by-default-devtools.timeline", "__metadata"] });
   await meanwhile();
-  /** @type {{ traceEvents: { name: string, tdur?: number }[] }} */
-  const trace = JSON.parse((await browser.stopTracing()).toString());
-  return trace.traceEvents.filter(({ name, tdur }) => name === "FireAnimationFrame" && tdur !== undefined).map(({ tdur }) => (tdur ?? 0) / 1000);
+  /** @type {{ traceEvents: { name: string, tid: number, pid: number, tdur?: number, args: { name?: string } }[] }} */
+  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
+  const threads = new Map(traceEvents.filter(({ name }) => name === "thread_name").map(({ pid, tid, args }) => [`${pid} ${tid}`, args.name ?? ""]));
+  const of = (/** @type {RegExp} */ thread) => traceEvents
+    .filter(({ name, pid, tid, tdur }) => /RunTask$/.test(name) && tdur !== undefined && thread.test(threads.get(`${pid} ${tid}`) ?? ""))
+    .map(({ tdur }) => (tdur ?? 0) / 1000);
+  return { page: of(/^CrRendererMain$/), worker: of(/DedicatedWorker/) };
+}
+
+/** The worker that plans and draws. @param {Page} page */
+export function worker(page) {
+  const found = page.workers()[0];
+  assert.ok(found, "the page has its worker");
+  return found;
 }

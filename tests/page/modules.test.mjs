@@ -3,22 +3,22 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { Scenario } from "planarium";
-import { Journey, journeyOf } from "../../www/animate.js";
-import { touchingSentence } from "../../www/names.js";
-import { Rows } from "../../www/rows.js";
-import { Run, SIDE } from "../../www/run.js";
+import { Scenario, phases } from "planarium";
+import { Journey, journeyOf } from "../../www/worker/journey.js";
+import { touchingSentence } from "../../www/worker/names.js";
+import { Rows } from "../../www/worker/rows.js";
+import { PAST, Run, SIDE } from "../../www/worker/run.js";
 import { SCENES } from "../../www/scenes.js";
 import { Glow } from "../../www/stage/glow.js";
 import { Tracer, folded, unrolled, way } from "../../www/stage/trace.js";
 import { View } from "../../www/stage/view.js";
-import { ending, going } from "../../www/story.js";
+import { ending, going } from "../../www/worker/story.js";
 import { root } from "./browser.mjs";
 
-/** One of the page's scenes. The package is typed twice, as published and as the page imports it. @param {string} id */
+/** One of the page's scenes. @param {string} id */
 function load(id) {
-  const scenario = Scenario.parse(readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8"));
-  return /** @type {import("../../www/types.js").Scenario} */ (/** @type {unknown} */ (scenario));
+  const { generate } = SCENES.find((scene) => scene.id === id) ?? {};
+  return generate ? Scenario.generate(generate.kind, generate.options) : Scenario.parse(readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8"));
 }
 
 /** The lines that show one motion. @param {number[]} ends @param {boolean[]} circles @param {boolean[]} [short] */
@@ -78,19 +78,24 @@ test("rows grow and keep what they hold", () => {
   assert.deepEqual([...rows.slice(3000, 3002)], [0, 1, 2, 3]);
 });
 
+/** Plans up to an iteration and shows it. @param {Run} run @param {number} iteration */
+function toward(run, iteration) {
+  const there = run.advance(-1, iteration, Infinity);
+  run.shown = run.made;
+  return there;
+}
+
 test("a run fetched in slices holds what the planner holds, and every tree vertex hangs from a root", () => {
   for (const { id, algorithm, settings } of SCENES) {
     const scenario = load(id);
-    const run = new Run(scenario, algorithm, settings);
-    while (run.status === "running") {
-      run.advance(7, Infinity);
-      run.fetch();
-    }
+    const run = new Run(scenario, algorithm, settings, phases);
+    while (!run.ended) toward(run, run.made + 7);
     assert.deepEqual(run.vertices.slice(0, run.vertices.count), run.planner.verticesSince(0));
     assert.deepEqual(run.edges.slice(0, run.edges.count), run.planner.edgesSince(0));
     const sides = new Set(run.sides.slice(0, run.sides.count));
-    assert.deepEqual(sides, new Set(run.isTree ? [SIDE.start, SIDE.goal] : [SIDE.none]), id);
-    if (algorithm === "prm") assert.ok(run.expanded.count > 0);
+    const roots = { roadmap: [SIDE.none], tree: [SIDE.start], trees: [SIDE.start, SIDE.goal] };
+    assert.deepEqual(sides, new Set(roots[run.kind]), id);
+    if (algorithm === "prm") assert.ok(run.events.count > 0);
     run.free();
     scenario.free();
   }
@@ -99,11 +104,8 @@ test("a run fetched in slices holds what the planner holds, and every tree verte
 /** A run to its end. @param {string} id @param {string} algorithm @param {import("../../www/types.js").Settings} settings */
 function ended(id, algorithm, settings) {
   const scenario = load(id);
-  const run = new Run(scenario, algorithm, settings);
-  while (run.status === "running") {
-    run.advance(50, Infinity);
-    run.fetch();
-  }
+  const run = new Run(scenario, algorithm, settings, phases);
+  while (!run.ended) toward(run, run.made + 50);
   return { scenario, run };
 }
 
@@ -116,12 +118,27 @@ test("the goal of a lone tree hangs from the start once it is reached, and from 
   assert.deepEqual(new Set(reached.sides.slice(0, reached.sides.count)), new Set([SIDE.start]));
 });
 
-test("guards are told from links: each of them is fetched once", () => {
+test("guards are told from links", () => {
   const { run } = ended("stones", "visibility-prm", {});
-  const guards = [...run.guards.slice(0, run.guards.count)];
-  assert.deepEqual(guards.slice(0, 2), [0, 1]);
-  assert.equal(new Set(guards).size, guards.length);
-  assert.ok(guards.length < run.vertices.count);
+  assert.ok(run.guards >= 2 && run.guards < run.vertices.count);
+});
+
+test("each iteration leaves a row of counts: what it showed can be shown again", () => {
+  const { run } = ended("stones", "prm", { samples: 60, k: 5, seed: 3 });
+  const fresh = new Run(load("stones"), "prm", { samples: 60, k: 5, seed: 3 }, phases);
+  for (let i = 0; i <= run.made; i++) {
+    run.shown = i;
+    assert.equal(toward(fresh, i), true);
+    assert.deepEqual(run.past, fresh.past, `iteration ${i}`);
+    assert.deepEqual([run.phase, run.status], [fresh.phase, fresh.status]);
+    assert.deepEqual([fresh.vertices.count, fresh.edges.count, fresh.events.count], [...run.past.slice(0, 3)]);
+  }
+  const { data, width } = run.history;
+  for (const evaluations of [0, 1, 37, 1000, Infinity]) {
+    const i = run.iterationAt(PAST.evaluations, evaluations);
+    assert.ok(data[i * width + PAST.evaluations] <= evaluations);
+    assert.ok(i === run.made || data[(i + 1) * width + PAST.evaluations] > evaluations);
+  }
 });
 
 test("a sampled path is followed to where it collides; a proven one has no such place, nor has one that only looks unproven", () => {
@@ -132,7 +149,7 @@ test("a sampled path is followed to where it collides; a proven one has no such 
   assert.equal(sampled.scenario.check(pose).free, false);
   assert.ok(sampled.scenario.distance(journey.configuration(at), pose) < 1e-9);
   for (let part = 0; part < at - 0.002; part += 0.001) assert.ok(sampled.scenario.check(journey.configuration(part)).free, `${part}`);
-  assert.equal(ending(sampled.run, journey), `Found after ${sampled.run.iterations} iterations: a path of 3.94 rad, not proven. It collides: ${touchingSentence(sampled.scenario, check)}.`);
+  assert.equal(ending(sampled.run, journey), `Found after ${sampled.run.made} iterations: a path of 3.94 rad, not proven. It collides: ${touchingSentence(sampled.scenario, check)}.`);
   const careful = ended("stones", "prm", { samples: 260, k: 9, edge_check: "sampled", edge_samples: 400 });
   const free = journeyOf(careful.scenario, careful.run);
   assert.ok(free && free.flaw === null && !free.isProven);
@@ -167,21 +184,28 @@ test("the length that is told is the run's own, in its own metric", () => {
 });
 
 test("each phase has its sentence; the scene's own is told of its own planner only", () => {
-  const scene = { algorithm: "prm", sentence: "The scene's own." };
+  const scene = { algorithm: "prm", isProven: true, sentence: "The scene's own." };
   const sentences = new Set();
   for (const [algorithm, settings] of /** @type {[string, import("../../www/types.js").Settings][]} */ ([
     ["prm-star", { samples: 60, shortcut: 5 }], ["visibility-prm", {}], ["rrt", { step: 0.5 }], ["rrt-connect", { step: 0.5 }],
   ])) {
-    const run = new Run(load("stones"), algorithm, settings);
+    const run = new Run(load("stones"), algorithm, settings, phases);
     while (run.status === "running") {
       sentences.add(going(run, scene));
-      run.advance(1, Infinity);
+      toward(run, run.made + 1);
     }
   }
-  assert.equal(sentences.size, 7, [...sentences].join("\n"));
+  assert.equal(sentences.size, 10, [...sentences].join("\n"));
   assert.ok(!sentences.has(scene.sentence));
-  assert.equal(going(new Run(load("stones"), "prm", {}), scene), scene.sentence);
-  assert.doesNotMatch(going(new Run(load("stones"), "prm", { edge_check: "sampled" }), { algorithm: "prm", sentence: "Each line is proven." }), /proven/);
+  /** @param {import("../../www/types.js").Settings} settings */
+  const connecting = (settings) => {
+    const run = new Run(load("stones"), "prm", { samples: 30, ...settings }, phases);
+    assert.match(going(run, scene), /^The arm seeks a way from start to goal: each point/, "what is looked for comes first");
+    while (run.phase === "sampling") toward(run, run.made + 1);
+    return run;
+  };
+  assert.equal(going(connecting({}), scene), scene.sentence);
+  assert.doesNotMatch(going(connecting({ edge_check: "sampled" }), { algorithm: "prm", isProven: true, sentence: "Each line is proven." }), /proven/);
 });
 
 test("a sample that was free but of no use flashes fainter than one in collision", () => {
@@ -198,11 +222,11 @@ test("a sample that was free but of no use flashes fainter than one in collision
 });
 
 test("advance makes exactly as many iterations as it is asked for, and stops at the clock", () => {
-  const scenario = load("stones");
-  const run = new Run(scenario, "prm", { samples: 400 });
-  assert.equal(run.advance(137, Infinity), 137);
-  assert.equal(run.iterations, 137);
-  assert.equal(run.advance(Infinity, performance.now() - 1), 0);
+  const run = new Run(load("stones"), "prm", { samples: 400 }, phases);
+  assert.equal(toward(run, 137), true);
+  assert.equal(run.made, 137);
+  assert.equal(run.advance(-1, Infinity, performance.now() - 1), false);
+  assert.equal(run.made, 137);
 });
 
 test("a journey runs from start to goal at constant speed, rests, and comes back", () => {
@@ -246,9 +270,9 @@ test("a collision is told as who touches what", () => {
 });
 
 test("every scene's start and goal are free, and its settings are parameters of its planner", () => {
-  for (const { id, algorithm, settings, title } of SCENES) {
+  for (const { id, algorithm, settings, title, generate } of SCENES) {
     const scenario = load(id);
-    assert.equal(scenario.title, title);
+    if (!generate) assert.equal(scenario.title, title);
     for (const query of scenario.document().queries) {
       assert.ok(scenario.check(query.start).free && scenario.check(query.goal).free, `${id} ${query.name}`);
       scenario.planner({ ...settings, algorithm, query: query.name }).free();

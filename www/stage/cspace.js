@@ -1,48 +1,99 @@
 /**
- * The configuration space of an arm of two joints: a square of two angles. Obstacles are the poses that touch something,
- * computed by the core; a motion that leaves the square on one side comes back on the other.
+ * The configuration space of an arm as a square of two of its angles. Where there are only two, obstacles are the poses that
+ * touch something, computed by the core; of more, one looks along the others. A motion that leaves the square on one side
+ * comes back on the other.
  */
+import { coordinatesOf } from "../worker/coordinates.js";
+import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
-import { shownPose } from "./picture.js";
+import { Slice, keyOf } from "./slice.js";
 import { folded, unrolled } from "./trace.js";
 import { View } from "./view.js";
 
-/** @import { Picture } from "./picture.js" */
+/** @import { Lane, Shown } from "../worker/lane.js" */
+/** @import { LayerName } from "./layer.js" */
 /** @import { Scenario } from "../types.js" */
 /** @import { Palette } from "./palette.js" */
 
 const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };
-/** Cells a side of the obstacle image: as many as the screen is worth, within reason (the core takes some 0.3 us a cell). */
-const CELLS = { least: 256, most: 512, pixels: 2 };
+/** Cells a side of the obstacle image: as many as the screen is worth, within reason (the core takes some 0.3 us a cell); while the world changes, as many as `time` milliseconds allow. */
+const CELLS = { least: 256, most: 512, pixels: 2, rough: 48, time: 4 };
 
 export class CSpace extends Pane {
-  /** @param {HTMLElement} figure */
-  constructor(figure) {
-    super(figure);
-    /** @type {boolean[]} */
+  /** @param {Record<LayerName, OffscreenCanvas>} canvases */
+  constructor(canvases) {
+    super(canvases);
+    /** The coordinates across and up. @type {[number, number]} */
+    this.axes = [0, 1];
+    /** Are they circles? @type {boolean[]} */
     this.circles = [];
-    /** @type {{ scenario: object, side: number, mask: Float32Array } | null} */
+    /** @type {{ world: object, side: number, mask: Float32Array } | null} */
     this.cells = null;
+    /** The slice that is being made or shown. @type {Slice | null} */
+    this.slice = null;
+    /** What a cell took the last time, milliseconds. */
+    this.cost = 1e-3;
   }
 
-  /** Has a scenario such a square? @param {Scenario} scenario */
-  static fits(scenario) { return scenario.robot === "arm" && scenario.dimension === 2; }
+  /** Has a scenario such a square? @param {Lane} lane @override */
+  fits({ scenario }) { return scenario.robot === "arm" && scenario.dimension >= 2; }
 
-  /** @param {Picture} picture @param {number} width @param {number} height @override */
-  makeView(picture, width, height) {
-    const [[x0, x1], [y0, y1]] = picture.scenario.cspaceRange();
-    return new View({ min: [x0, y0], max: [x1, y1] }, width, height, MARGIN, true);
+  /** @param {Lane} lane @param {number} width @param {number} height @override */
+  makeView(lane, width, height) {
+    const n = lane.scenario.dimension;
+    const [a, b] = lane.shown.view.axes;
+    this.axes = a < n && b < n && a !== b ? [a, b] : [0, 1];
+    const [x, y] = this.axes.map((axis) => coordinatesOf(lane.shown)[axis]);
+    return new View({ min: [x.low, y.low], max: [x.high, y.high] }, width, height, MARGIN, true);
   }
 
-  /** @param {Picture} picture @override */
-  prepare(picture) {
-    this.circles = picture.scenario.circles();
-    const wanted = (this.frame().width * this.ground.ratio) / CELLS.pixels;
-    const side = Math.round(Math.min(CELLS.most, Math.max(CELLS.least, wanted)));
-    if (this.cells?.scenario !== picture.scenario || this.cells.side * 1.4 < side) {
-      this.cells = { scenario: picture.scenario, side, mask: soften(picture.scenario.cspace({ width: side, height: side }), side) };
+  /** @param {Lane} lane @override */
+  survey({ scenario, shown }) {
+    const circles = scenario.circles();
+    this.circles = this.axes.map((axis) => circles[axis]);
+    this.slice = null;
+    this.paintable(scenario, shown);
+  }
+
+  /** A slice of more than two joints follows the robot. @param {Lane} lane @param {number} until @override */
+  tend(lane, until) {
+    const { scenario, shown } = lane;
+    if (!this.view || scenario.dimension < 3) return;
+    const pose = shown.view.slice ? lane.pose ?? shown.start : null;
+    if (!pose) {
+      if (this.slice) this.repaint(null);
+      this.slice = null;
+      return;
     }
-    this.clip(this.growth.context);
+    if (this.slice?.key !== keyOf(pose, this.axes)) this.slice = new Slice(scenario, pose, this.axes, this.view.box);
+    if (this.slice.isDone) return;
+    const picture = this.slice.advance(until);
+    if (picture) this.repaint({ world: shown.document.world, side: picture.side, mask: soften(picture.mask, picture.side) });
+  }
+
+  /** @override */
+  get isTended() { return !this.slice || this.slice.isDone; }
+
+  /** The ground with other obstacles. @param {CSpace["cells"]} cells */
+  repaint(cells) {
+    this.cells = cells;
+    this.layers.ground.clear();
+    this.drawGround(this.layers.ground.context, /** @type {Lane} */ (this.lane));
+  }
+
+  /** Fetches the obstacles, where they can be shown; while the world is being changed, only as finely as there is time. @param {Scenario} scenario @param {Shown} shown */
+  paintable(scenario, { document: { world }, rough }) {
+    if (scenario.dimension !== 2) {
+      this.cells = null;
+      return;
+    }
+    const wanted = (this.frame().width * this.layers.ground.ratio) / CELLS.pixels;
+    const fine = Math.min(CELLS.most, Math.max(CELLS.least, wanted));
+    const side = Math.round(rough ? Math.min(fine, Math.max(CELLS.rough, Math.sqrt(CELLS.time / this.cost))) : fine);
+    if (this.cells?.world === world && this.cells.side * 1.4 >= side) return;
+    const began = performance.now();
+    this.cells = { world, side, mask: soften(scenario.cspace({ width: side, height: side }), side) };
+    this.cost = Math.max(1e-6, performance.now() - began) / side ** 2;
   }
 
   /** @param {CanvasRenderingContext2D} context @override */
@@ -63,24 +114,33 @@ export class CSpace extends Pane {
   /** @param {Float64Array} rows @override */
   pixels(rows) {
     const view = /** @type {View} */ (this.view);
-    const points = new Float64Array(rows.length);
+    const n = /** @type {Lane} */ (this.lane).scenario.dimension;
+    const points = new Float64Array((rows.length / n) * 2);
+    const [across, up] = this.axes;
     const [wrapsX, wrapsY] = this.circles;
-    for (let i = 0; i < rows.length; i += 2) {
-      points[i] = view.x(wrapsX ? folded(rows[i]) : rows[i]);
-      points[i + 1] = view.y(wrapsY ? folded(rows[i + 1]) : rows[i + 1]);
+    for (let i = 0; n * i < rows.length; i++) {
+      const x = rows[n * i + across];
+      const y = rows[n * i + up];
+      points[2 * i] = view.x(wrapsX ? folded(x) : x);
+      points[2 * i + 1] = view.y(wrapsY ? folded(y) : y);
     }
     return points;
   }
 
   /** @param {Float64Array} ends @param {boolean[]} [circles] @override */
-  lines(ends, circles = this.circles) {
+  lines(ends, circles) {
     const view = /** @type {View} */ (this.view);
+    const n = /** @type {Lane} */ (this.lane).scenario.dimension;
+    const { axes } = this;
+    const short = circles ? axes.map((axis) => circles[axis]) : this.circles;
     /** @type {number[]} */
     const points = [];
-    const firsts = new Uint32Array(ends.length / 4 + 1);
-    for (let m = 0; 4 * m < ends.length; m++) {
+    const firsts = new Uint32Array(ends.length / (2 * n) + 1);
+    for (let m = 0; 2 * n * m < ends.length; m++) {
+      const at = 2 * n * m;
+      const pair = [ends[at + axes[0]], ends[at + axes[1]], ends[at + n + axes[0]], ends[at + n + axes[1]]];
       let copies = 0;
-      unrolled(ends, 4 * m, this.circles, circles, (x0, y0, x1, y1) => {
+      unrolled(pair, 0, this.circles, short, (x0, y0, x1, y1) => {
         if (copies++ > 0) points.push(NaN, NaN);
         points.push(view.x(x0), view.y(y0), view.x(x1), view.y(y1));
       });
@@ -89,17 +149,19 @@ export class CSpace extends Pane {
     return { points: Float64Array.from(points), firsts };
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {Picture} _picture @override */
-  drawGround(context, _picture) {
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
+  drawGround(context, lane) {
+    const { rough } = lane.shown;
     const { palette, cells } = this;
-    if (!palette || !cells) return;
+    if (!palette) return;
     const { x, y, width, height } = this.frame();
-    const image = paint(cells.mask, cells.side, Math.round(width * this.ground.ratio), Math.round(height * this.ground.ratio), palette);
-    context.drawImage(image, x, y, width, height);
+    const ratio = rough ? 1 : this.layers.ground.ratio;
+    if (cells) context.drawImage(paint(cells.mask, cells.side, Math.round(width * ratio), Math.round(height * ratio), palette), x, y, width, height);
     context.strokeStyle = palette["obstacle-edge"];
     context.lineWidth = 1;
     context.strokeRect(x, y, width, height);
     this.drawTicks(context);
+    drawMarked(this, context, lane);
   }
 
   /** @param {CanvasRenderingContext2D} context */
@@ -126,20 +188,21 @@ export class CSpace extends Pane {
     }
     context.textBaseline = "top";
     context.textAlign = "center";
-    context.fillText("joint 0", x + width * 0.375, y + height + 7);
+    context.fillText(`joint ${this.axes[0]}`, x + width * 0.375, y + height + 7);
     context.save();
     context.translate(x - 22, y + height * 0.375);
     context.rotate(-Math.PI / 2);
-    context.fillText("joint 1", 0, 0);
+    context.fillText(`joint ${this.axes[1]}`, 0, 0);
     context.restore();
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {Picture} picture @override */
-  drawRobot(context, picture) {
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
+  drawRobot(context, lane) {
     const { palette, view } = this;
-    const pose = shownPose(picture);
+    const { pose } = lane;
     if (!palette || !view || !pose) return;
-    const hit = picture.hand !== null && picture.check !== null && !picture.check.free;
+    const { hand, check } = lane.shown;
+    const hit = hand !== null && check !== null && !check.free;
     const [px, py] = this.pixels(pose);
     const { x, y, width, height } = this.frame();
     context.save();
@@ -220,15 +283,14 @@ function soften(bytes, side) {
  * @param {Palette} palette
  */
 function paint(mask, side, width, height, palette) {
-  const canvas = document.createElement("canvas");
-  canvas.width = Math.max(1, width);
-  canvas.height = Math.max(1, height);
+  const canvas = new OffscreenCanvas(Math.max(1, width), Math.max(1, height));
   const context = canvas.getContext("2d");
   if (!context) return canvas;
   const image = context.createImageData(canvas.width, canvas.height);
   const inner = bytesOf(palette.obstacle);
   const edge = bytesOf(palette["obstacle-edge"]);
-  const cell = Math.min(width, height) / side;
+  // However small the picture, what is deep inside has the colour of obstacles.
+  const cell = Math.max(1.4, Math.min(width, height) / side);
   const pixels = image.data;
   for (let py = 0; py < canvas.height; py++) {
     const gy = Math.min(side - 1, Math.max(0, (1 - (py + 0.5) / canvas.height) * side - 0.5));
@@ -256,8 +318,7 @@ function paint(mask, side, width, height, palette) {
 
 /** Red, green and blue of a resolved CSS colour. @param {string} colour @returns {[number, number, number]} */
 function bytesOf(colour) {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 1;
+  const canvas = new OffscreenCanvas(1, 1);
   const context = canvas.getContext("2d");
   if (!context) return [0, 0, 0];
   context.fillStyle = colour;

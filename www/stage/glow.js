@@ -3,6 +3,8 @@
  * Only the newest few are kept, so a burst of growth costs no more than a trickle.
  */
 
+import { cross, disc } from "./marks.js";
+
 /** @import { Palette } from "./palette.js" */
 
 /** Milliseconds until a glow has settled. */
@@ -68,12 +70,7 @@ export class Glow {
       context.globalAlpha = (spark.kind === "rejected" ? 0.9 : 0.4) * remaining(spark, now);
       context.strokeStyle = palette.rejected;
       context.lineWidth = 1.4;
-      context.beginPath();
-      context.moveTo(x - 3, y - 3);
-      context.lineTo(x + 3, y + 3);
-      context.moveTo(x - 3, y + 3);
-      context.lineTo(x + 3, y - 3);
-      context.stroke();
+      cross(context, x, y, 3);
     }
     for (const spark of this.sparks.vertex) {
       const left = remaining(spark, now);
@@ -106,11 +103,4 @@ function line(context, points) {
     else context.lineTo(points[i], points[i + 1]);
   }
   context.stroke();
-}
-
-/** @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {number} radius */
-function disc(context, x, y, radius) {
-  context.beginPath();
-  context.arc(x, y, radius, 0, 2 * Math.PI);
-  context.fill();
 }

@@ -5,8 +5,7 @@
  */
 export function hatch(context, colour, ratio) {
   const size = Math.max(4, Math.round(7 * ratio));
-  const tile = document.createElement("canvas");
-  tile.width = tile.height = size;
+  const tile = new OffscreenCanvas(size, size);
   const ink = tile.getContext("2d");
   if (!ink) return null;
   ink.strokeStyle = colour;

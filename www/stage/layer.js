@@ -1,20 +1,27 @@
 /**
  * One canvas of a sheet, as sharp as the screen: its backing store has the screen's pixels, its coordinates are CSS pixels.
- * A sheet has three: the ground (drawn once a layout), the growth (only ever added to) and the top (light, redrawn each frame).
+ * A sheet has five: the ground (drawn once a layout); edges, vertices and marks (only ever added to while the log grows,
+ * each in the order of the log, so that how it was sliced leaves no trace); the top (light, redrawn each frame).
  */
+
+/** From the lowest to the highest. */
+export const LAYERS = /** @type {const} */ (["ground", "edges", "vertices", "marks", "top"]);
+
+/** @typedef {typeof LAYERS[number]} LayerName */
+
 export class Layer {
-  /** @param {HTMLElement} parent @param {string} name */
-  constructor(parent, name) {
-    this.canvas = document.createElement("canvas");
-    this.canvas.dataset.layer = name;
-    this.canvas.setAttribute("aria-hidden", "true");
-    parent.append(this.canvas);
-    const context = this.canvas.getContext("2d");
+  /** @param {OffscreenCanvas} canvas */
+  constructor(canvas) {
+    this.canvas = canvas;
+    const context = canvas.getContext("2d");
     if (!context) throw new Error("This browser gives no 2d canvas.");
-    this.context = context;
+    // The page draws with what both kinds of context can do, and names one of them.
+    this.context = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (context));
     this.width = 0;
     this.height = 0;
     this.ratio = 1;
+    /** What keeps the drawing inside of the picture, if anything. @type {((context: CanvasRenderingContext2D) => void) | null} */
+    this.clip = null;
   }
 
   /** Fits the backing store; empties the layer. @param {number} width @param {number} height @param {number} ratio  device pixels a CSS pixel */
@@ -25,6 +32,26 @@ export class Layer {
     this.canvas.width = Math.max(1, Math.round(width * ratio));
     this.canvas.height = Math.max(1, Math.round(height * ratio));
     this.context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.clip = null;
+  }
+
+  /** From now on nothing is drawn outside of a border. @param {(context: CanvasRenderingContext2D) => void} clip */
+  enclose(clip) {
+    this.clip = clip;
+    this.context.save();
+    clip(this.context);
+  }
+
+  /** Puts a copy of this layer in place of what it holds, pixel by pixel, or nothing. @param {OffscreenCanvas | null} copy */
+  paste(copy) {
+    const { context, clip, canvas } = this;
+    if (clip) context.restore();
+    context.save();
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    if (copy) context.drawImage(copy, 0, 0);
+    context.restore();
+    if (clip) this.enclose(clip);
   }
 
   clear() {

@@ -13,6 +13,8 @@ const NAMES = /** @type {const} */ ([
 export function readPalette(root) {
   const probe = document.createElement("span");
   probe.hidden = true;
+  // Where colours are forced, an element's own text is; its meaning is not.
+  probe.style.forcedColorAdjust = "none";
   root.append(probe);
   const colours = /** @type {Palette} */ ({});
   for (const name of NAMES) {

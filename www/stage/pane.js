@@ -1,236 +1,139 @@
 /**
- * A pane draws one picture of the run on three layers: the ground, once a layout; the growth, which is only added to as
- * vertices and edges arrive; the top, light enough to be redrawn each frame. Workspace and configuration space differ in
- * their ground and in how a configuration and a motion become pixels.
+ * A pane draws one picture of a lane on its layers. Workspace and configuration space differ in their ground and in how a
+ * configuration and a motion become pixels.
  */
-import { SIDE, EVENT } from "../run.js";
+import { SIDE } from "../worker/run.js";
 import { Glow } from "./glow.js";
+import { Growth, countsOf } from "./growth.js";
 import { hatch } from "./hatch.js";
-import { Layer } from "./layer.js";
-import { strokeLine, tracePen } from "./pen.js";
+import { LAYERS, Layer } from "./layer.js";
+import { ring } from "./marks.js";
+import { disc } from "./marks.js";
+import { tracePen } from "./pen.js";
+import { Places } from "./places.js";
 import { drawGoal, drawHit, drawStart } from "./shapes.js";
+import { Strobe } from "./strobe.js";
 
-/** @import { Picture } from "./picture.js" */
+/** @import { Hover, Lane } from "../worker/lane.js" */
+/** @import { Run } from "../worker/run.js" */
+/** @import { Journey } from "../worker/journey.js" */
+/** @import { LayerName } from "./layer.js" */
 /** @import { Palette } from "./palette.js" */
+/** @import { Look } from "../types.js" */
 /** @import { View } from "./view.js" */
-/** @import { Journey } from "../animate.js" */
-/** @import { Run } from "../run.js" */
 /** @typedef {{ points: Float64Array, firsts: Uint32Array }} Lines  line i: pixels x, y in turn, points firsts[i] up to firsts[i + 1]; NaN lifts the pen */
 
-/** Edges inked before the clock is looked at again. */
-const BATCH = 48;
-/** Vertices dotted before the clock is looked at again. */
-const DOTS = 256;
-
 export class Pane {
-  /** @param {HTMLElement} figure  with a `.sheet` inside */
-  constructor(figure) {
-    this.figure = figure;
-    this.sheet = /** @type {HTMLElement} */ (figure.querySelector(".sheet"));
-    this.ground = new Layer(this.sheet, "ground");
-    this.growth = new Layer(this.sheet, "growth");
-    this.top = new Layer(this.sheet, "top");
-    this.top.canvas.removeAttribute("aria-hidden");
-    this.top.canvas.setAttribute("role", "img");
+  /** @param {Record<LayerName, OffscreenCanvas>} canvases */
+  constructor(canvases) {
+    this.layers = /** @type {Record<LayerName, Layer>} */ (Object.fromEntries(LAYERS.map((name) => [name, new Layer(canvases[name])])));
+    this.growth = new Growth(this);
     this.glow = new Glow();
-    /** @type {Picture | null} */
-    this.picture = null;
+    /** @type {Lane | null} */
+    this.lane = null;
     /** @type {Palette | null} */
     this.palette = null;
     /** @type {View | null} */
     this.view = null;
+    /** Of the sheet, CSS pixels. */
+    this.width = 0;
+    this.height = 0;
     /** How fine dots and lines are: 1 on a middling sheet, less on a small one. */
     this.fineness = 1;
+    /** How much thicker the strong lines are than usual. */
+    this.bold = 1;
     /** @type {CanvasPattern | null} */
     this.hatchOnPart = null;
     /** @type {CanvasPattern | null} */
     this.hatchOnObstacle = null;
-    this.drawn = { vertices: 0, edges: 0, expanded: 0, guards: 0 };
-    /** What was born before these counts does not glow (it is being redrawn). */
-    this.old = { vertices: 0, edges: 0 };
     /** @type {{ journey: Journey, lines: Lines } | null} */
     this.pathLines = null;
+    /** @type {{ raw: Float64Array, lines: Lines } | null} */
+    this.rawLines = null;
+    /** @type {Strobe | null} */
+    this.flashes = null;
+    /** @type {Places | null} */
+    this.found = null;
   }
 
   // What a kind of pane must say of itself.
 
-  /** @param {Picture} _picture @param {number} _width @param {number} _height @returns {View} */
-  makeView(_picture, _width, _height) { throw new Error("a pane must make its view"); }
-  /** @param {CanvasRenderingContext2D} _context @param {Picture} _picture */
-  drawGround(_context, _picture) {}
+  /** Can it show this? @param {Lane} _lane */
+  fits(_lane) { return true; }
+  /** @param {Lane} _lane @param {number} _width @param {number} _height @returns {View} */
+  makeView(_lane, _width, _height) { throw new Error("a pane must make its view"); }
+  /** @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
+  drawGround(_context, _lane) {}
   /** Configurations to pixels. @param {Float64Array} _rows @returns {Float64Array} */
   pixels(_rows) { throw new Error("a pane must place configurations"); }
   /** Motions to lines in pixels. @param {Float64Array} _ends  rows of from, to @param {boolean[]} [_circles]  coordinates whose motions go the short way round @returns {Lines} */
   lines(_ends, _circles) { throw new Error("a pane must trace motions"); }
-  /** The robot, above everything else. @param {CanvasRenderingContext2D} _context @param {Picture} _picture */
-  drawRobot(_context, _picture) {}
+  /** Called before anything is drawn of another scenario. @param {Lane} _lane */
+  survey(_lane) {}
+  /** The robot, above everything else. @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
+  drawRobot(_context, _lane) {}
+  /** Goes on with what the ground still lacks. @param {Lane} _lane @param {number} _until */
+  tend(_lane, _until) {}
+  /** Is the ground complete? */
+  get isTended() { return true; }
+  /** Keeps what crosses the border of the picture inside. @param {CanvasRenderingContext2D} _context */
+  clip(_context) {}
 
-  /** Fits the layers to the sheet and draws all anew. @param {Picture} picture @param {Palette} palette @param {number} ratio */
-  layout(picture, palette, ratio) {
-    this.picture = picture;
+  /** Fits the layers to the sheet and draws all anew. @param {Lane} lane @param {Look} look */
+  layout(lane, { palette, ratio, bold }) {
+    this.lane = lane;
     this.palette = palette;
-    const { width, height } = this.sheet.getBoundingClientRect();
-    if (width < 1 || height < 1) return;
-    for (const layer of [this.ground, this.growth, this.top]) layer.fit(width, height, ratio);
-    this.view = this.makeView(picture, width, height);
-    this.fineness = Math.min(1.5, Math.max(0.72, Math.min(width, height) / 460));
-    this.hatchOnPart = hatch(this.top.context, palette.stage, ratio);
-    this.hatchOnObstacle = hatch(this.top.context, palette.collision, ratio);
-    this.pathLines = null;
-    this.glow.clear();
-    this.prepare(picture);
-    this.drawGround(this.ground.context, picture);
-    this.drawn = { vertices: 0, edges: 0, expanded: 0, guards: 0 };
-    this.old = { vertices: picture.run?.vertices.count ?? 0, edges: picture.run?.edges.count ?? 0 };
+    const { width, height, layers } = this;
+    this.view = null;
+    if (width < 1 || height < 1 || !this.fits(lane)) return;
+    for (const name of LAYERS) layers[name].fit(width, height, ratio);
+    this.view = this.makeView(lane, width, height);
+    this.fineness = Math.min(1.5, Math.max(0.72, Math.min(width, height) / 460)) * bold;
+    this.bold = bold;
+    this.hatchOnPart = hatch(layers.top.context, palette.stage, ratio);
+    this.hatchOnObstacle = hatch(layers.top.context, palette.collision, ratio);
+    this.forget();
+    this.survey(lane);
+    for (const name of /** @type {const} */ (["edges", "vertices", "marks"])) layers[name].enclose((context) => this.clip(context));
+    this.drawGround(layers.ground.context, lane);
+    this.growth.restart(countsOf(lane.run));
   }
 
-  /** Called after each fit, before anything is drawn. @param {Picture} _picture */
-  prepare(_picture) {}
+  /** The world changes beneath the reader's hand: another ground, on the same view. @param {Lane} lane */
+  refresh(lane) {
+    this.lane = lane;
+    this.layers.ground.clear();
+    this.survey(lane);
+    this.drawGround(this.layers.ground.context, lane);
+    this.restart();
+  }
 
   /** A new run on the same ground. */
   restart() {
-    this.growth.clear();
+    this.forget();
+    this.growth.restart();
+  }
+
+  /** What was made for another layout or run. */
+  forget() {
     this.glow.clear();
-    this.pathLines = null;
-    this.drawn = { vertices: 0, edges: 0, expanded: 0, guards: 0 };
-    this.old = { vertices: 0, edges: 0 };
+    this.pathLines = this.rawLines = this.flashes = this.found = null;
   }
 
-  /** Has everything grown so far been inked? */
-  get caughtUp() {
-    const run = this.picture?.run;
-    if (!run || !this.view) return true;
-    const { drawn } = this;
-    return drawn.vertices >= run.vertices.count && drawn.edges >= run.edges.count && drawn.expanded >= run.expanded.count && drawn.guards >= run.guards.count;
+  /** Where vertices are; none while there is no run or no room. @returns {Places | null} */
+  get places() {
+    const run = this.lane?.run;
+    if (!run || !this.view) return null;
+    if (this.found?.run !== run) this.found = new Places(this, run);
+    return this.found;
   }
 
-  /** Inks what is new, until the clock passes `until`; at least one batch of each. @param {number} now @param {number} until */
+  /** Has everything that is shown been inked? */
+  get caughtUp() { return !this.view || this.growth.caughtUp; }
+
+  /** @param {number} now @param {number} until */
   grow(now, until) {
-    const run = this.picture?.run;
-    if (!run || !this.view || !this.palette) return;
-    do { this.growEdges(run, now); } while (this.drawn.edges < run.edges.count && performance.now() < until);
-    do { this.growVertices(run, now); } while (this.drawn.vertices < run.vertices.count && performance.now() < until);
-    this.growExpanded(run);
-    this.growGuards(run);
-    this.flash(run, now);
-  }
-
-  /** @param {Run} run @param {number} now */
-  growEdges(run, now) {
-    const first = this.drawn.edges;
-    const end = Math.min(run.edges.count, first + BATCH);
-    if (end === first) return;
-    const n = run.dimension;
-    const ends = new Float64Array((end - first) * 2 * n);
-    for (let e = first; e < end; e++) {
-      const [from, to] = run.edges.row(e);
-      ends.set(run.vertices.row(from), (e - first) * 2 * n);
-      ends.set(run.vertices.row(to), (e - first) * 2 * n + n);
-    }
-    const { points, firsts } = this.lines(ends, run.circles);
-    const context = this.growth.context;
-    context.lineWidth = (run.isTree ? 1.2 : 0.8) * Math.max(0.85, this.fineness);
-    context.lineCap = "round";
-    context.lineJoin = "round";
-    context.globalAlpha = run.isTree ? 0.9 : 0.42;
-    let side = -1;
-    for (let e = first; e < end; e++) {
-      const its = run.sides.data[run.edges.data[2 * e]];
-      if (its !== side) {
-        side = its;
-        context.strokeStyle = this.sideColour(side);
-      }
-      strokeLine(context, points, firsts[e - first], firsts[e - first + 1]);
-    }
-    context.globalAlpha = 1;
-    this.drawn.edges = end;
-    const glowing = Math.max(first, this.old.edges, run.edges.count - this.glow.room("edge"));
-    for (let e = glowing; e < end; e++) {
-      this.glow.add("edge", now, points.slice(2 * firsts[e - first], 2 * firsts[e - first + 1]));
-    }
-  }
-
-  /** @param {Run} run @param {number} now */
-  growVertices(run, now) {
-    const first = this.drawn.vertices;
-    const end = Math.min(run.vertices.count, first + DOTS);
-    if (end === first) return;
-    const points = this.pixels(run.vertices.slice(first, end));
-    this.dots(points, run.isTree ? 1.8 : 1.5, (i) => this.sideColour(run.sides.data[first + i]));
-    this.drawn.vertices = end;
-    const glowing = Math.max(first, this.old.vertices, run.vertices.count - this.glow.room("vertex"));
-    for (let v = glowing; v < end; v++) this.glow.add("vertex", now, points.slice(2 * (v - first), 2 * (v - first) + 2));
-  }
-
-  /** Vertices that the search has expanded stand out of the roadmap. @param {Run} run */
-  growExpanded(run) {
-    const first = this.drawn.expanded;
-    const end = Math.min(run.expanded.count, first + DOTS);
-    if (end === first) return;
-    const ink = this.palette?.ink ?? "";
-    this.dots(this.pixels(rowsOf(run, run.expanded.slice(first, end))), 2.1, () => ink);
-    this.drawn.expanded = end;
-  }
-
-  /** Guards of a visibility roadmap stand in a ring; what links them does not. @param {Run} run */
-  growGuards(run) {
-    const first = this.drawn.guards;
-    const end = Math.min(run.guards.count, first + DOTS);
-    if (end === first) return;
-    const points = this.pixels(rowsOf(run, run.guards.slice(first, end)));
-    const context = this.growth.context;
-    context.strokeStyle = this.palette?.growth ?? "";
-    context.lineWidth = 1.6 * this.fineness;
-    for (let i = 0; i < points.length; i += 2) {
-      context.beginPath();
-      context.arc(points[i], points[i + 1], 5.5 * this.fineness, 0, 2 * Math.PI);
-      context.stroke();
-    }
-    this.drawn.guards = end;
-  }
-
-  /** Samples refused flash as crosses, fainter ones where they were free but of no use, edges refused as broken lines. @param {Run} run @param {number} now */
-  flash(run, now) {
-    const fresh = run.fresh;
-    const n = run.dimension;
-    const width = run.planner.eventWidth;
-    let crosses = this.glow.room("rejected");
-    let faint = this.glow.room("discarded");
-    let broken = this.glow.room("refused");
-    /** @type {number[]} */
-    const samples = [];
-    /** @type {number[]} */
-    const discarded = [];
-    /** @type {number[]} */
-    const ends = [];
-    for (let i = fresh.length - width; i >= 0 && (crosses > 0 || faint > 0 || broken > 0); i -= width) {
-      const configuration = fresh.subarray(i + 4, i + 4 + n);
-      if (fresh[i] === EVENT.rejected && crosses-- > 0) samples.push(...configuration);
-      else if (fresh[i] === EVENT.discarded && faint-- > 0) discarded.push(...configuration);
-      else if (fresh[i] === EVENT.refused && fresh[i + 2] >= 0 && broken-- > 0) ends.push(...run.vertices.row(fresh[i + 2]), ...configuration);
-    }
-    for (const [kind, rows] of /** @type {["rejected" | "discarded", number[]][]} */ ([["rejected", samples], ["discarded", discarded]])) {
-      if (rows.length === 0) continue;
-      const points = this.pixels(Float64Array.from(rows));
-      for (let i = 0; i < points.length; i += 2) this.glow.add(kind, now, points.slice(i, i + 2));
-    }
-    if (ends.length > 0) {
-      const { points, firsts } = this.lines(Float64Array.from(ends), run.circles);
-      for (let i = 0; i + 1 < firsts.length; i++) this.glow.add("refused", now, points.slice(2 * firsts[i], 2 * firsts[i + 1]));
-    }
-  }
-
-  /** @param {Float64Array} points @param {number} radius @param {(index: number) => string} colour */
-  dots(points, radius, colour) {
-    const context = this.growth.context;
-    let current = "";
-    for (let i = 0; i < points.length / 2; i++) {
-      const wanted = colour(i);
-      if (wanted !== current) context.fillStyle = current = wanted;
-      context.beginPath();
-      context.arc(points[2 * i], points[2 * i + 1], radius * this.fineness, 0, 2 * Math.PI);
-      context.fill();
-    }
+    if (this.view && this.palette) this.growth.ink(now, until);
   }
 
   /** @param {number} side */
@@ -242,21 +145,90 @@ export class Pane {
 
   /** Redraws the top: glow, path, marks, robot. @param {number} now */
   drawTop(now) {
-    const { picture, palette, view } = this;
-    if (!picture || !palette || !view) return;
-    const context = this.top.context;
-    this.top.clear();
+    const { lane, palette, view } = this;
+    if (!lane || !palette || !view) return;
+    const { context } = this.layers.top;
+    this.layers.top.clear();
     context.save();
     this.clip(context);
+    this.drawWaiting(context, lane, palette);
     this.glow.draw(context, palette, now);
-    if (picture.journey) this.drawPath(context, picture.journey, palette);
+    if (lane.run?.pieces) this.drawPieces(context, lane.run, palette);
+    if (lane.still) this.growth.inkLatest(context);
+    if (lane.journey) this.drawPath(context, lane.journey, palette);
     context.restore();
-    this.drawMarks(context, picture, palette);
-    this.drawRobot(context, picture);
+    this.drawEnds(context, lane, palette);
+    const { hover } = lane.shown;
+    if (hover?.lane === lane) this.drawHover(context, hover, palette);
+    this.drawRobot(context, lane);
+    lane.shown.overlay?.draw(this, context, lane);
   }
 
-  /** Keeps what crosses the border of the picture inside. @param {CanvasRenderingContext2D} _context */
-  clip(_context) {}
+  /** Of a roadmap without a path: what hangs together with the start, and with the goal. @param {CanvasRenderingContext2D} context @param {Run} run @param {Palette} palette */
+  drawPieces(context, { pieces }, palette) {
+    const { places } = this;
+    if (!pieces || !places) return;
+    places.follow();
+    for (const [members, colour] of /** @type {[number[], string][]} */ ([[pieces.start, palette.start], [pieces.goal, palette.goal]])) {
+      context.fillStyle = colour;
+      for (const vertex of members) disc(context, places.points[2 * vertex], places.points[2 * vertex + 1], 3.2 * this.fineness);
+    }
+  }
+
+  /** The vertices that wait for the search, each in a small ring. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette */
+  drawWaiting(context, { run }, palette) {
+    const { places } = this;
+    if (!run || !places || run.frontier.count === 0) return;
+    places.follow();
+    const radius = 3.4 * this.fineness;
+    context.strokeStyle = palette.ink;
+    context.lineWidth = 1.1;
+    context.beginPath();
+    run.frontier.each((vertex) => {
+      const [x, y] = [places.points[2 * vertex], places.points[2 * vertex + 1]];
+      context.moveTo(x + radius, y);
+      context.arc(x, y, radius, 0, 2 * Math.PI);
+    });
+    context.stroke();
+  }
+
+  /** What is pointed at: a ring about it. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette */
+  drawHover(context, { pose, check }, palette) {
+    const [x, y] = this.pixels(pose);
+    for (const [width, colour] of /** @type {[number, string][]} */ ([[4.6, palette.stage], [1.8, check.free ? palette.ink : palette.collision]])) {
+      context.lineWidth = width;
+      context.strokeStyle = colour;
+      ring(context, x, y, 9);
+    }
+  }
+
+  /** The robot's poses along the path, where they are to be seen. @param {Journey} journey @returns {Strobe | null} */
+  strobe(journey) {
+    const { strobe, poses } = /** @type {Lane} */ (this.lane).shown.view;
+    if (!strobe) return null;
+    if (this.flashes?.journey !== journey || this.flashes.count !== poses) this.flashes = new Strobe(this, journey, poses);
+    return this.flashes;
+  }
+
+  /** The path as it was found, a thin line. @param {CanvasRenderingContext2D} context @param {Journey} journey */
+  drawRaw(context, { raw, scenario }) {
+    if (!raw) return;
+    if (this.rawLines?.raw !== raw) {
+      const n = scenario.dimension;
+      const ends = new Float64Array(2 * (raw.length - n));
+      for (let i = 0; i + n < raw.length; i += n) ends.set(raw.subarray(i, i + 2 * n), 2 * i);
+      this.rawLines = { raw, lines: this.lines(ends) };
+    }
+    const { points, firsts } = this.rawLines.lines;
+    context.save();
+    context.lineWidth = 1.5;
+    context.lineJoin = "round";
+    context.strokeStyle = /** @type {Palette} */ (this.palette).path;
+    context.beginPath();
+    tracePen(context, points, 0, firsts[firsts.length - 1]);
+    context.stroke();
+    context.restore();
+  }
 
   /** @param {CanvasRenderingContext2D} context @param {Journey} journey @param {Palette} palette */
   drawPath(context, journey, palette) {
@@ -267,6 +239,7 @@ export class Pane {
       for (let i = 0; i + 1 < parts.length; i++) ends.set(rows.subarray(i * n, (i + 2) * n), i * 2 * n);
       this.pathLines = { journey, lines: this.lines(ends) };
     }
+    if (/** @type {Lane} */ (this.lane).shown.view.raw) this.drawRaw(context, journey);
     const { lines } = this.pathLines;
     const parts = journey.samples.parts;
     let pieces = 0;
@@ -277,7 +250,7 @@ export class Pane {
     // Without a proof the line is hollow, and broken where it misses the goal: colour is not all that tells.
     const colour = this.pathColour(journey);
     /** @type {[number, string, number][]} */
-    const strokes = [[8, palette.stage, 0.75], [journey.isProven ? 3.4 : 5, colour, 1]];
+    const strokes = [[8 * this.bold, palette.stage, 0.75], [(journey.isProven ? 3.4 : 5) * this.bold, colour, 1]];
     if (!journey.isProven) strokes.push([1.8, palette.stage, 1]);
     if (journey.isMiss) context.setLineDash([9, 8]);
     for (const [width, stroke, alpha] of strokes) {
@@ -289,6 +262,7 @@ export class Pane {
       context.stroke();
     }
     context.restore();
+    this.strobe(journey)?.draw(context, palette.stage);
     if (journey.flaw && journey.drawn >= journey.flaw.at) {
       const [x, y] = this.pixels(journey.flaw.pose);
       drawHit(context, x, y, palette);
@@ -301,22 +275,15 @@ export class Pane {
     return journey.isProven ? palette.path : palette.unproven;
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {Picture} picture @param {Palette} palette */
-  drawMarks(context, picture, palette) {
-    if (picture.start) {
-      const [x, y] = this.pixels(Float64Array.from(picture.start));
+  /** Start and goal. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette */
+  drawEnds(context, { shown: { start, goal } }, palette) {
+    if (start) {
+      const [x, y] = this.pixels(Float64Array.from(start));
       drawStart(context, x, y, palette);
     }
-    if (picture.goal) {
-      const [x, y] = this.pixels(Float64Array.from(picture.goal));
+    if (goal) {
+      const [x, y] = this.pixels(Float64Array.from(goal));
       drawGoal(context, x, y, palette);
     }
   }
-}
-
-/** The configurations of some vertices, row by row. @param {Run} run @param {Uint32Array} vertices @returns {Float64Array} */
-function rowsOf(run, vertices) {
-  const rows = new Float64Array(vertices.length * run.dimension);
-  vertices.forEach((vertex, i) => rows.set(run.vertices.row(vertex), i * run.dimension));
-  return rows;
 }

@@ -1,101 +1,99 @@
 /**
- * The stage holds the panes, lays them out anew when their size, the screen's pixels or the colours change, and turns a
- * pointer on them into a pose.
+ * The stage holds the panes: which there are, whose lane each shows, how large it is, in which colours. It draws a frame at a
+ * time, a bounded slice of growth and the light top.
  */
 import { CSpace } from "./cspace.js";
-import { Grip } from "./grip.js";
-import { readPalette } from "./palette.js";
 import { Workspace } from "./workspace.js";
 
-/** @import { Picture } from "./picture.js" */
+/** @import { Lane } from "../worker/lane.js" */
+/** @import { Look, PaneKind } from "../types.js" */
+/** @import { LayerName } from "./layer.js" */
+/** @import { Pane } from "./pane.js" */
+/** @typedef {{ id: string, kind: PaneKind, lane: number, pane: Pane }} Place */
+
+/** Milliseconds a frame for grounds that are not complete. */
+const TENDING = 4;
+
+export const KINDS = { workspace: Workspace, cspace: CSpace };
 
 export class Stage {
-  /**
-   * @param {HTMLElement} element          with the figures `#workspace` and `#cspace` inside
-   * @param {object} on
-   * @param {() => void} on.change         something must be drawn
-   * @param {(pose: Float64Array) => void} on.pose   a pointer holds the robot there
-   */
-  constructor(element, on) {
-    this.element = element;
-    this.on = on;
-    this.workspace = new Workspace(/** @type {HTMLElement} */ (element.querySelector("#workspace")));
-    this.cspace = new CSpace(/** @type {HTMLElement} */ (element.querySelector("#cspace")));
-    /** @type {Picture | null} */
-    this.picture = null;
-    this.stale = false;
-    new Grip(this.workspace, this.cspace, () => this.picture, on.pose);
-    const observer = new ResizeObserver(() => this.relay());
-    observer.observe(this.workspace.sheet);
-    observer.observe(this.cspace.sheet);
-    this.watchRatio();
+  constructor() {
+    /** @type {Map<string, Place>} */
+    this.places = new Map();
+    /** @type {Look | null} */
+    this.look = null;
+    /** Panes that are to be drawn anew before the next frame. @type {Set<string>} */
+    this.stale = new Set();
   }
 
-  /** The panes in use. */
-  get panes() {
-    return this.cspace.figure.hidden ? [this.workspace] : [this.workspace, this.cspace];
+  /** A pane's canvases have come. @param {string} id @param {PaneKind} kind @param {number} lane @param {Record<LayerName, OffscreenCanvas>} canvases */
+  add(id, kind, lane, canvases) {
+    const pane = new KINDS[kind](canvases);
+    pane.glow.enabled = !this.look?.calm;
+    this.places.set(id, { id, kind, lane, pane });
   }
 
-  /** Asks to be told when the number of device pixels a CSS pixel changes. */
-  watchRatio() {
-    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", () => {
-      this.relay();
-      this.watchRatio();
-    }, { once: true });
+  /** @param {string} id */
+  remove(id) {
+    this.places.delete(id);
+    this.stale.delete(id);
+  }
+
+  /** @param {string} id @param {number} width @param {number} height  CSS pixels */
+  resize(id, width, height) {
+    const place = this.places.get(id);
+    if (!place || (place.pane.width === width && place.pane.height === height)) return;
+    place.pane.width = width;
+    place.pane.height = height;
+    this.stale.add(id);
+  }
+
+  /** Colours and pixels. @param {Look} look */
+  dress(look) {
+    this.look = look;
+    for (const { pane } of this.places.values()) pane.glow.enabled = !look.calm;
+    this.relay();
   }
 
   /** Everything is to be drawn anew before the next frame. */
   relay() {
-    this.stale = true;
-    this.on.change();
+    for (const id of this.places.keys()) this.stale.add(id);
   }
 
-  /** A new scene. @param {Picture} picture */
-  show(picture) {
-    this.picture = picture;
-    const square = CSpace.fits(picture.scenario);
-    this.cspace.figure.hidden = !square;
-    this.element.classList.toggle("single", !square);
-    this.relay();
-  }
-
-  /** A new run of the same scene. */
-  restart() {
-    for (const pane of this.panes) pane.restart();
-    this.on.change();
-  }
-
-  /** No glow for those who asked for less motion. @param {boolean} enabled */
-  setGlow(enabled) {
-    for (const pane of [this.workspace, this.cspace]) pane.glow.enabled = enabled;
-  }
-
-  /** What someone who cannot see the canvases should know. @param {string} summary */
-  describe(summary) {
-    for (const pane of this.panes) {
-      const canvas = pane.top.canvas;
-      const text = `${pane === this.cspace ? "Configuration space" : "Workspace"}: ${summary}`;
-      if (canvas.getAttribute("aria-label") !== text) canvas.setAttribute("aria-label", text);
+  /** A new run on the same ground. @param {Lane[]} lanes */
+  restart(lanes) {
+    for (const { pane, lane } of this.places.values()) {
+      if (!pane.lane || pane.lane !== lanes[lane]) continue;
+      pane.restart();
     }
   }
 
-  /** Is there growth that is not inked yet, or a glow that has not settled? */
-  get busy() { return this.stale || this.panes.some((pane) => !pane.caughtUp || pane.glow.alive); }
+  /** @param {string} id @returns {Place | undefined} */
+  at(id) { return this.places.get(id); }
 
-  /** Has all growth been inked? */
-  get caughtUp() { return !this.stale && this.panes.every((pane) => pane.caughtUp); }
+  get panes() { return [...this.places.values()].map(({ pane }) => pane); }
 
-  /** Draws one frame. @param {number} now @param {number} until  when to stop inking, on the clock of performance.now() */
-  frame(now, until) {
-    const picture = this.picture;
-    if (!picture) return;
-    if (this.stale) {
-      this.stale = false;
-      const palette = readPalette(this.element);
-      for (const pane of this.panes) pane.layout(picture, palette, devicePixelRatio || 1);
+  /** Is there something that is not inked yet, or a glow that has not settled? */
+  get busy() { return this.stale.size > 0 || this.panes.some((pane) => !pane.caughtUp || !pane.isTended || pane.glow.alive); }
+
+  /** Has everything that is shown been inked? */
+  get caughtUp() { return this.stale.size === 0 && this.panes.every((pane) => pane.caughtUp); }
+
+  /** Are all grounds complete? */
+  get isTended() { return this.panes.every((pane) => pane.isTended); }
+
+  /** Draws one frame. @param {Lane[]} lanes @param {number} now @param {number} until  when to stop inking, on the clock of performance.now() */
+  frame(lanes, now, until) {
+    if (!this.look) return;
+    for (const { id, lane, pane } of this.places.values()) {
+      if (!lanes[lane] || (pane.lane === lanes[lane] && !this.stale.has(id))) continue;
+      if (pane.view && lanes[lane].shown.rough && !this.stale.has(id)) pane.refresh(lanes[lane]);
+      else pane.layout(lanes[lane], this.look);
     }
-    const panes = this.panes;
+    this.stale.clear();
+    const { panes } = this;
     const began = performance.now();
+    for (const pane of panes) if (pane.lane) pane.tend(pane.lane, performance.now() + TENDING);
     panes.forEach((pane, i) => pane.grow(now, began + ((until - began) * (i + 1)) / panes.length));
     for (const pane of panes) pane.drawTop(now);
   }

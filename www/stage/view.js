@@ -24,6 +24,13 @@ export class View {
     this.originY = margin.top + innerHeight / 2 + (scaleY * (box.min[1] + box.max[1])) / 2;
   }
 
+  /** Distance of the dots of the grid, in the plane: the nearest of 1, 2, 5 times a power of ten that is not below 46 pixels. */
+  get grid() {
+    const least = 46 / this.scaleX;
+    const power = 10 ** Math.floor(Math.log10(least));
+    return (([1, 2, 5].find((factor) => factor * power >= least)) ?? 10) * power;
+  }
+
   /** @param {number} x */
   x(x) { return this.originX + this.scaleX * x; }
 

@@ -1,39 +1,39 @@
 /** The workspace: the world as it is, the robot in it, and the end-effector's image of every vertex and edge. */
-import { obstacleName, partName } from "../names.js";
+import { contains } from "../worker/handles.js";
+import { obstacleName, partName } from "../worker/names.js";
+import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
-import { shownPose } from "./picture.js";
 import { drawGhost, drawLabel, drawObstacles, drawRobot, drawTouchingParts, obstacleMiddle, obstaclePath } from "./shapes.js";
 import { Tracer } from "./trace.js";
 import { View } from "./view.js";
 
-/** @import { Picture } from "./picture.js" */
-/** @import { Journey } from "../animate.js" */
+/** @import { Hover, Lane } from "../worker/lane.js" */
+/** @import { Journey } from "../worker/journey.js" */
+/** @import { LayerName } from "./layer.js" */
 /** @import { Palette } from "./palette.js" */
-/** @import { Obstacle, Part } from "../types.js" */
+/** @import { Check, Obstacle, Part, ScenarioDocument } from "../types.js" */
 
 const MARGIN = { left: 14, right: 14, top: 14, bottom: 14 };
-/** Poses shown along a solved path. */
-const STROBE = 9;
 
 export class Workspace extends Pane {
-  /** @param {HTMLElement} figure */
-  constructor(figure) {
-    super(figure);
+  /** @param {Record<LayerName, OffscreenCanvas>} canvases */
+  constructor(canvases) {
+    super(canvases);
     /** @type {Tracer | null} */
     this.tracer = null;
   }
 
-  /** @param {Picture} picture @param {number} width @param {number} height @override */
-  makeView(picture, width, height) {
-    return new View(picture.scenario.extent(), width, height, MARGIN, false);
+  /** @param {Lane} lane @param {number} width @param {number} height @override */
+  makeView(lane, width, height) {
+    return new View(lane.scenario.extent(), width, height, MARGIN, false);
   }
 
-  /** @param {Picture} picture @override */
-  prepare(picture) { this.tracer = new Tracer(picture.scenario); }
+  /** @param {Lane} lane @override */
+  survey(lane) { this.tracer = new Tracer(lane.scenario); }
 
   /** @param {Float64Array} rows @override */
   pixels(rows) {
-    return this.place(/** @type {Picture} */ (this.picture).scenario.endEffectors(rows));
+    return this.place(/** @type {Lane} */ (this.lane).scenario.endEffectors(rows));
   }
 
   /** @param {Float64Array} ends @param {boolean[]} [circles] @override */
@@ -52,11 +52,12 @@ export class Workspace extends Pane {
     return points;
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {Picture} picture @override */
-  drawGround(context, picture) {
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
+  drawGround(context, lane) {
+    const { shown } = lane;
     const { view, palette } = this;
     if (!view || !palette) return;
-    const { world, robot } = picture.document;
+    const { world, robot } = shown.document;
     this.drawScale(context);
     context.lineWidth = 1;
     if (world.bounds) {
@@ -74,12 +75,13 @@ export class Workspace extends Pane {
       context.setLineDash([]);
     }
     drawObstacles(context, view, world.obstacles, palette);
-    const { start, goal, scenario } = picture;
+    const { start, goal, scenario } = shown;
     const thin = (robot.radius ?? 0) * view.scaleX < 1.6;
     const width = thin ? 2 : 1.5;
     if (goal) drawGhost(context, view, scenario.footprint(goal), { colour: palette.goal, fill: 0.14, stroke: 0.95, dash: [5, 4], width });
     if (start) drawGhost(context, view, scenario.footprint(start), { colour: palette.start, fill: 0.16, stroke: 0.95, dash: [], width });
     if (robot.type === "arm") this.drawBase(context, robot.base);
+    drawMarked(this, context, lane);
   }
 
   /** @param {CanvasRenderingContext2D} context @param {ArrayLike<number>} base */
@@ -101,7 +103,7 @@ export class Workspace extends Pane {
   drawScale(context) {
     const { view, palette } = this;
     if (!view || !palette) return;
-    const step = niceStep(46 / view.scaleX);
+    const step = view.grid;
     const [left, bottom] = view.toPlane(0, view.height);
     const [right, top] = view.toPlane(view.width, 0);
     context.fillStyle = palette.line;
@@ -114,12 +116,8 @@ export class Workspace extends Pane {
 
   /** @param {CanvasRenderingContext2D} context @param {Journey} journey @param {Palette} palette @override */
   drawPath(context, journey, palette) {
-    if (this.view && journey.scenario.robot === "arm") {
-      const style = { colour: this.pathColour(journey), fill: 0.035, stroke: 0.3, dash: [], width: 1 };
-      for (let i = 1; i < STROBE; i++) {
-        if (i / STROBE > journey.drawn) break;
-        drawGhost(context, this.view, journey.scenario.footprint(journey.configuration(i / STROBE)), style);
-      }
+    for (const { part, parts, colour } of this.strobe(journey)?.seen ?? []) {
+      if (this.view) drawGhost(context, this.view, parts, { colour, fill: 0.05, stroke: 0.55, dash: [], width: 0.7 + 1.5 * part });
     }
     if (this.view && journey.flaw && journey.drawn >= journey.flaw.at) {
       const style = { colour: palette.collision, fill: 0.3, stroke: 1, dash: [], width: 2 };
@@ -128,38 +126,55 @@ export class Workspace extends Pane {
     super.drawPath(context, journey, palette);
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {Picture} picture @override */
-  drawRobot(context, picture) {
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
+  drawRobot(context, lane) {
     const { view, palette } = this;
-    const pose = shownPose(picture);
+    const { pose } = lane;
     if (!view || !palette || !pose) return;
-    const parts = picture.scenario.footprint(pose);
-    const touching = picture.hand && picture.check ? picture.check.touching : [];
-    for (const { obstacle } of touching) this.drawTouched(context, picture, obstacle);
-    drawRobot(context, view, parts, palette);
+    const { scenario, hand, check } = lane.shown;
+    const parts = scenario.footprint(pose);
+    this.drawTouching(context, lane, parts, hand && check ? check.touching : [], () => drawRobot(context, view, parts, palette));
+  }
+
+  /** The robot at what is pointed at, fine. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette @override */
+  drawHover(context, hover, palette) {
+    const { view } = this;
+    if (!view) return;
+    const parts = hover.lane.scenario.footprint(hover.pose);
+    const style = { colour: palette.ink, fill: 0.06, stroke: 0.85, dash: [], width: 1.3 };
+    this.drawTouching(context, hover.lane, parts, hover.check.touching, () => drawGhost(context, view, parts, style));
+    super.drawHover(context, hover, palette);
+  }
+
+  /** A robot, what it touches, and with which parts, by name. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Part[]} parts @param {Check["touching"]} touching @param {() => void} draw  the robot */
+  drawTouching(context, { shown: { scenario, document } }, parts, touching, draw) {
+    const { view, palette } = this;
+    if (!view || !palette) return;
+    for (const { obstacle } of touching) this.drawTouched(context, document, obstacle);
+    draw();
     const hit = new Set(touching.map(({ part }) => part));
     drawTouchingParts(context, view, parts.filter((_, i) => hit.has(i)), palette, this.hatchOnPart);
     for (const index of hit) {
       const [x, y] = labelPlace(view, parts[index]);
-      drawLabel(context, partName(picture.scenario, index), x, y, palette.collision, palette);
+      drawLabel(context, partName(scenario, index), x, y, palette.collision, palette);
     }
     const named = new Set();
     for (const { part, obstacle } of touching) {
       if (obstacle === "bounds" || named.has(obstacle)) continue;
       named.add(obstacle);
-      const [x, y] = obstaclePlace(view, picture.document.world.obstacles[obstacle], parts[part]);
+      const [x, y] = obstaclePlace(view, document.world.obstacles[obstacle], parts[part]);
       drawLabel(context, obstacleName(obstacle), x, y, palette.collision, palette);
     }
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {Picture} picture @param {number | "bounds"} obstacle */
-  drawTouched(context, picture, obstacle) {
+  /** @param {CanvasRenderingContext2D} context @param {ScenarioDocument} document @param {number | "bounds"} obstacle */
+  drawTouched(context, document, obstacle) {
     const { view, palette } = this;
     if (!view || !palette) return;
     context.save();
     context.strokeStyle = palette.collision;
     context.lineWidth = 2;
-    const { bounds, obstacles } = picture.document.world;
+    const { bounds, obstacles } = document.world;
     if (obstacle === "bounds") {
       if (bounds) {
         context.setLineDash([8, 5]);
@@ -190,16 +205,6 @@ function obstaclePlace(view, obstacle, part) {
   return [view.x(nearest[0]), view.y(nearest[1]) + 26];
 }
 
-/** Is a point inside a polygon? @param {[number, number][]} vertices @param {number} x @param {number} y */
-function contains(vertices, x, y) {
-  let inside = false;
-  vertices.forEach(([ax, ay], i) => {
-    const [bx, by] = vertices[(i + 1) % vertices.length];
-    if (ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax)) inside = !inside;
-  });
-  return inside;
-}
-
 /** Beside the middle of a part, CSS pixels. @param {View} view @param {Part} part @returns {[number, number]} */
 function labelPlace(view, part) {
   const clear = part.radius * view.scaleX + 16;
@@ -209,11 +214,4 @@ function labelPlace(view, part) {
   const length = Math.hypot(dx, dy);
   const side = dx >= 0 ? 1 : -1;
   return [view.x(part.a[0]) + dx / 2 + (side * dy * clear * 1.5) / length, view.y(part.a[1]) + dy / 2 - (side * dx * clear) / length];
-}
-
-/** The nearest of 1, 2, 5 times a power of ten that is not below a length. @param {number} least */
-function niceStep(least) {
-  const power = 10 ** Math.floor(Math.log10(least));
-  for (const factor of [1, 2, 5]) if (factor * power >= least) return factor * power;
-  return 10 * power;
 }

@@ -1,0 +1,89 @@
+/** The page, built around the package: as files to be served, and as one file to be opened. */
+import { createHash } from "node:crypto";
+import { cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { basename, join, relative, sep } from "node:path";
+import { gzipSync } from "node:zlib";
+import { requireFile, root } from "./run.mjs";
+
+const dist = join(root, "dist");
+
+/**
+ * Assembles the page around the package: a script for the page and one for its worker, each with the parts that are loaded when
+ * they are asked for; the package stays a file of its own, the published one. The maps beside them lead back to the sources.
+ */
+export function assemblePage() {
+  const page = join(root, "www");
+  const out = join(dist, "page");
+  requireFile(join(page, "index.html"));
+  rmSync(out, { recursive: true, force: true });
+  mkdirSync(join(out, "planarium"), { recursive: true });
+  for (const part of ["index.html", "icon.svg", "scenes"]) cpSync(join(page, part), join(out, part), { recursive: true });
+  cpSync(join(dist, "package", "planarium_bg.wasm"), join(out, "planarium", "planarium_bg.wasm"));
+  const inParts = { outfile: undefined, outdir: out, splitting: true, chunkNames: "parts/[name]-[hash]" };
+  joinModules(join(page, "style", "style.css"), join(out, "style.css"));
+  joinModules(join(page, "main.js"), "", inParts);
+  joinModules(join(page, "worker", "worker.js"), "", { ...inParts, alias: { planarium: "./planarium/planarium.js" }, external: ["./planarium/planarium.js"] });
+  joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
+  const files = readdirSync(out, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile() && !entry.name.endsWith(".map"))
+    .map((entry) => relative(out, join(entry.parentPath, entry.name)).split(sep).join("/"))
+    .sort();
+  const version = files.reduce((hash, file) => hash.update(file).update(readFileSync(join(out, file))), createHash("sha256")).digest("hex").slice(0, 16);
+  joinModules(join(page, "offline.js"), join(out, "offline.js"), {
+    banner: { js: `globalThis.VERSION=${JSON.stringify(version)};globalThis.FILES=${JSON.stringify(["./", ...files])};` },
+  });
+}
+
+/**
+ * The page as one single HTML file, `dist/planarium.html`, that runs from `file://` and in a sandboxed frame: the worker, the
+ * WebAssembly (gzip in base64), the scenes and the style are elements of it. Its policy names its script and style by their hashes.
+ */
+export function assembleOneFile() {
+  const page = join(root, "www");
+  const out = join(dist, "planarium.html");
+  const text = (/** @type {string} */ path) => readFileSync(path, "utf8");
+  const made = join(dist, "one-file");
+  rmSync(made, { recursive: true, force: true });
+  const inside = { sourcemap: false, alias: { planarium: join(dist, "package", "planarium.js") } };
+  joinModules(join(page, "main.js"), join(made, "main.js"), inside);
+  // The worker is handed the compiled module: the package need not know where it lies.
+  joinModules(join(page, "worker", "worker.js"), join(made, "worker.js"), { ...inside, format: "iife", logOverride: { "empty-import-meta": "silent" } });
+  joinModules(join(page, "style", "style.css"), join(made, "style.css"), { sourcemap: false });
+  const script = closed(text(join(made, "main.js")));
+  const style = text(join(made, "style.css"));
+  const policy = `default-src 'none'; script-src ${hashOf(script)} 'wasm-unsafe-eval' blob:; worker-src blob:; style-src ${hashOf(style)}; img-src data: blob:`;
+  const icon = `data:image/svg+xml;base64,${readFileSync(join(page, "icon.svg")).toString("base64")}`;
+  const core = gzipSync(readFileSync(join(dist, "package", "planarium_bg.wasm")), { level: 9 }).toString("base64");
+  const scenes = readdirSync(join(page, "scenes")).filter((name) => name.endsWith(".json"));
+  const parts = [["core", core], ["worker", closed(text(join(made, "worker.js")))],
+    ...scenes.map((name) => [`scene-${basename(name, ".json")}`, JSON.stringify(JSON.parse(text(join(page, "scenes", name))))])];
+  const html = text(join(page, "index.html"))
+    .replace(/<meta http-equiv="Content-Security-Policy"[^>]*>/, () => `<meta http-equiv="Content-Security-Policy" content="${policy}">`)
+    .replace(/href="icon.svg"/, () => `href="${icon}"`)
+    .replace(/ *<link rel="(preload|modulepreload)"[^>]*>\n/g, "")
+    .replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${style}</style>`)
+    .replace(/ *<script type="module"[^>]*><\/script>\n/, "")
+    .replace("</body>", () => `${parts.map(([name, part]) => `<script type="text/plain" id="inline-${name}">${part}</script>`).join("\n")}
+<script type="module">${script}</script>
+</body>`);
+  writeFileSync(out, html);
+}
+
+/** Script text that does not end the element it stands in. @param {string} script */
+function closed(script) { return script.trim().replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--"); }
+
+/** As a content security policy names it. @param {string} text */
+function hashOf(text) { return `'sha256-${createHash("sha256").update(text).digest("base64")}'`; }
+
+/**
+ * Joins an entry and all it imports into one file.
+ * @param {string} entry
+ * @param {string} out
+ * @param {import("esbuild").BuildOptions} [more]
+ */
+function joinModules(entry, out, more = {}) {
+  /** @type {typeof import("esbuild")} */
+  const { buildSync } = createRequire(import.meta.url)("esbuild");
+  buildSync({ entryPoints: [entry], outfile: out, bundle: true, minify: true, sourcemap: true, format: "esm", target: "es2022", logLevel: "warning", ...more });
+}

@@ -1,0 +1,60 @@
+/** The page's scenes and runs of them, for tests that need no browser. */
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { Scenario } from "planarium";
+import { root } from "../../scripts/run.mjs";
+import { SCENES, optionsAt } from "../../www/scenes.js";
+
+/** @typedef {import("../../www/types.js").SceneEntry} SceneEntry */
+/** @typedef {import("../../www/types.js").Settings} Settings */
+
+/** One of the page's scenes. @param {string} id @returns {SceneEntry} */
+export function sceneOf(id) {
+  const entry = SCENES.find((scene) => scene.id === id);
+  if (!entry) throw new Error(`there is no scene ${id}`);
+  return entry;
+}
+
+/** Its scenario, with sliders where they are put. @param {SceneEntry} entry @param {Record<string, number>} [positions] */
+export function open(entry, positions) {
+  if (entry.generate) return Scenario.generate(entry.generate.kind, optionsAt(entry, positions));
+  return Scenario.parse(readFileSync(join(root, "www", "scenes", `${entry.id}.json`), "utf8"));
+}
+
+/**
+ * A run to its end, or for so many iterations.
+ * @param {Scenario} scenario
+ * @param {string} algorithm
+ * @param {Settings} settings
+ * @param {number} [iterations]
+ */
+export function ran(scenario, algorithm, settings, iterations = Infinity) {
+  const planner = scenario.planner({ ...settings, algorithm });
+  while (planner.status === "running" && planner.iterations < iterations) planner.step(Math.min(500, iterations - planner.iterations));
+  const rows = (/** @type {Float64Array | Uint32Array} */ all, /** @type {number} */ width) =>
+    Array.from({ length: all.length / width }, (_, i) => [...all.subarray(i * width, (i + 1) * width)]);
+  const { status, dimension } = planner;
+  const run = {
+    status, dimension, iterations: planner.iterations, result: planner.result(),
+    vertices: rows(planner.verticesSince(0), dimension), edges: rows(planner.edgesSince(0), 2), path: rows(planner.path(), dimension),
+    events: rows(planner.eventsSince(0), planner.eventWidth),
+  };
+  planner.free();
+  return run;
+}
+
+/** Whether every step of a path is proven free. @param {Scenario} scenario @param {number[][]} path */
+export function isFree(scenario, path) {
+  return path.every((q, i) => scenario.check(q).free && (i === 0 || scenario.firstHit(path[i - 1], q) === null));
+}
+
+/** The number of the piece of the graph that each vertex is in. @param {{ vertices: number[][], edges: number[][] }} run */
+export function pieces({ vertices, edges }) {
+  const piece = vertices.map((_, i) => i);
+  const find = (/** @type {number} */ i) => {
+    while (piece[i] !== i) i = piece[i] = piece[piece[i]];
+    return i;
+  };
+  for (const [a, b] of edges) piece[find(a)] = find(b);
+  return piece.map((_, i) => find(i));
+}

@@ -1,0 +1,348 @@
+/** A link is an experiment: what it holds is put on the stage exactly, and what is broken is said and does no harm. */
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { decodeLink, encodeLink } from "../../www/exchange/link.js";
+import { SCENES } from "../../www/scenes.js";
+import { atRest, chooseScene, counters, finish, onPage, onPausedPage, pickFile, setParameter, start, stop } from "./browser.mjs";
+
+/** @import { Page } from "playwright-core" */
+/** @import { Experiment } from "../../www/exchange/link.js" */
+
+before(start);
+after(stop);
+
+/** What all sheets show once the newest has ceased to glow. @param {Page} page */
+async function pictures(page) {
+  let before = await picturesNow(page);
+  for (let i = 0; i < 40; i++) {
+    await page.waitForTimeout(60);
+    const now = await picturesNow(page);
+    if (now.join() === before.join()) return now;
+    before = now;
+  }
+  return assert.fail("the stage does not come to rest");
+}
+
+/** What all sheets show, layer by layer, as numbers that differ when a pixel does. @param {Page} page */
+function picturesNow(page) {
+  return page.evaluate(() => [...document.querySelectorAll("#stage canvas")].map((element) => {
+    const canvas = /** @type {HTMLCanvasElement} */ (element);
+    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(canvas.width, canvas.height).getContext("2d"));
+    context.drawImage(canvas, 0, 0);
+    let hash = 0x811c9dc5;
+    let ink = 0;
+    for (const byte of context.getImageData(0, 0, canvas.width, canvas.height).data) {
+      hash = Math.imul(hash ^ byte, 0x01000193);
+      if (byte > 0) ink++;
+    }
+    return `${canvas.closest("figure")?.id} ${canvas.dataset.layer} ${hash >>> 0} ${ink > 0}`;
+  }));
+}
+
+/** Everything that a link is to bring back. @param {Page} page */
+async function shown(page) {
+  const numbers = await atRest(page);
+  const words = await page.evaluate(() => ({
+    scene: document.body.dataset.scene, sentence: document.getElementById("story")?.textContent, head: /** @type {HTMLInputElement} */ (document.getElementById("time")).value,
+    playing: document.getElementById("play")?.dataset.playing,
+    fields: [...document.querySelectorAll("#planner, #query, #parameters input, #parameters select, #more-parameters input, #more-parameters select, .sliders input")].map((element) => {
+      const control = /** @type {HTMLInputElement} */ (element);
+      return [control.id, control.type === "checkbox" ? control.checked : control.value];
+    }),
+  }));
+  return { numbers, words, pictures: await pictures(page) };
+}
+
+/** The link that the page gives, as its fragment. @param {Page} page */
+async function linkOf(page) {
+  await page.click("#link");
+  await page.waitForFunction(() => document.getElementById("link-told")?.textContent);
+  return new URL(page.url()).hash;
+}
+
+/** Opens a fragment in a page of its own that nobody has touched. @param {Page} page @param {string} url @param {string} fragment @param {(fresh: Page) => Promise<void>} then */
+async function afresh(page, url, fragment, then) {
+  const fresh = await page.context().newPage();
+  /** @type {string[]} */
+  const thrown = [];
+  fresh.on("pageerror", (error) => thrown.push(error.message));
+  fresh.on("console", (message) => { if (message.type() === "error") thrown.push(message.text()); });
+  try {
+    await fresh.goto(url + fragment);
+    await fresh.waitForSelector("#counters[data-settled=true]", { state: "attached", timeout: 20_000 });
+    await then(fresh);
+    assert.deepEqual(thrown, [], fragment);
+  } finally {
+    await fresh.close();
+  }
+}
+
+/** A page's link, opened elsewhere, shows the same. @param {Page} page @param {string} url @param {string} what @returns {Promise<Experiment>} */
+async function roundTrip(page, url, what) {
+  const fragment = await linkOf(page);
+  const here = await shown(page);
+  await afresh(page, url, fragment, async (fresh) => {
+    assert.deepEqual(await shown(fresh), here, what);
+    assert.equal(await fresh.locator("#notice").isVisible(), false, `${what}: nothing is amiss`);
+    assert.equal(await linkOf(fresh), fragment, `${what}: the link of a link is that link`);
+  });
+  const { experiment } = await decodeLink(fragment);
+  return experiment ?? assert.fail(what);
+}
+
+/** Shows an iteration. @param {Page} page @param {number} iteration */
+async function seek(page, iteration) {
+  await page.fill("#time", String(iteration));
+  await page.press("#time", "Enter");
+  await page.waitForFunction((wanted) => document.getElementById("counters")?.dataset.iterations === String(wanted), iteration);
+  await page.locator("#time").blur();
+  assert.equal((await atRest(page)).iterations, iteration);
+}
+
+describe("there and back", () => {
+  test("every scene, in 2 kB, at an iteration on the way", async () => {
+    await onPausedPage(async (page, url) => {
+      for (const [i, { id }] of SCENES.entries()) {
+        if (i > 0) await chooseScene(page, id);
+        await seek(page, 11 + 7 * i);
+        const experiment = await roundTrip(page, url, id);
+        assert.equal(experiment.scene, id);
+        assert.equal(experiment.document, undefined);
+        const link = page.url();
+        assert.ok(link.length <= 2048, `${id}: ${link.length} characters`);
+        assert.ok(Object.keys(experiment.lanes[0].settings).length <= Object.keys(SCENES[i].settings).length, "what is the planner's default is left out");
+      }
+    });
+  });
+
+  test("an rrt at iteration 137, and at its end with its path", async () => {
+    await onPausedPage(async (page, url) => {
+      await chooseScene(page, "pillar");
+      await setParameter(page, "seed", "9007199254740991");
+      await setParameter(page, "goal_bias", "0.125");
+      await seek(page, 137);
+      const experiment = await roundTrip(page, url, "on the way");
+      assert.equal(experiment.iteration, 137);
+      assert.deepEqual(experiment.lanes, [{ algorithm: "rrt", settings: { step: 0.3, goal_bias: 0.125, seed: 9007199254740991 } }]);
+      await finish(page);
+      await roundTrip(page, url, "at the end");
+    });
+  });
+
+  test("another planner, and settings of every kind: number, choice, switch, none", async () => {
+    await onPausedPage(async (page, url) => {
+      await page.selectOption("#planner", "prm-star");
+      await page.waitForSelector("#parameter-samples");
+      await setParameter(page, "samples", "90");
+      await page.evaluate(() => { /** @type {HTMLDetailsElement} */ (document.getElementById("more")).open = true; });
+      await page.selectOption("#parameter-edge_check", "sampled");
+      await page.selectOption("#parameter-sampler", "halton");
+      await seek(page, 120);
+      const { lanes } = await roundTrip(page, url, "prm-star");
+      assert.equal(lanes[0].algorithm, "prm-star");
+      assert.deepEqual([lanes[0].settings.edge_check, lanes[0].settings.sampler, lanes[0].settings.samples], ["sampled", "halton", 90]);
+    });
+  });
+
+  test("a scene whose slider was moved, a scene that was made, a scenario of the reader's own with its query", async () => {
+    await onPausedPage(async (page, url) => {
+      await chooseScene(page, "passage");
+      await page.fill("#option-width", "0.44");
+      await seek(page, 30);
+      const moved = await roundTrip(page, url, "slider");
+      assert.deepEqual(moved.options, { width: 0.44 });
+
+      await page.click("#scene-options summary");
+      await page.selectOption("#make-kind", "maze");
+      await page.fill("#make-seed", "12");
+      await page.click("#make button");
+      await page.waitForSelector("body[data-scene=file]");
+      await seek(page, 25);
+      const made = await roundTrip(page, url, "made");
+      assert.equal(made.scene, "make-maze");
+      assert.equal(made.document, undefined);
+
+      const document = {
+        format: "planarium-scenario-1", name: "own", world: { bounds: { min: [0, 0], max: [4, 3] }, obstacles: [{ type: "disc", center: [2, 1.5], radius: 0.5 }] },
+        robot: { type: "disc", radius: 0.1 },
+        queries: [{ name: "across", start: [0.5, 1.5], goal: [3.5, 1.5] }, { name: "up \u2191", start: [0.5, 0.5], goal: [0.5, 2.5] }],
+      };
+      await pickFile(page, "own.json", JSON.stringify(document));
+      await page.waitForSelector("#query-row:not([hidden])");
+      await page.selectOption("#query", "up \u2191");
+      await seek(page, 9);
+      const own = await roundTrip(page, url, "own");
+      assert.deepEqual([own.scene, own.query, own.document?.name], [undefined, "up \u2191", "own"]);
+    });
+  });
+
+  test("what is to be seen comes back: axes, crosses, poses, the path as it was found", async () => {
+    await onPausedPage(async (page, url) => {
+      /** @type {Experiment} */
+      const wanted = { version: 1, scene: "tentacle", lanes: [{ algorithm: "rrt", settings: {} }], iteration: 20, view: { axes: [4, 1], refused: true, strobe: true, poses: 5, raw: true, slice: true, projector: true } };
+      await afresh(page, url, `#${await encodeLink(wanted)}`, async (fresh) => {
+        assert.deepEqual([await fresh.inputValue("#view-across"), await fresh.inputValue("#view-up"), await fresh.inputValue("#view-poses")], ["4", "1", "5"]);
+        assert.equal(await fresh.getAttribute("#projector", "aria-pressed"), "true");
+        const { experiment } = await decodeLink(await linkOf(fresh));
+        assert.deepEqual(experiment, wanted);
+      });
+    });
+  });
+
+  test("a race comes back with its rivals and its picture, and rests at its own time", async () => {
+    await onPausedPage(async (page, url) => {
+      await page.evaluate(() => { /** @type {HTMLDetailsElement} */ (document.getElementById("race-fold")).open = true; });
+      for (const [algorithm, lens] of [["rrt", "cspace"], ["prm-star", "workspace"]]) {
+        await page.selectOption("#rival", algorithm);
+        await page.click("#add-rival");
+        await page.locator(`input[name=lens][value=${lens}]`).check({ force: true });
+        await page.click("#step-100");
+        await atRest(page);
+        const race = await roundTrip(page, url, `against ${algorithm}`);
+        assert.equal(race.lanes[race.lanes.length - 1].algorithm, algorithm);
+        assert.equal(race.view.lens, lens === "workspace" ? undefined : lens);
+      }
+      /** @type {Experiment["lanes"]} */
+      const lanes = [{ algorithm: "prm", settings: { samples: 80 } }, { algorithm: "rrt", settings: { seed: 3 } }];
+      const fragment = `#${await encodeLink({ version: 1, scene: "stones", lanes, iteration: 900, view: { strobe: true } })}`;
+      await afresh(page, url, fragment, async (fresh) => {
+        assert.equal(await fresh.inputValue("#time"), "900");
+        assert.equal(await fresh.inputValue("#parameter-samples"), "80");
+        const { experiment } = await decodeLink(await linkOf(fresh));
+        assert.deepEqual(experiment?.lanes, lanes);
+        assert.equal(experiment?.iteration, 900);
+      });
+    });
+  });
+});
+
+describe("the button", () => {
+  test("copies, says what it did, and leaves the link in the address bar", async () => {
+    await onPausedPage(async (page) => {
+      await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+      await seek(page, 137);
+      await page.click("#link");
+      await page.waitForFunction(() => document.getElementById("link-told")?.textContent);
+      assert.equal(await page.innerText("#link-told"), "Link copied: this scene, these settings, iteration 137.");
+      assert.equal(await page.evaluate(() => navigator.clipboard.readText()), page.url());
+      assert.match(page.url(), /#1[\w-]+$/);
+    });
+  });
+
+  test("where clipboard, storage and history are closed, the link stands in a field, selected", async () => {
+    await onPage({ reducedMotion: "reduce", viewport: { width: 390, height: 844 } }, async (page) => {
+      await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
+      await page.click("#step-10");
+      await atRest(page);
+      await page.click("#link");
+      const field = page.locator("#link-told input");
+      await field.waitFor();
+      const link = await field.inputValue();
+      assert.equal(await page.evaluate(() => getSelection()?.toString()), link);
+      assert.match(await page.innerText("#link-told"), /^Copy this link: this scene, these settings, iteration 10\./);
+      const { experiment } = await decodeLink(new URL(link).hash);
+      assert.deepEqual([experiment?.scene, experiment?.iteration], ["stones", 10]);
+      const box = await page.locator("#link-told").boundingBox();
+      assert.ok(box && box.x >= 0 && box.x + box.width <= 390, "it is within the page");
+      await page.keyboard.press("Escape");
+      assert.equal(await field.isVisible(), false);
+      assert.equal(await page.evaluate(() => document.activeElement?.id), "link");
+    }, {
+      before: async (page) => {
+        await page.addInitScript(() => {
+          const closed = () => { throw new DOMException("closed", "SecurityError"); };
+          Object.defineProperty(window, "localStorage", { get: closed });
+          Object.defineProperty(navigator, "clipboard", { get: closed });
+          history.replaceState = closed;
+        });
+      },
+    });
+  });
+});
+
+describe("what is broken", () => {
+  test("60 broken fragments: a sentence, the page as it opens, nothing thrown", async () => {
+    const good = await encodeLink({ version: 1, scene: "shelf", lanes: [{ algorithm: "rrt", settings: { seed: 4 } }], iteration: 40, view: {} });
+    const broken = ["1", "0", "nonsense", "stage", "%", "%F0%9F", "1====", `2${good.slice(1)}`, good.slice(1), `${good}.`, "1AAAA", "javascript:alert(1)", `1${"A".repeat(70000)}`];
+    for (let i = 0; broken.length < 40; i++) broken.push(good.slice(0, 2 + 3 * i));
+    for (let i = 0; broken.length < 60; i++) {
+      const at = 3 + ((7 * i) % (good.length - 4));
+      const changed = `${good.slice(0, at)}${good[at] === "x" ? "y" : "x"}${good.slice(at + 1)}`;
+      // A changed letter can, rarely, leave a link that is good.
+      broken.push((await decodeLink(changed)).fault === null ? good.slice(0, 5 + i) : changed);
+    }
+    await onPausedPage(async (page, url) => {
+      const usual = await shown(page);
+      for (const [i, fragment] of broken.entries()) {
+        if (i % 4 === 0) {
+          await afresh(page, url, `#${fragment}`, async (fresh) => {
+            await fresh.waitForSelector("#notice:not([hidden])");
+            assert.match(await fresh.innerText("#notice strong"), /^This link does not work: .+\.$/, fragment);
+            assert.deepEqual((await shown(fresh)).numbers, usual.numbers, fragment);
+            assert.equal(await fresh.getAttribute("body", "data-scene"), "stones");
+          });
+        } else {
+          await page.evaluate((hash) => {
+            const notice = /** @type {HTMLElement} */ (document.getElementById("notice"));
+            notice.hidden = true;
+            location.hash = hash;
+          }, fragment);
+          await page.waitForSelector("#notice:not([hidden])");
+          assert.match(await page.innerText("#notice strong"), /^This link does not work: .+\.$/, fragment);
+        }
+      }
+      await page.click("#notice button");
+      assert.deepEqual(await shown(page), usual, "the stage is as it was");
+    });
+  });
+
+  test("what the page does not have is said, the rest is restored", async () => {
+    /** @type {[Partial<Experiment>, RegExp, Record<string, string>][]} */
+    const cases = [
+      [{ scene: "atlantis", lanes: [{ algorithm: "rrt", settings: { seed: 5 } }] }, /There is no scene "atlantis"; this is the first one/, { scene: "stones", planner: "rrt", "parameter-seed": "5" }],
+      [{ lanes: [{ algorithm: "crystal-ball", settings: {} }] }, /There is no planner "crystal-ball"/, { scene: "firs", planner: "rrt-connect", "parameter-seed": "7" }],
+      [{ lanes: [{ algorithm: "prm", settings: { k: -3, samples: 70 } }] }, /neighbours.*-3 is below 1/i, { scene: "firs", planner: "prm", "parameter-samples": "70", "parameter-k": "" }],
+      [{ lanes: [{ algorithm: "prm", settings: { k: "ten", wings: 2, samples: 71 } }] }, /This is not a number.*wings: There is no such setting/, { planner: "prm", "parameter-samples": "71" }],
+      [{ lanes: [{ algorithm: "rrt", settings: {} }], query: "home" }, /There is no query "home"/, { scene: "firs", planner: "rrt" }],
+      [{ lanes: [{ algorithm: "rrt", settings: {} }], view: { axes: [0, 9] } }, /no coordinates 0 and 9/, { planner: "rrt" }],
+      [{ lanes: [{ algorithm: "prm", settings: { samples: 20 } }], iteration: 987654 }, /The run ends at iteration \d+, before 987,654/, { planner: "prm", "parameter-samples": "20" }],
+      [{ scene: "passage", options: { width: 99, thickness: 0.2 } }, /99 is above/, { scene: "passage", "option-width": "0.2" }],
+    ];
+    await onPausedPage(async (page, url) => {
+      for (const [given, sentence, restored] of cases) {
+        const experiment = { version: /** @type {const} */ (1), scene: "firs", lanes: [{ algorithm: "prm", settings: {} }], iteration: 3, view: {}, ...given };
+        await afresh(page, url, `#${await encodeLink(experiment)}`, async (fresh) => {
+          await fresh.waitForSelector("#notice:not([hidden])");
+          assert.match(await fresh.innerText("#notice"), sentence);
+          if ((given.iteration ?? 3) === 3) assert.equal((await counters(fresh)).iterations, 3, String(sentence));
+          for (const [id, value] of Object.entries(restored)) {
+            if (id === "scene") assert.equal(await fresh.getAttribute("body", "data-scene"), value);
+            else assert.equal(await fresh.inputValue(`#${id}`), value, `${sentence}: ${id}`);
+          }
+        });
+      }
+    });
+  });
+
+  test("a scenario that cannot be read is refused with its reason, and the page opens", async () => {
+    await onPausedPage(async (page, url) => {
+      const document = { format: "planarium-scenario-1", name: "x", world: { obstacles: [{ type: "disc", center: [0, 0], radius: -1 }] }, robot: { type: "disc", radius: 1 }, queries: [] };
+      await afresh(page, url, `#${await encodeLink({ version: 1, document, lanes: [{ algorithm: "prm", settings: {} }], iteration: 0, view: {} })}`, async (fresh) => {
+        await fresh.waitForSelector("#notice:not([hidden])");
+        assert.match(await fresh.innerText("#notice"), /^The link cannot be opened\./);
+        assert.match((await fresh.getAttribute("#notice", "data-pointer")) ?? "", /radius/);
+        assert.equal(await fresh.getAttribute("body", "data-scene"), "stones");
+      });
+    });
+  });
+
+  test("an address changed by hand is obeyed", async () => {
+    await onPausedPage(async (page) => {
+      const fragment = await encodeLink({ version: 1, scene: "rings", lanes: [{ algorithm: "prm", settings: { seed: 2 } }], iteration: 12, view: {} });
+      await page.evaluate((hash) => { location.hash = hash; }, fragment);
+      await page.waitForSelector("body[data-scene=rings]");
+      assert.equal((await atRest(page)).iterations, 12);
+      assert.equal(await page.inputValue("#parameter-seed"), "2");
+    });
+  });
+});

@@ -1,0 +1,128 @@
+/** What the worker tells of a run's log: who waits for the search, who hangs from whom, which vertex a pointer is at. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { Scenario, phases } from "planarium";
+import { Places, NEAR } from "../../www/stage/places.js";
+import { Keeps } from "../../www/stage/keeps.js";
+import { EVENT, PAST, Run } from "../../www/worker/run.js";
+import { root } from "./browser.mjs";
+
+/** @import { Settings } from "../../www/types.js" */
+
+/** A run to its end. @param {string} id @param {string} algorithm @param {Settings} settings */
+function runOf(id, algorithm, settings) {
+  const scenario = Scenario.parse(readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8"));
+  const run = new Run(/** @type {import("../../www/types.js").Scenario} */ (/** @type {unknown} */ (scenario)), algorithm, settings, phases);
+  while (!run.ended) run.advance(-1, Infinity, Infinity);
+  return run;
+}
+
+/** Who waits, told the slow way: from the whole log up to the iteration. @param {Run} run @param {number[]} roots */
+function waitingOf(run, roots) {
+  const { past } = run;
+  const reached = new Set(roots);
+  const expanded = new Set();
+  for (let i = 0; i < past[PAST.events]; i++) {
+    const [kind, , vertex] = run.events.row(i);
+    if (kind !== EVENT.expanded) continue;
+    expanded.add(vertex);
+    for (let e = 0; e < past[PAST.edges]; e++) {
+      const [a, b] = run.edges.row(e);
+      if (a === vertex) reached.add(b);
+      if (b === vertex) reached.add(a);
+    }
+  }
+  return [...reached].filter((vertex) => !expanded.has(vertex)).sort((a, b) => a - b);
+}
+
+for (const search of ["a-star", "dijkstra", "breadth-first", "bidirectional"]) {
+  test(`the frontier of ${search} is what is reached and not expanded, forth and back`, () => {
+    const run = runOf("stones", "prm", { samples: 160, k: 7, seed: 3, search });
+    const searching = [];
+    for (run.shown = 0; run.shown < run.made; run.shown++) if (run.phase === "searching") searching.push(run.shown);
+    assert.ok(searching.length > 10);
+    const [first, last] = [searching[0], searching[searching.length - 1]];
+    for (const shown of [first, first + 1, last, first + 5, Math.round((first + last) / 2), last, first]) {
+      run.shown = shown;
+      run.frontier.follow();
+      /** @type {number[]} */
+      const waiting = [];
+      run.frontier.each((vertex) => waiting.push(vertex));
+      assert.deepEqual(waiting, waitingOf(run, search === "bidirectional" ? [0, 1] : [0]), `iteration ${shown}`);
+      assert.equal(run.frontier.count, waiting.length);
+    }
+    run.shown = first - 1;
+    run.frontier.follow();
+    assert.equal(run.frontier.count, 0, "nobody waits before the search");
+    run.shown = run.made;
+    run.frontier.follow();
+    assert.equal(run.frontier.count, 0, "nor after it");
+    run.free();
+  });
+}
+
+test("in a tree the cost from the root is the length of the way down the parents, in the metric of the run", () => {
+  for (const metric of ["sum", "euclidean"]) {
+    const run = runOf("firs", "rrt", { step: 0.3, seed: 4, metric, max_iterations: 20_000 });
+    run.shown = run.made;
+    assert.equal(run.status, "solved");
+    run.kin.follow();
+    assert.ok(Math.abs(run.kin.costs[1] - run.planner.result().length) < 1e-9, `${run.kin.costs[1]} and ${run.planner.result().length}`);
+    let [way, vertex] = [0, 1];
+    for (let parent = run.kin.parent(1, run.edges.count); parent >= 0; parent = run.kin.parent(vertex, run.edges.count)) {
+      way += run.kin.distance(parent, vertex);
+      vertex = parent;
+    }
+    assert.equal(vertex, 0);
+    assert.ok(Math.abs(way - run.kin.costs[1]) < 1e-9);
+    assert.equal(run.kin.parent(1, run.edges.count - 1), -1, "before its edge is there it has no parent");
+    run.free();
+  }
+});
+
+test("the nearest of 20,000 vertices is that of the slow way, and quick to find", () => {
+  let state = 7;
+  const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
+  const points = Float64Array.from({ length: 40_000 }, () => 700 * random() - 20);
+  const pane = { pixels: (/** @type {Float64Array} */ rows) => rows };
+  const run = { vertices: { count: 20_000, slice: (/** @type {number} */ first, /** @type {number} */ end) => points.subarray(2 * first, 2 * end) } };
+  const places = new Places(/** @type {never} */ (pane), /** @type {never} */ (run));
+  places.nearest(0, 0, 1);
+  let found = 0;
+  for (let i = 0; i < 300; i++) {
+    const [x, y, count] = [660 * random(), 660 * random(), i % 3 === 0 ? 60 : 20_000];
+    let [best, least] = [-1, NEAR];
+    for (let v = 0; v < count; v++) {
+      const distance = Math.hypot(points[2 * v] - x, points[2 * v + 1] - y);
+      if (distance < least) [best, least] = [v, distance];
+    }
+    assert.equal(places.nearest(x, y, count), best);
+    if (best >= 0) found++;
+  }
+  assert.ok(found > 200 && found < 300, `${found} found`);
+  const began = performance.now();
+  for (let i = 0; i < 1000; i++) places.nearest(660 * random(), 660 * random(), 20_000);
+  assert.ok(performance.now() - began < 500, "half a millisecond each at most");
+});
+
+test("copies of a layer stay few, and the nearest one before a time is put back", () => {
+  /** @type {(object | null)[]} */
+  const pasted = [];
+  const layer = { canvas: { width: 500, height: 500 }, paste: (/** @type {object | null} */ copy) => pasted.push(copy) };
+  const before = globalThis.OffscreenCanvas;
+  globalThis.OffscreenCanvas = /** @type {never} */ (class { getContext() { return null; } });
+  try {
+    const keeps = new Keeps(/** @type {never} */ (layer));
+    for (let count = 100; count <= 100_000; count += 100) keeps.pass(count);
+    assert.ok(keeps.copies.length >= 4 && keeps.copies.length <= 8, `${keeps.copies.length} copies`);
+    const counts = keeps.copies.map(({ count }) => count);
+    assert.deepEqual(counts, counts.toSorted((a, b) => a - b));
+    assert.equal(keeps.restore(counts[2] + 1), counts[2]);
+    assert.equal(keeps.restore(counts[0] - 1), 0);
+    assert.deepEqual(pasted, [keeps.copies[2].canvas, null]);
+  } finally {
+    globalThis.OffscreenCanvas = before;
+  }
+});

@@ -1,0 +1,412 @@
+/** What is taken away is what the stage shows, and what is brought comes in or is refused in words: in Chromium. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { readNpy, writeNpy } from "../../www/exchange/npy.js";
+import { atRest, chooseScene, counters, finish, growthHash, onPausedPage, pickFile, pixelsOf, root, start, stop } from "./browser.mjs";
+
+/** @import { Page } from "./browser.mjs" */
+
+before(start);
+after(stop);
+
+/** @param {string} name */
+const fixture = (name) => readFileSync(join(root, "tests", "page", "fixtures", `${name}.npy`));
+
+/** Opens the fold and waits for what is in it. @param {Page} page */
+async function unfold(page) {
+  await page.locator("#take-fold > summary").click();
+  await page.waitForSelector("#take-png");
+}
+
+/** Takes one thing away. @param {Page} page @param {string} id @returns {Promise<{ name: string, bytes: Buffer }>} */
+async function take(page, id) {
+  const [download] = await Promise.all([page.waitForEvent("download", { timeout: 30_000 }), page.click(`#take-${id}`)]);
+  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+}
+
+/** Hands a NumPy file to the page. @param {Page} page @param {string} name @param {Uint8Array} bytes */
+async function pickArray(page, name, bytes) {
+  await page.setInputFiles("#file", { name, mimeType: "application/octet-stream", buffer: Buffer.from(bytes) });
+}
+
+/** Makes pictures as a browser decodes them: `names` of variables in the page. @param {Page} page @param {Record<string, { bytes: Buffer, type: string }>} files */
+async function decode(page, files) {
+  await page.evaluate(async (given) => {
+    for (const [name, { base64, type }] of Object.entries(given)) {
+      const image = new Image();
+      image.src = `data:${type};base64,${base64}`;
+      await image.decode();
+      image.id = `decoded-${name}`;
+      image.hidden = true;
+      document.body.append(image);
+    }
+  }, Object.fromEntries(Object.entries(files).map(([name, { bytes, type }]) => [name, { base64: bytes.toString("base64"), type }])));
+}
+
+/** Mean difference of two decoded pictures' colours, 0 to 255, both drawn as large as the second. @param {Page} page @param {string} one @param {string} other */
+async function difference(page, one, other) {
+  return page.evaluate(([a, b]) => {
+    const [first, second] = [a, b].map((name) => /** @type {HTMLImageElement} */ (document.getElementById(`decoded-${name}`)));
+    const { naturalWidth: width, naturalHeight: height } = second;
+    const [left, right] = [first, second].map((image) => {
+      const context = new OffscreenCanvas(width, height).getContext("2d");
+      context?.drawImage(image, 0, 0, width, height);
+      return /** @type {ImageData} */ (context?.getImageData(0, 0, width, height)).data;
+    });
+    return left.reduce((sum, value, i) => sum + Math.abs(value - right[i]), 0) / left.length;
+  }, [one, other]);
+}
+
+/** How many pixels of a sheet are not those of the same place in a decoded picture of the stage, and how many are not ground. @param {Page} page @param {string} id @param {string} picture */
+async function unlike(page, id, picture) {
+  return page.evaluate(([pane, name]) => {
+    const figure = /** @type {HTMLElement} */ (document.getElementById(pane));
+    const stage = /** @type {HTMLElement} */ (document.getElementById("stage")).getBoundingClientRect();
+    const sheet = /** @type {HTMLElement} */ (figure.querySelector(".sheet")).getBoundingClientRect();
+    const canvases = [...figure.querySelectorAll("canvas")];
+    const { width, height } = canvases[0];
+    const ratio = devicePixelRatio;
+    const shown = new OffscreenCanvas(width, height).getContext("2d");
+    const taken = new OffscreenCanvas(width, height).getContext("2d");
+    if (!shown || !taken) throw new Error("no canvas");
+    shown.fillStyle = getComputedStyle(/** @type {HTMLElement} */ (document.getElementById("stage"))).backgroundColor;
+    shown.fillRect(0, 0, width, height);
+    for (const canvas of canvases) shown.drawImage(canvas, 0, 0);
+    const at = [sheet.left - stage.left, sheet.top - stage.top].map((place) => Math.round(place * ratio));
+    taken.drawImage(/** @type {HTMLImageElement} */ (document.getElementById(`decoded-${name}`)), -at[0], -at[1]);
+    const [a, b] = [shown, taken].map((context) => new Uint32Array(context.getImageData(0, 0, width, height).data.buffer));
+    return { pixels: a.length, unlike: a.filter((pixel, i) => pixel !== b[i]).length, ink: a.filter((pixel) => pixel !== a[0]).length };
+  }, [id, picture]);
+}
+
+/** Width and height of a PNG. @param {Buffer} bytes */
+function sizeOfPng(bytes) {
+  assert.equal(bytes.subarray(0, 8).toString("latin1"), "\x89PNG\r\n\x1a\n");
+  return [bytes.readUInt32BE(16), bytes.readUInt32BE(20)];
+}
+
+for (const ratio of [1, 2]) {
+  test(`a picture has the stage's pixels, ${ratio} a CSS pixel, and each size its own`, () => onPausedPage(async (page) => {
+    await page.click("#step-100");
+    await atRest(page);
+    await unfold(page);
+    const box = await page.locator("#stage").evaluate((stage) => stage.getBoundingClientRect().toJSON());
+    for (const scale of ratio === 1 ? [1, 2, 4] : [2]) {
+      await page.selectOption("#take-scale", String(scale));
+      const { name, bytes } = await take(page, "png");
+      assert.equal(name, "stones-prm-seed0-100.png");
+      assert.deepEqual(sizeOfPng(bytes), [Math.round(box.width * scale), Math.round(box.height * scale)]);
+      if (scale !== ratio) continue;
+      await decode(page, { png: { bytes, type: "image/png" } });
+      for (const pane of ["workspace", "cspace"]) {
+        const found = await unlike(page, pane, "png");
+        assert.ok(found.ink > found.pixels / 100, `${pane} shows something: ${found.ink}`);
+        assert.equal(found.unlike, 0, `${pane}: ${found.unlike} of ${found.pixels} pixels`);
+      }
+    }
+  }, { deviceScaleFactor: ratio }));
+}
+
+test("the drawing of lines is well formed and looks like the picture; it asks for nothing from elsewhere", () => onPausedPage(async (page) => {
+  await finish(page);
+  await unfold(page);
+  await page.selectOption("#take-scale", "1");
+  const png = await take(page, "png");
+  const svg = await take(page, "svg");
+  const text = svg.bytes.toString();
+  assert.ok(text.split("<path").length > 500, "its lines are paths");
+  assert.match(text, /<title>[^<]*roadmap[^<]*<\/title>/);
+  assert.doesNotMatch(text, /color-mix|image:\d|href="(?!data:image\/png)/);
+  // An image that is not well formed cannot be decoded.
+  await decode(page, { png: { bytes: png.bytes, type: "image/png" }, svg: { bytes: svg.bytes, type: "image/svg+xml" } });
+  const mean = await difference(page, "svg", "png");
+  assert.ok(mean > 0 && mean < 3, `the mean difference is ${mean}`);
+  const blank = Buffer.from(text.replace(/<path[^>]*>/g, ""));
+  await decode(page, { blank: { bytes: blank, type: "image/svg+xml" } });
+  assert.ok(await difference(page, "blank", "png") > 2 * mean, "without its lines it would not look like it");
+}));
+
+test("a moving picture has as many frames as were asked for, and ends with what the stage shows; the stage stands still meanwhile", () => onPausedPage(async (page) => {
+  await page.click("#step-100");
+  await atRest(page);
+  await unfold(page);
+  await page.selectOption("#take-scale", "1");
+  const png = await take(page, "png");
+  await page.selectOption("#take-frames", "24");
+  await page.selectOption("#take-width", "480");
+  const before = [await growthHash(page, "workspace"), await growthHash(page, "cspace"), JSON.stringify(await counters(page)), await page.inputValue("#time")];
+  await page.evaluate(() => {
+    /** @type {Set<string>} */
+    const seen = new Set();
+    const look = () => {
+      seen.add(`${document.getElementById("counters")?.dataset.iterations} ${document.getElementById("counters")?.dataset.settled}`);
+      if (document.body.dataset.looking !== "no") requestAnimationFrame(look);
+      else document.body.dataset.seen = [...seen].join("|");
+    };
+    look();
+  });
+  const gif = await take(page, "gif");
+  await page.evaluate(() => { document.body.dataset.looking = "no"; });
+  await page.waitForSelector("body[data-seen]");
+  assert.equal(await page.locator("body").getAttribute("data-seen"), "100 true", "no other iteration was told of meanwhile");
+  assert.deepEqual([await growthHash(page, "workspace"), await growthHash(page, "cspace"), JSON.stringify(await counters(page)), await page.inputValue("#time")], before);
+  assert.equal(gif.name, "stones-prm-seed0-100.gif");
+  assert.equal(gif.bytes.subarray(0, 6).toString("latin1"), "GIF89a");
+  assert.equal(gif.bytes.readUInt16LE(6), 480);
+  await decode(page, { png: { bytes: png.bytes, type: "image/png" } });
+  const moving = await page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    const decoder = new ImageDecoder({ data: bytes, type: "image/gif" });
+    await decoder.tracks.ready;
+    await decoder.completed;
+    const count = decoder.tracks.selectedTrack?.frameCount ?? 0;
+    const image = /** @type {HTMLImageElement} */ (document.getElementById("decoded-png"));
+    /** @type {number[]} */
+    const means = [];
+    let rest = 0;
+    for (const frameIndex of [0, Math.floor(count / 2), count - 1]) {
+      const { image: frame } = await decoder.decode({ frameIndex });
+      const { displayWidth: width, displayHeight: height } = frame;
+      const [one, other] = [frame, image].map((picture) => {
+        const context = new OffscreenCanvas(width, height).getContext("2d");
+        context?.drawImage(picture, 0, 0, width, height);
+        return /** @type {ImageData} */ (context?.getImageData(0, 0, width, height)).data;
+      });
+      means.push(one.reduce((sum, value, i) => sum + Math.abs(value - other[i]), 0) / one.length);
+      rest = frame.duration ?? 0;
+      frame.close();
+    }
+    return { count, means, rest };
+  }, gif.bytes.toString("base64"));
+  assert.equal(moving.count, 24);
+  assert.ok(moving.rest >= 2e6, `the last frame rests for ${moving.rest} us`);
+  const [first, middle, last] = moving.means;
+  assert.ok(last < 3 && last < middle && middle < first, `the mean differences to the picture are ${moving.means}`);
+}));
+
+test("a moving picture can be cancelled, and is not gone on with when another run begins", () => onPausedPage(async (page) => {
+  await finish(page);
+  await unfold(page);
+  await page.selectOption("#take-frames", "96");
+  await page.click("#take-gif");
+  await page.click("#take-cancel");
+  await page.waitForFunction(() => document.getElementById("take-told")?.textContent === "Cancelled.");
+  assert.equal(await page.locator("#take-progress").isVisible(), false);
+  await page.click("#take-gif");
+  await page.waitForSelector("#take-progress");
+  await page.click("#reset");
+  await page.waitForSelector("#notice[data-code=run-replaced]");
+  await page.click("#step-10");
+  assert.equal((await atRest(page)).iterations, 10);
+  assert.match((await take(page, "gif")).name, /-10\.gif$/);
+}));
+
+test("what is not to be had says why", () => onPausedPage(async (page) => {
+  await unfold(page);
+  assert.deepEqual([await page.isDisabled("#take-gif"), await page.isDisabled("#take-path"), await page.isDisabled("#take-png")], [true, true, false]);
+  assert.match(await page.innerText("#take-gif-hint"), /Nothing has happened/);
+  assert.match(await page.innerText("#take-path-hint"), /No path/);
+  await finish(page);
+  assert.deepEqual([await page.isDisabled("#take-gif"), await page.isDisabled("#take-path")], [false, false]);
+}));
+
+test("a scene that was taken away and is opened again plans the same", () => onPausedPage(async (page) => {
+  await page.selectOption("#planner", "rrt-connect");
+  const { fingerprint } = await finish(page);
+  await unfold(page);
+  const { name, bytes } = await take(page, "scenario");
+  assert.equal(name, "stones.json");
+  await pickFile(page, name, bytes.toString());
+  await page.waitForSelector("body[data-scene=file]");
+  assert.equal((await finish(page)).fingerprint, fingerprint);
+  assert.match(fingerprint, /^[0-9a-f]{16}$/);
+}));
+
+test("counters, result, path and vertices are the numbers of the run", () => onPausedPage(async (page) => {
+  const run = await finish(page);
+  await unfold(page);
+  const csv = (await take(page, "counters")).bytes.toString().trimEnd().split("\r\n").map((row) => row.split(","));
+  assert.deepEqual(csv[0], ["iteration", "vertices", "edges", "events", "phase", "configuration_checks", "motion_checks", "clearance_evaluations", "cost"]);
+  assert.equal(csv.length - 1, run.iterations + 1);
+  assert.deepEqual(csv[1].slice(0, 5), ["0", "2", "0", "0", "sampling"]);
+  const last = csv[csv.length - 1];
+  assert.deepEqual(last.slice(0, 3), [run.iterations, run.vertices, run.edges].map(String));
+  assert.equal(last[5], (await page.innerText("#count-checks")).replace(",", ""));
+
+  const result = await take(page, "result");
+  const { path, fingerprint, length, stats } = JSON.parse(result.bytes.toString());
+  assert.deepEqual([fingerprint, length, stats.vertices], [run.fingerprint, run.length, run.vertices]);
+
+  const taken = await take(page, "path");
+  assert.equal(taken.name, `stones-prm-seed0-${run.iterations}-path.npy`);
+  assert.deepEqual(readNpy(taken.bytes), { shape: [path.length, 2], data: Float64Array.from(path.flat()) });
+  const vertices = readNpy((await take(page, "vertices")).bytes);
+  assert.deepEqual(vertices.shape, [run.vertices, 2]);
+  assert.deepEqual(vertices.data.slice(0, 4), Float64Array.from([...path[0], ...path[path.length - 1]]), "start and goal come first");
+  await page.fill("#time", "50");
+  await page.locator("#time").blur();
+  await page.waitForSelector("#counters[data-iterations='50'][data-settled=true]", { state: "attached" });
+  assert.equal(readNpy((await take(page, "vertices")).bytes).shape[0], (await counters(page)).vertices, "those that are shown");
+}));
+
+test("of a race each planner is told of, in one table, and by choice in a file of its own", () => onPausedPage(async (page) => {
+  await page.locator("#race-fold > summary").click();
+  await page.click("#add-rival");
+  await page.waitForSelector("#lane-B");
+  await page.click("#finish");
+  await page.waitForFunction(() => [...document.querySelectorAll("#standings tbody tr")].length === 2 && document.getElementById("counters")?.dataset.settled === "true", undefined, { timeout: 60_000 });
+  await unfold(page);
+  const rows = (await take(page, "counters")).bytes.toString().trimEnd().split("\r\n").map((row) => row.split(","));
+  assert.deepEqual(rows[0].slice(0, 2), ["planner", "iteration"]);
+  assert.equal(new Set(rows.slice(1).map(([planner]) => planner)).size, 2);
+  await page.selectOption("#take-lane", "1");
+  const { planner } = JSON.parse((await take(page, "result")).bytes.toString());
+  assert.ok(rows.some(([name]) => name === `"B ${planner}"`), planner);
+  const { name, bytes } = await take(page, "png");
+  assert.match(name, /^stones-race-/);
+  assert.ok(sizeOfPng(bytes)[0] > 100);
+}));
+
+describe("arrays of NumPy's come in", () => {
+  const SQUARES = [0.1, 0.1, 0.2, 0.1, 0.2, 0.2, 0.1, 0.2, /**/ 1.7, 1.7, 1.9, 1.7, 1.9, 1.9, 1.7, 1.9];
+
+  test("polygons are added to the scene, or replace its obstacles, under the same planner and parameters", () => onPausedPage(async (page) => {
+    await page.selectOption("#planner", "rrt-connect");
+    const before = await obstacles(page);
+    await pickArray(page, "squares.npy", writeNpy(Float64Array.from(SQUARES), [2, 4, 2]));
+    await page.waitForSelector("#notice.question");
+    assert.match(await page.innerText("#notice"), /squares\.npy holds 2 polygons of 8 vertices/);
+    assert.equal(await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).dataset.choice), "add", "the keyboard is at the choices");
+    await page.keyboard.press("Enter");
+    await page.waitForSelector("body[data-scene=file]");
+    assert.equal(await obstacles(page), before + 2);
+    assert.equal(await page.inputValue("#planner"), "rrt-connect");
+    assert.equal(await page.locator("#notice").isVisible(), false);
+    await pickArray(page, "squares.npy", writeNpy(Float64Array.from(SQUARES), [2, 4, 2]));
+    await page.click("#notice [data-choice=replace]");
+    await page.waitForFunction(() => document.getElementById("notice")?.hidden);
+    assert.equal(await obstacles(page), 2);
+    assert.equal((await finish(page)).status, "solved");
+  }));
+
+  test("objects are read as NumPy 1 and 2 pickle them; Escape leaves the scene alone", () => onPausedPage(async (page) => {
+    const before = await obstacles(page);
+    for (const name of ["numpy1-ragged", "numpy2-ragged"]) {
+      await pickArray(page, "ragged.npy", fixture(name));
+      await page.waitForSelector("#notice.question");
+      assert.match(await page.innerText("#notice"), /3 polygons of 10 vertices/);
+      await page.keyboard.press("Escape");
+      assert.equal(await page.locator("#notice").isVisible(), false);
+    }
+    assert.equal(await page.locator("body").getAttribute("data-scene"), "stones");
+    assert.equal(await obstacles(page), before);
+  }));
+
+  test("configurations are marked on both sheets, by shape, counted, and cleared; another scene has none", () => onPausedPage(async (page) => {
+    const blank = await pixelsOf(page, "workspace", "ground", "collision");
+    // Straight poses all around: some touch a stone, some do not.
+    const rows = Float64Array.from({ length: 400 }, (_, i) => (i % 2 ? (Math.floor(i / 20) / 20) * 5 - 2.5 : ((i % 20) / 20) * 6 - 3));
+    await pickArray(page, "poses.npy", writeNpy(rows, [200, 2]));
+    await page.click("#notice [data-choice=mark]");
+    await page.waitForSelector("#marked[data-count='200']");
+    await atRest(page);
+    const free = Number(await page.locator("#marked").getAttribute("data-free"));
+    assert.ok(free > 0 && free < 200, `${free} are free`);
+    assert.match(await page.innerText("#marked"), new RegExp(`200 configurations of poses.npy: *${free} free, *${200 - free} in collision`));
+    assert.equal(blank, 0);
+    for (const pane of ["workspace", "cspace"]) {
+      assert.ok(await pixelsOf(page, pane, "ground", "collision") > 50, `${pane}: crosses`);
+      assert.ok(await pixelsOf(page, pane, "ground", "ink") > 50, `${pane}: discs`);
+    }
+    // More than a polygon may have can only be configurations.
+    await pickArray(page, "cloud.npy", writeNpy(new Float64Array(12_000), [6000, 2]));
+    await page.waitForSelector("#marked[data-count='6000']");
+    await page.click("#marked button");
+    await atRest(page);
+    assert.equal(await pixelsOf(page, "cspace", "ground", "collision"), 0);
+    assert.equal(await page.locator("#marked").isVisible(), false);
+    await pickArray(page, "poses.npy", writeNpy(rows.slice(0, 4), [2, 2]));
+    await page.waitForSelector("#marked[data-count='2']:not([hidden])");
+    await chooseScene(page, "pillar");
+    assert.equal(await page.locator("#marked").isVisible(), false);
+    assert.equal(await pixelsOf(page, "workspace", "ground", "collision"), 0);
+  }));
+
+  test("whatever is wrong is refused in a sentence with a code, and the stage stays as it was", () => onPausedPage(async (page) => {
+    /** @type {[string, Uint8Array, RegExp][]} */
+    const files = [
+      ["hostile.npy", pickled("\x80\x02cos\nsystem\n(X\x02\x00\x00\x00lstR."), /asks for os\.system, which is refused/],
+      ["exec.npy", pickled("\x80\x02cbuiltins\nexec\n(X\x01\x00\x00\x00xtR."), /asks for builtins\.exec/],
+      ["cut.npy", fixture("numpy2-ragged").subarray(0, 170), /./],
+      ["empty.npy", new Uint8Array(), /not a NumPy array/],
+      ["wide.npy", writeNpy(new Float64Array(35), [5, 7]), /Its shape is \(5, 7\)/],
+      ["nan.npy", writeNpy(Float64Array.of(0, 0, 1, NaN, 2, 2), [1, 3, 2]), /Vertex 1 of polygon 0 must be two finite numbers/],
+      ["pair.npy", writeNpy(Float64Array.of(0, 0, 1, NaN), [2, 2]), /Number 1 of configuration 1 is not finite/],
+      ["many.npy", writeNpy(new Float64Array(5001 * 2 * 3), [5001, 3, 2]), /5000 vertices|list of polygons/],
+      ["huge.npy", new Uint8Array(11 * 2 ** 20).fill(0x93), /11\.0 MB; at most 10 MB/],
+    ];
+    for (const [name, bytes, sentence] of files) {
+      await pickArray(page, name, bytes);
+      await page.waitForFunction((file) => document.querySelector("#notice strong")?.textContent?.startsWith(file), name);
+      const text = await page.innerText("#notice");
+      assert.match(text, sentence, name);
+      assert.match(await page.locator("#notice").getAttribute("data-code") ?? "", name === "huge.npy" ? /^too-large$/ : /^invalid-npy$/, name);
+    }
+    // The core has the last word: a polygon that crosses itself.
+    await pickArray(page, "bow.npy", writeNpy(Float64Array.of(0.1, 0.1, 0.3, 0.3, 0.3, 0.1, 0.1, 0.3), [1, 4, 2]));
+    await page.click("#notice [data-choice=add]");
+    await page.waitForSelector("#notice[data-code]:not(.question)");
+    assert.match(await page.locator("#notice").getAttribute("data-pointer") ?? "", /^\/world\/obstacles\/\d+/);
+    assert.equal(await page.locator("body").getAttribute("data-scene"), "stones");
+    assert.equal((await finish(page)).status, "solved");
+  }));
+});
+
+test("what is copied to embed the stage opens it there", () => onPausedPage(async (page, url) => {
+  await page.selectOption("#planner", "rrt");
+  await page.click("#step-100");
+  await atRest(page);
+  await unfold(page);
+  await page.locator("#embed-fold > summary").click();
+  for (const [kind, sign] of [["page", /^<iframe src="([^"]+)"/], ["slides", /data-src="([^"]+)"/], ["notebook", /IFrame\("([^"]+)"/]]) {
+    await page.selectOption("#embed-kind", String(kind));
+    await page.waitForFunction(([source]) => new RegExp(source).test(/** @type {HTMLTextAreaElement} */ (document.getElementById("embed-text")).value), [/** @type {RegExp} */ (sign).source]);
+    const [, address] = /** @type {RegExp} */ (sign).exec(await page.inputValue("#embed-text")) ?? [];
+    assert.ok(address.startsWith(`${url}?embed=1#`), address);
+    if (kind !== "notebook") continue;
+    await page.goto(address);
+    await page.waitForSelector("#counters[data-settled=true][data-iterations='100']", { state: "attached" });
+    assert.equal(await page.inputValue("#planner"), "rrt");
+  }
+}));
+
+test("on a phone all of it is at hand, and the picture is as tall as the stage", () => onPausedPage(async (page) => {
+  await page.click("#step-100");
+  await atRest(page);
+  await unfold(page);
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  for (const button of await page.locator("#take button:visible, #take select:visible").all()) {
+    const box = await button.boundingBox();
+    assert.ok(box && box.height >= 24 && box.x >= 0 && box.x + box.width <= 390, await button.innerText());
+  }
+  await page.selectOption("#take-scale", "2");
+  const [width, height] = sizeOfPng((await take(page, "png")).bytes);
+  assert.ok(height > 1.5 * width, `${width} x ${height}: one sheet below the other`);
+  await pickArray(page, "poses.npy", writeNpy(new Float64Array(4), [2, 2]));
+  await page.waitForSelector("#marked:not([hidden])");
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+}, { viewport: { width: 390, height: 844 }, colorScheme: "dark" }));
+
+/** How many obstacles the scene on the stage has: read from what would be taken away. @param {Page} page */
+async function obstacles(page) {
+  if (await page.locator("#take-scenario").count() === 0) await unfold(page);
+  return JSON.parse((await take(page, "scenario")).bytes.toString()).world.obstacles.length;
+}
+
+/** A NumPy file of one object, pickled by hand. @param {string} body  each character a byte */
+function pickled(body) {
+  const head = "{'descr': '|O', 'fortran_order': False, 'shape': (1,), }\n";
+  return Uint8Array.from(`\x93NUMPY\x01\0${String.fromCharCode(head.length, 0)}${head}${body}`, (c) => c.charCodeAt(0));
+}

@@ -1,0 +1,374 @@
+/** What can be seen on the stage: what is pointed at, what was refused, who waits, poses along the path, planes, numbers. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { Scenario } from "planarium";
+import { View } from "../../www/stage/view.js";
+import { atRest, chooseScene, finish, onPausedPage, pixelsOf, root, setParameter, start, stop } from "./browser.mjs";
+import { SCENES } from "../../www/scenes.js";
+
+/** @import { Page } from "./browser.mjs" */
+
+before(start);
+after(stop);
+
+const PHONE = { viewport: { width: 390, height: 844 } };
+
+/** One of the page's scenes. @param {string} id */
+const scenarioOf = (id) => Scenario.parse(readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8"));
+
+/** The page's run of a scene, made here. @param {string} id @param {Record<string, number | string>} [more] */
+function planned(id, more) {
+  const entry = SCENES.find((scene) => scene.id === id);
+  assert.ok(entry);
+  const scenario = scenarioOf(id);
+  const planner = scenario.planner({ algorithm: /** @type {"prm"} */ (entry.algorithm), ...entry.settings, ...more });
+  while (planner.step(1000) === "running");
+  return { scenario, planner };
+}
+
+/** Pixels of a sheet for coordinates of the configuration square, whose range is a whole turn. @param {Page} page */
+async function square(page) {
+  const box = await page.locator("#cspace .sheet").boundingBox();
+  assert.ok(box);
+  const view = new View({ min: [-Math.PI, -Math.PI], max: [Math.PI, Math.PI] }, box.width, box.height, { left: 34, right: 12, top: 12, bottom: 32 }, true);
+  return (/** @type {number} */ a, /** @type {number} */ b) => ({ x: view.x(a), y: view.y(b) });
+}
+
+/** Sets a switch, a number or a choice of the view. @param {Page} page @param {string} id @param {string | boolean} value */
+async function see(page, id, value) {
+  await page.evaluate(() => { /** @type {HTMLDetailsElement} */ (document.getElementById("view-fold")).open = true; });
+  const control = page.locator(`#${id}`);
+  if (typeof value === "boolean") await control.setChecked(value);
+  else if (await control.evaluate((element) => element.tagName === "SELECT")) await control.selectOption(value);
+  else await control.fill(value);
+  await atRest(page);
+  await frames(page);
+}
+
+/** Where a layer has ink. @param {Page} page @param {string} pane @param {string} layer @param {number} [least]  of 255: how dense @returns {Promise<number[][]>} device pixels */
+const inked = (page, pane, layer, least = 1) => page.evaluate(([id, name, dense]) => {
+  const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(`#${id} canvas[data-layer=${name}]`));
+  const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
+  if (!context) return [];
+  context.drawImage(canvas, 0, 0);
+  const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+  return Array.from({ length: data.length / 4 }, (_, i) => i).filter((i) => data[4 * i + 3] >= Number(dense)).map((i) => [i % canvas.width, Math.floor(i / canvas.width)]);
+}, [pane, layer, least]);
+
+/** @param {Page} page */
+const frames = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+
+/** The line beneath the stage. @param {Page} page */
+async function readout(page) {
+  await atRest(page);
+  await frames(page);
+  return page.locator("#readout").evaluate((element) => {
+    const { vertex, free } = /** @type {HTMLElement} */ (element).dataset;
+    return { text: element.textContent ?? "", vertex: vertex === undefined ? null : Number(vertex), free: free ?? "" };
+  });
+}
+
+describe("what is pointed at", () => {
+  test("a point of the square is an arm in the workspace, named where it collides; nothing is held by it", async () => {
+    await onPausedPage(async (page) => {
+      const scenario = scenarioOf("stones");
+      const at = await square(page);
+      const grid = Array.from({ length: 400 }, (_, i) => [-3 + (6 * (i % 20)) / 19, -3 + (6 * Math.floor(i / 20)) / 19]);
+      const hits = grid.filter((q) => scenario.check(q).touching.length === 1);
+      const ways = grid.filter((q) => scenario.check(q).free && Math.hypot(q[0] - 0.1, q[1] - 0.2) > 1.5 && Math.hypot(q[0] + 2.6, q[1] + 0.3) > 1.5);
+      const before = await page.locator("#stage").boundingBox();
+      const ends = { collision: await pixelsOf(page, "workspace", "top", "collision"), ink: await pixelsOf(page, "cspace", "top", "ink") };
+      const [hit, way] = [hits[Math.floor(hits.length / 2)], ways[Math.floor(ways.length / 2)]];
+      await page.hover("#cspace .sheet", { position: at(hit[0], hit[1]) });
+      const bad = await readout(page);
+      const { part, obstacle } = scenario.check(hit).touching[0];
+      assert.match(bad.text, new RegExp(`^Pose .* rad: link ${part} touches obstacle ${obstacle}\\.$`));
+      assert.deepEqual([bad.vertex, bad.free], [-1, "false"]);
+      assert.ok(await pixelsOf(page, "workspace", "top", "collision") > ends.collision + 60);
+      assert.ok(await page.isVisible("#legend-touching"));
+      await page.hover("#cspace .sheet", { position: at(way[0], way[1]) });
+      const good = await readout(page);
+      assert.match(good.text, /^Pose .* rad: free\.$/);
+      assert.ok(await pixelsOf(page, "workspace", "top", "ink") > 60, "the arm is drawn");
+      assert.ok(await pixelsOf(page, "cspace", "top", "ink") > ends.ink + 20, "the point is in a ring");
+      assert.equal(await pixelsOf(page, "workspace", "top", "collision"), ends.collision);
+      assert.equal(await page.locator("#stage.in-hand").count(), 0);
+      assert.deepEqual(await page.locator("#stage").boundingBox(), before, "nothing has moved");
+      await page.hover("#story");
+      assert.equal((await readout(page)).vertex, null);
+      assert.ok(await pixelsOf(page, "cspace", "top", "ink") <= ends.ink);
+    });
+  });
+
+  for (const options of [{}, PHONE]) {
+    test(`near a vertex it is that vertex, in both panes${options === PHONE ? ", on a phone" : ""}`, async () => {
+      await onPausedPage(async (page) => {
+        const { scenario, planner } = planned("stones");
+        await finish(page);
+        const rows = planner.verticesSince(0);
+        const edges = planner.edgesSince(0);
+        const at = await square(page);
+        const sheet = await page.locator("#workspace .sheet").boundingBox();
+        assert.ok(sheet);
+        const world = new View(scenario.extent(), sheet.width, sheet.height, { left: 14, right: 14, top: 14, bottom: 14 }, false);
+        const tips = scenario.endEffectors(rows);
+        const count = rows.length / 2;
+        for (const wanted of [17, 60, 201]) {
+          for (const pane of ["cspace", "workspace"]) {
+            const place = (/** @type {number} */ v) => (pane === "cspace" ? at(rows[2 * v], rows[2 * v + 1]) : { x: world.x(tips[2 * v]), y: world.y(tips[2 * v + 1]) });
+            const { x, y } = place(wanted);
+            const point = { x: x + 1, y: y + 1 };
+            let [nearest, least] = [-1, Infinity];
+            for (let v = 0; v < count; v++) {
+              const other = place(v);
+              const distance = Math.hypot(other.x - point.x, other.y - point.y);
+              if (distance < least) [nearest, least] = [v, distance];
+            }
+            // On a phone the transport stands over the lower end of the page.
+            await page.locator(`#${pane}`).evaluate((figure) => figure.scrollIntoView({ block: "start" }));
+            await page.hover(`#${pane} .sheet`, { position: point, force: true });
+            const told = await readout(page);
+            assert.equal(told.vertex, nearest, `${pane}, vertex ${wanted}`);
+            const degree = edges.filter((end) => end === nearest).length;
+            const numbers = [...rows.slice(2 * nearest, 2 * nearest + 2)].map((value) => value.toFixed(2).replace("-", "\u2212")).join(", ");
+            assert.equal(told.text, `Vertex ${nearest} at ${numbers} rad: ${degree} ${degree === 1 ? "edge" : "edges"}.`);
+          }
+        }
+        // As of an earlier iteration there is nothing but the start.
+        await page.fill("#time", "0");
+        await page.press("#time", "Enter");
+        const { x, y } = at(rows[2 * 60], rows[2 * 60 + 1]);
+        await page.locator("#cspace").evaluate((figure) => figure.scrollIntoView({ block: "start" }));
+        await page.hover("#cspace .sheet", { position: { x, y }, force: true });
+        assert.equal((await readout(page)).vertex, -1);
+      }, options);
+    });
+  }
+
+  test("without a pointer a vertex is read by its number: its parent and the way from its root", async () => {
+    await onPausedPage(async (page) => {
+      const { scenario, planner } = planned("firs", { algorithm: "rrt", step: 0.35, seed: 7 });
+      await chooseScene(page, "firs");
+      await page.selectOption("#planner", "rrt");
+      await page.waitForSelector("#parameter-goal_bias");
+      await setParameter(page, "step", "0.35");
+      await setParameter(page, "seed", "7");
+      assert.equal((await finish(page)).fingerprint, planner.fingerprint());
+      const bare = await pixelsOf(page, "workspace", "top", "ink");
+      await see(page, "inspect", "1");
+      const goal = await readout(page);
+      assert.equal(goal.vertex, 1);
+      assert.ok(goal.text.endsWith(`; ${planner.result().length.toFixed(2)} rad from the root.`), goal.text);
+      const rows = planner.verticesSince(0);
+      const edges = planner.edgesSince(0);
+      const parent = edges[edges.indexOf(9, 1) - 1];
+      const away = scenario.distance(rows.slice(2 * parent, 2 * parent + 2), rows.slice(18, 20)).toFixed(2);
+      await page.press("#inspect", "ArrowUp");
+      for (let i = 0; i < 7; i++) await page.press("#inspect", "ArrowUp");
+      const told = await readout(page);
+      assert.equal(told.vertex, 9);
+      assert.match(told.text, new RegExp(`\\. Parent ${parent}, ${away} rad away; `));
+      const ringed = await pixelsOf(page, "workspace", "top", "ink");
+      assert.ok(ringed > bare + 15, `${bare}, then ${ringed} pixels`);
+      await see(page, "inspect", "");
+      assert.equal((await readout(page)).vertex, null);
+    });
+  });
+});
+
+describe("what the planner did", () => {
+  test("refused samples stay as crosses, refused motions as lines that end where they hit; the legend says so", async () => {
+    await onPausedPage(async (page) => {
+      const scenario = scenarioOf("stones");
+      await page.selectOption("#planner", "rrt");
+      await page.waitForSelector("#parameter-goal_bias");
+      await setParameter(page, "step", "1.5");
+      await finish(page);
+      assert.equal((await inked(page, "cspace", "marks")).length, 0);
+      assert.equal(await page.isVisible("#legend-rejected"), false);
+      await see(page, "view-refused", true);
+      assert.ok(await page.isVisible("#legend-rejected"));
+      const places = await inked(page, "cspace", "marks", 100);
+      assert.ok(places.length > 200, `${places.length} pixels`);
+      const at = await square(page);
+      const [low, high] = [at(-Math.PI, -Math.PI), at(Math.PI, Math.PI)];
+      // Two pixels beside the border of an obstacle are the width of the line.
+      const deep = places.filter(([x, y]) => [[-2, 0], [2, 0], [0, -2], [0, 2]].every(([dx, dy]) => {
+        const q = [(x + dx + 0.5 - low.x) / (high.x - low.x), (y + dy + 0.5 - low.y) / (high.y - low.y)].map((part) => -Math.PI + 2 * Math.PI * part);
+        return !scenario.check(q).free;
+      }));
+      assert.ok(deep.length < 0.02 * places.length, `${deep.length} of ${places.length} pixels are inside of obstacles`);
+      assert.equal(await page.locator("#legend-rejected").getAttribute("data-kinds"), "motions");
+      await page.selectOption("#planner", "prm");
+      await page.waitForSelector("#parameter-samples");
+      await finish(page);
+      const kinds = await page.locator("#legend-rejected").getAttribute("data-kinds");
+      assert.equal(kinds, "samples motions");
+      const crosses = (await inked(page, "workspace", "marks")).length;
+      await see(page, "view-refused", false);
+      const without = (await inked(page, "workspace", "marks")).length;
+      assert.ok(crosses > without + 2000, `${crosses} pixels with crosses, ${without} without`);
+    });
+  });
+
+  test("while a roadmap is searched those who wait are in rings, and the legend names them; else not", async () => {
+    await onPausedPage(async (page) => {
+      const { iterations } = await finish(page);
+      assert.equal(await page.isVisible("#legend-waiting"), false);
+      await page.fill("#time", String(iterations - 8));
+      await page.press("#time", "Enter");
+      await atRest(page);
+      assert.equal(await page.locator("#counters").getAttribute("data-phase"), "searching");
+      assert.ok(await page.isVisible("#legend-waiting"));
+      const rings = await pixelsOf(page, "cspace", "top", "ink");
+      assert.ok(rings > 100, `${rings} pixels`);
+      await page.fill("#time", "300");
+      await page.press("#time", "Enter");
+      await atRest(page);
+      await frames(page);
+      assert.equal(await page.isVisible("#legend-waiting"), false);
+      assert.ok(await pixelsOf(page, "cspace", "top", "ink") < rings / 4);
+    });
+  });
+});
+
+describe("the path", () => {
+  for (const id of ["stones", "rings"]) {
+    test(`${id}: as many poses along it as are wanted, or none`, async () => {
+      await onPausedPage(async (page) => {
+        await chooseScene(page, id);
+        await finish(page);
+        await page.locator("#along").fill("0");
+        await see(page, "view-poses", "3");
+        const few = (await inked(page, "workspace", "top")).length;
+        await see(page, "view-poses", "24");
+        const many = (await inked(page, "workspace", "top")).length;
+        assert.ok(await page.isVisible("#legend-poses"));
+        await see(page, "view-strobe", false);
+        const none = (await inked(page, "workspace", "top")).length;
+        assert.ok(none < few && few < many, `${none}, ${few}, ${many} pixels`);
+        assert.equal(await page.isVisible("#legend-poses"), false);
+        await see(page, "view-poses", "40");
+        assert.equal(await page.getAttribute("#view-poses", "aria-invalid"), "true");
+      });
+    });
+  }
+
+  test("as it was found beside the shortened one, with both lengths in words", async () => {
+    await onPausedPage(async (page) => {
+      const { scenario, planner } = planned("shelf", { shortcut: 100 });
+      await chooseScene(page, "shelf");
+      await page.evaluate(() => { for (const more of /** @type {NodeListOf<HTMLDetailsElement>} */ (document.querySelectorAll("#more, #more details"))) more.open = true; });
+      await setParameter(page, "shortcut", "100");
+      await finish(page);
+      await page.locator("#along").fill("0.5");
+      await atRest(page);
+      const [raw, n] = [planner.rawPath(), scenario.dimension];
+      let found = 0;
+      for (let i = n; i < raw.length; i += n) found += scenario.distance(raw.slice(i - n, i), raw.slice(i, i + n));
+      const { length } = planner.result();
+      assert.ok(found > length + 0.1);
+      assert.equal(await page.textContent("#view-lengths"), `${found.toFixed(2)} rad as found, ${length.toFixed(2)} rad shortened.`);
+      assert.match(await page.innerText("#story"), new RegExp(`a path of ${length.toFixed(2)} rad, cut from ${found.toFixed(2)} rad`));
+      assert.equal(await page.isVisible("#legend-raw"), false);
+      const alone = await pixelsOf(page, "cspace", "top", "path");
+      await see(page, "view-raw", true);
+      assert.ok(await page.isVisible("#legend-raw"));
+      const both = await pixelsOf(page, "cspace", "top", "path");
+      assert.ok(both > alone + 20, `${alone}, then ${both} pixels`);
+    });
+  });
+});
+
+describe("planes of more than two joints", () => {
+  test("two selects say which joints, the caption says it too, and the same one twice is not possible", async () => {
+    await onPausedPage(async (page) => {
+      assert.equal(await page.locator("#view-plane").evaluate((element) => /** @type {HTMLElement} */ (element).hidden), true);
+      const { planner } = planned("thicket");
+      await chooseScene(page, "thicket");
+      await finish(page);
+      await see(page, "view-across", "2");
+      await see(page, "view-up", "3");
+      assert.match(await page.innerText("#cspace figcaption"), /joint 2 across, joint 3 up/);
+      const rows = planner.verticesSince(0);
+      const at = await square(page);
+      const [x, y] = [rows[4 * 30 + 2], rows[4 * 30 + 3]];
+      await page.hover("#cspace .sheet", { position: at(x, y) });
+      const { vertex } = await readout(page);
+      assert.ok(vertex !== null && vertex >= 0);
+      const there = at(rows[4 * vertex + 2], rows[4 * vertex + 3]);
+      assert.ok(Math.hypot(there.x - at(x, y).x, there.y - at(x, y).y) < 2, `vertex ${vertex} is in another place`);
+      await see(page, "view-across", "3");
+      assert.match(await page.innerText("#cspace figcaption"), /joint 3 across, joint 2 up/);
+      assert.equal(await page.inputValue("#view-up"), "2");
+      await chooseScene(page, "stones");
+      assert.doesNotMatch(await page.innerText("#cspace figcaption"), /across/);
+    });
+  });
+
+  test("a slice shows what collides with the other joints as the robot has them", async () => {
+    await onPausedPage(async (page) => {
+      const scenario = scenarioOf("thicket");
+      await chooseScene(page, "thicket");
+      assert.ok(await pixelsOf(page, "cspace", "ground", "obstacle") < 50);
+      await see(page, "view-slice", true);
+      assert.match(await page.innerText("#cspace figcaption"), /slice at the robot’s pose/);
+      const { start: pose } = scenario.document().queries[0];
+      const at = await square(page);
+      const grid = Array.from({ length: 900 }, (_, i) => [-3.05 + (6.1 * (i % 30)) / 29, -3.05 + (6.1 * Math.floor(i / 30)) / 29]);
+      const filled = await page.evaluate((points) => {
+        const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector("#cspace canvas[data-layer=ground]"));
+        const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
+        context?.drawImage(canvas, 0, 0);
+        return points.map(({ x, y }) => (context?.getImageData(Math.floor(x), Math.floor(y), 1, 1).data[3] ?? 0) > 128);
+      }, grid.map(([a, b]) => at(a, b)));
+      const hits = grid.map(([a, b]) => !scenario.check([a, b, pose[2], pose[3]]).free);
+      const agree = hits.filter((hit, i) => hit === filled[i]).length / hits.length;
+      assert.ok(hits.some(Boolean) && !hits.every(Boolean));
+      assert.ok(agree > 0.95, `${(100 * agree).toFixed(1)} % of the points agree`);
+      await see(page, "view-slice", false);
+      assert.ok(await pixelsOf(page, "cspace", "ground", "obstacle") < 50);
+    });
+  });
+});
+
+describe("numbers", () => {
+  test("those of the run, in one line that never changes its height", async () => {
+    await onPausedPage(async (page) => {
+      const height = async () => (await page.locator(".numbers").boundingBox())?.height;
+      const before = await height();
+      const { planner } = planned("stones");
+      const { configuration_checks: checks, motion_checks: motions, clearance_evaluations: evaluations, nearest_queries: nearest } = planner.stats();
+      await finish(page);
+      const text = async (/** @type {string} */ name) => page.locator(`#count-${name}`).innerText();
+      const grouped = (/** @type {number} */ count) => count.toLocaleString("en");
+      assert.deepEqual(
+        [await text("checks"), await text("motions"), await text("evaluations"), await text("nearest"), await text("segments")],
+        [checks, motions, evaluations, nearest, planner.result().path.length - 1].map(grouped),
+      );
+      assert.equal(await text("length"), `${planner.result().length.toFixed(2)} rad`);
+      assert.match(await text("time"), /^[\d.]+ m?s$/);
+      assert.match(await text("rate"), /^[\d,.]+[KM]?$/);
+      assert.equal(await height(), before);
+      // What is not known of an earlier iteration is a dash.
+      await page.click("#back");
+      await atRest(page);
+      assert.deepEqual([await text("nearest"), await text("time"), await text("rate")], ["\u2013", "\u2013", "\u2013"]);
+      const rows = await page.locator(".numbers dd:visible").evaluateAll((all) => new Set(all.map((element) => Math.round(element.getBoundingClientRect().top))).size);
+      assert.equal(rows, 1);
+    });
+  });
+
+  test("on a phone the rest is folded away", async () => {
+    await onPausedPage(async (page) => {
+      assert.equal(await page.locator("#count-checks").isVisible(), false);
+      assert.ok(await page.locator("#count-vertices").isVisible());
+      await page.click("#more-counters summary");
+      assert.ok(await page.locator("#count-checks").isVisible());
+      const [width, room] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
+      assert.ok(width <= room, `${width} in ${room} pixels`);
+    }, PHONE);
+  });
+});

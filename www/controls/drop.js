@@ -1,0 +1,50 @@
+/** A file of the reader's own, a scenario or an array of NumPy's: picked, or dropped anywhere on the page. */
+import { byId } from "./dom.js";
+
+/** Largest file that is read, bytes. */
+const MOST = 10 * 1024 * 1024;
+
+/**
+ * @param {(name: string, bytes: Uint8Array<ArrayBuffer>) => void} onFile
+ * @param {(name: string, error: Error) => void} onError   the file could not be read
+ */
+export function watchFiles(onFile, onError) {
+  const input = byId("file", HTMLInputElement);
+  const button = byId("open", HTMLButtonElement);
+  const veil = byId("veil", HTMLElement);
+  button.disabled = false;
+  button.addEventListener("click", () => input.click());
+  input.addEventListener("change", () => {
+    const file = input.files?.[0];
+    if (file) void read(file);
+    input.value = "";
+  });
+  addEventListener("dragover", (event) => {
+    if (!event.dataTransfer?.types.includes("Files")) return;
+    event.preventDefault();
+    veil.hidden = false;
+  });
+  addEventListener("dragleave", (event) => { if (!event.relatedTarget) veil.hidden = true; });
+  addEventListener("drop", (event) => {
+    veil.hidden = true;
+    const file = event.dataTransfer?.files[0];
+    if (!file) return;
+    event.preventDefault();
+    void read(file);
+  });
+
+  /** @param {File} file */
+  async function read(file) {
+    try {
+      if (file.size > MOST) {
+        throw Object.assign(new Error(`It has ${(file.size / 1048576).toFixed(1)} MB; at most 10 MB are read.`), { code: "too-large" });
+      }
+      onFile(file.name, new Uint8Array(await file.arrayBuffer()));
+    } catch (error) {
+      onError(file.name, error instanceof Error ? error : new Error(String(error)));
+    }
+  }
+}
+
+/** Is a file an array of NumPy's, by its name or by how it begins? @param {string} name @param {Uint8Array} bytes */
+export function isArray(name, bytes) { return /\.npy$/i.test(name) || bytes[0] === 0x93; }

@@ -1,0 +1,109 @@
+/**
+ * The options of scenes that the core makes: sliders beneath the gallery for those of the page's own scenes, and a form that
+ * makes any scene that the core can make.
+ */
+import { byId, make } from "./dom.js";
+import { Field } from "./field.js";
+import { withSeed } from "./panel.js";
+import { optionsAt } from "../scenes.js";
+
+/** @import { Page } from "../page.js" */
+/** @import { GeneratorInfo, SceneEntry, Settings, Slider, Source } from "../types.js" */
+/** @typedef {{ source: Source, entry: SceneEntry | undefined }} Wish */
+
+/** @param {Page} page @param {GeneratorInfo[]} generators */
+export function showSceneOptions(page, generators) {
+  const sliders = make("div", { className: "sliders" });
+  byId("scene-options", HTMLElement).append(sliders, makeForm(generators, (kind, options) => wish({ generate: { kind, options } })));
+  /** @type {SceneEntry | null} */
+  let shown = null;
+  /** @type {Settings} */
+  let options = {};
+  /** What is to be opened next: of several only the newest. @type {Wish | null} */
+  let next = null;
+  let busy = false;
+
+  page.onOpen((_, entry) => {
+    const { source } = page;
+    const generate = source && "generate" in source ? source.generate : null;
+    const offers = entry?.generate && generate ? entry.sliders ?? [] : [];
+    // The slider that is being moved knows better than what was opened for it.
+    if (!next) options = { ...generate?.options };
+    if (entry !== shown) sliders.replaceChildren(...offers.map(row));
+    shown = entry;
+    for (const slider of offers) show(slider);
+  });
+
+  /** @param {Slider} slider */
+  function row(slider) {
+    const { option, title, min, max, step } = slider;
+    const id = `option-${option}`;
+    const input = make("input", { type: "range", id, min: String(min), max: String(max), step: String(step) });
+    input.addEventListener("input", () => {
+      if (!shown?.generate) return;
+      options = { ...options, ...optionsAt({ ...shown, generate: undefined }, { [option]: Number(input.value) }) };
+      show(slider);
+      wish({ generate: { kind: shown.generate.kind, options } }, shown);
+    });
+    return make("label", { className: "row", htmlFor: id }, make("span", { className: "name" }, title), input, make("output", { id: `${id}-value` }));
+  }
+
+  /** @param {Slider} slider */
+  function show({ option, unit, words }) {
+    const input = byId(`option-${option}`, HTMLInputElement);
+    input.value = String(words ? words.indexOf(String(options[option])) : options[option]);
+    const text = `${options[option]}${unit && ` ${unit}`}`;
+    byId(`option-${option}-value`, HTMLOutputElement).value = text;
+    input.setAttribute("aria-valuetext", text);
+  }
+
+  /** @param {Source} source @param {SceneEntry} [entry] */
+  function wish(source, entry) {
+    next = { source, entry };
+    if (!busy) requestAnimationFrame(() => void obey());
+    busy = true;
+  }
+
+  /** Opens what is wished for, and what was wished for meanwhile, with the settings of the planner as they are. */
+  async function obey() {
+    while (next) {
+      const { source, entry } = next;
+      next = null;
+      try {
+        await page.open(source, { entry, plans: page.plans ?? undefined, query: page.panel.query.value, play: page.goesOn });
+      } catch (error) {
+        page.notice.show("Such a scene cannot be made.", error);
+      }
+    }
+    busy = false;
+  }
+}
+
+/** @param {GeneratorInfo[]} generators @param {(kind: GeneratorInfo["id"], options: Settings) => void} onMake */
+function makeForm(generators, onMake) {
+  const kind = make("select", { id: "make-kind" }, ...generators.map(({ id, title }) => make("option", { value: id }, title)));
+  const summary = make("p", { className: "hint" });
+  const rows = make("div", {});
+  /** @type {Field[]} */
+  let fields = [];
+  const build = () => {
+    const info = generators[kind.selectedIndex];
+    summary.textContent = info.summary;
+    fields = withSeed(info.options, "scene").map((option) => new Field(option, option.default, () => {}, "make"));
+    rows.replaceChildren(...fields.map(({ element }) => element));
+  };
+  kind.addEventListener("change", build);
+  build();
+  const form = make("form", { id: "make", noValidate: true }, make("label", { className: "row", htmlFor: "make-kind" }, make("span", { className: "name" }, "Kind"), kind), summary, rows, make("button", { type: "submit" }, "Make it"));
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    const good = fields.map((field) => field.validate()).every(Boolean);
+    if (!good) return;
+    /** @type {Settings} */
+    const options = {};
+    // What is as usual is left out: some options go with others only.
+    for (const { info, value } of fields) if (value !== undefined && value !== info.default) options[info.name] = value;
+    onMake(generators[kind.selectedIndex].id, options);
+  });
+  return make("details", {}, make("summary", {}, "Make a scene"), form);
+}

@@ -1,0 +1,33 @@
+/** Tables as comma-separated values (RFC 4180): a dot for decimals, lines ended by CR LF, the names of the columns first. */
+
+/** @typedef {number | string | null} Cell  null, and a number that is not finite, is an empty cell */
+
+/** @param {Cell} cell */
+function written(cell) {
+  const text = typeof cell === "string" || Number.isFinite(cell) ? String(cell) : "";
+  return /[",\s]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
+}
+
+/**
+ * @param {readonly string[]} columns
+ * @param {readonly (readonly Cell[])[]} rows  as many cells in each as there are columns
+ * @returns {string}
+ */
+export function toCsv(columns, rows) {
+  return [columns, ...rows].map((row) => {
+    if (row.length !== columns.length) throw new RangeError(`A row has ${row.length} cells, not ${columns.length}.`);
+    return `${row.map(written).join(",")}\r\n`;
+  }).join("");
+}
+
+/**
+ * How a run went, iteration by iteration, counted from 1 in the first column.
+ * @param {ArrayLike<number>} history  rows of one number a column, one after the other; not finite where there is none yet
+ * @param {readonly string[]} columns  without the iteration
+ * @returns {string}
+ */
+export function historyCsv(history, columns) {
+  const width = columns.length;
+  const rows = Array.from({ length: history.length / width }, (_, i) => [i + 1, ...columns.map((_name, j) => history[i * width + j])]);
+  return toCsv(["iteration", ...columns], rows);
+}

@@ -1,0 +1,51 @@
+/**
+ * Where the page's parts come from: files beside it, or, where the page is one single file, elements inside it.
+ * Inline parts are `<script type="text/plain" id="inline-NAME">`; bytes are gzip in base64.
+ */
+
+/** @param {string} name */
+function inline(name) { return document.getElementById(`inline-${name}`)?.textContent ?? null; }
+
+/** The worker that plans and draws. @returns {Worker} */
+export function makeWorker() {
+  const text = inline("worker");
+  if (text === null) return new Worker("worker.js", { type: "module" });
+  return new Worker(URL.createObjectURL(new Blob([text], { type: "text/javascript" })));
+}
+
+/** The WebAssembly, compiled. @returns {Promise<WebAssembly.Module>} */
+export async function loadCore() {
+  const packed = inline("core");
+  if (packed !== null) return WebAssembly.compile(await unpacked(packed));
+  const response = await fetch("planarium/planarium_bg.wasm");
+  if (!response.ok) throw new Error(`${response.url} answered ${response.status} ${response.statusText}`.trimEnd());
+  // Streaming wants the right type; a server that sends another still serves the right bytes.
+  if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+/** Documents of scenes, once fetched: from then on they need no network. @type {Map<string, Promise<string>>} */
+const scenes = new Map();
+
+/** The text of a scene's document. @param {string} id @returns {Promise<string>} */
+export function loadScene(id) {
+  const known = scenes.get(id) ?? fetchScene(id);
+  scenes.set(id, known);
+  known.catch(() => scenes.delete(id));
+  return known;
+}
+
+/** @param {string} id @returns {Promise<string>} */
+async function fetchScene(id) {
+  const text = inline(`scene-${id}`);
+  if (text !== null) return text;
+  const response = await fetch(`scenes/${id}.json`);
+  if (!response.ok) throw new Error(`scenes/${id}.json: ${response.status} ${response.statusText}`);
+  return response.text();
+}
+
+/** @param {string} packed @returns {Promise<ArrayBuffer>} */
+async function unpacked(packed) {
+  const bytes = Uint8Array.from(atob(packed.trim()), (character) => character.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+}

@@ -1,0 +1,105 @@
+/**
+ * What a drag does: each gesture is a function from where the pointer is to the document as it is then. Shift snaps points to
+ * fifths of the grid of dots, joints and directions to 15 degrees, and makes rectangles squares.
+ */
+import { contained, coordinatesOf, wrap } from "./coordinates.js";
+import { moved, obstacleOf, rectangle, rounded, withObstacle, withPose, withVertex } from "./things.js";
+
+/** @import { CSpace } from "../stage/cspace.js" */
+/** @import { Obstacle, ScenarioDocument } from "../types.js" */
+/** @import { Shown } from "./lane.js" */
+/** @import { Hit } from "./handles.js" */
+/** @import { Point, Thing } from "./things.js" */
+/** @typedef {(x: number, y: number, shift: boolean) => ScenarioDocument} Gesture   the pointer in coordinates of the pane's plane */
+
+/**
+ * @typedef {object} Scale
+ * @property {number} unit   what lengths are rounded to, metres
+ * @property {number} grid   what Shift snaps to, metres
+ * @property {number} pixels   CSS pixels a metre
+ */
+
+/** What angles are rounded to, and snap to, radians. */
+export const ANGLE = 1e-4;
+const TURN = Math.PI / 12;
+
+/** @param {number} value @param {number} step @param {number} unit @param {boolean} shift */
+function snapped(value, step, unit, shift) {
+  return rounded(shift ? Math.round(value / step) * step : value, unit);
+}
+
+/** A point of the plane, rounded or on the grid. @param {Scale} scale @param {number} x @param {number} y @param {boolean} shift @returns {Point} */
+export function pointAt({ unit, grid }, x, y, shift) {
+  return [snapped(x, grid, unit, shift), snapped(y, grid, unit, shift)];
+}
+
+/** A point in a direction of 15 degrees from another, or where it is. @param {Scale} scale @param {Point | undefined} from @param {number} x @param {number} y @param {boolean} shift @returns {Point} */
+export function pointFrom(scale, from, x, y, shift) {
+  if (!shift || !from) return pointAt(scale, x, y, shift);
+  const angle = Math.round(Math.atan2(y - from[1], x - from[0]) / TURN) * TURN;
+  const along = (x - from[0]) * Math.cos(angle) + (y - from[1]) * Math.sin(angle);
+  return pointAt(scale, from[0] + along * Math.cos(angle), from[1] + along * Math.sin(angle), false);
+}
+
+/** Takes hold of what lies beneath the pointer. @param {Shown} shown @param {Hit} hit @param {Scale} scale @param {CSpace | null} square @param {Point} from @returns {Gesture} */
+export function holds({ document, scenario, start, goal }, { thing, part, handle }, scale, square, [x0, y0]) {
+  const obstacle = obstacleOf(document, thing);
+  if (obstacle) return reshapes(document, obstacle, thing, handle, scale, x0, y0);
+  const pose = Array.from((thing.kind === "start" ? start : goal) ?? []);
+  const coordinates = coordinatesOf({ scenario, document });
+  /** @param {number[]} next */
+  const put = (next) => withPose(document, thing, contained(Float64Array.from(next), coordinates));
+  if (square) {
+    const { axes } = square;
+    return (x, y, shift) => put(pose.map((value, i) => {
+      const at = axes.indexOf(i);
+      return at < 0 ? value : snapped([x, y][at], TURN, ANGLE, shift);
+    }));
+  }
+  if (scenario.robot === "disc") return (x, y, shift) => put(pointAt(scale, pose[0] + x - x0, pose[1] + y - y0, shift));
+  const joint = part ?? 0;
+  const link = scenario.footprint(pose)[joint];
+  const [bx, by] = link.type === "capsule" ? link.a : link.center;
+  let before = Math.atan2(y0 - by, x0 - bx);
+  let turned = 0;
+  return (x, y, shift) => {
+    const now = Math.atan2(y - by, x - bx);
+    turned += wrap(now - before);
+    before = now;
+    return put(pose.with(joint, snapped(pose[joint] + turned, TURN, ANGLE, shift)));
+  };
+}
+
+/** @param {ScenarioDocument} document @param {Obstacle} obstacle @param {Thing} thing @param {Hit["handle"]} handle @param {Scale} scale @param {number} x0 @param {number} y0 @returns {Gesture} */
+function reshapes(document, obstacle, { index }, handle, scale, x0, y0) {
+  /** @param {Obstacle} next */
+  const put = (next) => withObstacle(document, index, next);
+  if (obstacle.type === "disc" && handle) {
+    const [cx, cy] = obstacle.center;
+    return (x, y, shift) => put({ ...obstacle, radius: snapped(Math.hypot(x - cx, y - cy), scale.grid, scale.unit, shift) });
+  }
+  if (obstacle.type === "polygon" && handle) {
+    const added = handle.kind === "middle";
+    return (x, y, shift) => put(withVertex(obstacle, handle.part + (added ? 1 : 0), pointAt(scale, x, y, shift), added));
+  }
+  const [ax, ay] = obstacle.type === "disc" ? obstacle.center : obstacle.vertices[0];
+  return (x, y, shift) => {
+    const [nx, ny] = pointAt(scale, ax + x - x0, ay + y - y0, shift);
+    return put(moved(obstacle, nx - ax, ny - ay, scale.unit));
+  };
+}
+
+/** Draws a disc from its centre, or a rectangle from corner to corner. @param {"disc" | "rectangle"} tool @param {ScenarioDocument} document @param {Scale} scale @param {Point} from @param {boolean} snaps  does its first point lie on the grid @returns {Gesture} */
+export function draws(tool, document, scale, from, snaps) {
+  const [x0, y0] = pointAt(scale, ...from, snaps && tool === "disc");
+  const { length } = document.world.obstacles;
+  return (x, y, shift) => {
+    if (tool === "disc") return withObstacle(document, length, { type: "disc", center: [x0, y0], radius: snapped(Math.hypot(x - x0, y - y0), scale.grid, scale.unit, shift) });
+    let [width, height] = pointAt(scale, x - x0, y - y0, false);
+    if (shift) {
+      const side = Math.max(Math.abs(width), Math.abs(height));
+      [width, height] = [Math.sign(width) * side, Math.sign(height) * side];
+    }
+    return withObstacle(document, length, moved(rectangle([x0 + width / 2, y0 + height / 2], Math.abs(width), Math.abs(height)), 0, 0, scale.unit));
+  };
+}

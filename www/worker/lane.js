@@ -1,0 +1,91 @@
+/** One planner's place in the theatre: what it was asked, its run and its way, and the panes that show it. */
+import { journeyOf } from "./journey.js";
+import { PAST, Run } from "./run.js";
+
+/** @import { Standing } from "../standings.js" */
+/** @import { Marked } from "../stage/marked.js" */
+/** @import { Overlay } from "./editor.js" */
+/** @import { Journey } from "./journey.js" */
+/** @import { Check, Configuration, Plan, Scenario, ScenarioDocument, ViewOptions } from "../types.js" */
+
+/**
+ * @typedef {object} Shown   what all lanes show alike: the one value that panes read and only the theatre writes
+ * @property {Scenario} scenario
+ * @property {ScenarioDocument} document
+ * @property {Configuration | null} start   of the query asked
+ * @property {Configuration | null} goal
+ * @property {Float64Array | null} hand     the pose held by hand, if any
+ * @property {Check | null} check           of the pose held by hand
+ * @property {Hover | null} hover           what is pointed at, if anything
+ * @property {ViewOptions} view
+ * @property {Marked | null} marked         configurations of the reader's own
+ * @property {boolean} rough                it is being changed by hand: pictures may be coarse
+ * @property {Overlay | null} overlay       what the editor draws
+ */
+
+/**
+ * @typedef {object} Hover   a vertex that is pointed at, or a mere pose
+ * @property {Lane} lane
+ * @property {number} vertex   -1: a pose
+ * @property {Float64Array} pose
+ * @property {Check} check
+ */
+
+export class Lane {
+  /** @param {Shown} shown @param {Plan} plan */
+  constructor(shown, plan) {
+    this.shown = shown;
+    this.plan = plan;
+    /** @type {Run | null} */
+    this.run = null;
+    /** The way of the run's end, once it was reached. @type {Journey | null} */
+    this.end = null;
+    /** Does the run wait at an iteration in its midst? */
+    this.still = false;
+  }
+
+  get scenario() { return this.shown.scenario; }
+
+  /** The way to show: of a run at its end. @returns {Journey | null} */
+  get journey() { return this.run && this.run.status !== "running" ? this.end : null; }
+
+  /** A new run. @param {string | undefined} query @param {readonly string[]} phases @throws {Error} the core would not plan this */
+  start(query, phases) {
+    this.free();
+    const settings = query === undefined ? this.plan.settings : { ...this.plan.settings, query };
+    this.run = new Run(this.scenario, this.plan.algorithm, settings, phases);
+  }
+
+  /** How it stands beside others. @returns {Standing} */
+  get standing() {
+    const { run, plan, scenario } = this;
+    const at = run ? run.foundBy() : -1;
+    return {
+      isOver: run?.status !== "running",
+      found: run && at >= 0 ? run.history.row(at)[PAST.evaluations] : null,
+      cost: run ? run.past[PAST.cost] : Infinity,
+      metric: scenario.robot === "arm" ? String(plan.settings.metric ?? "sum") : "euclidean",
+    };
+  }
+
+  /** Where the robot is to be drawn, if anywhere. @returns {Float64Array | null} */
+  get pose() {
+    if (this.shown.hand) return this.shown.hand;
+    const { journey } = this;
+    return journey && journey.drawn >= 1 ? journey.configuration(journey.at) : null;
+  }
+
+  /** The way of a run that has ended. @returns {boolean} whether it has just become known */
+  arrive() {
+    const { run } = this;
+    if (!run?.ended || this.end || !run.isNewest) return false;
+    this.end = journeyOf(this.scenario, run);
+    return this.end !== null;
+  }
+
+  free() {
+    this.run?.free();
+    this.run = null;
+    this.end = null;
+  }
+}

@@ -1,0 +1,46 @@
+/**
+ * What the reader points at: a vertex near the pointer, in whichever pane; a point of the configuration square that is a whole
+ * pose; or a vertex chosen by its number, for those without a pointer. Found anew each frame, so that it is true of the
+ * iteration that is shown.
+ */
+import { PAST } from "./run.js";
+
+/** @import { CSpace } from "../stage/cspace.js" */
+/** @import { Place } from "../stage/stage.js" */
+/** @import { Grip } from "./grip.js" */
+/** @import { Hover, Lane } from "./lane.js" */
+
+export class Pointing {
+  constructor() {
+    /** Where the pointer hovers, pixels of the pane. @type {{ place: Place, x: number, y: number } | null} */
+    this.at = null;
+    /** The vertex chosen by its number, -1: none. */
+    this.chosen = -1;
+  }
+
+  /** @param {number} vertex */
+  choose(vertex) { this.chosen = vertex; }
+
+  /** @param {Lane[]} lanes @param {Grip} grip @param {Hover | null} before @returns {Hover | null} */
+  find(lanes, grip, before) {
+    const { at } = this;
+    const lane = lanes[at ? at.place.lane : 0];
+    if (!lane || (at && at.place.pane.lane !== lane)) return null;
+    const { run, scenario } = lane;
+    const count = run ? run.past[PAST.vertices] : 0;
+    const vertex = at ? at.place.pane.places?.nearest(at.x, at.y, count) ?? -1 : this.chosen < count ? this.chosen : -1;
+    const pose = vertex >= 0 && run ? run.vertices.row(vertex).slice() : at?.place.kind === "cspace" ? this.pose(lane, grip, at) : null;
+    if (!pose) return null;
+    const isSame = before?.lane === lane && before.pose.length === pose.length && before.pose.every((value, j) => value === pose[j]);
+    return { lane, vertex, pose, check: isSame ? before.check : scenario.check(pose) };
+  }
+
+  /** The pose at a point of the square: of two joints, or of two with the others held as the slice holds them. @param {Lane} lane @param {Grip} grip @param {{ place: Place, x: number, y: number }} at */
+  pose({ scenario, shown }, grip, { place, x, y }) {
+    const { view } = place.pane;
+    if (!view || (scenario.dimension > 2 && !shown.view.slice)) return null;
+    const { min, max } = view.box;
+    const inside = view.toPlane(x, y).every((value, i) => value >= min[i] && value <= max[i]);
+    return inside ? grip.square(/** @type {CSpace} */ (place.pane), x, y) : null;
+  }
+}

@@ -1,0 +1,66 @@
+/** What the page is told of a frame: numbers, words and switches, no handles. */
+import { faultOf } from "../fault.js";
+import { EVENT, PAST } from "./run.js";
+import { hoverSentence, poseSentence, summary } from "./story.js";
+
+/** @import { Theatre } from "./theatre.js" */
+/** @import { Lane } from "./lane.js" */
+/** @import { LaneState, State } from "../types.js" */
+
+/** @param {Theatre} theatre @returns {State} */
+export function report(theatre) {
+  const { clock, shown, lanes, settled } = theatre;
+  const [sentence, isBad] = theatre.sentence;
+  const [journey] = theatre.journeys;
+  const pose = shown?.hand ?? (journey && journey.drawn >= 1 ? journey.configuration(journey.at) : null);
+  return {
+    heard: theatre.heard,
+    clock: { now: clock.now, head: clock.head, isRace: clock.isRace, unit: clock.unit, wanted: clock.wanted },
+    playing: clock.playing,
+    growing: theatre.growing,
+    travelling: theatre.travelling,
+    along: journey ? journey.at : 0,
+    settled,
+    view: theatre.view,
+    sentence, isBad,
+    inHand: shown?.hand !== null,
+    pose: pose ? Array.from(pose) : null,
+    touching: shown?.hand && shown.check ? { text: poseSentence(shown.scenario, shown.check), free: shown.check.free } : { text: "", free: true },
+    arrived: shown?.hand !== null && theatre.game.arrived,
+    hover: shown?.hover ? { vertex: shown.hover.vertex, text: hoverSentence(shown.hover), free: shown.hover.check.free } : null,
+    lanes: lanes.map((lane) => laneState(lane, settled)),
+    summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),
+    curves: theatre.curvesKey,
+    edit: theatre.editor?.state ?? null,
+    refusal: theatre.refusal && { ...faultOf(theatre.refusal.error), lane: theatre.refusal.lane },
+  };
+}
+
+/** @param {Lane} lane @param {boolean} settled @returns {LaneState} */
+function laneState({ plan, run, journey, scenario, standing }, settled) {
+  if (!run) {
+    return {
+      algorithm: plan.algorithm, status: "none", phase: "", iteration: 0, made: 0, vertices: 0, edges: 0, checks: 0, motions: 0, evaluations: 0,
+      cost: Infinity, length: null, unit: "", fingerprint: "", kind: "roadmap", isProven: true, isMiss: false, hasGuards: false, isSearched: false, isApart: false, marks: [], standing,
+      hasRejected: false, hasRefused: false, waiting: 0, raw: null, segments: null, stats: null,
+    };
+  }
+  const { past, status } = run;
+  const isEnd = settled && run.isNewest;
+  const stats = run.isNewest ? run.planner.stats() : null;
+  return {
+    algorithm: plan.algorithm, status, phase: run.phase, iteration: run.shown, made: run.made,
+    vertices: past[PAST.vertices], edges: past[PAST.edges], checks: past[PAST.checks], motions: past[PAST.motions], evaluations: past[PAST.evaluations],
+    cost: past[PAST.cost],
+    length: isEnd && status === "solved" ? run.result.length : null,
+    unit: scenario.robot === "arm" ? "rad" : "m",
+    fingerprint: isEnd ? run.result.fingerprint : "",
+    kind: run.kind, isProven: run.isProven, isMiss: journey?.isMiss ?? false, hasGuards: run.has(EVENT.guard), isSearched: run.has(EVENT.expanded), isApart: run.pieces !== null,
+    hasRejected: run.has(EVENT.rejected) || run.has(EVENT.discarded), hasRefused: run.has(EVENT.refused),
+    waiting: run.frontier.count,
+    raw: journey?.raw ? run.rawLength : null,
+    segments: status === "solved" ? run.result.path.length - 1 : null,
+    stats: stats && { nearest: stats.nearest_queries, seconds: stats.build_seconds + stats.search_seconds },
+    marks: [...run.marks()], standing,
+  };
+}

@@ -1,0 +1,258 @@
+/**
+ * One run of one planner as the page holds it: the planner, the log of all it has grown, and the iteration that is shown.
+ * The log is only ever added to, and each iteration has left a row of counts in it. So what an earlier iteration showed is
+ * the beginning of the log up to its counts: going back costs no planning, and shows what a fresh run to there would.
+ */
+import { Frontier } from "./frontier.js";
+import { Kin } from "./kin.js";
+import { piecesOf } from "./pieces.js";
+import { Rows } from "./rows.js";
+
+/** @import { ResultDocument, Scenario, Settings } from "../types.js" */
+
+/** Kinds of event, as the package numbers them. */
+export const EVENT = { rejected: 0, refused: 1, expanded: 2, solved: 3, discarded: 4, guard: 5 };
+
+/** Columns of a row of history, as the package orders them. */
+export const PAST = { vertices: 0, edges: 1, events: 2, phase: 3, checks: 4, motions: 5, evaluations: 6, cost: 7 };
+
+/** Which root a vertex hangs from: none yet (a roadmap), the start, the goal. */
+export const SIDE = { none: 0, start: 1, goal: 2 };
+
+/** Iterations in one slice at most. */
+const LONGEST = 64;
+
+/** What one call of `advance` may grow at most, so that it can be drawn within the frame. */
+const BURST = { vertices: 400, edges: 240 };
+
+export class Run {
+  /**
+   * @param {Scenario} scenario
+   * @param {string} algorithm
+   * @param {Settings} settings  the query's name, the seed and the planner's parameters
+   * @param {readonly string[]} phases  names of the phases, as the package numbers them
+   * @throws {Error} with `code` and `pointer`: a start in collision, a parameter out of range, ...
+   */
+  constructor(scenario, algorithm, settings, phases) {
+    this.scenario = scenario;
+    this.algorithm = algorithm;
+    this.settings = settings;
+    this.phases = phases;
+    this.planner = scenario.planner({ ...settings, algorithm });
+    this.planner.record();
+    const dimension = this.planner.dimension;
+    this.dimension = dimension;
+    this.vertices = new Rows((n) => new Float64Array(n), dimension);
+    this.edges = new Rows((n) => new Uint32Array(n), 2);
+    this.events = new Rows((n) => new Float64Array(n), this.planner.eventWidth);
+    /** Row i: the counts after iteration i, from the state before the first on. */
+    this.history = new Rows((n) => new Float64Array(n), this.planner.historyWidth);
+    /** For each vertex the root it hangs from; all `SIDE.none` in a roadmap. */
+    this.sides = new Rows((n) => new Uint8Array(n), 1);
+    /** How many vertices the search has expanded, how many are guards. */
+    this.expanded = 0;
+    this.guards = 0;
+    /** For each kind of event the place of the first in the log. @type {number[]} */
+    this.firsts = [];
+    this.kin = new Kin(this);
+    this.frontier = new Frontier(this, this.kin);
+    /** What grows. @type {"roadmap" | "tree" | "trees"} */
+    this.kind = algorithm === "rrt-connect" ? "trees" : algorithm.startsWith("rrt") ? "tree" : "roadmap";
+    this.isTree = this.kind !== "roadmap";
+    /** Are its edges proven free, or only looked at in places? */
+    this.isProven = settings.edge_check !== "sampled";
+    /** Coordinates whose motions go the short way round. The naive metric knows none: its motions may go the long way. */
+    this.circles = settings.metric === "naive" ? scenario.circles().fill(false) : scenario.circles();
+    /** The iteration that is shown, 0 to `made`. */
+    this.shown = 0;
+    this.ended = false;
+    /** @type {{ made: number, status: string, result: ResultDocument } | null} */
+    this.known = null;
+    /** @type {ReturnType<typeof piecesOf> | null} */
+    this.fallen = null;
+    this.history.add([this.planner.vertexCount, this.planner.edgeCount, this.planner.eventCount, Math.max(0, phases.indexOf(this.planner.phase)), 0, 0, 0, Infinity]);
+    this.fetch();
+  }
+
+  /** Iterations made. */
+  get made() { return this.history.count - 1; }
+
+  /** The counts at the iteration that is shown. @returns {Float64Array} */
+  get past() { return this.history.row(this.shown); }
+
+  /** Is the newest iteration shown? */
+  get isNewest() { return this.shown === this.made; }
+
+  /** The status at the iteration that is shown. */
+  get status() { return this.isNewest ? this.planner.status : "running"; }
+
+  /** The phase at the iteration that is shown. @returns {string} */
+  get phase() { return this.isNewest ? this.planner.phase : this.phases[this.past[PAST.phase]]; }
+
+  /** The last iteration made until a clock of the log has passed a value: column -1 counts iterations. @param {number} column @param {number} value */
+  iterationAt(column, value) {
+    if (column < 0) return Math.min(this.made, Math.max(0, Math.floor(value)));
+    // Time 0 is before the first iteration, even before one that costs nothing.
+    if (value < 1) return 0;
+    const { data, width, count } = this.history;
+    let low = 0;
+    let high = count;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (data[middle * width + column] <= value) low = middle; else high = middle;
+    }
+    return low;
+  }
+
+  /** What a clock of the log shows at an iteration. Time 0 is before the first one. @param {number} column @param {number} iteration */
+  clockAt(column, iteration) {
+    if (column < 0 || iteration === 0) return iteration;
+    return Math.max(1, this.history.data[iteration * this.history.width + column]);
+  }
+
+  /** What a clock of the log shows at the newest iteration made. @param {number} column */
+  clock(column) { return this.clockAt(column, this.made); }
+
+  /**
+   * Is all made that belongs to a time? Iterations are counted; of another clock several may share a time, so that only the
+   * first one past it tells.
+   * @param {number} column @param {number} wanted
+   */
+  hasPassed(column, wanted) {
+    return this.ended || (column < 0 ? this.made >= wanted : this.clock(column) > wanted);
+  }
+
+  /** The latest time of which everything is known to be made; Infinity once it has ended. @param {number} column */
+  reached(column) {
+    if (this.ended) return Infinity;
+    return column < 0 ? this.made : Math.max(0, this.clock(column) - 1);
+  }
+
+  /** The iteration that first had a path, of those up to one; -1 where none had. @param {number} [last] */
+  foundBy(last = this.shown) {
+    const { data, width } = this.history;
+    const hasPath = (/** @type {number} */ i) => data[i * width + PAST.cost] < Infinity;
+    if (!hasPath(last)) return -1;
+    let low = 0;
+    let high = last;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (hasPath(middle)) high = middle; else low = middle;
+    }
+    return high;
+  }
+
+  /** How far it may grow within a frame. */
+  burst() { return { vertices: this.planner.vertexCount + BURST.vertices, edges: this.planner.edgeCount + BURST.edges }; }
+
+  /**
+   * Plans until a clock of the log has passed `wanted`, the run ends, the time passes `until`, or as much has grown as a frame
+   * can draw. Slices are small at first and grow as long as they prove cheap, so that one slice never takes a frame.
+   * @param {number} column  of the history, -1 for iterations
+   * @param {number} wanted  may be Infinity
+   * @param {number} until   on the clock of performance.now(), milliseconds
+   * @param {{ vertices: number, edges: number }} [most]  how far it may grow
+   * @returns {boolean} whether it has come that far, or ended
+   */
+  advance(column, wanted, until, most = this.burst()) {
+    const planner = this.planner;
+    let slice = 1;
+    try {
+      while (!this.hasPassed(column, wanted)) {
+        if (planner.vertexCount >= most.vertices || planner.edgeCount >= most.edges) return false;
+        const began = performance.now();
+        if (began >= until) return false;
+        const left = column < 0 ? wanted - this.made : slice;
+        const made = this.made;
+        const status = planner.step(Math.min(slice, Math.ceil(left)));
+        this.history.add(planner.takeHistory());
+        this.ended = status !== "running";
+        const ended = performance.now();
+        const perIteration = (ended - began) / Math.max(1, this.made - made);
+        const room = (until - ended) / (2 * Math.max(perIteration, 1e-4));
+        slice = Math.max(1, Math.min(2 * slice, LONGEST, Math.floor(room)));
+      }
+      return true;
+    } finally {
+      this.fetch();
+    }
+  }
+
+  /** Fetches what has grown since the last call. */
+  fetch() {
+    const planner = this.planner;
+    if (planner.vertexCount > this.vertices.count) {
+      this.vertices.add(planner.verticesSince(this.vertices.count));
+      this.sides.add(new Uint8Array(this.vertices.count - this.sides.count));
+    }
+    if (planner.edgeCount > this.edges.count) {
+      const first = this.edges.count;
+      this.edges.add(planner.edgesSince(first));
+      if (this.isTree) this.inheritSides(first);
+    }
+    const first = this.events.count;
+    if (planner.eventCount > first) this.events.add(planner.eventsSince(first));
+    const { data, width, count } = this.events;
+    for (let i = first; i < count; i++) {
+      this.firsts[data[i * width]] ??= i;
+      if (data[i * width] === EVENT.expanded) this.expanded++;
+      else if (data[i * width] === EVENT.guard) this.guards++;
+    }
+  }
+
+  /** Tree edges are (parent, child): a new child hangs from its parent's root. A lone tree has the goal only once it is reached. @param {number} first */
+  inheritSides(first) {
+    const sides = this.sides.data;
+    sides[0] = SIDE.start;
+    if (this.kind === "trees") sides[1] = SIDE.goal;
+    for (let i = first; i < this.edges.count; i++) {
+      const parent = this.edges.data[2 * i];
+      const child = this.edges.data[2 * i + 1];
+      if (sides[child] === SIDE.none) sides[child] = sides[parent];
+    }
+  }
+
+  /** Has an event of a kind happened by the iteration that is shown? @param {number} kind  of `EVENT` */
+  has(kind) { return (this.firsts[kind] ?? Infinity) < this.past[PAST.events]; }
+
+  /** The length of the path as it was found, before it was made shorter; Infinity while there is none. */
+  get rawLength() {
+    const { data, width, count } = this.history;
+    for (let i = 0; i < count; i++) if (data[i * width + PAST.cost] < Infinity) return data[i * width + PAST.cost];
+    return Infinity;
+  }
+
+  /** The pieces that a roadmap without a path has fallen into; of others null. */
+  get pieces() {
+    if (this.isTree || this.status !== "exhausted" || this.expanded === 0) return null;
+    this.fallen ??= piecesOf(this);
+    return this.fallen;
+  }
+
+  /** The result at the newest iteration, made once. */
+  get result() {
+    if (this.known?.made !== this.made || this.known.status !== this.planner.status) {
+      this.known = { made: this.made, status: this.planner.status, result: this.planner.result() };
+    }
+    return this.known.result;
+  }
+
+  /** What the newest iteration that is shown did, in the words of the pseudo-code's marks; before the first, none. @returns {Set<string>} */
+  marks() {
+    /** @type {Set<string>} */
+    const marks = new Set();
+    if (this.shown === 0) return marks;
+    const now = this.past;
+    const before = this.history.row(this.shown - 1);
+    // The phase that it began in: the last iteration of a phase was still of that phase.
+    marks.add(this.phases[before[PAST.phase]]);
+    if (this.status !== "running") marks.add("done");
+    if (now[PAST.vertices] > before[PAST.vertices]) marks.add("vertex");
+    if (now[PAST.edges] > before[PAST.edges]) marks.add("edge");
+    const words = Object.keys(EVENT);
+    for (let i = before[PAST.events]; i < now[PAST.events]; i++) marks.add(words[this.events.data[i * this.events.width]]);
+    return marks;
+  }
+
+  free() { this.planner.free(); }
+}

@@ -1,0 +1,24 @@
+/** A small picture of a scenario: its obstacles, where the robot starts and where it should go. */
+import { drawGhost, drawObstacles } from "../stage/shapes.js";
+import { View } from "../stage/view.js";
+
+/** @import { Look, Scenario } from "../types.js" */
+
+const MARGIN = { left: 5, right: 5, top: 5, bottom: 5 };
+
+/** @param {Scenario} scenario @param {number} side  CSS pixels @param {Look} look @returns {ImageBitmap} */
+export function drawThumbnail(scenario, side, { palette, ratio }) {
+  const pixels = Math.round(side * ratio);
+  const canvas = new OffscreenCanvas(pixels, pixels);
+  const context = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (canvas.getContext("2d")));
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  const view = new View(scenario.extent(), side, side, MARGIN, false);
+  const { world, queries } = scenario.document();
+  drawObstacles(context, view, world.obstacles, { ...palette, "obstacle-edge": palette.obstacle });
+  if (queries.length > 0) {
+    const style = { fill: 0.9, stroke: 1, dash: [], width: 1.6 };
+    drawGhost(context, view, scenario.footprint(queries[0].goal), { ...style, colour: palette.goal });
+    drawGhost(context, view, scenario.footprint(queries[0].start), { ...style, colour: palette.start });
+  }
+  return canvas.transferToImageBitmap();
+}

@@ -1,0 +1,121 @@
+/**
+ * The worker: it alone holds the WebAssembly, and draws what it plans, so that the page itself never waits for either.
+ * It obeys messages `{ id, command, args }`, answers each with `{ id, value }` or `{ id, fault }`, and tells of each frame
+ * with `{ state }`.
+ */
+import * as library from "planarium";
+import { faultOf } from "../fault.js";
+import { drawThumbnail } from "./thumbnail.js";
+import { Theatre } from "./theatre.js";
+
+/** @import { LayerName } from "../stage/layer.js" */
+/** @import { EditOrder, Look, PaneKind, Plan, Pointer, Programme, Source, TakeRequest, ViewOptions } from "../types.js" */
+
+const port = /** @type {{ postMessage(message: unknown, transfer?: Transferable[]): void }} */ (/** @type {unknown} */ (self));
+
+/** @type {Theatre | undefined} */
+let theatre;
+function house() {
+  if (!theatre) throw new Error("The worker has not started.");
+  return theatre;
+}
+
+/** What is taken away is made here; fetched when it is first asked for. @type {Promise<import("./take.js").Desk> | undefined} */
+let making;
+function desk() {
+  making ??= import("./take.js").then(({ Desk }) => new Desk(house()));
+  return making;
+}
+
+const commands = {
+  /** Loads the package. @param {WebAssembly.Module | ArrayBuffer} core  the WebAssembly, compiled or as bytes */
+  async start(core) {
+    await library.default(core);
+    theatre = new Theatre(library, () => library.initSync(core), (state) => port.postMessage({ state }));
+    return { planners: library.planners(), generators: library.generators(), version: library.version };
+  },
+  /** @param {Source} source @param {Programme} programme */
+  open: (source, programme) => house().open(source, programme),
+  /** @param {Plan[]} plans @param {boolean} play */
+  plan: (plans, play) => house().plan(plans, play),
+  /** @param {string} query @param {boolean} play */
+  ask: (query, play) => house().ask(query, play),
+  toggle: () => house().toggle(),
+  play: () => house().play(),
+  pause: () => house().pause(),
+  /** @param {number} steps */
+  step: (steps) => house().step(steps),
+  /** @param {number} time */
+  seek: (time) => house().seek(time),
+  finish: () => house().finish(),
+  reset: () => house().reset(),
+  /** @param {number} pace */
+  pace: (pace) => house().setPace(pace),
+  /** @param {number} part */
+  along: (part) => house().along(part),
+  curves: () => house().curves(),
+  turn: () => house().turn(),
+  /** @param {number[]} pose */
+  hold: (pose) => house().hold(Float64Array.from(pose)),
+  /** @param {EditOrder} order */
+  async edit(order) {
+    const { editorOf } = await import("./editor.js");
+    return editorOf(house()).obey(order);
+  },
+  facts: () => house().facts(),
+  /** @param {Pointer} pointer */
+  pointer: (pointer) => house().pointer(pointer),
+  /** @param {number} vertex  -1: none */
+  inspect: (vertex) => house().pointing.choose(vertex),
+  /** @param {Partial<ViewOptions>} view */
+  view: (view) => house().setView(view),
+  /** @param {Look} look */
+  dress: (look) => house().stage.dress(look),
+  /** @param {string} id @param {PaneKind} kind @param {number} lane @param {Record<LayerName, OffscreenCanvas>} canvases */
+  pane: (id, kind, lane, canvases) => house().stage.add(id, kind, lane, canvases),
+  /** @param {string} id @param {number} width @param {number} height */
+  resize: (id, width, height) => house().stage.resize(id, width, height),
+  /** @param {string} id */
+  unpane: (id) => house().stage.remove(id),
+  /** @param {Float64Array | null} rows */
+  mark: (rows) => house().mark(rows),
+  /** @param {TakeRequest} request */
+  take: async (request) => (await desk()).begin(request),
+  takeStep: async () => (await desk()).step(),
+  takeEnd: async () => (await desk()).end(),
+  takeDrop: async () => (await desk()).drop(),
+  /** @param {number} lane */
+  log: async (lane) => (await desk()).log(lane),
+  freshSeed: () => library.freshSeed(),
+  /** @param {Source} source @param {number} side @param {Look} look @returns {ImageBitmap} */
+  thumbnail(source, side, look) {
+    const scenario = house().read(source);
+    try {
+      return drawThumbnail(scenario, side, look);
+    } finally {
+      scenario.free();
+    }
+  },
+};
+
+/** @typedef {typeof commands} Commands */
+
+addEventListener("message", async ({ data: { id, command, args } }) => {
+  try {
+    const order = /** @type {(...args: unknown[]) => unknown} */ (commands[/** @type {keyof Commands} */ (command)]);
+    const value = await order(...args);
+    if (theatre) {
+      theatre.heard = id;
+      theatre.wake();
+    }
+    port.postMessage({ id, value }, value instanceof ImageBitmap ? [value] : []);
+  } catch (error) {
+    const fault = faultOf(error);
+    if (theatre) {
+      theatre.heard = id;
+      if (fault.code === "internal") theatre.recover();
+      theatre.wake();
+    }
+    port.postMessage({ id, fault });
+  }
+});

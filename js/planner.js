@@ -3,6 +3,7 @@
 import * as argument from "./arguments.js";
 import { PlanariumError } from "./error.js";
 import { phases } from "./functions.js";
+import { graphml } from "./graphml.js";
 import { Handle, key } from "./handle.js";
 
 /** @import { RawPlanner } from "./planarium_glue.js" */
@@ -152,7 +153,8 @@ export class Planner {
     const kept = this.#handle.call((raw) => {
       const wanted = argument.text(format, "format");
       if (wanted === "binary") return raw.roadmap_bytes();
-      if (wanted === "json" || wanted === "graphml") return raw.roadmap_text(wanted === "graphml");
+      if (wanted === "json") return raw.roadmap_text();
+      if (wanted === "graphml") return graphml(JSON.parse(raw.roadmap_text()));
       throw new PlanariumError("out-of-range", "`format` must be \"json\", \"binary\" or \"graphml\".", "/format");
     });
     return /** @type {F extends "binary" ? Uint8Array : string} */ (kept);

@@ -161,7 +161,11 @@ impl Code {
 /// An error: what, in a sentence with the offending value, and where, as a JSON pointer (RFC 6901; empty where
 /// the whole document or no document is meant).
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Error {
+pub struct Error(Box<Detail>);
+
+/// What an error says: apart, so that results that may be errors stay small.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Detail {
     code: Code,
     message: String,
     pointer: String,
@@ -170,37 +174,37 @@ pub struct Error {
 impl Error {
     /// An error about the value at `pointer`.
     pub fn new(code: Code, pointer: impl Into<String>, message: impl Into<String>) -> Self {
-        Self { code, message: message.into(), pointer: pointer.into() }
+        Self(Box::new(Detail { code, message: message.into(), pointer: pointer.into() }))
     }
 
     /// The stable code.
     pub fn code(&self) -> Code {
-        self.code
+        self.0.code
     }
 
     /// The sentence, with the offending value in it.
     pub fn message(&self) -> &str {
-        &self.message
+        &self.0.message
     }
 
     /// The JSON pointer of the offending value; empty for the document as a whole.
     pub fn pointer(&self) -> &str {
-        &self.pointer
+        &self.0.pointer
     }
 
     /// The same error about a value that stands deeper in a document: `prefix` goes before the pointer.
     #[must_use]
     pub fn under(mut self, prefix: &str) -> Self {
-        self.pointer = format!("{prefix}{}", self.pointer);
+        self.0.pointer.insert_str(0, prefix);
         self
     }
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.message)?;
-        if !self.pointer.is_empty() {
-            write!(f, " (at {})", self.pointer)?;
+        f.write_str(self.message())?;
+        if !self.pointer().is_empty() {
+            write!(f, " (at {})", self.pointer())?;
         }
         Ok(())
     }

@@ -42,10 +42,9 @@ impl RawPlanner {
         Ok(self.run.query(start, goal, keep).map_err(throw)?.to_json())
     }
 
-    /// The roadmap as JSON or GraphML text.
-    pub fn roadmap_text(&self, is_graphml: bool) -> Result<String, JsValue> {
-        let document = self.document()?;
-        Ok(if is_graphml { document.to_graphml() } else { document.to_json() })
+    /// The roadmap as JSON text.
+    pub fn roadmap_text(&self) -> Result<String, JsValue> {
+        Ok(self.document()?.to_json())
     }
 
     /// The roadmap in its binary form.

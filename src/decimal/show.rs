@@ -57,7 +57,7 @@ fn written(number: f64, lowest: i32, highest: i32) -> String {
         let digits = digits.to_string();
         let place = digits.len() as i32 + exponent;
         if !(lowest..=highest).contains(&place) {
-            let (first, others) = digits.split_at(1);
+            let (first, others) = digits.split_at_checked(1).unwrap_or_default();
             let point = if others.is_empty() { "" } else { "." };
             // Writing to a string cannot fail.
             let _ = write!(text, "{first}{point}{others}e{}", place - 1);
@@ -69,7 +69,7 @@ fn written(number: f64, lowest: i32, highest: i32) -> String {
             text.push_str(&digits);
             (0..exponent).for_each(|_| text.push('0'));
         } else {
-            let (whole, fraction) = digits.split_at(place as usize);
+            let (whole, fraction) = digits.split_at_checked(place as usize).unwrap_or_default();
             text.push_str(whole);
             text.push('.');
             text.push_str(fraction);

@@ -179,7 +179,9 @@ impl<const N: usize> Space for Torus<N> {
             } else if self.half[i] == PI {
                 angle + 0.0
             } else {
-                angle.clamp(self.low[i], self.high[i]) + 0.0
+                // `clamp` would bring the standard library's printing of floats along.
+                let angle = if angle < self.low[i] { self.low[i] } else { angle };
+                (if angle > self.high[i] { self.high[i] } else { angle }) + 0.0
             }
         })
     }

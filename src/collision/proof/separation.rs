@@ -114,36 +114,7 @@ impl<const N: usize> Default for Work<N> {
 
 /// Whether the motion is proven free, ends included.
 pub(in crate::collision) fn is_free<const N: usize>(setting: &Setting, motion: &Motion<N>, work: &mut Work<N>) -> bool {
-    let mut proof = Proof::new(setting, Order::MiddleFirst, work);
-    let root = proof.begin(motion);
-    if proof.look_at_all(&root) {
-        return false;
-    }
-    if proof.work.pairs.is_empty() {
-        return true;
-    }
-    proof.halve(&root, 0);
-    let mut next = 0;
-    while next < proof.work.stretches.len() {
-        let stretch = if proof.work.stretches.len() - next > WIDEST {
-            // Too many stretches are open to keep them all: from here on, the last one first. Lists behind its own belong to
-            // stretches already done.
-            let last = proof.work.stretches.pop().expect("some are left");
-            proof.work.pairs.truncate(last.pairs.1);
-            last
-        } else {
-            next += 1;
-            proof.work.stretches[next - 1]
-        };
-        let first = proof.work.pairs.len();
-        if proof.look_at_open(&stretch) {
-            return false;
-        }
-        if proof.work.pairs.len() > first {
-            proof.halve(&stretch, first);
-        }
-    }
-    true
+    prove(setting, motion, Order::MiddleFirst, work).is_none()
 }
 
 /// Where the first stretch begins that cannot be proven free, as a fraction of the motion; `None` where all is proven.
@@ -152,7 +123,14 @@ pub(in crate::collision) fn first_hit<const N: usize>(
     motion: &Motion<N>,
     work: &mut Work<N>,
 ) -> Option<f64> {
-    let mut proof = Proof::new(setting, Order::FrontFirst, work);
+    prove(setting, motion, Order::FrontFirst, work)
+}
+
+/// Where the stretch begins that refuses the motion, in this order the first; `None` where all is proven.
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+fn prove<const N: usize>(setting: &Setting, motion: &Motion<N>, order: Order, work: &mut Work<N>) -> Option<f64> {
+    let mut proof = Proof::new(setting, order, work);
     let root = proof.begin(motion);
     if proof.look_at_all(&root) {
         return Some(0.0);
@@ -161,9 +139,19 @@ pub(in crate::collision) fn first_hit<const N: usize>(
         return None;
     }
     proof.halve(&root, 0);
-    while let Some(stretch) = proof.work.stretches.pop() {
-        // Lists behind this one's belong to stretches already done.
-        proof.work.pairs.truncate(stretch.pairs.1);
+    let mut next = 0;
+    while next < proof.work.stretches.len() {
+        let is_last = order == Order::FrontFirst || proof.work.stretches.len() - next > WIDEST;
+        let stretch = if is_last {
+            // The front lies last; and too many open stretches are not all kept, but the last one is taken first. Lists behind
+            // its own belong to stretches already done.
+            let last = proof.work.stretches.pop().expect("some are left");
+            proof.work.pairs.truncate(last.pairs.1);
+            last
+        } else {
+            next += 1;
+            proof.work.stretches[next - 1]
+        };
         let first = proof.work.pairs.len();
         if proof.look_at_open(&stretch) {
             return Some(stretch.middle - stretch.half);

@@ -4,11 +4,12 @@
 //! A path exists exactly where the mouth is wider than the disc (by more than 1e-9 m, to be safe from rounding); where it
 //! is not, the title says so.
 
+use super::free::polygon;
 use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind};
 use super::robots::{DISC_RADIUS, SIDE};
 use crate::decimal::Decimal;
 use crate::error::Error;
-use crate::geometry::{Aabb, Point, Polygon, Vector};
+use crate::geometry::{Aabb, Point, Vector};
 use crate::random::{Random, Stream};
 use crate::robot::DiscRobot;
 use crate::scenario::reader::Reader;
@@ -125,7 +126,7 @@ pub fn bug_trap(options: &BugTrapOptions) -> Result<Scenario, Error> {
     };
     let place = |p: Point| Point::new(center.x + cos * p.x - sin * p.y, center.y + sin * p.x + cos * p.y);
     let corners: Vec<Point> = outline(size, mouth).into_iter().map(place).collect();
-    let trap = Polygon::new(&corners).expect("the wall of a trap does not meet itself");
+    let trap = polygon(&corners);
 
     let inside = place(Point::new(size * (0.1 * random.uniform() - 0.5), size * 0.4 * (random.uniform() - 0.5)));
     let mut corner = || if random.below(2) == 0 { 0.2 } else { SIDE - 0.2 };
@@ -139,9 +140,7 @@ pub fn bug_trap(options: &BugTrapOptions) -> Result<Scenario, Error> {
     let word = if way == "out" { "out of" } else { "into" };
     Ok(Scenario {
         name: format!("bug-trap-{way}-{seed}"),
-        title: Some(format!(
-            "Disc of radius {disc} m {word} a bug trap with a mouth of {gap} m{narrow}, seed {seed}"
-        )),
+        title: Some(format!("Disc of radius {disc} m {word} a bug trap with a mouth of {gap} m{narrow}, seed {seed}")),
         world: World {
             bounds: Some(Aabb { min: Point::origin(), max: Point::new(SIDE, SIDE) }),
             obstacles: vec![Obstacle::Polygon(trap)],

@@ -4,7 +4,7 @@
 //! The corners of a polygon lie on a circle, evenly spaced but for a random shift of up to a fifth of their spacing. A path
 //! need not exist.
 
-use super::free::{are_apart, is_clear_of};
+use super::free::{are_apart, is_clear_of, polygon};
 use super::no_place;
 use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};
 use super::robots::{LINKS, RADIUS, ROBOT, RobotChoice, SIDE, parts_at_ends};
@@ -130,10 +130,9 @@ pub fn clutter(options: &ClutterOptions) -> Result<Scenario, Error> {
         if placed.len() == options.count {
             break;
         }
-        let polygon = draw(&mut random, options);
-        if is_clear_of(&polygon, &keep_clear, options.gap) && placed.iter().all(|p| are_apart(p, &polygon, options.gap))
-        {
-            placed.push(polygon);
+        let drawn = draw(&mut random, options);
+        if is_clear_of(&drawn, &keep_clear, options.gap) && placed.iter().all(|p| are_apart(p, &drawn, options.gap)) {
+            placed.push(drawn);
         }
     }
     if placed.len() < options.count {
@@ -163,6 +162,6 @@ fn draw(random: &mut Random, options: &ClutterOptions) -> Polygon {
         Point::new(center.0 + size * cos, center.1 + size * sin)
     };
     let corners: Vec<Point> = (0..corners).map(corner).collect();
-    Polygon::new(&corners)
-        .expect("points in order on a circle, none closer than a tenth of a turn, bound a convex polygon")
+    // Points in order on a circle, none closer than a tenth of a turn, bound a convex polygon.
+    polygon(&corners)
 }

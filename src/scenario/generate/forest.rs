@@ -5,7 +5,7 @@
 //! the rest to chance; here cells are distinct and a triangle that touches the base, the start or the goal is drawn again,
 //! so that every forest has all of its triangles and a question worth asking. A path need not exist.
 
-use super::free::is_clear_of;
+use super::free::{is_clear_of, polygon};
 use super::no_place;
 use super::options::{GeneratorInfo, Given, OptionInfo};
 use super::robots::LINKS;
@@ -93,7 +93,7 @@ fn triangle((column, row): (u64, u64), links: usize) -> Polygon {
     let at = |cell: u64| 0.5 * cell as f64 - links as f64;
     let (x, y) = (at(column), at(row));
     let corners = [Point::new(x, y), Point::new(x + 0.5, y), Point::new(x + 0.25, y + 0.5)];
-    Polygon::new(&corners).expect("the three corners are not on one line")
+    polygon(&corners)
 }
 
 /// Start and goal: those of the report for 2, 3 and 4 links; otherwise from a gentle curl to a zigzag on the other side.

@@ -36,3 +36,11 @@ pub(super) fn are_apart(p: &Polygon, q: &Polygon, gap: f64) -> bool {
     !p.aabb().grown(gap + SOME).intersects(q.aabb())
         || (!p.contains(corner) && p.edges().all(|edge| distance_segment_polygon(&edge, q) > gap + SOME))
 }
+
+/// The polygon of corners that are known to make one.
+///
+/// # Panics
+/// Where they do not.
+pub(super) fn polygon(corners: &[Point]) -> Polygon {
+    Polygon::new(corners).unwrap_or_else(|_| unreachable!("generators know their polygons"))
+}

@@ -6,12 +6,12 @@
 //! front of it. That a path exists is not promised: arms of three links and more mostly find the way in, two links often
 //! cannot.
 
-use super::free::SOME;
+use super::free::{SOME, polygon};
 use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};
 use super::robots::{LINKS, RADIUS, ROBOT, RobotChoice, SIDE};
 use crate::decimal::Decimal;
 use crate::error::Error;
-use crate::geometry::{Aabb, Point, Polygon};
+use crate::geometry::{Aabb, Point};
 use crate::random::{Random, Stream};
 use crate::robot::{Arm, DiscRobot};
 use crate::scenario::reader::Reader;
@@ -94,8 +94,9 @@ impl GapOptions {
         values.extend(robot.links());
         INFO.check(seed, &values)?;
         if robot != RobotChoice::Disc && width - 2.0 * radius < PLAY - SOME {
+            let [radius, play, width] = [radius, PLAY, width].map(Decimal);
             let sentence = format!(
-                "an arm of radius {radius} needs a gap wider than twice that by {PLAY}, else it is never at its goal; {width} is less"
+                "an arm of radius {radius} needs a gap wider than twice that by {play}, else it is never at its goal; {width} is less"
             );
             return Err(refused("width", sentence));
         }
@@ -135,7 +136,7 @@ pub fn gap(options: &GapOptions) -> Result<Scenario, Error> {
     let wall = |low: f64, high: f64| {
         let (left, right) = ((SIDE - thickness) / 2.0, (SIDE + thickness) / 2.0);
         let corners = [(left, low), (right, low), (right, high), (left, high)].map(|(x, y)| Point::new(x, y));
-        Obstacle::Polygon(Polygon::new(&corners).expect("on either side there is some wall"))
+        Obstacle::Polygon(polygon(&corners))
     };
     Ok(Scenario {
         name: format!("gap-{}-{seed}", choice.id()),
@@ -175,7 +176,8 @@ fn reach_through(
     let mut directions = vec![aim; links];
     for i in 1..links {
         if base.x + length * i as f64 * cos > behind {
-            directions[i] = (directions[i - 1] + bend * (0.3 + 0.3 * random.uniform())).clamp(-1.4, 1.4);
+            let direction = directions[i - 1] + bend * (0.3 + 0.3 * random.uniform());
+            directions[i] = libm::fmax(-1.4, libm::fmin(direction, 1.4));
         }
     }
     Ok((Robot::Arm(arm), joint_angles(&leaning), joint_angles(&directions)))

@@ -5,7 +5,7 @@
 //! of the walls that are left is taken away, so that ways meet in loops. Walls in a row make one rectangle. Every maze has a
 //! path, since the disc fits through its corridors.
 
-use super::free::SOME;
+use super::free::{SOME, polygon};
 use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};
 use super::robots::DISC_RADIUS;
 use crate::decimal::Decimal;
@@ -241,5 +241,5 @@ impl Walls {
 /// The rectangle of the corners, which are written as (across, along) a wall.
 fn rectangle(corners: [(f64, f64); 4], upright: bool) -> Polygon {
     let corners = corners.map(|(u, v)| if upright { Point::new(u, v) } else { Point::new(v, u) });
-    Polygon::new(&corners).expect("a wall is longer and thicker than nothing")
+    polygon(&corners)
 }

@@ -47,7 +47,8 @@ export function ending(run, journey) {
     const shorter = journey?.raw ? `, cut from ${run.rawLength.toFixed(2)} ${unit}` : "";
     const found = `Found after ${iterations} iterations: a path of ${length.toFixed(2)} ${unit}${shorter}`;
     if (run.isProven) return `${found}, proven free from end to end.`;
-    return `${found}, not proven. ${journey?.flaw ? collision(run, journey.flaw.check) : "Checked afterwards, it touches nothing."}`;
+    if (journey?.flaw) return `Found, not proven. ${collision(run, journey.flaw.check)}`;
+    return `${found}, not proven. Checked afterwards, it touches nothing.`;
   }
   if (!run.isTree && run.expanded === 0) return `No path: ${iterations} iterations were too few to search the roadmap.`;
   if (run.pieces) return `No path: ${asked(run)}the map is in ${run.pieces.count.toLocaleString("en")} pieces. Start and goal lie in different ones, in their colours.`;
@@ -62,9 +63,8 @@ function asked({ settings: { k } }) {
 }
 
 /** @param {Run} run @param {Check} check */
-function collision({ scenario, settings: { edge_samples: places } }, check) {
-  const looked = typeof places === "number" ? `in ${places} place${places === 1 ? "" : "s"} only` : "in places only";
-  return `It collides: ${touchingSentence(scenario, check)}. Edges were looked at ${looked}: set \u201cEdges are\u201d to proven.`;
+function collision({ scenario }, check) {
+  return `It collides: ${touchingSentence(scenario, check)}. To mend it, set \u201cEdges are\u201d to proven.`;
 }
 
 /** What to do with the robot in the hand. @param {Scenario} scenario @param {boolean} square  is there a configuration square beside the workspace */

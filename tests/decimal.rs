@@ -31,7 +31,7 @@ fn hard() -> Vec<f64> {
         0.00001234,
         4.35,
         2e-44,
-        3.14159265358979,
+        2.24159265358979,
         5e-5,
         999999999999999.9,
         0.1 + 0.2,
@@ -125,10 +125,9 @@ fn numbers_are_read_as_the_standard_library_reads_them() {
         texts.extend(middle.is_finite().then(|| format!("{middle:.40e}")));
     }
     // Exactly halfway between neighbours, in all digits.
-    for odd in [1u64 << 53 | 1, (1 << 54) - 1, 12345678901234567 << 1 | 1] {
+    for odd in [(1u64 << 53) | 1, (1 << 54) - 1, (12345678901234567 << 1) | 1] {
         for exponent in [0, 10, 100] {
-            let halfway = format!("{}", f64::from_bits(1) * 0.0 + odd as f64);
-            texts.push(format!("{halfway}e{exponent}"));
+            texts.push(format!("{odd}e{exponent}"));
         }
     }
     for text in texts {

@@ -423,7 +423,13 @@ test("a roadmap is kept as text and as bytes, and gone on with: the same path, a
     const [text, bytes] = [planner.roadmap("json"), planner.roadmap("binary")];
     assert.equal(JSON.parse(text).format, "planarium-roadmap-1");
     assert.ok(bytes instanceof Uint8Array && bytes.length < text.length);
-    assert.match(planner.roadmap("graphml"), /^<\?xml [^]*<graphml [^]*<\/graphml>\n$/);
+    const xml = planner.roadmap("graphml");
+    assert.match(xml, /^<\?xml [^]*<graphml [^]*<\/graphml>\n$/);
+    const { vertices, edges } = JSON.parse(text);
+    const told = (/** @type {RegExp} */ pattern) => Array.from(xml.matchAll(pattern), ([, ...found]) => found.map(Number));
+    assert.deepEqual(told(/<node id="n\d+"><data key="q0">(.+?)<\/data><data key="q1">(.+?)<\/data><\/node>/g), vertices);
+    const lines = told(/<edge id="e\d+" source="n(\d+)" target="n(\d+)"><data key="weight">(.+?)<\/data>/g);
+    assert.deepEqual(lines, edges.map((/** @type {[number, number]} */ [a, b]) => [a, b, scenario.distance(vertices[a], vertices[b])]));
     for (const kept of [text, bytes, new Uint8Array(bytes)]) {
       const resumed = finish(scenario.resume(kept, { query: "over", shortcut: 0 }));
       assert.equal(resumed.status, planner.status);

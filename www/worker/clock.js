@@ -48,8 +48,13 @@ export class Clock {
 
   halt() {
     this.playing = false;
-    this.rushing = false;
+    this.rest();
+  }
+
+  /** There is nothing more to catch up with. */
+  rest() {
     this.wanted = this.now;
+    this.rushing = false;
   }
 
   /** @param {number} time */

@@ -114,10 +114,10 @@ export class Editor {
     this.selected = null;
     this.on = on;
     if (on) {
-      theatre.pointing.at = null;
-      theatre.release();
-      theatre.pause();
-    } else if (theatre.refusal) theatre.showTouching();
+      theatre.turn.pointing.at = null;
+      theatre.turn.release();
+      theatre.conductor.pause();
+    } else if (theatre.refusal) theatre.turn.showTouching();
   }
 
   /** @param {EditTool} tool */

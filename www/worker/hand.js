@@ -89,7 +89,7 @@ export class Hand {
     const { pane, x, y, scale, square } = place;
     const reach = pointer.touch ? REACH.touch : REACH.mouse;
     editor.refusal = null;
-    editor.theatre.release();
+    editor.theatre.turn.release();
     if (tool === "polygon" && !square) {
       this.corner(pointFrom(scale, this.draft.at(-1), x, y, pointer.shift), reach / scale.pixels);
     } else if ((tool === "disc" || tool === "rectangle") && !square) {

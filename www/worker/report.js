@@ -26,7 +26,7 @@ export function report(theatre) {
     inHand: shown?.hand !== null,
     pose: pose ? Array.from(pose) : null,
     touching: shown?.hand && shown.check ? { text: poseSentence(shown.scenario, shown.check), free: shown.check.free } : { text: "", free: true },
-    arrived: shown?.hand !== null && theatre.game.arrived,
+    arrived: shown?.hand !== null && theatre.turn.game.arrived,
     hover: shown?.hover ? { vertex: shown.hover.vertex, text: hoverSentence(shown.hover), free: shown.hover.check.free } : null,
     lanes: lanes.map((lane) => laneState(lane, settled)),
     summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),

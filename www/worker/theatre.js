@@ -5,19 +5,17 @@
 import { faultOf } from "../fault.js";
 import { Stage } from "../stage/stage.js";
 import { Clock } from "./clock.js";
-import { contained, coordinatesOf } from "./coordinates.js";
-import { Grip } from "./grip.js";
+import { Conductor } from "./conductor.js";
+import { coordinatesOf } from "./coordinates.js";
 import { thinned } from "./curve.js";
-import { compete } from "./compete.js";
-import { Pointing } from "./pointing.js";
 import { Lane } from "./lane.js";
 import { report } from "./report.js";
 import * as story from "./story.js";
+import { Turn } from "./turn.js";
 
 /** @import { Curves, Library, Plan, Pointer, Programme, Scenario, ScenarioDocument, SceneFacts, Source, State, ViewOptions } from "../types.js" */
 /** @import { Editor } from "./editor.js" */
 /** @import { Shown } from "./lane.js" */
-/** @import { CSpace } from "../stage/cspace.js" */
 
 /** Milliseconds of planning in a frame at most, and when inking new growth stops. */
 const PLANNING = 4.5;
@@ -40,8 +38,8 @@ export class Theatre {
     this.phases = library.phases;
     this.stage = new Stage();
     this.clock = new Clock();
-    this.grip = new Grip();
-    this.pointing = new Pointing();
+    this.conductor = new Conductor(this);
+    this.turn = new Turn(this);
     /** @type {Shown | null} */
     this.shown = null;
     /** @type {Lane[]} */
@@ -56,8 +54,6 @@ export class Theatre {
     this.refusal = null;
     /** All that was asked for is made and drawn. */
     this.settled = false;
-    /** How often the hand touched something, and whether it brought the robot to the goal. */
-    this.game = { touches: 0, arrived: false };
     /** The number of the newest order obeyed. */
     this.heard = -1;
     /** Once it was asked for. @type {Editor | null} */
@@ -81,7 +77,7 @@ export class Theatre {
     this.stage.relay();
     this.editor?.begin();
     this.plan(programme.plans, programme.play && !this.editor?.on);
-    if (programme.iteration !== undefined && programme.iteration > 0) this.seek(programme.iteration);
+    if (programme.iteration !== undefined && programme.iteration > 0) this.conductor.seek(programme.iteration);
     return this.facts();
   }
 
@@ -147,7 +143,7 @@ export class Theatre {
     shown.start = query?.start ?? null;
     shown.goal = query?.goal ?? null;
     this.plannings++;
-    this.release();
+    this.turn.release();
     clock.reset();
     clock.isRace = plans.length > 1;
     this.refusal = null;
@@ -165,21 +161,10 @@ export class Theatre {
     } catch (error) {
       for (const lane of this.lanes) lane.free();
       this.refusal = { error, lane: at };
-      if (!this.editor?.on) this.showTouching();
+      if (!this.editor?.on) this.turn.showTouching();
     }
     this.stage.restart(this.lanes);
     this.wake();
-  }
-
-  /** A start or goal that touches something is shown as the robot in the hand. */
-  showTouching() {
-    const { shown } = this;
-    if (!shown) return;
-    for (const end of [shown.start, shown.goal]) {
-      if (!end || end.length !== shown.scenario.dimension || shown.scenario.check(end).free) continue;
-      this.hold(Float64Array.from(end));
-      return;
-    }
   }
 
   clear() {
@@ -191,7 +176,8 @@ export class Theatre {
   /** What was told at rest no longer holds. */
   stir() { this.settled = false; }
 
-  // The transport.
+  /** A pointer on a pane: the editor's while it is on. @param {Pointer} pointer @returns {boolean} whether it holds something */
+  pointer(pointer) { return this.editor?.on ? this.editor.pointer(pointer) : this.turn.point(pointer); }
 
   /** Does any planner go on? */
   get growing() { return this.lanes.some(({ run }) => run && run.status === "running"); }
@@ -202,139 +188,12 @@ export class Theatre {
   /** The ways that are known: those of a race are followed in step. */
   get journeys() { return this.lanes.flatMap(({ journey }) => journey ?? []); }
 
-  toggle() {
-    if (this.clock.playing) this.pause();
-    else this.play();
-  }
-
-  play() {
-    if (!this.growing && !this.travelling) {
-      // At its end, and nothing drives: it is watched again from the beginning.
-      if (this.clock.head === 0) return;
-      this.showTime(0);
-      this.clock.halt();
-    }
-    this.release();
-    this.clock.playing = true;
-    if (this.growing) this.stir();
-    this.wake();
-  }
-
-  pause() {
-    this.clock.halt();
-    this.wake();
-  }
-
-  /** @param {number} steps  below 0: back */
-  step(steps) {
-    const { clock } = this;
-    const from = clock.playing || clock.wanted === Infinity ? clock.now : clock.wanted;
-    this.seek(from + steps * clock.unit);
-  }
-
-  /** Shows a time: what the log has at once, what it has not after planning. @param {number} time */
-  seek(time) {
-    if (!this.shown) return;
-    this.release();
-    const { clock } = this;
-    clock.seek(time);
-    if (clock.wanted < clock.now) this.showTime(clock.wanted);
-    this.stir();
-    this.wake();
-  }
-
-  /** Runs on as fast as it goes. */
-  finish() {
-    if (!this.growing) return;
-    this.release();
-    this.clock.rushing = true;
-    this.clock.playing = true;
-    this.stir();
-    this.wake();
-  }
-
   reset() {
     this.plan(this.lanes.map(({ plan }) => plan), false);
   }
 
   /** @param {number} pace  iterations a second */
   setPace(pace) { this.clock.pace = pace; }
-
-  /** Puts the robot somewhere along its way. @param {number} part  0 to 1 */
-  along(part) {
-    if (!this.travelling) return;
-    this.release();
-    this.clock.playing = false;
-    for (const journey of this.journeys) journey.seek(part);
-    this.wake();
-  }
-
-  // The robot in the hand.
-
-  /** The reader's turn, or the planner's again. */
-  turn() {
-    const { shown } = this;
-    if (!shown) return;
-    if (shown.hand) {
-      this.release();
-      this.play();
-      this.wake();
-      return;
-    }
-    this.hold(Float64Array.from(shown.start ?? coordinatesOf(shown).map(({ low, high }) => (low + high) / 2)));
-  }
-
-  /** The robot is held at a pose. @param {Float64Array} pose */
-  hold(pose) {
-    const { shown } = this;
-    if (!shown || pose.length !== shown.scenario.dimension) return;
-    if (!shown.hand) {
-      this.game = { touches: 0, arrived: false };
-      for (const { journey } of this.lanes) {
-        if (!journey) continue;
-        journey.drawn = 1;
-        this.clock.halt();
-      }
-    }
-    contained(pose, coordinatesOf(shown));
-    const wasFree = shown.check?.free ?? true;
-    shown.hand = pose;
-    shown.check = shown.scenario.check(pose);
-    if (wasFree && !shown.check.free) this.game.touches++;
-    if (shown.check.free && shown.goal && this.isAt(shown.goal, pose)) this.game.arrived = true;
-    this.wake();
-  }
-
-  /** Is a pose at the goal, as nearly as a hand can put it there? @param {ArrayLike<number>} goal @param {Float64Array} pose */
-  isAt(goal, pose) {
-    const { scenario } = /** @type {Shown} */ (this.shown);
-    const { min, max } = scenario.extent();
-    const near = scenario.robot === "arm" ? 0.06 * scenario.dimension : 0.015 * Math.max(max[0] - min[0], max[1] - min[1]);
-    return scenario.distance(pose, Float64Array.from(goal)) <= near;
-  }
-
-  /** The robot is nobody's. */
-  release() {
-    if (!this.shown) return;
-    this.shown.hand = null;
-    this.shown.check = null;
-  }
-
-  /** A pointer on a pane, pixels of the pane. @param {Pointer} pointer @returns {boolean} whether it holds something */
-  pointer(pointer) {
-    if (this.editor?.on) return this.editor.pointer(pointer);
-    const { pane: id, type, x, y } = pointer;
-    const place = this.stage.at(id);
-    if (!place || !this.shown) return false;
-    const { pane, kind } = place;
-    this.pointing.at = type === "hover" ? { place, x, y } : null;
-    if (type !== "down" && type !== "move") return false;
-    const pose = kind === "cspace"
-      ? this.grip.square(/** @type {CSpace} */ (pane), x, y)
-      : type === "down" ? this.grip.take(pane, x, y) : this.grip.drag(pane, x, y);
-    if (pose) this.hold(pose);
-    return pose !== null;
-  }
 
   /** What is to be seen. @param {Partial<ViewOptions>} view */
   setView(view) {
@@ -402,11 +261,10 @@ export class Theatre {
     const elapsed = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = now;
     const { stage, clock } = this;
-    const moved = this.pass(elapsed, began + PLANNING);
+    const moved = this.conductor.pass(elapsed, began + PLANNING);
     const working = moved || !stage.caughtUp;
     if (moved) this.stir();
-    if (clock.playing && !this.growing) this.travel(elapsed);
-    shown.hover = shown.hand || this.editor?.on ? null : this.pointing.find(this.lanes, this.grip, shown.hover);
+    this.turn.hover(shown);
     for (const { run } of this.lanes) run?.frontier.follow();
     for (const lane of this.lanes) lane.still = !clock.playing && !clock.owes && lane.run?.status === "running";
     stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
@@ -415,41 +273,6 @@ export class Theatre {
     if (working) this.measure(began);
     this.tell(report(this));
     if (clock.playing || clock.owes || stage.busy) this.wake();
-  }
-
-  /** Time goes on: what the log has is replayed, what it has not is planned. @param {number} elapsed  seconds @param {number} until @returns {boolean} whether anything changed */
-  pass(elapsed, until) {
-    const { clock, lanes } = this;
-    if (this.growing) clock.pass(elapsed);
-    if (!clock.owes) return false;
-    // What is not inked yet is inked first.
-    if (!this.stage.caughtUp) return false;
-    if (!this.growing) {
-      clock.wanted = clock.now;
-      clock.rushing = false;
-      return false;
-    }
-    const before = clock.now;
-    const wanted = Math.floor(clock.wanted);
-    const runs = lanes.flatMap(({ run }) => run ?? []);
-    const there = clock.isRace ? compete(runs, clock.column, wanted, until) : runs[0].advance(clock.column, wanted, until);
-    this.showTime(there ? wanted : Math.min(wanted, this.reached()));
-    if (!this.growing) {
-      clock.wanted = clock.now;
-      clock.rushing = false;
-    }
-    return clock.now !== before;
-  }
-
-  /** The time that all planners have come to: those that have ended hold nobody up. */
-  reached() {
-    return Math.min(...this.lanes.map(({ run }) => run?.reached(this.clock.column) ?? Infinity));
-  }
-
-  /** The latest time at which it is known how all stand. */
-  get limit() {
-    const reached = this.reached();
-    return reached < Infinity ? reached : Math.max(0, ...this.lanes.map(({ run }) => run?.clock(this.clock.column) ?? 0));
   }
 
   /** Differs where the curves do. */
@@ -461,27 +284,6 @@ export class Theatre {
     return { key, head, isRace, lanes: thinned(this.lanes.flatMap(({ run }) => run ?? []), column, head) };
   }
 
-  /** The robots drive on, all at the same part of their ways. @param {number} elapsed  seconds */
-  travel(elapsed) {
-    const [lead, ...others] = this.journeys;
-    lead?.advance(elapsed);
-    for (const journey of others) Object.assign(journey, { drawn: lead.drawn, at: lead.at });
-  }
-
-  /** @param {number} time */
-  showTime(time) {
-    const { clock, lanes } = this;
-    clock.now = Math.min(time, this.limit);
-    clock.head = Math.max(clock.head, clock.now);
-    for (const lane of lanes) {
-      if (!lane.run) continue;
-      lane.run.shown = lane.run.iterationAt(clock.column, clock.now);
-      // A path draws itself only before someone who watches it grow, and wants to see it move.
-      if (lane.arrive() && lane.end && (this.stage.look?.calm || !clock.playing || lanes.length > 1)) lane.end.drawn = 1;
-    }
-    if (!this.growing && (this.stage.look?.calm || !this.travelling)) clock.playing = false;
-  }
-
   /** Leaves the frame's own work in the browser's timeline. @param {number} began */
   measure(began) {
     if (++this.measures % MEASURES === 0) performance.clearMeasures("planarium-frame");
@@ -490,7 +292,7 @@ export class Theatre {
 
   /** The sentence above the stage, and whether it is bad news. @returns {[string, boolean]} */
   get sentence() {
-    const { shown, game } = this;
+    const { shown, turn: { game } } = this;
     if (!shown) return ["", false];
     const { editor } = this;
     if (editor?.sentence && !shown.hand) return [editor.sentence, editor.isBad];

@@ -40,23 +40,23 @@ const commands = {
   plan: (plans, play) => house().plan(plans, play),
   /** @param {string} query @param {boolean} play */
   ask: (query, play) => house().ask(query, play),
-  toggle: () => house().toggle(),
-  play: () => house().play(),
-  pause: () => house().pause(),
+  toggle: () => house().conductor.toggle(),
+  play: () => house().conductor.play(),
+  pause: () => house().conductor.pause(),
   /** @param {number} steps */
-  step: (steps) => house().step(steps),
+  step: (steps) => house().conductor.step(steps),
   /** @param {number} time */
-  seek: (time) => house().seek(time),
-  finish: () => house().finish(),
+  seek: (time) => house().conductor.seek(time),
+  finish: () => house().conductor.finish(),
   reset: () => house().reset(),
   /** @param {number} pace */
   pace: (pace) => house().setPace(pace),
   /** @param {number} part */
-  along: (part) => house().along(part),
+  along: (part) => house().conductor.along(part),
   curves: () => house().curves(),
-  turn: () => house().turn(),
+  turn: () => house().turn.change(),
   /** @param {number[]} pose */
-  hold: (pose) => house().hold(Float64Array.from(pose)),
+  hold: (pose) => house().turn.hold(Float64Array.from(pose)),
   /** @param {EditOrder} order */
   async edit(order) {
     const { editorOf } = await import("./editor.js");
@@ -66,7 +66,7 @@ const commands = {
   /** @param {Pointer} pointer */
   pointer: (pointer) => house().pointer(pointer),
   /** @param {number} vertex  -1: none */
-  inspect: (vertex) => house().pointing.choose(vertex),
+  inspect: (vertex) => house().turn.pointing.choose(vertex),
   /** @param {Partial<ViewOptions>} view */
   view: (view) => house().setView(view),
   /** @param {Look} look */

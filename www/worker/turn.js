@@ -1,0 +1,107 @@
+/**
+ * The reader's turn: the robot in the hand, what it touches on its way, and whether it was brought to the goal. A pointer that
+ * holds nothing points at something.
+ */
+import { contained, coordinatesOf } from "./coordinates.js";
+import { Grip } from "./grip.js";
+import { Pointing } from "./pointing.js";
+
+/** @import { Pointer } from "../types.js" */
+/** @import { CSpace } from "../stage/cspace.js" */
+/** @import { Shown } from "./lane.js" */
+/** @import { Theatre } from "./theatre.js" */
+
+export class Turn {
+  /** @param {Theatre} theatre */
+  constructor(theatre) {
+    this.theatre = theatre;
+    this.grip = new Grip();
+    this.pointing = new Pointing();
+    /** How often the hand touched something, and whether it brought the robot to the goal. */
+    this.game = { touches: 0, arrived: false };
+  }
+
+  /** The reader's turn, or the planner's again. */
+  change() {
+    const { theatre } = this;
+    const { shown } = theatre;
+    if (!shown) return;
+    if (shown.hand) {
+      this.release();
+      theatre.conductor.play();
+      theatre.wake();
+      return;
+    }
+    this.hold(Float64Array.from(shown.start ?? coordinatesOf(shown).map(({ low, high }) => (low + high) / 2)));
+  }
+
+  /** The robot is held at a pose. @param {Float64Array} pose */
+  hold(pose) {
+    const { theatre } = this;
+    const { shown } = theatre;
+    if (!shown || pose.length !== shown.scenario.dimension) return;
+    if (!shown.hand) {
+      this.game = { touches: 0, arrived: false };
+      for (const { journey } of theatre.lanes) {
+        if (!journey) continue;
+        journey.drawn = 1;
+        theatre.clock.halt();
+      }
+    }
+    contained(pose, coordinatesOf(shown));
+    const wasFree = shown.check?.free ?? true;
+    shown.hand = pose;
+    shown.check = shown.scenario.check(pose);
+    if (wasFree && !shown.check.free) this.game.touches++;
+    if (shown.check.free && isAtGoal(shown, pose)) this.game.arrived = true;
+    theatre.wake();
+  }
+
+  /** A start or goal that touches something is shown as the robot in the hand. */
+  showTouching() {
+    const { shown } = this.theatre;
+    if (!shown) return;
+    for (const end of [shown.start, shown.goal]) {
+      if (!end || end.length !== shown.scenario.dimension || shown.scenario.check(end).free) continue;
+      this.hold(Float64Array.from(end));
+      return;
+    }
+  }
+
+  /** The robot is nobody's. */
+  release() {
+    const { shown } = this.theatre;
+    if (!shown) return;
+    shown.hand = null;
+    shown.check = null;
+  }
+
+  /** A pointer on a pane, pixels of the pane. @param {Pointer} pointer @returns {boolean} whether it holds something */
+  point({ pane: id, type, x, y }) {
+    const { theatre, grip } = this;
+    const place = theatre.stage.at(id);
+    if (!place || !theatre.shown) return false;
+    const { pane, kind } = place;
+    this.pointing.at = type === "hover" ? { place, x, y } : null;
+    if (type !== "down" && type !== "move") return false;
+    const pose = kind === "cspace"
+      ? grip.square(/** @type {CSpace} */ (pane), x, y)
+      : type === "down" ? grip.take(pane, x, y) : grip.drag(pane, x, y);
+    if (pose) this.hold(pose);
+    return pose !== null;
+  }
+
+  /** What is pointed at, unless the hand has something to do. @param {Shown} shown */
+  hover(shown) {
+    const { theatre } = this;
+    shown.hover = shown.hand || theatre.editor?.on ? null : this.pointing.find(theatre.lanes, this.grip, shown.hover);
+  }
+}
+
+/** Is a pose at the goal, as nearly as a hand can put it there? @param {Shown} shown @param {Float64Array} pose */
+function isAtGoal({ scenario, goal }, pose) {
+  if (!goal) return false;
+  const { min, max } = scenario.extent();
+  const near = scenario.robot === "arm" ? 0.06 * scenario.dimension : 0.015 * Math.max(max[0] - min[0], max[1] - min[1]);
+  return scenario.distance(pose, Float64Array.from(goal)) <= near;
+}

@@ -4,7 +4,7 @@ mod common;
 
 use common::{PLANNERS, arm_and_wall, begin_with, disc_and_wall, finish, fitting, no_way, options};
 use planarium::graph::EventKind;
-use planarium::planner::{Mark, PseudocodeLine, planner_info, planners};
+use planarium::planner::{Mark, Phase, PseudocodeLine, planner_info, planners};
 use planarium::run::{EVENT_HEAD, Run, Status, resume};
 use std::collections::BTreeSet;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -41,7 +41,7 @@ fn marks_of_one(run: &mut dyn Run) -> BTreeSet<String> {
         assert_eq!(f64::from(kind as u8), row[0]);
         add(true, Mark::of(kind));
     }
-    add(run.status() != Status::Running, Mark::Done);
+    add(run.status() != Status::Running, Mark::In(Phase::Done));
     marks
 }
 

@@ -6,24 +6,13 @@
 
 use crate::graph::EventKind;
 use crate::json::Node;
+use crate::phase::Phase;
 
 /// What lights a line of pseudo-code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mark {
-    /// The iteration began in the phase of this name: a sample is tried for a roadmap.
-    Sampling,
-    /// The same: a vertex is joined to its neighbours.
-    Connecting,
-    /// The same: a sample is tried as a guard or a link.
-    Guarding,
-    /// The same: a roadmap is searched.
-    Searching,
-    /// The same: a tree grows.
-    Growing,
-    /// The same: the path that was found is made shorter.
-    Improving,
-    /// The run has ended.
-    Done,
+    /// The iteration began in this phase, or the run has ended with it ([`Phase::Done`]).
+    In(Phase),
     /// A vertex was added.
     Vertex,
     /// An edge was added.
@@ -45,13 +34,13 @@ pub enum Mark {
 impl Mark {
     /// Every mark.
     pub const ALL: [Mark; 15] = [
-        Mark::Sampling,
-        Mark::Connecting,
-        Mark::Guarding,
-        Mark::Searching,
-        Mark::Growing,
-        Mark::Improving,
-        Mark::Done,
+        Mark::In(Phase::Sampling),
+        Mark::In(Phase::Connecting),
+        Mark::In(Phase::Guarding),
+        Mark::In(Phase::Searching),
+        Mark::In(Phase::Growing),
+        Mark::In(Phase::Improving),
+        Mark::In(Phase::Done),
         Mark::Vertex,
         Mark::Edge,
         Mark::Rejected,
@@ -65,13 +54,7 @@ impl Mark {
     /// The word that it is written as.
     pub fn word(self) -> &'static str {
         match self {
-            Mark::Sampling => "sampling",
-            Mark::Connecting => "connecting",
-            Mark::Guarding => "guarding",
-            Mark::Searching => "searching",
-            Mark::Growing => "growing",
-            Mark::Improving => "improving",
-            Mark::Done => "done",
+            Mark::In(phase) => phase.as_str(),
             Mark::Vertex => "vertex",
             Mark::Edge => "edge",
             Mark::Rejected => "rejected",
@@ -124,15 +107,15 @@ const fn line(indent: u8, text: &'static str, lit_by: &'static [Mark]) -> Pseudo
 }
 
 const BEGIN: PseudocodeLine = line(0, "G ← {start, goal}; until it has n samples:", &[]);
-const SAMPLE: PseudocodeLine = line(1, "q ← a random configuration", &[Mark::Sampling]);
+const SAMPLE: PseudocodeLine = line(1, "q ← a random configuration", &[Mark::In(Phase::Sampling)]);
 const KEEP: PseudocodeLine = line(1, "add q to G", &[Mark::Vertex]);
 const JOIN: PseudocodeLine = line(1, "if the motion q – p is free: add that edge", &[Mark::Edge]);
 const REFUSE: PseudocodeLine = line(1, "else: refuse it", &[Mark::Refused]);
-const SEARCH: PseudocodeLine = line(0, "search G from start to goal:", &[Mark::Searching]);
+const SEARCH: PseudocodeLine = line(0, "search G from start to goal:", &[Mark::In(Phase::Searching)]);
 const EXPAND: PseudocodeLine = line(1, "expand the next open vertex", &[Mark::Expanded, Mark::Solved]);
 const NONE_FOUND: PseudocodeLine = line(1, "if the sampler finds none: once more", &[Mark::Rejected]);
-const IMPROVE: PseudocodeLine = line(0, "shorten the path, where that is asked for", &[Mark::Improving]);
-const END: PseudocodeLine = line(0, "return the path, or that there is none", &[Mark::Done]);
+const IMPROVE: PseudocodeLine = line(0, "shorten the path, where that is asked for", &[Mark::In(Phase::Improving)]);
+const END: PseudocodeLine = line(0, "return the path, or that there is none", &[Mark::In(Phase::Done)]);
 
 /// Of `prm`.
 pub(super) const PRM: &[PseudocodeLine] = &[
@@ -141,7 +124,7 @@ pub(super) const PRM: &[PseudocodeLine] = &[
     line(1, "if q collides, or is discarded: next sample", &[Mark::Rejected, Mark::Discarded]),
     KEEP,
     // Connected one by one, edges come while samples do.
-    line(0, "for q of G, for p of its nearest neighbours:", &[Mark::Connecting, Mark::Edge, Mark::Refused]),
+    line(0, "for q of G, for p of its nearest neighbours:", &[Mark::In(Phase::Connecting), Mark::Edge, Mark::Refused]),
     JOIN,
     REFUSE,
     SEARCH,
@@ -157,7 +140,7 @@ pub(super) const PRM_STAR: &[PseudocodeLine] = &[
     line(1, "if q collides: next sample", &[Mark::Rejected]),
     KEEP,
     line(0, "k ← e (1 + 1/d) ln n, or by the rule chosen", &[]),
-    line(0, "for q of G, for p of its k nearest:", &[Mark::Connecting]),
+    line(0, "for q of G, for p of its k nearest:", &[Mark::In(Phase::Connecting)]),
     JOIN,
     REFUSE,
     SEARCH,
@@ -169,9 +152,9 @@ pub(super) const PRM_STAR: &[PseudocodeLine] = &[
 /// Of `visibility-prm`.
 pub(super) const VISIBILITY_PRM: &[PseudocodeLine] = &[
     // A roadmap that is gone on with joins the two to what it has.
-    line(0, "G ← start and goal, joined where that is free", &[Mark::Connecting]),
+    line(0, "G ← start and goal, joined where that is free", &[Mark::In(Phase::Connecting)]),
     line(0, "until m samples in a row make no guard:", &[]),
-    line(1, "q ← a random configuration", &[Mark::Guarding]),
+    line(1, "q ← a random configuration", &[Mark::In(Phase::Guarding)]),
     line(1, "if q collides: next sample", &[Mark::Rejected]),
     line(1, "which parts of G have a guard that sees q?", &[Mark::Vertex, Mark::Discarded]),
     line(2, "none: add q, as a guard", &[Mark::Guard]),
@@ -186,7 +169,7 @@ pub(super) const VISIBILITY_PRM: &[PseudocodeLine] = &[
 /// Of `rrt`.
 pub(super) const RRT: &[PseudocodeLine] = &[
     line(0, "T ← {start}; repeat:", &[]),
-    line(1, "q ← a random configuration, or the goal", &[Mark::Growing]),
+    line(1, "q ← a random configuration, or the goal", &[Mark::In(Phase::Growing)]),
     NONE_FOUND,
     line(1, "near ← the vertex of T nearest to q", &[Mark::Edge, Mark::Refused]),
     line(1, "new ← from near some way towards q", &[Mark::Edge, Mark::Refused]),
@@ -195,14 +178,14 @@ pub(super) const RRT: &[PseudocodeLine] = &[
     line(2, "if that is free: solved", &[Mark::Solved]),
     line(1, "a motion that is not free is refused", &[Mark::Refused]),
     IMPROVE,
-    line(0, "return the path, or the nearest miss", &[Mark::Done]),
+    line(0, "return the path, or the nearest miss", &[Mark::In(Phase::Done)]),
 ];
 
 /// Of `rrt-connect`.
 pub(super) const RRT_CONNECT: &[PseudocodeLine] = &[
     line(0, "two trees, {start} and {goal}; repeat:", &[]),
-    line(1, "A ← the smaller tree, B ← the other one", &[Mark::Growing]),
-    line(1, "q ← a random configuration", &[Mark::Growing]),
+    line(1, "A ← the smaller tree, B ← the other one", &[Mark::In(Phase::Growing)]),
+    line(1, "q ← a random configuration", &[Mark::In(Phase::Growing)]),
     NONE_FOUND,
     line(1, "new ← from A's nearest a step towards q", &[Mark::Vertex, Mark::Refused]),
     line(1, "if that is free: add it to A, and", &[Mark::Vertex, Mark::Edge]),

@@ -1,26 +1,12 @@
 /** The page for everyone: axe in every state, keyboard and touch, widths from 320 to 2560, forced colours, less motion, a projector. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { atRest, chooseScene, finish, onPage, onPausedPage, pixelsOf, root, start, stop } from "./browser.mjs";
+import { atRest, chooseScene, finish, onPage, onPausedPage, pixelsOf, start, stop, violations } from "./browser.mjs";
 
 /** @import { Page } from "playwright-core" */
 
 before(start);
 after(stop);
-
-const axe = readFileSync(join(root, "node_modules", "axe-core", "axe.min.js"), "utf8");
-
-/** What axe finds against WCAG 2.2 A and AA, and good practice. @param {Page} page @returns {Promise<string[]>} */
-async function violations(page) {
-  return page.evaluate(async (source) => {
-    if (!("axe" in window)) (0, eval)(source);
-    // @ts-expect-error axe defines itself
-    const { violations: found } = await axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"] });
-    return found.map((/** @type {{ id: string, nodes: { html: string }[] }} */ { id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
-  }, axe);
-}
 
 /** @param {Page} page @param {string} id */
 async function unfold(page, id) {
@@ -80,7 +66,7 @@ describe("axe finds nothing", () => {
           assert.deepEqual(await violations(page), [], `${colorScheme}, ${width} px`);
           const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
           assert.equal(over, 0, `nothing hangs over at ${width} px`);
-        }, { colorScheme, viewport: { width, height: 860 }, bypassCSP: true });
+        }, { colorScheme, viewport: { width, height: 860 } });
       }
     });
   }
@@ -93,7 +79,7 @@ describe("axe finds nothing", () => {
       await page.waitForSelector("#counters[data-settled=true]", { state: "attached" });
       // The heading is the parent's to give.
       assert.deepEqual((await violations(page)).filter((found) => !/^page-has-heading-one/.test(found)), []);
-    }, { bypassCSP: true });
+    });
   });
 });
 

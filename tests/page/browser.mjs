@@ -1,6 +1,7 @@
 /** Chromium and the built page, for the tests of the page: every page opened here is watched for errors and for requests that leave the site. */
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
+import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 import { serve } from "../../scripts/serve.mjs";
@@ -207,6 +208,16 @@ export async function tasks(page, meanwhile) {
     .filter(({ name, pid, tid, tdur }) => /RunTask$/.test(name) && tdur !== undefined && thread.test(threads.get(`${pid} ${tid}`) ?? ""))
     .map(({ tdur }) => (tdur ?? 0) / 1000);
   return { page: of(/^CrRendererMain$/), worker: of(/DedicatedWorker/) };
+}
+
+/** What axe finds against WCAG 2.2 A and AA, and good practice. @param {Page} page @returns {Promise<string[]>} */
+export async function violations(page) {
+  await page.evaluate(readFileSync(join(root, "node_modules", "axe-core", "axe.min.js"), "utf8"));
+  return page.evaluate(async () => {
+    // @ts-expect-error axe defines itself
+    const { violations: found } = await axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"] });
+    return found.map((/** @type {{ id: string, nodes: { html: string }[] }} */ { id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
+  });
 }
 
 /** The worker that plans and draws. @param {Page} page */

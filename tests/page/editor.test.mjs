@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { atRest, chooseScene, counters, finish, onPage, onPausedPage, pickFile, pixelsOf, root, start, stop } from "./browser.mjs";
+import { atRest, chooseScene, counters, finish, onPage, onPausedPage, pickFile, pixelsOf, root, start, stop, violations } from "./browser.mjs";
 import { Edits } from "../../www/worker/edits.js";
 import { documentText } from "../../www/exchange/document.js";
 
@@ -591,12 +591,7 @@ describe("for everyone", () => {
         await page.focus("#stage");
         for (const key of ["]", "]", "]", "]", "PageDown"]) await page.keyboard.press(key);
         await until(page, "title", "Obstacle 1, a polygon, vertex 0");
-        await page.evaluate(readFileSync(join(root, "node_modules", "axe-core", "axe.min.js"), "utf8"));
-        const broken = await page.evaluate(async () => {
-          const { axe } = /** @type {{ axe: { run(options: object): Promise<{ violations: { id: string }[] }> } }} */ (/** @type {unknown} */ (globalThis));
-          return (await axe.run({ runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa", "best-practice"] })).violations.map(({ id }) => id);
-        });
-        assert.deepEqual(broken, []);
+        assert.deepEqual(await violations(page), []);
       }, options);
     });
   }

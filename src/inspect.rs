@@ -36,6 +36,7 @@ impl Inspector {
             Robot::Disc(disc) => {
                 (plane(&world.bounds.expect("a disc has bounds")), Box::new(DiscValidity::new(disc, world)))
             }
+            Robot::RigidBody(_) | Robot::Car(_) => unimplemented!("bodies are on their way"),
         };
         Self { robot, space, validity, extent: extent(scenario) }
     }
@@ -70,10 +71,7 @@ impl Inspector {
     /// Of the configuration: see [`Inspector`].
     pub fn footprint(&self, q: &[f64]) -> Result<Vec<Part>, Error> {
         self.refuse_configuration(q, "")?;
-        Ok(match &self.robot {
-            Robot::Arm(arm) => arm.footprint(q),
-            Robot::Disc(disc) => disc.footprint(q),
-        })
+        Ok(self.robot.footprint(q))
     }
 
     /// The tip of the arm, or the centre of the disc, at `q`.
@@ -84,7 +82,7 @@ impl Inspector {
         self.refuse_configuration(q, "")?;
         Ok(match &self.robot {
             Robot::Arm(arm) => arm.end_effector(q),
-            Robot::Disc(_) => Point::new(q[0], q[1]),
+            Robot::Disc(_) | Robot::RigidBody(_) | Robot::Car(_) => Point::new(q[0], q[1]),
         })
     }
 
@@ -202,7 +200,7 @@ fn extent(scenario: &Scenario) -> Aabb {
     let world = scenario.world();
     let reachable = match scenario.robot() {
         Robot::Arm(arm) => Aabb::of(arm.base(), arm.base()).grown(arm.reach() + arm.radius()),
-        Robot::Disc(_) => return world.bounds.expect("a disc has bounds"),
+        _ => return world.bounds.expect("only an arm does without bounds"),
     };
     world
         .bounds

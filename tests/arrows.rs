@@ -17,6 +17,7 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("geometry", &["order"]),
     ("random", &[]),
     ("validity", &[]),
+    ("control", &["random"]),
     ("space", &["random"]),
     ("robot", &["decimal", "error", "geometry"]),
     ("scenario", &["decimal", "error", "geometry", "json", "random", "robot"]),

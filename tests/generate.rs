@@ -32,17 +32,11 @@ fn polygons(scenario: &Scenario) -> Vec<&Polygon> {
     polygons
 }
 
-fn footprint(robot: &Robot, q: &[f64]) -> Vec<Part> {
-    match robot {
-        Robot::Arm(arm) => arm.footprint(q),
-        Robot::Disc(disc) => disc.footprint(q),
-    }
-}
-
 fn axis_and_radius(part: &Part) -> (Segment, f64) {
     match *part {
         Part::Capsule { a, b, radius } => (Segment::new(a, b), radius),
         Part::Disc { center, radius } => (Segment::new(center, center), radius),
+        Part::Polygon { .. } => unreachable!("generators move arms and discs"),
     }
 }
 
@@ -52,7 +46,7 @@ fn assert_ends_are_free(scenario: &Scenario) {
     for q in scenario.queries().iter().flat_map(|query| [&query.start, &query.goal]) {
         assert_eq!(inspector.check(q), Ok(vec![]), "{} at {q:?}", scenario.title());
         if let Some(bounds) = scenario.world().bounds {
-            for part in footprint(scenario.robot(), q) {
+            for part in scenario.robot().footprint(q) {
                 let (axis, radius) = axis_and_radius(&part);
                 assert!(bounds.depth(axis.a).min(bounds.depth(axis.b)) > radius, "{}", scenario.title());
             }
@@ -72,7 +66,7 @@ fn ends(scenario: &Scenario, iterations: u64) -> Status {
 fn clearance(scenario: &Scenario) -> f64 {
     let mut least = f64::INFINITY;
     for q in scenario.queries().iter().flat_map(|query| [&query.start, &query.goal]) {
-        for part in footprint(scenario.robot(), q) {
+        for part in scenario.robot().footprint(q) {
             let (axis, radius) = axis_and_radius(&part);
             for obstacle in &scenario.world().obstacles {
                 let distance = match obstacle {
@@ -117,7 +111,7 @@ fn a_forest_leaves_base_start_and_goal_free() {
         for seed in 0..60 {
             let scenario = forest(&ForestOptions { links, seed }).unwrap();
             let query = &scenario.queries()[0];
-            for part in [&query.start, &query.goal].into_iter().flat_map(|q| footprint(scenario.robot(), q)) {
+            for part in [&query.start, &query.goal].into_iter().flat_map(|q| scenario.robot().footprint(q)) {
                 let (axis, _) = axis_and_radius(&part);
                 assert!(polygons(&scenario).iter().all(|triangle| !intersects_segment_polygon(&axis, triangle)));
             }
@@ -174,7 +168,7 @@ fn clutter_is_convex_disjoint_within_bounds_and_leaves_start_and_goal_free() {
             }
             assert!(clearance(&scenario) > options.gap);
             for q in [&scenario.queries()[0].start, &scenario.queries()[0].goal] {
-                for part in footprint(scenario.robot(), q) {
+                for part in scenario.robot().footprint(q) {
                     let (axis, radius) = axis_and_radius(&part);
                     assert!(bounds.depth(axis.a).min(bounds.depth(axis.b)) > radius);
                 }

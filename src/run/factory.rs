@@ -57,6 +57,7 @@ pub(super) fn launch(
         Robot::Arm(arm) if arm.links().len() <= SMALL => launch.arm::<SMALL>(arm),
         Robot::Arm(arm) => launch.arm::<MAX_DIMENSION>(arm),
         Robot::Disc(disc) => launch.disc(disc),
+        Robot::RigidBody(_) | Robot::Car(_) => unimplemented!("bodies are on their way"),
     };
     let in_query = |error: &Error| matches!(error.code(), Code::StartInCollision | Code::GoalInCollision);
     run.map_err(|error| if in_query(&error) { error.under(&format!("/queries/{place}")) } else { error })

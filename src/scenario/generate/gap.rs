@@ -146,7 +146,7 @@ pub fn gap(options: &GapOptions) -> Result<Scenario, Error> {
             obstacles: vec![wall(0.0, middle - width / 2.0), wall(middle + width / 2.0, SIDE)],
         },
         robot,
-        queries: vec![Query { name: "through".to_owned(), start, goal }],
+        queries: vec![Query { name: "through".to_owned(), start, goal, goal_tolerance: None }],
     })
 }
 

@@ -101,15 +101,11 @@ impl RobotChoice {
                 (Robot::Arm(arm), bent(0.5, 0.3), bent(-2.6, -0.3))
             }
         };
-        Ok((robot, Query { name: "across".to_owned(), start, goal }))
+        Ok((robot, Query { name: "across".to_owned(), start, goal, goal_tolerance: None }))
     }
 }
 
 /// The parts of the robot at the start and at the goal, which obstacles keep clear of.
 pub(super) fn parts_at_ends(robot: &Robot, query: &Query) -> Vec<Part> {
-    let parts = [&query.start, &query.goal].map(|q| match robot {
-        Robot::Arm(arm) => arm.footprint(q),
-        Robot::Disc(disc) => disc.footprint(q),
-    });
-    parts.concat()
+    [&query.start, &query.goal].map(|q| robot.footprint(q)).concat()
 }

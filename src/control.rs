@@ -41,7 +41,4 @@ pub trait Dynamics<S> {
     /// How long the motion is, in the metric of the space along its arc; never less than the distance between its ends, and in
     /// proportion to its duration.
     fn length(&self, motion: Motion) -> f64;
-
-    /// How many times the clearance of a part has been evaluated so far, for [`Dynamics::free_steps`] alone.
-    fn clearance_evaluations(&self) -> u64;
 }

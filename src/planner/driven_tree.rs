@@ -59,6 +59,8 @@ pub(super) struct Drive<S> {
 pub(super) struct DrivenTree<S: Space> {
     pub graph: Graph<S>,
     pub counters: Counters,
+    /// How far each vertex is from the goal.
+    left: Vec<f64>,
 }
 
 impl<S: Space> DrivenTree<S> {
@@ -66,7 +68,8 @@ impl<S: Space> DrivenTree<S> {
     pub fn new(problem: &Problem<S>) -> Self {
         let mut graph = Graph::default();
         graph.add_vertex(0, *problem.start());
-        Self { graph, counters: Counters::default() }
+        let left = vec![problem.space().distance(problem.start(), problem.goal())];
+        Self { graph, counters: Counters::default(), left }
     }
 
     /// The vertex that this one hangs on; `None` of the root.
@@ -94,11 +97,12 @@ impl<S: Space> DrivenTree<S> {
     /// The drive as far as it is to be kept; `None` where it is refused.
     pub fn prove(
         &mut self,
-        dynamics: &dyn Dynamics<S::State>,
+        problem: &Problem<S>,
         from: &S::State,
         drive: Drive<S::State>,
         blocked: Blocked,
     ) -> Option<Drive<S::State>> {
+        let dynamics = dynamics(problem);
         self.counters.motion_checks += 1;
         let steps = dynamics.free_steps(from, drive.control, drive.steps);
         match blocked {
@@ -111,14 +115,15 @@ impl<S: Space> DrivenTree<S> {
     /// Adds the vertex at the end of a drive.
     pub fn grow(
         &mut self,
+        problem: &Problem<S>,
         iteration: u32,
-        step: f64,
         from: VertexId,
         Drive { control, steps, end }: Drive<S::State>,
     ) -> VertexId {
         let vertex = self.graph.add_vertex(iteration, end);
-        let motion = Motion { control, duration: f64::from(steps) * step };
+        let motion = Motion { control, duration: f64::from(steps) * dynamics(problem).step() };
         self.graph.add_driven_edge(iteration, from, vertex, motion);
+        self.left.push(problem.space().distance(&end, problem.goal()));
         vertex
     }
 
@@ -127,28 +132,31 @@ impl<S: Space> DrivenTree<S> {
         self.graph.add_event(Event { kind, iteration, vertex, other: None, state });
     }
 
-    /// Of the vertices that are `counted`, the one nearest to the goal, the first of them. O(vertices).
-    pub fn closest(&self, problem: &Problem<S>, counted: impl Fn(VertexId) -> bool) -> VertexId {
+    /// Of the vertices that are counted, the one nearest to the goal, the first of them. O(vertices).
+    pub fn closest(&self, is_counted: impl Fn(VertexId) -> bool) -> VertexId {
         let mut closest = (ROOT, f64::INFINITY);
-        for (i, state) in self.graph.states().iter().enumerate() {
-            let (vertex, distance) = (VertexId(i as u32), problem.space().distance(state, problem.goal()));
-            if distance < closest.1 && counted(vertex) {
-                closest = (vertex, distance);
+        for (i, &left) in self.left.iter().enumerate() {
+            if left < closest.1 && is_counted(VertexId(i as u32)) {
+                closest = (VertexId(i as u32), left);
             }
         }
         closest.0
     }
 }
 
+/// How the problem's system is driven.
+pub(super) fn dynamics<S: Space>(problem: &Problem<S>) -> &dyn Dynamics<S::State> {
+    problem.dynamics().expect("what is planned by controls is driven")
+}
+
 /// The drive up to where it first meets the goal, and whether it does.
 pub(super) fn up_to_goal<S: Space>(
     problem: &Problem<S>,
-    dynamics: &dyn Dynamics<S::State>,
     from: &S::State,
     drive: Drive<S::State>,
     test: GoalTest,
 ) -> (Drive<S::State>, bool) {
-    let space = problem.space();
+    let (space, dynamics) = (problem.space(), dynamics(problem));
     if test == GoalTest::Along {
         // The distance to the goal falls by no more than this a step, so steps that cannot reach it are passed over.
         let motion = Motion { control: drive.control, duration: dynamics.step() };

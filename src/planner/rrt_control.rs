@@ -5,9 +5,9 @@
 //! kept; and the goal is a region.
 
 use super::active::Active;
-use super::driven_tree::{Blocked, Drive, DrivenTree, Durations, GoalTest, ROOT, up_to_goal};
+use super::driven_tree::{Blocked, Drive, DrivenTree, Durations, GoalTest, ROOT, dynamics, up_to_goal};
 use super::{Counters, GoalBias, Phase, Planner, Status};
-use crate::control::{Control, Dynamics, Motion};
+use crate::control::{Control, Motion};
 use crate::graph::{EventKind, Graph, VertexId};
 use crate::problem::Problem;
 use crate::random::Random;
@@ -145,9 +145,10 @@ impl<S: Space> RrtControl<S> {
     }
 
     /// How long controls are held from here.
-    fn durations(&self, problem: &Problem<S>, dynamics: &dyn Dynamics<S::State>, from: &S::State, iteration: u32) -> Durations {
+    fn durations(&self, problem: &Problem<S>, from: &S::State, iteration: u32) -> Durations {
         let (durations, _) = self.rules(iteration);
         let Some(least) = self.options.near_goal else { return durations };
+        let dynamics = dynamics(problem);
         let duration = f64::from(durations.longest) * dynamics.step();
         let straight = |control: Control| dynamics.length(Motion { control: Control { steering: 0.0, ..control }, duration });
         let reach = dynamics.extremes().into_iter().map(straight).fold(0.0, f64::max);
@@ -160,27 +161,37 @@ impl<S: Space> RrtControl<S> {
     }
 
     /// The drives from the vertex that are kept.
-    fn blossom(&mut self, problem: &Problem<S>, from: &S::State, target: &S::State, iteration: u32) -> Vec<Drive<S::State>> {
-        let dynamics = problem.dynamics().expect("what is planned by controls is driven");
-        let (durations, blocked) = (self.durations(problem, dynamics, from, iteration), self.options.blocked);
-        let mut draw = |control: Control| {
-            let steps = durations.sample(&mut self.controls);
+    fn blossom(
+        &mut self,
+        problem: &Problem<S>,
+        from: &S::State,
+        target: &S::State,
+        iteration: u32,
+    ) -> Vec<Drive<S::State>> {
+        let (durations, blocked) = (self.durations(problem, from, iteration), self.options.blocked);
+        let (dynamics, random) = (dynamics(problem), &mut self.controls);
+        let held = |control: Control, random: &mut Random| {
+            let steps = durations.sample(random);
             Drive { control, steps, end: dynamics.drive(from, control, steps) }
         };
         let Blossom::Random(count) = self.options.blossom else {
-            let drives: Vec<_> = dynamics.extremes().into_iter().map(draw).collect();
-            return drives.into_iter().filter_map(|drive| self.tree.prove(dynamics, from, drive, blocked)).collect();
+            let drives = dynamics.extremes().into_iter().map(|control| held(control, random));
+            return drives.filter_map(|drive| self.tree.prove(problem, from, drive, blocked)).collect();
         };
         let measured = |drive: Drive<S::State>| (problem.space().distance(&drive.end, target), drive);
-        let mut drives: Vec<_> = (0..count).map(|_| draw(dynamics.sample(&mut self.controls))).map(measured).collect();
+        let drives = (0..count).map(|_| {
+            let control = dynamics.sample(random);
+            measured(held(control, random))
+        });
         if blocked == Blocked::Cut {
-            let cut = |(_, drive)| self.tree.prove(dynamics, from, drive, blocked).map(measured);
-            drives = drives.into_iter().filter_map(cut).collect();
-            return closest(&drives).map(|i| drives[i].1).into_iter().collect();
+            let cut = drives.filter_map(|(_, drive)| self.tree.prove(problem, from, drive, blocked)).map(measured);
+            let cut: Vec<_> = cut.collect();
+            return closest(&cut).map(|i| cut[i].1).into_iter().collect();
         }
         // What ends farther away need not be proven.
+        let mut drives: Vec<_> = drives.collect();
         while let Some(i) = closest(&drives) {
-            if let Some(drive) = self.tree.prove(dynamics, from, drives.remove(i).1, blocked) {
+            if let Some(drive) = self.tree.prove(problem, from, drives.remove(i).1, blocked) {
                 return vec![drive];
             }
         }
@@ -214,10 +225,9 @@ impl<S: Space> Planner<S> for RrtControl<S> {
         if drives.is_empty() {
             self.tree.tell(EventKind::EdgeRefused, iteration, Some(origin), target);
         }
-        let dynamics = problem.dynamics().expect("what is planned by controls is driven");
         for drive in drives {
-            let (drive, is_there) = up_to_goal(problem, dynamics, &from, drive, self.options.goal_test);
-            let vertex = self.tree.grow(iteration, dynamics.step(), origin, drive);
+            let (drive, is_there) = up_to_goal(problem, &from, drive, self.options.goal_test);
+            let vertex = self.tree.grow(problem, iteration, origin, drive);
             if is_there {
                 return self.arrive(iteration, vertex, drive.end);
             }
@@ -242,8 +252,8 @@ impl<S: Space> Planner<S> for RrtControl<S> {
         self.tree.motions(path)
     }
 
-    fn approximate_path(&self, problem: &Problem<S>) -> Vec<VertexId> {
-        self.tree.way(self.tree.closest(problem, |_| true))
+    fn approximate_path(&self) -> Vec<VertexId> {
+        self.tree.way(self.tree.closest(|_| true))
     }
 
     fn counters(&self) -> Counters {

@@ -21,9 +21,9 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("space", &["random"]),
     ("robot", &["decimal", "error", "geometry"]),
     ("scenario", &["decimal", "error", "geometry", "json", "random", "robot"]),
-    ("collision", &["geometry", "order", "robot", "scenario", "space", "validity"]),
-    ("problem", &["decimal", "error", "space", "validity"]),
-    ("graph", &["space"]),
+    ("collision", &["control", "geometry", "order", "random", "robot", "scenario", "space", "validity"]),
+    ("problem", &["control", "decimal", "error", "space", "validity"]),
+    ("graph", &["control", "space"]),
     ("nearest", &["graph", "order", "random", "space"]),
     ("result", &["error", "json", "random", "scenario", "stats", "status"]),
     ("kept", &["decimal", "error", "graph", "json", "scenario", "space"]),
@@ -31,7 +31,7 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("sampling", &["problem", "random", "space"]),
     (
         "planner",
-        &["decimal", "error", "graph", "json", "nearest", "phase", "problem", "random", "sampling", "space", "status"],
+        &["control", "decimal", "error", "graph", "json", "nearest", "phase", "problem", "random", "sampling", "space", "status"],
     ),
     (
         "run",

@@ -31,12 +31,16 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("sampling", &["problem", "random", "space"]),
     (
         "planner",
-        &["control", "decimal", "error", "graph", "json", "nearest", "phase", "problem", "random", "sampling", "space", "status"],
+        &[
+            "control", "decimal", "error", "graph", "json", "nearest", "phase", "problem", "random", "sampling",
+            "space", "status",
+        ],
     ),
     (
         "run",
         &[
             "collision",
+            "control",
             "decimal",
             "error",
             "geometry",

@@ -1,9 +1,22 @@
-//! What is free for a body whose placements move straight.
+//! What is free for a body that is placed by (x, y, theta), over the space of its placements.
 
 use super::{BodyCollision, BodyMotion, LONGEST_TURN};
+use crate::geometry::{Aabb, Point, Polygon};
+use crate::robot::Weights;
 use crate::space::Torus;
 use crate::validity::{Contact, Validity};
 use std::rc::Rc;
+
+/// The space of a body's placements: all at which it could lie within the bounds.
+///
+/// # Panics
+/// Where `N` is less than 3.
+pub fn placements<const N: usize>(shape: &Polygon, weights: Weights, bounds: &Aabb) -> Torus<N> {
+    // An origin outside the shape may lie outside the bounds too, by no more than the shape reaches.
+    let sides = if shape.contains(Point::origin()) { *bounds } else { bounds.grown(shape.reach()) };
+    let Weights { translation, rotation } = weights;
+    Torus::of_placements([sides.min.x, sides.min.y], [sides.max.x, sides.max.y], translation, rotation)
+}
 
 /// What is free for a body, in a space of placements (x, y, theta) in which motions are straight.
 pub struct BodyValidity<const N: usize> {

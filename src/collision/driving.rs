@@ -66,7 +66,8 @@ impl<const N: usize> Dynamics<[f64; N]> for Driving<N> {
         let steerings = [straight, left, right];
         let mut extremes = Vec::new();
         for (speed, is_there) in [(forward, forward > 0.0), (backward, backward < 0.0)] {
-            let differ = steerings.iter().enumerate().filter(|&(i, &steering)| is_there && (i == 0 || steering != straight));
+            let differ =
+                steerings.iter().enumerate().filter(|&(i, &steering)| is_there && (i == 0 || steering != straight));
             extremes.extend(differ.map(|(_, &steering)| Control { speed, steering }));
         }
         extremes
@@ -101,7 +102,8 @@ impl<const N: usize> Dynamics<[f64; N]> for Driving<N> {
 
     fn length(&self, motion: Motion) -> f64 {
         let weights = self.car.weights();
-        let pace = weights.translation * motion.control.speed.abs() + weights.rotation * self.turn_rate(motion.control).abs();
+        let pace =
+            weights.translation * motion.control.speed.abs() + weights.rotation * self.turn_rate(motion.control).abs();
         pace * motion.duration
     }
 }

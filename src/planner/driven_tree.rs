@@ -107,7 +107,9 @@ impl<S: Space> DrivenTree<S> {
         let steps = dynamics.free_steps(from, drive.control, drive.steps);
         match blocked {
             _ if steps == drive.steps => Some(drive),
-            Blocked::Cut if steps > 0 => Some(Drive { steps, end: dynamics.drive(from, drive.control, steps), ..drive }),
+            Blocked::Cut if steps > 0 => {
+                Some(Drive { steps, end: dynamics.drive(from, drive.control, steps), ..drive })
+            }
             Blocked::Cut | Blocked::Refused => None,
         }
     }

@@ -150,7 +150,8 @@ impl<S: Space> RrtControl<S> {
         let Some(least) = self.options.near_goal else { return durations };
         let dynamics = dynamics(problem);
         let duration = f64::from(durations.longest) * dynamics.step();
-        let straight = |control: Control| dynamics.length(Motion { control: Control { steering: 0.0, ..control }, duration });
+        let straight =
+            |control: Control| dynamics.length(Motion { control: Control { steering: 0.0, ..control }, duration });
         let reach = dynamics.extremes().into_iter().map(straight).fold(0.0, f64::max);
         let part = problem.space().distance(from, problem.goal()) / reach;
         let shrunk = |steps: u32| match part {

@@ -7,7 +7,7 @@ import { Handle, key } from "./handle.js";
 import { Planner, makePlanner } from "./planner.js";
 import { call } from "./runtime.js";
 
-/** @import { Box, Check, Configuration, CspaceOptions, GenerateOptions, GeneratorId, Part, PlannerOptions, ScenarioDocument, Touching } from "./types.js" */
+/** @import { Box, Check, Configuration, CspaceOptions, GenerateOptions, GeneratorId, Part, PlannerOptions, Robot, ScenarioDocument, Touching } from "./types.js" */
 
 /**
  * A parsed, checked scenario: it answers questions about configurations and motions, and makes planners.
@@ -70,9 +70,9 @@ export class Scenario {
     return this.#handle.call((raw) => raw.title());
   }
 
-  /** What moves. @returns {"arm" | "disc"} */
+  /** What moves. @returns {Robot["type"]} */
   get robot() {
-    return this.#handle.call((raw) => raw.is_arm()) ? "arm" : "disc";
+    return /** @type {Robot["type"]} */ (this.#handle.call((raw) => raw.robot()));
   }
 
   /** Degrees of freedom: the length of a configuration. @returns {number} */
@@ -126,6 +126,10 @@ export class Scenario {
   footprint(q) {
     const numbers = this.#handle.call((raw) => raw.footprint(this.#configuration(q, "q")));
     if (this.robot === "disc") return [{ type: "disc", center: [numbers[0], numbers[1]], radius: numbers[2] }];
+    if (this.robot !== "arm") {
+      const vertices = Array.from({ length: numbers.length / 2 }, (_, i) => /** @type {[number, number]} */ ([numbers[2 * i], numbers[2 * i + 1]]));
+      return [{ type: "polygon", vertices }];
+    }
     /** @type {Part[]} */
     const parts = [];
     for (let i = 0; i < numbers.length; i += 5) {

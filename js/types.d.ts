@@ -14,7 +14,7 @@ export type Phase = "sampling" | "connecting" | "guarding" | "searching" | "grow
 /** A point of the plane: x, y. */
 export type Point = [number, number];
 
-/** A configuration: one number per degree of freedom (the joints of an arm; x and y of a disc). */
+/** A configuration: one number per degree of freedom (the joints of an arm; x and y of a disc; x, y and theta of a body or a car). */
 export type Configuration = readonly number[] | Float64Array;
 
 /** A box along the axes. */
@@ -25,10 +25,14 @@ export interface Box {
   max: Point;
 }
 
-/** One moving part of a robot, in the world: a link with round ends (radius 0 is a segment), or a disc (radius 0 is a point). */
+/**
+ * One moving part of a robot, in the world: a link with round ends (radius 0 is a segment), a disc (radius 0 is a point), or a
+ * body (corners counter-clockwise).
+ */
 export type Part =
   | { type: "capsule"; a: Point; b: Point; radius: number }
-  | { type: "disc"; center: Point; radius: number };
+  | { type: "disc"; center: Point; radius: number }
+  | { type: "polygon"; vertices: Point[] };
 
 /** One pair that touches. */
 export interface Touching {
@@ -53,13 +57,24 @@ export type Obstacle =
 
 /** What the robot moves in. */
 export interface World {
-  /** The robot stays inside, and may touch them. Required for a disc. */
+  /** The robot stays inside, and may touch them. Only an arm can do without. */
   bounds?: Box;
   /** May be empty. */
   obstacles: Obstacle[];
 }
 
-/** What moves: a planar arm of 1 to 8 links, or a disc (radius 0 is a point). */
+/** The shape of a body in its own frame. */
+export type Shape = { type: "polygon"; vertices: Point[] };
+
+/** What a metre and a radian count in the distance of two placements; both greater than 0. */
+export interface Weights {
+  /** Of translation; 0.7 where no metric is given. */
+  translation: number;
+  /** Of rotation; 0.3 where no metric is given. */
+  rotation: number;
+}
+
+/** What moves: a planar arm of 1 to 8 links, a disc (radius 0 is a point), a rigid body, or a car. */
 export type Robot =
   | {
       type: "arm";
@@ -72,7 +87,27 @@ export type Robot =
       /** One interval per joint; without them each joint is a circle. */
       joint_limits?: Point[];
     }
-  | { type: "disc"; radius: number };
+  | { type: "disc"; radius: number }
+  | {
+      type: "rigid_body";
+      /** Any simple polygon about the point (x, y) that a configuration places. */
+      shape: Shape;
+      metric?: Weights;
+    }
+  | {
+      type: "car";
+      /** About the middle of the rear axle; x is forward. */
+      shape: Shape;
+      /** Metres between the axles. */
+      wheelbase: number;
+      /** Least and greatest speed, metres a second. */
+      speed: Point;
+      /** Least and greatest steering angle, radians; to the left where positive. */
+      steering: Point;
+      /** Seconds; 0.01 where absent. */
+      integration_step?: number;
+      metric?: Weights;
+    };
 
 /** A motion that is asked for. */
 export interface Query {
@@ -82,6 +117,8 @@ export interface Query {
   start: number[];
   /** Configuration to reach. */
   goal: number[];
+  /** How near to the goal is near enough, of bodies and cars: metres and radians, both. */
+  goal_tolerance?: { translation: number; rotation: number };
 }
 
 /**

@@ -1,7 +1,7 @@
 //! Questions about a scenario outside any run: is a configuration free and why not, where is the robot, what does its
 //! configuration space look like. For viewers; planners ask through [`Validity`].
 
-use crate::collision::{ArmValidity, DiscValidity, joint_space, plane};
+use crate::collision::{ArmValidity, BodyValidity, DiscValidity, joint_space, placements, plane};
 use crate::decimal::Decimal;
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Point};
@@ -35,6 +35,11 @@ impl Inspector {
             }
             Robot::Disc(disc) => {
                 (plane(&world.bounds.expect("a disc has bounds")), Box::new(DiscValidity::new(disc, world)))
+            }
+            Robot::RigidBody(_) | Robot::Car(_) => {
+                let (shape, weights) = robot.placed_shape().expect("both are placed");
+                let space = placements(shape, weights, &world.bounds.expect("a body has bounds"));
+                (space.clone(), Box::new(BodyValidity::new(shape, space, world, DEFAULT_TOLERANCE)))
             }
         };
         Self { robot, space, validity, extent: extent(scenario) }
@@ -70,13 +75,10 @@ impl Inspector {
     /// Of the configuration: see [`Inspector`].
     pub fn footprint(&self, q: &[f64]) -> Result<Vec<Part>, Error> {
         self.refuse_configuration(q, "")?;
-        Ok(match &self.robot {
-            Robot::Arm(arm) => arm.footprint(q),
-            Robot::Disc(disc) => disc.footprint(q),
-        })
+        Ok(self.robot.footprint(q))
     }
 
-    /// The tip of the arm, or the centre of the disc, at `q`.
+    /// The tip of the arm, the centre of the disc, or the origin of the body's frame, at `q`.
     ///
     /// # Errors
     /// Of the configuration: see [`Inspector`].
@@ -84,7 +86,7 @@ impl Inspector {
         self.refuse_configuration(q, "")?;
         Ok(match &self.robot {
             Robot::Arm(arm) => arm.end_effector(q),
-            Robot::Disc(_) => Point::new(q[0], q[1]),
+            Robot::Disc(_) | Robot::RigidBody(_) | Robot::Car(_) => Point::new(q[0], q[1]),
         })
     }
 
@@ -202,7 +204,7 @@ fn extent(scenario: &Scenario) -> Aabb {
     let world = scenario.world();
     let reachable = match scenario.robot() {
         Robot::Arm(arm) => Aabb::of(arm.base(), arm.base()).grown(arm.reach() + arm.radius()),
-        Robot::Disc(_) => return world.bounds.expect("a disc has bounds"),
+        _ => return world.bounds.expect("only an arm does without bounds"),
     };
     world
         .bounds

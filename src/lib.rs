@@ -23,6 +23,7 @@
 #[allow(missing_docs, unsafe_code)]
 pub mod bindings;
 pub mod collision;
+pub mod control;
 pub mod decimal;
 pub mod error;
 pub mod geometry;

@@ -7,7 +7,7 @@ use crate::json::Node;
 use crate::kept::RoadmapDocument;
 use crate::robot::Part;
 use crate::run::{self, Options};
-use crate::scenario::{Robot, Scenario};
+use crate::scenario::Scenario;
 use crate::validity::Touched;
 use wasm_bindgen::prelude::*;
 
@@ -48,9 +48,9 @@ impl RawScenario {
         self.scenario.title().to_owned()
     }
 
-    /// Whether the robot is an arm; else it is a disc.
-    pub fn is_arm(&self) -> bool {
-        matches!(self.scenario.robot(), Robot::Arm(_))
+    /// The type of the robot, as in documents.
+    pub fn robot(&self) -> String {
+        self.scenario.robot().kind().to_owned()
     }
 
     /// Numbers a configuration.
@@ -81,13 +81,15 @@ impl RawScenario {
         Ok(contacts.iter().flat_map(|contact| [contact.part as i32, touched(contact.with)]).collect())
     }
 
-    /// The parts of the robot at `q`: both ends and the radius of every link of an arm, centre and radius of a disc.
+    /// The parts of the robot at `q`: both ends and the radius of every link of an arm, centre and radius of a disc, the
+    /// corners of a body or a car.
     pub fn footprint(&self, q: &[f64]) -> Result<Vec<f64>, JsValue> {
         let mut numbers = Vec::new();
         for part in self.inspector.footprint(q).map_err(throw)? {
             match part {
                 Part::Capsule { a, b, radius } => numbers.extend([a.x, a.y, b.x, b.y, radius]),
                 Part::Disc { center, radius } => numbers.extend([center.x, center.y, radius]),
+                Part::Polygon { vertices } => numbers.extend(vertices.iter().flat_map(|corner| [corner.x, corner.y])),
             }
         }
         Ok(numbers)

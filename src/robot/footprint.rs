@@ -3,7 +3,7 @@
 use crate::geometry::Point;
 
 /// One part of a robot, placed in the workspace; lengths in metres.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Part {
     /// All points within `radius` of the segment from `a` to `b`; a segment where the radius is 0.
     Capsule {
@@ -20,5 +20,10 @@ pub enum Part {
         center: Point,
         /// The radius, at least 0.
         radius: f64,
+    },
+    /// A simple polygon, filled.
+    Polygon {
+        /// The corners, counter-clockwise.
+        vertices: Vec<Point>,
     },
 }

@@ -3,11 +3,17 @@
 //! A robot knows its own shape and how far each of its parts can travel; it knows no obstacle and no planner.
 
 mod arm;
+mod body;
+mod car;
 mod disc;
 mod footprint;
 mod range;
+mod weights;
 
 pub use arm::{Arm, MAX_LINKS};
+pub use body::RigidBody;
+pub use car::Car;
 pub use disc::DiscRobot;
 pub use footprint::Part;
 pub use range::LARGEST;
+pub use weights::Weights;

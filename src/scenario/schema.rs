@@ -51,11 +51,11 @@ struct ScenarioDocument {
     queries: Vec<QueryDocument>,
 }
 
-/// Bounds and obstacles. Without bounds only an arm can be planned for.
+/// Bounds and obstacles. Only an arm can do without bounds.
 #[derive(JsonSchema)]
 #[schemars(rename = "World", deny_unknown_fields)]
 struct WorldDocument {
-    /// The closed box that the whole robot stays in; it may touch it. Required for a disc.
+    /// The closed box that the whole robot stays in; it may touch it. Required for all but an arm.
     #[schemars(default, schema_with = "bounds")]
     bounds: Option<BoundsDocument>,
     /// Closed, filled obstacles: touching one is collision. All polygons together have at most 100000 vertices.
@@ -121,12 +121,77 @@ enum RobotDocument {
         #[schemars(default, schema_with = "joint_limits")]
         joint_limits: Option<Vec<(f64, f64)>>,
     },
+    /// A polygon that translates and turns. A configuration is [x, y, theta], which places its frame.
+    RigidBody {
+        /// The shape in its own frame.
+        shape: ShapeDocument,
+        /// How placements are measured.
+        #[schemars(default, schema_with = "metric")]
+        metric: Option<MetricDocument>,
+    },
+    /// A first-order car. A configuration is [x, y, theta], the place of its rear axle and its heading; a control is a speed
+    /// and a steering angle.
+    Car {
+        /// The shape about the middle of the rear axle; x is forward.
+        shape: ShapeDocument,
+        /// The distance between the axles in metres.
+        #[schemars(schema_with = "positive")]
+        wheelbase: f64,
+        /// The least and the greatest speed in metres a second, the first less than the second.
+        #[schemars(schema_with = "speeds")]
+        speed: (f64, f64),
+        /// The least and the greatest steering angle in radians, the first less than the second.
+        #[schemars(schema_with = "angles")]
+        steering: (f64, f64),
+        /// The step in which durations are counted, in seconds; 0.01 where it is absent.
+        #[schemars(default, schema_with = "step")]
+        integration_step: Option<f64>,
+        /// How placements are measured.
+        #[schemars(default, schema_with = "metric")]
+        metric: Option<MetricDocument>,
+    },
     /// A disc that translates. A configuration is its centre [x, y].
     Disc {
         /// The radius in metres; 0 makes it a point.
         #[schemars(schema_with = "radius")]
         radius: f64,
     },
+}
+
+/// The shape of a body in its own frame.
+#[derive(JsonSchema)]
+#[schemars(rename = "Shape", tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+enum ShapeDocument {
+    /// A simple polygon, convex or concave, in either direction, open or closed.
+    Polygon {
+        /// The corners in order; at least three differ, edges do not touch or cross.
+        #[schemars(length(min = 3))]
+        vertices: Vec<PointDocument>,
+    },
+}
+
+/// What a metre and a radian count in the distance between two placements; 0.7 and 0.3 where it is absent.
+#[derive(JsonSchema)]
+#[schemars(rename = "Metric", deny_unknown_fields)]
+struct MetricDocument {
+    /// What a metre counts.
+    #[schemars(schema_with = "positive")]
+    translation: f64,
+    /// What a radian counts.
+    #[schemars(schema_with = "positive")]
+    rotation: f64,
+}
+
+/// How near to the goal is near enough: both must hold.
+#[derive(JsonSchema)]
+#[schemars(rename = "GoalTolerance", deny_unknown_fields)]
+struct GoalToleranceDocument {
+    /// How far away at most, in metres.
+    #[schemars(schema_with = "radius")]
+    translation: f64,
+    /// Turned by how much at most, in radians.
+    #[schemars(schema_with = "radius")]
+    rotation: f64,
 }
 
 /// One question.
@@ -140,9 +205,12 @@ struct QueryDocument {
     /// has limits; coordinates in metres.
     #[schemars(length(min = 1, max = 8), inner(range(min = -1e6, max = 1e6)))]
     start: Vec<f64>,
-    /// The configuration to reach, exactly.
+    /// The configuration to reach, exactly but for a body or a car with a tolerance.
     #[schemars(length(min = 1, max = 8), inner(range(min = -1e6, max = 1e6)))]
     goal: Vec<f64>,
+    /// How near to the goal is near enough; for bodies and cars only.
+    #[schemars(default, schema_with = "goal_tolerance")]
+    goal_tolerance: Option<GoalToleranceDocument>,
 }
 
 fn format(_: &mut SchemaGenerator) -> Schema {
@@ -169,8 +237,31 @@ fn links(generator: &mut SchemaGenerator) -> Schema {
     json_schema!({ "type": "array", "items": positive(generator) })
 }
 
+fn metric(generator: &mut SchemaGenerator) -> Schema {
+    generator.subschema_for::<MetricDocument>()
+}
+
+fn goal_tolerance(generator: &mut SchemaGenerator) -> Schema {
+    generator.subschema_for::<GoalToleranceDocument>()
+}
+
+fn step(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "number", "exclusiveMinimum": 0, "maximum": 10 })
+}
+
+fn speeds(_: &mut SchemaGenerator) -> Schema {
+    pair(1e6)
+}
+
+fn angles(_: &mut SchemaGenerator) -> Schema {
+    pair(1.55)
+}
+
+fn pair(most: f64) -> Schema {
+    let limit = json_schema!({ "type": "number", "minimum": -most, "maximum": most });
+    json_schema!({ "type": "array", "prefixItems": [limit, limit], "minItems": 2, "maxItems": 2 })
+}
+
 fn joint_limits(_: &mut SchemaGenerator) -> Schema {
-    let limit = json_schema!({ "type": "number", "minimum": -100, "maximum": 100 });
-    let pair = json_schema!({ "type": "array", "prefixItems": [limit, limit], "minItems": 2, "maxItems": 2 });
-    json_schema!({ "type": "array", "items": pair, "minItems": 1, "maxItems": 8 })
+    json_schema!({ "type": "array", "items": pair(100.0), "minItems": 1, "maxItems": 8 })
 }

@@ -1,7 +1,7 @@
 //! What a scenario holds, once it has been checked.
 
 use crate::geometry::{Aabb, Disc, Polygon};
-use crate::robot::{Arm, DiscRobot};
+use crate::robot::{Arm, Car, DiscRobot, Part, RigidBody, Weights};
 
 /// A checked scenario: a world, a robot in it, and named queries.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,6 +75,10 @@ pub enum Robot {
     Arm(Arm),
     /// A translating disc or point.
     Disc(DiscRobot),
+    /// A polygon that translates and turns.
+    RigidBody(RigidBody),
+    /// A car.
+    Car(Car),
 }
 
 impl Robot {
@@ -83,6 +87,39 @@ impl Robot {
         match self {
             Robot::Arm(arm) => arm.links().len(),
             Robot::Disc(_) => 2,
+            Robot::RigidBody(_) | Robot::Car(_) => 3,
+        }
+    }
+
+    /// The word for its type in documents.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Robot::Arm(_) => "arm",
+            Robot::Disc(_) => "disc",
+            Robot::RigidBody(_) => "rigid_body",
+            Robot::Car(_) => "car",
+        }
+    }
+
+    /// The parts of the robot at `q`.
+    ///
+    /// # Panics
+    /// Where `q` has fewer entries than [`Robot::dimension`].
+    pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
+        match self {
+            Robot::Arm(arm) => arm.footprint(q),
+            Robot::Disc(disc) => disc.footprint(q),
+            Robot::RigidBody(body) => body.footprint(q),
+            Robot::Car(car) => car.footprint(q),
+        }
+    }
+
+    /// The shape in its own frame and the weights of the metric, of a robot that is placed by (x, y, theta).
+    pub fn placed_shape(&self) -> Option<(&Polygon, Weights)> {
+        match self {
+            Robot::Arm(_) | Robot::Disc(_) => None,
+            Robot::RigidBody(body) => Some((body.shape(), body.weights())),
+            Robot::Car(car) => Some((car.shape(), car.weights())),
         }
     }
 }
@@ -96,4 +133,15 @@ pub struct Query {
     pub start: Vec<f64>,
     /// The configuration to reach, as written.
     pub goal: Vec<f64>,
+    /// How near to it is near enough, of bodies and cars; exactly there where it is absent.
+    pub goal_tolerance: Option<GoalTolerance>,
+}
+
+/// A goal region about a configuration (x, y, theta): both must hold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GoalTolerance {
+    /// How far away at most, in metres.
+    pub translation: f64,
+    /// Turned by how much at most, the short way round, in radians.
+    pub rotation: f64,
 }

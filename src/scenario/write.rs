@@ -1,8 +1,9 @@
 //! From a checked scenario back to its document, in one normal form.
 
 use super::parse::FORMAT;
-use super::{Node, Obstacle, Query, Robot, Scenario, World};
-use crate::geometry::{Aabb, Point};
+use super::{GoalTolerance, Node, Obstacle, Query, Robot, Scenario, World};
+use crate::geometry::{Aabb, Point, Polygon};
+use crate::robot::Weights;
 
 impl Scenario {
     /// The normalised document: fields in the order of the contract, defaults written out, polygons open,
@@ -43,10 +44,7 @@ fn obstacle(obstacle: &Obstacle) -> Node {
             ("center", Some(point(disc.center))),
             ("radius", Some(Node::Number(disc.radius))),
         ]),
-        Obstacle::Polygon(polygon) => Node::object(vec![
-            ("type", Some(Node::text("polygon"))),
-            ("vertices", Some(Node::Array(polygon.vertices().iter().copied().map(point).collect()))),
-        ]),
+        Obstacle::Polygon(shape) => polygon(shape),
     }
 }
 
@@ -65,7 +63,37 @@ fn robot(robot: &Robot) -> Node {
         Robot::Disc(disc) => {
             Node::object(vec![("type", Some(Node::text("disc"))), ("radius", Some(Node::Number(disc.radius())))])
         }
+        Robot::RigidBody(body) => Node::object(vec![
+            ("type", Some(Node::text("rigid_body"))),
+            ("shape", Some(polygon(body.shape()))),
+            ("metric", Some(weights(body.weights()))),
+        ]),
+        Robot::Car(car) => Node::object(vec![
+            ("type", Some(Node::text("car"))),
+            ("shape", Some(polygon(car.shape()))),
+            ("wheelbase", Some(Node::Number(car.wheelbase()))),
+            ("speed", Some(Node::numbers(&car.speed()))),
+            ("steering", Some(Node::numbers(&car.steering()))),
+            ("integration_step", Some(Node::Number(car.integration_step()))),
+            ("metric", Some(weights(car.weights()))),
+        ]),
     }
+}
+
+fn polygon(polygon: &Polygon) -> Node {
+    Node::object(vec![
+        ("type", Some(Node::text("polygon"))),
+        ("vertices", Some(Node::Array(polygon.vertices().iter().copied().map(point).collect()))),
+    ])
+}
+
+fn of_placement(translation: f64, rotation: f64) -> Node {
+    let (translation, rotation) = (Node::Number(translation), Node::Number(rotation));
+    Node::object(vec![("translation", Some(translation)), ("rotation", Some(rotation))])
+}
+
+fn weights(weights: Weights) -> Node {
+    of_placement(weights.translation, weights.rotation)
 }
 
 fn query(query: &Query) -> Node {
@@ -73,5 +101,10 @@ fn query(query: &Query) -> Node {
         ("name", Some(Node::text(&query.name))),
         ("start", Some(Node::numbers(&query.start))),
         ("goal", Some(Node::numbers(&query.goal))),
+        ("goal_tolerance", query.goal_tolerance.map(region)),
     ])
+}
+
+fn region(region: GoalTolerance) -> Node {
+    of_placement(region.translation, region.rotation)
 }

@@ -1,4 +1,4 @@
-//! The space of arms and discs: a product of circles, of circles cut open, and of intervals where coordinates have limits.
+//! The space of arms, discs and bodies: a product of circles, of circles cut open, and of intervals where coordinates have limits.
 
 use super::{Space, unwind, wrap};
 use std::f64::consts::{PI, TAU};
@@ -24,12 +24,20 @@ pub enum Joint {
 }
 
 /// How the distances of the joints make one distance.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Metric {
     /// Their sum.
     Sum,
     /// The square root of the sum of their squares.
     Euclidean,
+    /// Of a placement (x, y, theta): so much of the Euclidean distance of (x, y) plus so much of the turn. A sum of two metrics
+    /// with weights greater than 0 is a metric.
+    Placement {
+        /// What a metre counts.
+        translation: f64,
+        /// What a radian counts.
+        rotation: f64,
+    },
 }
 
 /// A product of up to `N` joints. States are angles in radians.
@@ -73,6 +81,15 @@ impl<const N: usize> Torus<N> {
     pub fn of_box(low: &[f64], high: &[f64]) -> Self {
         let sides: Vec<Joint> = low.iter().zip(high).map(|(&low, &high)| Joint::Interval { low, high }).collect();
         Self::new(&sides, Metric::Euclidean)
+    }
+
+    /// The placements (x, y, theta) of a body whose origin stays in a box: two intervals in metres, a circle in radians.
+    ///
+    /// # Panics
+    /// Where a side is empty, or `N` is less than 3.
+    pub fn of_placements(low: [f64; 2], high: [f64; 2], translation: f64, rotation: f64) -> Self {
+        let side = |i: usize| Joint::Interval { low: low[i], high: high[i] };
+        Self::new(&[side(0), side(1), Joint::Circle], Metric::Placement { translation, rotation })
     }
 
     /// The same joints with every circle cut open at 0: the naive space.
@@ -159,6 +176,10 @@ impl<const N: usize> Space for Torus<N> {
                 }
                 sum.sqrt()
             }
+            Metric::Placement { translation, rotation } => {
+                let [x, y, turn] = [0, 1, 2].map(|i| self.gap(i, a[i], b[i]));
+                translation * (x * x + y * y).sqrt() + rotation * turn
+            }
         }
     }
 
@@ -209,6 +230,9 @@ impl<const N: usize> Space for Torus<N> {
         match self.metric {
             Metric::Sum => (0..self.dimension).map(longest).sum(),
             Metric::Euclidean => (0..self.dimension).map(|i| longest(i) * longest(i)).sum::<f64>().sqrt(),
+            Metric::Placement { translation, rotation } => {
+                translation * (longest(0) * longest(0) + longest(1) * longest(1)).sqrt() + rotation * longest(2)
+            }
         }
     }
 
@@ -247,6 +271,14 @@ impl<const N: usize> Space for Torus<N> {
                     }
                 }
                 sum.map(f64::sqrt)
+            }
+            Metric::Placement { translation, rotation } => {
+                let [x, y, turn] = [gap(0), gap(1), gap(2)];
+                for lane in 0..L {
+                    let far = (x[lane] * x[lane] + y[lane] * y[lane]).sqrt();
+                    sum[lane] = translation * far + rotation * turn[lane];
+                }
+                sum
             }
         }
     }

@@ -113,6 +113,7 @@ fn judge(scenario: &Scenario, query: &Query, result: &ResultDocument) -> Result<
     let seen = match robot {
         Robot::Arm(arm) => arm::judge(scenario.world(), arm, path, &scale)?,
         Robot::Disc(disc) => disc::judge(scenario.world(), disc, path, &scale)?,
+        Robot::RigidBody(_) | Robot::Car(_) => unimplemented!("bodies are on their way"),
     };
     check_length(robot, path, result.length)?;
     Ok(seen)
@@ -191,6 +192,7 @@ impl Scale {
                 arm.reach() + arm.radius()
             }
             Robot::Disc(disc) => disc.radius(),
+            Robot::RigidBody(_) | Robot::Car(_) => robot.placed_shape().expect("both are placed").0.reach(),
         };
         let coordinates = boxes.iter().flat_map(|b| [b.min.x, b.min.y, b.max.x, b.max.y]);
         let largest = coordinates.fold(0.0, |largest: f64, coordinate| largest.max(coordinate.abs())) + reach;

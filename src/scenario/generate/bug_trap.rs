@@ -146,7 +146,7 @@ pub fn bug_trap(options: &BugTrapOptions) -> Result<Scenario, Error> {
             obstacles: vec![Obstacle::Polygon(trap)],
         },
         robot: Robot::Disc(DiscRobot::new(radius)?),
-        queries: vec![Query { name: way.to_owned(), start, goal }],
+        queries: vec![Query { name: way.to_owned(), start, goal, goal_tolerance: None }],
     })
 }
 

@@ -84,7 +84,7 @@ pub fn forest(options: &ForestOptions) -> Result<Scenario, Error> {
         title: Some(format!("{links}R arm in a forest of {count} triangles, seed {seed}")),
         world: World { bounds: None, obstacles },
         robot: Robot::Arm(arm),
-        queries: vec![Query { name: "report".to_owned(), start, goal }],
+        queries: vec![Query { name: "report".to_owned(), start, goal, goal_tolerance: None }],
     })
 }
 

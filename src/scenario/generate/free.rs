@@ -8,25 +8,30 @@ pub(super) const SOME: f64 = 1e-9;
 
 /// Whether the polygon is farther than `gap` metres from all of the parts.
 pub(super) fn is_clear_of(polygon: &Polygon, parts: &[Part], gap: f64) -> bool {
-    parts.iter().all(|part| {
-        let (axis, radius) = axis_and_radius(part);
-        distance_segment_polygon(&axis, polygon) - radius > gap + SOME
+    parts.iter().all(|part| match axis_and_radius(part) {
+        Ok((axis, radius)) => distance_segment_polygon(&axis, polygon) - radius > gap + SOME,
+        Err(corners) => are_apart(&self::polygon(corners), polygon, gap),
     })
 }
 
 /// Whether the disc is farther than `gap` metres from all of the parts.
 pub(super) fn is_disc_clear_of(disc: &Disc, parts: &[Part], gap: f64) -> bool {
-    parts.iter().all(|part| {
-        let (axis, radius) = axis_and_radius(part);
-        distance_point_segment(disc.center, &axis) - disc.radius - radius > gap + SOME
+    let far = gap + SOME + disc.radius;
+    parts.iter().all(|part| match axis_and_radius(part) {
+        Ok((axis, radius)) => distance_point_segment(disc.center, &axis) - radius > far,
+        Err(corners) => {
+            let center = Segment::new(disc.center, disc.center);
+            distance_segment_polygon(&center, &self::polygon(corners)) > far
+        }
     })
 }
 
-/// The part as all points within a radius of a segment.
-fn axis_and_radius(part: &Part) -> (Segment, f64) {
-    match *part {
-        Part::Capsule { a, b, radius } => (Segment::new(a, b), radius),
-        Part::Disc { center, radius } => (Segment::new(center, center), radius),
+/// The part as all points within a radius of a segment; else its corners.
+fn axis_and_radius(part: &Part) -> Result<(Segment, f64), &[Point]> {
+    match part {
+        Part::Capsule { a, b, radius } => Ok((Segment::new(*a, *b), *radius)),
+        Part::Disc { center, radius } => Ok((Segment::new(*center, *center), *radius)),
+        Part::Polygon { vertices } => Err(vertices),
     }
 }
 

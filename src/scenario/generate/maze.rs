@@ -140,7 +140,12 @@ pub fn maze(options: &MazeOptions) -> Result<Scenario, Error> {
             obstacles: walls.rectangles(thickness).into_iter().map(Obstacle::Polygon).collect(),
         },
         robot: Robot::Disc(DiscRobot::new(radius)?),
-        queries: vec![Query { name: "through".to_owned(), start: vec![first, first], goal: vec![last, last] }],
+        queries: vec![Query {
+            name: "through".to_owned(),
+            start: vec![first, first],
+            goal: vec![last, last],
+            goal_tolerance: None,
+        }],
     })
 }
 

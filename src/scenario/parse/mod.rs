@@ -30,8 +30,8 @@ impl Scenario {
     /// The first rule of the contract that is broken: a stable code, a sentence with the offending value, and its JSON
     /// pointer. A field that is missing is pointed at where it would stand. Codes: those of [`Node::parse`],
     /// `unknown-format`, `unknown-field`, `missing-field`, `wrong-type`, `unknown-type`, `not-finite`, `out-of-range`,
-    /// `wrong-dimension`, `degenerate-polygon`, `duplicate-name`, `base-in-collision`, `too-large`, and `unsupported` for
-    /// the robots `rigid_body` and `car`. A start or a goal in collision is not refused here but when it is planned for.
+    /// `wrong-dimension`, `degenerate-polygon`, `duplicate-name`, `base-in-collision` and `too-large`.
+    /// A start or a goal in collision is not refused here but when it is planned for.
     ///
     /// # Complexity
     /// O(n log n) in the length of the text.
@@ -57,7 +57,7 @@ impl Scenario {
         let title = fields.optional("title").map(|title| title.string().map(str::to_owned)).transpose()?;
         let world = world::read(&fields.required("world")?)?;
         let robot = robot::read(&fields.required("robot")?)?;
-        if world.bounds.is_none() && matches!(robot, Robot::Disc(_)) {
+        if world.bounds.is_none() && !matches!(robot, Robot::Arm(_)) {
             let sentence = "the field \"bounds\" is missing; only an arm can do without";
             return Err(Error::new(Code::MissingField, "/world/bounds", sentence));
         }

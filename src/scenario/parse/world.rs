@@ -79,7 +79,8 @@ fn read_positive(radius: &Reader) -> Result<f64, Error> {
     Ok(value)
 }
 
-fn read_polygon(vertices: &Reader, vertices_left: &mut usize) -> Result<Polygon, Error> {
+/// Reads the corners of a simple polygon, which count against those that are left.
+pub(super) fn read_polygon(vertices: &Reader, vertices_left: &mut usize) -> Result<Polygon, Error> {
     let items = vertices.items()?;
     *vertices_left = vertices_left.checked_sub(items.len()).ok_or_else(|| {
         vertices.error(Code::TooLarge, format!("with this one, the polygons have more than {MAX_VERTICES} vertices"))

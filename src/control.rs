@@ -1,0 +1,44 @@
+//! Controls: what a driver does for a while, and what a planner may ask about it.
+
+use crate::random::Random;
+
+/// What a driver does: a speed v and a steering angle phi.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Control {
+    /// The speed, in metres a second; backward where negative.
+    pub speed: f64,
+    /// The angle of the front wheels, in radians; to the left where positive.
+    pub steering: f64,
+}
+
+/// A control that is held for a while.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Motion {
+    /// What is done.
+    pub control: Control,
+    /// For how long, in seconds, at least 0.
+    pub duration: f64,
+}
+
+/// A system that is moved by controls: the one trait between planning and driving. Durations are whole numbers of steps.
+pub trait Dynamics<S> {
+    /// The step that durations are counted in, in seconds.
+    fn step(&self) -> f64;
+
+    /// A control drawn uniformly from all there are.
+    fn sample(&self, random: &mut Random) -> Control;
+
+    /// The six controls of Reeds and Shepp, as fast as the system goes: forward and backward, each straight, full left and
+    /// full right; only the forward ones of a system that has no reverse.
+    fn extremes(&self) -> Vec<Control>;
+
+    /// Where the control leads in so many steps.
+    fn drive(&self, from: &S, control: Control, steps: u32) -> S;
+
+    /// How many of the first `steps` steps are proven free, each with all before it: `steps` where the whole motion is.
+    fn free_steps(&self, from: &S, control: Control, steps: u32) -> u32;
+
+    /// How long the motion is, in the metric of the space along its arc; never less than the distance between its ends, and in
+    /// proportion to its duration.
+    fn length(&self, motion: Motion) -> f64;
+}

@@ -1,0 +1,127 @@
+//! A first-order car: q' = (v cos theta, v sin theta, v tan(phi) / L) under the control (v, phi).
+//!
+//! (x, y) is the point that the wheels roll from: the middle of the rear axle. The shape stands about it as its vertices say, so
+//! that a shape whose centre is its origin has its rear axle in its middle, as the course reports have it. LaValle 2006,
+//! "Planning Algorithms", section 13.1.2.
+
+use super::range::{LARGEST, check_range, not_finite};
+use super::{Part, Weights};
+use crate::decimal::Decimal;
+use crate::error::{Code, Error};
+use crate::geometry::Polygon;
+
+/// The largest steering angle, in radians: short of the quarter turn at which the car would turn on the spot.
+const STEEPEST: f64 = 1.55;
+
+/// The longest step of integration, in seconds.
+const LONGEST_STEP: f64 = 10.0;
+
+/// A car. A configuration is (x, y, theta), in metres and radians; a control is (v, phi), in metres a second and radians.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Car {
+    shape: Polygon,
+    wheelbase: f64,
+    speed: [f64; 2],
+    steering: [f64; 2],
+    integration_step: f64,
+    weights: Weights,
+}
+
+impl Car {
+    /// A car: wheelbase L in metres, the least and the greatest speed in metres a second and steering angle in radians, the
+    /// step in which durations are counted, in seconds.
+    ///
+    /// # Errors
+    /// `not-finite` or `out-of-range`, with a pointer into the `robot` object of a scenario: a wheelbase or a step that is not
+    /// positive, speeds beyond 1e6, angles beyond 1.55, limits of which the lower is not less than the upper.
+    pub fn new(
+        shape: Polygon,
+        wheelbase: f64,
+        speed: [f64; 2],
+        steering: [f64; 2],
+        integration_step: f64,
+        weights: Weights,
+    ) -> Result<Self, Error> {
+        check_positive("/wheelbase", "the wheelbase", wheelbase, LARGEST)?;
+        check_limits("/speed", "a speed", speed, LARGEST)?;
+        check_limits("/steering", "a steering angle", steering, STEEPEST)?;
+        check_positive("/integration_step", "the step of integration", integration_step, LONGEST_STEP)?;
+        Ok(Self { shape, wheelbase, speed, steering, integration_step, weights })
+    }
+
+    /// The shape in its own frame, in metres; x is forward.
+    pub fn shape(&self) -> &Polygon {
+        &self.shape
+    }
+
+    /// The distance between the axles, in metres.
+    pub fn wheelbase(&self) -> f64 {
+        self.wheelbase
+    }
+
+    /// The least and the greatest speed, in metres a second; backward where negative.
+    pub fn speed(&self) -> [f64; 2] {
+        self.speed
+    }
+
+    /// The least and the greatest steering angle, in radians; to the left where positive.
+    pub fn steering(&self) -> [f64; 2] {
+        self.steering
+    }
+
+    /// The step in which durations are counted, in seconds.
+    pub fn integration_step(&self) -> f64 {
+        self.integration_step
+    }
+
+    /// The weights of the metric.
+    pub fn weights(&self) -> Weights {
+        self.weights
+    }
+
+    /// How fast the car turns under the control, in radians a second: v tan(phi) / L.
+    pub fn turn_rate(&self, speed: f64, steering: f64) -> f64 {
+        speed * libm::tan(steering) / self.wheelbase
+    }
+
+    /// The one part of the robot at `q`.
+    ///
+    /// # Panics
+    /// Where `q` has fewer than three entries.
+    pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
+        vec![Part::Polygon { vertices: self.shape.placed([q[0], q[1], q[2]]).vertices().to_vec() }]
+    }
+}
+
+/// Refuses what is not a finite number within (0, most].
+fn check_positive(pointer: &str, what: &str, value: f64, most: f64) -> Result<(), Error> {
+    check_range(pointer, what, value, 0.0)?;
+    if value == 0.0 || value > most {
+        let [value, most] = [value, most].map(Decimal);
+        let sentence = format!("{what} must be greater than 0 and at most {most}, not {value}");
+        return Err(Error::new(Code::OutOfRange, pointer, sentence));
+    }
+    Ok(())
+}
+
+/// Refuses limits that are not an increasing pair within [-most, most].
+fn check_limits(pointer: &str, what: &str, limits: [f64; 2], most: f64) -> Result<(), Error> {
+    for (k, value) in limits.into_iter().enumerate() {
+        let pointer = format!("{pointer}/{k}");
+        if !value.is_finite() {
+            return Err(not_finite(&pointer, what, value));
+        }
+        if value.abs() > most {
+            let [value, most] = [value, most].map(Decimal);
+            let sentence = format!("{what} must lie within [-{most}, {most}], not {value}");
+            return Err(Error::new(Code::OutOfRange, pointer, sentence));
+        }
+    }
+    let [low, high] = limits;
+    if low >= high {
+        let [low, high] = limits.map(Decimal);
+        let sentence = format!("the lower limit {low} must be less than the upper {high}");
+        return Err(Error::new(Code::OutOfRange, pointer, sentence));
+    }
+    Ok(())
+}

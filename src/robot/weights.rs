@@ -1,0 +1,36 @@
+//! How a placement in the plane is measured: what a metre and what a radian count.
+
+use super::range::check_range;
+use crate::error::{Code, Error};
+
+/// The weights of the metric w_t d_t + w_r d_r, of translation (metres) and rotation (radians).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Weights {
+    /// What a metre counts, greater than 0.
+    pub translation: f64,
+    /// What a radian counts, greater than 0.
+    pub rotation: f64,
+}
+
+impl Default for Weights {
+    fn default() -> Self {
+        Self { translation: 0.7, rotation: 0.3 }
+    }
+}
+
+impl Weights {
+    /// Both weights.
+    ///
+    /// # Errors
+    /// `not-finite` or `out-of-range` (pointer `/metric/translation` or `/metric/rotation`) unless both lie within (0, 1e6].
+    pub fn new(translation: f64, rotation: f64) -> Result<Self, Error> {
+        for (name, weight) in [("translation", translation), ("rotation", rotation)] {
+            let pointer = format!("/metric/{name}");
+            check_range(&pointer, "a weight", weight, 0.0)?;
+            if weight == 0.0 {
+                return Err(Error::new(Code::OutOfRange, pointer, "a weight of the metric must be greater than 0"));
+            }
+        }
+        Ok(Self { translation, rotation })
+    }
+}

@@ -11,7 +11,7 @@
 //! - [`inspect::Inspector`] answers what a viewer asks; [`path::verify`] judges a finished path by an independent route.
 //!
 //! # The house, and the rule of its arrows
-//! From the ground up: [`decimal`], [`error`], [`json`], [`order`], [`phase`], [`random`], [`geometry`], [`validity`]; on them [`space`] and [`robot`]; on those
+//! From the ground up: [`decimal`], [`error`], [`json`], [`order`], [`phase`], [`random`], [`geometry`], [`steering`], [`validity`]; on them [`space`] and [`robot`]; on those
 //! [`scenario`] and [`collision`], [`problem`]; [`sampling`], [`graph`], [`nearest`], [`path`], [`kept`]; then [`planner`]; then [`run`] and
 //! [`inspect`]; and last the bindings and the command line. A room names only rooms below it: a planner sees a space and the
 //! trait [`validity::Validity`], never a robot, a scenario or a shape. The core reads no clock, prints nothing, keeps no
@@ -46,6 +46,7 @@ pub mod scenario;
 pub mod space;
 pub mod stats;
 pub mod status;
+pub mod steering;
 pub mod validity;
 
 pub use error::Error;

@@ -1,5 +1,6 @@
 //! Collision of an arm: which link touches what, and which motions are free.
 
+use super::motion::LONGEST_TURN;
 use super::obstacles::largest_coordinate;
 use super::proof::separation::Work;
 use super::proof::{Answer, Link, Motion, MovingJoint, Setting, distance, separation, unit};
@@ -10,10 +11,6 @@ use crate::scenario::World;
 use crate::space::{Joint, Metric, Space, Torus};
 use crate::validity::{Contact, Touched, Validity};
 use std::cell::RefCell;
-use std::f64::consts::PI;
-
-/// No edge turns a circle joint by this or more, in radians: there the short way round is ambiguous.
-const LONGEST_TURN: f64 = PI - 1e-9;
 
 /// From joint limits wider than this on, in radians, the slack is doubled.
 const WIDE: f64 = 50.0;

@@ -11,15 +11,19 @@
 //! `tau` of an obstacle or of the bounds, and those whose short way round is ambiguous.
 
 mod arm;
+mod body;
 mod boxes;
 mod disc;
+mod motion;
 mod obstacles;
 mod proof;
 mod sampled;
 mod tolerance;
 
 pub use arm::{ArmValidity, joint_space};
+pub use body::BodyCollision;
 pub use disc::{DiscValidity, plane};
+pub use motion::{BodyMotion, LONGEST_TURN};
 pub use obstacles::Obstacles;
 pub use sampled::Sampled;
 pub use tolerance::Tolerance;

@@ -2,8 +2,8 @@
 
 use super::boxes::Boxes;
 use crate::geometry::{
-    Aabb, Disc, Point, Polygon, Segment, Vector, distance_point_segment, distance_segment_polygon,
-    intersects_segment_polygon,
+    Aabb, Disc, Point, Polygon, Segment, Vector, distance_point_polygon, distance_point_segment,
+    distance_polygon_polygon, distance_segment_polygon, intersects_segment_polygon,
 };
 use crate::scenario::Obstacle;
 
@@ -96,6 +96,14 @@ impl Obstacles {
         }
     }
 
+    /// The distance from the placed body to obstacle `i`, in metres; 0 or less where they share a point.
+    pub(super) fn distance_from(&self, body: &Polygon, i: usize) -> f64 {
+        match &self.shapes[i] {
+            Obstacle::Disc(disc) => distance_point_polygon(disc.center, body) - disc.radius,
+            Obstacle::Polygon(polygon) => distance_polygon_polygon(body, polygon),
+        }
+    }
+
     /// The distance from the segment to the nearest obstacle, in metres; infinite without obstacles. O(n).
     pub fn clearance(&self, segment: &Segment) -> f64 {
         (0..self.len()).map(|i| self.distance(i, segment)).fold(f64::INFINITY, f64::min)
@@ -111,6 +119,11 @@ impl Obstacles {
 pub(super) fn largest_coordinate(aabb: &Aabb) -> f64 {
     let of = |p: Point| p.x.abs().max(p.y.abs());
     of(aabb.min).max(of(aabb.max))
+}
+
+/// How deep the points lie within the bounds, the one that is least deep: negative where one is outside, in metres.
+pub(super) fn depth(bounds: &Aabb, points: &[Point]) -> f64 {
+    points.iter().map(|&p| bounds.depth(p)).fold(f64::INFINITY, f64::min)
 }
 
 /// The faces of a convex polygon. The support is the largest over all corners, so that rounding of the normal cannot let a

@@ -6,21 +6,29 @@
 //! last place of the largest coordinate.
 
 mod aabb;
+mod arc;
 mod crossing;
 mod disc;
+mod distance_point_polygon;
 mod distance_point_segment;
+mod distance_polygon_polygon;
 mod distance_segment_polygon;
 mod distance_segment_segment;
+mod intersects_polygon_polygon;
 mod intersects_segment_polygon;
 mod intersects_segment_segment;
 mod polygon;
 mod segment;
 
 pub use aabb::Aabb;
+pub use arc::arc_pose;
 pub use disc::Disc;
+pub use distance_point_polygon::distance_point_polygon;
 pub use distance_point_segment::{distance_point_segment, distance_squared_point_segment};
+pub use distance_polygon_polygon::distance_polygon_polygon;
 pub use distance_segment_polygon::distance_segment_polygon;
 pub use distance_segment_segment::{distance_segment_segment, distance_squared_segment_segment};
+pub use intersects_polygon_polygon::intersects_polygon_polygon;
 pub use intersects_segment_polygon::intersects_segment_polygon;
 pub use intersects_segment_segment::intersects_segment_segment;
 pub use polygon::{Polygon, PolygonFault};

@@ -62,6 +62,22 @@ impl Polygon {
         Ok(Self { vertices, aabb, convex })
     }
 
+    /// The polygon turned about the origin by `theta` and then moved by (x, y), for a pose (x, y, theta): the shape of a
+    /// body there. Every vertex is rounded by itself. O(vertices).
+    #[must_use]
+    pub fn placed(&self, [x, y, theta]: [f64; 3]) -> Self {
+        let (sin, cos) = libm::sincos(theta);
+        let place = |p: &Point| Point::new(x + (cos * p.x - sin * p.y), y + (sin * p.x + cos * p.y));
+        let vertices: Vec<Point> = self.vertices.iter().map(place).collect();
+        let aabb = Aabb::around(vertices.iter().copied()).expect("three vertices at least");
+        Self { vertices, aabb, convex: self.convex }
+    }
+
+    /// The distance from the origin to the farthest vertex, in metres: how far a body reaches from the origin of its frame.
+    pub fn reach(&self) -> f64 {
+        self.vertices.iter().map(|p| p.coords.norm()).fold(0.0, f64::max)
+    }
+
     /// The corners, counter-clockwise, each once.
     pub fn vertices(&self) -> &[Point] {
         &self.vertices

@@ -1,4 +1,4 @@
-//! The proof that a motion of an arm is free.
+//! The proof that a motion of an arm or of a body is free.
 //!
 //! In the middle of a stretch of motion it is known where the links are, and a bound on how far they can travel to either
 //! end. Where a link is farther from an obstacle than it can travel, the two are apart on the whole stretch; otherwise the
@@ -7,6 +7,7 @@
 //!
 //! [`distance`] is that idea in its simplest form and the oracle of the tests; [`separation`] is the one that planners use.
 
+pub(super) mod body_distance;
 pub(super) mod distance;
 mod joint;
 mod pair;
@@ -18,7 +19,7 @@ pub(super) use pair::{Answer, Link};
 pub(super) use rotation::unit;
 
 use super::{Obstacles, Tolerance};
-use crate::geometry::Aabb;
+use crate::geometry::{Aabb, Polygon};
 use crate::robot::Arm;
 
 /// An arm in its world, as a proof sees it.
@@ -27,6 +28,17 @@ pub(super) struct Setting<'a> {
     pub arm: &'a Arm,
     pub obstacles: &'a Obstacles,
     pub bounds: Option<&'a Aabb>,
+    pub tolerance: Tolerance,
+}
+
+/// A body in its world, as a proof sees it.
+#[derive(Clone, Copy)]
+pub(super) struct BodySetting<'a> {
+    pub body: &'a Polygon,
+    /// The distance from the origin of the body's frame to its farthest vertex, in metres.
+    pub reach: f64,
+    pub obstacles: &'a Obstacles,
+    pub bounds: &'a Aabb,
     pub tolerance: Tolerance,
 }
 

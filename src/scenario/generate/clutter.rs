@@ -1,4 +1,4 @@
-//! Clutter: convex polygons scattered over a box of 2 m by 2 m, apart from each other, for a disc that crosses it or an arm
+//! Clutter: convex polygons scattered over a box of 2 m by 2 m, apart from each other, for a robot that crosses it or an arm
 //! that stands in its middle.
 //!
 //! The corners of a polygon lie on a circle, evenly spaced but for a random shift of up to a fifth of their spacing. A path
@@ -23,7 +23,7 @@ const DRAWS: u32 = 10_000;
 pub(super) const INFO: GeneratorInfo = GeneratorInfo {
     id: "clutter",
     title: "Clutter",
-    summary: "Convex polygons scattered over a box, for a disc that crosses it or an arm in its middle.",
+    summary: "Convex polygons scattered over a box, for a robot that crosses it or an arm in its middle.",
     options: &[
         ROBOT,
         LINKS,
@@ -59,7 +59,7 @@ pub(super) const INFO: GeneratorInfo = GeneratorInfo {
     ],
 };
 
-/// What clutter to make. As a document: `robot` ("disc" or "arm"), `links` (arms only, default 2), and the rest by name.
+/// What clutter to make. As a document: `robot` ("disc", "arm", "rigid_body" or "car"), `links` (arms only, default 2), and the rest by name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClutterOptions {
     /// The robot (default: a disc); an arm has 1 to 8 links.

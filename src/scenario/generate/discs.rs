@@ -1,4 +1,4 @@
-//! Discs: round obstacles scattered over a box of 2 m by 2 m, for a disc that crosses it or an arm that stands in its middle.
+//! Discs: round obstacles scattered over a box of 2 m by 2 m, for a robot that crosses it or an arm that stands in its middle.
 //!
 //! A path exists where a disc moves among discs that stand apart by at least twice its radius (grown by that radius they
 //! stay apart, and none is large enough to close a corner off); in general it need not.
@@ -21,7 +21,7 @@ const DRAWS: u32 = 10_000;
 pub(super) const INFO: GeneratorInfo = GeneratorInfo {
     id: "discs",
     title: "Discs",
-    summary: "Discs scattered over a box, for a disc that crosses it or an arm in its middle.",
+    summary: "Discs scattered over a box, for a robot that crosses it or an arm in its middle.",
     options: &[
         ROBOT,
         LINKS,
@@ -73,7 +73,7 @@ pub enum Placement {
     Overlapping,
 }
 
-/// Which discs to scatter. As a document: `robot` ("disc" or "arm"), `links` (arms only, default 2), `placement` ("apart" or
+/// Which discs to scatter. As a document: `robot` ("disc", "arm", "rigid_body" or "car"), `links` (arms only, default 2), `placement` ("apart" or
 /// "overlapping"), and the rest by name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DiscsOptions {

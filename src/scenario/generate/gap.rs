@@ -1,4 +1,4 @@
-//! The gap: a wall across the world with one opening, the narrow passage of the textbooks, for a disc that goes through it or
+//! The gap: a wall across the world with one opening, the narrow passage of the textbooks, for a robot that goes through it or
 //! an arm that reaches through it.
 //!
 //! A disc has a path exactly where the gap is wider than the disc (by more than 1e-9 m, to be safe from rounding); where it
@@ -16,7 +16,7 @@ use crate::random::{Random, Stream};
 use crate::robot::{Arm, DiscRobot};
 use crate::scenario::reader::Reader;
 use crate::scenario::{Node, Obstacle, Query, Robot, Scenario, World};
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The sum of an arm's links, in metres.
 const REACH: f64 = 0.9;
@@ -31,7 +31,7 @@ const PLAY: f64 = 0.01;
 pub(super) const INFO: GeneratorInfo = GeneratorInfo {
     id: "gap",
     title: "Gap",
-    summary: "A wall across a box with one gap, for a disc that goes through it or an arm that reaches through it.",
+    summary: "A wall across a box with one gap, for a robot that goes through it or an arm that reaches through it.",
     options: &[
         ROBOT,
         OptionInfo { kind: OptionKind::Integer { min: 2.0, max: 8.0, default: 4.0 }, ..LINKS },
@@ -53,7 +53,7 @@ pub(super) const INFO: GeneratorInfo = GeneratorInfo {
     ],
 };
 
-/// Which gap to make. As a document: `robot` ("disc" or "arm"), `links` (arms only, default 4), and the rest by name.
+/// Which gap to make. As a document: `robot` ("disc", "arm", "rigid_body" or "car"), `links` (arms only, default 4), and the rest by name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GapOptions {
     /// The robot (default: a disc); an arm has 2 to 8 links, as one link alone never gets into the gap.
@@ -93,7 +93,7 @@ impl GapOptions {
         let mut values = vec![("radius", radius), ("width", width), ("thickness", thickness)];
         values.extend(robot.links());
         INFO.check(seed, &values)?;
-        if robot != RobotChoice::Disc && width - 2.0 * radius < PLAY - SOME {
+        if matches!(robot, RobotChoice::Arm(_)) && width - 2.0 * radius < PLAY - SOME {
             let [radius, play, width] = [radius, PLAY, width].map(Decimal);
             let sentence = format!(
                 "an arm of radius {radius} needs a gap wider than twice that by {play}, else it is never at its goal; {width} is less"
@@ -114,7 +114,7 @@ pub fn gap(options: &GapOptions) -> Result<Scenario, Error> {
     let GapOptions { robot: choice, radius, width, thickness, seed } = *options;
     let mut random = Random::new(seed, Stream::Scenario);
     // So much of the wall is left on either side; an arm needs more room to fold up.
-    let left = if choice == RobotChoice::Disc { 0.1 } else { 0.5 - width / 2.0 };
+    let left = if matches!(choice, RobotChoice::Arm(_)) { 0.5 - width / 2.0 } else { 0.1 };
     let low = width / 2.0 + left.max(0.1);
     let middle = low + random.uniform() * (SIDE - 2.0 * low);
     let (robot, start, goal) = match choice {
@@ -124,6 +124,15 @@ pub fn gap(options: &GapOptions) -> Result<Scenario, Error> {
             (Robot::Disc(DiscRobot::new(radius)?), start, goal)
         }
         RobotChoice::Arm(links) => reach_through(options, links, middle, &mut random)?,
+        RobotChoice::RigidBody | RobotChoice::Car => {
+            // A body reaches 0.12 m from its origin.
+            let mut place = |left: f64| {
+                let (x, y) = (left + 0.25 * random.uniform(), 0.2 + (SIDE - 0.4) * random.uniform());
+                vec![x, y, PI * (2.0 * random.uniform() - 1.0)]
+            };
+            let (start, goal) = (place(0.2), place(SIDE - 0.45));
+            (choice.placed()?.unwrap_or_else(|| unreachable!("both are placed")), start, goal)
+        }
     };
     let (disc, gap) = (Decimal(radius), Decimal(width));
     let what = match choice {
@@ -132,6 +141,7 @@ pub fn gap(options: &GapOptions) -> Result<Scenario, Error> {
         }
         RobotChoice::Disc => format!("Disc of radius {disc} m through a gap of {gap} m"),
         RobotChoice::Arm(links) => format!("{links}R arm reaching through a gap of {gap} m"),
+        RobotChoice::RigidBody | RobotChoice::Car => format!("{} through a gap of {gap} m", choice.title()),
     };
     let wall = |low: f64, high: f64| {
         let (left, right) = ((SIDE - thickness) / 2.0, (SIDE + thickness) / 2.0);
@@ -146,7 +156,7 @@ pub fn gap(options: &GapOptions) -> Result<Scenario, Error> {
             obstacles: vec![wall(0.0, middle - width / 2.0), wall(middle + width / 2.0, SIDE)],
         },
         robot,
-        queries: vec![Query { name: "through".to_owned(), start, goal, goal_tolerance: None }],
+        queries: vec![Query { name: "through".to_owned(), start, goal, goal_tolerance: choice.goal_tolerance() }],
     })
 }
 

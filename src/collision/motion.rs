@@ -1,0 +1,72 @@
+//! Motions of a body: straight ones of its placement, and circular arcs.
+
+use crate::geometry::arc_pose;
+use std::f64::consts::{PI, TAU};
+
+/// No straight motion turns an angle by this or more, in radians: there the short way round is ambiguous.
+pub const LONGEST_TURN: f64 = PI - 1e-9;
+
+/// An arc that turns by more, in radians, repeats itself; a little more than a whole turn.
+const ONE_TURN: f64 = TAU + 1e-9;
+
+/// A motion of a body. A placement is (x, y, theta): metres, and radians counter-clockwise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum BodyMotion {
+    /// All three coordinates change at constant rates, by `delta` in all.
+    Straight {
+        /// Where it begins.
+        from: [f64; 3],
+        /// By how much it leads, the angle the way round that is meant.
+        delta: [f64; 3],
+    },
+    /// The body moves along its own x axis and turns, both at constant rates: a circular arc, as wheels draw it.
+    Arc {
+        /// Where it begins.
+        from: [f64; 3],
+        /// The speed along the body's x axis, in metres a second; backward where negative.
+        speed: f64,
+        /// The turn rate, in radians a second; to the right where negative.
+        turn_rate: f64,
+        /// How long it lasts, in seconds.
+        duration: f64,
+    },
+}
+
+impl BodyMotion {
+    /// Where the motion begins.
+    pub fn from(&self) -> [f64; 3] {
+        match *self {
+            Self::Straight { from, .. } | Self::Arc { from, .. } => from,
+        }
+    }
+
+    /// The placement at fraction `t` of the motion, in [0, 1]. The angle is not wrapped.
+    pub fn at(&self, t: f64) -> [f64; 3] {
+        match *self {
+            Self::Straight { from, delta } => [0, 1, 2].map(|i| from[i] + t * delta[i]),
+            Self::Arc { from, speed, turn_rate, duration } => arc_pose(from, speed, turn_rate, t * duration),
+        }
+    }
+
+    /// How far the origin of the body's frame travels along the whole motion, in metres, and by how much the body turns, in
+    /// radians; neither is negative.
+    pub(super) fn extent(&self) -> (f64, f64) {
+        match *self {
+            Self::Straight { delta: [x, y, theta], .. } => ((x * x + y * y).sqrt(), theta.abs()),
+            Self::Arc { speed, turn_rate, duration, .. } => ((speed * duration).abs(), (turn_rate * duration).abs()),
+        }
+    }
+
+    /// A motion over the same placements that turns by little more than once at most, and the part of the whole motion that it
+    /// is: an arc of several turns comes by the same placements again and again.
+    pub(super) fn once_around(&self) -> (Self, f64) {
+        match *self {
+            Self::Arc { from, speed, turn_rate, duration } if (turn_rate * duration).abs() > ONE_TURN => {
+                let once = (ONE_TURN / turn_rate).abs().min(duration.abs());
+                let motion = Self::Arc { from, speed, turn_rate, duration: once.copysign(duration) };
+                (motion, once / duration.abs())
+            }
+            _ => (*self, 1.0),
+        }
+    }
+}

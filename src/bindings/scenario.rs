@@ -1,8 +1,8 @@
 //! A scenario in JavaScript's hands.
 
+use super::convert::{count, options, throw};
 use super::drive::told;
 use super::{RawDrive, RawPlanner};
-use super::convert::{count, options, throw};
 use crate::control::{Control, Motion};
 use crate::drive::{self, Drive};
 use crate::inspect::Inspector;

@@ -179,6 +179,8 @@ fn too_long(what: &str) -> Error {
 fn car_of(scenario: &Scenario) -> Result<&crate::robot::Car, Error> {
     match scenario.robot() {
         Robot::Car(car) => Ok(car),
-        other => Err(Error::new(Code::Unsupported, "", format!("only a car can be driven, not the robot {}", other.kind()))),
+        other => {
+            Err(Error::new(Code::Unsupported, "", format!("only a car can be driven, not the robot {}", other.kind())))
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! Questions about a scenario outside any run: is a configuration free and why not, where is the robot, what does its
 //! configuration space look like. For viewers; planners ask through [`Validity`].
 
-use crate::collision::{ArmValidity, DiscValidity, joint_space, plane};
+use crate::collision::{ArmValidity, BodyValidity, DiscValidity, joint_space, placements, plane};
 use crate::decimal::Decimal;
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Point};
@@ -36,7 +36,11 @@ impl Inspector {
             Robot::Disc(disc) => {
                 (plane(&world.bounds.expect("a disc has bounds")), Box::new(DiscValidity::new(disc, world)))
             }
-            Robot::RigidBody(_) | Robot::Car(_) => unimplemented!("bodies are on their way"),
+            Robot::RigidBody(_) | Robot::Car(_) => {
+                let (shape, weights) = robot.placed_shape().expect("both are placed");
+                let space = placements(shape, weights, &world.bounds.expect("a body has bounds"));
+                (space.clone(), Box::new(BodyValidity::new(shape, space, world, DEFAULT_TOLERANCE)))
+            }
         };
         Self { robot, space, validity, extent: extent(scenario) }
     }
@@ -74,7 +78,7 @@ impl Inspector {
         Ok(self.robot.footprint(q))
     }
 
-    /// The tip of the arm, or the centre of the disc, at `q`.
+    /// The tip of the arm, the centre of the disc, or the origin of the body's frame, at `q`.
     ///
     /// # Errors
     /// Of the configuration: see [`Inspector`].

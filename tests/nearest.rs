@@ -88,6 +88,8 @@ fn spaces() -> Vec<(&'static str, Torus<4>)> {
         spaces.push(("circles and limits", Torus::new(&mixed, metric)));
         spaces.push(("circles cut open", Torus::new(&mixed, metric).cut_open()));
     }
+    spaces.push(("placements", Torus::of_placements([0.0, -1.0], [2.0, 3.0], 0.7, 0.3)));
+    spaces.push(("placements, turns above all", Torus::of_placements([0.0, 0.0], [1.0, 1.0], 0.01, 5.0)));
     spaces
 }
 

@@ -60,6 +60,16 @@ fn a_box_obeys_the_laws() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn placements_obey_the_laws_whatever_a_metre_and_a_radian_count() {
+    for (translation, rotation) in [(0.7, 0.3), (1e-6, 1.0), (3.0, 1e-6), (1e6, 1e6)] {
+        obeys_the_laws(&Torus::<4>::of_placements([0.0, -1.0], [2.0, 5.0], translation, rotation));
+    }
+    let space = Torus::<4>::of_placements([0.0, 0.0], [2.0, 2.0], 0.7, 0.3);
+    let [a, b] = [[0.0, 0.0, 3.0], [0.3, 0.4, -3.0]].map(|q| space.state(&q));
+    assert!((space.distance(&a, &b) - (0.7 * 0.5 + 0.3 * (TAU - 6.0))).abs() < 1e-15);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn the_reports_distance_from_1_to_5_goes_the_short_way_round() {
     let expected: f64 = 2.2831853071795862;
     let ulp = f64::from_bits(expected.to_bits() + 1) - expected;

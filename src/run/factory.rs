@@ -3,13 +3,14 @@
 use super::runner::{Runner, Ticket};
 use super::{Options, Run};
 use super::{choices, resume};
-use crate::collision::{ArmValidity, DiscValidity, Sampled, joint_space, plane};
+use crate::collision::{ArmValidity, BodyValidity, DiscValidity, Sampled, joint_space, placements, plane};
 use crate::error::{Code, Error};
-use crate::kept::{RoadmapDocument, fingerprint};
+use crate::geometry::Polygon;
+use crate::kept::{RoadmapDocument, fingerprint, placement_metric};
 use crate::path::Wanted;
 use crate::planner::{Connection, Parameters, PlannerInfo, planner_info};
 use crate::problem::{Estimate, Problem};
-use crate::robot::{Arm, DiscRobot};
+use crate::robot::{Arm, DiscRobot, Weights};
 use crate::scenario::{Robot, Scenario};
 use crate::space::{MAX_DIMENSION, Metric, Space, Torus};
 use crate::validity::Validity;
@@ -57,7 +58,8 @@ pub(super) fn launch(
         Robot::Arm(arm) if arm.links().len() <= SMALL => launch.arm::<SMALL>(arm),
         Robot::Arm(arm) => launch.arm::<MAX_DIMENSION>(arm),
         Robot::Disc(disc) => launch.disc(disc),
-        Robot::RigidBody(_) | Robot::Car(_) => unimplemented!("bodies are on their way"),
+        Robot::RigidBody(body) => launch.placed(body.shape(), body.weights()),
+        Robot::Car(car) => launch.placed(car.shape(), car.weights()),
     };
     let in_query = |error: &Error| matches!(error.code(), Code::StartInCollision | Code::GoalInCollision);
     run.map_err(|error| if in_query(&error) { error.under(&format!("/queries/{place}")) } else { error })
@@ -88,6 +90,21 @@ impl Launch<'_> {
         let finest = self.kept.map(|_| -> Box<dyn Validity<_>> { Box::new(validity().finest()) });
         let estimate = from_end_effector(arm, metric);
         self.plan(space, proven, finest, [start, goal], Box::new(move |a, b| estimate(a, b)))
+    }
+
+    fn placed(self, shape: &Polygon, weights: Weights) -> Result<Box<dyn Run>, Error> {
+        if let Some(word) = self.parameters.text("metric") {
+            let sentence = format!("the metric of a body is its scenario's, not \"{word}\"");
+            return Err(Error::new(Code::OutOfRange, "/metric", sentence));
+        }
+        let world = self.scenario.world();
+        let space: Torus<SMALL> = placements(shape, weights, &world.bounds.expect("a body has bounds"));
+        let [start, goal] = self.ends.map(|q| space.state(q));
+        let validity = || BodyValidity::new(shape, space.clone(), world, self.tolerance());
+        let proven = Box::new(validity().fitted(&start, &goal));
+        let finest = self.kept.map(|_| -> Box<dyn Validity<_>> { Box::new(validity().finest()) });
+        let measure = space.clone();
+        self.plan(space, proven, finest, [start, goal], Box::new(move |a, b| measure.distance(a, b)))
     }
 
     fn disc(self, disc: &DiscRobot) -> Result<Box<dyn Run>, Error> {
@@ -142,13 +159,16 @@ impl Launch<'_> {
 
     /// How the roadmap of this run will be kept, without vertices and edges.
     fn empty_document(&self, connection: Connection, circles: Vec<bool>, edge_samples: Option<u32>) -> RoadmapDocument {
-        let default = if matches!(self.scenario.robot(), Robot::Arm(_)) { "sum" } else { "euclidean" };
+        let default = match self.scenario.robot() {
+            Robot::Arm(_) => "sum".to_owned(),
+            robot => only_metric(robot),
+        };
         RoadmapDocument {
             scenario: self.scenario.name().to_owned(),
             fingerprint: fingerprint(self.scenario),
             circles,
             planner: self.ticket.planner.to_owned(),
-            metric: self.parameters.text("metric").unwrap_or(default).to_owned(),
+            metric: self.parameters.text("metric").map_or(default, str::to_owned),
             k: connection.k as u32,
             radius: connection.radius,
             edge_samples,
@@ -156,6 +176,14 @@ impl Launch<'_> {
             vertices: Vec::new(),
             edges: Vec::new(),
         }
+    }
+}
+
+/// The metric of a robot that has only one, as a roadmap is kept with it.
+pub(super) fn only_metric(robot: &Robot) -> String {
+    match robot.placed_shape() {
+        Some((_, weights)) => placement_metric(weights.translation, weights.rotation),
+        None => "euclidean".to_owned(),
     }
 }
 

@@ -60,11 +60,12 @@ const HOUSE: &[(&str, &[&str])] = &[
         ],
     ),
     ("inspect", &["collision", "decimal", "error", "geometry", "planner", "robot", "scenario", "space", "validity"]),
+    ("drive", &["collision", "control", "decimal", "error", "geometry", "robot", "scenario", "space", "validity"]),
     (
         "bindings",
         &[
-            "error", "geometry", "decimal", "inspect", "json", "kept", "planner", "random", "robot", "run", "scenario",
-            "validity",
+            "control", "drive", "error", "geometry", "decimal", "inspect", "json", "kept", "planner", "random",
+            "robot", "run", "scenario", "validity",
         ],
     ),
 ];

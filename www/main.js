@@ -32,7 +32,6 @@ import { showSceneOptions } from "./controls/scene-options.js";
 import { watchTheme } from "./controls/theme.js";
 import { watchReadout } from "./controls/readout.js";
 import { Transport } from "./controls/transport.js";
-import { watchView } from "./controls/view.js";
 import { Page } from "./page.js";
 import { Part } from "./part.js";
 import { loadCore, makeWorker } from "./resources.js";
@@ -90,12 +89,12 @@ async function start() {
   watchAnnouncements(page);
   showPseudocode(page);
   showSceneOptions(page, generators);
-  watchView(page, sheets);
   watchReadout(page);
   const projector = new Projector(page);
 
   const race = new Part(notice, async () => new (await import("./controls/race.js")).Race(page, sheets)).inFold("race-fold");
   page.needRace = () => race.get();
+  new Part(notice, async () => (await import("./controls/view.js")).watchView(page)).inFold("view-fold");
   new Part(notice, async () => (await import("./controls/curves.js")).watchCurves(page)).inFold("curves-fold");
   new Part(notice, async () => new (await import("./controls/editor.js")).EditorControls(page)).inFold("editor-fold").byButton("edit", (editor) => editor.begin());
   const lessons = new Part(notice, async () => new (await import("./controls/lessons.js")).Lessons(page, SCENES)).inFold("lessons-fold");
@@ -121,6 +120,7 @@ async function start() {
     write(where, `${page.facts?.title ?? ""} \u00b7 ${page.names.join(" against ")}`);
     stage.classList.toggle("in-hand", state.inHand);
     pose.reflect(state);
+    sheets.look(state, page.facts);
     sheets.describe(state);
   });
   page.onOrder(() => counters.unsettle());

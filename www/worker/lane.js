@@ -5,6 +5,7 @@ import { PAST, Run } from "./run.js";
 /** @import { Standing } from "../standings.js" */
 /** @import { Marked } from "../stage/marked.js" */
 /** @import { Overlay } from "./editor.js" */
+/** @import { Placed } from "../stage/placed.js" */
 /** @import { Journey } from "./journey.js" */
 /** @import { Check, Configuration, Plan, Scenario, ScenarioDocument, ViewOptions } from "../types.js" */
 
@@ -12,7 +13,8 @@ import { PAST, Run } from "./run.js";
  * @typedef {object} Shown   what all lanes show alike: the one value that panes read and only the theatre writes
  * @property {Scenario} scenario
  * @property {ScenarioDocument} document
- * @property {Configuration | null} start   of the query asked
+ * @property {string | undefined} query     that is asked
+ * @property {Configuration | null} start   of that query
  * @property {Configuration | null} goal
  * @property {Float64Array | null} hand     the pose held by hand, if any
  * @property {Check | null} check           of the pose held by hand
@@ -21,6 +23,7 @@ import { PAST, Run } from "./run.js";
  * @property {Marked | null} marked         configurations of the reader's own
  * @property {boolean} rough                it is being changed by hand: pictures may be coarse
  * @property {Overlay | null} overlay       what the editor draws
+ * @property {Placed | null} placed         of a body or a car
  */
 
 /**
@@ -29,6 +32,8 @@ import { PAST, Run } from "./run.js";
  * @property {number} vertex   -1: a pose
  * @property {Float64Array} pose
  * @property {Check} check
+ * @property {number} [edge]   the edge that is pointed at, or that leads to the vertex
+ * @property {Float64Array | null} [motion]   its speed, steering angle and duration, where a car drives it
  */
 
 export class Lane {
@@ -75,11 +80,14 @@ export class Lane {
     return journey && journey.drawn >= 1 ? journey.configuration(journey.at) : null;
   }
 
+  /** The angle of a car's front wheels. */
+  get steering() { return this.shown.hand ? 0 : this.journey?.steering ?? 0; }
+
   /** The way of a run that has ended. @returns {boolean} whether it has just become known */
   arrive() {
     const { run } = this;
     if (!run?.ended || this.end || !run.isNewest) return false;
-    this.end = journeyOf(this.scenario, run);
+    this.end = journeyOf(this.scenario, run, this.shown.placed);
     return this.end !== null;
   }
 

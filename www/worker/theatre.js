@@ -15,6 +15,7 @@ import { Turn } from "./turn.js";
 
 /** @import { Curves, Library, Plan, Pointer, Programme, Scenario, ScenarioDocument, SceneFacts, Source, State, ViewOptions } from "../types.js" */
 /** @import { Editor } from "./editor.js" */
+/** @import { Placed } from "../stage/placed.js" */
 /** @import { Shown } from "./lane.js" */
 
 /** Milliseconds of planning in a frame at most, and when inking new growth stops. */
@@ -65,12 +66,13 @@ export class Theatre {
     this.plannings = 0;
   }
 
-  /** Puts a scenario on the stage; the one before it is freed. @param {Source} source @param {Programme} programme @returns {SceneFacts} @throws {Error} it cannot be read */
-  open(source, programme) {
-    const scenario = this.read(source);
+  /** Puts a scenario on the stage; the one before it is freed. @param {Scenario} scenario @param {Programme} programme @param {Placed | null} placed @returns {SceneFacts} */
+  open(scenario, programme, placed) {
+    // Of a body x and theta say more than x and y, which the workspace shows as well.
+    if (Boolean(placed) !== Boolean(this.shown?.placed) || this.view.axes.some((axis) => axis >= scenario.dimension)) this.view.axes = [0, placed ? 2 : 1];
     this.clear();
     const document = scenario.document();
-    this.shown = { scenario, document, start: null, goal: null, hand: null, check: null, hover: null, view: this.view, rough: false, overlay: null, marked: null };
+    this.shown = { scenario, document, query: undefined, start: null, goal: null, hand: null, check: null, hover: null, view: this.view, rough: false, overlay: null, marked: null, placed };
     this.story = programme.story;
     if (programme.pace !== undefined) this.clock.pace = programme.pace;
     this.query = document.queries.find(({ name }) => name === programme.query)?.name ?? document.queries[0]?.name;
@@ -140,6 +142,7 @@ export class Theatre {
     const { shown, clock } = this;
     if (!shown) return;
     const query = shown.document.queries.find(({ name }) => name === this.query);
+    shown.query = query?.name;
     shown.start = query?.start ?? null;
     shown.goal = query?.goal ?? null;
     this.plannings++;

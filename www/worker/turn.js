@@ -99,8 +99,10 @@ export class Turn {
 }
 
 /** Is a pose at the goal, as nearly as a hand can put it there? @param {Shown} shown @param {Float64Array} pose */
-function isAtGoal({ scenario, goal }, pose) {
+function isAtGoal(shown, pose) {
+  const { scenario, goal, placed } = shown;
   if (!goal) return false;
+  if (placed) return placed.isNear(pose, goal, shown);
   const { min, max } = scenario.extent();
   const near = scenario.robot === "arm" ? 0.06 * scenario.dimension : 0.015 * Math.max(max[0] - min[0], max[1] - min[1]);
   return scenario.distance(pose, Float64Array.from(goal)) <= near;

@@ -12,20 +12,22 @@
 
 mod arm;
 mod body;
+mod body_validity;
 mod boxes;
 mod disc;
+mod driving;
 mod motion;
 mod obstacles;
-mod placed;
 mod proof;
 mod sampled;
 mod tolerance;
 
 pub use arm::{ArmValidity, joint_space};
 pub use body::BodyCollision;
+pub use body_validity::{BodyValidity, placements};
 pub use disc::{DiscValidity, plane};
+pub use driving::{Driving, Integration};
 pub use motion::{BodyMotion, LONGEST_TURN};
 pub use obstacles::Obstacles;
-pub use placed::{BodyValidity, placements};
 pub use sampled::Sampled;
 pub use tolerance::Tolerance;

@@ -7,6 +7,7 @@
 
 mod aabb;
 mod arc;
+mod convex_pieces;
 mod crossing;
 mod disc;
 mod distance_point_polygon;
@@ -19,9 +20,11 @@ mod intersects_segment_polygon;
 mod intersects_segment_segment;
 mod polygon;
 mod segment;
+mod triangulation;
 
 pub use aabb::Aabb;
 pub use arc::arc_pose;
+pub use convex_pieces::convex_pieces;
 pub use disc::Disc;
 pub use distance_point_polygon::distance_point_polygon;
 pub use distance_point_segment::{distance_point_segment, distance_squared_point_segment};
@@ -33,6 +36,7 @@ pub use intersects_segment_polygon::intersects_segment_polygon;
 pub use intersects_segment_segment::intersects_segment_segment;
 pub use polygon::{Polygon, PolygonFault};
 pub use segment::Segment;
+pub use triangulation::triangles;
 
 /// A point of the workspace, in metres.
 pub type Point = nalgebra::Point2<f64>;

@@ -62,10 +62,16 @@ impl Polygon {
         Ok(Self { vertices, aabb, convex })
     }
 
+    /// A convex piece of a simple polygon, its corners counter-clockwise.
+    pub(super) fn of_convex_piece(vertices: Vec<Point>) -> Self {
+        let aabb = Aabb::around(vertices.iter().copied()).expect("a piece has corners");
+        Self { vertices, aabb, convex: true }
+    }
+
     /// The polygon turned about the origin by `theta` and then moved by (x, y), for a pose (x, y, theta): the shape of a
-    /// body there. Every vertex is rounded by itself. O(vertices).
+    /// body there. Every vertex is rounded by itself, so it may touch itself by a rounding. O(vertices).
     #[must_use]
-    pub fn placed(&self, [x, y, theta]: [f64; 3]) -> Self {
+    pub(crate) fn placed(&self, [x, y, theta]: [f64; 3]) -> Self {
         let (sin, cos) = libm::sincos(theta);
         let place = |p: &Point| Point::new(x + (cos * p.x - sin * p.y), y + (sin * p.x + cos * p.y));
         let vertices: Vec<Point> = self.vertices.iter().map(place).collect();

@@ -1,0 +1,296 @@
+//! Polygons against polygons, and their triangles and convex pieces: held against exact arithmetic, areas and parry.
+
+use parry2d_f64::math::{Pose, Vector};
+use parry2d_f64::query;
+use parry2d_f64::shape;
+use planarium::geometry::{
+    Point, Polygon, arc_pose, convex_pieces, distance_point_polygon, distance_polygon_polygon,
+    intersects_polygon_polygon, orientation, triangles,
+};
+use planarium::random::{Random, Stream};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+fn p(x: f64, y: f64) -> Point {
+    Point::new(x, y)
+}
+
+fn random(seed: u64) -> Random {
+    Random::new(seed, Stream::Samples)
+}
+
+fn polygon(corners: &[[f64; 2]]) -> Polygon {
+    let corners: Vec<Point> = corners.iter().map(|&[x, y]| p(x, y)).collect();
+    Polygon::new(&corners).expect("a simple polygon")
+}
+
+/// Twice the area of the corners in order.
+fn doubled_area(corners: &[Point]) -> f64 {
+    (0..corners.len())
+        .map(|i| {
+            let (a, b) = (corners[i], corners[(i + 1) % corners.len()]);
+            a.x * b.y - b.x * a.y
+        })
+        .sum()
+}
+
+/// Simple polygons of small whole coordinates, rich in corners on straight edges: areas are exact.
+fn whole(random: &mut Random) -> Polygon {
+    loop {
+        let (n, side) = (3 + random.below(9), 3 + random.below(6));
+        let corners: Vec<Point> = (0..n).map(|_| p(random.below(side) as f64, random.below(side) as f64)).collect();
+        if let Ok(polygon) = Polygon::new(&corners) {
+            return polygon;
+        }
+    }
+}
+
+/// A comb, a spiral of right angles, a square with many corners on its sides, a needle.
+fn special() -> Vec<Polygon> {
+    let mut comb = vec![p(0.0, 0.0), p(20.0, 0.0)];
+    for tooth in (0..10).rev() {
+        let x = 2.0 * f64::from(tooth);
+        comb.extend([p(x + 2.0, 3.0), p(x + 1.0, 1.0), p(x, 3.0)]);
+    }
+    comb.dedup();
+    let spiral = [
+        [0.0, 0.0],
+        [9.0, 0.0],
+        [9.0, 9.0],
+        [1.0, 9.0],
+        [1.0, 3.0],
+        [6.0, 3.0],
+        [6.0, 6.0],
+        [4.0, 6.0],
+        [4.0, 5.0],
+        [5.0, 5.0],
+        [5.0, 4.0],
+        [2.0, 4.0],
+        [2.0, 8.0],
+        [8.0, 8.0],
+        [8.0, 1.0],
+        [0.0, 1.0],
+    ];
+    let mut square = Vec::new();
+    for i in 0..8 {
+        square.push(p(f64::from(i), 0.0));
+    }
+    for i in 0..8 {
+        square.push(p(8.0, f64::from(i)));
+    }
+    square.push(p(8.0, 8.0));
+    square.extend([p(4.0, 4.0), p(0.0, 8.0)]);
+    for i in (1..8).rev() {
+        square.push(p(0.0, f64::from(i)));
+    }
+    let needle = [[0.0, 0.0], [4.0, 1e-9], [8.0, 0.0], [4.0, 2e-9]];
+    vec![
+        Polygon::new(&comb).expect("a comb"),
+        polygon(&spiral),
+        Polygon::new(&square).expect("a notched square"),
+        polygon(&needle),
+    ]
+}
+
+/// A polygon with corners all round a centre, most often concave.
+fn star(random: &mut Random, side: f64) -> Polygon {
+    let center = p(side * (random.uniform() - 0.5), side * (random.uniform() - 0.5));
+    let corners = 3 + random.below(20);
+    let corner = |i| {
+        let (sin, cos) = libm::sincos(std::f64::consts::TAU * (i as f64 + 0.9 * random.uniform()) / corners as f64);
+        let radius = side * (0.02 + 0.4 * random.uniform());
+        p(center.x + radius * cos, center.y + radius * sin)
+    };
+    let corners: Vec<Point> = (0..corners).map(corner).collect();
+    Polygon::new(&corners).expect("corners in order round a centre")
+}
+
+/// Every vertex of a piece is one of the polygon, bit by bit.
+fn has_vertices_of(piece: &Polygon, whole: &Polygon) -> bool {
+    piece.vertices().iter().all(|v| whole.vertices().contains(v))
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn triangles_cover_the_polygon_and_none_is_flat() {
+    let mut random = random(1);
+    let mut polygons = special();
+    polygons.extend((0..3000).map(|_| whole(&mut random)));
+    for polygon in &polygons {
+        let v = polygon.vertices();
+        let cut = triangles(polygon);
+        assert_eq!(cut.len(), v.len() - 2, "{polygon:?}");
+        let mut area = 0.0;
+        for corners in &cut {
+            let [a, b, c] = corners.map(|i| v[i as usize]);
+            assert!(orientation(a, b, c) > 0.0, "a flat or clockwise triangle of {polygon:?}");
+            area += doubled_area(&[a, b, c]);
+            // No cut passes through a vertex or leaves the polygon.
+            let middle = p((a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0);
+            assert!(polygon.contains(middle), "{corners:?} of {polygon:?}");
+            let strictly_inside =
+                |q: Point| orientation(a, b, q) > 0.0 && orientation(b, c, q) > 0.0 && orientation(c, a, q) > 0.0;
+            assert!(!v.iter().any(|&q| strictly_inside(q)), "{corners:?} of {polygon:?}");
+        }
+        let whole = doubled_area(v);
+        assert!((area - whole).abs() <= 1e-13 * whole.abs() + 1e-20, "{area} of {whole}: {polygon:?}");
+        // Every edge is one of some triangle; every other side of a triangle is shared by two.
+        let sides: Vec<(u32, u32)> = cut.iter().flat_map(|t| [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])]).collect();
+        for i in 0..v.len() as u32 {
+            assert!(sides.contains(&(i, (i + 1) % v.len() as u32)), "edge {i} of {polygon:?}");
+        }
+        let is_border = |&(i, j): &(u32, u32)| j == (i + 1) % v.len() as u32;
+        for side in sides.iter().filter(|side| !is_border(side)) {
+            assert_eq!(sides.iter().filter(|other| **other == (side.1, side.0)).count(), 1, "{side:?} of {polygon:?}");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn convex_pieces_are_convex_and_cover_the_polygon() {
+    let mut random = random(2);
+    let mut polygons = special();
+    polygons.extend((0..2000).map(|i| if i % 2 == 0 { whole(&mut random) } else { star(&mut random, 2.0) }));
+    let (mut concave, mut merged) = (0, 0);
+    for polygon in &polygons {
+        let pieces = convex_pieces(polygon);
+        let mut area = 0.0;
+        for piece in &pieces {
+            assert!(piece.is_convex() && has_vertices_of(piece, polygon), "{piece:?} of {polygon:?}");
+            let again = Polygon::new(piece.vertices()).expect("a piece is a simple polygon");
+            assert!(again.is_convex() && again == *piece, "{piece:?} of {polygon:?}");
+            area += doubled_area(piece.vertices());
+        }
+        let whole = doubled_area(polygon.vertices());
+        assert!((area - whole).abs() <= 1e-13 * whole.abs() + 1e-20, "{area} of {whole}: {polygon:?}");
+        assert_eq!(polygon.is_convex(), pieces.len() == 1, "{polygon:?}");
+        concave += u32::from(!polygon.is_convex());
+        merged += u32::from(!polygon.is_convex() && pieces.len() < polygon.vertices().len() - 2);
+        // With corners off straight edges there are as many reflex corners plus one at most.
+        let v = polygon.vertices();
+        let n = v.len();
+        let reflex = (0..n).filter(|&i| orientation(v[i], v[(i + 1) % n], v[(i + 2) % n]) < 0.0).count();
+        assert!(pieces.len() <= 2 * reflex + 1, "{} pieces for {reflex} reflex corners: {polygon:?}", pieces.len());
+        let aabb = polygon.aabb();
+        for _ in 0..30 {
+            let at = p(
+                aabb.min.x + (aabb.max.x - aabb.min.x) * random.uniform(),
+                aabb.min.y + (aabb.max.y - aabb.min.y) * random.uniform(),
+            );
+            let held = pieces.iter().filter(|piece| piece.contains(at)).count();
+            assert_eq!(held > 0, polygon.contains(at), "{at} in {polygon:?}");
+            // Whole coordinates hit borders; others do not.
+            assert!(held <= 1 || polygon.vertices().iter().all(|v| v.x == libm::floor(v.x)), "{at} in {polygon:?}");
+        }
+    }
+    assert!(concave > 1000 && merged > 500, "{concave} concave, {merged} merged");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_polygon_of_many_corners_is_cut_up() {
+    let n = 600;
+    let corner = |i: u32| {
+        let (sin, cos) = libm::sincos(std::f64::consts::TAU * f64::from(i) / f64::from(n));
+        let radius = if i % 2 == 0 { 2.0 } else { 1.0 };
+        p(radius * cos, radius * sin)
+    };
+    let gear = Polygon::new(&(0..n).map(corner).collect::<Vec<_>>()).expect("a gear");
+    let pieces = convex_pieces(&gear);
+    let area: f64 = pieces.iter().map(|piece| doubled_area(piece.vertices())).sum();
+    assert!((area - doubled_area(gear.vertices())).abs() < 1e-10);
+    assert!(pieces.len() <= 601, "{}", pieces.len());
+}
+
+fn vector(p: Point) -> Vector {
+    Vector::new(p.x, p.y)
+}
+
+fn border(polygon: &Polygon) -> shape::Polyline {
+    let n = polygon.vertices().len() as u32;
+    let corners = polygon.vertices().iter().copied().map(vector).collect();
+    shape::Polyline::new(corners, Some((0..n).map(|i| [i, (i + 1) % n]).collect()))
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn distances_between_polygons_agree_with_parry_and_with_those_of_their_pieces() {
+    let mut random = random(3);
+    let (mut touching, mut held) = (0, 0);
+    for _ in 0..3000 {
+        // Of very different sizes, so that one often holds the other.
+        let sizes = [(); 2].map(|()| [0.3, 1.0, 3.0][random.below(3) as usize]);
+        let [a, b] = sizes.map(|side| star(&mut random, side));
+        let place = Pose::identity();
+        let between = query::distance(&place, &border(&a), &place, &border(&b)).expect("parry has this pair").distance;
+        let holds = a.contains(b.vertices()[0]) || b.contains(a.vertices()[0]);
+        let found = distance_polygon_polygon(&a, &b);
+        let expected = if holds { 0.0 } else { between };
+        assert!((found - expected).abs() < 1e-12, "{found} is not {expected}: {a:?} {b:?}");
+        assert_eq!(found, distance_polygon_polygon(&b, &a));
+        assert_eq!(found == 0.0, intersects_polygon_polygon(&a, &b), "{a:?} {b:?}");
+        let (pieces_of_a, pieces_of_b) = (convex_pieces(&a), convex_pieces(&b));
+        let pairs = pieces_of_a.iter().flat_map(|a| pieces_of_b.iter().map(move |b| (a, b)));
+        let by_pieces = pairs.map(|(a, b)| distance_polygon_polygon(a, b)).fold(f64::INFINITY, f64::min);
+        assert!((found - by_pieces).abs() < 1e-12, "{found} is not {by_pieces}: {a:?} {b:?}");
+        let point = b.vertices()[0];
+        let to_point = distance_point_polygon(point, &a);
+        assert!(to_point >= found && (to_point == 0.0) == a.contains(point));
+        touching += u32::from(found == 0.0);
+        held += u32::from(holds && between > 0.0);
+    }
+    assert!(touching > 300 && touching < 2700 && held > 20, "{touching} touching, {held} holding the other");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn intersection_of_polygons_is_exact_on_whole_coordinates() {
+    let mut random = random(4);
+    let mut met = [0, 0];
+    for _ in 0..5000 {
+        let a = whole(&mut random);
+        let by = p(random.below(12) as f64 - 6.0, random.below(12) as f64 - 6.0);
+        let moved: Vec<Point> = whole(&mut random).vertices().iter().map(|v| p(v.x + by.x, v.y + by.y)).collect();
+        let b = Polygon::new(&moved).expect("still simple");
+        // Halves of whole coordinates: if they meet, then in a vertex of one, or where two edges meet.
+        let corner_held = a.vertices().iter().any(|&v| b.contains(v)) || b.vertices().iter().any(|&v| a.contains(v));
+        let crosses = |s: &planarium::geometry::Segment| {
+            b.edges().any(|t| {
+                let straddles =
+                    |p: Point, q: Point, r: Point, s: Point| orientation(p, q, r) * orientation(p, q, s) < 0.0;
+                straddles(s.a, s.b, t.a, t.b) && straddles(t.a, t.b, s.a, s.b)
+            })
+        };
+        let expected = corner_held || a.edges().any(|s| crosses(&s));
+        assert_eq!(intersects_polygon_polygon(&a, &b), expected, "{a:?} {b:?}");
+        assert_eq!(distance_polygon_polygon(&a, &b) == 0.0, expected, "{a:?} {b:?}");
+        met[usize::from(expected)] += 1;
+    }
+    assert!(met[0] > 500 && met[1] > 500, "{met:?}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_pose_along_an_arc_is_the_sum_of_many_small_steps() {
+    let mut random = random(5);
+    for turn_rate in [0.0, 1e-12, 1e-5, 0.3, -2.0, 40.0] {
+        let mut draw = |size: f64| size * (2.0 * random.uniform() - 1.0);
+        let from = [draw(5.0), draw(5.0), draw(4.0)];
+        let (speed, time) = (draw(2.0), 1.7);
+        let steps = 200_000;
+        let [mut x, mut y, _] = from;
+        for i in 0..steps {
+            // The middle of each step: off by the square of its size.
+            let at = time * (f64::from(i) + 0.5) / f64::from(steps);
+            let (sin, cos) = libm::sincos(from[2] + turn_rate * at);
+            x += speed * cos * time / f64::from(steps);
+            y += speed * sin * time / f64::from(steps);
+        }
+        let found = arc_pose(from, speed, turn_rate, time);
+        assert!((found[0] - x).abs() < 1e-8 && (found[1] - y).abs() < 1e-8, "{turn_rate}: {found:?} is not {x}, {y}");
+        assert_eq!(found[2], from[2] + turn_rate * time);
+        // Forth and back.
+        let back = arc_pose(found, speed, turn_rate, -time);
+        assert!((0..3).all(|i| (back[i] - from[i]).abs() < 1e-12 * (1.0 + turn_rate.abs())), "{back:?} {from:?}");
+    }
+    // Whole turns lead back; a quarter turn of radius 2 leads to the side.
+    let round = arc_pose([1.0, 2.0, 0.5], 3.0, 1.5, 2.0 * std::f64::consts::TAU / 1.5);
+    assert!((round[0] - 1.0).abs() < 1e-14 && (round[1] - 2.0).abs() < 1e-14);
+    let quarter = arc_pose([0.0, 0.0, 0.0], 2.0, 1.0, std::f64::consts::FRAC_PI_2);
+    assert!((quarter[0] - 2.0).abs() < 1e-15 && (quarter[1] - 2.0).abs() < 1e-15);
+    assert_eq!(arc_pose([1.0, 2.0, 3.0], 0.0, 0.0, 5.0), [1.0, 2.0, 3.0]);
+}

@@ -1,13 +1,14 @@
 //! Collision of a body: any simple polygon that moves and turns, and which of its motions are free.
 
 use super::obstacles::{depth, largest_coordinate};
-use super::proof::{BodySetting, body_distance};
+use super::proof::body_separation::{self, Work};
+use super::proof::{BodySetting, BodyShape, body_distance};
 use super::{BodyMotion, Obstacles, Tolerance};
-use crate::geometry::{Aabb, Point, Polygon};
+use crate::geometry::{Aabb, Point, Polygon, convex_pieces};
 use crate::robot::LARGEST;
-use crate::scenario::World;
+use crate::scenario::{Obstacle, World};
 use crate::validity::{Contact, Touched};
-use std::cell::Cell;
+use std::cell::RefCell;
 
 /// The largest angle to begin from, in radians, that proofs cover.
 const LARGEST_ANGLE: f64 = 1e4;
@@ -15,18 +16,21 @@ const LARGEST_ANGLE: f64 = 1e4;
 /// The largest turn of a straight motion, in radians, that proofs cover: more than once around.
 const LARGEST_TURN: f64 = 7.0;
 
-/// A motion longer than so many times the scale leaves every world of that scale, straight or along an arc of one turn.
-const LONGEST_PATH: f64 = 16.0;
+/// A motion longer than so many times the scale leaves every world of that scale: straight, or along one turn of an arc. Half
+/// a turn is no wider than the diagonal, 2 sqrt(2) scales, so the whole arc no longer than 2 sqrt(2) pi.
+const LONGEST_PATH: f64 = 9.0;
 
 /// What is free for a body among obstacles: compiled once. Placements are (x, y, theta) of the origin of the body's frame.
 pub struct BodyCollision {
     body: Polygon,
-    reach: f64,
+    shape: BodyShape,
+    /// The obstacles as they are, and cut into convex pieces.
     obstacles: Obstacles,
+    pieces: Obstacles,
     bounds: Aabb,
     scale: f64,
     tolerance: Tolerance,
-    evaluations: Cell<u64>,
+    work: RefCell<Work>,
 }
 
 impl BodyCollision {
@@ -37,10 +41,19 @@ impl BodyCollision {
         let obstacles = Obstacles::new(&world.obstacles);
         let everywhere = Aabb { min: Point::new(-LARGEST, -LARGEST), max: Point::new(LARGEST, LARGEST) };
         let bounds = world.bounds.unwrap_or(everywhere);
-        let reach = body.reach();
-        let scale = obstacles.largest_coordinate().max(largest_coordinate(&bounds)) + reach;
+        let scale = obstacles.largest_coordinate().max(largest_coordinate(&bounds)) + body.reach();
         let tolerance = Tolerance::new(scale, tolerance * bounds.longer_side());
-        Self { body: body.clone(), reach, obstacles, bounds, scale, tolerance, evaluations: Cell::new(0) }
+        let pieces: Vec<Obstacle> = world.obstacles.iter().flat_map(pieces_of).collect();
+        Self {
+            body: body.clone(),
+            shape: BodyShape::new(body),
+            obstacles,
+            pieces: Obstacles::new(&pieces),
+            bounds,
+            scale,
+            tolerance,
+            work: RefCell::default(),
+        }
     }
 
     /// The same with a tolerance no coarser than half the clearance, and half the depth within the bounds, of either placement.
@@ -59,9 +72,15 @@ impl BodyCollision {
         self
     }
 
-    /// Whether the body at `q` lies within the bounds and touches no obstacle.
+    /// Whether the body at `q` lies within the bounds and touches no obstacle: told by separating lines where these leave half the
+    /// slack to spare, else by the distances of [`BodyCollision::contacts`]. Both give the same answer.
     pub fn is_free(&self, q: &[f64; 3]) -> bool {
-        self.contacts(q).is_empty()
+        let told = if q[2].abs() <= LARGEST_ANGLE {
+            body_separation::is_free_at(&self.setting(), q, &mut self.work.borrow_mut())
+        } else {
+            None
+        };
+        told.unwrap_or_else(|| self.contacts(q).is_empty())
     }
 
     /// Every contact at `q`: part 0 with obstacles by their index, the bounds last. O(vertices of the body x all vertices).
@@ -88,52 +107,65 @@ impl BodyCollision {
 
     /// Whether the motion is proven free, both ends included. Looks at the middle first, where collisions are found early.
     pub fn is_motion_free(&self, motion: &BodyMotion) -> bool {
-        self.first_hit_by_distances(motion).is_none()
+        let refuses = |motion: &BodyMotion| {
+            let is_free = body_separation::is_free(&self.setting(), motion, &mut self.work.borrow_mut());
+            (!is_free).then_some(0.0)
+        };
+        self.prove(motion, refuses).is_none()
     }
 
     /// Where, as a fraction of the motion, the first stretch begins that cannot be proven free; all before it is proven. `None`
-    /// where the whole motion is proven. Motions that no world of this scale holds are refused at 0: those that are not
-    /// finite, begin at angles beyond 1e4 radians, turn by more than 7 on a straight way, or are longer than 16 scales.
+    /// where the whole motion is proven. Motions are refused at 0 that are not finite or longer than 1e150, begin far outside the
+    /// bounds or at an angle beyond 1e4 radians, or turn by more than 7 on a straight way.
     pub fn first_hit(&self, motion: &BodyMotion) -> Option<f64> {
-        self.first_hit_by_distances(motion)
+        self.prove(motion, |motion| body_separation::first_hit(&self.setting(), motion, &mut self.work.borrow_mut()))
     }
 
     /// The same verdicts by the proof by distances: slower and simpler, the oracle of the tests.
     pub fn first_hit_by_distances(&self, motion: &BodyMotion) -> Option<f64> {
-        let mut evaluations = self.evaluations.get();
-        let hit = self.prove(motion, |setting, motion| body_distance::first_hit(setting, motion, &mut evaluations));
-        self.evaluations.set(evaluations);
-        hit
+        let evaluations = &mut self.work.borrow_mut().evaluations;
+        self.prove(motion, |motion| body_distance::first_hit(&self.setting(), motion, evaluations))
     }
 
     /// How many times the clearance of a part has been evaluated so far.
     pub fn clearance_evaluations(&self) -> u64 {
-        self.evaluations.get()
+        self.work.borrow().evaluations
     }
 
-    /// Runs `prove` on the motion, or on its first turn where it goes round again and again.
-    fn prove(&self, motion: &BodyMotion, prove: impl FnOnce(&BodySetting, &BodyMotion) -> Option<f64>) -> Option<f64> {
-        let (once, part) = motion.once_around();
-        let (path, turn) = once.extent();
-        let [x, y, theta] = once.from();
-        let is_covered = path <= LONGEST_PATH * self.scale
-            && turn <= LARGEST_TURN
+    /// Runs `prove` on as much of the motion as tells about all of it.
+    #[inline(always)]
+    fn prove(&self, motion: &BodyMotion, prove: impl FnOnce(&BodyMotion) -> Option<f64>) -> Option<f64> {
+        let (path, turn) = motion.extent();
+        let [x, y, theta] = motion.from();
+        let is_covered = path.is_finite()
+            && turn.is_finite()
+            && (turn <= LARGEST_TURN || matches!(motion, BodyMotion::Arc { .. }))
             && theta.abs() <= LARGEST_ANGLE
             && x.abs() <= self.scale
             && y.abs() <= self.scale;
         if !is_covered {
             return Some(0.0);
         }
-        prove(&self.setting(), &once).map(|hit| hit * part)
+        let (motion, part) = motion.telling_part(LONGEST_PATH * self.scale);
+        prove(&motion).map(|hit| hit * part)
     }
 
     fn setting(&self) -> BodySetting<'_> {
         BodySetting {
             body: &self.body,
-            reach: self.reach,
-            obstacles: &self.obstacles,
+            shape: &self.shape,
+            obstacles: &self.pieces,
+            whole: &self.obstacles,
             bounds: &self.bounds,
             tolerance: self.tolerance,
         }
+    }
+}
+
+/// The convex pieces of an obstacle.
+fn pieces_of(obstacle: &Obstacle) -> Vec<Obstacle> {
+    match obstacle {
+        Obstacle::Polygon(polygon) => convex_pieces(polygon).into_iter().map(Obstacle::Polygon).collect(),
+        Obstacle::Disc(_) => vec![obstacle.clone()],
     }
 }

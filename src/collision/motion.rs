@@ -57,16 +57,27 @@ impl BodyMotion {
         }
     }
 
-    /// A motion over the same placements that turns by little more than once at most, and the part of the whole motion that it
-    /// is: an arc of several turns comes by the same placements again and again.
-    pub(super) fn once_around(&self) -> (Self, f64) {
+    /// The first part of the motion, `part` of it in [0, 1].
+    fn first(&self, part: f64) -> Self {
         match *self {
-            Self::Arc { from, speed, turn_rate, duration } if (turn_rate * duration).abs() > ONE_TURN => {
-                let once = (ONE_TURN / turn_rate).abs().min(duration.abs());
-                let motion = Self::Arc { from, speed, turn_rate, duration: once.copysign(duration) };
-                (motion, once / duration.abs())
+            Self::Straight { from, delta } => Self::Straight { from, delta: delta.map(|d| d * part) },
+            Self::Arc { from, speed, turn_rate, duration } => {
+                Self::Arc { from, speed, turn_rate, duration: duration * part }
             }
-            _ => (*self, 1.0),
         }
+    }
+
+    /// As much of the motion as can be free where none longer than `longest` metres can, and which part of the whole that is. An
+    /// arc of several turns comes by the same placements again and again: its first turn tells.
+    pub(super) fn telling_part(&self, longest: f64) -> (Self, f64) {
+        let (path, turn) = self.extent();
+        let mut part = 1.0;
+        if turn > ONE_TURN && matches!(self, Self::Arc { .. }) {
+            part = ONE_TURN / turn;
+        }
+        if path * part > longest {
+            part = longest / path;
+        }
+        if part < 1.0 { (self.first(part), part) } else { (*self, 1.0) }
     }
 }

@@ -128,7 +128,7 @@ pub(super) fn depth(bounds: &Aabb, points: &[Point]) -> f64 {
 
 /// The faces of a convex polygon. The support is the largest over all corners, so that rounding of the normal cannot let a
 /// corner stick out.
-fn faces_of(polygon: &Polygon) -> impl Iterator<Item = Face> {
+pub(super) fn faces_of(polygon: &Polygon) -> impl Iterator<Item = Face> {
     polygon.edges().map(|edge| {
         // Scaled first: the squares of a very short edge would underflow, and its normal would not be of unit length.
         let edge_vector = edge.b - edge.a;

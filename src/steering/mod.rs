@@ -35,6 +35,31 @@ pub struct Pose {
     pub heading: f64,
 }
 
+/// How a car is steered from pose to pose.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Steering {
+    /// Forwards only.
+    Dubins,
+    /// Forwards and in reverse.
+    ReedsShepp,
+}
+
+impl Steering {
+    /// The shortest curve from one pose to another for a turning radius in metres, greater than 0.
+    pub fn shortest(self, from: Pose, to: Pose, radius: f64) -> Curve {
+        match self {
+            Steering::Dubins => dubins(from, to, radius),
+            Steering::ReedsShepp => reeds_shepp(from, to, radius),
+        }
+    }
+
+    /// Whether every curve can be driven back.
+    #[inline]
+    pub fn is_symmetric(self) -> bool {
+        self == Steering::ReedsShepp
+    }
+}
+
 /// What a segment does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Turn {

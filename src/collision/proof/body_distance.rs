@@ -24,8 +24,8 @@ fn first_hit_within(
     middle: f64,
     half: f64,
 ) -> Option<f64> {
-    let BodySetting { body, reach, obstacles, bounds, tolerance } = *setting;
-    let bound = travel(motion, reach) * half;
+    let BodySetting { body, shape, whole: obstacles, bounds, tolerance, .. } = *setting;
+    let bound = travel(motion, shape.reach()) * half;
     let placed = body.placed(motion.at(middle));
     *evaluations += obstacles.len() as u64;
     let clearance = (0..obstacles.len()).map(|i| obstacles.distance_from(&placed, i)).fold(f64::INFINITY, f64::min);
@@ -43,7 +43,7 @@ fn first_hit_within(
 }
 
 /// How far any point of a body can travel along the whole motion, at most, in metres.
-pub(super) fn travel(motion: &BodyMotion, reach: f64) -> f64 {
+fn travel(motion: &BodyMotion, reach: f64) -> f64 {
     let (path, turn) = motion.extent();
     path + turn * reach
 }

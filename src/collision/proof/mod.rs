@@ -8,12 +8,17 @@
 //! [`distance`] is that idea in its simplest form and the oracle of the tests; [`separation`] is the one that planners use.
 
 pub(super) mod body_distance;
+mod body_pair;
+pub(super) mod body_separation;
+mod body_shape;
+mod course;
 pub(super) mod distance;
 mod joint;
 mod pair;
 mod rotation;
 pub(super) mod separation;
 
+pub(super) use body_shape::BodyShape;
 pub(super) use joint::MovingJoint;
 pub(super) use pair::{Answer, Link};
 pub(super) use rotation::unit;
@@ -35,9 +40,12 @@ pub(super) struct Setting<'a> {
 #[derive(Clone, Copy)]
 pub(super) struct BodySetting<'a> {
     pub body: &'a Polygon,
-    /// The distance from the origin of the body's frame to its farthest vertex, in metres.
-    pub reach: f64,
+    /// The body's convex pieces.
+    pub shape: &'a BodyShape,
+    /// The obstacles' convex pieces.
     pub obstacles: &'a Obstacles,
+    /// The obstacles as they are.
+    pub whole: &'a Obstacles,
     pub bounds: &'a Aabb,
     pub tolerance: Tolerance,
 }

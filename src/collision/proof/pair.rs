@@ -172,7 +172,7 @@ impl Link<'_> {
 
 /// The point of the segment from `a` to `b` nearest to `p`.
 #[inline(always)]
-fn nearest_point(p: Point, a: Point, b: Point) -> Point {
+pub(super) fn nearest_point(p: Point, a: Point, b: Point) -> Point {
     let along = b - a;
     let (to, length_squared) = ((p - a).dot(&along), along.norm_squared());
     if to >= length_squared {

@@ -29,6 +29,20 @@ pub(in crate::collision) fn unit(angle: f64) -> Vector {
     doubled(doubled(doubled(series(rest * 0.125))))
 }
 
+/// Cosine and sine of an angle of up to 1e4 radians, and its sine over the angle, 1 for 0.
+#[inline]
+pub(in crate::collision) fn unit_and_sinc(angle: f64) -> (Vector, f64) {
+    let e = unit(angle);
+    // A small sine is a product with the angle, off by a rounding or two: so is the quotient.
+    (e, if angle == 0.0 { 1.0 } else { e.y / angle })
+}
+
+/// The unit vector of the sum of both angles.
+#[inline(always)]
+pub(in crate::collision) fn turned(e: Vector, by: Vector) -> Vector {
+    Vector::new(e.x * by.x - e.y * by.y, e.y * by.x + e.x * by.y)
+}
+
 /// Cosine and sine of a small angle.
 #[inline(always)]
 fn series(x: f64) -> Vector {

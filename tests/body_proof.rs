@@ -1,0 +1,548 @@
+//! The proof law for bodies and cars: no accepted motion of a body touches an obstacle, however thin, nor leaves the bounds; nothing
+//! with room to spare is refused. On native, Node and Chrome alike, with many seeds natively.
+
+mod common;
+
+use common::seeds;
+use planarium::collision::{BodyCollision, BodyMotion};
+use planarium::geometry::{Aabb, Disc, Point, Polygon, distance_point_polygon, intersects_polygon_polygon, triangles};
+use planarium::random::{Random, Stream};
+use planarium::robot::place;
+use planarium::scenario::{Obstacle, World};
+use planarium::validity::Touched;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// The tolerance of a collision made with this fraction, as long as that is far above the slack.
+const FRACTION: f64 = 1e-4;
+
+fn p(x: f64, y: f64) -> Point {
+    Point::new(x, y)
+}
+
+fn polygon(corners: &[[f64; 2]]) -> Polygon {
+    Polygon::new(&corners.iter().map(|&[x, y]| p(x, y)).collect::<Vec<_>>()).expect("a simple polygon")
+}
+
+fn rectangle(low: [f64; 2], high: [f64; 2]) -> Polygon {
+    polygon(&[low, [high[0], low[1]], high, [low[0], high[1]]])
+}
+
+fn world(low: [f64; 2], high: [f64; 2], obstacles: Vec<Obstacle>) -> World {
+    let bounds = Aabb { min: p(low[0], low[1]), max: p(high[0], high[1]) };
+    World { bounds: Some(bounds), obstacles }
+}
+
+fn straight(from: [f64; 3], to: [f64; 3]) -> BodyMotion {
+    BodyMotion::Straight { from, delta: [0, 1, 2].map(|i| to[i] - from[i]) }
+}
+
+fn arc(from: [f64; 3], speed: f64, turn_rate: f64, duration: f64) -> BodyMotion {
+    BodyMotion::Arc { from, speed, turn_rate, duration }
+}
+
+// ---- Random worlds ----
+
+/// Corners on a circle.
+fn round(center: Point, radius: f64, corners: usize, turn: f64) -> Vec<Point> {
+    (0..corners)
+        .map(|i| {
+            let (sin, cos) = libm::sincos(turn + TAU * i as f64 / corners as f64);
+            p(center.x + radius * cos, center.y + radius * sin)
+        })
+        .collect()
+}
+
+/// Corners with dents between them.
+fn star(center: Point, size: f64, corners: usize, turn: f64) -> Vec<Point> {
+    let (points, dents) =
+        (round(center, size, corners, turn), round(center, 0.3 * size, corners, turn + PI / corners as f64));
+    points.into_iter().zip(dents).flat_map(|(point, dent)| [point, dent]).collect()
+}
+
+/// Corners given along two axes through the centre, turned.
+fn drawn(center: Point, turn: f64, corners: &[[f64; 2]]) -> Vec<Point> {
+    let (sin, cos) = libm::sincos(turn);
+    corners.iter().map(|&[u, v]| p(center.x + u * cos - v * sin, center.y + u * sin + v * cos)).collect()
+}
+
+/// A U that is open upwards, walls of the given thickness.
+fn u_shape(size: f64, thickness: f64) -> [[f64; 2]; 8] {
+    let (a, t) = (size, thickness);
+    [[-a, -a], [a, -a], [a, a], [a - t, a], [a - t, t - a], [t - a, t - a], [t - a, a], [-a, a]]
+}
+
+/// An obstacle of a random kind and size: convex, a wall down to a millionth thick, a disc, a concave star, a U.
+fn random_obstacle(random: &mut Random, center: Point, scale: f64) -> Obstacle {
+    let (size, turn) = (scale * (0.03 + 0.2 * random.uniform()), 6.0 * random.uniform());
+    let corners = match random.below(6) {
+        0 => round(center, size, 3, turn),
+        1 => round(center, size, 4 + random.below(6) as usize, turn),
+        2 => {
+            let (u, v) = (3.0 * size, scale * libm::pow(10.0, -1.5 - 4.5 * random.uniform()) / 2.0);
+            drawn(center, turn, &[[-u, -v], [u, -v], [u, v], [-u, v]])
+        }
+        3 => return Obstacle::Disc(Disc { center, radius: size }),
+        4 => star(center, size, 3 + random.below(4) as usize, turn),
+        _ => drawn(center, turn, &u_shape(2.0 * size, size * (0.001 + 0.3 * random.uniform()))),
+    };
+    Obstacle::Polygon(Polygon::new(&corners).expect("a simple polygon"))
+}
+
+/// A body of a random kind, its frame in its middle, at its end or far off.
+fn random_body(random: &mut Random, scale: f64) -> Polygon {
+    let size = scale * [0.02, 0.1, 0.2][random.below(3) as usize] * (0.5 + random.uniform());
+    let off = [0.0, 1.0, 3.0][random.below(3) as usize] * size;
+    let (center, turn) = (p(off * random.uniform(), off * random.uniform()), 6.0 * random.uniform());
+    let corners = match random.below(6) {
+        0 => drawn(center, 0.0, &[[-size, -0.5 * size], [size, -0.5 * size], [size, 0.5 * size], [-size, 0.5 * size]]),
+        1 => drawn(
+            center,
+            turn,
+            &[[-size, -0.01 * size], [size, -0.01 * size], [size, 0.01 * size], [-size, 0.01 * size]],
+        ),
+        2 => round(center, size, 3 + random.below(6) as usize, turn),
+        3 => drawn(
+            center,
+            turn,
+            &[[0.0, 0.0], [size, 0.0], [size, 0.2 * size], [0.2 * size, 0.2 * size], [0.2 * size, size], [0.0, size]],
+        ),
+        4 => star(center, size, 3 + random.below(3) as usize, turn),
+        _ => drawn(center, turn, &u_shape(size, 0.2 * size)),
+    };
+    Polygon::new(&corners).expect("a simple polygon")
+}
+
+/// A body in any unit of length among up to sixty obstacles.
+fn random_world(random: &mut Random) -> (Polygon, World, f64) {
+    let scale = [1.0, 1.0, 1e-3, 1e3, 1e5][random.below(5) as usize];
+    let body = random_body(random, scale);
+    let count = [0, 2, 8, 20, 60][random.below(5) as usize];
+    let obstacles = (0..count)
+        .map(|_| {
+            let center = p(scale * 2.0 * random.uniform(), scale * 2.0 * random.uniform());
+            random_obstacle(random, center, scale * if count > 10 { 0.5 } else { 1.0 })
+        })
+        .collect();
+    (body, world([0.0, 0.0], [2.0 * scale, 2.0 * scale], obstacles), scale)
+}
+
+fn random_placement(random: &mut Random, scale: f64) -> [f64; 3] {
+    let theta = if random.below(2) == 0 { TAU * random.uniform() - PI } else { TAU * random.uniform() };
+    [2.0 * scale * random.uniform(), 2.0 * scale * random.uniform(), theta]
+}
+
+/// A motion of any kind from the placement: straight, straight without a turn, an arc of any radius, forward or back, several
+/// turns of one, turning in place.
+fn random_motion(random: &mut Random, from: [f64; 3], scale: f64) -> BodyMotion {
+    let mut draw = |size: f64| size * (2.0 * random.uniform() - 1.0);
+    let length = scale * draw(1.0) * draw(1.0);
+    let (x, y, turn, seconds) = (draw(1.0), draw(1.0), draw(3.1), 0.1 + draw(1.0).abs());
+    match random.below(6) {
+        0 => BodyMotion::Straight { from, delta: [length * x, length * y, turn] },
+        1 => BodyMotion::Straight { from, delta: [length * x, length * y, 0.1 * turn] },
+        2 => BodyMotion::Straight { from, delta: [length * x, length * y, 0.0] },
+        3 => arc(from, length / seconds, turn / seconds, seconds),
+        4 => arc(from, 0.5 * length, 20.0 * turn, 30.0 * seconds),
+        _ => arc(from, 0.0, turn * x, seconds),
+    }
+}
+
+/// Whether the body touches an obstacle at `q`, by exact tests.
+fn touches(body: &Polygon, world: &World, q: &[f64; 3]) -> bool {
+    let Ok(placed) = Polygon::new(&place(body, q)) else { return false };
+    world.obstacles.iter().any(|obstacle| match obstacle {
+        Obstacle::Polygon(polygon) => intersects_polygon_polygon(&placed, polygon),
+        Obstacle::Disc(disc) => distance_point_polygon(disc.center, &placed) <= disc.radius,
+    })
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_touches() {
+    let mut random = Random::new(1, Stream::Samples);
+    let (mut accepted, mut refused, mut beyond) = ([0; 2], [0; 2], 0);
+    for number in 0..seeds(400) {
+        let (body, world, scale) = random_world(&mut random);
+        let collision = BodyCollision::new(&body, &world, FRACTION);
+        let (tau, eta) = (FRACTION * 2.0 * scale, 1e-12 * (2.0 * scale + body.reach()));
+        for _ in 0..300 {
+            let from = random_placement(&mut random, scale);
+            assert_eq!(collision.is_free(&from), collision.contacts(&from).is_empty(), "world {number}: {from:?}");
+            if !collision.is_free(&from) {
+                continue;
+            }
+            let motion = random_motion(&mut random, from, scale);
+            let (fast, slow) = (collision.is_motion_free(&motion), collision.first_hit_by_distances(&motion).is_none());
+            // Refused are only what the distances refuse too: motions that come within tau of something.
+            assert!(fast || !slow, "world {number}: refused, though distances prove it free: {motion:?}");
+            let hit = collision.first_hit(&motion);
+            assert_eq!(fast, hit.is_none(), "world {number}: {motion:?}");
+            let looks = if fast && !slow { 2000 } else { 40 };
+            let mut room = f64::INFINITY;
+            for i in 0..=looks {
+                // All of an accepted motion, and of others what lies before the hit.
+                let q = motion.at(hit.unwrap_or(1.0) * f64::from(i) / f64::from(looks));
+                let is_touching = !collision.contacts(&q).is_empty();
+                assert_eq!(collision.is_free(&q), !is_touching, "world {number}: {q:?}");
+                assert!(!is_touching, "world {number}: {motion:?} touches at {q:?}");
+                assert!(!touches(&body, &world, &q), "world {number}: {motion:?} touches at {q:?}");
+                room = room.min(collision.clearance(&q)).min(collision.depth(&q));
+            }
+            if let Some(hit) = hit {
+                // What is refused is near: a stretch no longer than twice the tolerance, and no farther from contact.
+                let q = motion.at(hit);
+                let room = collision.clearance(&q).min(collision.depth(&q));
+                assert!(room <= 2.0 * tau + 2.0 * eta, "world {number}: {motion:?} refused at {q:?}, {room} away");
+            } else if !slow {
+                // The sliver between both proofs is as wide as the tolerance; looks are 2000 an edge.
+                let spacing = 0.01 * scale;
+                assert!(
+                    room <= tau + spacing,
+                    "world {number}: {motion:?} is proven by separating lines alone, {room} away"
+                );
+                beyond += 1;
+            }
+            let is_arc = usize::from(matches!(motion, BodyMotion::Arc { .. }));
+            accepted[is_arc] += 1 * u32::from(fast);
+            refused[is_arc] += u32::from(!fast);
+        }
+    }
+    let enough = 5 * seeds(400) as u32;
+    assert!(accepted.iter().chain(&refused).all(|&count| count > enough), "{accepted:?} and {refused:?}");
+    assert!(beyond * 100 <= accepted[0] + accepted[1], "{beyond} of {accepted:?} only by separating lines");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn no_accepted_motion_is_refuted_by_two_thousand_looks() {
+    let mut random = Random::new(2, Stream::Samples);
+    let mut accepted = 0;
+    for number in 0..seeds(60) {
+        let (body, world, scale) = random_world(&mut random);
+        let collision = BodyCollision::new(&body, &world, FRACTION).finest();
+        for _ in 0..60 {
+            let from = random_placement(&mut random, scale);
+            if !collision.is_free(&from) {
+                continue;
+            }
+            let motion = random_motion(&mut random, from, scale);
+            if !collision.is_motion_free(&motion) {
+                continue;
+            }
+            accepted += 1;
+            for i in 0..=2000 {
+                let q = motion.at(f64::from(i) / 2000.0);
+                assert!(!touches(&body, &world, &q), "world {number}: {motion:?} at {i} of 2000");
+                assert!(collision.is_free(&q), "world {number}: {motion:?} at {i} of 2000");
+            }
+        }
+    }
+    assert!(accepted > 2 * seeds(60), "{accepted}");
+}
+
+/// Distances by parry, of triangles: the polygons it holds are convex.
+#[cfg(not(target_arch = "wasm32"))]
+mod parry {
+    use super::*;
+    use parry2d_f64::math::{Pose, Vector};
+    use parry2d_f64::query;
+    use parry2d_f64::shape::{Ball, Shape, Triangle};
+
+    fn triangles_of(polygon: &Polygon) -> Vec<Triangle> {
+        let at = |i: u32| {
+            let p = polygon.vertices()[i as usize];
+            Vector::new(p.x, p.y)
+        };
+        triangles(polygon).into_iter().map(|[a, b, c]| Triangle::new(at(a), at(b), at(c))).collect()
+    }
+
+    #[test]
+    fn clearance_and_proof_agree_with_parry() {
+        let mut random = Random::new(3, Stream::Samples);
+        let (mut apart, mut touching, mut accepted) = (0, 0, 0);
+        for number in 0..200 {
+            let (body, world, scale) = random_world(&mut random);
+            if scale != 1.0 {
+                continue;
+            }
+            let collision = BodyCollision::new(&body, &world, FRACTION);
+            let parts = triangles_of(&body);
+            let clearance = |q: &[f64; 3]| {
+                let at = Pose::new(Vector::new(q[0], q[1]), q[2]);
+                let mut least = f64::INFINITY;
+                for part in &parts {
+                    let mut offer = |to: &dyn Shape, place: &Pose| {
+                        least = least.min(query::distance(&at, part, place, to).expect("parry has this pair").distance);
+                    };
+                    for obstacle in &world.obstacles {
+                        match obstacle {
+                            Obstacle::Disc(disc) => {
+                                let place = Pose::new(Vector::new(disc.center.x, disc.center.y), 0.0);
+                                offer(&Ball::new(disc.radius), &place);
+                            }
+                            Obstacle::Polygon(polygon) => {
+                                triangles_of(polygon).iter().for_each(|t| offer(t, &Pose::identity()));
+                            }
+                        }
+                    }
+                }
+                least
+            };
+            for _ in 0..10 {
+                let q = random_placement(&mut random, scale);
+                let (expected, found) = (clearance(&q), collision.clearance(&q).max(0.0));
+                assert!(
+                    expected == found || (expected - found).abs() < 1e-6,
+                    "world {number}: {found} is not {expected} at {q:?}"
+                );
+                apart += u32::from(found > 0.0);
+                touching += u32::from(found == 0.0);
+                let motion = random_motion(&mut random, q, scale);
+                if collision.is_motion_free(&motion) {
+                    accepted += 1;
+                    for i in 0..=50 {
+                        let q = motion.at(f64::from(i) / 50.0);
+                        assert!(clearance(&q) > 0.0, "world {number}: {motion:?} at {i} of 50");
+                    }
+                }
+            }
+        }
+        assert!(
+            apart > 100 && touching > 100 && accepted > 50,
+            "{apart} apart, {touching} touching, {accepted} accepted"
+        );
+    }
+}
+
+// ---- What bodies do ----
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_body_may_slide_along_the_bounds_and_not_along_an_obstacle() {
+    let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
+    let low = Obstacle::Polygon(rectangle([1.5, 0.0], [2.5, 0.5]));
+    let collision = BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 2.0], vec![low]), FRACTION);
+    assert!(collision.is_free(&[0.2, 0.1, 0.0]), "in the corner of the bounds");
+    assert!(collision.is_free(&[0.1, 0.2, FRAC_PI_2]), "in the corner, turned");
+    assert!(!collision.is_free(&[0.19999, 0.1, 0.0]), "beyond the bounds");
+    assert_eq!(collision.contacts(&[0.1, 0.1, 0.0])[0].with, Touched::Bounds);
+    assert!(collision.is_motion_free(&straight([0.2, 0.1, 0.0], [1.29, 0.1, 0.0])), "sliding along the lower bound");
+    assert!(collision.is_motion_free(&straight([0.2, 1.9, 0.0], [3.8, 1.9, 0.0])), "sliding along the upper bound");
+    assert!(collision.is_motion_free(&arc([0.2, 1.9, 0.0], 1.0, 0.0, 3.6)), "driving along the upper bound");
+    assert!(collision.is_motion_free(&arc([3.8, 1.9, 0.0], -2.0, 0.0, 1.8)), "and backward");
+    assert!(collision.is_motion_free(&straight([0.1, 0.2, FRAC_PI_2], [0.1, 1.8, FRAC_PI_2])), "along the left bound");
+    assert!(!collision.is_motion_free(&straight([0.2, 1.9, 0.0], [3.9, 1.9, 0.0])), "out of the bounds at the end");
+    assert!(!collision.is_motion_free(&straight([0.2, 0.1, 0.0], [1.3, 0.1, 0.0])), "up to contact with an obstacle");
+    assert!(!collision.is_motion_free(&straight([1.8, 0.6, 0.0], [2.2, 0.6, 0.0])), "sliding along an obstacle");
+    assert!(collision.is_motion_free(&straight([0.2, 0.601, 0.0], [3.8, 0.601, 0.0])), "sliding just above it");
+    assert_eq!(collision.contacts(&[2.0, 0.6, 0.0]), collision.contacts(&[2.0, 0.4, 0.0]), "contact is collision");
+    // Leaving contact with the bounds straight inwards, and turning the long side away from it.
+    assert!(collision.is_motion_free(&straight([0.2, 0.1, 0.0], [0.5, 1.0, 0.0])), "away from the corner");
+    let hit = collision.first_hit(&straight([0.2, 1.0, 0.0], [7.8, 1.0, 0.0])).expect("it leaves the bounds");
+    assert!(hit <= 3.6 / 7.6 && hit > 3.6 / 7.6 - 1e-3, "{hit}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_holds_the_other_wholly_touches_it() {
+    let (large, small) = (rectangle([-1.0, -1.0], [1.0, 1.0]), rectangle([-0.05, -0.05], [0.05, 0.05]));
+    for inner in [
+        Obstacle::Polygon(rectangle([2.0, 2.0], [2.1, 2.1])),
+        Obstacle::Disc(Disc { center: p(2.0, 2.0), radius: 0.1 }),
+    ] {
+        let collision = BodyCollision::new(&large, &world([0.0, 0.0], [4.0, 4.0], vec![inner]), FRACTION);
+        assert!(!collision.is_free(&[2.0, 2.0, 0.7]), "a body that holds an obstacle");
+        assert_eq!(collision.clearance(&[2.0, 2.0, 0.7]).max(0.0), 0.0);
+        assert!(!collision.is_motion_free(&straight([2.0, 2.0, 0.7], [2.1, 2.0, 0.7])));
+        assert!(!collision.is_motion_free(&arc([2.0, 2.0, 0.7], 0.0, 1.0, 1.0)), "turning around it");
+        assert_eq!(collision.first_hit(&straight([2.0, 2.0, 0.7], [2.1, 2.0, 0.7])), Some(0.0));
+    }
+    for outer in [
+        Obstacle::Polygon(rectangle([1.0, 1.0], [3.0, 3.0])),
+        Obstacle::Disc(Disc { center: p(2.0, 2.0), radius: 1.0 }),
+    ] {
+        let collision = BodyCollision::new(&small, &world([0.0, 0.0], [4.0, 4.0], vec![outer]), FRACTION);
+        assert!(!collision.is_free(&[2.0, 2.0, 0.7]), "a body in an obstacle");
+        assert!(!collision.is_motion_free(&straight([2.0, 2.0, 0.7], [2.1, 2.0, 0.7])));
+        assert!(!collision.is_motion_free(&straight([0.5, 0.5, 0.0], [3.5, 3.5, 0.0])), "through it");
+        assert!(collision.is_motion_free(&straight([0.5, 0.5, 0.0], [0.5, 3.5, 3.0])), "past it");
+    }
+    // In the opening of a U, and in that of a ring with a slit: not in contact.
+    let u = Polygon::new(&drawn(p(2.0, 2.0), 0.0, &u_shape(1.0, 0.2))).expect("a U");
+    let collision =
+        BodyCollision::new(&small, &world([0.0, 0.0], [4.0, 4.0], vec![Obstacle::Polygon(u.clone())]), FRACTION);
+    assert!(collision.is_free(&[2.0, 2.0, 0.3]));
+    assert!(collision.is_motion_free(&straight([2.0, 2.0, 0.3], [2.0, 3.5, 0.3])));
+    assert!(!collision.is_motion_free(&straight([2.0, 2.0, 0.3], [0.5, 2.0, 0.3])));
+    // The U as the body, a disc in its opening as the obstacle.
+    let shape = Polygon::new(&drawn(p(0.0, 0.0), 0.0, &u_shape(1.0, 0.2))).expect("a U");
+    let disc = Obstacle::Disc(Disc { center: p(2.0, 2.0), radius: 0.5 });
+    let collision = BodyCollision::new(&shape, &world([0.0, 0.0], [4.0, 4.0], vec![disc]), FRACTION);
+    assert!(collision.is_free(&[2.0, 2.0, 0.0]));
+    assert!(collision.is_motion_free(&straight([2.0, 2.0, 0.0], [2.0, 1.0, 0.0])), "out of the opening");
+    assert!(collision.is_motion_free(&arc([2.0, 2.0, 0.0], 0.0, 1.0, 50.0)), "turning around the disc");
+    assert!(!collision.is_motion_free(&straight([2.0, 2.0, 0.0], [2.0, 2.9, 0.0])));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn turning_in_place_is_refused_where_a_corner_hits_something_thin() {
+    // Corners describe a circle of radius 0.5 about (2, 2).
+    let body = rectangle([-0.4, -0.3], [0.4, 0.3]);
+    for thickness in [1e-1, 1e-3, 1e-6] {
+        for (gap, is_free) in [(1e-2, true), (1e-3, true), (-1e-3, false), (-1e-2, false)] {
+            let wall = rectangle([2.5 + gap, 1.99], [2.5 + gap + thickness, 2.01]);
+            let collision =
+                BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 4.0], vec![Obstacle::Polygon(wall)]), FRACTION);
+            let at = [2.0, 2.0, 0.0];
+            assert!(collision.is_free(&at));
+            for motion in [
+                straight(at, [2.0, 2.0, 3.0]),
+                straight(at, [2.0, 2.0, -3.0]),
+                arc(at, 0.0, 1.0, 3.0),
+                arc(at, 0.0, -0.5, 6.0),
+                arc(at, 0.0, 10.0, 100.0),
+            ] {
+                assert_eq!(
+                    collision.is_motion_free(&motion),
+                    is_free,
+                    "{gap} from a wall {thickness} thick: {motion:?}"
+                );
+                assert_eq!(collision.first_hit_by_distances(&motion).is_none(), is_free);
+                if let Some(hit) = collision.first_hit(&motion) {
+                    let q = motion.at(hit);
+                    assert!(collision.is_free(&q) && collision.clearance(&q) < 1e-3, "{hit} of {motion:?}");
+                }
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_motion_through_a_thin_wall_is_refused_and_past_it_is_not() {
+    let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
+    for thickness in [0.5, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
+        let wall = rectangle([2.0 - 0.5 * thickness, 1.0], [2.0 + 0.5 * thickness, 3.0]);
+        let collision =
+            BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 4.0], vec![Obstacle::Polygon(wall)]), FRACTION);
+        assert!(!collision.is_motion_free(&straight([1.0, 2.0, 0.0], [3.0, 2.0, 1.0])));
+        assert!(!collision.is_motion_free(&arc([1.0, 2.0, 0.3], 1.0, -0.3, 2.0)));
+        assert!(collision.is_motion_free(&straight([1.0, 3.5, 0.0], [3.0, 3.5, 1.0])));
+        // Round the wall's end: half a circle of radius 1 about (2, 3) from one side to the other.
+        assert!(collision.is_motion_free(&arc([1.0, 2.5, FRAC_PI_2], 1.0, -1.0, PI)));
+        let hit = collision.first_hit(&straight([1.0, 2.0, 0.0], [3.0, 2.0, 0.0])).expect("it hits the wall");
+        let contact = (1.0 - 0.5 * thickness - 0.2) / 2.0;
+        assert!(hit <= contact && hit > contact - 1e-3, "{hit} is not {contact}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_narrow_gap_is_passed_where_the_body_fits() {
+    let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
+    for room in [1e-2, 1e-4, 1e-6, 1e-8] {
+        let (below, above) = (rectangle([1.5, 0.0], [2.5, 1.0]), rectangle([1.5, 1.2 + 2.0 * room], [2.5, 3.0]));
+        let obstacles = [below, above].map(Obstacle::Polygon).to_vec();
+        let collision = BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 3.0], obstacles), FRACTION);
+        let through = straight([1.0, 1.1 + room, 0.0], [3.0, 1.1 + room, 0.0]);
+        let driving = arc([1.0, 1.1 + room, 0.0], 0.5, 0.0, 4.0);
+        for motion in [through, driving] {
+            // Nothing turns, so that separating lines hold for the whole stretch, however near.
+            assert!(collision.is_motion_free(&motion), "{room} to either side");
+            let [a, b] = [0.0, 1.0].map(|t| motion.at(t));
+            assert!(
+                BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 3.0], vec![]), FRACTION).is_motion_free(&motion)
+            );
+            let turning = straight(a, [b[0], b[1], 1.0]);
+            assert!(!collision.is_motion_free(&turning), "turning in the gap");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_tight_start_can_be_left_with_a_fitted_tolerance() {
+    let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
+    for room in [1e-3, 1e-5, 1e-7, 1e-9] {
+        let wall = Obstacle::Polygon(rectangle([0.0, 0.5], [4.0, 1.0 - room]));
+        let world = world([0.0, 0.0], [4.0, 4.0], vec![wall]);
+        let (start, goal) = ([2.0, 1.1, 0.0], [2.0, 3.0, 3.0]);
+        let collision = BodyCollision::new(&body, &world, FRACTION).fitted(&start, &goal);
+        assert!((collision.clearance(&start) - room).abs() < 1e-15);
+        assert!(collision.is_motion_free(&straight(start, goal)), "{room} above a wall");
+        assert!(collision.is_motion_free(&straight(goal, start)), "{room} above a wall");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_motion_that_leads_nowhere_is_its_placement() {
+    let mut random = Random::new(4, Stream::Samples);
+    let mut counts = [0, 0];
+    for _ in 0..seeds(50) {
+        let (body, world, scale) = random_world(&mut random);
+        let collision = BodyCollision::new(&body, &world, FRACTION);
+        for _ in 0..50 {
+            let q = random_placement(&mut random, scale);
+            for motion in [straight(q, q), arc(q, 0.0, 0.0, 1.0), arc(q, 1.0, 1.0, 0.0)] {
+                let is_free = collision.is_free(&q);
+                assert_eq!(collision.is_motion_free(&motion), is_free, "{motion:?}");
+                assert_eq!(collision.first_hit(&motion), (!is_free).then_some(0.0), "{motion:?}");
+                assert_eq!(collision.first_hit_by_distances(&motion).is_none(), is_free, "{motion:?}");
+                counts[usize::from(is_free)] += 1;
+            }
+        }
+    }
+    assert!(counts.iter().all(|&count| count > 50 * seeds(50) / 50), "{counts:?}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn an_arc_of_many_turns_is_proven_by_its_first() {
+    // A circle of radius 1 about (2, 2), driven by a body that reaches 0.2 to either side, round a disc and past a wall.
+    let body = rectangle([-0.1, -0.2], [0.1, 0.2]);
+    let inner = Obstacle::Disc(Disc { center: p(2.0, 2.0), radius: 0.79 });
+    let outer = Obstacle::Polygon(rectangle([3.21, 1.0], [3.3, 3.0]));
+    let free = BodyCollision::new(&body, &world([0.5, 0.5], [4.0, 3.5], vec![inner.clone(), outer.clone()]), FRACTION);
+    for turns in [0.5, 1.0, 1.5, 10.0, 1591.0, 1e6] {
+        for (speed, turn_rate) in [(1.0, 1.0), (-1.0, -1.0), (50.0, 50.0)] {
+            let from = [3.0, 2.0, FRAC_PI_2];
+            assert!(free.is_motion_free(&arc(from, speed, turn_rate, turns * TAU / turn_rate.abs())), "{turns} turns");
+        }
+    }
+    // Something in the way at three quarters of a turn.
+    let there = Obstacle::Polygon(rectangle([1.99, 0.8], [2.01, 0.85]));
+    let blocked = BodyCollision::new(&body, &world([0.5, 0.5], [4.0, 3.5], vec![inner, outer, there]), FRACTION);
+    for turns in [0.7, 1.0, 10.0, 1591.0] {
+        let motion = arc([3.0, 2.0, FRAC_PI_2], 1.0, 1.0, turns * TAU);
+        assert_eq!(blocked.is_motion_free(&motion), turns < 0.72, "{turns} turns");
+        if let Some(hit) = blocked.first_hit(&motion) {
+            assert!(hit * turns < 0.75 && hit * turns > 0.71, "{hit} of {turns} turns");
+            assert!(blocked.is_free(&motion.at(hit)) && blocked.clearance(&motion.at(hit)) < 1e-3);
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn motions_that_make_no_sense_are_refused_and_long_ones_are_cut_at_the_bounds() {
+    let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
+    let collision = BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 4.0], vec![]), FRACTION);
+    let at = [2.0, 2.0, 0.0];
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for i in 0..3 {
+            let mut off = at;
+            off[i] = bad;
+            assert_eq!(collision.first_hit(&straight(off, at)), Some(0.0));
+            assert!(
+                !collision
+                    .is_motion_free(&BodyMotion::Straight { from: at, delta: [off[0] - 2.0, off[1] - 2.0, off[2]] })
+            );
+            assert!(!collision.is_motion_free(&arc(off, 1.0, 0.1, 1.0)));
+        }
+        assert!(!collision.is_motion_free(&arc(at, bad, 0.1, 1.0)));
+        assert!(!collision.is_motion_free(&arc(at, 0.1, bad, 1.0)));
+        assert!(!collision.is_motion_free(&arc(at, 0.1, 0.1, bad)));
+    }
+    assert!(!collision.is_motion_free(&straight(at, [2.0, 2.0, 8.0])), "more than a turn on a straight way");
+    assert!(!collision.is_motion_free(&straight([2.0, 2.0, 2e4], [2.0, 2.0, 2e4])), "an angle that says little");
+    // As far as the bounds, whatever lies behind.
+    assert_eq!(collision.first_hit(&straight(at, [1e200, 2.0, 0.0])), Some(0.0), "longer than its square can be");
+    for length in [10.0, 100.0, 1e9, 1e100] {
+        let hit = collision.first_hit(&straight(at, [2.0 + length, 2.0, 0.0])).expect("it leaves") * length;
+        assert!(hit <= 1.8 && hit > 1.79, "{hit}");
+        let hit = collision.first_hit(&arc(at, length, 1e-9 * length, 1.0)).expect("it leaves") * length;
+        assert!(hit <= 1.8 && hit > 1.79, "{hit}");
+    }
+}

@@ -97,6 +97,7 @@ async function start() {
   new Part(notice, async () => (await import("./controls/view.js")).watchView(page)).inFold("view-fold");
   new Part(notice, async () => (await import("./controls/curves.js")).watchCurves(page)).inFold("curves-fold");
   new Part(notice, async () => new (await import("./controls/editor.js")).EditorControls(page)).inFold("editor-fold").byButton("edit", (editor) => editor.begin());
+  const drive = new Part(notice, async () => new (await import("./controls/drive.js")).DriveControls(page));
   const lessons = new Part(notice, async () => new (await import("./controls/lessons.js")).Lessons(page, SCENES)).inFold("lessons-fold");
   new Part(notice, async () => (await import("./take/take.js")).showTake(page)).inFold("take-fold");
   const link = new Part(notice, async () => new (await import("./controls/link.js")).Link(page, SCENES, generators, projector)).byButton("link", (part) => part.copy());
@@ -116,7 +117,7 @@ async function start() {
     showLegend(page, state);
     write(story, state.sentence);
     story.dataset.tone = state.isBad ? "bad" : "";
-    turn.textContent = state.inHand ? "Watch again" : "Your turn";
+    turn.textContent = state.inHand ? "Watch again" : page.facts?.robot === "car" ? "Drive" : "Your turn";
     write(where, `${page.facts?.title ?? ""} \u00b7 ${page.names.join(" against ")}`);
     stage.classList.toggle("in-hand", state.inHand);
     pose.reflect(state);
@@ -126,6 +127,10 @@ async function start() {
   page.onOrder(() => counters.unsettle());
   page.onDress(() => void drawThumbnails());
   turn.addEventListener("click", (event) => {
+    if (page.facts?.robot === "car") {
+      drive.use((controls) => controls.toggle());
+      return;
+    }
     if (event.detail === 0) pose.awaitFocus();
     studio.tell("turn");
   });

@@ -170,7 +170,9 @@ export class Pane {
     this.drawEnds(context, lane, palette);
     const { hover } = lane.shown;
     if (hover?.lane === lane) this.drawHover(context, hover, palette);
+    lane.shown.driven?.drawUnder(this, context, lane);
     this.drawRobot(context, lane);
+    lane.shown.driven?.drawOver(this, context, lane);
     lane.shown.overlay?.draw(this, context, lane);
   }
 

@@ -5,6 +5,7 @@ import { PAST, Run } from "./run.js";
 /** @import { Standing } from "../standings.js" */
 /** @import { Marked } from "../stage/marked.js" */
 /** @import { Overlay } from "./editor.js" */
+/** @import { Pane } from "../stage/pane.js" */
 /** @import { Placed } from "../stage/placed.js" */
 /** @import { Journey } from "./journey.js" */
 /** @import { Check, Configuration, Plan, Scenario, ScenarioDocument, ViewOptions } from "../types.js" */
@@ -24,6 +25,17 @@ import { PAST, Run } from "./run.js";
  * @property {boolean} rough                it is being changed by hand: pictures may be coarse
  * @property {Overlay | null} overlay       what the editor draws
  * @property {Placed | null} placed         of a body or a car
+ * @property {Driven | null} driven         while a reader drives the car
+ */
+
+/**
+ * @typedef {object} Driven   a car under a reader's keys
+ * @property {number} steering              of its front wheels, radians
+ * @property {Float64Array} trace           where it has been, rows of x, y, theta
+ * @property {import("planarium").Obstructed | null} blocked   what stopped it
+ * @property {import("planarium").Rollout | null} rollout      where a control would lead
+ * @property {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} drawUnder
+ * @property {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} drawOver
  */
 
 /**
@@ -81,7 +93,7 @@ export class Lane {
   }
 
   /** The angle of a car's front wheels. */
-  get steering() { return this.shown.hand ? 0 : this.journey?.steering ?? 0; }
+  get steering() { return this.shown.driven?.steering ?? (this.shown.hand ? 0 : this.journey?.steering ?? 0); }
 
   /** The way of a run that has ended. @returns {boolean} whether it has just become known */
   arrive() {

@@ -33,6 +33,7 @@ export function report(theatre) {
     summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),
     curves: theatre.curvesKey,
     edit: theatre.editor?.state ?? null,
+    drive: theatre.driving?.report ?? null,
     refusal: theatre.refusal && { ...faultOf(theatre.refusal.error), lane: theatre.refusal.lane },
   };
 }

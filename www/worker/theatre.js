@@ -7,13 +7,13 @@ import { Stage } from "../stage/stage.js";
 import { Clock } from "./clock.js";
 import { Conductor } from "./conductor.js";
 import { coordinatesOf } from "./coordinates.js";
-import { thinned } from "./curve.js";
 import { Lane } from "./lane.js";
 import { report } from "./report.js";
 import * as story from "./story.js";
 import { Turn } from "./turn.js";
 
 /** @import { Curves, Library, Plan, Pointer, Programme, Scenario, ScenarioDocument, SceneFacts, Source, State, ViewOptions } from "../types.js" */
+/** @import { Driving } from "./driving.js" */
 /** @import { Editor } from "./editor.js" */
 /** @import { Placed } from "../stage/placed.js" */
 /** @import { Shown } from "./lane.js" */
@@ -59,6 +59,8 @@ export class Theatre {
     this.heard = -1;
     /** Once it was asked for. @type {Editor | null} */
     this.editor = null;
+    /** Once it was asked for. @type {Driving | null} */
+    this.driving = null;
     this.last = 0;
     this.scheduled = false;
     this.measures = 0;
@@ -72,7 +74,7 @@ export class Theatre {
     if (Boolean(placed) !== Boolean(this.shown?.placed) || this.view.axes.some((axis) => axis >= scenario.dimension)) this.view.axes = [0, placed ? 2 : 1];
     this.clear();
     const document = scenario.document();
-    this.shown = { scenario, document, query: undefined, start: null, goal: null, hand: null, check: null, hover: null, view: this.view, rough: false, overlay: null, marked: null, placed };
+    this.shown = { scenario, document, query: undefined, start: null, goal: null, hand: null, check: null, hover: null, view: this.view, rough: false, overlay: null, marked: null, placed, driven: null };
     this.story = programme.story;
     if (programme.pace !== undefined) this.clock.pace = programme.pace;
     this.query = document.queries.find(({ name }) => name === programme.query)?.name ?? document.queries[0]?.name;
@@ -261,6 +263,7 @@ export class Theatre {
     const began = performance.now();
     this.editor?.hand.pass();
     this.editor?.overlay();
+    this.driving?.pass(performance.timeOrigin + now);
     const elapsed = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = now;
     const { stage, clock } = this;
@@ -272,17 +275,17 @@ export class Theatre {
     for (const lane of this.lanes) lane.still = !clock.playing && !clock.owes && lane.run?.status === "running";
     stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
     const resting = !clock.owes && (!clock.playing || !this.growing);
-    this.settled = resting && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isTended);
+    this.settled = resting && !this.driving?.moves && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isTended);
     if (working) this.measure(began);
     this.tell(report(this));
-    if (clock.playing || clock.owes || stage.busy) this.wake();
+    if (clock.playing || clock.owes || stage.busy || this.driving?.moves) this.wake();
   }
 
   /** Differs where the curves do. */
   get curvesKey() { return `${this.plannings} ${this.clock.head} ${this.lanes.map(({ run }) => run?.ended)}`; }
 
-  /** How each run went, in few points. @returns {Curves} */
-  curves() {
+  /** How each run went, in few points. @param {typeof import("./curve.js").thinned} thinned @returns {Curves} */
+  curves(thinned) {
     const { clock: { head, isRace, column }, curvesKey: key } = this;
     return { key, head, isRace, lanes: thinned(this.lanes.flatMap(({ run }) => run ?? []), column, head) };
   }
@@ -297,7 +300,8 @@ export class Theatre {
   get sentence() {
     const { shown, turn: { game } } = this;
     if (!shown) return ["", false];
-    const { editor } = this;
+    const { editor, driving } = this;
+    if (driving?.on) return [driving.sentence, driving.state?.blocked !== null];
     if (editor?.sentence && !shown.hand) return [editor.sentence, editor.isBad];
     if (shown.hand && shown.check) {
       if (!shown.check.free) return [story.poseSentence(shown.scenario, shown.check), false];

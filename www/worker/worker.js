@@ -11,7 +11,7 @@ import { Theatre } from "./theatre.js";
 
 /** @import { LayerName } from "../stage/layer.js" */
 /** @import { Placed } from "../stage/placed.js" */
-/** @import { EditOrder, Look, PaneKind, Plan, Pointer, Programme, Scenario, Source, TakeRequest, ViewOptions } from "../types.js" */
+/** @import { DriveOrder, EditOrder, Look, PaneKind, Plan, Pointer, Programme, Scenario, Source, TakeRequest, ViewOptions } from "../types.js" */
 
 const port = /** @type {{ postMessage(message: unknown, transfer?: Transferable[]): void }} */ (/** @type {unknown} */ (self));
 
@@ -76,7 +76,7 @@ const commands = {
   pace: (pace) => house().setPace(pace),
   /** @param {number} part */
   along: (part) => house().conductor.along(part),
-  curves: () => house().curves(),
+  curves: async () => house().curves((await import("./curve.js")).thinned),
   turn: () => house().turn.change(),
   /** @param {number[]} pose */
   hold: (pose) => house().turn.hold(Float64Array.from(pose)),
@@ -84,6 +84,11 @@ const commands = {
   async edit(order) {
     const { editorOf } = await import("./editor.js");
     return editorOf(house()).obey(order);
+  },
+  /** @param {DriveOrder} order */
+  async drive(order) {
+    const { drivingOf } = await import("./driving.js");
+    return drivingOf(house()).obey(order);
   },
   facts: () => house().facts(),
   /** @param {Pointer} pointer */

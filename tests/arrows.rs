@@ -22,7 +22,7 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("space", &["random", "steering"]),
     ("robot", &["decimal", "error", "geometry"]),
     ("scenario", &["decimal", "error", "geometry", "json", "random", "robot"]),
-    ("collision", &["control", "geometry", "order", "random", "robot", "scenario", "space", "validity"]),
+    ("collision", &["control", "geometry", "order", "random", "robot", "scenario", "space", "steering", "validity"]),
     ("problem", &["control", "decimal", "error", "space", "validity"]),
     ("graph", &["control", "space"]),
     ("nearest", &["graph", "order", "random", "space"]),

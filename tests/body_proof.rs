@@ -7,7 +7,7 @@ use common::seeds;
 use planarium::collision::{BodyCollision, BodyMotion};
 use planarium::geometry::{Aabb, Disc, Point, Polygon, distance_point_polygon, intersects_polygon_polygon, triangles};
 use planarium::random::{Random, Stream};
-use planarium::robot::place;
+
 use planarium::scenario::{Obstacle, World};
 use planarium::validity::Touched;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -150,7 +150,7 @@ fn random_motion(random: &mut Random, from: [f64; 3], scale: f64) -> BodyMotion 
 
 /// Whether the body touches an obstacle at `q`, by exact tests.
 fn touches(body: &Polygon, world: &World, q: &[f64; 3]) -> bool {
-    let Ok(placed) = Polygon::new(&place(body, q)) else { return false };
+    let placed = body.placed(*q);
     world.obstacles.iter().any(|obstacle| match obstacle {
         Obstacle::Polygon(polygon) => intersects_polygon_polygon(&placed, polygon),
         Obstacle::Disc(disc) => distance_point_polygon(disc.center, &placed) <= disc.radius,

@@ -6,7 +6,7 @@ use crate::control::{Control, Dynamics, Motion};
 use crate::geometry::arc_pose;
 use crate::random::Random;
 use crate::robot::Car;
-use crate::space::{Space, Torus};
+use crate::space::{MotionSpace, Space};
 use std::rc::Rc;
 
 /// How the motion of a car is computed.
@@ -22,14 +22,14 @@ pub enum Integration {
 /// A car that is driven, in a space of placements (x, y, theta).
 pub struct Driving<const N: usize> {
     car: Car,
-    space: Torus<N>,
+    space: MotionSpace<N>,
     collision: Rc<BodyCollision>,
     integration: Integration,
 }
 
 impl<const N: usize> Driving<N> {
     /// The car in that space; `collision` is that of its shape.
-    pub fn new(car: &Car, space: Torus<N>, collision: Rc<BodyCollision>, integration: Integration) -> Self {
+    pub fn new(car: &Car, space: MotionSpace<N>, collision: Rc<BodyCollision>, integration: Integration) -> Self {
         Self { car: car.clone(), space, collision, integration }
     }
 

@@ -24,6 +24,10 @@ pub(super) struct Ticket {
     pub max_iterations: u32,
     pub wanted: Wanted,
     pub is_sampled: bool,
+    /// Whether a car follows curves between placements.
+    pub is_steered: bool,
+    /// Whether it is driven by Euler's steps.
+    pub is_euler: bool,
 }
 
 /// The run of one planner on one problem.

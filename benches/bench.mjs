@@ -25,6 +25,7 @@ import { rows, writeWorlds } from "./peers/worlds.mjs";
 /** @typedef {import("./peers/sides.mjs").Side} Side */
 /** @typedef {import("./peers/sides.mjs").SideName} SideName */
 /** @typedef {import("./peers/sides.mjs").Run} Run */
+/** @typedef {import("./peers/worlds.mjs").Row} Row */
 
 /** Milliseconds within which the first roadmap of a cold page is to stand. */
 const COLD = 50;
@@ -38,7 +39,7 @@ await script(async () => {
   });
   const count = Number(options.worlds ?? (options.quick ? 3 : 50));
   if (!Number.isInteger(count) || count < 1) throw new Problem(`--worlds takes a whole number from 1, not ${options.worlds}.`);
-  const runs = options.quick ? { prm: 1, "rrt-connect": 3, cold: 2, warm: 2 } : { prm: 3, "rrt-connect": 10, cold: 10, warm: 10 };
+  const runs = options.quick ? { prm: 1, "rrt-connect": 3, "rrt-control": 3, sst: 3, cold: 2, warm: 2 } : { prm: 3, "rrt-connect": 10, "rrt-control": 5, sst: 5, cold: 10, warm: 10 };
   const names = /** @type {SideName[]} */ (options.sides?.split(",") ?? sideNames);
   const unknown = names.find((name) => !sideNames.includes(name));
   if (unknown !== undefined) throw new Problem(`There is no side \`${unknown}\`; there are ${sideNames.join(", ")}.`);
@@ -134,7 +135,7 @@ function memorySentence({ before, peak, vertices, edges, events }) {
  * Who took part, and in how much.
  * @param {Map<SideName, Side | undefined>} sides
  * @param {number} count
- * @param {{ prm: number, "rrt-connect": number }} runs
+ * @param {Record<Row["planner"], number>} runs
  */
 function headline(sides, count, runs) {
   const titles = [...sides.values()].flatMap((side) => side?.title ?? []);
@@ -145,7 +146,7 @@ function headline(sides, count, runs) {
  * @param {import("./peers/report.mjs").RowFigures[]} measured
  * @param {Map<SideName, Side | undefined>} sides
  * @param {number} count
- * @param {{ prm: number, "rrt-connect": number }} runs
+ * @param {Record<Row["planner"], number>} runs
  */
 function print(measured, sides, count, runs) {
   const absent = [...sides].filter(([, side]) => side === undefined).map(([name]) => name);

@@ -17,6 +17,9 @@
 /** A full turn. */
 const TURN = 2 * Math.PI;
 
+/** How the metric of placements (x, y, theta) is named, with its two weights. */
+const PLACEMENT = /^(\S+) translation \+ (\S+) rotation$/;
+
 /**
  * The roadmap as an undirected graph of nodes `n0`, `n1`, ... with their coordinates `q0`, `q1`, ..., and edges whose `weight` is
  * their length in the metric.
@@ -53,12 +56,14 @@ export function graphml(roadmap) {
  * @param {RoadmapDocument} roadmap
  */
 function length(a, b, { circles, metric }) {
-  let sum = 0;
-  circles.forEach((isCircle, i) => {
-    let gap = Math.abs(a[i] - b[i]);
-    if (isCircle && gap > Math.PI) gap = TURN - gap;
-    sum += metric === "sum" ? gap : gap * gap;
+  const gaps = circles.map((isCircle, i) => {
+    const gap = Math.abs(a[i] - b[i]);
+    return isCircle && gap > Math.PI ? TURN - gap : gap;
   });
+  const [, translation, rotation] = PLACEMENT.exec(metric) ?? [];
+  if (rotation !== undefined) return Number(translation) * Math.sqrt(gaps[0] * gaps[0] + gaps[1] * gaps[1]) + Number(rotation) * gaps[2];
+  let sum = 0;
+  for (const gap of gaps) sum += metric === "sum" ? gap : gap * gap;
   return metric === "sum" ? sum : Math.sqrt(sum);
 }
 

@@ -4,6 +4,7 @@
  */
 import { load, loadSync } from "./runtime.js";
 
+export { Drive } from "./drive.js";
 export { PlanariumError } from "./error.js";
 export { freshSeed, generators, phases, planners } from "./functions.js";
 export { Planner } from "./planner.js";
@@ -33,6 +34,11 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").QueryOptions} QueryOptions */
 /** @typedef {import("./types.js").RoadmapFormat} RoadmapFormat */
 /** @typedef {import("./types.js").Approximate} Approximate */
+/** @typedef {import("./types.js").DriveKey} DriveKey */
+/** @typedef {import("./types.js").DriveState} DriveState */
+/** @typedef {import("./types.js").KeyPress} KeyPress */
+/** @typedef {import("./types.js").Obstructed} Obstructed */
+/** @typedef {import("./types.js").Rollout} Rollout */
 /** @typedef {import("./types.js").GenerateOptions} GenerateOptions */
 /** @typedef {import("./types.js").GeneratorId} GeneratorId */
 /** @typedef {import("./types.js").CspaceOptions} CspaceOptions */

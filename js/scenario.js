@@ -2,12 +2,14 @@
 /** A scenario: the world, the robot in it, and the queries to plan for. */
 /** @import { RawScenario } from "./planarium_glue.js" */
 import * as argument from "./arguments.js";
+import { makeDrive, obstructed } from "./drive.js";
 import { PlanariumError } from "./error.js";
 import { Handle, key } from "./handle.js";
 import { Planner, makePlanner } from "./planner.js";
 import { call } from "./runtime.js";
 
-/** @import { Box, Check, Configuration, CspaceOptions, GenerateOptions, GeneratorId, Part, PlannerOptions, Robot, ScenarioDocument, Touching } from "./types.js" */
+/** @import { Drive } from "./drive.js" */
+/** @import { Box, Check, Configuration, CspaceOptions, GenerateOptions, GeneratorId, Part, PlannerOptions, Robot, Rollout, ScenarioDocument, Touching } from "./types.js" */
 
 /**
  * A parsed, checked scenario: it answers questions about configurations and motions, and makes planners.
@@ -253,6 +255,32 @@ export class Scenario {
   resume(roadmap, options) {
     return this.#handle.call((raw) =>
       makePlanner(raw.resume(argument.textOrBytes(roadmap, "roadmap"), argument.optionsText(options))));
+  }
+
+  /**
+   * Puts the scenario's car under a driver's hand. The drive lives on when the scenario is freed.
+   * @param {Configuration} [q]  where it starts; the start of the first query where absent
+   * @returns {Drive}
+   * @throws {PlanariumError} `unsupported` for any robot but a car, `start-in-collision`, `unknown-query` where there is neither
+   */
+  drive(q) {
+    return this.#handle.call((raw) => makeDrive(raw.drive(q === undefined ? new Float64Array(0) : this.#configuration(q, "q"))));
+  }
+
+  /**
+   * Where the car comes from `q` when one control is held: the pose after each step of 0.01 s (`integration_step`) as long as
+   * it is proven free.
+   * @param {Configuration} q
+   * @param {number} v         speed, metres a second, within the car's limits, or 0
+   * @param {number} phi       angle of the front wheels, radians, within the car's limits; to the left where positive
+   * @param {number} duration  seconds, of a million steps at most
+   * @returns {Rollout}
+   * @throws {PlanariumError} `unsupported` for any robot but a car, `out-of-range`
+   */
+  rollout(q, v, phi, duration) {
+    const numbers = this.#handle.call((raw) =>
+      raw.rollout(this.#configuration(q, "q"), argument.finite(v, "/v"), argument.finite(phi, "/phi"), argument.finite(duration, "/duration")));
+    return { poses: numbers.slice(2), seconds: numbers[1], blocked: obstructed(numbers[0]) };
   }
 
   /** Gives the memory back. Any use afterwards throws `freed`; freeing twice does nothing. @returns {void} */

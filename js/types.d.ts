@@ -360,6 +360,56 @@ export interface Approximate {
   goal_distance: number;
 }
 
+/**
+ * What a driver does: v grows or falls by 0.1 m/s, the front wheels turn by pi / 12 to the left (phi grows) or to the right, or
+ * the controls are kept.
+ */
+export type DriveKey = "faster" | "slower" | "left" | "right" | "keep";
+
+/** A key that was pressed when so many steps had gone by. */
+export interface KeyPress {
+  /** Steps since the start. */
+  step: number;
+  /** Which key. */
+  key: DriveKey;
+}
+
+/**
+ * What stops a car: the index of an obstacle, the bounds, or `"near"` where it would touch nothing and only come nearer to
+ * something than can be proven free.
+ */
+export type Obstructed = number | "bounds" | "near";
+
+/** How a drive stands. */
+export interface DriveState {
+  /** Where the car is: x, y in metres, theta in radians within (-pi, pi]. */
+  pose: [number, number, number];
+  /** Speed, metres a second; backward where negative. */
+  v: number;
+  /** Angle of the front wheels, radians; to the left where positive. */
+  phi: number;
+  /** Steps that have gone by, driving or standing. */
+  steps: number;
+  /** The same in seconds. */
+  seconds: number;
+  /** What stopped the car, until it moves again; null otherwise. */
+  blocked: Obstructed | null;
+  /** Rows of its trace. */
+  traceCount: number;
+  /** Keys recorded. */
+  keyCount: number;
+}
+
+/** Where one control leads. */
+export interface Rollout {
+  /** Rows of x, y, theta: the start, the pose after each whole step, and at the end. */
+  poses: Float64Array;
+  /** How long it is proven free: the duration asked for, unless it is blocked. */
+  seconds: number;
+  /** What blocks it, if anything. */
+  blocked: Obstructed | null;
+}
+
 /** Something with a URL that can be fetched: a `URL` or a `Request`. */
 export type Fetchable = { readonly href: string } | { readonly url: string; readonly method: string };
 

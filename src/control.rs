@@ -37,4 +37,8 @@ pub trait Dynamics<S> {
 
     /// How many of the first `steps` steps are proven free, each with all before it: `steps` where the whole motion is.
     fn free_steps(&self, from: &S, control: Control, steps: u32) -> u32;
+
+    /// How long the motion is, in the metric of the space along its arc; never less than the distance between its ends, and in
+    /// proportion to its duration.
+    fn length(&self, motion: Motion) -> f64;
 }

@@ -1,7 +1,7 @@
 //! Questions about a scenario outside any run: is a configuration free and why not, where is the robot, what does its
 //! configuration space look like. For viewers; planners ask through [`Validity`].
 
-use crate::collision::{ArmValidity, DiscValidity, joint_space, plane};
+use crate::collision::{ArmValidity, BodyCollision, BodyValidity, DiscValidity, joint_space, placements, plane};
 use crate::decimal::Decimal;
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Point};
@@ -10,6 +10,7 @@ use crate::robot::Part;
 use crate::scenario::{LARGEST, Obstacle, Robot, Scenario};
 use crate::space::{MAX_DIMENSION, Metric, Space, Torus};
 use crate::validity::{Contact, Validity};
+use std::rc::Rc;
 
 /// The most cells that a picture of the configuration space has on a side.
 pub const MAX_CELLS: usize = 4096;
@@ -36,7 +37,12 @@ impl Inspector {
             Robot::Disc(disc) => {
                 (plane(&world.bounds.expect("a disc has bounds")), Box::new(DiscValidity::new(disc, world)))
             }
-            Robot::RigidBody(_) | Robot::Car(_) => unimplemented!("bodies are on their way"),
+            Robot::RigidBody(_) | Robot::Car(_) => {
+                let (shape, weights) = robot.placed_shape().expect("both are placed");
+                let space = placements(shape, weights, &world.bounds.expect("a body has bounds"));
+                let collision = BodyCollision::new(shape, world, DEFAULT_TOLERANCE);
+                (space.clone(), Box::new(BodyValidity::new(space, Rc::new(collision))))
+            }
         };
         Self { robot, space, validity, extent: extent(scenario) }
     }
@@ -74,7 +80,7 @@ impl Inspector {
         Ok(self.robot.footprint(q))
     }
 
-    /// The tip of the arm, or the centre of the disc, at `q`.
+    /// The tip of the arm, the centre of the disc, or the origin of the body's frame, at `q`.
     ///
     /// # Errors
     /// Of the configuration: see [`Inspector`].

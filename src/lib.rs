@@ -8,12 +8,13 @@
 //! - [`scenario::Scenario::parse`] reads a document, [`scenario::generate`] makes one by seed;
 //! - [`run::start`] begins a run behind one face, [`run::Run`]; [`run::planners`] lists planners and their parameters;
 //! - [`kept::RoadmapDocument`] keeps a built roadmap, [`run::resume`] goes on asking it;
-//! - [`inspect::Inspector`] answers what a viewer asks; [`path::verify`] judges a finished path by an independent route.
+//! - [`inspect::Inspector`] answers what a viewer asks; [`drive::Drive`] puts a car under a driver's hand; [`path::verify`] judges a finished path by an independent route.
 //!
 //! # The house, and the rule of its arrows
-//! From the ground up: [`decimal`], [`error`], [`json`], [`order`], [`phase`], [`random`], [`geometry`], [`validity`]; on them [`space`] and [`robot`]; on those
-//! [`scenario`] and [`collision`], [`problem`]; [`sampling`], [`graph`], [`nearest`], [`path`], [`kept`]; then [`planner`]; then [`run`] and
-//! [`inspect`]; and last the bindings and the command line. A room names only rooms below it: a planner sees a space and the
+//! From the ground up: [`control`], [`decimal`], [`error`], [`json`], [`order`], [`phase`], [`random`], [`geometry`], [`steering`],
+//! [`validity`]; on them [`space`] and [`robot`]; on those [`scenario`] and [`collision`], [`problem`]; [`sampling`], [`graph`],
+//! [`nearest`], [`path`], [`kept`], [`drive`]; then [`planner`]; then [`run`] and [`inspect`]; and last the bindings and the command
+//! line. A room names only rooms below it: a planner sees a space and the
 //! trait [`validity::Validity`], never a robot, a scenario or a shape. The core reads no clock, prints nothing, keeps no
 //! global and calls nothing back. A test holds this against the code.
 #![deny(missing_docs)]
@@ -25,6 +26,7 @@ pub mod bindings;
 pub mod collision;
 pub mod control;
 pub mod decimal;
+pub mod drive;
 pub mod error;
 pub mod geometry;
 pub mod graph;
@@ -46,6 +48,7 @@ pub mod scenario;
 pub mod space;
 pub mod stats;
 pub mod status;
+pub mod steering;
 pub mod validity;
 
 pub use error::Error;

@@ -1,5 +1,6 @@
 //! A planning problem: a space, what is free in it, a start and a goal.
 
+use crate::control::Dynamics;
 use crate::decimal::Row;
 use crate::error::{Code, Error};
 use crate::space::Space;
@@ -8,6 +9,14 @@ use crate::validity::{Contact, Validity};
 /// A lower bound on the distance between two states in the metric of the space.
 pub type Estimate<S> = Box<dyn Fn(&S, &S) -> f64>;
 
+/// The states that are as good as the goal.
+pub struct GoalRegion<S> {
+    /// Whether a state is one of them; the goal is.
+    pub contains: Box<dyn Fn(&S) -> bool>,
+    /// None of them is farther from the goal, in the metric of the space.
+    pub reach: f64,
+}
+
 /// A planning problem whose start and goal are free.
 pub struct Problem<S: Space> {
     space: S,
@@ -15,6 +24,8 @@ pub struct Problem<S: Space> {
     start: S::State,
     goal: S::State,
     end_effector: Option<Estimate<S::State>>,
+    goal_region: Option<GoalRegion<S::State>>,
+    dynamics: Option<Box<dyn Dynamics<S::State>>>,
 }
 
 impl<S: Space> Problem<S> {
@@ -28,7 +39,7 @@ impl<S: Space> Problem<S> {
         start: S::State,
         goal: S::State,
     ) -> Result<Self, Error> {
-        let problem = Self { space, validity, start, goal, end_effector: None };
+        let problem = Self { space, validity, start, goal, end_effector: None, goal_region: None, dynamics: None };
         problem.check_ends(&start, &goal)?;
         Ok(problem)
     }
@@ -37,6 +48,18 @@ impl<S: Space> Problem<S> {
     #[must_use]
     pub fn with_end_effector(self, estimate: Estimate<S::State>) -> Self {
         Self { end_effector: Some(estimate), ..self }
+    }
+
+    /// The same with a region about the goal.
+    #[must_use]
+    pub fn with_goal_region(self, region: GoalRegion<S::State>) -> Self {
+        Self { goal_region: Some(region), ..self }
+    }
+
+    /// The same for what is moved by controls.
+    #[must_use]
+    pub fn with_dynamics(self, dynamics: Box<dyn Dynamics<S::State>>) -> Self {
+        Self { dynamics: Some(dynamics), ..self }
     }
 
     /// Refuses a start or a goal that is in collision.
@@ -76,6 +99,21 @@ impl<S: Space> Problem<S> {
     /// Where the motion is to end.
     pub fn goal(&self) -> &S::State {
         &self.goal
+    }
+
+    /// Whether the state is as good as the goal: within the region about it, or the goal itself where there is none.
+    pub fn is_goal(&self, state: &S::State) -> bool {
+        self.goal_region.as_ref().map_or(state == &self.goal, |region| (region.contains)(state))
+    }
+
+    /// How far from the goal, in the metric of the space, [`Problem::is_goal`] may still hold.
+    pub fn goal_reach(&self) -> f64 {
+        self.goal_region.as_ref().map_or(0.0, |region| region.reach)
+    }
+
+    /// How the system is driven; `None` where it is not moved by controls.
+    pub fn dynamics(&self) -> Option<&dyn Dynamics<S::State>> {
+        self.dynamics.as_deref()
     }
 
     /// The estimate of distances from the end effector; `None` where the robot has none.

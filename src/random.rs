@@ -22,6 +22,8 @@ pub enum Stream {
     Bias = 3,
     /// The planes of an approximate index.
     Projections = 4,
+    /// Which controls are tried, and for how long.
+    Controls = 5,
 }
 
 /// A stream of random numbers.

@@ -18,12 +18,13 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("random", &[]),
     ("validity", &[]),
     ("control", &["random"]),
-    ("space", &["random"]),
+    ("steering", &[]),
+    ("space", &["random", "steering"]),
     ("robot", &["decimal", "error", "geometry"]),
     ("scenario", &["decimal", "error", "geometry", "json", "random", "robot"]),
-    ("collision", &["geometry", "order", "robot", "scenario", "space", "validity"]),
-    ("problem", &["decimal", "error", "space", "validity"]),
-    ("graph", &["space"]),
+    ("collision", &["control", "geometry", "order", "random", "robot", "scenario", "space", "validity"]),
+    ("problem", &["control", "decimal", "error", "space", "validity"]),
+    ("graph", &["control", "space"]),
     ("nearest", &["graph", "order", "random", "space"]),
     ("result", &["error", "json", "random", "scenario", "stats", "status"]),
     ("kept", &["decimal", "error", "graph", "json", "scenario", "space"]),
@@ -31,12 +32,16 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("sampling", &["problem", "random", "space"]),
     (
         "planner",
-        &["decimal", "error", "graph", "json", "nearest", "phase", "problem", "random", "sampling", "space", "status"],
+        &[
+            "control", "decimal", "error", "graph", "json", "nearest", "phase", "problem", "random", "sampling",
+            "space", "status",
+        ],
     ),
     (
         "run",
         &[
             "collision",
+            "control",
             "decimal",
             "error",
             "geometry",
@@ -55,11 +60,12 @@ const HOUSE: &[(&str, &[&str])] = &[
         ],
     ),
     ("inspect", &["collision", "decimal", "error", "geometry", "planner", "robot", "scenario", "space", "validity"]),
+    ("drive", &["collision", "control", "decimal", "error", "geometry", "robot", "scenario", "space", "validity"]),
     (
         "bindings",
         &[
-            "error", "geometry", "decimal", "inspect", "json", "kept", "planner", "random", "robot", "run", "scenario",
-            "validity",
+            "control", "drive", "error", "geometry", "decimal", "inspect", "json", "kept", "planner", "random",
+            "robot", "run", "scenario", "validity",
         ],
     ),
 ];

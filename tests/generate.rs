@@ -32,12 +32,17 @@ fn polygons(scenario: &Scenario) -> Vec<&Polygon> {
     polygons
 }
 
-fn axis_and_radius(part: &Part) -> (Segment, f64) {
-    match *part {
-        Part::Capsule { a, b, radius } => (Segment::new(a, b), radius),
-        Part::Disc { center, radius } => (Segment::new(center, center), radius),
-        Part::Polygon { .. } => unreachable!("generators move arms and discs"),
-    }
+/// The robot at `q` as segments with a radius: of a body its edges, in which no obstacle has room.
+fn axes(scenario: &Scenario, q: &[f64]) -> Vec<(Segment, f64)> {
+    let of = |part: Part| match part {
+        Part::Capsule { a, b, radius } => vec![(Segment::new(a, b), radius)],
+        Part::Disc { center, radius } => vec![(Segment::new(center, center), radius)],
+        Part::Polygon { vertices } => {
+            let next = vertices.iter().cycle().skip(1);
+            vertices.iter().zip(next).map(|(&a, &b)| (Segment::new(a, b), 0.0)).collect()
+        }
+    };
+    scenario.robot().footprint(q).into_iter().flat_map(of).collect()
 }
 
 /// Refuses a start or a goal that is not free, within the bounds and away from every obstacle.
@@ -46,8 +51,7 @@ fn assert_ends_are_free(scenario: &Scenario) {
     for q in scenario.queries().iter().flat_map(|query| [&query.start, &query.goal]) {
         assert_eq!(inspector.check(q), Ok(vec![]), "{} at {q:?}", scenario.title());
         if let Some(bounds) = scenario.world().bounds {
-            for part in scenario.robot().footprint(q) {
-                let (axis, radius) = axis_and_radius(&part);
+            for (axis, radius) in axes(scenario, q) {
                 assert!(bounds.depth(axis.a).min(bounds.depth(axis.b)) > radius, "{}", scenario.title());
             }
         }
@@ -66,8 +70,7 @@ fn ends(scenario: &Scenario, iterations: u64) -> Status {
 fn clearance(scenario: &Scenario) -> f64 {
     let mut least = f64::INFINITY;
     for q in scenario.queries().iter().flat_map(|query| [&query.start, &query.goal]) {
-        for part in scenario.robot().footprint(q) {
-            let (axis, radius) = axis_and_radius(&part);
+        for (axis, radius) in axes(scenario, q) {
             for obstacle in &scenario.world().obstacles {
                 let distance = match obstacle {
                     Obstacle::Polygon(polygon) => distance_segment_polygon(&axis, polygon),
@@ -111,8 +114,7 @@ fn a_forest_leaves_base_start_and_goal_free() {
         for seed in 0..60 {
             let scenario = forest(&ForestOptions { links, seed }).unwrap();
             let query = &scenario.queries()[0];
-            for part in [&query.start, &query.goal].into_iter().flat_map(|q| scenario.robot().footprint(q)) {
-                let (axis, _) = axis_and_radius(&part);
+            for (axis, _) in [&query.start, &query.goal].into_iter().flat_map(|q| axes(&scenario, q)) {
                 assert!(polygons(&scenario).iter().all(|triangle| !intersects_segment_polygon(&axis, triangle)));
             }
             nearest = nearest.min(clearance(&scenario));
@@ -150,7 +152,8 @@ fn forests_ask_the_questions_of_the_report() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn clutter_is_convex_disjoint_within_bounds_and_leaves_start_and_goal_free() {
-    for robot in [RobotChoice::Disc, RobotChoice::Arm(1), RobotChoice::Arm(3), RobotChoice::Arm(8)] {
+    let arms = [1, 3, 8].map(RobotChoice::Arm);
+    for robot in [RobotChoice::Disc, RobotChoice::RigidBody, RobotChoice::Car].into_iter().chain(arms) {
         for seed in 0..25 {
             let options = ClutterOptions { robot, seed, ..ClutterOptions::default() };
             let scenario = clutter(&options).unwrap();
@@ -168,8 +171,7 @@ fn clutter_is_convex_disjoint_within_bounds_and_leaves_start_and_goal_free() {
             }
             assert!(clearance(&scenario) > options.gap);
             for q in [&scenario.queries()[0].start, &scenario.queries()[0].goal] {
-                for part in scenario.robot().footprint(q) {
-                    let (axis, radius) = axis_and_radius(&part);
+                for (axis, radius) in axes(&scenario, q) {
                     assert!(bounds.depth(axis.a).min(bounds.depth(axis.b)) > radius);
                 }
             }

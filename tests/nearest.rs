@@ -2,9 +2,10 @@
 //! Chrome alike.
 
 use planarium::graph::VertexId;
-use planarium::nearest::{Forest, ForestParameters, Index, KdTree, LinearScan, Nearest, Neighbour, recall};
+use planarium::nearest::{Forest, ForestParameters, Index, KdTree, LinearScan, Nearest, Neighbour, Way, recall};
 use planarium::random::{Random, Stream};
-use planarium::space::{Joint, Metric, Space, Torus, gap, gap_to_interval};
+use planarium::space::{Joint, Metric, MotionSpace, Space, Torus, gap, gap_to_interval};
+use planarium::steering::Steering;
 use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -88,6 +89,8 @@ fn spaces() -> Vec<(&'static str, Torus<4>)> {
         spaces.push(("circles and limits", Torus::new(&mixed, metric)));
         spaces.push(("circles cut open", Torus::new(&mixed, metric).cut_open()));
     }
+    spaces.push(("placements", Torus::of_placements([0.0, -1.0], [2.0, 3.0], 0.7, 0.3)));
+    spaces.push(("placements, turns above all", Torus::of_placements([0.0, 0.0], [1.0, 1.0], 0.01, 5.0)));
     spaces
 }
 
@@ -363,5 +366,62 @@ fn no_gap_is_less_than_the_gap_to_an_interval_around_it() {
             let is_inside = low <= a && a <= high;
             assert_eq!(bound == 0.0, is_inside || gap(a, low, period) * gap(a, high, period) == 0.0);
         }
+    }
+}
+
+/// The definition for steered motions: the distances in one direction to or from all states, sorted, ties by number.
+fn steered_truth(space: &MotionSpace<4>, way: Way, states: &[[f64; 4]], from: &[f64; 4]) -> Vec<Neighbour> {
+    let number = |i: usize| VertexId(3 * i as u32 + 1);
+    let all = states.iter().enumerate();
+    let distance = |state: &[f64; 4]| match way {
+        Way::In => space.distance(state, from),
+        Way::Out => space.distance(from, state),
+    };
+    let mut all: Vec<Neighbour> =
+        all.map(|(i, state)| Neighbour { distance: distance(state), vertex: number(i) }).collect();
+    all.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.vertex.cmp(&b.vertex)));
+    all
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn steered_motions_have_the_neighbours_of_a_plain_scan_in_either_direction() {
+    for (steering, radius) in [(Steering::Dubins, 0.5), (Steering::ReedsShepp, 0.5), (Steering::ReedsShepp, 4.0)] {
+        let space =
+            MotionSpace::steered(Torus::<4>::of_placements([0.0, 0.0], [10.0, 10.0], 0.7, 0.3), steering, radius);
+        let few = samples(&space, 20, 4);
+        let lattice: Vec<_> = (0..512)
+            .map(|i| space.state(&[f64::from(i % 8), f64::from(i / 8 % 8), f64::from(i / 64) * TAU / 8.0]))
+            .collect();
+        // At random, on a lattice where most are ties, many times the same, and hardly any.
+        let sets = [samples(&space, 21, 1500), lattice, (0..300).map(|i| few[i * i % 4]).collect(), few.clone()];
+        for states in &sets {
+            let mut index = Index::new();
+            for (i, &state) in states.iter().enumerate() {
+                index.insert(&space, VertexId(3 * i as u32 + 1), state);
+            }
+            let mut asked = samples(&space, 22, native(20));
+            asked.extend(states.iter().step_by(states.len().div_ceil(4)));
+            for (from, way) in asked.iter().flat_map(|from| [(from, Way::In), (from, Way::Out)]) {
+                let truth = steered_truth(&space, way, states, from);
+                let n = truth.len();
+                let mut found = Vec::new();
+                assert_eq!((index.len(), index.nearest_by(&space, way, from)), (n, Some(truth[0])));
+                for k in [0, 1, 2, 10, 100, n, n + 1, usize::MAX] {
+                    index.k_nearest_by(&space, way, from, k, &mut found);
+                    same(&found, &truth[..k.min(n)], &format!("{steering:?} {way:?}: {k} of {n}"));
+                }
+                for reach in [-1.0, 0.0, truth[n / 50].distance, truth[n / 3].distance, f64::INFINITY] {
+                    index.within_by(&space, way, from, reach, &mut found);
+                    let inside = truth.partition_point(|neighbour| neighbour.distance <= reach);
+                    same(&found, &truth[..inside], &format!("{steering:?} {way:?}: within {reach} of {n}"));
+                }
+                if way == Way::In {
+                    assert_eq!(index.nearest(&space, from), Some(truth[0]), "what is asked plainly is the way in");
+                    index.k_nearest(&space, from, 5, &mut found);
+                    same(&found, &truth[..5.min(n)], "plainly");
+                }
+            }
+        }
+        assert_eq!(Index::new().nearest_by(&space, Way::Out, &few[0]), None);
     }
 }

@@ -120,8 +120,8 @@ fn what_the_contract_does_not_know_is_refused() {
             ),
             (r#""type": "disc""#, r#""type": "circle""#, "unknown-type", "/world/obstacles/0/type", "circle"),
             (r#""type": "arm""#, r#""type": "snake""#, "unknown-type", "/robot/type", "snake"),
-            (r#""type": "arm""#, r#""type": "rigid_body""#, "unsupported", "/robot/type", "arms and discs"),
-            (r#""type": "arm""#, r#""type": "car""#, "unsupported", "/robot/type", "arms and discs"),
+            (r#""type": "arm""#, r#""type": "rigid_body""#, "unknown-field", "/robot/base", "shape, metric"),
+            (r#""type": "arm""#, r#""type": "car""#, "unknown-field", "/robot/base", "wheelbase"),
         ],
     );
     check_refusals(

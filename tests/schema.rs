@@ -4,6 +4,10 @@
 
 #![cfg(all(feature = "schema", not(target_arch = "wasm32")))]
 
+#[path = "common/documents.rs"]
+#[allow(dead_code)]
+mod documents;
+
 use planarium::scenario::generate::{ClutterOptions, ForestOptions, clutter, forest};
 use planarium::scenario::{Scenario, schema};
 use serde_json::{Value, json};
@@ -83,6 +87,14 @@ fn disc() -> Value {
     document
 }
 
+fn body() -> Value {
+    serde_json::from_str(documents::BODY).unwrap()
+}
+
+fn car() -> Value {
+    serde_json::from_str(documents::CAR).unwrap()
+}
+
 #[test]
 fn the_committed_schema_is_that_of_the_types() {
     let text = format!("{}\n", serde_json::to_string_pretty(&schema()).unwrap());
@@ -110,20 +122,20 @@ fn objects(value: &Value, pointer: String, found: &mut Vec<String>) {
 #[test]
 fn schema_and_parser_know_and_require_the_same_fields() {
     let mut removed = [0, 0];
-    for document in [arm(), disc()] {
+    for (document, count) in [(arm(), 7), (disc(), 7), (body(), 9), (car(), 9)] {
         assert!(is_valid(&document));
         Scenario::parse(&document.to_string()).unwrap();
         let mut places = Vec::new();
         objects(&document, String::new(), &mut places);
-        assert_eq!(places.len(), 7);
+        assert_eq!(places.len(), count);
         for place in places {
             let mut more = document.clone();
             more.pointer_mut(&place).unwrap()["something"] = json!(1);
             assert!(!is_valid(&more), "{place}");
             assert_eq!(Scenario::parse(&more.to_string()).unwrap_err().pointer(), format!("{place}/something"));
             for name in document.pointer(&place).unwrap().as_object().unwrap().keys() {
-                // What only an arm may leave out, a schema without conditions lets a disc leave out, too.
-                if name == "bounds" && document == disc() {
+                // What only an arm may leave out, a schema without conditions lets others leave out, too.
+                if name == "bounds" && document != arm() {
                     continue;
                 }
                 let mut less = document.clone();
@@ -134,12 +146,12 @@ fn schema_and_parser_know_and_require_the_same_fields() {
             }
         }
     }
-    // Optional: title twice, bounds, radius and limits of the arm.
-    assert_eq!(removed[1], 5);
+    // Optional: the title four times, bounds, radius and limits of the arm, metric and region of body and car, the car's step.
+    assert_eq!(removed[1], 12);
     assert!(removed[0] > 25);
-    // Every property of the schema stands in one of the two documents.
+    // Every property of the schema stands in one of the documents.
     let mut known = std::collections::BTreeSet::new();
-    for place in ["", "/$defs/World", "/$defs/Bounds", "/$defs/Query"] {
+    for place in ["", "/$defs/World", "/$defs/Bounds", "/$defs/Query", "/$defs/Metric", "/$defs/GoalTolerance"] {
         known.extend(schema().pointer(&format!("{place}/properties")).unwrap().as_object().unwrap().keys().cloned());
     }
     for union in ["Obstacle", "Robot"] {
@@ -147,7 +159,7 @@ fn schema_and_parser_know_and_require_the_same_fields() {
             known.extend(one["properties"].as_object().unwrap().keys().cloned());
         }
     }
-    let mentioned = format!("{}{}", arm(), disc());
+    let mentioned = format!("{}{}{}{}", arm(), disc(), body(), car());
     for name in known {
         assert!(mentioned.contains(&format!("{name:?}:")), "{name}");
     }
@@ -177,6 +189,7 @@ fn schema_and_parser_refuse_the_same_values() {
         ("/world/obstacles/1/vertices/0/0", json!("1")),
         ("/robot/type", json!("rigid_body")),
         ("/robot/type", json!("car")),
+        ("/robot/type", json!("train")),
         ("/robot/base", json!([0])),
         ("/robot/links", json!([])),
         ("/robot/links", json!([1, 1, 1, 1, 1, 1, 1, 1, 1])),
@@ -195,8 +208,23 @@ fn schema_and_parser_refuse_the_same_values() {
         ("/queries/0/goal/0", json!(null)),
         ("/queries/0/goal/0", json!(1e7)),
     ];
-    for (place, value) in cases {
-        let mut document = arm();
+    let of_cars = [
+        ("/robot/shape", json!([[0, 0], [1, 0], [0, 1]])),
+        ("/robot/shape/type", json!("disc")),
+        ("/robot/shape/vertices", json!([[0, 0], [1, 0]])),
+        ("/robot/wheelbase", json!(0)),
+        ("/robot/speed", json!([1])),
+        ("/robot/speed/0", json!("1")),
+        ("/robot/steering/1", json!(1.6)),
+        ("/robot/integration_step", json!(0)),
+        ("/robot/integration_step", json!(11)),
+        ("/robot/metric/translation", json!(0)),
+        ("/robot/metric", json!(null)),
+        ("/queries/0/goal_tolerance", json!(0.1)),
+        ("/queries/0/goal_tolerance/rotation", json!(-0.1)),
+    ];
+    let of_arms = cases.into_iter().map(|(place, value)| (arm(), place, value));
+    for (mut document, place, value) in of_arms.chain(of_cars.into_iter().map(|(place, value)| (car(), place, value))) {
         *document.pointer_mut(place).expect(place) = value;
         let shown: String = document.pointer(place).unwrap().to_string().chars().take(100).collect();
         assert!(!is_valid(&document), "the schema accepts {place} = {shown}");
@@ -218,7 +246,7 @@ fn what_is_written_follows_the_schema() {
             .unwrap()
         ));
     }
-    for document in [arm(), disc()] {
+    for document in [arm(), disc(), body(), car()] {
         assert!(is_valid(
             &serde_json::from_str(&Scenario::parse(&document.to_string()).unwrap().to_json_string()).unwrap()
         ));

@@ -1,7 +1,8 @@
 //! The laws that every configuration space obeys, on native, Node and Chrome alike.
 
 use planarium::random::{Random, Stream};
-use planarium::space::{Joint, Metric, Space, Torus, angular_distance, wrap};
+use planarium::space::{Joint, Metric, MotionSpace, Space, Torus, angular_distance, gap, wrap};
+use planarium::steering::Steering;
 use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -54,9 +55,80 @@ fn a_torus_obeys_the_laws_in_both_metrics_with_and_without_limits() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn motions_without_steering_are_those_of_the_torus_to_the_bit() {
+    for torus in toruses() {
+        let space = MotionSpace::new(torus.clone());
+        obeys_the_laws(&space);
+        let mut random = Random::new(12, Stream::Samples);
+        assert_eq!(space.extent().to_bits(), torus.extent().to_bits());
+        assert!(space.is_symmetric() && space.is_norm_exact());
+        for _ in 0..CASES {
+            let ([a, b], t) = ([0; 2].map(|_| torus.sample(&mut random)), random.uniform());
+            assert_eq!(space.distance(&a, &b).to_bits(), torus.distance(&a, &b).to_bits());
+            assert_eq!(space.interpolate(&a, &b, t), torus.interpolate(&a, &b, t));
+            assert_eq!([space.turn(&a, &b), space.sweep(&a, &b)], [torus.turn(&a, &b), torus.sweep(&a, &b)]);
+            assert_eq!(space.curve(&a, &b), None);
+            let gaps = |i: usize| [gap(a[i], b[i], torus.period(i))];
+            assert_eq!(space.norm(gaps)[0].to_bits(), torus.distance(&a, &b).to_bits());
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn steered_motions_obey_the_laws_of_their_direction() {
+    for steering in [Steering::Dubins, Steering::ReedsShepp] {
+        for (size, radius) in [(1.0, 0.3), (10.0, 1.0), (1e3, 0.5), (2.0, 40.0)] {
+            let torus = Torus::<4>::of_placements([-0.5 * size, 0.0], [size, size], 0.7, 0.3);
+            let space = MotionSpace::steered(torus.clone(), steering, radius);
+            assert_eq!(space.is_symmetric(), steering == Steering::ReedsShepp);
+            assert!(!space.is_norm_exact());
+            let mut random = Random::new(13, Stream::Samples);
+            // Aside by what rounding amounts to costs a car the root of it.
+            let slack = 4.0 * (1e-12 * (size + radius) * radius).sqrt();
+            for case in 0..CASES {
+                let [a, b, c] = [0; 3].map(|_| space.sample(&mut random));
+                // Often close by, where the bound is tight or rounding counts.
+                let near = |i: usize| a[i] + [1e-15, 1e-9, 1e-3][case % 3] * (random.uniform() - 0.5);
+                let b = if case % 4 == 0 { space.state(&[0, 1, 2].map(near)) } else { b };
+                let t = random.uniform();
+                let d = |x: &[f64; 4], y: &[f64; 4]| space.distance(x, y);
+                assert_eq!(d(&a, &a).to_bits(), 0.0f64.to_bits());
+                assert!(d(&a, &c) <= d(&a, &b) + d(&b, &c) + slack, "triangle inequality");
+                assert!(d(&a, &b) <= space.extent(), "the extent is no less than a distance");
+                let bound = space.norm(|i| [gap(a[i], b[i], torus.period(i))])[0];
+                assert!(bound <= d(&a, &b) && bound <= d(&b, &a), "the bound is never above, not by a bit");
+                if space.is_symmetric() {
+                    assert_eq!(d(&a, &b).to_bits(), d(&b, &a).to_bits());
+                }
+                assert_eq!([space.turn(&a, &b), space.sweep(&a, &b)], [0.0; 2]);
+                let curve = space.curve(&a, &b).expect("steered motions follow curves");
+                assert!((curve.length() - d(&a, &b)).abs() <= 1e-12 * (size + radius));
+
+                assert_eq!(space.interpolate(&a, &b, 0.0), a);
+                assert_eq!(space.interpolate(&a, &b, 1.0), b);
+                let at = space.interpolate(&a, &b, t);
+                assert_eq!((space.state(space.coordinates(&at)), at[3]), (at, 0.0), "canonical");
+                assert!((d(&a, &at) - t * d(&a, &b)).abs() <= slack, "a fraction of the way");
+                assert!((d(&at, &b) - (1.0 - t) * d(&a, &b)).abs() <= slack, "and the rest");
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn a_box_obeys_the_laws() {
     obeys_the_laws(&Torus::<2>::of_box(&[-3.0, 0.5], &[2.0, 9.0]));
     obeys_the_laws(&Torus::<3>::of_box(&[0.0, 0.0, -1e6], &[1.0, 1e-3, 1e6]));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn placements_obey_the_laws_whatever_a_metre_and_a_radian_count() {
+    for (translation, rotation) in [(0.7, 0.3), (1e-6, 1.0), (3.0, 1e-6), (1e6, 1e6)] {
+        obeys_the_laws(&Torus::<4>::of_placements([0.0, -1.0], [2.0, 5.0], translation, rotation));
+    }
+    let space = Torus::<4>::of_placements([0.0, 0.0], [2.0, 2.0], 0.7, 0.3);
+    let [a, b] = [[0.0, 0.0, 3.0], [0.3, 0.4, -3.0]].map(|q| space.state(&q));
+    assert!((space.distance(&a, &b) - (0.7 * 0.5 + 0.3 * (TAU - 6.0))).abs() < 1e-15);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

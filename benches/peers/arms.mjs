@@ -12,6 +12,15 @@ const LIMIT = 0.1;
 /** Radians in the sum metric between two configurations that a peer checks on an edge of its trees. */
 const RESOLUTION = 0.05;
 
+/** The same for a body, in its metric, and how far a peer's tree grows at once. */
+const BODY = { resolution: 0.01, range: 0.3 };
+
+/** Seconds after which a car is given up. */
+const CAR_LIMIT = 5;
+
+/** Steps of 0.01 s for which a control is held: always as long, as in the reports; and of any length up to a bound. */
+const HELD = { fixed: [250, 250], drawn: [1, 250], short: [1, 50] };
+
 /** The neighbours of the reports' roadmaps. */
 const K = 30;
 
@@ -21,7 +30,9 @@ const K = 30;
  * @returns {Arm[]}
  */
 export function arms(row) {
-  return row.planner === "prm" ? roadmaps(row) : trees(row);
+  if (row.planner === "prm") return roadmaps(row);
+  if (row.planner === "rrt-connect") return row.links > 0 ? trees(row) : bodies();
+  return cars(row.planner);
 }
 
 /**
@@ -80,6 +91,45 @@ function trees({ links }) {
   ];
 }
 
+/** Ours with its default step, and with the one that the peer takes. @returns {Arm[]} */
+function bodies() {
+  const ours = (/** @type {SideName} */ side, /** @type {string} */ name, more = "") => ({
+    name, side,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.json} rrt-connect ${seed} ${runs} ${CAR_LIMIT}${more}`,
+  });
+  return [
+    ours("native", "native"),
+    ours("native", "native, equal steps", ` step=${BODY.range}`),
+    ours("node", "Node"),
+    ours("node", "Node, equal steps", ` step=${BODY.range}`),
+    {
+      name: "OMPL", side: "ompl",
+      job: (world, seed, runs) => `${world.text} body ${seed} ${runs} ${BODY.range} ${BODY.resolution} ${CAR_LIMIT}`,
+    },
+  ];
+}
+
+/**
+ * Ours with its defaults, and the tree with the controls of the reports: held for 2.5 s, one at a time, looked at where they end.
+ * @param {"rrt-control" | "sst"} planner
+ * @returns {Arm[]}
+ */
+function cars(planner) {
+  const ours = (/** @type {SideName} */ side, /** @type {string} */ name, more = "") => ({
+    name, side,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.json} ${planner} ${seed} ${runs} ${CAR_LIMIT}${more}`,
+  });
+  const peer = (/** @type {string} */ name, /** @type {number[]} */ [least, most]) => ({
+    name, side: /** @type {const} */ ("ompl"),
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
+      `${world.text} ${planner === "sst" ? "sst" : "control"} ${seed} ${runs} ${least} ${most} ${CAR_LIMIT}`,
+  });
+  const both = [ours("native", "native"), ours("node", "Node")];
+  if (planner === "sst") return [...both, peer("OMPL", HELD.short), peer("OMPL, longer", HELD.drawn)];
+  const preset = " duration_steps=250 shortest_steps=250 blossom=1 goal_test=ends";
+  return [...both, ours("native", "native, the reports'", preset), ours("node", "Node, the reports'", preset), peer("OMPL", HELD.fixed), peer("OMPL, drawn", HELD.drawn)];
+}
+
 /**
  * Which arm's time is divided by which, and what the ratio is to be.
  * @typedef {{ name: string, over: string, under: string, least?: number, most?: number }} Comparison
@@ -111,6 +161,20 @@ export const comparisons = {
     { name: "OMPL, range 0.5 / native", over: "OMPL, range 0.5", under: "native" },
     { name: "OMPL, coarse / native", over: "OMPL, coarse", under: "native" },
     { name: "OxMPL / native", over: "OxMPL", under: "native" },
+    { name: "OMPL / native, equal steps", over: "OMPL", under: "native, equal steps", least: 1 },
+    { name: "Node, equal steps / OMPL", over: "Node, equal steps", under: "OMPL", most: 1.5 },
     { name: "Node / native", over: "Node", under: "native", most: 2 },
+  ],
+  "rrt-control": [
+    { name: "OMPL / native", over: "OMPL", under: "native", least: 1 },
+    { name: "OMPL / native, the reports'", over: "OMPL", under: "native, the reports'", least: 1 },
+    { name: "OMPL, drawn / native", over: "OMPL, drawn", under: "native" },
+    { name: "Node / OMPL", over: "Node", under: "OMPL", most: 1.5 },
+    { name: "Node, the reports' / OMPL", over: "Node, the reports'", under: "OMPL", most: 1.5 },
+  ],
+  sst: [
+    { name: "OMPL / native", over: "OMPL", under: "native", least: 1 },
+    { name: "OMPL, longer / native", over: "OMPL, longer", under: "native" },
+    { name: "Node / OMPL", over: "Node", under: "OMPL", most: 1.5 },
   ],
 };

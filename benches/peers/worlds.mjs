@@ -11,18 +11,22 @@ import { join } from "node:path";
 /**
  * @typedef {object} Row  one job on one kind of world
  * @property {string} name
- * @property {"prm" | "rrt-connect"} planner
+ * @property {"prm" | "rrt-connect" | "rrt-control" | "sst"} planner
  * @property {import("planarium").GeneratorId} generator
  * @property {Record<string, string | number>} options
- * @property {number} links
+ * @property {number} links  of an arm; 0 of a body or a car
  */
 
-/** The jobs: the reports' roadmaps, and single queries in their forests and two other kinds of world. @type {Row[]} */
+/** The jobs: the reports' roadmaps, single queries in their forests and two other kinds of world, bodies, and cars by controls. @type {Row[]} */
 export const rows = [
   ...[2, 3, 4].map((links) => row("prm", "forest", { links }, `forest ${links}R`, links)),
   ...[2, 3, 4].map((links) => row("rrt-connect", "forest", { links }, `forest ${links}R`, links)),
   row("rrt-connect", "discs", { robot: "arm", links: 3, count: 12, largest: 0.1 }, "discs 3R, thick links", 3),
   row("rrt-connect", "clutter", { robot: "arm", links: 4, radius: 0 }, "clutter 4R", 4),
+  row("rrt-connect", "clutter", { robot: "rigid_body", count: 8, smallest: 0.12, largest: 0.26 }, "body in clutter", 0),
+  row("rrt-connect", "gap", { robot: "rigid_body", width: 0.14, thickness: 0.2 }, "body through a gap", 0),
+  row("rrt-control", "clutter", { robot: "car", count: 8, smallest: 0.12, largest: 0.26 }, "car in clutter", 0),
+  row("sst", "clutter", { robot: "car", count: 8, smallest: 0.12, largest: 0.26 }, "car in clutter", 0),
 ];
 
 /** How many samples the roadmap of a report has for an arm of so many links. @param {number} links */
@@ -37,7 +41,8 @@ export const samples = (links) => 300 * links - 200;
  * @returns {Row}
  */
 function row(planner, generator, options, place, links) {
-  return { name: `${planner === "prm" ? "k-PRM" : "RRT-Connect"}, ${place}`, planner, generator, options, links };
+  const name = { prm: "k-PRM", "rrt-connect": "RRT-Connect", "rrt-control": "RRT by controls", sst: "SST" }[planner];
+  return { name: `${name}, ${place}`, planner, generator, options, links };
 }
 
 /**
@@ -63,18 +68,32 @@ export function writeWorlds(Scenario, { name, generator, options }, count, folde
 }
 
 /**
- * The document of an arm on circles, among convex polygons and discs, as flat text; polygons counter-clockwise.
+ * The document of an arm on circles, a convex body or a car, among convex polygons and discs, as flat text; polygons
+ * counter-clockwise.
  * @param {ScenarioDocument} document
  */
 export function flat({ world, robot, queries: [query] }) {
-  if (robot.type !== "arm" || robot.joint_limits !== undefined) throw new Error("the peers know arms without joint limits only");
   /** @type {(string | number)[][]} */
-  const items = [["base", ...robot.base], ["radius", robot.radius ?? 0], ["links", ...robot.links], ["start", ...query.start], ["goal", ...query.goal]];
+  const items = [...machine(robot), ["start", ...query.start], ["goal", ...query.goal]];
+  if (query.goal_tolerance) items.push(["tolerance", query.goal_tolerance.translation, query.goal_tolerance.rotation]);
   if (world.bounds) items.push(["bounds", ...world.bounds.min, ...world.bounds.max]);
   for (const obstacle of world.obstacles) {
     items.push(obstacle.type === "disc" ? ["disc", ...obstacle.center, obstacle.radius] : ["polygon", ...counterClockwise(obstacle.vertices).flat()]);
   }
   return items.map((item) => `${item.join(" ")}\n`).join("");
+}
+
+/**
+ * The items of the robot.
+ * @param {ScenarioDocument["robot"]} robot
+ * @returns {(string | number)[][]}
+ */
+function machine(robot) {
+  if (robot.type === "disc" || (robot.type === "arm" && robot.joint_limits !== undefined)) throw new Error("the peers know arms without joint limits, bodies and cars");
+  if (robot.type === "arm") return [["base", ...robot.base], ["radius", robot.radius ?? 0], ["links", ...robot.links]];
+  const shape = ["shape", ...counterClockwise(robot.shape.vertices).flat()];
+  if (robot.type === "rigid_body") return [shape];
+  return [shape, ["wheelbase", robot.wheelbase], ["speed", ...robot.speed], ["steering", ...robot.steering]];
 }
 
 /** The corners of a convex polygon in counter-clockwise order. @param {readonly (readonly number[])[]} corners */

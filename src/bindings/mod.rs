@@ -5,9 +5,11 @@
 //! `code` and `pointer`.
 
 mod convert;
+mod drive;
 mod planner;
 mod scenario;
 
+pub use drive::RawDrive;
 pub use planner::RawPlanner;
 pub use scenario::RawScenario;
 

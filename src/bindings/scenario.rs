@@ -1,7 +1,10 @@
 //! A scenario in JavaScript's hands.
 
-use super::RawPlanner;
 use super::convert::{count, options, throw};
+use super::drive::told;
+use super::{RawDrive, RawPlanner};
+use crate::control::{Control, Motion};
+use crate::drive::{self, Drive};
 use crate::inspect::Inspector;
 use crate::json::Node;
 use crate::kept::RoadmapDocument;
@@ -153,5 +156,20 @@ impl RawScenario {
             run::resume(&self.scenario, &wanted, &document)
         });
         run.map(RawPlanner::new).map_err(throw)
+    }
+
+    /// Begins a drive from `q`, or where it is empty from the start of the first query.
+    pub fn drive(&self, q: &[f64]) -> Result<RawDrive, JsValue> {
+        let start = (!q.is_empty()).then_some(q);
+        Drive::new(&self.scenario, start).map(RawDrive::new).map_err(throw)
+    }
+
+    /// One control held for a while: what blocks it (as in the state of a drive), for how long it is free, and then the poses.
+    pub fn rollout(&self, q: &[f64], v: f64, phi: f64, duration: f64) -> Result<Vec<f64>, JsValue> {
+        let motion = Motion { control: Control { speed: v, steering: phi }, duration };
+        let rollout = drive::rollout(&self.scenario, q, motion).map_err(throw)?;
+        let mut numbers = vec![told(rollout.blocked), rollout.seconds];
+        numbers.extend(rollout.poses.concat());
+        Ok(numbers)
     }
 }

@@ -12,8 +12,10 @@
 
 mod arm;
 mod body;
+mod body_validity;
 mod boxes;
 mod disc;
+mod driving;
 mod motion;
 mod obstacles;
 mod proof;
@@ -22,7 +24,9 @@ mod tolerance;
 
 pub use arm::{ArmValidity, joint_space};
 pub use body::BodyCollision;
+pub use body_validity::{BodyValidity, placements};
 pub use disc::{DiscValidity, plane};
+pub use driving::{Driving, Integration};
 pub use motion::{BodyMotion, LONGEST_TURN};
 pub use obstacles::Obstacles;
 pub use sampled::Sampled;

@@ -1,4 +1,4 @@
-//! What happened besides growth: samples rejected, edges refused, vertices expanded, solutions found.
+//! What happened besides growth: samples rejected, edges refused, vertices expanded or removed, solutions found.
 
 use super::VertexId;
 
@@ -17,6 +17,8 @@ pub enum EventKind {
     SampleDiscarded = 4,
     /// The vertex became a guard of a visibility roadmap.
     GuardAdded = 5,
+    /// The vertex and the edge that leads to it were taken out of the tree: others do better. Its number is not used again.
+    VertexRemoved = 6,
 }
 
 /// One event.

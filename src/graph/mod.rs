@@ -14,6 +14,7 @@ pub use event::{Event, EventKind};
 pub use fingerprint::Fingerprint;
 pub use union_find::UnionFind;
 
+use crate::control::Motion;
 use crate::space::Space;
 
 /// The number of a vertex, from 0 in the order of birth; never reused.
@@ -35,6 +36,7 @@ pub struct Graph<S: Space> {
     vertex_births: Vec<u32>,
     edges: Vec<[VertexId; 2]>,
     edge_births: Vec<u32>,
+    motions: Vec<Motion>,
     events: Vec<Event<S::State>>,
 }
 
@@ -45,6 +47,7 @@ impl<S: Space> Default for Graph<S> {
             vertex_births: Vec::new(),
             edges: Vec::new(),
             edge_births: Vec::new(),
+            motions: Vec::new(),
             events: Vec::new(),
         }
     }
@@ -63,6 +66,13 @@ impl<S: Space> Graph<S> {
     pub fn add_edge(&mut self, iteration: u32, from: VertexId, to: VertexId) {
         self.edges.push([from, to]);
         self.edge_births.push(iteration);
+    }
+
+    /// Adds an edge that the motion leads along. The edges of a graph are all driven, or none is.
+    pub fn add_driven_edge(&mut self, iteration: u32, from: VertexId, to: VertexId, motion: Motion) {
+        debug_assert_eq!(self.motions.len(), self.edges.len(), "an edge of this graph is not driven");
+        self.add_edge(iteration, from, to);
+        self.motions.push(motion);
     }
 
     /// Adds an event.
@@ -86,13 +96,19 @@ impl<S: Space> Graph<S> {
         &self.edges
     }
 
+    /// What leads along each edge; empty where edges are not driven.
+    pub fn motions(&self) -> &[Motion] {
+        &self.motions
+    }
+
     /// The events.
     pub fn events(&self) -> &[Event<S::State>] {
         &self.events
     }
 
     /// 64-bit FNV-1a over the little-endian bytes of everything in the order of its creation: all vertices (coordinates,
-    /// birth), then all edges (both ends, birth), then all events. O(size).
+    /// birth), then all edges (both ends, birth), then what is driven along them, where it is (speed, steering, duration), then all
+    /// events. O(size).
     pub fn fingerprint(&self, space: &S) -> u64 {
         let mut hash = Fingerprint::new();
         for (state, &birth) in self.states.iter().zip(&self.vertex_births) {
@@ -101,6 +117,9 @@ impl<S: Space> Graph<S> {
         }
         for (&[from, to], &birth) in self.edges.iter().zip(&self.edge_births) {
             [from.0, to.0, birth].into_iter().for_each(|id| hash.integer(u64::from(id)));
+        }
+        for Motion { control, duration } in &self.motions {
+            hash.numbers(&[control.speed, control.steering, *duration]);
         }
         for event in &self.events {
             hash.integer(event.kind as u64);

@@ -15,6 +15,7 @@ pub use json::FORMAT;
 
 use crate::decimal::Decimal;
 use crate::error::{Code, Error};
+use crate::json::Node;
 use crate::space::MAX_DIMENSION;
 use std::f64::consts::{PI, TAU};
 
@@ -32,7 +33,7 @@ pub struct RoadmapDocument {
     pub circles: Vec<bool>,
     /// The id of the planner that built it.
     pub planner: String,
-    /// The metric: `sum`, `euclidean` or `naive`.
+    /// The metric: `sum`, `euclidean`, `naive`, or of placements what [`placement_metric`] says.
     pub metric: String,
     /// To how many neighbours a vertex is joined, 1 to 20 million.
     pub k: u32,
@@ -97,7 +98,14 @@ impl RoadmapDocument {
             let gap = (at(a, i) - at(b, i)).abs();
             if is_circle && gap > PI { TAU - gap } else { gap }
         });
-        if self.metric == "sum" { gaps.sum() } else { gaps.map(|gap| gap * gap).sum::<f64>().sqrt() }
+        match (placement_weights(&self.metric), dimension) {
+            (Some([translation, rotation]), 3) => {
+                let gaps: Vec<f64> = gaps.collect();
+                translation * (gaps[0] * gaps[0] + gaps[1] * gaps[1]).sqrt() + rotation * gaps[2]
+            }
+            _ if self.metric == "sum" => gaps.sum(),
+            _ => gaps.map(|gap| gap * gap).sum::<f64>().sqrt(),
+        }
     }
 
     /// Refuses a document that contradicts itself, so that all that is read from it afterwards exists.
@@ -139,6 +147,19 @@ impl RoadmapDocument {
         }
         Ok(())
     }
+}
+
+/// How a document names the metric of placements (x, y, theta) with these weights.
+pub fn placement_metric(translation: f64, rotation: f64) -> String {
+    format!("{} translation + {} rotation", Decimal(translation), Decimal(rotation))
+}
+
+/// The weights in such a name.
+fn placement_weights(metric: &str) -> Option<[f64; 2]> {
+    let (translation, rest) = metric.split_once(" translation + ")?;
+    let rotation = rest.strip_suffix(" rotation")?;
+    let number = |text| if let Ok(Node::Number(weight)) = Node::parse(text) { Some(weight) } else { None };
+    Some([number(translation)?, number(rotation)?])
 }
 
 /// The error for a document that is damaged.

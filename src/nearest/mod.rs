@@ -1,7 +1,8 @@
 //! Nearest neighbours among states.
 //!
 //! Ties go to the lower vertex number, so every exact index gives the same answer, to the bit. Planners use [`Index`], which
-//! is a [`LinearScan`] of few states and a [`KdTree`] of many; [`Forest`] is approximate, for many dimensions.
+//! is a [`LinearScan`] of few states and a [`KdTree`] of many; [`Forest`] is approximate, for many dimensions. Scan, tree and
+//! forest need a space whose norm is its distance; [`Index`] serves all, and distances in either [`Way`].
 
 mod closest;
 mod forest;
@@ -9,11 +10,13 @@ mod index;
 mod kd_tree;
 mod linear;
 mod packs;
+mod ranked;
 
 pub use forest::{Forest, ForestParameters, recall};
 pub use index::Index;
 pub use kd_tree::KdTree;
 pub use linear::LinearScan;
+pub use ranked::Way;
 
 use crate::graph::VertexId;
 use crate::space::Space;

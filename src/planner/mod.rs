@@ -3,7 +3,9 @@
 //! A planner sees a space and what is free in it, never a robot or an obstacle. It owns its graph and its generator, so
 //! that stepping in any slices gives the same result.
 
+mod active;
 mod catalogue;
+mod driven_tree;
 mod parameters;
 mod prm;
 mod pseudocode;
@@ -11,10 +13,12 @@ mod query;
 mod roadmap;
 mod rrt;
 mod rrt_connect;
+mod rrt_control;
 mod table;
 mod visibility_prm;
 
 pub use catalogue::{DEFAULT_PLANNER, DEFAULT_TOLERANCE, PlannerInfo, catalogue, planner_info, planners};
+pub use driven_tree::{Blocked, Durations, GoalTest};
 pub use parameters::{Fallback, Kind, ParameterInfo, Parameters, Value};
 pub use prm::{Order, Prm, PrmOptions, logarithmic_k, prm_star_k};
 pub use pseudocode::{Mark, PseudocodeLine};
@@ -22,11 +26,13 @@ pub use query::{Algorithm, Cost, Heuristic, SearchRules};
 pub use roadmap::{Answer, Connection, Roadmap};
 pub use rrt::{Extend, GoalBias, Rrt, RrtOptions};
 pub use rrt_connect::RrtConnect;
+pub use rrt_control::{Blossom, Late, Origin, RrtControl, RrtControlOptions};
 pub use visibility_prm::VisibilityPrm;
 
 pub use crate::phase::Phase;
 pub use crate::status::Status;
 
+use crate::control::Motion;
 use crate::graph::{Graph, VertexId};
 use crate::problem::Problem;
 use crate::space::Space;
@@ -61,6 +67,11 @@ pub trait Planner<S: Space> {
 
     /// What was asked so far.
     fn counters(&self) -> Counters;
+
+    /// What is driven from vertex to vertex of a path of this planner, of planners by controls; empty where edges are straight.
+    fn motions(&self, _path: &[VertexId]) -> Vec<Motion> {
+        Vec::new()
+    }
 
     /// The vertices of the path from the start to the vertex nearest to the goal, of planners that have one; else empty.
     fn approximate_path(&self) -> Vec<VertexId> {

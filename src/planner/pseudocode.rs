@@ -29,11 +29,13 @@ pub enum Mark {
     Discarded,
     /// A vertex became a guard.
     Guard,
+    /// A vertex was taken out of the tree.
+    Removed,
 }
 
 impl Mark {
     /// Every mark.
-    pub const ALL: [Mark; 15] = [
+    pub const ALL: [Mark; 16] = [
         Mark::In(Phase::Sampling),
         Mark::In(Phase::Connecting),
         Mark::In(Phase::Guarding),
@@ -49,6 +51,7 @@ impl Mark {
         Mark::Solved,
         Mark::Discarded,
         Mark::Guard,
+        Mark::Removed,
     ];
 
     /// The word that it is written as.
@@ -63,6 +66,7 @@ impl Mark {
             Mark::Solved => "solved",
             Mark::Discarded => "discarded",
             Mark::Guard => "guard",
+            Mark::Removed => "removed",
         }
     }
 
@@ -75,6 +79,7 @@ impl Mark {
             EventKind::SolutionFound => Mark::Solved,
             EventKind::SampleDiscarded => Mark::Discarded,
             EventKind::GuardAdded => Mark::Guard,
+            EventKind::VertexRemoved => Mark::Removed,
         }
     }
 }

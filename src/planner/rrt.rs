@@ -34,6 +34,16 @@ pub enum GoalBias {
     Every(u32),
 }
 
+impl GoalBias {
+    /// Whether the tree grows towards the goal in this iteration.
+    pub(super) fn is_due(self, iteration: u32, random: &mut Random) -> bool {
+        match self {
+            GoalBias::Share(share) => share > 0.0 && random.uniform() < share,
+            GoalBias::Every(n) => iteration.is_multiple_of(n),
+        }
+    }
+}
+
 /// How a tree grows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RrtOptions {
@@ -73,11 +83,7 @@ impl<S: Space> Rrt<S> {
 
     /// Where to grow this time; `None` where the sampler has nothing.
     fn target(&mut self, problem: &Problem<S>, iteration: u32) -> Option<S::State> {
-        let is_goal = match self.options.bias {
-            GoalBias::Share(share) => share > 0.0 && self.random.uniform() < share,
-            GoalBias::Every(n) => iteration.is_multiple_of(n),
-        };
-        if is_goal {
+        if self.options.bias.is_due(iteration, &mut self.random) {
             return Some(*problem.goal());
         }
         let sample = self.sampler.draw(problem, &mut self.counters.configuration_checks);

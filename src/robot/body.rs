@@ -1,7 +1,7 @@
 //! A rigid body that translates and turns: any simple polygon.
 
 use super::{Part, Weights};
-use crate::geometry::{Point, Polygon};
+use crate::geometry::Polygon;
 
 /// A rigid body. A configuration is (x, y, theta): where the origin of the shape's own frame is, in metres, and by how much
 /// the frame is turned, in radians.
@@ -32,16 +32,6 @@ impl RigidBody {
     /// # Panics
     /// Where `q` has fewer than three entries.
     pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
-        vec![Part::Polygon { vertices: place(&self.shape, q) }]
+        vec![Part::Polygon { vertices: self.shape.placed([q[0], q[1], q[2]]).vertices().to_vec() }]
     }
-}
-
-/// The corners of the shape placed at (x, y, theta). O(corners).
-///
-/// # Panics
-/// Where `q` has fewer than three entries.
-pub fn place(shape: &Polygon, q: &[f64]) -> Vec<Point> {
-    let (sin, cos) = libm::sincos(q[2]);
-    let turned = |p: &Point| Point::new(q[0] + (cos * p.x - sin * p.y), q[1] + (sin * p.x + cos * p.y));
-    shape.vertices().iter().map(turned).collect()
 }

@@ -5,7 +5,7 @@
 //! "Planning Algorithms", section 13.1.2.
 
 use super::range::{LARGEST, check_range, not_finite};
-use super::{Part, Weights, place};
+use super::{Part, Weights};
 use crate::decimal::Decimal;
 use crate::error::{Code, Error};
 use crate::geometry::Polygon;
@@ -89,7 +89,7 @@ impl Car {
     /// # Panics
     /// Where `q` has fewer than three entries.
     pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
-        vec![Part::Polygon { vertices: place(&self.shape, q) }]
+        vec![Part::Polygon { vertices: self.shape.placed([q[0], q[1], q[2]]).vertices().to_vec() }]
     }
 }
 

@@ -11,7 +11,7 @@ mod range;
 mod weights;
 
 pub use arm::{Arm, MAX_LINKS};
-pub use body::{RigidBody, place};
+pub use body::RigidBody;
 pub use car::Car;
 pub use disc::DiscRobot;
 pub use footprint::Part;

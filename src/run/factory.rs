@@ -3,16 +3,21 @@
 use super::runner::{Runner, Ticket};
 use super::{Options, Run};
 use super::{choices, resume};
-use crate::collision::{ArmValidity, DiscValidity, Sampled, joint_space, plane};
+use crate::collision::{
+    ArmValidity, BodyCollision, BodyValidity, DiscValidity, Driving, Integration, Sampled, joint_space, placements,
+    plane,
+};
+use crate::control::Dynamics;
 use crate::error::{Code, Error};
-use crate::kept::{RoadmapDocument, fingerprint};
+use crate::kept::{RoadmapDocument, fingerprint, placement_metric};
 use crate::path::Wanted;
 use crate::planner::{Connection, Parameters, PlannerInfo, planner_info};
-use crate::problem::{Estimate, Problem};
-use crate::robot::{Arm, DiscRobot};
-use crate::scenario::{Robot, Scenario};
+use crate::problem::{Estimate, GoalRegion, Problem};
+use crate::robot::{Arm, DiscRobot, Weights};
+use crate::scenario::{GoalTolerance, Robot, Scenario};
 use crate::space::{MAX_DIMENSION, Metric, Space, Torus};
 use crate::validity::Validity;
+use std::rc::Rc;
 
 /// The smaller size of states: most robots have no more coordinates. In WebAssembly one size serves all, which costs a tenth
 /// of the speed and saves a tenth of the module.
@@ -51,13 +56,20 @@ pub(super) fn launch(
         },
         is_sampled: parameters.text("edge_check") == Some("sampled"),
     };
-    let launch = Launch { scenario, parameters, ticket, kept, ends: [&query.start, &query.goal] };
+    let launch = Launch {
+        scenario,
+        parameters,
+        ticket,
+        kept,
+        ends: [&query.start, &query.goal],
+        goal_tolerance: query.goal_tolerance,
+    };
     // Entries past the dimension are 0 and change no bit: two sizes at most serve every robot.
     let run = match scenario.robot() {
         Robot::Arm(arm) if arm.links().len() <= SMALL => launch.arm::<SMALL>(arm),
         Robot::Arm(arm) => launch.arm::<MAX_DIMENSION>(arm),
         Robot::Disc(disc) => launch.disc(disc),
-        Robot::RigidBody(_) | Robot::Car(_) => unimplemented!("bodies are on their way"),
+        robot @ (Robot::RigidBody(_) | Robot::Car(_)) => launch.placed(robot),
     };
     let in_query = |error: &Error| matches!(error.code(), Code::StartInCollision | Code::GoalInCollision);
     run.map_err(|error| if in_query(&error) { error.under(&format!("/queries/{place}")) } else { error })
@@ -71,6 +83,32 @@ struct Launch<'a> {
     /// The roadmap to go on with.
     kept: Option<&'a RoadmapDocument>,
     ends: [&'a [f64]; 2],
+    goal_tolerance: Option<GoalTolerance>,
+}
+
+/// What a problem has beside space, validity and ends.
+struct Extras<S> {
+    end_effector: Estimate<S>,
+    goal_region: Option<GoalRegion<S>>,
+    dynamics: Option<Box<dyn Dynamics<S>>>,
+}
+
+impl<S> Extras<S> {
+    /// Nothing but the estimate.
+    fn of(end_effector: Estimate<S>) -> Self {
+        Self { end_effector, goal_region: None, dynamics: None }
+    }
+
+    fn added_to<P: Space<State = S>>(self, mut problem: Problem<P>) -> Problem<P> {
+        problem = problem.with_end_effector(self.end_effector);
+        if let Some(region) = self.goal_region {
+            problem = problem.with_goal_region(region);
+        }
+        if let Some(dynamics) = self.dynamics {
+            problem = problem.with_dynamics(dynamics);
+        }
+        problem
+    }
 }
 
 impl Launch<'_> {
@@ -87,7 +125,35 @@ impl Launch<'_> {
         let proven = Box::new(validity().fitted(&start, &goal));
         let finest = self.kept.map(|_| -> Box<dyn Validity<_>> { Box::new(validity().finest()) });
         let estimate = from_end_effector(arm, metric);
-        self.plan(space, proven, finest, [start, goal], Box::new(move |a, b| estimate(a, b)))
+        self.plan(space, proven, finest, [start, goal], Extras::of(Box::new(move |a, b| estimate(a, b))))
+    }
+
+    fn placed(self, robot: &Robot) -> Result<Box<dyn Run>, Error> {
+        if let Some(word) = self.parameters.text("metric") {
+            let sentence = format!("the metric of a body is its scenario's, not \"{word}\"");
+            return Err(Error::new(Code::OutOfRange, "/metric", sentence));
+        }
+        let (shape, weights) = robot.placed_shape().expect("a body has a shape");
+        let world = self.scenario.world();
+        let space: Torus<SMALL> = placements(shape, weights, &world.bounds.expect("a body has bounds"));
+        let ends = self.ends.map(|q| space.state(q));
+        let collision = || BodyCollision::new(shape, world, self.tolerance());
+        let [start, goal] = ends.map(|q| [q[0], q[1], q[2]]);
+        let fitted = Rc::new(collision().fitted(&start, &goal));
+        let validity = |collision| -> Box<dyn Validity<_>> { Box::new(BodyValidity::new(space.clone(), collision)) };
+        let proven = validity(Rc::clone(&fitted));
+        let finest = self.kept.map(|_| validity(Rc::new(collision().finest())));
+        let measure = space.clone();
+        let end_effector: Estimate<_> = Box::new(move |a, b| measure.distance(a, b));
+        let goal_region = self.goal_tolerance.map(|region| goal_region(space.clone(), ends[1], weights, region));
+        let dynamics = if let Robot::Car(car) = robot {
+            let is_euler = self.parameters.text("integration") == Some("euler");
+            let integration = if is_euler { Integration::Euler } else { Integration::Exact };
+            Some(Box::new(Driving::new(car, space.clone(), fitted, integration)) as Box<dyn Dynamics<_>>)
+        } else {
+            None
+        };
+        self.plan(space, proven, finest, ends, Extras { end_effector, goal_region, dynamics })
     }
 
     fn disc(self, disc: &DiscRobot) -> Result<Box<dyn Run>, Error> {
@@ -102,7 +168,7 @@ impl Launch<'_> {
         let measure = space.clone();
         let proven = Box::new(DiscValidity::new(disc, world));
         let finest = self.kept.map(|_| -> Box<dyn Validity<_>> { Box::new(DiscValidity::new(disc, world)) });
-        self.plan(space, proven, finest, ends, Box::new(move |a, b| measure.distance(a, b)))
+        self.plan(space, proven, finest, ends, Extras::of(Box::new(move |a, b| measure.distance(a, b))))
     }
 
     /// The wanted tolerance, as a fraction of the world's longer side.
@@ -117,7 +183,7 @@ impl Launch<'_> {
         proven: Box<dyn Validity<S::State>>,
         finest: Option<Box<dyn Validity<S::State>>>,
         [start, goal]: [S::State; 2],
-        end_effector: Estimate<S::State>,
+        extras: Extras<S::State>,
     ) -> Result<Box<dyn Run>, Error> {
         let places = self.ticket.is_sampled.then(|| self.parameters.integer("edge_samples") as u32);
         let checked = |proven: Box<dyn Validity<S::State>>| -> Box<dyn Validity<S::State>> {
@@ -126,7 +192,7 @@ impl Launch<'_> {
                 None => proven,
             }
         };
-        let problem = Problem::new(space.clone(), checked(proven), start, goal)?.with_end_effector(end_effector);
+        let problem = extras.added_to(Problem::new(space.clone(), checked(proven), start, goal)?);
         let seed = self.ticket.seed;
         let planner = match self.kept.zip(finest) {
             Some((document, finest)) => {
@@ -142,13 +208,16 @@ impl Launch<'_> {
 
     /// How the roadmap of this run will be kept, without vertices and edges.
     fn empty_document(&self, connection: Connection, circles: Vec<bool>, edge_samples: Option<u32>) -> RoadmapDocument {
-        let default = if matches!(self.scenario.robot(), Robot::Arm(_)) { "sum" } else { "euclidean" };
+        let default = match self.scenario.robot() {
+            Robot::Arm(_) => "sum".to_owned(),
+            robot => only_metric(robot),
+        };
         RoadmapDocument {
             scenario: self.scenario.name().to_owned(),
             fingerprint: fingerprint(self.scenario),
             circles,
             planner: self.ticket.planner.to_owned(),
-            metric: self.parameters.text("metric").unwrap_or(default).to_owned(),
+            metric: self.parameters.text("metric").map_or(default, str::to_owned),
             k: connection.k as u32,
             radius: connection.radius,
             edge_samples,
@@ -156,6 +225,29 @@ impl Launch<'_> {
             vertices: Vec::new(),
             edges: Vec::new(),
         }
+    }
+}
+
+/// The placements within the tolerance of the goal.
+fn goal_region<const N: usize>(
+    space: Torus<N>,
+    goal: [f64; N],
+    weights: Weights,
+    GoalTolerance { translation, rotation }: GoalTolerance,
+) -> GoalRegion<[f64; N]> {
+    let reach = weights.translation * translation + weights.rotation * rotation;
+    let contains = move |q: &[f64; N]| {
+        let gap = space.difference(q, &goal);
+        (gap[0] * gap[0] + gap[1] * gap[1]).sqrt() <= translation && gap[2].abs() <= rotation
+    };
+    GoalRegion { contains: Box::new(contains), reach }
+}
+
+/// The metric of a robot that has only one, as a roadmap is kept with it.
+pub(super) fn only_metric(robot: &Robot) -> String {
+    match robot.placed_shape() {
+        Some((_, weights)) => placement_metric(weights.translation, weights.rotation),
+        None => "euclidean".to_owned(),
     }
 }
 

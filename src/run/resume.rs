@@ -1,6 +1,6 @@
 //! Going on with a roadmap that was kept: whether it belongs here, whether all of it is free, and what may be asked of it.
 
-use super::factory::launch;
+use super::factory::{launch, only_metric};
 use super::{Options, Run};
 use crate::decimal::Row;
 use crate::error::{Code, Error, quoted};
@@ -42,8 +42,11 @@ pub fn resume(scenario: &Scenario, options: &Options, document: &RoadmapDocument
         let sentence = format!("this robot has {dimension} coordinates, not {}", document.dimension());
         return Err(damaged("/dimension", sentence));
     }
-    if matches!(scenario.robot(), Robot::Disc(_)) && document.metric != "euclidean" {
-        return Err(damaged("/metric", format!("the metric of a disc is euclidean, not {}", quoted(&document.metric))));
+    let robot = scenario.robot();
+    let only = (!matches!(robot, Robot::Arm(_))).then(|| only_metric(robot));
+    if let Some(metric) = only.filter(|metric| document.metric != *metric) {
+        let sentence = format!("the metric of this robot is {metric}, not {}", quoted(&document.metric));
+        return Err(damaged("/metric", sentence));
     }
     // Roadmaps are what is searched.
     let is_roadmap = |info: &&PlannerInfo| info.parameters.iter().any(|parameter| parameter.name == "search");
@@ -55,16 +58,23 @@ pub fn resume(scenario: &Scenario, options: &Options, document: &RoadmapDocument
         return Err(Error::new(Code::OutOfRange, "/algorithm", sentence));
     }
     options.check_seed()?;
-    launch(scenario, options, info, parameters(info, options, document)?, Some(document))
+    // A parameter chooses among metrics; the one of placements is the scenario's.
+    let metric = robot.placed_shape().is_none().then_some(document.metric.as_str());
+    launch(scenario, options, info, parameters(info, options, document, metric)?, Some(document))
 }
 
 /// The parameters of the run: what the document holds, and of those given what may be.
-fn parameters(info: &PlannerInfo, options: &Options, document: &RoadmapDocument) -> Result<Parameters, Error> {
+fn parameters(
+    info: &PlannerInfo,
+    options: &Options,
+    document: &RoadmapDocument,
+    metric: Option<&str>,
+) -> Result<Parameters, Error> {
     let number = |name: &str, value: f64| (name.to_owned(), Value::Number(value));
     let text = |name: &str, value: &str| (name.to_owned(), Value::Text(value.to_owned()));
     let edge_check = if document.edge_samples.is_some() { "sampled" } else { "proven" };
-    let mut all =
-        vec![text("metric", &document.metric), text("edge_check", edge_check), number("tolerance", document.tolerance)];
+    let mut all = vec![text("edge_check", edge_check), number("tolerance", document.tolerance)];
+    all.extend(metric.map(|metric| text("metric", metric)));
     all.extend(document.edge_samples.map(|places| number("edge_samples", f64::from(places))));
     Parameters::resolve(info.parameters, &all).map_err(|error| damaged(error.pointer(), error.message()))?;
     let held = [&all[..], &[number("k", f64::from(document.k)), number("radius", document.radius)]].concat();

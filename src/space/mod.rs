@@ -5,13 +5,16 @@
 
 mod angle;
 mod gap;
+mod motion;
 mod torus;
 
 pub use angle::{angular_distance, unwind, wrap};
 pub use gap::{gap, gap_to_interval};
+pub use motion::MotionSpace;
 pub use torus::{Joint, Metric, Torus};
 
 use crate::random::Random;
+use crate::steering::Curve;
 
 /// The most numbers that a configuration has.
 pub const MAX_DIMENSION: usize = 8;
@@ -33,7 +36,8 @@ pub trait Space {
     /// Where there are fewer numbers than `dimension`.
     fn state(&self, coordinates: &[f64]) -> Self::State;
 
-    /// The distance between two states: symmetric, 0 for equal ones, and never longer than a way round.
+    /// The distance from `a` to `b`: 0 for equal states, never longer than a way round, but for rounding, and symmetric where
+    /// [`Space::is_symmetric`] says so.
     fn distance(&self, a: &Self::State, b: &Self::State) -> f64;
 
     /// The state a fraction `t` in [0, 1] along the motion from `a` to `b`; exactly `a` at 0 and `b` at 1.
@@ -72,8 +76,28 @@ pub trait Space {
     fn period(&self, i: usize) -> f64;
 
     /// The metric as a function of the coordinates' gaps, for `L` pairs of states at once: `gap(i)` gives those of coordinate
-    /// `i`. With [`gap()`] between the numbers of two states it is their `distance`, to the bit; it must not fall where a gap
-    /// grows, in floating point too, which holds for what is made of sums, products and roots of numbers that are not negative.
+    /// `i`. With [`gap()`] between the numbers of two states it is their `distance`, to the bit, or, where
+    /// [`Space::is_norm_exact`] says no, never above it in either direction; it must not fall where a gap grows, in floating point too, which holds for what is made of sums, products and roots of numbers that are not negative.
     /// So with [`gap_to_interval`] it is a lower bound on the distance to every state in a box. O(`L` dimension).
     fn norm<const L: usize>(&self, gap: impl FnMut(usize) -> [f64; L]) -> [f64; L];
+
+    /// Whether all motions can be made back, and `distance` is symmetric, to the bit. Where not, `distance(a, b)` and all
+    /// motions are directed from `a` to `b`.
+    #[inline]
+    fn is_symmetric(&self) -> bool {
+        true
+    }
+
+    /// Whether [`Space::norm`] is the distance, and not only a lower bound.
+    #[inline]
+    fn is_norm_exact(&self) -> bool {
+        true
+    }
+
+    /// The curve that the motion from `a` to `b` follows, in spaces of steered motions; `None` where motions are straight in the
+    /// coordinates. It ends at `b` but for rounding: see [`steering`](crate::steering).
+    fn curve(&self, a: &Self::State, b: &Self::State) -> Option<Curve> {
+        let _ = (a, b);
+        None
+    }
 }

@@ -25,6 +25,27 @@ pub const DISC: &str = r#"{
   "queries": [{"name": "across", "start": [0.2, 0.2], "goal": [1.8, 1.8]}]
 }"#;
 
+/// A document with every field that a scenario with a rigid body may have.
+#[allow(dead_code)] // Not every test that has these documents is about bodies.
+pub const BODY: &str = r#"{
+  "format": "planarium-scenario-1", "name": "body", "title": "A body",
+  "world": {"bounds": {"min": [0, 0], "max": [2, 2]}, "obstacles": [{"type": "disc", "center": [1, 1], "radius": 0.3}]},
+  "robot": {"type": "rigid_body", "shape": {"type": "polygon", "vertices": [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [0, 0], [-0.1, 0.05]]},
+            "metric": {"translation": 0.7, "rotation": 0.3}},
+  "queries": [{"name": "across", "start": [0.2, 0.2, 0], "goal": [1.8, 1.8, 7], "goal_tolerance": {"translation": 0.1, "rotation": 0.5}}]
+}"#;
+
+/// The same with a car.
+#[allow(dead_code)]
+pub const CAR: &str = r#"{
+  "format": "planarium-scenario-1", "name": "car", "title": "A car",
+  "world": {"bounds": {"min": [0, 0], "max": [2, 2]}, "obstacles": [{"type": "disc", "center": [1, 1], "radius": 0.3}]},
+  "robot": {"type": "car", "shape": {"type": "polygon", "vertices": [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]]},
+            "wheelbase": 0.2, "speed": [-0.5, 0.5], "steering": [-0.75, 0.75], "integration_step": 0.02,
+            "metric": {"translation": 0.5, "rotation": 0.25}},
+  "queries": [{"name": "across", "start": [0.2, 0.2, 0], "goal": [1.8, 1.8, -1], "goal_tolerance": {"translation": 0.1, "rotation": 0.5}}]
+}"#;
+
 /// A change to the first place where a piece of a document stands.
 pub fn with(document: &str, piece: &str, replacement: &str) -> String {
     assert!(document.contains(piece), "{piece} does not stand in {document}");

@@ -1,10 +1,16 @@
-// OMPL's side of the benchmark: k-PRM and RRT-Connect for planar arms, one job a line of standard input, one line of JSON each.
+// OMPL's side of the benchmark: planners for planar arms, rigid bodies and cars, one job a line of standard input, one line of JSON each.
 //
 //   FILE prm SEED RUNS samples k space                        build and one query
 //   FILE rrt-connect SEED RUNS range resolution limit space   up to the first path; lengths in radians, the limit in seconds
 //
+//   FILE body SEED RUNS range resolution limit                RRT-Connect for a rigid body; distances in the metric
+//   FILE control SEED RUNS least most limit                   RRT for a car by controls, held for so many steps of 0.01 s
+//   FILE sst SEED RUNS least most limit                       SST, likewise
+//
 // The space is "flat" or "compound", see below, or "plain": flat, with a checker that compares no boxes. Seeds are SEED, SEED + 1, ... Every run has its own planner, space and validity checker; making them is its
 // set-up.
+#include "outcome.h"
+#include "placed.h"
 #include "world.h"
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/ProblemDefinition.h>
@@ -18,18 +24,12 @@
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
-#include <chrono>
 #include <cstdio>
 #include <iostream>
 #include <memory>
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
-
-static double seconds() {
-    using namespace std::chrono;
-    return duration<double>(steady_clock::now().time_since_epoch()).count();
-}
 
 static const double *angles(const ob::State *state) { return state->as<ob::RealVectorStateSpace::StateType>()->values; }
 static double *angles(ob::State *state) { return state->as<ob::RealVectorStateSpace::StateType>()->values; }
@@ -122,12 +122,6 @@ struct Roadmap : og::PRM {
     }
 };
 
-struct Outcome {
-    double setup = 0, build = 0, search = 0, length = 0;
-    bool is_solved = false;
-    size_t motions = 0, vertices = 0, edges = 0;
-};
-
 // A problem of its own for every run.
 struct Task {
     ob::StateSpacePtr space;
@@ -218,7 +212,8 @@ static std::string answer(const std::string &job) {
     words >> a >> b;
     if (planner != "prm") words >> c;
     words >> space;
-    if (space != "flat" && space != "plain" && space != "compound") throw std::runtime_error("not a job: " + job);
+    const bool is_placed = planner == "body" || planner == "control" || planner == "sst";
+    if (!is_placed && space != "flat" && space != "plain" && space != "compound") throw std::runtime_error("not a job: " + job);
     const bool is_flat = space != "compound";
     World world(file);
     world.compares_boxes = space != "plain";
@@ -227,8 +222,11 @@ static std::string answer(const std::string &job) {
     for (unsigned run = 0; run < runs; ++run) {
         // OMPL takes no seed 0.
         ompl::RNG::setSeed(seed + run + 1);
-        const Outcome outcome = planner == "prm" ? prm(world, is_flat, unsigned(a), unsigned(b))
-                                                 : rrt_connect(world, is_flat, a, b, c);
+        const Outcome outcome = planner == "prm"       ? prm(world, is_flat, unsigned(a), unsigned(b))
+                                : planner == "body"    ? body(world, a, b, c)
+                                : planner == "control" ? car(world, false, unsigned(a), unsigned(b), c)
+                                : planner == "sst"     ? car(world, true, unsigned(a), unsigned(b), c)
+                                                       : rrt_connect(world, is_flat, a, b, c);
         out << (run == 0 ? "" : ",") << "{\"setup\":" << outcome.setup << ",\"build\":" << outcome.build << ",\"search\":" << outcome.search
             << ",\"solved\":" << (outcome.is_solved ? "true" : "false") << ",\"length\":" << outcome.length
             << ",\"motions\":" << outcome.motions << ",\"vertices\":" << outcome.vertices << ",\"edges\":" << outcome.edges

@@ -1,4 +1,4 @@
-// A world for planar arms, read from the flat text that the benchmark writes, and the question whether the arm is free in it.
+// A world for planar arms, rigid bodies and cars, read from the flat text that the benchmark writes, and the question whether the robot is free in it.
 //
 // The checker is meant to be as good as a careful user's: obstacles are prepared once, a link is compared with the box of an
 // obstacle first, only then with its edges, and the first touch ends the test. Without boxes it is the checker of the course
@@ -25,6 +25,7 @@ struct Line {
 struct Convex {
     Box box;
     std::vector<Line> edges;  // counter-clockwise: inside is where no side is negative
+    std::vector<double> corners;
 };
 
 struct Disc {
@@ -38,6 +39,11 @@ struct World {
     Box bounds{};
     std::vector<Convex> polygons;
     std::vector<Disc> discs;
+    // Of a body or a car: its convex shape in its own frame, corners counter-clockwise.
+    std::vector<double> shape;
+    // Of a car.
+    double wheelbase = 0;
+    std::vector<double> speed, steering, tolerance;
     // Off for the plain checker, which asks every link about every obstacle.
     bool compares_boxes = true;
 
@@ -45,6 +51,9 @@ struct World {
 
     // Whether the arm at these angles, each relative to the link before, touches no obstacle and stays within the bounds.
     bool is_free(const double *angles) const;
+
+    // The same for the shape placed at (x, y) and turned: by boxes, then by the edges of either polygon as separating lines.
+    bool is_placed_free(double x, double y, double turn) const;
 
 private:
     bool is_link_free(double x0, double y0, double x1, double y1) const;
@@ -103,8 +112,52 @@ inline bool World::is_free(const double *angles) const {
     return true;
 }
 
+// Whether one of the polygon's edges has all of the corners on its outer side.
+inline bool separates(const Convex &polygon, const double *corners, size_t count) {
+    for (const Line &edge : polygon.edges) {
+        bool is_outside = true;
+        for (size_t i = 0; i < count && is_outside; ++i) is_outside = edge.side(corners[2 * i], corners[2 * i + 1]) < 0;
+        if (is_outside) return true;
+    }
+    return false;
+}
+
+// The same for the edges of the corners, counter-clockwise, and the polygon's corners.
+inline bool separates(const double *corners, size_t count, const Convex &polygon) {
+    for (size_t i = 0; i < count; ++i) {
+        const double x = corners[2 * i], y = corners[2 * i + 1];
+        const size_t next = (i + 1) % count;
+        const double along_x = corners[2 * next] - x, along_y = corners[2 * next + 1] - y;
+        bool is_outside = true;
+        for (size_t j = 0; j < polygon.corners.size() && is_outside; j += 2)
+            is_outside = along_x * (polygon.corners[j + 1] - y) - along_y * (polygon.corners[j] - x) < 0;
+        if (is_outside) return true;
+    }
+    return false;
+}
+
+inline bool World::is_placed_free(double x, double y, double turn) const {
+    double corners[64];
+    const double c = std::cos(turn), s = std::sin(turn);
+    Box box{1e300, 1e300, -1e300, -1e300};
+    for (size_t i = 0; i < shape.size(); i += 2) {
+        const double at_x = x + c * shape[i] - s * shape[i + 1], at_y = y + s * shape[i] + c * shape[i + 1];
+        corners[i] = at_x;
+        corners[i + 1] = at_y;
+        box = {std::min(box.left, at_x), std::min(box.bottom, at_y), std::max(box.right, at_x), std::max(box.top, at_y)};
+    }
+    if (box.left < bounds.left || box.right > bounds.right || box.bottom < bounds.bottom || box.top > bounds.top) return false;
+    const size_t count = shape.size() / 2;
+    for (const Convex &polygon : polygons) {
+        const Box &other = polygon.box;
+        if (box.right < other.left || box.left > other.right || box.top < other.bottom || box.bottom > other.top) continue;
+        if (!separates(polygon, corners, count) && !separates(corners, count, polygon)) return false;
+    }
+    return true;
+}
+
 inline Convex convex(const std::vector<double> &corners) {
-    Convex polygon{{corners[0], corners[1], corners[0], corners[1]}, {}};
+    Convex polygon{{corners[0], corners[1], corners[0], corners[1]}, {}, corners};
     for (size_t i = 0; i < corners.size(); i += 2) {
         const double x = corners[i], y = corners[i + 1];
         const size_t next = (i + 2) % corners.size();
@@ -137,6 +190,17 @@ inline World::World(const std::string &file) {
             start = numbers;
         } else if (kind == "goal") {
             goal = numbers;
+        } else if (kind == "shape") {
+            if (numbers.size() > 64) throw std::runtime_error("at most 32 corners");
+            shape = numbers;
+        } else if (kind == "wheelbase") {
+            wheelbase = numbers.at(0);
+        } else if (kind == "speed") {
+            speed = numbers;
+        } else if (kind == "steering") {
+            steering = numbers;
+        } else if (kind == "tolerance") {
+            tolerance = numbers;
         } else if (kind == "bounds") {
             is_bounded = true;
             bounds = {numbers.at(0), numbers.at(1), numbers.at(2), numbers.at(3)};

@@ -192,10 +192,7 @@ impl Scale {
                 arm.reach() + arm.radius()
             }
             Robot::Disc(disc) => disc.radius(),
-            Robot::RigidBody(_) | Robot::Car(_) => {
-                let (shape, _) = robot.placed_shape().expect("both are placed");
-                shape.vertices().iter().map(|corner| corner.coords.norm()).fold(0.0, f64::max)
-            }
+            Robot::RigidBody(_) | Robot::Car(_) => robot.placed_shape().expect("both are placed").0.reach(),
         };
         let coordinates = boxes.iter().flat_map(|b| [b.min.x, b.min.y, b.max.x, b.max.y]);
         let largest = coordinates.fold(0.0, |largest: f64, coordinate| largest.max(coordinate.abs())) + reach;

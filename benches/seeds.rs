@@ -1,0 +1,149 @@
+//! How surely bodies and cars arrive: every query of a folder of scenarios, every planner that applies, a hundred seeds, with
+//! shipped defaults; every path judged by the verifier.
+//!
+//! `cargo bench --bench seeds -- FOLDER` (or `PLANARIUM_SCENARIOS`) prints a table; `--seeds N` takes so many, `--only TEXT`
+//! those rows whose scenario, query or planner contains the text, and `--out DIR` writes one result in ten with the file of
+//! its scenario, for judges of other houses. Milliseconds are for comparison within one table.
+
+use planarium::path::{Verdict, verify};
+use planarium::run::{Options, Status, Value, start};
+use planarium::scenario::{Robot, Scenario};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// The planners that apply, by the name they go by in the table, with what is set besides the defaults.
+type Arm = (&'static str, &'static str, &'static [(&'static str, &'static str)]);
+
+const BODY: &[Arm] = &[
+    ("RRT", "rrt", &[]),
+    ("RRT-Connect", "rrt-connect", &[]),
+    ("PRM", "prm", &[]),
+    ("PRM*", "prm-star", &[]),
+    ("visibility PRM", "visibility-prm", &[]),
+    ("RRT, 2000 samples, goal every 5th", "rrt", &[("goal_every", "5"), ("max_iterations", "2000")]),
+    ("RRT to the last free point", "rrt", &[("extend", "until-obstacle"), ("max_iterations", "1000")]),
+    (
+        "PRM, 500, k = 3, unconnected discarded",
+        "prm",
+        &[("samples", "500"), ("k", "3"), ("insertion", "one-by-one"), ("discard", "true")],
+    ),
+];
+
+const CAR: &[Arm] = &[
+    ("RRT by controls", "rrt-control", &[]),
+    ("SST", "sst", &[]),
+    ("RRT, Reeds-Shepp", "rrt", &[("steering", "reeds-shepp")]),
+    ("RRT-Connect, Reeds-Shepp", "rrt-connect", &[("steering", "reeds-shepp")]),
+    ("PRM, Reeds-Shepp", "prm", &[("steering", "reeds-shepp")]),
+    ("RRT, Dubins", "rrt", &[("steering", "dubins")]),
+    ("RRT-Connect, Dubins", "rrt-connect", &[("steering", "dubins")]),
+    ("PRM, Dubins", "prm", &[("steering", "dubins")]),
+];
+
+struct Arguments {
+    folder: PathBuf,
+    seeds: u64,
+    only: String,
+    out: Option<PathBuf>,
+}
+
+fn main() {
+    let Some(arguments) = arguments() else {
+        println!("Name a folder of scenarios, or set PLANARIUM_SCENARIOS.");
+        return;
+    };
+    let mut files: Vec<PathBuf> = std::fs::read_dir(&arguments.folder)
+        .expect("the folder can be read")
+        .map(|file| file.expect("so can its files").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
+        .collect();
+    files.sort();
+    println!("| scenario, query | planner | solved | median ms | slowest ms | median iterations | length |");
+    println!("|---|---|---|---|---|---|---|");
+    for file in files {
+        let text = std::fs::read_to_string(&file).expect("the file is text");
+        // Lists of configurations are no scenarios.
+        let Ok(scenario) = Scenario::parse(&text) else { continue };
+        let arms = match scenario.robot() {
+            Robot::RigidBody(_) => BODY,
+            Robot::Car(_) => CAR,
+            _ => continue,
+        };
+        for query in scenario.queries() {
+            for arm in arms {
+                let what = format!("{} {} {}", scenario.name(), query.name, arm.0);
+                if what.contains(&arguments.only) {
+                    row(&file, &scenario, &query.name, arm, &arguments);
+                }
+            }
+        }
+    }
+}
+
+fn arguments() -> Option<Arguments> {
+    let (mut folder, mut seeds, mut only, mut out) =
+        (std::env::var_os("PLANARIUM_SCENARIOS").map(PathBuf::from), 100, String::new(), None);
+    let mut words = std::env::args().skip(1);
+    while let Some(word) = words.next() {
+        match word.as_str() {
+            "--seeds" => seeds = words.next()?.parse().ok()?,
+            "--only" => only = words.next()?,
+            "--out" => out = Some(PathBuf::from(words.next()?)),
+            "--bench" => {}
+            _ => folder = Some(PathBuf::from(word)),
+        }
+    }
+    Some(Arguments { folder: folder?, seeds, only, out })
+}
+
+/// All seeds of one planner on one query.
+fn row(file: &Path, scenario: &Scenario, query: &str, &(name, planner, set): &Arm, arguments: &Arguments) {
+    let parameters: Vec<(String, Value)> =
+        set.iter().map(|(name, value)| ((*name).to_owned(), Value::from_text(value))).collect();
+    let (mut solved, mut times, mut iterations, mut lengths) = (0, Vec::new(), Vec::new(), Vec::new());
+    for seed in 0..arguments.seeds {
+        let options = Options {
+            planner: planner.to_owned(),
+            query: Some(query.to_owned()),
+            seed,
+            parameters: parameters.clone(),
+        };
+        let began = Instant::now();
+        let mut run = start(scenario, &options).unwrap_or_else(|error| panic!("{name}: {error}"));
+        run.step(u64::MAX);
+        times.push(began.elapsed().as_secs_f64() * 1e3);
+        iterations.push(run.iterations() as f64);
+        if run.status() != Status::Solved {
+            continue;
+        }
+        solved += 1;
+        let result = run.result();
+        lengths.push(result.length);
+        let verdict = verify(scenario, &result).expect("the result is this scenario's");
+        assert!(
+            matches!(verdict, Verdict::Valid { .. }),
+            "{} {query} {name} seed {seed}: {verdict:?}",
+            scenario.name()
+        );
+        if let Some(out) = arguments.out.as_ref().filter(|_| seed % 10 == 0) {
+            std::fs::create_dir_all(out).expect("the folder can be made");
+            let stem = file.file_stem().expect("a file has a name").to_string_lossy();
+            let to = out.join(format!("{stem}--{query}--{}--{seed}.json", name.replace([' ', ',', '='], "-")));
+            std::fs::write(to, result.to_json()).expect("the result can be written");
+        }
+    }
+    println!(
+        "| {} {query} | {name} | {solved} of {} | {:.2} | {:.1} | {} | {:.2} |",
+        scenario.name(),
+        arguments.seeds,
+        quantile(&mut times, 0.5),
+        quantile(&mut times, 1.0),
+        quantile(&mut iterations, 0.5),
+        quantile(&mut lengths, 0.5)
+    );
+}
+
+fn quantile(values: &mut [f64], part: f64) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get((values.len().saturating_sub(1) as f64 * part).round() as usize).copied().unwrap_or(f64::NAN)
+}

@@ -1,0 +1,91 @@
+//! Nearest neighbours where the norm only bounds distances from below, and where distances may have a direction.
+
+use super::{KdTree, Nearest, Neighbour};
+use crate::graph::VertexId;
+use crate::space::Space;
+
+/// Which way the motions between a state and its neighbours lead.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Way {
+    /// From the neighbours to the state.
+    In,
+    /// From the state to the neighbours.
+    Out,
+}
+
+impl Way {
+    /// The distance between a state and a neighbour of it, in this direction.
+    #[inline]
+    pub fn distance<S: Space>(self, space: &S, state: &S::State, neighbour: &S::State) -> f64 {
+        match self {
+            Way::In => space.distance(neighbour, state),
+            Way::Out => space.distance(state, neighbour),
+        }
+    }
+}
+
+/// A kd-tree of bounds beside the states themselves. A query takes candidates by their bounds, batches of them that grow, and
+/// ranks them by their distances, until no bound is left that does not exceed the worst distance kept. So the answers are
+/// those of a plain scan, ties by vertex number; how many distances are computed depends on how tight the bound is.
+#[derive(Debug, Clone)]
+pub(super) struct Ranked<S: Space> {
+    /// Holds the states under their places in `entries`.
+    bounds: KdTree<S>,
+    entries: Vec<(VertexId, S::State)>,
+}
+
+impl<S: Space> Ranked<S> {
+    /// An empty index.
+    pub fn new() -> Self {
+        Self { bounds: KdTree::new(), entries: Vec::new() }
+    }
+
+    /// Adds a vertex; numbers must increase.
+    pub fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
+        self.bounds.insert(space, VertexId(self.entries.len() as u32), state);
+        self.entries.push((vertex, state));
+    }
+
+    /// The neighbour that a candidate is.
+    fn neighbour(&self, space: &S, way: Way, state: &S::State, candidate: &Neighbour) -> Neighbour {
+        let (vertex, other) = &self.entries[candidate.vertex.index()];
+        Neighbour { distance: way.distance(space, state, other), vertex: *vertex }
+    }
+
+    /// The `k` vertices nearest to the state, nearest first, into `found`.
+    pub fn k_nearest(&self, space: &S, way: Way, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
+        found.clear();
+        if k == 0 {
+            return;
+        }
+        let mut candidates = Vec::new();
+        let (mut asked, mut ranked) = (k.saturating_mul(2).saturating_add(6), 0);
+        while ranked < self.entries.len() {
+            self.bounds.k_nearest(space, state, asked, &mut candidates);
+            for candidate in &candidates[ranked..] {
+                if found.len() == k && candidate.distance > found[k - 1].distance {
+                    return;
+                }
+                let neighbour = self.neighbour(space, way, state, candidate);
+                if found.len() == k {
+                    if !neighbour.is_before(&found[k - 1]) {
+                        continue;
+                    }
+                    found.pop();
+                }
+                let at = found.iter().rposition(|kept| kept.is_before(&neighbour)).map_or(0, |i| i + 1);
+                found.insert(at, neighbour);
+            }
+            ranked = candidates.len();
+            asked = asked.saturating_mul(2);
+        }
+    }
+
+    /// Every vertex no farther from the state than `radius`, nearest first, into `found`.
+    pub fn within(&self, space: &S, way: Way, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
+        self.bounds.within(space, state, radius, found);
+        found.iter_mut().for_each(|candidate| *candidate = self.neighbour(space, way, state, candidate));
+        found.retain(|neighbour| neighbour.distance <= radius);
+        found.sort_unstable_by_key(Neighbour::key);
+    }
+}

@@ -1,0 +1,152 @@
+//! A configuration space and how one moves in it: the short way, or steered like a car.
+
+use super::{Space, Torus, gap};
+use crate::steering::{Curve, Pose, Steering};
+
+/// A torus with its motions. Without steering a motion is that of the torus, and every answer is the torus's to the bit. With
+/// steering a state is a placement (x, y, heading) and a motion is the shortest curve that a car can follow; distances are
+/// metres along it. Curves may leave the box that (x, y) is drawn from: whether that is free is for others to say.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionSpace<const N: usize> {
+    torus: Torus<N>,
+    steering: Option<(Steering, f64)>,
+}
+
+impl<const N: usize> MotionSpace<N> {
+    /// The space in which motions are those of the torus.
+    pub fn new(torus: Torus<N>) -> Self {
+        Self { torus, steering: None }
+    }
+
+    /// The space of a car that turns no tighter than `radius` metres; its metric is the length of the curves.
+    ///
+    /// # Panics
+    /// Where the torus has other coordinates than two intervals and a circle, or the radius is not greater than 0.
+    pub fn steered(torus: Torus<N>, steering: Steering, radius: f64) -> Self {
+        let circles: Vec<bool> = (0..torus.dimension()).map(|i| torus.is_circle(i)).collect();
+        assert!(circles == [false, false, true], "only placements are steered");
+        assert!(radius > 0.0, "a turning radius is greater than 0");
+        Self { torus, steering: Some((steering, radius)) }
+    }
+
+    /// The torus.
+    pub fn torus(&self) -> &Torus<N> {
+        &self.torus
+    }
+
+    /// How it is steered, and the least turning radius in metres; `None` where it is not.
+    pub fn steering(&self) -> Option<(Steering, f64)> {
+        self.steering
+    }
+
+    /// The shortest curve between two states.
+    fn curve_of(&self, (steering, radius): (Steering, f64), a: &[f64; N], b: &[f64; N]) -> Curve {
+        steering.shortest(pose(a), pose(b), radius)
+    }
+}
+
+/// No curve between places so far apart that turns by so much is shorter: the car has to get there, and to turn.
+#[inline(always)]
+fn least(x: f64, y: f64, turn: f64, radius: f64) -> f64 {
+    let (way, arc) = ((x * x + y * y).sqrt(), radius * turn);
+    if arc > way { arc } else { way }
+}
+
+/// A state as a pose.
+fn pose<const N: usize>(state: &[f64; N]) -> Pose {
+    Pose { x: state[0], y: state[1], heading: state[2] }
+}
+
+impl<const N: usize> Space for MotionSpace<N> {
+    type State = [f64; N];
+
+    fn dimension(&self) -> usize {
+        self.torus.dimension()
+    }
+
+    fn coordinates<'a>(&self, state: &'a [f64; N]) -> &'a [f64] {
+        self.torus.coordinates(state)
+    }
+
+    fn state(&self, coordinates: &[f64]) -> [f64; N] {
+        self.torus.state(coordinates)
+    }
+
+    /// With steering O(1), about a microsecond.
+    #[inline]
+    fn distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
+        let Some(steered) = self.steering else { return self.torus.distance(a, b) };
+        let [x, y, turn] = [0, 1, 2].map(|i| gap(a[i], b[i], self.torus.period(i)));
+        // A curve may fall short of its goal by what rounding amounts to; the distance is never below its bound.
+        self.curve_of(steered, a, b).length().max(least(x, y, turn, steered.1))
+    }
+
+    fn interpolate(&self, a: &[f64; N], b: &[f64; N], t: f64) -> [f64; N] {
+        let Some(steered) = self.steering else { return self.torus.interpolate(a, b, t) };
+        if t == 0.0 {
+            return *a;
+        }
+        if t == 1.0 {
+            return *b;
+        }
+        let curve = self.curve_of(steered, a, b);
+        let at = curve.at(pose(a), t * curve.length());
+        let mut state = [0.0; N];
+        (state[0], state[1], state[2]) = (at.x, at.y, at.heading);
+        state
+    }
+
+    fn at(&self, place: &[f64]) -> [f64; N] {
+        self.torus.at(place)
+    }
+
+    fn contains(&self, state: &[f64; N]) -> bool {
+        self.torus.contains(state)
+    }
+
+    /// With steering, the diagonal of the box and what turning can add. Reversing, a turn of a quarter at most, a line and a
+    /// turn of a half at most lead everywhere, and centres are at most two radii farther apart than places. Forwards alone, 2.658
+    /// half turns are enough (Savla, Frazzoli and Bullo 2005, "On the point-to-point and traveling salesperson problems for
+    /// Dubins' vehicle").
+    fn extent(&self) -> f64 {
+        use std::f64::consts::PI;
+        let Some((steering, radius)) = self.steering else { return self.torus.extent() };
+        let [width, height] = [0, 1].map(|i| self.torus.range(i)[1] - self.torus.range(i)[0]);
+        let turning = if steering.is_symmetric() { 2.0 + 1.5 * PI } else { 2.658 * PI };
+        (width * width + height * height).sqrt() + turning * radius
+    }
+
+    fn turn(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
+        if self.steering.is_some() { 0.0 } else { self.torus.turn(a, b) }
+    }
+
+    fn sweep(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
+        if self.steering.is_some() { 0.0 } else { self.torus.sweep(a, b) }
+    }
+
+    #[inline]
+    fn period(&self, i: usize) -> f64 {
+        self.torus.period(i)
+    }
+
+    #[inline(always)]
+    fn norm<const L: usize>(&self, mut gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
+        let Some((_, radius)) = self.steering else { return self.torus.norm(gap) };
+        let [x, y, turn] = [gap(0), gap(1), gap(2)];
+        std::array::from_fn(|lane| least(x[lane], y[lane], turn[lane], radius))
+    }
+
+    #[inline]
+    fn is_symmetric(&self) -> bool {
+        self.steering.is_none_or(|(steering, _)| steering.is_symmetric())
+    }
+
+    #[inline]
+    fn is_norm_exact(&self) -> bool {
+        self.steering.is_none()
+    }
+
+    fn curve(&self, a: &[f64; N], b: &[f64; N]) -> Option<Curve> {
+        self.steering.map(|steered| self.curve_of(steered, a, b))
+    }
+}

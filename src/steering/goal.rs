@@ -1,0 +1,179 @@
+//! A goal as a car sees it, and the shortest of the words that lead there.
+
+use super::{Curve, Pose, Turn, wrap};
+use std::f64::consts::{PI, TAU};
+
+/// What a curve may miss its goal by, as a part of all lengths that are rounded, and in radians.
+const SLACK: f64 = 1e-13;
+
+/// A word must be shorter by more than this part, and than what rounding amounts to, to be taken instead of an earlier one.
+const TIE: f64 = 1e-12;
+
+/// A goal seen from a start at (0, 0) with heading 0, in radii.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Goal {
+    x: f64,
+    y: f64,
+    heading: f64,
+    /// From the centre of the circle to the left of the start to that to the left of the goal.
+    pub left: Between,
+    /// The same to that to the right of the goal.
+    pub right: Between,
+    /// What rounding can amount to, in radii.
+    slack: f64,
+    /// Whether left is right.
+    is_mirrored: bool,
+}
+
+/// A vector between the centres of two turning circles, in radii: its parts, its length and its angle.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Between {
+    pub x: f64,
+    pub y: f64,
+    pub length: f64,
+    pub angle: f64,
+}
+
+impl Between {
+    fn new(x: f64, y: f64) -> Self {
+        Self { x, y, length: (x * x + y * y).sqrt(), angle: libm::atan2(y, x) }
+    }
+
+    /// The rest of the square over a side of 2, which a straight line between circles that are passed on opposite sides is
+    /// long; not a number where they overlap.
+    pub fn inner(&self) -> f64 {
+        (self.length * self.length - 4.0).sqrt()
+    }
+}
+
+impl Goal {
+    /// The pose `to` seen from `from`.
+    pub fn new(from: Pose, to: Pose, radius: f64) -> Self {
+        let (sin, cos) = libm::sincos(from.heading);
+        let (dx, dy) = (to.x - from.x, to.y - from.y);
+        let (x, y) = ((cos * dx + sin * dy) / radius, (cos * dy - sin * dx) / radius);
+        let heading = wrap(to.heading - from.heading);
+        let largest = [from.x, from.y, to.x, to.y].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let slack = SLACK * (1.0 + (x * x + y * y).sqrt() + largest / radius);
+        Self::seen(x, y, heading, slack, false)
+    }
+
+    fn seen(x: f64, y: f64, heading: f64, slack: f64, is_mirrored: bool) -> Self {
+        let (sin, cos) = libm::sincos(heading);
+        let (left, right) = (Between::new(x - sin, y - 1.0 + cos), Between::new(x + sin, y - 1.0 - cos));
+        Self { x, y, heading, left, right, slack, is_mirrored }
+    }
+
+    /// The goal in a mirror.
+    pub fn mirrored(&self) -> Self {
+        Self::seen(self.x, -self.y, -self.heading, self.slack, !self.is_mirrored)
+    }
+
+    /// The heading, in (-pi, pi].
+    pub fn heading(&self) -> f64 {
+        self.heading
+    }
+
+    /// What rounding can amount to, in radii.
+    pub fn slack(&self) -> f64 {
+        self.slack
+    }
+
+    /// The words of at most two segments that lead there but for rounding, with unwrapped angles; fewer segments first. The
+    /// straight line, which is its own mirror image, is listed once.
+    fn short_words(&self) -> [Option<[(Turn, f64); 2]>; 5] {
+        use Turn::{Left, Right, Straight};
+        let Self { slack, heading, left, right, .. } = *self;
+        let is_straight = !self.is_mirrored && self.y.abs() <= slack && heading.abs() <= SLACK;
+        let (sin, cos) = libm::sincos(heading);
+        let (along, across) = (left.x * cos + left.y * sin, left.y * cos - left.x * sin);
+        let turn = right.angle + 0.5 * PI;
+        [
+            is_straight.then_some([(Straight, self.x), (Straight, 0.0)]),
+            (left.length <= slack).then_some([(Left, heading), (Straight, 0.0)]),
+            (across.abs() <= slack).then_some([(Left, heading), (Straight, along)]),
+            (left.y.abs() <= slack).then_some([(Straight, left.x), (Left, heading)]),
+            ((right.length - 2.0).abs() <= slack).then_some([(Left, turn), (Right, turn - heading)]),
+        ]
+    }
+
+    /// Whether the curve of radius 1 ends here.
+    fn is_end_of(&self, curve: &Curve) -> bool {
+        let end = curve.end(Pose { x: 0.0, y: 0.0, heading: 0.0 });
+        let (x, y) = (end.x - self.x, end.y - self.y);
+        // Written so that what is not a number is no end.
+        (x * x + y * y).sqrt() <= 2.0 * self.slack && wrap(end.heading - self.heading).abs() <= 2.0 * SLACK
+    }
+}
+
+/// The shortest of the words offered, in radii.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Shortest {
+    best: Option<(Goal, Curve)>,
+    /// What a word has to be shorter than to be taken.
+    limit: f64,
+    /// Whether every word is driven before it is taken.
+    is_careful: bool,
+}
+
+impl Shortest {
+    /// The shortest of the words to one goal that `offer_all` offers, in metres; `None` where none leads there. The winner
+    /// alone is driven; where it misses, which rounding hardly ever brings about, all are.
+    pub fn find(radius: f64, offer_all: impl Fn(&mut Self)) -> Option<Curve> {
+        for is_careful in [false, true] {
+            let mut shortest = Self { best: None, limit: f64::INFINITY, is_careful };
+            offer_all(&mut shortest);
+            let (goal, curve) = shortest.best?;
+            if is_careful || goal.is_end_of(&curve) {
+                return Some(if goal.is_mirrored { curve.mirrored() } else { curve }.scaled(radius));
+            }
+        }
+        None
+    }
+
+    /// Takes a word to the goal where it is shorter, and leads there.
+    pub fn offer(&mut self, goal: &Goal, segments: &[(Turn, f64)]) {
+        let length = segments.iter().fold(0.0, |sum, (_, length)| sum + length.abs());
+        // A word that does not exist has a length that is not a number, which is below nothing.
+        if length < self.limit {
+            let curve = Curve::new(1.0, segments);
+            if !self.is_careful || goal.is_end_of(&curve) {
+                self.best = Some((*goal, curve));
+                self.limit = length - goal.slack - TIE * (1.0 + length);
+            }
+        }
+    }
+}
+
+/// Hands out the words of at most two segments to a goal, seen as it is and in the mirror, fewer segments first.
+pub(super) fn short_words(sides: &[Goal; 2], mut offer: impl FnMut(&Goal, [(Turn, f64); 2])) {
+    let words = [sides[0].short_words(), sides[1].short_words()];
+    for i in 0..words[0].len() {
+        for (side, words) in sides.iter().zip(&words) {
+            words[i].into_iter().for_each(|word| offer(side, word));
+        }
+    }
+}
+
+/// The angle in (-pi, pi] that differs by whole turns from one of a few turns.
+pub(super) fn shorter(mut angle: f64) -> f64 {
+    while angle > PI {
+        angle -= TAU;
+    }
+    while angle <= -PI {
+        angle += TAU;
+    }
+    angle + 0.0
+}
+
+/// The angle in [0, 2 pi) that differs by whole turns from one of a few turns.
+pub(super) fn forwards(mut angle: f64) -> f64 {
+    while angle >= TAU {
+        angle -= TAU;
+    }
+    while angle < 0.0 {
+        angle += TAU;
+    }
+    // What is a rounding below 0 comes out as a whole turn.
+    if angle >= TAU { 0.0 } else { angle + 0.0 }
+}

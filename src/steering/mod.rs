@@ -1,0 +1,93 @@
+//! Steering: the shortest curves of cars that cannot turn on the spot.
+//!
+//! A car has a pose and a turning radius. [`dubins()`] finds the shortest curve of one that only drives forwards,
+//! [`reeds_shepp()`] of one that may also reverse. Lengths are metres, angles radians, counter-clockwise.
+//!
+//! # How curves are found, and what holds for them
+//! The goal is seen from the start, in radii. Every word (a sequence of turns) has a closed solution; the candidates are
+//! driven before one is taken, and one that misses the goal is dropped. A curve that is answered ends within
+//! 2e-13 (radius + distance + largest coordinate) of the goal and within 2e-13 of its heading. Words of one and two segments
+//! have to fit that closely only: rounding of a pose on a curve costs neither a loop nor a shunt. Of curves as long as each
+//! other, to 1e-12, the first in the order of the words is taken. There is always an answer: one turn, a straight line and
+//! another turn lead to every pose.
+
+mod angle;
+mod arc;
+mod curve;
+mod dubins;
+mod goal;
+mod reeds_shepp;
+
+pub use angle::wrap;
+pub use arc::advance;
+pub use curve::{Curve, MAX_SEGMENTS};
+pub use dubins::dubins;
+pub use reeds_shepp::reeds_shepp;
+
+/// Where a car is and where it points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pose {
+    /// In metres.
+    pub x: f64,
+    /// In metres.
+    pub y: f64,
+    /// In radians from the x axis.
+    pub heading: f64,
+}
+
+/// How a car is steered from pose to pose.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Steering {
+    /// Forwards only.
+    Dubins,
+    /// Forwards and in reverse.
+    ReedsShepp,
+}
+
+impl Steering {
+    /// The shortest curve from one pose to another for a turning radius in metres, greater than 0.
+    pub fn shortest(self, from: Pose, to: Pose, radius: f64) -> Curve {
+        match self {
+            Steering::Dubins => dubins(from, to, radius),
+            Steering::ReedsShepp => reeds_shepp(from, to, radius),
+        }
+    }
+
+    /// Whether every curve can be driven back.
+    #[inline]
+    pub fn is_symmetric(self) -> bool {
+        self == Steering::ReedsShepp
+    }
+}
+
+/// What a segment does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Turn {
+    /// An arc to the left of a car that drives forwards.
+    Left,
+    /// A straight line.
+    Straight,
+    /// An arc to the right of a car that drives forwards.
+    Right,
+}
+
+impl Turn {
+    /// The same seen in a mirror.
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        match self {
+            Turn::Left => Turn::Right,
+            Turn::Straight => Turn::Straight,
+            Turn::Right => Turn::Left,
+        }
+    }
+}
+
+/// A piece of a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Segment {
+    /// Which way the wheel is turned.
+    pub turn: Turn,
+    /// How far, in metres; negative in reverse.
+    pub length: f64,
+}

@@ -7,7 +7,6 @@ use common::seeds;
 use planarium::collision::{BodyCollision, BodyMotion};
 use planarium::geometry::{Aabb, Disc, Point, Polygon, distance_point_polygon, intersects_polygon_polygon, triangles};
 use planarium::random::{Random, Stream};
-use planarium::robot::place;
 use planarium::scenario::{Obstacle, World};
 use planarium::validity::Touched;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -148,9 +147,16 @@ fn random_motion(random: &mut Random, from: [f64; 3], scale: f64) -> BodyMotion 
     }
 }
 
+/// The corners of the body at `q`.
+fn placed(body: &Polygon, q: &[f64; 3]) -> Vec<Point> {
+    let (sin, cos) = libm::sincos(q[2]);
+    let corner = |v: &Point| p(q[0] + cos * v.x - sin * v.y, q[1] + sin * v.x + cos * v.y);
+    body.vertices().iter().map(corner).collect()
+}
+
 /// Whether the body touches an obstacle at `q`, by exact tests.
 fn touches(body: &Polygon, world: &World, q: &[f64; 3]) -> bool {
-    let Ok(placed) = Polygon::new(&place(body, q)) else { return false };
+    let Ok(placed) = Polygon::new(&placed(body, q)) else { return false };
     world.obstacles.iter().any(|obstacle| match obstacle {
         Obstacle::Polygon(polygon) => intersects_polygon_polygon(&placed, polygon),
         Obstacle::Disc(disc) => distance_point_polygon(disc.center, &placed) <= disc.radius,

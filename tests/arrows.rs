@@ -28,7 +28,13 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("nearest", &["graph", "order", "random", "space"]),
     ("result", &["control", "error", "json", "random", "scenario", "stats", "status"]),
     ("kept", &["decimal", "error", "graph", "json", "scenario", "space"]),
-    ("path", &["error", "geometry", "problem", "random", "result", "robot", "scenario", "space", "status", "validity"]),
+    (
+        "path",
+        &[
+            "control", "error", "geometry", "problem", "random", "result", "robot", "scenario", "space", "status",
+            "validity",
+        ],
+    ),
     ("sampling", &["problem", "random", "space"]),
     (
         "planner",

@@ -7,7 +7,7 @@ mod shortcut;
 mod verify;
 
 pub use improve::{Improvement, Wanted};
-pub use verify::{Verdict, verify};
+pub use verify::{Leg, Verdict, verify, verify_legs};
 
 use crate::space::Space;
 

@@ -2,7 +2,7 @@
 //!
 //! A planner proves its edges by clearances and bounds on motion. The judge goes another way: it looks at the robot at many
 //! places along every edge, at most a thousandth of the world's size of motion apart, and between two looks it takes the
-//! whole region that each link can have swept: the convex hull of its two places, grown by how far the ends can leave
+//! whole region that each link of an arm, or each edge of a body's outline, can have swept: the convex hull of its two places, grown by how far the ends can leave
 //! their chords. Where that region comes near an obstacle, it looks again in between. So nothing is missed between two
 //! looks, however thin it is.
 //!
@@ -13,14 +13,19 @@
 //! more than 2e-12 S; joint limits not at all.
 
 mod arm;
+mod body;
+mod car;
 mod disc;
+mod moving;
 mod near;
 mod swept;
 
+pub use body::Leg;
+
 use crate::error::{Code, Error};
-use crate::geometry::Aabb;
+use crate::geometry::{Aabb, Point, Polygon};
 use crate::result::ResultDocument;
-use crate::scenario::{Obstacle, Query, Robot, Scenario, World};
+use crate::scenario::{GoalTolerance, Obstacle, Query, Robot, Scenario, World};
 use crate::status::Status;
 use std::f64::consts::{PI, TAU};
 
@@ -43,7 +48,7 @@ pub enum Verdict {
         /// How many times the judge looked at the robot; for a disc, swept segments.
         looks: u64,
         /// The smallest distance to an obstacle that was seen, in metres; infinite without obstacles. For a disc it is
-        /// the true one; for an arm the true one is smaller by no more than half the motion between two looks.
+        /// the true one; for an arm or a body the true one is smaller by no more than half the motion between two looks.
         clearance: f64,
     },
     /// The path is refused.
@@ -91,6 +96,15 @@ pub fn verify(scenario: &Scenario, result: &ResultDocument) -> Result<Verdict, E
     })
 }
 
+/// Judges legs of a body of this shape in a world, each by itself: whether they join is not asked. The verdict counts legs as
+/// waypoints.
+pub fn verify_legs(world: &World, shape: &Polygon, legs: &[Leg]) -> Verdict {
+    match body::judge(world, shape, legs, &Scale::new(world, None, shape.reach())) {
+        Ok(Seen { looks, clearance }) => Verdict::Valid { waypoints: legs.len(), looks, clearance },
+        Err(why) => Verdict::Invalid { why },
+    }
+}
+
 /// All that must hold, in the order in which a person would ask.
 fn judge(scenario: &Scenario, query: &Query, result: &ResultDocument) -> Result<Seen, String> {
     let (robot, path) = (scenario.robot(), &result.path);
@@ -98,22 +112,23 @@ fn judge(scenario: &Scenario, query: &Query, result: &ResultDocument) -> Result<
         return Err(format!("the status is {}: there is no path to judge", result.status.as_str()));
     }
     check_numbers(robot.dimension(), path)?;
-    let circles = has_circles(robot);
-    for (what, waypoint, wanted) in [("start", &path[0], &query.start), ("goal", &path[path.len() - 1], &query.goal)] {
-        let far = difference(circles, wanted, waypoint).into_iter().position(|gap| f64::abs(gap) > REACHED);
-        if let Some(i) = far {
-            let verb = if what == "start" { "starts" } else { "ends" };
-            return Err(format!("the path {verb} at {waypoint:?}, not at the {what} {wanted:?} (coordinate {i})"));
-        }
-    }
-    if circles {
-        check_steps(path)?;
+    check_ends(robot, query, path)?;
+    if !matches!(robot, Robot::Car(_)) {
+        check_steps(robot, path)?;
     }
     let scale = Scale::of(scenario.world(), robot);
     let seen = match robot {
         Robot::Arm(arm) => arm::judge(scenario.world(), arm, path, &scale)?,
         Robot::Disc(disc) => disc::judge(scenario.world(), disc, path, &scale)?,
-        Robot::RigidBody(_) | Robot::Car(_) => unimplemented!("bodies are on their way"),
+        Robot::RigidBody(body) => {
+            let mut legs: Vec<Leg> = path.windows(2).map(|ends| Leg::straight(&ends[0], &ends[1])).collect();
+            if legs.is_empty() {
+                legs.push(Leg::straight(&path[0], &path[0]));
+            }
+            body::judge(scenario.world(), body.shape(), &legs, &scale)?
+        }
+        // Its length is that of its motions.
+        Robot::Car(car) => return car::judge(scenario.world(), car, result, &scale),
     };
     check_length(robot, path, result.length)?;
     Ok(seen)
@@ -135,23 +150,50 @@ fn check_numbers(dimension: usize, path: &[Vec<f64>]) -> Result<(), String> {
     Ok(())
 }
 
-/// Refuses steps that turn a circle joint by half a turn: there is no short way round.
-fn check_steps(path: &[Vec<f64>]) -> Result<(), String> {
-    for (edge, ends) in path.windows(2).enumerate() {
-        let turns = difference(true, &ends[0], &ends[1]);
-        if let Some(joint) = turns.iter().position(|turn| turn.abs() >= PI - AMBIGUOUS) {
-            let turn = turns[joint].abs();
-            return Err(format!("edge {edge} turns joint {joint} by {turn} rad: the short way round is ambiguous"));
+/// Refuses a path that does not lead from the start to the goal of the query, or into its region.
+fn check_ends(robot: &Robot, query: &Query, path: &[Vec<f64>]) -> Result<(), String> {
+    for (what, waypoint, wanted) in [("start", &path[0], &query.start), ("goal", &path[path.len() - 1], &query.goal)] {
+        let verb = if what == "start" { "starts" } else { "ends" };
+        let gaps = difference(first_circle(robot), wanted, waypoint);
+        if let (Some(GoalTolerance { translation, rotation }), "goal") = (query.goal_tolerance, what) {
+            let (apart, turned) = ((gaps[0] * gaps[0] + gaps[1] * gaps[1]).sqrt(), gaps[2].abs());
+            if apart > translation + REACHED || turned > rotation + REACHED {
+                return Err(format!(
+                    "the path ends at {waypoint:?}, {apart} m and {turned} rad from the goal {wanted:?}"
+                ));
+            }
+        } else if let Some(i) = gaps.into_iter().position(|gap| f64::abs(gap) > REACHED) {
+            return Err(format!("the path {verb} at {waypoint:?}, not at the {what} {wanted:?} (coordinate {i})"));
         }
     }
     Ok(())
 }
 
-/// Refuses a told length that is not the sum of the steps, by either metric of an arm.
+/// Refuses steps that turn a circle joint, or a body, by half a turn: there is no short way round.
+fn check_steps(robot: &Robot, path: &[Vec<f64>]) -> Result<(), String> {
+    let first = first_circle(robot);
+    for (edge, ends) in path.windows(2).enumerate() {
+        let turns = difference(first, &ends[0], &ends[1]);
+        let is_ambiguous = |&i: &usize| i >= first && turns[i].abs() >= PI - AMBIGUOUS;
+        if let Some(i) = (0..turns.len()).find(is_ambiguous) {
+            let turn = turns[i].abs();
+            let what = if first == 0 { format!("joint {i}") } else { "the body".into() };
+            return Err(format!("edge {edge} turns {what} by {turn} rad: the short way round is ambiguous"));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses a told length that is not the sum of the steps, by either metric of an arm, by the weighted one of a body.
 fn check_length(robot: &Robot, path: &[Vec<f64>], told: f64) -> Result<(), String> {
-    let (mut sum, mut euclidean) = (0.0, 0.0);
+    let (mut sum, mut euclidean, mut weighted) = (0.0, 0.0, 0.0);
+    let weights = robot.placed_shape().map(|(_, weights)| weights);
     for ends in path.windows(2) {
-        let step = difference(has_circles(robot), &ends[0], &ends[1]);
+        let step = difference(first_circle(robot), &ends[0], &ends[1]);
+        if let Some(weights) = weights {
+            let apart = (step[0] * step[0] + step[1] * step[1]).sqrt();
+            weighted += weights.translation * apart + weights.rotation * step[2].abs();
+        }
         sum += step.iter().map(|d| d.abs()).sum::<f64>();
         euclidean += step.iter().map(|d| d * d).sum::<f64>().sqrt();
     }
@@ -164,37 +206,48 @@ fn check_length(robot: &Robot, path: &[Vec<f64>], told: f64) -> Result<(), Strin
         Robot::Disc(_) if !is_told(euclidean) => {
             Err(format!("the length is told as {told}, but the path measures {euclidean}"))
         }
+        Robot::RigidBody(_) if !is_told(weighted) => {
+            Err(format!("the length is told as {told}, but the path measures {weighted}"))
+        }
         _ => Ok(()),
     }
 }
 
-/// Whether the joints of the robot are circles.
-fn has_circles(robot: &Robot) -> bool {
-    matches!(robot, Robot::Arm(arm) if arm.joint_limits().is_none())
+/// From which coordinate on all are circles.
+fn first_circle(robot: &Robot) -> usize {
+    match robot {
+        Robot::Arm(arm) if arm.joint_limits().is_none() => 0,
+        Robot::RigidBody(_) | Robot::Car(_) => 2,
+        _ => usize::MAX,
+    }
 }
 
-/// The step from `a` to `b`, angles the short way round where they are circles. The double nearest to 2 pi stands for a
+/// The step from `a` to `b`, angles the short way round from the first circle on. The double nearest to 2 pi stands for a
 /// turn: off by less than an angle's own rounding.
-fn difference(circles: bool, a: &[f64], b: &[f64]) -> Vec<f64> {
-    let step = |(&a, &b): (&f64, &f64)| {
-        if circles { libm::remainder(libm::remainder(b, TAU) - libm::remainder(a, TAU), TAU) } else { b - a }
+fn difference(first_circle: usize, a: &[f64], b: &[f64]) -> Vec<f64> {
+    let step = |i: usize| {
+        let (a, b) = (a[i], b[i]);
+        if i >= first_circle { libm::remainder(libm::remainder(b, TAU) - libm::remainder(a, TAU), TAU) } else { b - a }
     };
-    a.iter().zip(b).map(step).collect()
+    (0..a.len().min(b.len())).map(step).collect()
 }
 
 impl Scale {
     /// The lengths for a robot in a world.
     fn of(world: &World, robot: &Robot) -> Self {
-        let mut boxes: Vec<Aabb> = world.obstacles.iter().map(Obstacle::aabb).chain(world.bounds).collect();
-        let reach = match robot {
-            Robot::Arm(arm) => {
-                boxes.push(Aabb { min: arm.base(), max: arm.base() });
-                arm.reach() + arm.radius()
-            }
-            Robot::Disc(disc) => disc.radius(),
-            Robot::RigidBody(_) | Robot::Car(_) => robot.placed_shape().expect("both are placed").0.reach(),
-        };
-        let coordinates = boxes.iter().flat_map(|b| [b.min.x, b.min.y, b.max.x, b.max.y]);
+        match robot {
+            Robot::Arm(arm) => Self::new(world, Some(arm.base()), arm.reach() + arm.radius()),
+            Robot::Disc(disc) => Self::new(world, None, disc.radius()),
+            Robot::RigidBody(body) => Self::new(world, None, body.shape().reach()),
+            Robot::Car(car) => Self::new(world, None, car.shape().reach()),
+        }
+    }
+
+    /// The lengths for a robot that reaches so far, from its base where it has one.
+    fn new(world: &World, base: Option<Point>, reach: f64) -> Self {
+        let base = base.map(|at| Aabb { min: at, max: at });
+        let boxes = world.obstacles.iter().map(Obstacle::aabb).chain(world.bounds).chain(base);
+        let coordinates = boxes.flat_map(|b| [b.min.x, b.min.y, b.max.x, b.max.y]);
         let largest = coordinates.fold(0.0, |largest: f64, coordinate| largest.max(coordinate.abs())) + reach;
         let side = world.bounds.map_or(f64::INFINITY, |bounds| bounds.longer_side());
         let size = if reach > 0.0 { side.min(2.0 * reach) } else { side };

@@ -185,15 +185,17 @@ fn searches_follow_edges_that_lead_one_way() {
             Adjacency::directed(n, &world.edges[..world.edges.len() / 2], &world.edges[world.edges.len() / 2..]);
         let none = |_: VertexId| 0.0;
         let to_goal = |v| world.length(v, goal);
-        let mut walkers: [(Box<dyn Walker>, &dyn Fn(VertexId) -> f64, bool); 4] = [
-            (Box::new(BestFirst::new(n, START, goal)), &none, true),
-            (Box::new(BestFirst::new(n, START, goal)), &to_goal, true),
-            (Box::new(BreadthFirst::new(n, START, goal)), &none, false),
-            (Box::new(Bidirectional::new(n, START, goal)), &none, false),
+        let walkers: [Box<dyn Walker>; 4] = [
+            Box::new(BestFirst::new(n, START, goal)),
+            Box::new(BestFirst::new(n, START, goal)),
+            Box::new(BreadthFirst::new(n, START, goal)),
+            Box::new(Bidirectional::new(n, START, goal)),
         ];
         reachable += usize::from(shortest.is_finite());
         only_back += usize::from(shortest.is_infinite() && world.costs(hops)[goal.index()].is_finite());
-        for (walker, heuristic, by_metric) in &mut walkers {
+        for (i, mut walker) in walkers.into_iter().enumerate() {
+            let (is_guided, by_metric) = (i == 1, i < 2);
+            let heuristic: &dyn Fn(VertexId) -> f64 = if is_guided { &to_goal } else { &none };
             let view = View { adjacency: &adjacency, cost: &metric, heuristic };
             let path = loop {
                 match walker.step(&view) {
@@ -210,8 +212,8 @@ fn searches_follow_edges_that_lead_one_way() {
             if !path.is_empty() {
                 assert_eq!((path[0], path[path.len() - 1]), (START, goal));
                 let costs: f64 = path.windows(2).map(|pair| metric(pair[0], pair[1])).sum();
-                assert!(!*by_metric || (costs - shortest).abs() <= 1e-12 * shortest.max(1.0), "seed {seed}");
-                assert!(*by_metric || (path.len() - 1) as f64 == fewest, "seed {seed}");
+                assert!(!by_metric || (costs - shortest).abs() <= 1e-12 * shortest.max(1.0), "seed {seed}");
+                assert!(by_metric || (path.len() - 1) as f64 == fewest, "seed {seed}");
             }
         }
     }
@@ -229,19 +231,16 @@ fn strong_components_are_what_can_reach_each_other() {
         (0..n).for_each(|v| reaches[v][v] = true);
         world.edges.iter().for_each(|[a, b]| reaches[a.index()][b.index()] = true);
         for middle in 0..n {
-            for from in 0..n {
-                if reaches[from][middle] {
-                    for to in 0..n {
-                        reaches[from][to] |= reaches[middle][to];
-                    }
-                }
+            let beyond = reaches[middle].clone();
+            for row in reaches.iter_mut().filter(|row| row[middle]) {
+                row.iter_mut().zip(&beyond).for_each(|(reached, further)| *reached |= further);
             }
         }
         let found = strong_components(&Adjacency::directed(n, &world.edges, &[]));
         let mut expected: Vec<u32> = Vec::new();
         let mut count = 0;
-        for v in 0..n {
-            let first = (0..v).find(|&u| reaches[u][v] && reaches[v][u]);
+        for (v, row) in reaches.iter().enumerate() {
+            let first = (0..v).find(|&u| reaches[u][v] && row[u]);
             expected.push(first.map_or(count, |u| expected[u]));
             count += u32::from(first.is_none());
         }

@@ -18,7 +18,7 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("random", &[]),
     ("validity", &[]),
     ("control", &["random"]),
-    ("steering", &[]),
+    ("steering", &["geometry"]),
     ("space", &["random", "steering"]),
     ("robot", &["decimal", "error", "geometry"]),
     ("scenario", &["decimal", "error", "geometry", "json", "random", "robot"]),

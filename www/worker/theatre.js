@@ -7,6 +7,7 @@ import { Stage } from "../stage/stage.js";
 import { Clock } from "./clock.js";
 import { Conductor } from "./conductor.js";
 import { coordinatesOf } from "./coordinates.js";
+import { thinned } from "./curve.js";
 import { Lane } from "./lane.js";
 import { report } from "./report.js";
 import * as story from "./story.js";
@@ -284,8 +285,8 @@ export class Theatre {
   /** Differs where the curves do. */
   get curvesKey() { return `${this.plannings} ${this.clock.head} ${this.lanes.map(({ run }) => run?.ended)}`; }
 
-  /** How each run went, in few points. @param {typeof import("./curve.js").thinned} thinned @returns {Curves} */
-  curves(thinned) {
+  /** How each run went, in few points. @returns {Curves} */
+  curves() {
     const { clock: { head, isRace, column }, curvesKey: key } = this;
     return { key, head, isRace, lanes: thinned(this.lanes.flatMap(({ run }) => run ?? []), column, head) };
   }

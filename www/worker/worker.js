@@ -76,7 +76,7 @@ const commands = {
   pace: (pace) => house().setPace(pace),
   /** @param {number} part */
   along: (part) => house().conductor.along(part),
-  curves: async () => house().curves((await import("./curve.js")).thinned),
+  curves: () => house().curves(),
   turn: () => house().turn.change(),
   /** @param {number[]} pose */
   hold: (pose) => house().turn.hold(Float64Array.from(pose)),

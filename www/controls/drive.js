@@ -43,7 +43,7 @@ export class DriveControls {
       button.addEventListener("click", (event) => this.press(key, event));
       return button;
     }));
-    const keep = this.button("keep", "Keep", "C", (event) => this.press("keep", event));
+    const keep = this.button("keep", "Keep on", "C", (event) => this.press("keep", event));
     this.pause = this.button("pause", "Pause", "P", () => this.order("pause", moment()));
     const anew = this.button("anew", "Anew", "R", () => this.order("anew", moment()));
     this.replay = this.button("replay", "Replay", "", () => this.order("replay", null, 0, moment()));

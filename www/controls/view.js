@@ -36,9 +36,11 @@ export function watchView(page) {
     row("Slice of the obstacles", switches.slice, "What would collide on this plane, with all else as the robot has it."));
   const raw = row("Path as found", switches.raw);
   raw.append(lengths);
-  byId("view", HTMLElement).prepend(
+  const number = inspector();
+  byId("view", HTMLElement).append(
     row("What was refused", switches.refused, "Samples that collide as crosses; motions as broken lines, up to where they hit."),
     row("Poses along the path", switches.strobe), row("How many poses", poses), raw, plane,
+    row("Vertex to read", number, "Its number, or point at it: both panes show where it is, the line beneath the stage what it is."),
   );
 
   page.onOpen(build);
@@ -54,15 +56,27 @@ export function watchView(page) {
   }
 
   /** @param {State} state */
-  function reflect({ view, lanes: [{ raw: found, length, unit }] }) {
+  function reflect({ view, lanes: [{ raw: found, length, unit, vertices }] }) {
+    number.max = String(Math.max(0, vertices - 1));
     for (const option of /** @type {const} */ (["refused", "strobe", "raw", "slice"])) switches[option].checked = view[option];
     if (document.activeElement !== poses) poses.value = String(view.poses);
     if (!plane.hidden) {
       selects.forEach((select, i) => { select.value = String(view.axes[i]); });
     }
     write(lengths, found !== null && length !== null
-      ? `${found.toFixed(2)} ${unit} as found, ${length.toFixed(2)} ${unit} shortened.`
+      ? `${found.toFixed(2)} ${unit} as found, ${length.toFixed(2)} ${unit} shortened.`.replaceAll("  ", " ")
       : "A second line where the path was shortened: see the planner\u2019s parameters.");
+  }
+
+  /** The vertex to be read by its number, for those without a pointer. */
+  function inspector() {
+    const readout = byId("readout", HTMLOutputElement);
+    const input = make("input", { type: "number", id: "inspect", min: "0", step: "1", autocomplete: "off", placeholder: "none" });
+    input.addEventListener("input", () => page.studio.tell("inspect", input.value === "" ? -1 : Math.max(0, Math.floor(Number(input.value)))));
+    // Who moves from number to number hears what each is; who moves a pointer does not.
+    input.addEventListener("focus", () => readout.setAttribute("aria-live", "polite"));
+    input.addEventListener("blur", () => readout.setAttribute("aria-live", "off"));
+    return input;
   }
 
   /** A switch for something to be seen. @param {"refused" | "strobe" | "raw" | "slice"} option */

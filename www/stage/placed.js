@@ -42,8 +42,8 @@ export class Placed {
 
   // What is drawn.
 
-  /** Which way a body looks; of a car the axles and its wheels, the front ones turned. @param {CanvasRenderingContext2D} context @param {View} view @param {ArrayLike<number>} pose @param {number} steering  radians @param {string} colour */
-  drawMarks(context, view, pose, steering, colour) {
+  /** Which way a body looks; of a car the axles and its wheels, the front ones turned. @param {CanvasRenderingContext2D} context @param {View} view @param {ArrayLike<number>} pose @param {number} steering  radians @param {string} colour @param {string} [outline]  of what stands out of the body */
+  drawMarks(context, view, pose, steering, colour, outline = colour) {
     const { robot } = this;
     context.save();
     context.translate(view.x(pose[0]), view.y(pose[1]));
@@ -67,8 +67,9 @@ export class Placed {
     } else {
       const base = robot.wheelbase * scale;
       const track = Math.max(0.62 * this.half * scale, 2);
-      context.lineWidth = 1;
-      context.globalAlpha = 0.7;
+      context.lineWidth = 1.2;
+      context.strokeStyle = outline;
+      context.globalAlpha = outline === colour ? 0.7 : 1;
       context.beginPath();
       context.moveTo(0, 0);
       context.lineTo(base, 0);
@@ -85,6 +86,7 @@ export class Placed {
           context.rotate(-turn);
           const [long, wide] = [Math.max(WHEEL.length * base, 4), Math.max(WHEEL.width * base, 1.8)];
           context.fillRect(-long / 2, -wide / 2, long, wide);
+          if (outline !== colour) context.strokeRect(-long / 2, -wide / 2, long, wide);
           context.restore();
         }
       }

@@ -137,7 +137,7 @@ export class Workspace extends Pane {
     const { scenario, hand, check } = lane.shown;
     const parts = scenario.footprint(pose);
     this.drawTouching(context, lane, parts, hand && check ? check.touching : [], () => drawRobot(context, view, parts, palette));
-    lane.shown.placed?.drawMarks(context, view, pose, lane.steering, palette["robot-edge"]);
+    lane.shown.placed?.drawMarks(context, view, pose, lane.steering, palette["robot-edge"], palette.robot);
   }
 
   /** The robot at what is pointed at, fine. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette @override */

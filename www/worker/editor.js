@@ -114,7 +114,7 @@ export class Editor {
     this.selected = null;
     this.on = on;
     if (on) {
-      theatre.turn.pointing.at = null;
+      if (theatre.turn.pointing) theatre.turn.pointing.at = null;
       theatre.turn.release();
       theatre.conductor.pause();
     } else if (theatre.refusal) theatre.turn.showTouching();

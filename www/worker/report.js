@@ -2,7 +2,7 @@
 import { faultOf } from "../fault.js";
 import { unitOf } from "./names.js";
 import { EVENT, PAST } from "./run.js";
-import { hoverSentence, poseSentence, summary } from "./story.js";
+import { poseSentence, summary } from "./story.js";
 
 /** @import { Theatre } from "./theatre.js" */
 /** @import { Lane } from "./lane.js" */
@@ -28,7 +28,7 @@ export function report(theatre) {
     pose: pose ? Array.from(pose) : null,
     touching: shown?.hand && shown.check ? { text: poseSentence(shown.scenario, shown.check), free: shown.check.free } : { text: "", free: true },
     arrived: shown?.hand !== null && theatre.turn.game.arrived,
-    hover: shown?.hover ? { vertex: shown.hover.vertex, text: hoverSentence(shown.hover), free: shown.hover.check.free } : null,
+    hover: shown?.hover ? { vertex: shown.hover.vertex, text: theatre.turn.pointing?.text(shown.hover) ?? "", free: shown.hover.check.free } : null,
     lanes: lanes.map((lane) => laneState(lane, settled)),
     summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),
     curves: theatre.curvesKey,

@@ -5,7 +5,7 @@ import { PAST } from "./run.js";
 
 /** @typedef {{ algorithm: string, isProven: boolean, sentence: string }} Story   what a scene says of its own planner, and whether it is to prove its edges */
 /** @import { Journey } from "./journey.js" */
-/** @import { Hover, Lane } from "./lane.js" */
+/** @import { Lane } from "./lane.js" */
 /** @import { Run } from "./run.js" */
 /** @import { Check, Scenario } from "../types.js" */
 
@@ -82,34 +82,6 @@ export function poseSentence(scenario, check) {
   const sentence = touchingSentence(scenario, check);
   return `${sentence[0].toUpperCase()}${sentence.slice(1)}.`;
 }
-
-/** What is pointed at, in words. @param {Hover} hover */
-export function hoverSentence({ lane: { run, scenario, shown: { placed } }, vertex, pose, check, edge = -1, motion = null }) {
-  const { robot } = scenario;
-  const numbers = `${[...pose].map(number).join(", ")}${placed ? " (m, m, rad)" : robot === "arm" ? " rad" : " m"}`;
-  const control = placed && motion ? ` ${placed.motionText(motion)}` : "";
-  if (vertex < 0 && edge >= 0 && run) {
-    const [from, to] = run.edges.row(edge);
-    return `Edge ${edge}, from vertex ${from} to ${to}.${control}`;
-  }
-  if (vertex < 0 || !run) return `Pose ${numbers}: ${check.free ? "free" : touchingSentence(scenario, check)}.`;
-  const { kin, past } = run;
-  const edges = past[PAST.edges];
-  kin.follow();
-  const name = `Vertex ${vertex}${vertex < 2 ? [", the start,", ", the goal,"][vertex] : ""} at ${numbers}`;
-  if (!run.isTree) {
-    let degree = 0;
-    kin.neighbours(vertex, edges, () => degree++);
-    return `${name}: ${degree} ${degree === 1 ? "edge" : "edges"}.`;
-  }
-  const parent = kin.parent(vertex, edges);
-  if (parent < 0) return `${name}: ${vertex === 0 || run.kind === "trees" ? "the root of its tree" : "not reached yet"}.`;
-  const way = run.lengthOf(kin.upward[vertex]);
-  return `${name}. Parent ${parent}, ${lengthText(way, robot)} away; ${lengthText(kin.costs[vertex], robot)} from the root.${control}`;
-}
-
-/** @param {number} value */
-function number(value) { return value.toFixed(2).replace("-", "\u2212"); }
 
 /** @param {number} touches */
 export function arrival(touches) {

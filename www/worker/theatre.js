@@ -9,6 +9,7 @@ import { Conductor } from "./conductor.js";
 import { coordinatesOf } from "./coordinates.js";
 import { thinned } from "./curve.js";
 import { Lane } from "./lane.js";
+import { axesOf } from "./names.js";
 import { report } from "./report.js";
 import * as story from "./story.js";
 import { Turn } from "./turn.js";
@@ -71,8 +72,7 @@ export class Theatre {
 
   /** Puts a scenario on the stage; the one before it is freed. @param {Scenario} scenario @param {Programme} programme @param {Placed | null} placed @returns {SceneFacts} */
   open(scenario, programme, placed) {
-    // Of a body x and theta say more than x and y, which the workspace shows as well.
-    if (Boolean(placed) !== Boolean(this.shown?.placed) || this.view.axes.some((axis) => axis >= scenario.dimension)) this.view.axes = [0, placed ? 2 : 1];
+    if (Boolean(placed) !== Boolean(this.shown?.placed) || this.view.axes.some((axis) => axis >= scenario.dimension)) this.view.axes = axesOf(scenario.robot);
     this.clear();
     const document = scenario.document();
     this.shown = { scenario, document, query: undefined, start: null, goal: null, hand: null, check: null, hover: null, view: this.view, rough: false, overlay: null, marked: null, placed, driven: null };

@@ -3,11 +3,9 @@
  * holds nothing points at something.
  */
 import { contained, coordinatesOf } from "./coordinates.js";
-import { Grip } from "./grip.js";
-import { Pointing } from "./pointing.js";
 
 /** @import { Pointer } from "../types.js" */
-/** @import { CSpace } from "../stage/cspace.js" */
+/** @import { Pointing } from "./pointing.js" */
 /** @import { Shown } from "./lane.js" */
 /** @import { Theatre } from "./theatre.js" */
 
@@ -15,10 +13,17 @@ export class Turn {
   /** @param {Theatre} theatre */
   constructor(theatre) {
     this.theatre = theatre;
-    this.grip = new Grip();
-    this.pointing = new Pointing();
+    /** Once somebody has pointed at something. @type {Pointing | null} */
+    this.pointing = null;
     /** How often the hand touched something, and whether it brought the robot to the goal. */
     this.game = { touches: 0, arrived: false };
+  }
+
+  /** What pointers need, fetched with the first of them. @returns {Promise<Pointing>} */
+  async ready() {
+    const { Pointing } = await import("./pointing.js");
+    this.pointing ??= new Pointing();
+    return this.pointing;
   }
 
   /** The reader's turn, or the planner's again. */
@@ -80,17 +85,14 @@ export class Turn {
 
   /** A pointer on a pane, pixels of the pane. @param {Pointer} pointer @returns {boolean} whether it holds something */
   point({ pane: id, type, x, y }) {
-    const { theatre, grip } = this;
+    const { theatre, pointing } = this;
     const place = theatre.stage.at(id);
     const { shown } = theatre;
-    if (!place || !shown) return false;
-    const { pane, kind } = place;
+    if (!place || !shown || !pointing) return false;
     if (shown.driven) return false;
-    this.pointing.at = type === "hover" ? { place, x, y } : null;
+    pointing.at = type === "hover" ? { place, x, y } : null;
     if (type !== "down" && type !== "move") return false;
-    const pose = kind === "cspace"
-      ? grip.square(/** @type {CSpace} */ (pane), x, y)
-      : type === "down" ? grip.take(pane, x, y) : grip.drag(pane, x, y);
+    const pose = pointing.hold(place, type, x, y);
     if (pose) this.hold(pose);
     return pose !== null;
   }
@@ -98,7 +100,7 @@ export class Turn {
   /** What is pointed at, unless the hand has something to do. @param {Shown} shown */
   hover(shown) {
     const { theatre } = this;
-    shown.hover = shown.hand || theatre.editor?.on ? null : this.pointing.find(theatre.lanes, this.grip, shown.hover);
+    shown.hover = shown.hand || theatre.editor?.on ? null : this.pointing?.find(theatre.lanes, shown.hover) ?? null;
   }
 }
 

@@ -92,9 +92,12 @@ const commands = {
   },
   facts: () => house().facts(),
   /** @param {Pointer} pointer */
-  pointer: (pointer) => house().pointer(pointer),
+  async pointer(pointer) {
+    await house().turn.ready();
+    return house().pointer(pointer);
+  },
   /** @param {number} vertex  -1: none */
-  inspect: (vertex) => house().turn.pointing.choose(vertex),
+  inspect: async (vertex) => (await house().turn.ready()).choose(vertex),
   /** @param {Partial<ViewOptions>} view */
   view: (view) => house().setView(view),
   /** @param {Look} look */

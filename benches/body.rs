@@ -2,7 +2,8 @@
 //! "distances" is the simple twin of the proof; "sampled" looks every hundredth of the longer side of the bounds and proves
 //! nothing.
 //!
-//! `cargo bench --bench body`; a run pinned to one core is quieter. `-- 0.3` runs motions of that length alone.
+//! `cargo bench --bench body`; a run pinned to one core is quieter. `-- 0.3` runs motions of that length alone, `-- proof` the fast
+//! proof alone.
 
 use planarium::collision::{BodyCollision, BodyMotion};
 use planarium::geometry::{Aabb, Point, Polygon};
@@ -20,64 +21,66 @@ const MOTIONS: usize = 1000;
 const RESOLUTION: f64 = 0.01;
 
 fn main() {
-    let only = std::env::args().skip(1).find(|argument| !argument.starts_with('-'));
+    let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
+    let only = arguments.iter().find(|argument| *argument != "proof");
+    let is_alone = arguments.iter().any(|argument| argument == "proof");
     println!(
-        "| motions | obstacles | body | length | free | free ns | refused ns | distances | | sampled | | ratio free | refused |"
+        "| motions | obstacles | body | length | free | pairs free | refused | proof free ns | refused | distances | | sampled | |"
     );
     println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     let rectangle = [[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]];
     let ell = [[0.0, 0.0], [0.12, 0.0], [0.12, 0.03], [0.03, 0.03], [0.03, 0.1], [0.0, 0.1]];
     for length in [0.1, 0.3, 1.0] {
-        if only.as_ref().is_some_and(|only| *only != format!("{length}")) {
+        if only.is_some_and(|only| *only != format!("{length}")) {
             continue;
         }
         for is_arc in [false, true] {
-            let kind = if is_arc { "arc" } else { "straight" };
-            for (count, is_concave) in [(16, false), (16, true), (64, false), (256, false)] {
-                let name = if is_concave { "mixed with concave" } else { "convex" };
-                row(
-                    &format!("{kind} | {count} {name} | rectangle | {length}"),
-                    &rectangle,
-                    count,
-                    is_concave,
-                    length,
-                    is_arc,
-                );
-            }
-            row(&format!("{kind} | 16 convex | L | {length}"), &ell, 16, false, length, is_arc);
+            let row = |name: &str, body: &[[f64; 2]], count: usize, is_concave: bool| {
+                let kind = if is_arc { "arc" } else { "straight" };
+                let measured = measure(&polygon(body), (count, is_concave), (length, is_arc), is_alone);
+                println!("| {kind} | {count} {name} | {length} | {measured}");
+            };
+            row("convex | rectangle", &rectangle, 16, false);
+            row("mixed | rectangle", &rectangle, 16, true);
+            row("convex | rectangle", &rectangle, 64, false);
+            row("convex | rectangle", &rectangle, 256, false);
+            row("convex | L", &ell, 16, false);
         }
     }
 }
 
-fn row(name: &str, body: &[[f64; 2]], count: usize, is_concave: bool, length: f64, is_arc: bool) {
-    let body = polygon(body);
-    let (mut total, mut counts) = ([[0.0; 2]; 3], [0usize; 2]);
+/// The columns of a row, over five worlds.
+fn measure(
+    body: &Polygon,
+    (count, is_concave): (usize, bool),
+    (length, is_arc): (f64, bool),
+    is_alone: bool,
+) -> String {
+    let (mut total, mut counts, mut pairs) = ([[0.0; 2]; 3], [0usize; 2], [0; 2]);
     for seed in 0..5 {
-        let collision = BodyCollision::new(&body, &clutter(count, is_concave, seed), 1e-4);
+        let collision = BodyCollision::new(body, &clutter(count, is_concave, seed), 1e-4);
         let motions = motions(&collision, length, is_arc, seed);
         let groups: (Vec<_>, Vec<_>) = motions.iter().copied().partition(|motion| collision.is_motion_free(motion));
         for (group, motions) in [&groups.0, &groups.1].into_iter().enumerate() {
             counts[group] += motions.len();
-            let by_distances = |motion: &BodyMotion| collision.first_hit_by_distances(motion).is_none();
+            let before = collision.clearance_evaluations();
+            motions.iter().for_each(|motion| _ = collision.is_motion_free(motion));
+            pairs[group] += collision.clearance_evaluations() - before;
             total[0][group] += nanoseconds(motions, PASSES, |motion| collision.is_motion_free(motion));
-            total[1][group] += nanoseconds(motions, 1, by_distances);
-            total[2][group] += nanoseconds(motions, PASSES, |motion| are_samples_free(&collision, motion));
+            if !is_alone {
+                let by_distances = |motion: &BodyMotion| collision.first_hit_by_distances(motion).is_none();
+                total[1][group] += nanoseconds(motions, 1, by_distances);
+                total[2][group] += nanoseconds(motions, PASSES, |motion| are_samples_free(&collision, motion));
+            }
         }
     }
-    let each = total.map(|ns| [0, 1].map(|group| ns[group] / counts[group] as f64));
-    println!(
-        "| {name} | {} of {} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} | {:.1} | {:.1} |",
-        counts[0],
-        counts[0] + counts[1],
-        each[0][0],
-        each[0][1],
-        each[1][0],
-        each[1][1],
-        each[2][0],
-        each[2][1],
-        each[2][0] / each[0][0],
-        each[2][1] / each[0][1]
-    );
+    let of = |sum: f64, group: usize| sum / counts[group] as f64;
+    let mut columns = format!("{} of {} |", counts[0], counts[0] + counts[1]);
+    [0, 1].iter().for_each(|&group| columns += &format!(" {:.1} |", of(pairs[group] as f64, group)));
+    for each in &total[..if is_alone { 1 } else { 3 }] {
+        [0, 1].iter().for_each(|&group| columns += &format!(" {:.0} |", of(each[group], group)));
+    }
+    columns
 }
 
 /// The least over all passes of the time that all motions take, in nanoseconds.

@@ -14,6 +14,7 @@ mod roadmap;
 mod rrt;
 mod rrt_connect;
 mod rrt_control;
+mod sst;
 mod table;
 mod visibility_prm;
 
@@ -27,6 +28,7 @@ pub use roadmap::{Answer, Connection, Roadmap};
 pub use rrt::{Extend, GoalBias, Rrt, RrtOptions};
 pub use rrt_connect::RrtConnect;
 pub use rrt_control::{Blossom, Late, Origin, RrtControl, RrtControlOptions};
+pub use sst::{Sst, SstOptions};
 pub use visibility_prm::VisibilityPrm;
 
 pub use crate::phase::Phase;

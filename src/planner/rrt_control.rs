@@ -129,7 +129,7 @@ impl<S: Space> RrtControl<S> {
         Some(sample.state)
     }
 
-    /// The vertex to grow from; `None` where no vertex sees the target, or all have been grown from.
+    /// The vertex to grow from; `None` where none sees the target.
     fn origin(&mut self, problem: &Problem<S>, target: &S::State) -> Option<VertexId> {
         self.tree.counters.nearest_queries += 1;
         let space = problem.space();
@@ -212,6 +212,9 @@ impl<S: Space> Planner<S> for RrtControl<S> {
         }
         if self.arrived.is_some() {
             return Status::Solved;
+        }
+        if self.open.is_empty() {
+            return Status::Exhausted;
         }
         let Some(target) = self.target(problem, iteration) else { return Status::Running };
         let Some(origin) = self.origin(problem, &target) else {

@@ -55,6 +55,7 @@ const HOUSE: &[(&str, &[&str])] = &[
             "sampling",
             "scenario",
             "space",
+            "steering",
             "stats",
             "validity",
         ],

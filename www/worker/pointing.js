@@ -9,6 +9,7 @@ import { PAST } from "./run.js";
 /** @import { Place } from "../stage/stage.js" */
 /** @import { Grip } from "./grip.js" */
 /** @import { Hover, Lane } from "./lane.js" */
+/** @import { Run } from "./run.js" */
 
 export class Pointing {
   constructor() {
@@ -28,11 +29,25 @@ export class Pointing {
     if (!lane || (at && at.place.pane.lane !== lane)) return null;
     const { run, scenario } = lane;
     const count = run ? run.past[PAST.vertices] : 0;
-    const vertex = at ? at.place.pane.places?.nearest(at.x, at.y, count) ?? -1 : this.chosen < count ? this.chosen : -1;
+    const isThere = (/** @type {number} */ one) => run !== null && run.isThere(one);
+    const vertex = at ? at.place.pane.places?.nearest(at.x, at.y, count, isThere) ?? -1 : this.chosen < count && isThere(this.chosen) ? this.chosen : -1;
+    const passing = at && vertex < 0 && run ? this.passing(run, at) : null;
+    if (passing) return { lane, ...passing, check: scenario.check(passing.pose) };
     const pose = vertex >= 0 && run ? run.vertices.row(vertex).slice() : at?.place.kind === "cspace" ? this.pose(lane, grip, at) : null;
     if (!pose) return null;
     const isSame = before?.lane === lane && before.pose.length === pose.length && before.pose.every((value, j) => value === pose[j]);
-    return { lane, vertex, pose, check: isSame ? before.check : scenario.check(pose) };
+    return { lane, vertex, pose, check: isSame ? before.check : scenario.check(pose), edge: run && vertex >= 0 ? run.edgeTo(vertex) : -1 };
+  }
+
+  /** An edge that is no straight line, where the pointer is upon it. @param {Run} run @param {{ place: Place, x: number, y: number }} at */
+  passing(run, { place: { pane }, x, y }) {
+    const { data, width } = run.traces;
+    const isThere = (/** @type {number} */ row) => {
+      const edge = data[row * width];
+      return edge < run.past[PAST.edges] && run.isThere(run.edges.data[2 * edge + 1]);
+    };
+    const row = pane.passages?.nearest(x, y, run.traces.count, isThere) ?? -1;
+    return row < 0 ? null : { vertex: -1, edge: data[row * width], pose: data.slice(row * width + 1, (row + 1) * width) };
   }
 
   /** The pose at a point of the square: of two joints, or of two with the others held as the slice holds them. @param {Lane} lane @param {Grip} grip @param {{ place: Place, x: number, y: number }} at */

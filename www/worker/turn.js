@@ -40,6 +40,7 @@ export class Turn {
     const { theatre } = this;
     const { shown } = theatre;
     if (!shown || pose.length !== shown.scenario.dimension) return;
+    this.theatre.driving?.stop();
     if (!shown.hand) {
       this.game = { touches: 0, arrived: false };
       for (const { journey } of theatre.lanes) {
@@ -72,6 +73,7 @@ export class Turn {
   release() {
     const { shown } = this.theatre;
     if (!shown) return;
+    this.theatre.driving?.stop();
     shown.hand = null;
     shown.check = null;
   }
@@ -80,8 +82,10 @@ export class Turn {
   point({ pane: id, type, x, y }) {
     const { theatre, grip } = this;
     const place = theatre.stage.at(id);
-    if (!place || !theatre.shown) return false;
+    const { shown } = theatre;
+    if (!place || !shown) return false;
     const { pane, kind } = place;
+    if (shown.driven) return false;
     this.pointing.at = type === "hover" ? { place, x, y } : null;
     if (type !== "down" && type !== "move") return false;
     const pose = kind === "cspace"
@@ -99,8 +103,10 @@ export class Turn {
 }
 
 /** Is a pose at the goal, as nearly as a hand can put it there? @param {Shown} shown @param {Float64Array} pose */
-function isAtGoal({ scenario, goal }, pose) {
+function isAtGoal(shown, pose) {
+  const { scenario, goal, placed } = shown;
   if (!goal) return false;
+  if (placed) return placed.isNear(pose, goal, shown);
   const { min, max } = scenario.extent();
   const near = scenario.robot === "arm" ? 0.06 * scenario.dimension : 0.015 * Math.max(max[0] - min[0], max[1] - min[1]);
   return scenario.distance(pose, Float64Array.from(goal)) <= near;

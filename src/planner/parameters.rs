@@ -55,6 +55,8 @@ pub struct ParameterInfo {
     pub default: Fallback,
     /// What it means, in one sentence.
     pub meaning: &'static str,
+    /// The types of robots that it is for, as in documents; of others it says nothing.
+    pub robots: &'static [&'static str],
 }
 
 /// A value given for a parameter.
@@ -122,6 +124,11 @@ impl Parameters {
             (values[at].1, values[at].2) = (Some(value.clone()), true);
         }
         Ok(Self { values })
+    }
+
+    /// Whether the planner has a parameter of that name.
+    pub fn has(&self, name: &str) -> bool {
+        self.values.iter().any(|(known, ..)| *known == name)
     }
 
     /// The number given for the parameter, or its default; `None` where the default depends on the space.

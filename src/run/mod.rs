@@ -5,6 +5,7 @@
 //! work they do: so a planner is compiled once a space, whatever the robot.
 
 mod choices;
+mod controls;
 mod factory;
 mod history;
 mod options;
@@ -17,8 +18,9 @@ pub use history::HISTORY_WIDTH;
 pub use options::Options;
 pub use resume::resume;
 
-pub use crate::planner::{Phase, PlannerInfo, Status, Value, planners};
+pub use crate::planner::{Phase, PlannerInfo, Preset, Status, Value, planners};
 
+use crate::control::Motion;
 use crate::error::Error;
 use crate::kept::RoadmapDocument;
 use crate::result::ResultDocument;
@@ -26,6 +28,9 @@ use crate::stats::Stats;
 
 /// Columns of an event row before its configuration: kind, iteration, vertex, other vertex.
 pub const EVENT_HEAD: usize = 4;
+
+/// Numbers of a row of [`Run::motions_since`].
+pub const MOTION_WIDTH: usize = 3;
 
 /// A planning run: a value that is stepped and looked at. Rows are numbered from 0 in the order of creation.
 pub trait Run {
@@ -78,17 +83,25 @@ pub trait Run {
     /// The edges from row `row` on: two vertex numbers each.
     fn edges_since(&self, row: usize) -> Vec<u32>;
 
+    /// What is driven along the edges from row `row` on: [`MOTION_WIDTH`] numbers each, speed in metres a second, steering angle
+    /// in radians, duration in seconds; empty where edges are not driven.
+    fn motions_since(&self, row: usize) -> Vec<f64>;
+
     /// The events from row `row` on: kind, iteration, vertex or -1, other vertex or -1, and a configuration each.
     fn events_since(&self, row: usize) -> Vec<f64>;
 
-    /// The path from start to goal, split so that no step turns a circle joint by more than 3 radians; empty until solved.
+    /// The path from start to goal, split so that no straight step turns a circle joint by more than 3 radians; empty until
+    /// solved.
     fn path(&self) -> Vec<Vec<f64>>;
+
+    /// What is driven along the path, from waypoint to waypoint; empty until solved, and where the path is straight.
+    fn path_motions(&self) -> Vec<Motion>;
 
     /// The path as the planner found it, before any improvement, split in the same way; empty until it is found. There while
     /// the path is being improved, and after.
     fn raw_path(&self) -> Vec<Vec<f64>>;
 
-    /// The length of the path in the metric of the space; 0 until solved.
+    /// The length of the path in the metric of the space, along its arcs where it is driven; 0 until solved.
     fn length(&self) -> f64;
 
     /// Where motions are first refused, in the run's own space and by its own test, proven or sampled: `ends` are rows of two

@@ -38,7 +38,6 @@ pub use visibility_prm::VisibilityPrm;
 pub use crate::phase::Phase;
 pub use crate::status::Status;
 
-use crate::control::Motion;
 use crate::graph::{Graph, VertexId};
 use crate::problem::Problem;
 use crate::space::Space;
@@ -73,11 +72,6 @@ pub trait Planner<S: Space> {
 
     /// What was asked so far.
     fn counters(&self) -> Counters;
-
-    /// What is driven from vertex to vertex of a path of this planner, of planners by controls; empty where edges are straight.
-    fn motions(&self, _path: &[VertexId]) -> Vec<Motion> {
-        Vec::new()
-    }
 
     /// The vertices of the path from the start to the vertex nearest to the goal, of planners that have one; else empty.
     fn approximate_path(&self) -> Vec<VertexId> {

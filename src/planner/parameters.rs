@@ -151,12 +151,13 @@ impl Parameters {
         self.number(name).expect("counts have fixed defaults") as u64
     }
 
-    /// The word given for the parameter; `None` where its default depends on the space.
+    /// The word given for the parameter, or its default; `None` where that depends on the space, or the planner has no such
+    /// parameter.
     ///
     /// # Panics
-    /// Where the planner has no such parameter, or it is not a choice.
+    /// Where it is not a choice.
     pub fn text(&self, name: &str) -> Option<&str> {
-        match self.get(name) {
+        match self.values.iter().find(|(known, ..)| *known == name)?.1.as_ref() {
             Some(Value::Text(text)) => Some(text),
             None => None,
             Some(other) => unreachable!("{name} is not a word but {other}"),

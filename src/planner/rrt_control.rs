@@ -252,10 +252,6 @@ impl<S: Space> Planner<S> for RrtControl<S> {
         self.arrived.map(|vertex| self.tree.way(vertex)).unwrap_or_default()
     }
 
-    fn motions(&self, path: &[VertexId]) -> Vec<Motion> {
-        self.tree.motions(path)
-    }
-
     fn approximate_path(&self) -> Vec<VertexId> {
         self.tree.way(self.tree.closest(|_| true))
     }

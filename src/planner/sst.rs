@@ -254,10 +254,6 @@ impl<S: Space> Planner<S> for Sst<S> {
         self.best.map(|best| self.tree.way(best.vertex)).unwrap_or_default()
     }
 
-    fn motions(&self, path: &[VertexId]) -> Vec<Motion> {
-        self.tree.motions(path)
-    }
-
     fn approximate_path(&self) -> Vec<VertexId> {
         self.tree.way(self.tree.closest(|vertex| !self.is_removed[vertex.index()]))
     }

@@ -12,6 +12,7 @@ mod options;
 mod questions;
 mod resume;
 mod runner;
+mod way;
 
 pub use factory::start;
 pub use history::HISTORY_WIDTH;
@@ -20,7 +21,6 @@ pub use resume::resume;
 
 pub use crate::planner::{Phase, PlannerInfo, Preset, Status, Value, planners};
 
-use crate::control::Motion;
 use crate::error::Error;
 use crate::kept::RoadmapDocument;
 use crate::result::ResultDocument;
@@ -28,9 +28,6 @@ use crate::stats::Stats;
 
 /// Columns of an event row before its configuration: kind, iteration, vertex, other vertex.
 pub const EVENT_HEAD: usize = 4;
-
-/// Numbers of a row of [`Run::motions_since`].
-pub const MOTION_WIDTH: usize = 3;
 
 /// A planning run: a value that is stepped and looked at. Rows are numbered from 0 in the order of creation.
 pub trait Run {
@@ -83,19 +80,19 @@ pub trait Run {
     /// The edges from row `row` on: two vertex numbers each.
     fn edges_since(&self, row: usize) -> Vec<u32>;
 
-    /// What is driven along the edges from row `row` on: [`MOTION_WIDTH`] numbers each, speed in metres a second, steering angle
-    /// in radians, duration in seconds; empty where edges are not driven.
+    /// What is done along the edges from row `row` on, of a car: the number of the edge, speed, steering angle and duration
+    /// (metres a second, radians, seconds) each; an edge of several motions has as many rows, in the order in which it is driven.
     fn motions_since(&self, row: usize) -> Vec<f64>;
+
+    /// What the edges from row `row` on look like that are not straight: the number of the edge and a configuration on it each,
+    /// from its first vertex to its second, close enough to be joined by straight lines.
+    fn traces_since(&self, row: usize) -> Vec<f64>;
 
     /// The events from row `row` on: kind, iteration, vertex or -1, other vertex or -1, and a configuration each.
     fn events_since(&self, row: usize) -> Vec<f64>;
 
-    /// The path from start to goal, split so that no straight step turns a circle joint by more than 3 radians; empty until
-    /// solved.
+    /// The path from start to goal, split so that no step turns a circle joint by more than 3 radians; empty until solved.
     fn path(&self) -> Vec<Vec<f64>>;
-
-    /// What is driven along the path, from waypoint to waypoint; empty until solved, and where the path is straight.
-    fn path_motions(&self) -> Vec<Motion>;
 
     /// The path as the planner found it, before any improvement, split in the same way; empty until it is found. There while
     /// the path is being improved, and after.

@@ -197,8 +197,8 @@ export class Run {
       const first = this.edges.count;
       this.edges.add(planner.edgesSince(first));
       if (this.isTree) this.inheritSides(first);
+      this.trace(planner.tracesSince(first));
     }
-    this.trace(planner.tracesSince?.(this.traces.count) ?? new Float64Array(0));
     const first = this.events.count;
     if (planner.eventCount > first) this.events.add(planner.eventsSince(first));
     const { data, width, count } = this.events;

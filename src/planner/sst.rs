@@ -140,7 +140,14 @@ impl<S: Space> Sst<S> {
     }
 
     /// Adds the end of a drive to the tree.
-    fn grow(&mut self, problem: &Problem<S>, iteration: u32, origin: VertexId, drive: Drive<S::State>, cost: f64) -> VertexId {
+    fn grow(
+        &mut self,
+        problem: &Problem<S>,
+        iteration: u32,
+        origin: VertexId,
+        drive: Drive<S::State>,
+        cost: f64,
+    ) -> VertexId {
         let vertex = self.tree.grow(problem, iteration, origin, drive);
         self.costs.push(cost);
         self.children.push(0);

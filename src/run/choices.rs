@@ -1,9 +1,9 @@
 //! From a planner's parameters to the planner: where the names of planners, samplers and searches become types.
 
+use super::controls::{rrt_control_options, sst_options};
 use crate::decimal::Decimal;
 use crate::error::{Code, Error};
 use crate::kept::RoadmapDocument;
-use super::controls::{rrt_control_options, sst_options};
 use crate::planner::{
     Algorithm, Connection, Cost, Extend, GoalBias, Heuristic, Order, Parameters, Planner, Prm, PrmOptions, Rrt,
     RrtConnect, RrtControl, RrtOptions, SearchRules, Sst, VisibilityPrm, logarithmic_k, prm_star_k,

@@ -4,7 +4,8 @@ use super::choices::bias;
 use crate::control::{Control, Motion};
 use crate::error::{Code, Error};
 use crate::planner::{
-    Blocked, Blossom, Durations, GoalBias, GoalTest, Late, MOST_STEPS, Origin, Parameters, RrtControlOptions, SstOptions,
+    Blocked, Blossom, Durations, GoalBias, GoalTest, Late, MOST_STEPS, Origin, Parameters, RrtControlOptions,
+    SstOptions,
 };
 use crate::problem::Problem;
 use crate::space::Space;
@@ -69,7 +70,8 @@ fn durations<S: Space>(parameters: &Parameters, problem: &Problem<S>) -> Result<
 /// The longest duration where none is given.
 fn default_steps<S: Space>(problem: &Problem<S>) -> u32 {
     let dynamics = problem.dynamics().expect("what is planned by controls is driven");
-    let straight = |control: Control| Motion { control: Control { steering: 0.0, ..control }, duration: dynamics.step() };
+    let straight =
+        |control: Control| Motion { control: Control { steering: 0.0, ..control }, duration: dynamics.step() };
     let step = dynamics.extremes().into_iter().map(|control| dynamics.length(straight(control))).fold(0.0, f64::max);
     (DEFAULT_DRIVE * problem.space().extent() / step).max(1.0).min(MOST_STEPS) as u32
 }

@@ -49,7 +49,11 @@ pub(super) fn launch(
     // What is driven ends near its goal, never there.
     if has("duration_steps") && query.goal_tolerance.is_none() {
         let pointer = format!("/queries/{place}/goal_tolerance");
-        return Err(Error::new(Code::MissingField, pointer, format!("{} needs a goal_tolerance in the query", info.id)));
+        return Err(Error::new(
+            Code::MissingField,
+            pointer,
+            format!("{} needs a goal_tolerance in the query", info.id),
+        ));
     }
     let ticket = Ticket {
         scenario: scenario.name().to_owned(),

@@ -248,6 +248,7 @@ export class Planner {
    * - 3: a solution was found; the vertex is where
    * - 4: a free sample was thrown away, as it connects to nothing, or to nothing new
    * - 5: the vertex became a guard of a visibility roadmap
+   * - 6: the vertex and the edge that leads to it were taken out of the tree; their numbers are not used again
    * @param {number} row  an integer from 0 to `eventCount`
    * @returns {Float64Array}
    */

@@ -6,8 +6,9 @@
 export type Status = "running" | "solved" | "exhausted";
 
 /**
- * What a planner is at. `prm` and `prm-star`: sampling, connecting, searching; `visibility-prm`: guarding, searching; `rrt` and
- * `rrt-connect`: growing; a roadmap gone on with: connecting, searching. Then improving, where that is asked for, and done.
+ * What a planner is at. `prm` and `prm-star`: sampling, connecting, searching; `visibility-prm`: guarding, searching; `rrt`,
+ * `rrt-connect`, `rrt-control` and `sst`: growing; a roadmap gone on with: connecting, searching. Then improving, where that is asked
+ * for, and done.
  */
 export type Phase = "sampling" | "connecting" | "guarding" | "searching" | "growing" | "improving" | "done";
 
@@ -150,8 +151,25 @@ export interface PlannerInfo {
   summary: string;
   /** How it works, line by line. */
   pseudocode: PseudocodeLine[];
+  /** The types of robots that it plans for. */
+  robots: RobotType[];
+  /** Settings with a name: those of the course reports that it continues. */
+  presets: Preset[];
   /** What can be set. */
   parameters: ParameterInfo[];
+}
+
+/** What a robot is, as its `type` in a scenario. */
+export type RobotType = "arm" | "disc" | "rigid_body" | "car";
+
+/** Settings of a planner that belong together. */
+export interface Preset {
+  /** Distinct within the planner. */
+  id: string;
+  /** Title for people. */
+  title: string;
+  /** Parameters by name, as options take them; all others keep their defaults. */
+  settings: Record<string, number | string | boolean>;
 }
 
 /** One line of pseudo-code. It is lit by an iteration that has one of its marks; each iteration lights at least one line. */
@@ -166,9 +184,10 @@ export interface PseudocodeLine {
 
 /**
  * What an iteration did: the phase it began in; `vertex` and `edge` where it added some; the kinds of its events (`eventsSince`), from
- * 0 on: `rejected`, `refused`, `expanded`, `solved`, `discarded`, `guard`; and `done` where the run has ended with it.
+ * 0 on: `rejected`, `refused`, `expanded`, `solved`, `discarded`, `guard`, `removed`; and `done` where the run has ended with it.
  */
-export type PseudocodeMark = Phase | "vertex" | "edge" | "rejected" | "refused" | "expanded" | "solved" | "discarded" | "guard";
+export type PseudocodeMark = Phase | "vertex" | "edge" | "rejected" | "refused" | "expanded" | "solved" | "discarded" | "guard"
+  | "removed";
 
 /** One parameter of a planner. */
 export interface ParameterInfo {
@@ -192,6 +211,8 @@ export interface ParameterInfo {
   choices?: string[] | null;
   /** What it does. */
   meaning: string;
+  /** The types of robots that it is for. */
+  robots: RobotType[];
 }
 
 /** A generator, as a page would offer it. */
@@ -230,7 +251,7 @@ export interface OptionInfo {
 
 /** How to plan: the common options, and the planner's own parameters by name (see `planners()`). */
 export interface PlannerOptions {
-  /** Id of the planner; `rrt-connect` where absent. */
+  /** Id of the planner; `rrt-connect` where absent, `rrt-control` for a car. */
   algorithm?: string;
   /** Name of the query; the first where absent. */
   query?: string;

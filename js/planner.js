@@ -219,6 +219,26 @@ export class Planner {
   }
 
   /**
+   * What a car does along the edges from a row on: rows of four numbers (edge, speed, steering angle, seconds); an edge of several
+   * motions has as many rows, in the order in which it is driven. Empty for other robots. A fresh copy, yours to keep.
+   * @param {number} row  an integer from 0 to `edgeCount`
+   * @returns {Float64Array}
+   */
+  motionsSince(row) {
+    return this.#handle.call((raw) => raw.motions_since(argument.count(row, "row")));
+  }
+
+  /**
+   * What the edges from a row on look like that are not straight: rows of 1 + `dimension` numbers, the edge and a configuration
+   * on it, from its first vertex to its second, close enough to be joined by straight lines. A fresh copy, yours to keep.
+   * @param {number} row  an integer from 0 to `edgeCount`
+   * @returns {Float64Array}
+   */
+  tracesSince(row) {
+    return this.#handle.call((raw) => raw.traces_since(argument.count(row, "row")));
+  }
+
+  /**
    * The events from a row on: rows of `eventWidth` numbers (kind, iteration, vertex or -1, other vertex or -1,
    * configuration). A fresh copy, yours to keep. Kinds:
    *

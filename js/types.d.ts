@@ -324,6 +324,14 @@ export interface Stats {
   search_seconds: number;
 }
 
+/** A control of a car that is held for a while. */
+export interface Motion {
+  /** Speed in metres a second, backward where negative, and angle of the front wheels in radians, to the left where positive. */
+  control: [number, number];
+  /** Seconds. */
+  duration: number;
+}
+
 /** The result of a run, the same as the command line prints. */
 export interface ResultDocument {
   /** Name of the scenario. */
@@ -338,7 +346,11 @@ export interface ResultDocument {
   status: Status;
   /** Waypoints; empty unless solved. */
   path: number[][];
-  /** Length of the path in the metric of the run. */
+  /** Of a car, what leads from each waypoint to the next along an exact arc; absent for other robots. */
+  motions?: Motion[];
+  /** `euler` where motions were computed by Euler's steps, so that the path is a picture and no proof; absent where they are exact. */
+  integration?: "euler";
+  /** Length of the path in the metric of the run; of a car along its arcs, in the scenario's metric. */
   length: number;
   /** What was counted. */
   stats: Stats;
@@ -356,6 +368,8 @@ export interface ResultDocument {
 export interface Approximate {
   /** Waypoints from the start on. */
   path: number[][];
+  /** Of a car, what leads from each to the next; absent for other robots. */
+  motions?: Motion[];
   /** How far from the goal it ends, in the metric of the run. */
   goal_distance: number;
 }

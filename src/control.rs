@@ -41,4 +41,8 @@ pub trait Dynamics<S> {
     /// How long the motion is, in the metric of the space along its arc; never less than the distance between its ends, and in
     /// proportion to its duration.
     fn length(&self, motion: Motion) -> f64;
+
+    /// The motions that lead from one state to another along the curve of the space, each with where it leads, the last to `to`;
+    /// none in a space without curves.
+    fn steer(&self, from: &S, to: &S) -> Vec<(Motion, S)>;
 }

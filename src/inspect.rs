@@ -8,7 +8,7 @@ use crate::geometry::{Aabb, Point};
 use crate::planner::DEFAULT_TOLERANCE;
 use crate::robot::Part;
 use crate::scenario::{LARGEST, Obstacle, Robot, Scenario};
-use crate::space::{MAX_DIMENSION, Metric, Space, Torus};
+use crate::space::{MAX_DIMENSION, Metric, MotionSpace, Space, Torus};
 use crate::validity::{Contact, Validity};
 use std::rc::Rc;
 
@@ -41,7 +41,7 @@ impl Inspector {
                 let (shape, weights) = robot.placed_shape().expect("both are placed");
                 let space = placements(shape, weights, &world.bounds.expect("a body has bounds"));
                 let collision = BodyCollision::new(shape, world, DEFAULT_TOLERANCE);
-                (space.clone(), Box::new(BodyValidity::new(space, Rc::new(collision))))
+                (space.clone(), Box::new(BodyValidity::new(MotionSpace::new(space), Rc::new(collision))))
             }
         };
         Self { robot, space, validity, extent: extent(scenario) }

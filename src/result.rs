@@ -1,5 +1,6 @@
 //! The document that a run ends with: what was asked, the path, its length, the work, and a fingerprint of the growth.
 
+use crate::control::{Control, Motion};
 use crate::error::{Code, Error, quoted};
 use crate::json::Node;
 use crate::random::MAX_SEED;
@@ -23,7 +24,11 @@ pub struct ResultDocument {
     pub status: Status,
     /// The waypoints, one configuration each, from the start to the goal; empty unless solved.
     pub path: Vec<Vec<f64>>,
-    /// The sum of the space's distances along the path; 0 without one.
+    /// Of a car, what leads from each waypoint to the next along an exact arc: one fewer than there are waypoints.
+    pub motions: Option<Vec<Motion>>,
+    /// `euler` where motions were computed by Euler's steps: the path is a picture, not a proof. Absent where they are exact.
+    pub integration: Option<String>,
+    /// The sum of the space's distances along the path, of a car along its arcs; 0 without one.
     pub length: f64,
     /// The work done.
     pub stats: Stats,
@@ -43,6 +48,8 @@ pub struct ResultDocument {
 pub struct Approximate {
     /// The waypoints from the start on.
     pub path: Vec<Vec<f64>>,
+    /// Of a car, what leads from each to the next.
+    pub motions: Option<Vec<Motion>>,
     /// How far from the goal it ends, in the metric of the space.
     pub goal_distance: f64,
 }
@@ -55,6 +62,8 @@ const FIELDS: &[&str] = &[
     "seed",
     "status",
     "path",
+    "motions",
+    "integration",
     "length",
     "stats",
     "fingerprint",
@@ -98,6 +107,8 @@ impl ResultDocument {
             seed: fields.required("seed")?.integer("a seed", 0, MAX_SEED)?,
             status: status(fields.required("status")?)?,
             path: fields.required("path")?.items()?.map(|waypoint| waypoint.numbers()).collect::<Result<_, _>>()?,
+            motions: fields.optional("motions").map(motions).transpose()?,
+            integration: fields.optional("integration").map(|word| word.string().map(str::to_owned)).transpose()?,
             length: fields.required("length")?.number_within("a length", 0.0, f64::MAX)?,
             stats: stats(fields.required("stats")?)?,
             fingerprint: fields.required("fingerprint")?.digits(Code::InvalidResult)?,
@@ -111,7 +122,12 @@ impl ResultDocument {
     pub fn to_node(&self) -> Node {
         let near = |near: &Approximate| {
             let distance = Node::Number(near.goal_distance);
-            Node::object(vec![("path", Some(Node::rows(&near.path))), ("goal_distance", Some(distance))])
+            let motions = near.motions.as_deref().map(driven);
+            Node::object(vec![
+                ("path", Some(Node::rows(&near.path))),
+                ("motions", motions),
+                ("goal_distance", Some(distance)),
+            ])
         };
         Node::object(vec![
             ("scenario", Some(Node::text(&self.scenario))),
@@ -120,6 +136,8 @@ impl ResultDocument {
             ("seed", Some(Node::Number(self.seed as f64))),
             ("status", Some(Node::text(self.status.as_str()))),
             ("path", Some(Node::rows(&self.path))),
+            ("motions", self.motions.as_deref().map(driven)),
+            ("integration", self.integration.as_deref().map(Node::text)),
             ("length", Some(Node::Number(self.length))),
             ("stats", Some(self.stats.to_node())),
             ("fingerprint", Some(Node::String(format!("{:016x}", self.fingerprint)))),
@@ -163,12 +181,34 @@ fn stats(value: Reader) -> Result<Stats, Error> {
     })
 }
 
+/// The motions of a car as a tree.
+fn driven(motions: &[Motion]) -> Node {
+    let one = |&Motion { control, duration }: &Motion| {
+        let control = Node::numbers(&[control.speed, control.steering]);
+        Node::object(vec![("control", Some(control)), ("duration", Some(Node::Number(duration)))])
+    };
+    Node::Array(motions.iter().map(one).collect())
+}
+
+fn motions(value: Reader) -> Result<Vec<Motion>, Error> {
+    let one = |item: Reader| {
+        let fields = item.object()?;
+        fields.only(&["control", "duration"])?;
+        let control = fields.required("control")?;
+        let [speed, steering] = control.tuple("a control")?;
+        let control = Control { speed: speed.number()?, steering: steering.number()? };
+        Ok(Motion { control, duration: fields.required("duration")?.number_within("a duration", 0.0, f64::MAX)? })
+    };
+    value.items()?.map(one).collect()
+}
+
 fn approximate(value: Reader) -> Result<Approximate, Error> {
     let fields = value.object()?;
-    fields.only(&["path", "goal_distance"])?;
+    fields.only(&["path", "motions", "goal_distance"])?;
     let path = fields.required("path")?.items()?.map(|waypoint| waypoint.numbers()).collect::<Result<_, _>>()?;
     Ok(Approximate {
         path,
+        motions: fields.optional("motions").map(motions).transpose()?,
         goal_distance: fields.required("goal_distance")?.number_within("a distance", 0.0, f64::MAX)?,
     })
 }

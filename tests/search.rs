@@ -1,7 +1,7 @@
 //! Searches on random graphs, against brute force: every search is a walker that expands one vertex a step.
 
 use planarium::graph::search::{BestFirst, Bidirectional, BreadthFirst, Expansion, View, Walker};
-use planarium::graph::{Adjacency, UnionFind, VertexId};
+use planarium::graph::{Adjacency, UnionFind, VertexId, strong_components};
 use planarium::random::{Random, Stream};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -155,4 +155,105 @@ fn sets_that_are_joined_are_one() {
             assert_eq!(sets.find(i) == sets.find(0), cost.is_finite());
         }
     }
+}
+
+/// The cheapest costs from vertex 0 along edges that lead one way (Bellman and Ford).
+fn directed_costs(world: &World, cost: impl Fn(VertexId, VertexId) -> f64) -> Vec<f64> {
+    let mut costs = vec![f64::INFINITY; world.points.len()];
+    costs[0] = 0.0;
+    for _ in 0..world.points.len() {
+        for &[a, b] in &world.edges {
+            costs[b.index()] = costs[b.index()].min(costs[a.index()] + cost(a, b));
+        }
+    }
+    costs
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn searches_follow_edges_that_lead_one_way() {
+    let (mut reachable, mut only_back) = (0, 0);
+    for seed in 0..2000 {
+        let world = World::new(seed);
+        let n = world.points.len();
+        let goal = VertexId(n as u32 - 1);
+        // Uphill is dearer, so that a cost has a direction too.
+        let metric = |a: VertexId, b: VertexId| world.length(a, b) * if a < b { 1.5 } else { 1.0 };
+        let hops = |_: VertexId, _: VertexId| 1.0;
+        let shortest = directed_costs(&world, metric)[goal.index()];
+        let fewest = directed_costs(&world, hops)[goal.index()];
+        let adjacency =
+            Adjacency::directed(n, &world.edges[..world.edges.len() / 2], &world.edges[world.edges.len() / 2..]);
+        let none = |_: VertexId| 0.0;
+        let to_goal = |v| world.length(v, goal);
+        let walkers: [Box<dyn Walker>; 4] = [
+            Box::new(BestFirst::new(n, START, goal)),
+            Box::new(BestFirst::new(n, START, goal)),
+            Box::new(BreadthFirst::new(n, START, goal)),
+            Box::new(Bidirectional::new(n, START, goal)),
+        ];
+        reachable += usize::from(shortest.is_finite());
+        only_back += usize::from(shortest.is_infinite() && world.costs(hops)[goal.index()].is_finite());
+        for (i, mut walker) in walkers.into_iter().enumerate() {
+            let (is_guided, by_metric) = (i == 1, i < 2);
+            let heuristic: &dyn Fn(VertexId) -> f64 = if is_guided { &to_goal } else { &none };
+            let view = View { adjacency: &adjacency, cost: &metric, heuristic };
+            let path = loop {
+                match walker.step(&view) {
+                    Expansion::Vertex(_) => {}
+                    Expansion::Goal => break walker.path(),
+                    Expansion::Nothing => break Vec::new(),
+                }
+            };
+            assert_eq!(path.is_empty(), shortest.is_infinite(), "seed {seed}");
+            assert!(
+                path.windows(2).all(|pair| world.edges.contains(&[pair[0], pair[1]])),
+                "against an edge, seed {seed}"
+            );
+            if !path.is_empty() {
+                assert_eq!((path[0], path[path.len() - 1]), (START, goal));
+                let costs: f64 = path.windows(2).map(|pair| metric(pair[0], pair[1])).sum();
+                assert!(!by_metric || (costs - shortest).abs() <= 1e-12 * shortest.max(1.0), "seed {seed}");
+                assert!(by_metric || (path.len() - 1) as f64 == fewest, "seed {seed}");
+            }
+        }
+    }
+    assert!(reachable > 300 && only_back > 100, "{reachable} can be reached, {only_back} only against an edge");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn strong_components_are_what_can_reach_each_other() {
+    let mut sizes = [0; 2];
+    for seed in 0..500 {
+        let world = World::new(seed);
+        let n = world.points.len();
+        // Who reaches whom, by closing the relation (Warshall).
+        let mut reaches = vec![vec![false; n]; n];
+        (0..n).for_each(|v| reaches[v][v] = true);
+        world.edges.iter().for_each(|[a, b]| reaches[a.index()][b.index()] = true);
+        for middle in 0..n {
+            let beyond = reaches[middle].clone();
+            for row in reaches.iter_mut().filter(|row| row[middle]) {
+                row.iter_mut().zip(&beyond).for_each(|(reached, further)| *reached |= further);
+            }
+        }
+        let found = strong_components(&Adjacency::directed(n, &world.edges, &[]));
+        let mut expected: Vec<u32> = Vec::new();
+        let mut count = 0;
+        for (v, row) in reaches.iter().enumerate() {
+            let first = (0..v).find(|&u| reaches[u][v] && row[u]);
+            expected.push(first.map_or(count, |u| expected[u]));
+            count += u32::from(first.is_none());
+        }
+        assert_eq!(found, expected, "seed {seed}");
+        sizes[0] += usize::from(count > 1);
+        sizes[1] += usize::from((count as usize) < n);
+    }
+    assert!(sizes[0] > 200 && sizes[1] > 200, "{sizes:?}");
+    // A long chain, and the same closed to a circle: nothing that a stack could not hold.
+    let n = 300_000;
+    let mut edges: Vec<[VertexId; 2]> = (1..n).map(|v| [VertexId(v - 1), VertexId(v)]).collect();
+    assert_eq!(strong_components(&Adjacency::directed(n as usize, &edges, &[])), (0..n).collect::<Vec<_>>());
+    edges.push([VertexId(n - 1), VertexId(0)]);
+    assert_eq!(strong_components(&Adjacency::directed(n as usize, &edges, &[])), vec![0; n as usize]);
+    assert_eq!(strong_components(&Adjacency::default()), Vec::<u32>::new());
 }

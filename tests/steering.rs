@@ -1,5 +1,6 @@
 //! Shortest curves of cars: against numerical search, known values and the laws they obey; on native, Node and Chrome alike.
 
+use planarium::graph::Fingerprint;
 use planarium::random::{Random, Stream};
 use planarium::steering::{Curve, Pose, Turn, advance, dubins, reeds_shepp, wrap};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -398,4 +399,23 @@ fn rounding_costs_neither_a_loop_nor_a_shunt() {
             assert!((curve.length() - length).abs() <= 1e-14 * size.max(100.0), "{name} {length}: {curve:?}");
         }
     }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn curves_have_the_same_bits_on_every_platform() {
+    let mut random = Random::new(10, Stream::Samples);
+    let mut hash = Fingerprint::new();
+    for _ in 0..2000 {
+        let (from, to, radius) = case(&mut random);
+        for (_, steer) in BOTH {
+            let curve = steer(from, to, radius);
+            let middle = curve.at(from, 0.5 * curve.length());
+            hash.numbers(&[curve.length(), middle.x, middle.y, middle.heading]);
+            for segment in curve.segments() {
+                hash.integer(segment.turn as u64);
+                hash.numbers(&[segment.length]);
+            }
+        }
+    }
+    assert_eq!(hash.value(), 0x5184_ec8d_7b9e_dc02, "{:016x}", hash.value());
 }

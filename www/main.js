@@ -32,7 +32,6 @@ import { showSceneOptions } from "./controls/scene-options.js";
 import { watchTheme } from "./controls/theme.js";
 import { watchReadout } from "./controls/readout.js";
 import { Transport } from "./controls/transport.js";
-import { watchView } from "./controls/view.js";
 import { Page } from "./page.js";
 import { Part } from "./part.js";
 import { loadCore, makeWorker } from "./resources.js";
@@ -90,14 +89,15 @@ async function start() {
   watchAnnouncements(page);
   showPseudocode(page);
   showSceneOptions(page, generators);
-  watchView(page, sheets);
   watchReadout(page);
   const projector = new Projector(page);
 
   const race = new Part(notice, async () => new (await import("./controls/race.js")).Race(page, sheets)).inFold("race-fold");
   page.needRace = () => race.get();
+  new Part(notice, async () => (await import("./controls/view.js")).watchView(page)).inFold("view-fold");
   new Part(notice, async () => (await import("./controls/curves.js")).watchCurves(page)).inFold("curves-fold");
   new Part(notice, async () => new (await import("./controls/editor.js")).EditorControls(page)).inFold("editor-fold").byButton("edit", (editor) => editor.begin());
+  const drive = new Part(notice, async () => new (await import("./controls/drive.js")).DriveControls(page));
   const lessons = new Part(notice, async () => new (await import("./controls/lessons.js")).Lessons(page, SCENES)).inFold("lessons-fold");
   new Part(notice, async () => (await import("./take/take.js")).showTake(page)).inFold("take-fold");
   const link = new Part(notice, async () => new (await import("./controls/link.js")).Link(page, SCENES, generators, projector)).byButton("link", (part) => part.copy());
@@ -117,15 +117,20 @@ async function start() {
     showLegend(page, state);
     write(story, state.sentence);
     story.dataset.tone = state.isBad ? "bad" : "";
-    turn.textContent = state.inHand ? "Watch again" : "Your turn";
+    turn.textContent = state.inHand ? "Watch again" : page.facts?.robot === "car" ? "Drive" : "Your turn";
     write(where, `${page.facts?.title ?? ""} \u00b7 ${page.names.join(" against ")}`);
     stage.classList.toggle("in-hand", state.inHand);
     pose.reflect(state);
+    sheets.look(state, page.facts);
     sheets.describe(state);
   });
   page.onOrder(() => counters.unsettle());
   page.onDress(() => void drawThumbnails());
   turn.addEventListener("click", (event) => {
+    if (page.facts?.robot === "car") {
+      drive.use((controls) => controls.toggle());
+      return;
+    }
     if (event.detail === 0) pose.awaitFocus();
     studio.tell("turn");
   });

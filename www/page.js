@@ -142,8 +142,11 @@ export class Page {
     this.pace = pace;
     this.told = false;
     if (plans) this.race?.adopt(this.asked);
+    const isOther = panel.offer(facts.robot);
     if (given) panel.suggest(given.algorithm, given.settings, entry?.settings);
     this.show(facts);
+    // What was chosen for another robot would be refused.
+    if (!given && isOther) this.plan(play);
   }
 
   /** The scenario on the stage is this now. @param {SceneFacts} facts */

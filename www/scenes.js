@@ -86,6 +86,28 @@ export const SCENES = [
     id: "locked", title: "No way round", algorithm: "prm", pace: 150, settings: { samples: 300, k: 9, seed: 1 },
     story: "Joint limits close the way round: the map fills two rooms that no motion connects.",
   },
+  {
+    id: "crates", title: "A body among stones", algorithm: "prm", pace: 110, settings: { samples: 300, k: 9, seed: 2 },
+    story: "A body slides and turns: x and theta beside its world, each point a whole placement.",
+    generate: { kind: "clutter", options: { robot: "rigid_body", count: 16, seed: 2 } },
+    sliders: [{ option: "count", title: "Stones", min: 0, max: 20, step: 1, unit: "" }, { option: "seed", title: "Other places", min: 0, max: 30, step: 1, unit: "" }],
+  },
+  {
+    id: "corner", title: "An L through a gap", algorithm: "rrt-connect", pace: 100, settings: { step: 0.15, seed: 1 },
+    story: "Neither leg of the L fits through with the other: it must turn while it goes through.",
+  },
+  {
+    id: "parking", title: "Parking", algorithm: "rrt", pace: 14, settings: { step: 0.1, seed: 6 },
+    story: "Each edge is a curve that the wheels can roll; to get in, the car must shunt.",
+  },
+  {
+    id: "turn", title: "A three-point turn", algorithm: "rrt", pace: 30, settings: { step: 0.1, seed: 6 },
+    story: "The road is too narrow for a turn in one go: forward, back and forward again.",
+  },
+  {
+    id: "lanes", title: "A car in a maze", algorithm: "rrt-connect", pace: 22, settings: { step: 0.25, seed: 0 },
+    story: "Two trees of curves from both ends; the car may shunt where a corner is too tight.",
+  },
 ];
 
 /**

@@ -4,6 +4,7 @@
  */
 import { byId, make } from "./controls/dom.js";
 import { LAYERS } from "./stage/layer.js";
+import { robotName } from "./worker/names.js";
 
 /** @import { Page } from "./page.js" */
 /** @import { PaneKind, Pointer, SceneFacts, State } from "./types.js" */
@@ -25,10 +26,11 @@ export class Sheets {
 
   /** The sheets that suit a scenario. @param {SceneFacts} facts */
   arrange({ robot, dimension }) {
-    const square = robot === "arm" && dimension >= 2;
+    const square = robot !== "disc" && dimension >= 2;
+    const marked = { arm: "tip", disc: "centre", rigid_body: "origin", car: "rear axle" }[robot];
     this.show([
-      { id: "workspace", kind: "workspace", lane: 0, caption: "Workspace", note: `the ${robot}\u2019s world; points mark its ${robot === "arm" ? "tip" : "centre"}` },
-      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space", note: `each point is a pose: two ${dimension > 2 ? "of its " : ""}angles` }] : []),
+      { id: "workspace", kind: "workspace", lane: 0, caption: "Workspace", note: `the ${robotName(robot)}\u2019s world; points mark its ${marked}` },
+      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space", note: `each point is a pose: two ${dimension > 2 ? "of its " : ""}${robot === "arm" ? "angles" : "coordinates"}` }] : []),
     ]);
   }
 
@@ -68,6 +70,14 @@ export class Sheets {
     if (this.notes[kind] === text) return;
     this.notes[kind] = text;
     for (const figure of this.figures.values()) this.say(figure);
+  }
+
+  /** Says which coordinates the square shows. @param {State} state @param {SceneFacts | null} facts */
+  look({ view: { axes: [across, up], slice } }, facts) {
+    const { dimension = 0, coordinates = [] } = facts ?? {};
+    const text = dimension > 2 && across < dimension && up < dimension
+      ? `${coordinates[across].name} across, ${coordinates[up].name} up${slice ? "; slice at the robot\u2019s pose" : ""}` : undefined;
+    this.annotate("cspace", text);
   }
 
   /** What was said of a kind of sheet now goes before what is said of each always. @param {Figure} figure */

@@ -66,6 +66,9 @@
  * @typedef {["turn", boolean] | ["use", EditTool] | ["select" | "pick", -1 | 1] | ["nudge", number, number, boolean] | ["set", number, number]
  *   | ["go", -1 | 1] | ["insert" | "remove" | "duplicate" | "enter" | "cancel" | "revert"]} EditOrder   a method of the worker's editor, and what it takes
  *
+ * @typedef {["turn", boolean, boolean, number] | ["press", import("planarium").DriveKey, number] | ["setByKeys", boolean, number] | ["pause" | "anew", number]
+ *   | ["replay", import("planarium").KeyPress[] | null, number, number] | ["roll", number, number, number] | ["record"]} DriveOrder   a method of the worker's driving; moments are milliseconds since the epoch
+ *
  * What is told:
  *
  * @typedef {object} Coordinate   one number of a configuration
@@ -143,6 +146,10 @@
  * @property {string} curves   differs where the curves do
  * @property {Fault & { lane: number } | null} refusal   which lane the core would not plan
  * @property {EditState | null} edit   while the editor is on
+ * @property {DriveReport | null} drive   while the reader drives
+ *
+ * @typedef {import("planarium").DriveState & { paused: boolean, byKeys: boolean, replaying: boolean, said: string, arrived: boolean,
+ *   rollout: { seconds: number, blocked: import("planarium").Obstructed | null } | null }} DriveReport   how a drive stands; `byKeys`: time goes by with each key alone
  *
  * @typedef {object} Field   one number of what is selected
  * @property {string} name

@@ -117,6 +117,16 @@ impl RawPlanner {
         Ok(self.run.edges_since(cursor(row, self.run.edge_count())?))
     }
 
+    /// What is done along the edges from row `row` on: edge, speed, steering angle, duration each.
+    pub fn motions_since(&self, row: f64) -> Result<Vec<f64>, JsValue> {
+        Ok(self.run.motions_since(cursor(row, self.run.edge_count())?))
+    }
+
+    /// What the edges from row `row` on look like that are not straight: edge and configuration each.
+    pub fn traces_since(&self, row: f64) -> Result<Vec<f64>, JsValue> {
+        Ok(self.run.traces_since(cursor(row, self.run.edge_count())?))
+    }
+
     /// The events from row `row` on, `event_width` numbers each.
     pub fn events_since(&self, row: f64) -> Result<Vec<f64>, JsValue> {
         Ok(self.run.events_since(cursor(row, self.run.event_count())?))

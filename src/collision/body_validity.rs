@@ -3,7 +3,8 @@
 use super::{BodyCollision, BodyMotion, LONGEST_TURN};
 use crate::geometry::{Aabb, Point, Polygon};
 use crate::robot::Weights;
-use crate::space::Torus;
+use crate::space::{MotionSpace, Space, Torus};
+use crate::steering::Curve;
 use crate::validity::{Contact, Validity};
 use std::rc::Rc;
 
@@ -18,23 +19,34 @@ pub fn placements<const N: usize>(shape: &Polygon, weights: Weights, bounds: &Aa
     Torus::of_placements([sides.min.x, sides.min.y], [sides.max.x, sides.max.y], translation, rotation)
 }
 
-/// What is free for a body, in a space of placements (x, y, theta) in which motions are straight.
+/// What is free for a body, in a space of placements (x, y, theta) in which motions are straight or curves that a car follows.
 pub struct BodyValidity<const N: usize> {
-    space: Torus<N>,
+    space: MotionSpace<N>,
     collision: Rc<BodyCollision>,
 }
 
 impl<const N: usize> BodyValidity<N> {
     /// The body in that space. The collision may be shared with what drives the body: its work is counted here.
-    pub fn new(space: Torus<N>, collision: Rc<BodyCollision>) -> Self {
+    pub fn new(space: MotionSpace<N>, collision: Rc<BodyCollision>) -> Self {
         Self { space, collision }
     }
 
     /// The straight motion; `None` where the short way round is ambiguous.
-    fn motion(&self, a: &[f64; N], b: &[f64; N]) -> Option<BodyMotion> {
-        let delta = placement(&self.space.difference(a, b));
+    fn straight(&self, a: &[f64; N], b: &[f64; N]) -> Option<BodyMotion> {
+        let delta = placement(&self.space.torus().difference(a, b));
         (delta[2].abs() < LONGEST_TURN).then_some(BodyMotion::Straight { from: placement(a), delta })
     }
+}
+
+/// The arcs of the curve driven from a placement, a metre a second.
+fn arcs(from: [f64; 3], curve: &Curve) -> impl Iterator<Item = BodyMotion> {
+    curve.segments().iter().scan(from, move |from, segment| {
+        let speed = libm::copysign(1.0, segment.length);
+        let turn_rate = speed * curve.curvature(segment.turn);
+        let arc = BodyMotion::Arc { from: *from, speed, turn_rate, duration: segment.length.abs() };
+        *from = arc.at(1.0);
+        Some(arc)
+    })
 }
 
 /// The placement that a state is; in what follows there are zeros.
@@ -48,11 +60,25 @@ impl<const N: usize> Validity<[f64; N]> for BodyValidity<N> {
     }
 
     fn is_motion_free(&self, a: &[f64; N], b: &[f64; N]) -> bool {
-        self.motion(a, b).is_some_and(|motion| self.collision.is_motion_free(&motion))
+        match self.space.curve(a, b) {
+            Some(curve) => arcs(placement(a), &curve).all(|arc| self.collision.is_motion_free(&arc)),
+            None => self.straight(a, b).is_some_and(|motion| self.collision.is_motion_free(&motion)),
+        }
     }
 
     fn first_hit(&self, a: &[f64; N], b: &[f64; N]) -> Option<f64> {
-        self.motion(a, b).map_or(Some(0.0), |motion| self.collision.first_hit(&motion))
+        let Some(curve) = self.space.curve(a, b) else {
+            return self.straight(a, b).map_or(Some(0.0), |motion| self.collision.first_hit(&motion));
+        };
+        let mut before = 0.0;
+        for (arc, segment) in arcs(placement(a), &curve).zip(curve.segments()) {
+            let length = segment.length.abs();
+            if let Some(hit) = self.collision.first_hit(&arc) {
+                return Some(((before + hit * length) / curve.length()).min(1.0));
+            }
+            before += length;
+        }
+        None
     }
 
     fn contacts(&self, state: &[f64; N]) -> Vec<Contact> {

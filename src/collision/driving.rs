@@ -6,7 +6,8 @@ use crate::control::{Control, Dynamics, Motion};
 use crate::geometry::arc_pose;
 use crate::random::Random;
 use crate::robot::Car;
-use crate::space::{Space, Torus};
+use crate::space::{MotionSpace, Space};
+use crate::steering::Turn;
 use std::rc::Rc;
 
 /// How the motion of a car is computed.
@@ -22,14 +23,14 @@ pub enum Integration {
 /// A car that is driven, in a space of placements (x, y, theta).
 pub struct Driving<const N: usize> {
     car: Car,
-    space: Torus<N>,
+    space: MotionSpace<N>,
     collision: Rc<BodyCollision>,
     integration: Integration,
 }
 
 impl<const N: usize> Driving<N> {
     /// The car in that space; `collision` is that of its shape.
-    pub fn new(car: &Car, space: Torus<N>, collision: Rc<BodyCollision>, integration: Integration) -> Self {
+    pub fn new(car: &Car, space: MotionSpace<N>, collision: Rc<BodyCollision>, integration: Integration) -> Self {
         Self { car: car.clone(), space, collision, integration }
     }
 
@@ -105,5 +106,29 @@ impl<const N: usize> Dynamics<[f64; N]> for Driving<N> {
         let pace =
             weights.translation * motion.control.speed.abs() + weights.rotation * self.turn_rate(motion.control).abs();
         pace * motion.duration
+    }
+
+    fn steer(&self, from: &[f64; N], to: &[f64; N]) -> Vec<(Motion, [f64; N])> {
+        let (Some(curve), Some((_, angle))) = (self.space.curve(from, to), self.car.turning_radius()) else {
+            return Vec::new();
+        };
+        let [backward, forward] = self.car.speed();
+        let mut at = placement(from);
+        let mut motions: Vec<(Motion, [f64; N])> = Vec::with_capacity(curve.segments().len());
+        for segment in curve.segments() {
+            let steering = match segment.turn {
+                Turn::Left => angle,
+                Turn::Straight => 0.0,
+                Turn::Right => -angle,
+            };
+            let control = Control { speed: if segment.length < 0.0 { backward } else { forward }, steering };
+            let duration = segment.length / control.speed;
+            at = arc_pose(at, control.speed, self.turn_rate(control), duration);
+            motions.push((Motion { control, duration }, self.space.state(&at)));
+        }
+        if let Some((_, end)) = motions.last_mut() {
+            *end = *to;
+        }
+        motions
     }
 }

@@ -71,7 +71,7 @@ impl Polygon {
     /// The polygon turned about the origin by `theta` and then moved by (x, y), for a pose (x, y, theta): the shape of a
     /// body there. Every vertex is rounded by itself, so it may touch itself by a rounding. O(vertices).
     #[must_use]
-    pub(crate) fn placed(&self, [x, y, theta]: [f64; 3]) -> Self {
+    pub fn placed(&self, [x, y, theta]: [f64; 3]) -> Self {
         let (sin, cos) = libm::sincos(theta);
         let place = |p: &Point| Point::new(x + (cos * p.x - sin * p.y), y + (sin * p.x + cos * p.y));
         let vertices: Vec<Point> = self.vertices.iter().map(place).collect();

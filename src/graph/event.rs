@@ -7,7 +7,8 @@ use super::VertexId;
 pub enum EventKind {
     /// A sample in collision was thrown away; the state is the sample.
     SampleRejected = 0,
-    /// A motion could not be proven free; from the vertex to the state (of the other vertex, where there is one).
+    /// A motion could not be proven free; from the vertex to the state (of the other vertex, where there is one), or, in a tree
+    /// that grows against the direction of its motions, from the state to the vertex.
     EdgeRefused = 1,
     /// The search expanded the vertex.
     VertexExpanded = 2,

@@ -7,11 +7,13 @@ mod adjacency;
 mod event;
 mod fingerprint;
 pub mod search;
+mod strong_components;
 mod union_find;
 
 pub use adjacency::Adjacency;
 pub use event::{Event, EventKind};
 pub use fingerprint::Fingerprint;
+pub use strong_components::strong_components;
 pub use union_find::UnionFind;
 
 use crate::control::Motion;

@@ -14,13 +14,25 @@ pub enum Way {
 }
 
 impl Way {
+    /// The ways that there are in a space: in a symmetric one they are the same.
+    pub fn all<S: Space>(space: &S) -> &'static [Self] {
+        if space.is_symmetric() { &[Way::Out] } else { &[Way::Out, Way::In] }
+    }
+
+    /// The two ends of a motion between a state and a neighbour, from and to.
+    #[inline]
+    pub fn ends<T>(self, state: T, neighbour: T) -> [T; 2] {
+        match self {
+            Way::In => [neighbour, state],
+            Way::Out => [state, neighbour],
+        }
+    }
+
     /// The distance between a state and a neighbour of it, in this direction.
     #[inline]
     pub fn distance<S: Space>(self, space: &S, state: &S::State, neighbour: &S::State) -> f64 {
-        match self {
-            Way::In => space.distance(neighbour, state),
-            Way::Out => space.distance(state, neighbour),
-        }
+        let [from, to] = self.ends(state, neighbour);
+        space.distance(from, to)
     }
 }
 

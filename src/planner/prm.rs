@@ -3,12 +3,15 @@
 //! Kavraki, Svestka, Latombe and Overmars 1996, "Probabilistic roadmaps for path planning in high-dimensional configuration
 //! spaces"; LaValle 2006, "Planning Algorithms", section 5.6; Karaman and Frazzoli 2011, "Sampling-based algorithms for
 //! optimal motion planning". Start and goal are the first two vertices.
+//!
+//! Where motions have a direction, so have edges (Svestka and Overmars 1997, "Motion planning for carlike robots using a
+//! probabilistic learning approach"): a vertex is joined to the nearest that it leads to and to the nearest that lead to it.
 
 use super::query::SearchRules;
 use super::roadmap::{Connection, Ending, GOAL, Roadmap, START};
 use super::{Counters, Phase, Planner, Status};
 use crate::graph::{EventKind, Graph, VertexId};
-use crate::nearest::Neighbour;
+use crate::nearest::{Neighbour, Way};
 use crate::problem::Problem;
 use crate::sampling::Sampler;
 use crate::space::Space;
@@ -55,8 +58,9 @@ pub struct Prm<S: Space> {
     vertices: usize,
     order: Order,
     sampler: Box<dyn Sampler<S>>,
-    /// For every vertex already connected its last neighbour, and so which later vertices it has tried.
-    farthest: Vec<Neighbour>,
+    /// For every vertex already connected its last neighbour, and so which later vertices it has tried: out of it, and, where
+    /// motions have a direction, into it.
+    farthest: [Vec<Neighbour>; 2],
     neighbours: Vec<Neighbour>,
     stage: Stage,
 }
@@ -80,14 +84,19 @@ impl<S: Space> Prm<S> {
             vertices: options.samples + 2,
             order: options.order,
             sampler,
-            farthest: Vec::new(),
+            farthest: [Vec::new(), Vec::new()],
             neighbours: Vec::new(),
             stage: Stage::Sampling,
         };
         // One by one the goal comes second, and its neighbour is the start.
-        let distance = problem.space().distance(problem.start(), problem.goal());
-        if matches!(options.order, Order::OneByOne { .. }) && distance <= options.connection.radius {
-            prm.roadmap.try_edge(problem, 0, GOAL, START);
+        if matches!(options.order, Order::OneByOne { .. }) {
+            for way in Way::all(problem.space()) {
+                let distance = way.distance(problem.space(), problem.goal(), problem.start());
+                if distance <= options.connection.radius {
+                    let [from, to] = way.ends(GOAL, START);
+                    prm.roadmap.try_edge(problem, 0, from, to);
+                }
+            }
         }
         prm.finish_sampling(problem.space());
         prm
@@ -133,12 +142,13 @@ impl<S: Space> Prm<S> {
         };
         // A start that is not connected anew has tried nothing from its side.
         let nothing = Neighbour { distance: -1.0, vertex: START };
+        let farthest = if is_kept[0] { vec![nothing] } else { Vec::new() };
         Self {
             vertices: states.len() + 2,
             roadmap,
             order: Order::Batch,
             sampler,
-            farthest: if is_kept[0] { vec![nothing] } else { Vec::new() },
+            farthest: [farthest.clone(), farthest],
             neighbours: Vec::new(),
             stage,
         }
@@ -169,35 +179,49 @@ impl<S: Space> Prm<S> {
 
     /// Joins a sample to its neighbours among the vertices so far.
     fn insert(&mut self, problem: &Problem<S>, iteration: u32, state: S::State, discard: bool) {
-        self.roadmap.neighbours(problem.space(), &state, false, &mut self.neighbours);
+        let space = problem.space();
+        let mut neighbours = Vec::new();
+        for &way in Way::all(space) {
+            self.roadmap.neighbours(space, way, &state, false, &mut self.neighbours);
+            neighbours.extend(self.neighbours.iter().map(|neighbour| (way, neighbour.vertex)));
+        }
+        let roadmap = &mut self.roadmap;
         if !discard {
-            let vertex = self.roadmap.add_vertex(problem.space(), iteration, state);
-            for neighbour in &self.neighbours {
-                self.roadmap.try_edge(problem, iteration, vertex, neighbour.vertex);
+            let vertex = roadmap.add_vertex(space, iteration, state);
+            for (way, other) in neighbours {
+                let [from, to] = way.ends(vertex, other);
+                roadmap.try_edge(problem, iteration, from, to);
             }
             return;
         }
         // Whether there will be a vertex is known only after its edges are.
-        let (roadmap, neighbours) = (&mut self.roadmap, &self.neighbours);
-        let mut joined = Vec::new();
-        for neighbour in neighbours {
-            let other = *roadmap.graph.state(neighbour.vertex);
-            if roadmap.is_motion_free(problem, &state, &other) {
-                joined.push(neighbour.vertex);
-            }
-        }
-        if joined.is_empty() {
+        neighbours.retain(|&(way, other)| {
+            let other = *roadmap.graph.state(other);
+            let [from, to] = way.ends(&state, &other);
+            roadmap.is_motion_free(problem, from, to)
+        });
+        if neighbours.is_empty() {
             return roadmap.turn_away(EventKind::SampleDiscarded, iteration, state);
         }
-        let vertex = roadmap.add_vertex(problem.space(), iteration, state);
-        joined.into_iter().for_each(|other| roadmap.graph.add_edge(iteration, vertex, other));
+        let vertex = roadmap.add_vertex(space, iteration, state);
+        for (way, other) in neighbours {
+            let [from, to] = way.ends(vertex, other);
+            roadmap.graph.add_edge(iteration, from, to);
+        }
     }
 
-    /// Tries the motions from one vertex to its neighbours, but for pairs that were tried from the other side.
+    /// Tries the motions between one vertex and its neighbours, but for those that were tried from the other side.
     fn connect(&mut self, problem: &Problem<S>, iteration: u32, vertex: VertexId) {
+        for &way in Way::all(problem.space()) {
+            self.connect_by(problem, iteration, way, vertex);
+        }
+    }
+
+    /// Tries the motions of one way.
+    fn connect_by(&mut self, problem: &Problem<S>, iteration: u32, way: Way, vertex: VertexId) {
         let Connection { k, radius } = self.roadmap.connection();
         let state = *self.roadmap.graph.state(vertex);
-        self.roadmap.neighbours(problem.space(), &state, true, &mut self.neighbours);
+        self.roadmap.neighbours(problem.space(), way, &state, true, &mut self.neighbours);
         match self.neighbours.iter().position(|neighbour| neighbour.vertex == vertex) {
             Some(own) => drop(self.neighbours.remove(own)),
             None => self.neighbours.truncate(k),
@@ -207,15 +231,22 @@ impl<S: Space> Prm<S> {
             // Fewer than k: all within the radius were tried.
             _ => Neighbour { distance: radius, vertex: VertexId(u32::MAX) },
         };
-        self.farthest.push(farthest);
+        // What leads out of the one leads into the other.
+        let (own, others) = match way {
+            _ if problem.space().is_symmetric() => (0, 0),
+            Way::Out => (0, 1),
+            Way::In => (1, 0),
+        };
+        self.farthest[own].push(farthest);
         for neighbour in &self.neighbours {
             let other = neighbour.vertex;
             let back = Neighbour { distance: neighbour.distance, vertex };
             // A vertex connected earlier has tried all up to its farthest neighbour.
-            if other < vertex && !self.farthest[other.index()].is_before(&back) {
+            if other < vertex && !self.farthest[others][other.index()].is_before(&back) {
                 continue;
             }
-            self.roadmap.try_edge(problem, iteration, vertex, other);
+            let [from, to] = way.ends(vertex, other);
+            self.roadmap.try_edge(problem, iteration, from, to);
         }
     }
 }

@@ -73,7 +73,7 @@ pub(super) struct Query {
 }
 
 impl Query {
-    /// A search over the graph's edges and `joined` ones, between two vertices; `more` are the states of vertices numbered
+    /// A search over the graph's edges and `joined` ones, along their direction where the space is not symmetric, between two vertices; `more` are the states of vertices numbered
     /// after the graph's.
     pub fn new<S: Space>(
         space: &S,
@@ -98,7 +98,8 @@ impl Query {
             (Cost::Metric, Heuristic::EndEffector) => BELOW,
             _ => 1.0,
         };
-        Self { adjacency: Adjacency::joining(vertices, graph.edges(), joined), walker, rules, goal, scale }
+        let join = if space.is_symmetric() { Adjacency::joining } else { Adjacency::directed };
+        Self { adjacency: join(vertices, graph.edges(), joined), walker, rules, goal, scale }
     }
 
     /// Expands one vertex.

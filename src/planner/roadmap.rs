@@ -1,11 +1,11 @@
 //! What all roadmap planners share: vertices with their neighbours, edges that are proven before they are added, and
-//! questions asked again and again.
+//! questions asked again and again. In a space that is not symmetric an edge leads from its first vertex to its second only.
 
 use super::query::{Query, SearchRules};
 use super::{Counters, Phase, Status};
 use crate::graph::search::Expansion;
 use crate::graph::{Event, EventKind, Graph, VertexId};
-use crate::nearest::{Index, Nearest, Neighbour};
+use crate::nearest::{Index, Nearest, Neighbour, Way};
 use crate::problem::Problem;
 use crate::sampling::{Known, Sample, Sampler};
 use crate::space::Space;
@@ -61,15 +61,22 @@ impl<S: Space> Roadmap<S> {
         vertex
     }
 
-    /// The vertices that a state is to be joined to, nearest first, and one more where `spare` is set.
-    pub(super) fn neighbours(&mut self, space: &S, state: &S::State, spare: bool, found: &mut Vec<Neighbour>) {
+    /// The vertices that a state is to be joined to by motions of the given way, nearest first, and one more where `spare` is set.
+    pub(super) fn neighbours(
+        &mut self,
+        space: &S,
+        way: Way,
+        state: &S::State,
+        spare: bool,
+        found: &mut Vec<Neighbour>,
+    ) {
         self.counters.nearest_queries += 1;
         let Connection { k, radius } = self.connection;
         let k = k + usize::from(spare);
         if k >= self.nearest.len() && radius < f64::INFINITY {
-            self.nearest.within(space, state, radius, found);
+            self.nearest.within_by(space, way, state, radius, found);
         } else {
-            self.nearest.k_nearest(space, state, k, found);
+            self.nearest.k_nearest_by(space, way, state, k, found);
             found.truncate(found.partition_point(|neighbour| neighbour.distance <= radius));
         }
     }
@@ -80,7 +87,7 @@ impl<S: Space> Roadmap<S> {
         problem.validity().is_motion_free(a, b)
     }
 
-    /// Joins two vertices where the motion between them is proven free; else says so.
+    /// Joins two vertices where the motion from the one to the other is proven free; else says so.
     pub(super) fn try_edge(&mut self, problem: &Problem<S>, iteration: u32, from: VertexId, to: VertexId) {
         let (origin, target) = (*self.graph.state(from), *self.graph.state(to));
         if self.is_motion_free(problem, &origin, &target) {
@@ -147,12 +154,15 @@ impl<S: Space> Roadmap<S> {
         let count = self.graph.states().len() as u32;
         let [start, goal] = [VertexId(count), VertexId(count + 1)];
         let (mut joined, mut found) = (Vec::new(), Vec::new());
-        for (end, vertex) in ends.iter().zip([start, goal]) {
-            self.neighbours(space, end, false, &mut found);
+        // Out of the start, and into the goal where that makes a difference.
+        let ways = [Way::Out, if space.is_symmetric() { Way::Out } else { Way::In }];
+        for ((end, vertex), way) in ends.iter().zip([start, goal]).zip(ways) {
+            self.neighbours(space, way, end, false, &mut found);
             for neighbour in &found {
                 let other = *self.graph.state(neighbour.vertex);
-                if self.is_motion_free(problem, end, &other) {
-                    joined.push([vertex, neighbour.vertex]);
+                let [from, to] = way.ends(end, &other);
+                if self.is_motion_free(problem, from, to) {
+                    joined.push(way.ends(vertex, neighbour.vertex));
                 }
             }
         }

@@ -3,11 +3,12 @@
 //! Kuffner and LaValle 2000, "RRT-Connect: an efficient approach to single-query path planning". The smaller tree grows
 //! one step towards a sample; the other then grows step by step towards what was added until it arrives or is refused.
 //! Trees are kept in balance: the smaller one takes the sample, the start's tree where they are equal (LaValle 2006,
-//! "Planning Algorithms", section 5.5.3).
+//! "Planning Algorithms", section 5.5.3). Where motions have a direction, the goal's tree grows against it: its motions
+//! lead from new vertices to it.
 
 use super::{Counters, Phase, Planner, Status};
 use crate::graph::{Event, EventKind, Graph, VertexId};
-use crate::nearest::{Index, Nearest};
+use crate::nearest::{Index, Nearest, Way};
 use crate::problem::Problem;
 use crate::sampling::{Known, Sampler};
 use crate::space::Space;
@@ -54,6 +55,11 @@ impl<S: Space> RrtConnect<S> {
         planner
     }
 
+    /// Which way motions lead between the states that a tree grows to and its vertices.
+    fn way(space: &S, tree: usize) -> Way {
+        if tree == 0 || space.is_symmetric() { Way::In } else { Way::Out }
+    }
+
     fn add_vertex(
         &mut self,
         space: &S,
@@ -66,7 +72,8 @@ impl<S: Space> RrtConnect<S> {
         self.trees[tree].insert(space, vertex, state);
         self.parents.push(parent);
         if let Some(parent) = parent {
-            self.graph.add_edge(iteration, parent, vertex);
+            let [from, to] = Self::way(space, tree).ends(vertex, parent);
+            self.graph.add_edge(iteration, from, to);
         }
         vertex
     }
@@ -74,7 +81,7 @@ impl<S: Space> RrtConnect<S> {
     /// The vertex of a tree that is nearest to the state.
     fn nearest(&mut self, space: &S, tree: usize, state: &S::State) -> VertexId {
         self.counters.nearest_queries += 1;
-        self.trees[tree].nearest(space, state).expect("a tree has a root").vertex
+        self.trees[tree].nearest_by(space, Self::way(space, tree), state).expect("a tree has a root").vertex
     }
 
     /// Grows a tree from one of its vertices by one step towards the target.
@@ -88,11 +95,18 @@ impl<S: Space> RrtConnect<S> {
     ) -> Growth<S::State> {
         let space = problem.space();
         let origin = *self.graph.state(from);
-        let distance = space.distance(&origin, target);
+        let way = Self::way(space, tree);
+        let [a, b] = way.ends(target, &origin);
+        let distance = space.distance(a, b);
         let arrives = distance <= self.step;
-        let next = if arrives { *target } else { space.interpolate(&origin, target, self.step / distance) };
+        let next = match way {
+            _ if arrives => *target,
+            Way::In => space.interpolate(a, b, self.step / distance),
+            Way::Out => space.interpolate(a, b, 1.0 - self.step / distance),
+        };
         self.counters.motion_checks += 1;
-        if !problem.validity().is_motion_free(&origin, &next) {
+        let [a, b] = way.ends(&next, &origin);
+        if !problem.validity().is_motion_free(a, b) {
             let kind = EventKind::EdgeRefused;
             self.graph.add_event(Event { kind, iteration, vertex: Some(from), other: None, state: next });
             return Growth::Refused;
@@ -107,13 +121,16 @@ impl<S: Space> RrtConnect<S> {
     fn connect(&mut self, problem: &Problem<S>, iteration: u32, tree: usize, target: VertexId) -> Option<VertexId> {
         let state = *self.graph.state(target);
         let mut from = self.nearest(problem.space(), tree, &state);
-        loop {
+        // Every step brings the tree nearer by its length. Rounding could keep a steered one from that, but not forever.
+        let most = libm::ceil(problem.space().extent() / self.step) as u64 + 2;
+        for _ in 0..most {
             match self.grow(problem, iteration, tree, from, &state) {
                 Growth::Refused => return None,
                 Growth::Advanced(vertex) => from = vertex,
                 Growth::Arrived(_) => return Some(from),
             }
         }
+        None
     }
 }
 

@@ -27,6 +27,7 @@ pub(super) const PLANNERS: [PlannerInfo; 5] = [
             SHORTCUT,
             PARTIAL_SHORTCUT,
             METRIC,
+            STEERING,
             TOLERANCE,
             MAX_ITERATIONS,
         ],
@@ -50,6 +51,7 @@ pub(super) const PLANNERS: [PlannerInfo; 5] = [
             SHORTCUT,
             PARTIAL_SHORTCUT,
             METRIC,
+            STEERING,
             TOLERANCE,
             MAX_ITERATIONS,
         ],
@@ -72,6 +74,7 @@ pub(super) const PLANNERS: [PlannerInfo; 5] = [
             SHORTCUT,
             PARTIAL_SHORTCUT,
             METRIC,
+            STEERING,
             TOLERANCE,
             MAX_ITERATIONS,
         ],
@@ -97,6 +100,7 @@ pub(super) const PLANNERS: [PlannerInfo; 5] = [
             SHORTCUT,
             PARTIAL_SHORTCUT,
             METRIC,
+            STEERING,
             TOLERANCE,
             MAX_ITERATIONS,
         ],
@@ -116,6 +120,7 @@ pub(super) const PLANNERS: [PlannerInfo; 5] = [
             SHORTCUT,
             PARTIAL_SHORTCUT,
             METRIC,
+            STEERING,
             TOLERANCE,
             MAX_ITERATIONS,
         ],
@@ -320,6 +325,14 @@ const METRIC: ParameterInfo = row(
     Kind::Choice(&["sum", "euclidean", "naive"]),
     Fallback::Computed("sum for arms, euclidean for discs"),
     "How joints' turns make a distance: their sum, the root of their squares, or that as if no joint went round.",
+);
+
+const STEERING: ParameterInfo = row(
+    "steering",
+    "Steering",
+    Kind::Choice(&["dubins", "reeds-shepp"]),
+    Fallback::Computed("reeds-shepp for a car with a reverse gear, else dubins"),
+    "Along which curves a car goes from place to place: the shortest forwards (dubins), or with shunts (reeds-shepp).",
 );
 
 const TOLERANCE: ParameterInfo = ParameterInfo {

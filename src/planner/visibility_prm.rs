@@ -2,7 +2,8 @@
 //!
 //! Simeon, Laumond and Nissoux 2000, "Visibility-based probabilistic roadmaps for motion planning". A free sample that no
 //! guard sees becomes a guard; one that guards of several components see links them; any other is thrown away. After
-//! m samples in a row that made no guard the free space is covered but for an estimated share of 1/m.
+//! m samples in a row that made no guard the free space is covered but for an estimated share of 1/m. What sees must be seen: the
+//! space has to be symmetric.
 
 use super::query::SearchRules;
 use super::roadmap::{Connection, Ending, GOAL, Roadmap, START};
@@ -35,6 +36,9 @@ enum Stage {
 impl<S: Space> VisibilityPrm<S> {
     /// A planner at its beginning, which gives up on new guards after `most_failures` samples, at least 1. Questions asked
     /// later are joined as `connection` says.
+    ///
+    /// # Panics
+    /// Where the space is not symmetric.
     pub fn new(
         problem: &Problem<S>,
         most_failures: u32,
@@ -42,6 +46,7 @@ impl<S: Space> VisibilityPrm<S> {
         rules: SearchRules,
         sampler: Box<dyn Sampler<S>>,
     ) -> Self {
+        assert!(problem.space().is_symmetric(), "guards see only where motions can be made back");
         let mut planner = Self {
             roadmap: Roadmap::new(problem, connection, rules),
             sampler,

@@ -84,6 +84,14 @@ impl Car {
         speed * libm::tan(steering) / self.wheelbase
     }
 
+    /// The least radius, in metres, of a circle that the car can drive either way round, and the steering angle of it in
+    /// radians: L / tan(phi) for the lesser of its two largest angles. `None` of a car that cannot steer both ways.
+    pub fn turning_radius(&self) -> Option<(f64, f64)> {
+        let [right, left] = self.steering;
+        let angle = left.min(-right);
+        (angle > 0.0).then(|| (self.wheelbase / libm::tan(angle), angle))
+    }
+
     /// The one part of the robot at `q`.
     ///
     /// # Panics

@@ -13,9 +13,10 @@ use crate::kept::{RoadmapDocument, fingerprint, placement_metric};
 use crate::path::Wanted;
 use crate::planner::{Connection, Parameters, PlannerInfo, planner_info};
 use crate::problem::{Estimate, GoalRegion, Problem};
-use crate::robot::{Arm, DiscRobot, Weights};
+use crate::robot::{Arm, Car, DiscRobot, Weights};
 use crate::scenario::{GoalTolerance, Robot, Scenario};
-use crate::space::{MAX_DIMENSION, Metric, Space, Torus};
+use crate::space::{MAX_DIMENSION, Metric, MotionSpace, Space, Torus};
+use crate::steering::Steering;
 use crate::validity::Validity;
 use std::rc::Rc;
 
@@ -43,6 +44,7 @@ pub(super) fn launch(
     kept: Option<&RoadmapDocument>,
 ) -> Result<Box<dyn Run>, Error> {
     let (place, query) = options.find_query(scenario)?;
+    let has = |name: &str| info.parameters.iter().any(|parameter| parameter.name == name);
     let ticket = Ticket {
         scenario: scenario.name().to_owned(),
         query: query.name.clone(),
@@ -55,7 +57,16 @@ pub(super) fn launch(
             partial_shortcuts: parameters.integer("partial_shortcut"),
         },
         is_sampled: parameters.text("edge_check") == Some("sampled"),
+        is_steered: has("steering"),
+        is_euler: has("integration") && parameters.text("integration") == Some("euler"),
     };
+    if has("steering")
+        && !matches!(scenario.robot(), Robot::Car(_))
+        && let Some(word) = parameters.text("steering")
+    {
+        let sentence = format!("only a car is steered: \"{word}\" is not for this robot");
+        return Err(Error::new(Code::OutOfRange, "/steering", sentence));
+    }
     let launch = Launch {
         scenario,
         parameters,
@@ -125,7 +136,13 @@ impl Launch<'_> {
         let proven = Box::new(validity().fitted(&start, &goal));
         let finest = self.kept.map(|_| -> Box<dyn Validity<_>> { Box::new(validity().finest()) });
         let estimate = from_end_effector(arm, metric);
-        self.plan(space, proven, finest, [start, goal], Extras::of(Box::new(move |a, b| estimate(a, b))))
+        self.plan(
+            MotionSpace::new(space),
+            proven,
+            finest,
+            [start, goal],
+            Extras::of(Box::new(move |a, b| estimate(a, b))),
+        )
     }
 
     fn placed(self, robot: &Robot) -> Result<Box<dyn Run>, Error> {
@@ -135,7 +152,11 @@ impl Launch<'_> {
         }
         let (shape, weights) = robot.placed_shape().expect("a body has a shape");
         let world = self.scenario.world();
-        let space: Torus<SMALL> = placements(shape, weights, &world.bounds.expect("a body has bounds"));
+        let torus: Torus<SMALL> = placements(shape, weights, &world.bounds.expect("a body has bounds"));
+        let space = match robot {
+            Robot::Car(car) if self.ticket.is_steered => self.steered(car, torus.clone())?,
+            _ => MotionSpace::new(torus.clone()),
+        };
         let ends = self.ends.map(|q| space.state(q));
         let collision = || BodyCollision::new(shape, world, self.tolerance());
         let [start, goal] = ends.map(|q| [q[0], q[1], q[2]]);
@@ -145,15 +166,40 @@ impl Launch<'_> {
         let finest = self.kept.map(|_| validity(Rc::new(collision().finest())));
         let measure = space.clone();
         let end_effector: Estimate<_> = Box::new(move |a, b| measure.distance(a, b));
-        let goal_region = self.goal_tolerance.map(|region| goal_region(space.clone(), ends[1], weights, region));
+        let goal_region = self.goal_tolerance.map(|region| goal_region(torus.clone(), ends[1], weights, region));
         let dynamics = if let Robot::Car(car) = robot {
-            let is_euler = self.parameters.text("integration") == Some("euler");
-            let integration = if is_euler { Integration::Euler } else { Integration::Exact };
+            let integration = if self.ticket.is_euler { Integration::Euler } else { Integration::Exact };
             Some(Box::new(Driving::new(car, space.clone(), fitted, integration)) as Box<dyn Dynamics<_>>)
         } else {
             None
         };
         self.plan(space, proven, finest, ends, Extras { end_effector, goal_region, dynamics })
+    }
+
+    /// The space of a car that follows the curves wanted.
+    fn steered<const N: usize>(&self, car: &Car, torus: Torus<N>) -> Result<MotionSpace<N>, Error> {
+        let unsupported = |sentence: &str| Error::new(Code::Unsupported, "/steering", sentence);
+        let Some((radius, _)) = car.turning_radius() else {
+            return Err(unsupported("the car cannot steer both ways, so that no curve leads everywhere"));
+        };
+        let [backward, forward] = car.speed();
+        let steering = match self.parameters.text("steering") {
+            Some("dubins") => Steering::Dubins,
+            Some(_) => Steering::ReedsShepp,
+            None if backward < 0.0 => Steering::ReedsShepp,
+            None => Steering::Dubins,
+        };
+        if forward <= 0.0 || (steering == Steering::ReedsShepp && backward >= 0.0) {
+            return Err(unsupported(
+                "the car's speeds do not admit these curves: dubins goes forwards, reeds-shepp both ways",
+            ));
+        }
+        if steering == Steering::Dubins && self.ticket.planner == "visibility-prm" {
+            return Err(unsupported(
+                "visibility is mutual, and a car on dubins curves cannot drive back; take reeds-shepp",
+            ));
+        }
+        Ok(MotionSpace::steered(torus, steering, radius))
     }
 
     fn disc(self, disc: &DiscRobot) -> Result<Box<dyn Run>, Error> {
@@ -168,7 +214,13 @@ impl Launch<'_> {
         let measure = space.clone();
         let proven = Box::new(DiscValidity::new(disc, world));
         let finest = self.kept.map(|_| -> Box<dyn Validity<_>> { Box::new(DiscValidity::new(disc, world)) });
-        self.plan(space, proven, finest, ends, Extras::of(Box::new(move |a, b| measure.distance(a, b))))
+        self.plan(
+            MotionSpace::new(space),
+            proven,
+            finest,
+            ends,
+            Extras::of(Box::new(move |a, b| measure.distance(a, b))),
+        )
     }
 
     /// The wanted tolerance, as a fraction of the world's longer side.

@@ -11,6 +11,7 @@ mod options;
 mod questions;
 mod resume;
 mod runner;
+mod way;
 
 pub use factory::start;
 pub use history::HISTORY_WIDTH;
@@ -77,6 +78,14 @@ pub trait Run {
 
     /// The edges from row `row` on: two vertex numbers each.
     fn edges_since(&self, row: usize) -> Vec<u32>;
+
+    /// What is done along the edges from row `row` on, of a car: the number of the edge, speed, steering angle and duration
+    /// (metres a second, radians, seconds) each; an edge of several motions has as many rows, in the order in which it is driven.
+    fn motions_since(&self, row: usize) -> Vec<f64>;
+
+    /// What the edges from row `row` on look like that are not straight: the number of the edge and a configuration on it each,
+    /// from its first vertex to its second, close enough to be joined by straight lines.
+    fn traces_since(&self, row: usize) -> Vec<f64>;
 
     /// The events from row `row` on: kind, iteration, vertex or -1, other vertex or -1, and a configuration each.
     fn events_since(&self, row: usize) -> Vec<f64>;

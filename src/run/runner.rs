@@ -1,7 +1,9 @@
 //! A planner at work on a problem, its path improved afterwards where that is asked for.
 
 use super::history::History;
+use super::way::{self, Way};
 use super::{EVENT_HEAD, Run, questions};
+use crate::control::Motion;
 use crate::error::{Code, Error};
 use crate::kept::RoadmapDocument;
 use crate::path::{self, Improvement, Wanted};
@@ -24,6 +26,10 @@ pub(super) struct Ticket {
     pub max_iterations: u32,
     pub wanted: Wanted,
     pub is_sampled: bool,
+    /// Whether a car follows curves between placements.
+    pub is_steered: bool,
+    /// Whether it is driven by Euler's steps.
+    pub is_euler: bool,
 }
 
 /// The run of one planner on one problem.
@@ -90,17 +96,24 @@ impl<S: Space> Runner<S> {
         }
     }
 
-    /// The path of the planner, as it found it; empty until then.
+    /// The states of the planner's path, as it found it; none until then.
     fn found(&self) -> Vec<S::State> {
         let graph = self.planner.graph();
         self.planner.path().into_iter().map(|vertex| *graph.state(vertex)).collect()
     }
 
-    /// The path as it is emitted; empty until solved.
-    fn states(&self) -> Vec<S::State> {
+    /// The planner's path as it found it, emitted; nowhere until then.
+    fn raw_way(&self) -> Way<S::State> {
+        way::found(&self.problem, &*self.planner, &self.planner.path())
+    }
+
+    /// The path as it is emitted; nowhere until solved.
+    fn way(&self) -> Way<S::State> {
         match &self.improvement {
-            Some(improvement) if self.status == Status::Solved => path::split(self.problem.space(), improvement.path()),
-            _ => Vec::new(),
+            // What is driven by controls is as it was found: nothing can be improved.
+            Some(_) if self.status == Status::Solved && !self.planner.graph().motions().is_empty() => self.raw_way(),
+            Some(improvement) if self.status == Status::Solved => way::through(&self.problem, improvement.path()),
+            _ => Way::nowhere(self.problem.dynamics().is_some()),
         }
     }
 
@@ -114,21 +127,23 @@ impl<S: Space> Runner<S> {
         if self.status != Status::Exhausted || vertices.is_empty() {
             return None;
         }
-        let (space, graph) = (self.problem.space(), self.planner.graph());
-        let states: Vec<S::State> = vertices.into_iter().map(|vertex| *graph.state(vertex)).collect();
-        let goal_distance = space.distance(&states[states.len() - 1], self.problem.goal());
-        Some(Approximate { path: self.rows(&path::split(space, &states)), goal_distance })
+        let nearest = self.planner.graph().state(vertices[vertices.len() - 1]);
+        let goal_distance = self.problem.space().distance(nearest, self.problem.goal());
+        let way = way::found(&self.problem, &*self.planner, &vertices);
+        Some(Approximate { path: self.rows(&way.states), motions: way.motions, goal_distance })
     }
 
-    fn document(&self, query: &str, status: Status, path: &[S::State]) -> ResultDocument {
+    fn document(&self, query: &str, status: Status, way: Way<S::State>) -> ResultDocument {
         ResultDocument {
             scenario: self.ticket.scenario.clone(),
             query: query.to_owned(),
             planner: self.ticket.planner.to_owned(),
             seed: self.ticket.seed,
             status,
-            path: self.rows(path),
-            length: path::length(self.problem.space(), path),
+            path: self.rows(&way.states),
+            length: way::length(&self.problem, &way),
+            motions: way.motions,
+            integration: self.ticket.is_euler.then(|| "euler".to_owned()),
             stats: self.stats(),
             fingerprint: self.fingerprint(),
             edge_check: self.ticket.is_sampled.then(|| "sampled".to_owned()),
@@ -219,6 +234,27 @@ impl<S: Space> Run for Runner<S> {
         edges.iter().flatten().map(|vertex| vertex.0).collect()
     }
 
+    fn motions_since(&self, row: usize) -> Vec<f64> {
+        let (graph, mut rows) = (self.planner.graph(), Vec::new());
+        for edge in row..graph.edges().len() {
+            for Motion { control, duration } in way::motions(&self.problem, graph, edge) {
+                rows.extend([edge as f64, control.speed, control.steering, duration]);
+            }
+        }
+        rows
+    }
+
+    fn traces_since(&self, row: usize) -> Vec<f64> {
+        let (graph, mut rows) = (self.planner.graph(), Vec::new());
+        for edge in row..graph.edges().len() {
+            for state in way::trace(&self.problem, graph, edge) {
+                rows.push(edge as f64);
+                rows.extend_from_slice(self.problem.space().coordinates(&state));
+            }
+        }
+        rows
+    }
+
     fn events_since(&self, row: usize) -> Vec<f64> {
         let events = self.planner.graph().events().get(row..).unwrap_or_default();
         let mut rows = Vec::with_capacity(events.len() * (EVENT_HEAD + self.dimension()));
@@ -231,15 +267,15 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn path(&self) -> Vec<Vec<f64>> {
-        self.rows(&self.states())
+        self.rows(&self.way().states)
     }
 
     fn raw_path(&self) -> Vec<Vec<f64>> {
-        self.rows(&path::split(self.problem.space(), &self.found()))
+        self.rows(&self.raw_way().states)
     }
 
     fn length(&self) -> f64 {
-        path::length(self.problem.space(), &self.states())
+        way::length(&self.problem, &self.way())
     }
 
     fn first_hits(&mut self, ends: &[f64]) -> Result<Vec<f64>, Error> {
@@ -273,7 +309,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn result(&self) -> ResultDocument {
-        let document = self.document(&self.ticket.query, self.status, &self.states());
+        let document = self.document(&self.ticket.query, self.status, self.way());
         ResultDocument { approximate: self.approximate(), ..document }
     }
 
@@ -299,7 +335,7 @@ impl<S: Space> Run for Runner<S> {
         };
         let answer = roadmap.answer(&self.problem, ends, keep);
         let status = if answer.path.is_empty() { Status::Exhausted } else { Status::Solved };
-        let path = path::split(self.problem.space(), &answer.path);
-        Ok(self.document(ASKED, status, &path))
+        let way = way::through(&self.problem, &answer.path);
+        Ok(self.document(ASKED, status, way))
     }
 }

@@ -15,6 +15,8 @@ pub(super) struct Goal {
     x: f64,
     y: f64,
     heading: f64,
+    sin: f64,
+    cos: f64,
     /// From the centre of the circle to the left of the start to that to the left of the goal.
     pub left: Between,
     /// The same to that to the right of the goal.
@@ -55,18 +57,17 @@ impl Goal {
         let heading = wrap(to.heading - from.heading);
         let largest = [from.x, from.y, to.x, to.y].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let slack = SLACK * (1.0 + (x * x + y * y).sqrt() + largest / radius);
-        Self::seen(x, y, heading, slack, false)
+        Self::seen(x, y, heading, libm::sincos(heading), slack, false)
     }
 
-    fn seen(x: f64, y: f64, heading: f64, slack: f64, is_mirrored: bool) -> Self {
-        let (sin, cos) = libm::sincos(heading);
+    fn seen(x: f64, y: f64, heading: f64, (sin, cos): (f64, f64), slack: f64, is_mirrored: bool) -> Self {
         let (left, right) = (Between::new(x - sin, y - 1.0 + cos), Between::new(x + sin, y - 1.0 - cos));
-        Self { x, y, heading, left, right, slack, is_mirrored }
+        Self { x, y, heading, sin, cos, left, right, slack, is_mirrored }
     }
 
     /// The goal in a mirror.
     pub fn mirrored(&self) -> Self {
-        Self::seen(self.x, -self.y, -self.heading, self.slack, !self.is_mirrored)
+        Self::seen(self.x, -self.y, -self.heading, (-self.sin, self.cos), self.slack, !self.is_mirrored)
     }
 
     /// The heading, in (-pi, pi].
@@ -83,9 +84,8 @@ impl Goal {
     /// straight line, which is its own mirror image, is listed once.
     fn short_words(&self) -> [Option<[(Turn, f64); 2]>; 5] {
         use Turn::{Left, Right, Straight};
-        let Self { slack, heading, left, right, .. } = *self;
+        let Self { slack, heading, sin, cos, left, right, .. } = *self;
         let is_straight = !self.is_mirrored && self.y.abs() <= slack && heading.abs() <= SLACK;
-        let (sin, cos) = libm::sincos(heading);
         let (along, across) = (left.x * cos + left.y * sin, left.y * cos - left.x * sin);
         let turn = right.angle + 0.5 * PI;
         [

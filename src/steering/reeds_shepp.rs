@@ -81,6 +81,9 @@ fn straight(goal: &Goal, shortest: &mut Shortest) {
 fn arcs(goal: &Goal, shortest: &mut Shortest) {
     use Turn::{Left, Right};
     let left = &goal.left;
+    if left.length > 4.0 {
+        return;
+    }
     let half = libm::asin(0.25 * left.length);
     for (t, u) in [(left.angle + half, 2.0 * half), (left.angle + PI - half, -2.0 * half)] {
         offer(goal, shortest, [(Left, t), (Right, u), (Left, goal.heading() - t + u)]);
@@ -92,6 +95,9 @@ fn equal_arcs(goal: &Goal, shortest: &mut Shortest) {
     use Turn::{Left, Right};
     let heading = goal.heading();
     let right = &goal.right;
+    if right.length > 6.0 {
+        return;
+    }
     for (cos, middle) in
         [(0.25 * (2.0 + right.length), right.angle + QUARTER), (0.25 * (2.0 - right.length), right.angle - QUARTER)]
     {

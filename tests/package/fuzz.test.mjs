@@ -1,8 +1,8 @@
 /** A hundred thousand random calls with hostile arguments: every one returns or throws a PlanariumError, and the core survives. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { PlanariumError, Planner, Scenario } from "planarium";
-import { arm, disc, finish } from "./scenes.mjs";
+import { Drive, PlanariumError, Planner, Scenario } from "planarium";
+import { arm, car, disc, finish } from "./scenes.mjs";
 
 /** Calls for each seed. */
 const CALLS = 35_000;
@@ -33,7 +33,7 @@ for (const seed of [1, 2, 3]) {
         case 0: return undefined;
         case 1: return null;
         case 2: case 3: return number();
-        case 4: return pick(["", "prm", "rrt-connect", "over", "across", "forest", "clutter", "sum", "\u0000", "\ud800", "x".repeat(below(2000)), "{}", "[[[[1]]]]"]);
+        case 4: return pick(["", "prm", "rrt-connect", "over", "across", "forest", "clutter", "sum", "\u0000", "\ud800", "x".repeat(below(2000)), "{}", "[[[[1]]]]", "faster", "left"]);
         case 5: return pick([true, false, 10n, Symbol.iterator, () => 1]);
         case 6: return Float64Array.from({ length: below(5) }, number);
         case 7: return [number(), number()];
@@ -50,7 +50,7 @@ for (const seed of [1, 2, 3]) {
     };
     /** A real document with one value replaced. */
     const mutated = () => {
-      const document = structuredClone(pick([arm, disc]));
+      const document = structuredClone(pick([arm, disc, car]));
       /** @type {any} */ let place = document;
       for (;;) {
         const key = pick(Object.keys(place));
@@ -64,7 +64,7 @@ for (const seed of [1, 2, 3]) {
 
     const scenario = Scenario.parse(arm);
     /** @type {any[]} */
-    let handles = [scenario, Scenario.parse(disc), scenario.planner(), scenario.planner({ algorithm: "prm", samples: 20 })];
+    let handles = [scenario, Scenario.parse(disc), Scenario.parse(car), Scenario.parse(car).drive(), scenario.planner(), scenario.planner({ algorithm: "prm", samples: 20 })];
     /** @type {Map<string, number>} */
     const codes = new Map();
     let returned = 0;
@@ -75,13 +75,14 @@ for (const seed of [1, 2, 3]) {
       if (name === "free" && draw() < 0.9) continue;
       const args = Array.from({ length: below(4) }, () => anything());
       // A run may not be made longer than the test can wait.
+      if (name === "tick" || name === "replay") args[Number(name === "replay")] = below(40);
       if (name === "step" || name === "stepFor") args[0] = draw() < 0.7 ? below(30) : Math.min(Number(typeof args[0] === "number" ? args[0] : NaN), 50);
       try {
         const descriptor = Object.getOwnPropertyDescriptor(target === Scenario ? Scenario : Object.getPrototypeOf(target), name);
         const made = descriptor?.get ? descriptor.get.call(target) : target[name](...args);
         returned += 1;
-        if (made instanceof Scenario || made instanceof Planner) {
-          if (handles.length > 12) handles.splice(4 + below(8), 1)[0].free();
+        if (made instanceof Scenario || made instanceof Planner || made instanceof Drive) {
+          if (handles.length > 14) handles.splice(6 + below(8), 1)[0].free();
           handles.push(made);
         }
       } catch (error) {

@@ -29,6 +29,24 @@ export const disc = {
   queries: [{ name: "across", start: [2, 2], goal: [8, 2] }],
 };
 
+/** A car on a road that ends at a wall. @type {ScenarioDocument} */
+export const car = {
+  format: "planarium-scenario-1",
+  name: "dead-end",
+  world: {
+    bounds: { min: [0, 0], max: [2, 2] },
+    obstacles: [
+      { type: "disc", center: [0.2, 1.8], radius: 0.05 },
+      { type: "polygon", vertices: [[1.5, 0], [1.6, 0], [1.6, 1.2], [1.5, 1.2]] },
+    ],
+  },
+  robot: {
+    type: "car", shape: { type: "polygon", vertices: [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]] },
+    wheelbase: 0.2, speed: [-0.5, 0.5], steering: [-Math.PI / 4, Math.PI / 4],
+  },
+  queries: [{ name: "home", start: [0.5, 0.5, 0], goal: [1.8, 0.5, 0], goal_tolerance: { translation: 0.1, rotation: 0.5 } }],
+};
+
 /**
  * Runs a planner to its end.
  * @param {import("planarium").Planner} planner

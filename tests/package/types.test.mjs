@@ -9,10 +9,10 @@ import { addFiles, install, pack } from "./packed.mjs";
 
 const consumer = `
 import init, {
-  initSync, planners, generators, phases, freshSeed, version, PlanariumError, Planner, Scenario,
-  type Box, type Check, type Configuration, type CspaceOptions, type GenerateOptions, type GeneratorInfo, type InitInput, type InitSyncInput, type Obstacle,
+  initSync, planners, generators, phases, freshSeed, version, Drive, PlanariumError, Planner, Scenario,
+  type Box, type Check, type Configuration, type CspaceOptions, type DriveKey, type DriveState, type GenerateOptions, type GeneratorInfo, type InitInput, type InitSyncInput, type KeyPress, type Obstacle, type Obstructed,
   type OptionInfo, type ParameterInfo, type Part, type Phase, type PlannerInfo, type PlannerOptions, type Point, type PseudocodeLine,
-  type PseudocodeMark, type Query, type ResultDocument, type Robot, type ScenarioDocument, type Stats, type Status, type Touching, type World,
+  type PseudocodeMark, type Query, type ResultDocument, type Robot, type Rollout, type ScenarioDocument, type Stats, type Status, type Touching, type World,
 } from "planarium";
 
 type IsAny<T> = 0 extends 1 & T ? true : false;
@@ -23,7 +23,7 @@ type AnyMembers<C> = { [K in keyof C]-?: IsAny<C[K]> extends true ? K
 type None<T extends never> = T;
 type No<T extends false> = T;
 export type Proofs = [
-  None<AnyMembers<Planner>>, None<AnyMembers<Scenario>>, None<AnyMembers<PlanariumError>>, None<AnyMembers<Stats>>, None<AnyMembers<ResultDocument>>,
+  None<AnyMembers<Drive>>, None<AnyMembers<DriveState>>, None<AnyMembers<Rollout>>, None<AnyMembers<Planner>>, None<AnyMembers<Scenario>>, None<AnyMembers<PlanariumError>>, None<AnyMembers<Stats>>, None<AnyMembers<ResultDocument>>,
   None<AnyMembers<PlannerInfo>>, None<AnyMembers<ParameterInfo>>, None<AnyMembers<ScenarioDocument>>, None<AnyMembers<World>>, None<AnyMembers<Query>>,
   None<AnyMembers<GeneratorInfo>>, None<AnyMembers<OptionInfo>>, No<IsAny<(typeof phases)[number]>>,
   No<IsAny<Parameters<typeof init>[0]>>, No<IsAny<Parameters<typeof initSync>[0]>>, No<IsAny<InitInput>>, No<IsAny<InitSyncInput>>,
@@ -50,12 +50,20 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   const { free, touching }: Check = scenario.check(q);
   const names: (number | "bounds")[] = touching.map((pair: Touching) => pair.obstacle);
   const parts: Part[] = scenario.footprint(new Float64Array(2));
-  const radii: number[] = parts.map((part) => (part.type === "capsule" ? part.a[0] : part.center[0]) + part.radius);
+  const radii: number[] = parts.map((part) => part.type === "polygon" ? part.vertices[0][0] : (part.type === "capsule" ? part.a[0] : part.center[0]) + part.radius);
   const box: Box = scenario.extent();
   const tip: Point = scenario.endEffector(q);
   const tips: Float64Array = scenario.endEffectors(new Float64Array(4));
   const half: Float64Array = scenario.interpolate(q, [1, 1], 0.5);
   const hit: number | null = scenario.firstHit(q, half);
+  const drive: Drive = scenario.drive(q);
+  const key: DriveKey = "faster";
+  drive.press(key);
+  const { blocked }: DriveState = drive.tick(1);
+  const stopped: Obstructed | null = blocked;
+  const record: KeyPress[] = drive.record();
+  const driven: DriveState = drive.replay(record, 1);
+  const rolled: Rollout = scenario.rollout(q, 0.1, 0, 1);
   const size: CspaceOptions = { width: 8, height: 8 };
   const cells: Uint8Array = scenario.cspace(size);
   const [[low]] = scenario.cspaceRange();
@@ -107,7 +115,7 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   planner.roadmap("png");
   // @ts-expect-error: a count is a number
   planner.step("10");
-  return JSON.stringify([free, names, radii, box, tip, tips, hit, cells, low, circles, kind, obstacle, robot, status, phase, counts, vertices, edges,
+  return JSON.stringify([free, names, stopped, driven, rolled, radii, box, tip, tips, hit, cells, low, circles, kind, obstacle, robot, status, phase, counts, vertices, edges,
     events, path, stats, result, marks, choices, reached, raw, hits, version, scenario.name, scenario.title, scenario.distance(q, half), planner.fingerprint()]);
 }
 `;

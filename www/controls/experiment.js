@@ -4,6 +4,7 @@
  */
 import { reasonAgainst } from "./field.js";
 import { withSeed } from "./panel.js";
+import { axesOf } from "../worker/names.js";
 import { isProjected } from "./projector.js";
 
 /** @import { Page } from "../page.js" */
@@ -36,7 +37,7 @@ export function experimentOf({ entry, source, facts, state, asked, panel, race }
     }),
     iteration: state.clock.now,
     view: {
-      axes: axes[0] === 0 && axes[1] === 1 ? undefined : axes, refused, strobe, poses: poses === POSES ? undefined : poses, raw, slice,
+      axes: String(axes) === String(axesOf(facts.robot)) ? undefined : axes, refused, strobe, poses: poses === POSES ? undefined : poses, raw, slice,
       projector: isProjected(), lens: asked.length > 1 ? race?.picture : undefined,
     },
   };

@@ -3,6 +3,7 @@
  * address of what is there.
  */
 import { decodeLink, encodeLink } from "../exchange/link.js";
+import { axesOf } from "../worker/names.js";
 import { grouped } from "./counters.js";
 import { byId, make } from "./dom.js";
 import { POSES, experimentOf, find } from "./experiment.js";
@@ -80,11 +81,12 @@ export class Link {
     const { facts } = page;
     if (!facts) return;
     if (query && facts.query !== query) faults.push(`There is no query "${query}" in this scene.`);
-    const [across, up] = view.axes ?? [0, 1];
+    const usual = axesOf(facts.robot);
+    const [across, up] = view.axes ?? usual;
     const areThere = Math.max(across, up) < facts.dimension && across !== up;
     if (view.axes && !areThere) faults.push(`There are no coordinates ${across} and ${up} to draw.`);
     const { refused = false, strobe = false, poses = POSES, raw = false, slice = false, projector = false, lens = "workspace" } = view;
-    page.see({ axes: areThere ? [across, up] : [0, 1], refused, strobe, poses, raw, slice });
+    page.see({ axes: areThere ? [across, up] : usual, refused, strobe, poses, raw, slice });
     this.projector.turn(projector);
     if (page.asked.length > 1) page.race?.look(lens);
     this.wanted = iteration;

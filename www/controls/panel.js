@@ -43,14 +43,30 @@ export class Panel {
     this.given = {};
     /** Names of what the scene sets by itself. @type {Set<string>} */
     this.lead = new Set();
-    for (const info of this.infos) this.planner.append(make("option", { value: info.id }, info.title));
+    /** The robot on the stage: planners and parameters that are not for it are not offered. */
+    this.robot = "arm";
     this.planner.addEventListener("change", () => {
       this.build();
       onChange();
     });
     this.query.addEventListener("change", onQuery);
     this.planner.disabled = false;
+    this.offer();
+  }
+
+  /** Is a planner or a parameter for the robot on the stage? @param {{ robots?: readonly string[] | null }} info */
+  fits({ robots }) { return !robots?.length || robots.includes(this.robot); }
+
+  /** Offers what is for a robot. @param {string} [robot] @returns {boolean} whether another planner had to be chosen */
+  offer(robot = this.robot) {
+    const { planner } = this;
+    const before = planner.value;
+    this.robot = robot;
+    planner.replaceChildren(...this.infos.filter((info) => this.fits(info)).map(({ id, title }) => make("option", { value: id }, title)));
+    planner.value = before;
+    if (planner.selectedIndex < 0) planner.selectedIndex = 0;
     this.build();
+    return before !== "" && planner.value !== before;
   }
 
   /** A planner and some of its parameters, the rest at their defaults. @param {string} algorithm @param {Settings} settings @param {Settings} [scene]  what the scene itself sets */
@@ -130,7 +146,7 @@ export class Panel {
     this.rest.replaceChildren();
     // What a scene sets by itself is there to be seen.
     const isFirst = (/** @type {string} */ name) => FIRST.has(name) || this.lead.has(name);
-    this.fields = withSeed(info.parameters).map((parameter) => {
+    this.fields = withSeed(info.parameters).filter((parameter) => this.fits(parameter)).map((parameter) => {
       const field = new Field(parameter, this.given[parameter.name] ?? parameter.default, () => {
         this.keep(field);
         this.onChange();

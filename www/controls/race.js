@@ -110,7 +110,7 @@ export class Race {
 
   get hasSquare() {
     const { facts } = this.page;
-    return facts?.robot === "arm" && facts.dimension > 1;
+    return facts !== null && facts.robot !== "disc" && facts.dimension > 1;
   }
 
   /** Which picture of each planner is shown. @returns {PaneKind} */

@@ -1,10 +1,9 @@
 /**
- * The options of scenes that the core makes: sliders beneath the gallery for those of the page's own scenes, and a form that
- * makes any scene that the core can make.
+ * The options of scenes that the core makes: sliders beneath the gallery for those of the page's own scenes, and a fold for any
+ * scene that the core can make.
  */
 import { byId, make } from "./dom.js";
-import { Field } from "./field.js";
-import { withSeed } from "./panel.js";
+import { Part } from "../part.js";
 import { optionsAt } from "../scenes.js";
 
 /** @import { Page } from "../page.js" */
@@ -14,7 +13,12 @@ import { optionsAt } from "../scenes.js";
 /** @param {Page} page @param {GeneratorInfo[]} generators */
 export function showSceneOptions(page, generators) {
   const sliders = make("div", { className: "sliders" });
-  byId("scene-options", HTMLElement).append(sliders, makeForm(generators, (kind, options) => wish({ generate: { kind, options } })));
+  const fold = make("details", { id: "make-fold" }, make("summary", {}, "Make a scene"));
+  byId("scene-options", HTMLElement).append(sliders, fold);
+  new Part(page.notice, async () => {
+    const { makeForm } = await import("./make-scene.js");
+    fold.append(makeForm(generators, (kind, options) => wish({ generate: { kind, options } })));
+  }).inFold("make-fold");
   /** @type {SceneEntry | null} */
   let shown = null;
   /** @type {Settings} */
@@ -77,33 +81,4 @@ export function showSceneOptions(page, generators) {
     }
     busy = false;
   }
-}
-
-/** @param {GeneratorInfo[]} generators @param {(kind: GeneratorInfo["id"], options: Settings) => void} onMake */
-function makeForm(generators, onMake) {
-  const kind = make("select", { id: "make-kind" }, ...generators.map(({ id, title }) => make("option", { value: id }, title)));
-  const summary = make("p", { className: "hint" });
-  const rows = make("div", {});
-  /** @type {Field[]} */
-  let fields = [];
-  const build = () => {
-    const info = generators[kind.selectedIndex];
-    summary.textContent = info.summary;
-    fields = withSeed(info.options, "scene").map((option) => new Field(option, option.default, () => {}, "make"));
-    rows.replaceChildren(...fields.map(({ element }) => element));
-  };
-  kind.addEventListener("change", build);
-  build();
-  const form = make("form", { id: "make", noValidate: true }, make("label", { className: "row", htmlFor: "make-kind" }, make("span", { className: "name" }, "Kind"), kind), summary, rows, make("button", { type: "submit" }, "Make it"));
-  form.addEventListener("submit", (event) => {
-    event.preventDefault();
-    const good = fields.map((field) => field.validate()).every(Boolean);
-    if (!good) return;
-    /** @type {Settings} */
-    const options = {};
-    // What is as usual is left out: some options go with others only.
-    for (const { info, value } of fields) if (value !== undefined && value !== info.default) options[info.name] = value;
-    onMake(generators[kind.selectedIndex].id, options);
-  });
-  return make("details", {}, make("summary", {}, "Make a scene"), form);
 }

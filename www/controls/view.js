@@ -1,15 +1,15 @@
-/** What is to be seen on the stage: what was refused, poses along the path, the path as it was found, which joints a plane shows. */
+/** What is to be seen on the stage: what was refused, poses along the path, the path as it was found, which coordinates a plane shows. */
 import { write } from "./counters.js";
 import { byId, make } from "./dom.js";
 
 /** @import { Page } from "../page.js" */
-/** @import { Sheets } from "../sheets.js" */
+/** @import { SceneFacts, State } from "../types.js" */
 
 /** Poses along the path. */
 const POSES = { least: 3, most: 24 };
 
-/** @param {Page} page @param {Sheets} sheets */
-export function watchView(page, sheets) {
+/** @param {Page} page */
+export function watchView(page) {
   const poses = make("input", { type: "number", id: "view-poses", min: String(POSES.least), max: String(POSES.most), step: "1", autocomplete: "off" });
   poses.addEventListener("input", () => {
     const count = Number(poses.value);
@@ -32,34 +32,52 @@ export function watchView(page, sheets) {
   const switches = {
     refused: toggle("refused"), strobe: toggle("strobe"), raw: toggle("raw"), slice: toggle("slice"),
   };
-  const plane = make("div", { id: "view-plane" }, row("Joint across", selects[0]), row("Joint up", selects[1]),
-    row("Slice of the obstacles", switches.slice, "What would collide on this plane, with the other joints as the robot has them."));
+  const plane = make("div", { id: "view-plane" }, row("Across", selects[0]), row("Up", selects[1]),
+    row("Slice of the obstacles", switches.slice, "What would collide on this plane, with all else as the robot has it."));
   const raw = row("Path as found", switches.raw);
   raw.append(lengths);
+  const number = inspector();
   byId("view", HTMLElement).append(
     row("What was refused", switches.refused, "Samples that collide as crosses; motions as broken lines, up to where they hit."),
     row("Poses along the path", switches.strobe), row("How many poses", poses), raw, plane,
+    row("Vertex to read", number, "Its number, or point at it: both panes show where it is, the line beneath the stage what it is."),
   );
 
-  page.onOpen(({ robot, dimension }) => {
-    const many = robot === "arm" && dimension > 2;
+  page.onOpen(build);
+  page.onState(reflect);
+  if (page.facts) build(page.facts);
+  if (page.state) reflect(page.state);
+
+  /** @param {SceneFacts} facts */
+  function build({ dimension, coordinates }) {
+    const many = dimension > 2;
     plane.hidden = !many;
-    for (const select of selects) select.replaceChildren(...Array.from({ length: many ? dimension : 0 }, (_, i) => make("option", { value: String(i) }, `joint ${i}`)));
-    sheets.annotate("cspace", undefined);
-    if (page.state?.view.axes.some((axis) => axis >= dimension)) page.see({ axes: [0, 1] });
-  });
-  page.onState(({ view, lanes: [{ raw: found, length, unit }] }) => {
+    for (const select of selects) select.replaceChildren(...(many ? coordinates : []).map(({ name }, i) => make("option", { value: String(i) }, name)));
+  }
+
+  /** @param {State} state */
+  function reflect({ view, lanes: [{ raw: found, length, unit, vertices }] }) {
+    number.max = String(Math.max(0, vertices - 1));
     for (const option of /** @type {const} */ (["refused", "strobe", "raw", "slice"])) switches[option].checked = view[option];
     if (document.activeElement !== poses) poses.value = String(view.poses);
     if (!plane.hidden) {
       selects.forEach((select, i) => { select.value = String(view.axes[i]); });
-      const [across, up] = view.axes;
-      sheets.annotate("cspace", `joint ${across} across, joint ${up} up${view.slice ? "; slice at the robot\u2019s pose" : ""}`);
     }
     write(lengths, found !== null && length !== null
-      ? `${found.toFixed(2)} ${unit} as found, ${length.toFixed(2)} ${unit} shortened.`
+      ? `${found.toFixed(2)} ${unit} as found, ${length.toFixed(2)} ${unit} shortened.`.replaceAll("  ", " ")
       : "A second line where the path was shortened: see the planner\u2019s parameters.");
-  });
+  }
+
+  /** The vertex to be read by its number, for those without a pointer. */
+  function inspector() {
+    const readout = byId("readout", HTMLOutputElement);
+    const input = make("input", { type: "number", id: "inspect", min: "0", step: "1", autocomplete: "off", placeholder: "none" });
+    input.addEventListener("input", () => page.studio.tell("inspect", input.value === "" ? -1 : Math.max(0, Math.floor(Number(input.value)))));
+    // Who moves from number to number hears what each is; who moves a pointer does not.
+    input.addEventListener("focus", () => readout.setAttribute("aria-live", "polite"));
+    input.addEventListener("blur", () => readout.setAttribute("aria-live", "off"));
+    return input;
+  }
 
   /** A switch for something to be seen. @param {"refused" | "strobe" | "raw" | "slice"} option */
   function toggle(option) {

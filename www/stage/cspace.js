@@ -1,5 +1,5 @@
 /**
- * The configuration space of an arm as a square of two of its angles. Where there are only two, obstacles are the poses that
+ * The configuration space of an arm or a body as a square of two of its coordinates. Where there are only two, obstacles are the poses that
  * touch something, computed by the core; of more, one looks along the others. A motion that leaves the square on one side
  * comes back on the other.
  */
@@ -12,7 +12,7 @@ import { View } from "./view.js";
 
 /** @import { Lane, Shown } from "../worker/lane.js" */
 /** @import { LayerName } from "./layer.js" */
-/** @import { Scenario } from "../types.js" */
+/** @import { Coordinate, Scenario } from "../types.js" */
 /** @import { Palette } from "./palette.js" */
 
 const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };
@@ -25,6 +25,8 @@ export class CSpace extends Pane {
     super(canvases);
     /** The coordinates across and up. @type {[number, number]} */
     this.axes = [0, 1];
+    /** What they are. @type {Coordinate[]} */
+    this.named = [];
     /** Are they circles? @type {boolean[]} */
     this.circles = [];
     /** @type {{ world: object, side: number, mask: Float32Array } | null} */
@@ -36,15 +38,17 @@ export class CSpace extends Pane {
   }
 
   /** Has a scenario such a square? @param {Lane} lane @override */
-  fits({ scenario }) { return scenario.robot === "arm" && scenario.dimension >= 2; }
+  fits({ scenario }) { return scenario.robot !== "disc" && scenario.dimension >= 2; }
 
   /** @param {Lane} lane @param {number} width @param {number} height @override */
   makeView(lane, width, height) {
     const n = lane.scenario.dimension;
     const [a, b] = lane.shown.view.axes;
     this.axes = a < n && b < n && a !== b ? [a, b] : [0, 1];
-    const [x, y] = this.axes.map((axis) => coordinatesOf(lane.shown)[axis]);
-    return new View({ min: [x.low, y.low], max: [x.high, y.high] }, width, height, MARGIN, true);
+    this.named = this.axes.map((axis) => coordinatesOf(lane.shown)[axis]);
+    const [x, y] = this.named;
+    // What is metres both ways has one scale.
+    return new View({ min: [x.low, y.low], max: [x.high, y.high] }, width, height, MARGIN, x.unit !== "m" || y.unit !== "m");
   }
 
   /** @param {Lane} lane @override */
@@ -173,7 +177,8 @@ export class CSpace extends Pane {
     context.strokeStyle = palette["obstacle-edge"];
     context.font = "12px system-ui, sans-serif";
     context.textBaseline = "top";
-    for (const { value, text } of ticks(view.box.min[0], view.box.max[0])) {
+    const [across, up] = this.named;
+    for (const { value, text } of ticks(across)) {
       const at = view.x(value);
       tick(context, at, y + height, at, y + height + 4);
       context.textAlign = "center";
@@ -181,18 +186,18 @@ export class CSpace extends Pane {
     }
     context.textBaseline = "middle";
     context.textAlign = "right";
-    for (const { value, text } of ticks(view.box.min[1], view.box.max[1])) {
+    for (const { value, text } of ticks(up)) {
       const at = view.y(value);
       tick(context, x - 4, at, x, at);
       context.fillText(text, x - 8, at);
     }
     context.textBaseline = "top";
     context.textAlign = "center";
-    context.fillText(`joint ${this.axes[0]}`, x + width * 0.375, y + height + 7);
+    context.fillText(titleOf(across), x + width * 0.375, y + height + 7);
     context.save();
     context.translate(x - 22, y + height * 0.375);
     context.rotate(-Math.PI / 2);
-    context.fillText(`joint ${this.axes[1]}`, 0, 0);
+    context.fillText(titleOf(up), 0, 0);
     context.restore();
   }
 
@@ -246,8 +251,12 @@ function tick(context, x0, y0, x1, y1) {
   context.stroke();
 }
 
-/** Multiples of a quarter or half turn within a range of angles. @param {number} low @param {number} high */
-function ticks(low, high) {
+/** @param {Coordinate} coordinate */
+function titleOf({ name, unit }) { return unit === "m" ? `${name} (m)` : name; }
+
+/** Multiples of a quarter or half turn within a range of angles; of lengths, both ends and the middle where it is round. @param {Coordinate} coordinate */
+function ticks({ low, high, unit: measure }) {
+  if (measure === "m") return [low, (low + high) / 2, high].map((value) => ({ value, text: Number(value.toPrecision(3)).toString().replace("-", "\u2212") }));
   const unit = high - low > 4 * Math.PI + 0.01 ? 2 * Math.PI : Math.PI;
   const marks = [];
   for (let i = Math.ceil(low / unit - 1e-9); i * unit <= high + 1e-9; i++) {

@@ -31,6 +31,8 @@ export class Growth {
     this.drawn = { vertices: 0, edges: 0, events: 0 };
     /** What was there before these counts does not glow: it is being redrawn. @type {Counts} */
     this.old = { vertices: 0, edges: 0, events: 0 };
+    /** How many removed vertices are left out. */
+    this.removed = 0;
     this.keeps = {
       edges: new Keeps(pane.layers.edges), vertices: new Keeps(pane.layers.vertices), events: new Keeps(pane.layers.marks),
     };
@@ -44,6 +46,7 @@ export class Growth {
     }
     this.drawn = { vertices: 0, edges: 0, events: 0 };
     this.old = old;
+    this.removed = 0;
   }
 
   /** How much there is to ink. @returns {Counts} */
@@ -60,9 +63,25 @@ export class Growth {
     if (!run) return;
     const { target } = this;
     this.leap(target);
-    do { this.inkEdges(run, target.edges, now); } while (this.drawn.edges < target.edges && performance.now() < until);
-    do { this.inkVertices(run, target.vertices, now); } while (this.drawn.vertices < target.vertices && performance.now() < until);
+    // What is drawn anew without what was removed is drawn at once: half of it would flicker.
+    const limit = this.shed(run, target) ? Infinity : until;
+    do { this.inkEdges(run, target.edges, now); } while (this.drawn.edges < target.edges && performance.now() < limit);
+    do { this.inkVertices(run, target.vertices, now); } while (this.drawn.vertices < target.vertices && performance.now() < limit);
     do { this.inkEvents(run, target.events, now); } while (this.drawn.events < target.events && performance.now() < until);
+  }
+
+  /** Begins anew where other vertices are removed than those that are left out. @param {Run} run @param {Counts} target @returns {boolean} whether it does */
+  shed(run, target) {
+    const removed = run.removedBy(target.events);
+    if (removed === this.removed) return false;
+    this.removed = removed;
+    this.old = { ...this.old, edges: this.drawn.edges, vertices: this.drawn.vertices };
+    for (const kind of /** @type {const} */ (["edges", "vertices"])) {
+      this.keeps[kind].clear();
+      this.pane.layers[LAYER[kind]].paste(null);
+      this.drawn[kind] = 0;
+    }
+    return true;
   }
 
   /** Where more is inked than is to be shown, or a copy is nearer, begins at the copy. @param {Counts} target */
@@ -83,15 +102,9 @@ export class Growth {
     const first = this.drawn.edges;
     const end = Math.min(target, first + BATCH.edges);
     if (end === first) return;
-    const { pane } = this;
-    const n = run.dimension;
-    const ends = new Float64Array((end - first) * 2 * n);
-    for (let e = first; e < end; e++) {
-      const [from, to] = run.edges.row(e);
-      ends.set(run.vertices.row(from), (e - first) * 2 * n);
-      ends.set(run.vertices.row(to), (e - first) * 2 * n + n);
-    }
-    const { points, firsts } = pane.lines(ends, run.circles);
+    const { pane, removed } = this;
+    const { events } = this.target;
+    const { points, firsts } = this.linesOf(run, first, end);
     const { context } = pane.layers.edges;
     context.lineWidth = (run.isTree ? 1.2 : 0.8) * Math.max(0.85, pane.fineness);
     context.lineCap = "round";
@@ -99,6 +112,7 @@ export class Growth {
     context.globalAlpha = run.isTree ? 0.9 : 0.42;
     let side = -1;
     for (let e = first; e < end; e++) {
+      if (removed > 0 && !run.isThere(run.edges.data[2 * e + 1], events)) continue;
       const its = run.sides.data[run.edges.data[2 * e]];
       if (its !== side) context.strokeStyle = pane.sideColour(side = its);
       strokeLine(context, points, firsts[e - first], firsts[e - first + 1]);
@@ -110,6 +124,29 @@ export class Growth {
     for (let e = glowing; e < end; e++) pane.glow.add("edge", now, points.slice(2 * firsts[e - first], 2 * firsts[e - first + 1]));
   }
 
+  /** Edges as lines on the pane, those that are not straight piece by piece. @param {Run} run @param {number} first @param {number} end @returns {import("./pane.js").Lines} */
+  linesOf(run, first, end) {
+    const n = run.dimension;
+    if (run.traces.count === 0) {
+      const ends = new Float64Array((end - first) * 2 * n);
+      for (let e = first; e < end; e++) {
+        const [from, to] = run.edges.row(e);
+        ends.set(run.vertices.row(from), (e - first) * 2 * n);
+        ends.set(run.vertices.row(to), (e - first) * 2 * n + n);
+      }
+      return this.pane.lines(ends, run.circles);
+    }
+    const edges = Array.from({ length: end - first }, (_, i) => run.along(first + i));
+    const starts = [0];
+    for (const { length } of edges) starts.push(starts[starts.length - 1] + length / n - 1);
+    const ends = new Float64Array(starts[edges.length] * 2 * n);
+    edges.forEach((rows, i) => {
+      for (let at = 0; at + n < rows.length; at += n) ends.set(rows.subarray(at, at + 2 * n), starts[i] * 2 * n + 2 * at);
+    });
+    const { points, firsts } = this.pane.lines(ends, run.circles);
+    return { points, firsts: Uint32Array.from(starts, (at) => firsts[at]) };
+  }
+
   /** @param {Run} run @param {number} target @param {number} now */
   inkVertices(run, target, now) {
     const first = this.drawn.vertices;
@@ -119,7 +156,9 @@ export class Growth {
     const points = pane.pixels(run.vertices.slice(first, end));
     const { context } = pane.layers.vertices;
     const radius = (run.isTree ? 1.8 : 1.5) * pane.fineness;
+    const { events } = this.target;
     for (let v = Math.max(first, ROOTS); v < end; v++) {
+      if (this.removed > 0 && !run.isThere(v, events)) continue;
       context.fillStyle = pane.sideColour(run.sides.data[v]);
       disc(context, points[2 * (v - first)], points[2 * (v - first) + 1], radius);
     }
@@ -193,17 +232,10 @@ export class Growth {
     if (!run || !palette || run.shown === 0) return;
     const before = run.history.row(run.shown - 1);
     const { past } = run;
-    const n = run.dimension;
     const first = { vertices: before[PAST.vertices], edges: before[PAST.edges], events: before[PAST.events] };
     context.save();
     context.lineCap = "round";
-    const ends = new Float64Array((past[PAST.edges] - first.edges) * 2 * n);
-    for (let e = first.edges; e < past[PAST.edges]; e++) {
-      const [from, to] = run.edges.row(e);
-      ends.set(run.vertices.row(from), (e - first.edges) * 2 * n);
-      ends.set(run.vertices.row(to), (e - first.edges) * 2 * n + n);
-    }
-    const { points, firsts } = pane.lines(ends, run.circles);
+    const { points, firsts } = this.linesOf(run, first.edges, past[PAST.edges]);
     context.strokeStyle = palette.newest;
     context.lineWidth = 2.2 * pane.fineness;
     for (let i = 0; i + 1 < firsts.length; i++) strokeLine(context, points, firsts[i], firsts[i + 1]);

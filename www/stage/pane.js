@@ -54,6 +54,8 @@ export class Pane {
     this.flashes = null;
     /** @type {Places | null} */
     this.found = null;
+    /** @type {Places | null} */
+    this.passed = null;
   }
 
   // What a kind of pane must say of itself.
@@ -117,7 +119,7 @@ export class Pane {
   /** What was made for another layout or run. */
   forget() {
     this.glow.clear();
-    this.pathLines = this.rawLines = this.flashes = this.found = null;
+    this.pathLines = this.rawLines = this.flashes = this.found = this.passed = null;
   }
 
   /** Where vertices are; none while there is no run or no room. @returns {Places | null} */
@@ -126,6 +128,14 @@ export class Pane {
     if (!run || !this.view) return null;
     if (this.found?.run !== run) this.found = new Places(this, run);
     return this.found;
+  }
+
+  /** Where edges pass that are no straight lines. @returns {Places | null} */
+  get passages() {
+    const run = this.lane?.run;
+    if (!run || !this.view || run.traces.count === 0) return null;
+    if (this.passed?.run !== run) this.passed = new Places(this, run, "traces");
+    return this.passed;
   }
 
   /** Has everything that is shown been inked? */
@@ -160,7 +170,9 @@ export class Pane {
     this.drawEnds(context, lane, palette);
     const { hover } = lane.shown;
     if (hover?.lane === lane) this.drawHover(context, hover, palette);
+    lane.shown.driven?.drawUnder(this, context, lane);
     this.drawRobot(context, lane);
+    lane.shown.driven?.drawOver(this, context, lane);
     lane.shown.overlay?.draw(this, context, lane);
   }
 

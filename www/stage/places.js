@@ -1,5 +1,5 @@
 /**
- * Where the vertices of a run are on a pane, in CSS pixels, and which of them is nearest to a point: a grid of cells as wide
+ * Where the vertices of a run are on a pane, in CSS pixels, or the places on its edges that are no straight lines, and which of them is nearest to a point: a grid of cells as wide
  * as the reach of a pointer, so that nine cells are looked through. Made when it is first asked for, then only added to; a
  * new layout or a new run makes it anew.
  */
@@ -11,10 +11,11 @@
 export const NEAR = 12;
 
 export class Places {
-  /** @param {Pane} pane @param {Run} run */
-  constructor(pane, run) {
+  /** @param {Pane} pane @param {Run} run @param {"vertices" | "traces"} [kind] */
+  constructor(pane, run, kind = "vertices") {
     this.pane = pane;
     this.run = run;
+    this.rows = run[kind];
     /** Pixels, x and y in turn. @type {number[]} */
     this.points = [];
     /** Vertices by cell. @type {Map<number, number[]>} */
@@ -23,10 +24,12 @@ export class Places {
 
   /** Takes in the vertices that are new. */
   follow() {
-    const { points, run } = this;
+    const { points, rows, run } = this;
     const first = points.length / 2;
-    if (first === run.vertices.count) return;
-    const fresh = this.pane.pixels(run.vertices.slice(first, run.vertices.count));
+    if (first === rows.count) return;
+    // What stands before the configuration of a row is left out.
+    const head = rows.width - run.dimension;
+    const fresh = this.pane.pixels(rows.slice(first, rows.count).filter((_, i) => i % rows.width >= head));
     for (let i = 0; i < fresh.length; i += 2) {
       const key = keyOf(fresh[i], fresh[i + 1]);
       const cell = this.cells.get(key);
@@ -36,8 +39,8 @@ export class Places {
     }
   }
 
-  /** The vertex nearest to a point of the pane, of the first `count`; the older one of two at the same place; -1 where none is near. @param {number} x @param {number} y @param {number} count */
-  nearest(x, y, count) {
+  /** The vertex nearest to a point of the pane, of the first `count`; the older one of two at the same place; -1 where none is near. @param {number} x @param {number} y @param {number} count @param {(row: number) => boolean} [counts]  those that count */
+  nearest(x, y, count, counts = () => true) {
     this.follow();
     let best = -1;
     let least = NEAR;
@@ -45,7 +48,7 @@ export class Places {
       for (let dy = -NEAR; dy <= NEAR; dy += NEAR) {
         for (const vertex of this.cells.get(keyOf(x + dx, y + dy)) ?? []) {
           const distance = Math.hypot(this.points[2 * vertex] - x, this.points[2 * vertex + 1] - y);
-          if (vertex >= count || distance > least || (distance === least && vertex > best)) continue;
+          if (vertex >= count || distance > least || (distance === least && vertex > best) || !counts(vertex)) continue;
           best = vertex;
           least = distance;
         }

@@ -37,7 +37,12 @@ function drawSelection(pane, context, lane) {
     const colour = palette[selected.kind === "start" ? "start" : "goal"];
     const parts = scenario.footprint(pose);
     drawGhost(context, view, parts, { colour, fill: 0.25, stroke: 1, dash: [], width: 3 });
-    if (part !== null && parts[part]) drawGhost(context, view, [parts[part]], { colour: palette.ink, fill: 0, stroke: 1, dash: [], width: 1.5 });
+    if (part !== null && parts[part] && !shown.placed) drawGhost(context, view, [parts[part]], { colour: palette.ink, fill: 0, stroke: 1, dash: [], width: 1.5 });
+  }
+  for (const end of /** @type {const} */ (["goal", "start"])) {
+    const at = shown[end];
+    const isActive = selected?.kind === end && part === 0;
+    if (at) shown.placed?.drawHandle(context, view, at, palette[end], isActive ? palette.ink : palette.stage);
   }
   context.save();
   context.lineJoin = "round";

@@ -32,6 +32,16 @@ export function drawObstacles(context, view, obstacles, palette) {
   }
 }
 
+/** Is a point inside a polygon? @param {[number, number][]} vertices @param {number} x @param {number} y */
+export function contains(vertices, x, y) {
+  let inside = false;
+  vertices.forEach(([ax, ay], i) => {
+    const [bx, by] = vertices[(i + 1) % vertices.length];
+    if (ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax)) inside = !inside;
+  });
+  return inside;
+}
+
 /** The middle of an obstacle's box, in the plane. @param {Obstacle} obstacle @returns {[number, number]} */
 export function obstacleMiddle(obstacle) {
   if (obstacle.type === "disc") return [obstacle.center[0], obstacle.center[1]];
@@ -41,10 +51,14 @@ export function obstacleMiddle(obstacle) {
 }
 
 /** @param {View} view @param {Part} part */
-export function isThin(view, part) { return part.radius * view.scaleX < THIN; }
+export function isThin(view, part) { return part.type !== "polygon" && part.radius * view.scaleX < THIN; }
 
 /** The outline of a part; of a thin one its middle line. @param {Context} context @param {View} view @param {Part} part */
 export function partPath(context, view, part) {
+  if (part.type === "polygon") {
+    obstaclePath(context, view, part);
+    return;
+  }
   const radius = part.radius * view.scaleX;
   context.beginPath();
   if (part.type === "disc") {

@@ -31,7 +31,7 @@ export class Tracer {
   constructor(scenario) {
     this.scenario = scenario;
     this.circles = scenario.circles();
-    this.straight = scenario.robot === "disc";
+    this.straight = scenario.robot !== "arm";
   }
 
   /**

@@ -1,9 +1,8 @@
 /** The workspace: the world as it is, the robot in it, and the end-effector's image of every vertex and edge. */
-import { contains } from "../worker/handles.js";
 import { obstacleName, partName } from "../worker/names.js";
 import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
-import { drawGhost, drawLabel, drawObstacles, drawRobot, drawTouchingParts, obstacleMiddle, obstaclePath } from "./shapes.js";
+import { contains, drawGhost, drawLabel, drawObstacles, drawRobot, drawTouchingParts, obstacleMiddle, obstaclePath } from "./shapes.js";
 import { Tracer } from "./trace.js";
 import { View } from "./view.js";
 
@@ -11,7 +10,7 @@ import { View } from "./view.js";
 /** @import { Journey } from "../worker/journey.js" */
 /** @import { LayerName } from "./layer.js" */
 /** @import { Palette } from "./palette.js" */
-/** @import { Check, Obstacle, Part, ScenarioDocument } from "../types.js" */
+/** @import { Check, Configuration, Obstacle, Part, ScenarioDocument } from "../types.js" */
 
 const MARGIN = { left: 14, right: 14, top: 14, bottom: 14 };
 
@@ -76,10 +75,14 @@ export class Workspace extends Pane {
     }
     drawObstacles(context, view, world.obstacles, palette);
     const { start, goal, scenario } = shown;
-    const thin = (robot.radius ?? 0) * view.scaleX < 1.6;
+    const thin = "radius" in robot && (robot.radius ?? 0) * view.scaleX < 1.6;
     const width = thin ? 2 : 1.5;
-    if (goal) drawGhost(context, view, scenario.footprint(goal), { colour: palette.goal, fill: 0.14, stroke: 0.95, dash: [5, 4], width });
-    if (start) drawGhost(context, view, scenario.footprint(start), { colour: palette.start, fill: 0.16, stroke: 0.95, dash: [], width });
+    if (goal) shown.placed?.drawRegion(context, view, goal, shown, palette.goal);
+    for (const [pose, colour, fill, dash] of /** @type {[Configuration | null, string, number, number[]][]} */ ([[goal, palette.goal, 0.14, [5, 4]], [start, palette.start, 0.16, []]])) {
+      if (!pose) continue;
+      drawGhost(context, view, scenario.footprint(pose), { colour, fill, stroke: 0.95, dash, width });
+      shown.placed?.drawMarks(context, view, pose, 0, colour);
+    }
     if (robot.type === "arm") this.drawBase(context, robot.base);
     drawMarked(this, context, lane);
   }
@@ -134,6 +137,7 @@ export class Workspace extends Pane {
     const { scenario, hand, check } = lane.shown;
     const parts = scenario.footprint(pose);
     this.drawTouching(context, lane, parts, hand && check ? check.touching : [], () => drawRobot(context, view, parts, palette));
+    lane.shown.placed?.drawMarks(context, view, pose, lane.steering, palette["robot-edge"], palette.robot);
   }
 
   /** The robot at what is pointed at, fine. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette @override */
@@ -142,7 +146,10 @@ export class Workspace extends Pane {
     if (!view) return;
     const parts = hover.lane.scenario.footprint(hover.pose);
     const style = { colour: palette.ink, fill: 0.06, stroke: 0.85, dash: [], width: 1.3 };
+    const { placed } = hover.lane.shown;
+    placed?.drawSwept(this, context, hover, palette);
     this.drawTouching(context, hover.lane, parts, hover.check.touching, () => drawGhost(context, view, parts, style));
+    placed?.drawMarks(context, view, hover.pose, hover.motion?.[1] ?? 0, palette.ink);
     super.drawHover(context, hover, palette);
   }
 
@@ -199,7 +206,7 @@ export class Workspace extends Pane {
 function obstaclePlace(view, obstacle, part) {
   const [x, y] = obstacleMiddle(obstacle);
   if (obstacle.type === "disc" || contains(obstacle.vertices, x, y)) return [view.x(x), view.y(y)];
-  const [px, py] = part.type === "disc" ? part.center : part.b;
+  const [px, py] = part.type === "capsule" ? part.b : obstacleMiddle(part);
   const distance = (/** @type {[number, number]} */ vertex) => Math.hypot(vertex[0] - px, vertex[1] - py);
   const nearest = obstacle.vertices.reduce((best, vertex) => (distance(vertex) < distance(best) ? vertex : best));
   return [view.x(nearest[0]), view.y(nearest[1]) + 26];
@@ -207,6 +214,7 @@ function obstaclePlace(view, obstacle, part) {
 
 /** Beside the middle of a part, CSS pixels. @param {View} view @param {Part} part @returns {[number, number]} */
 function labelPlace(view, part) {
+  if (part.type === "polygon") return [view.x(obstacleMiddle(part)[0]), view.y(Math.max(...part.vertices.map(([, y]) => y))) - 14];
   const clear = part.radius * view.scaleX + 16;
   if (part.type === "disc") return [view.x(part.center[0]), view.y(part.center[1]) - clear];
   const dx = view.x(part.b[0]) - view.x(part.a[0]);

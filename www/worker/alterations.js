@@ -11,15 +11,16 @@ import { moved, obstacleOf, poseOf, rectangle, rounded, withObstacle, withPose, 
 const RINGS = [0, 0.12, 0.24, 0.36, 0.46];
 const BESIDE = [[1, -1], [1, 1], [-1, 1], [-1, -1], [2, 0], [-2, 0], [0, 2], [0, -2]];
 
-/** A small step: a hundred units, or a degree of one joint. @param {Shown} shown @param {Thing} thing @param {number | null} part @param {number} dx @param {number} dy @param {number} unit @returns {ScenarioDocument} */
+/** A small step: a hundred units, or a degree of one joint or of a heading. @param {Shown} shown @param {Thing} thing @param {number | null} part @param {number} dx @param {number} dy @param {number} unit @returns {ScenarioDocument} */
 export function nudged(shown, thing, part, dx, dy, unit) {
   const { document, scenario } = shown;
   const step = 100 * unit;
   const pose = poseOf(document, thing);
   if (pose) {
-    const next = scenario.robot === "disc"
-      ? [rounded(pose[0] + dx * step, unit), rounded(pose[1] + dy * step, unit)]
-      : pose.with(part ?? 0, rounded(pose[part ?? 0] + ((dx + dy) * Math.PI) / 180, ANGLE));
+    const angle = scenario.robot === "arm" ? part ?? 0 : part === null ? -1 : 2;
+    const next = angle < 0 || scenario.robot === "disc"
+      ? [rounded(pose[0] + dx * step, unit), rounded(pose[1] + dy * step, unit), ...pose.slice(2)]
+      : pose.with(angle, rounded(pose[angle] + ((dx + dy) * Math.PI) / 180, ANGLE));
     return withPose(document, thing, contained(Float64Array.from(next), coordinatesOf(shown)));
   }
   const obstacle = obstacleOf(document, thing);

@@ -11,7 +11,9 @@ export function coordinatesOf({ scenario, document: { robot } }) {
     });
   }
   const { min, max } = scenario.extent();
-  return ["x", "y"].map((name, i) => ({ name, low: min[i], high: max[i], unit: "m", isCircle: false }));
+  /** @type {Coordinate[]} */
+  const plane = ["x", "y"].map((name, i) => ({ name, low: min[i], high: max[i], unit: "m", isCircle: false }));
+  return robot.type === "disc" ? plane : [...plane, { name: "theta", low: -Math.PI, high: Math.PI, unit: "rad", isCircle: true }];
 }
 
 /** A configuration brought into its coordinates' ranges, in place. @param {Float64Array} pose @param {Coordinate[]} coordinates */

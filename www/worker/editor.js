@@ -114,7 +114,7 @@ export class Editor {
     this.selected = null;
     this.on = on;
     if (on) {
-      theatre.turn.pointing.at = null;
+      if (theatre.turn.pointing) theatre.turn.pointing.at = null;
       theatre.turn.release();
       theatre.conductor.pause();
     } else if (theatre.refusal) theatre.turn.showTouching();
@@ -302,11 +302,12 @@ export class Editor {
 
   // What is told.
 
-  /** Vertices of a polygon or joints of an arm, 0 where there is nothing to pick. @returns {number} */
+  /** Vertices of a polygon, joints of an arm or the heading of a body, 0 where there is nothing to pick. @returns {number} */
   get parts() {
     const { obstacle } = this;
     if (obstacle) return obstacle.type === "polygon" ? obstacle.vertices.length : 0;
-    return this.selected && this.shown.scenario.robot === "arm" ? this.shown.scenario.dimension : 0;
+    const { scenario, placed } = this.shown;
+    return this.selected && scenario.robot !== "disc" ? placed ? 1 : scenario.dimension : 0;
   }
 
   /** What is selected, in words. @returns {string} */
@@ -314,7 +315,8 @@ export class Editor {
     const { selected, part, obstacle } = this;
     if (!selected) return "";
     const name = obstacle ? `Obstacle ${selected.index}, a ${obstacle.type}` : selected.kind === "start" ? "Start" : "Goal";
-    return part === null || this.parts === 0 ? name : `${name}, ${obstacle ? "vertex" : "joint"} ${part}`;
+    if (part === null || this.parts === 0) return name;
+    return this.shown.placed && !obstacle ? `${name}, its heading` : `${name}, ${obstacle ? "vertex" : "joint"} ${part}`;
   }
 
   get fields() { return fieldsOf(this.document, this.selected, this.part ?? 0, coordinatesOf(this.shown)); }

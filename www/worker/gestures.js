@@ -42,7 +42,7 @@ export function pointFrom(scale, from, x, y, shift) {
 }
 
 /** Takes hold of what lies beneath the pointer. @param {Shown} shown @param {Hit} hit @param {Scale} scale @param {CSpace | null} square @param {Point} from @returns {Gesture} */
-export function holds({ document, scenario, start, goal }, { thing, part, handle }, scale, square, [x0, y0]) {
+export function holds({ document, scenario, start, goal, placed }, { thing, part, handle }, scale, square, [x0, y0]) {
   const obstacle = obstacleOf(document, thing);
   if (obstacle) return reshapes(document, obstacle, thing, handle, scale, x0, y0);
   const pose = Array.from((thing.kind === "start" ? start : goal) ?? []);
@@ -53,13 +53,21 @@ export function holds({ document, scenario, start, goal }, { thing, part, handle
     const { axes } = square;
     return (x, y, shift) => put(pose.map((value, i) => {
       const at = axes.indexOf(i);
-      return at < 0 ? value : snapped([x, y][at], TURN, ANGLE, shift);
+      if (at < 0) return value;
+      return coordinates[i].unit === "m" ? snapped([x, y][at], scale.grid, scale.unit, shift) : snapped([x, y][at], TURN, ANGLE, shift);
     }));
   }
+  if (placed && part === 0) {
+    // The handle turns the body: the direction of the pointer is kept from where it took hold.
+    const off = pose[2] - Math.atan2(y0 - pose[1], x0 - pose[0]);
+    return (x, y, shift) => put(pose.with(2, snapped(Math.atan2(y - pose[1], x - pose[0]) + off, TURN, ANGLE, shift)));
+  }
+  if (placed) return (x, y, shift) => put([...pointAt(scale, pose[0] + x - x0, pose[1] + y - y0, shift), pose[2]]);
   if (scenario.robot === "disc") return (x, y, shift) => put(pointAt(scale, pose[0] + x - x0, pose[1] + y - y0, shift));
   const joint = part ?? 0;
   const link = scenario.footprint(pose)[joint];
-  const [bx, by] = link.type === "capsule" ? link.a : link.center;
+  if (link.type !== "capsule") return () => document;
+  const [bx, by] = link.a;
   let before = Math.atan2(y0 - by, x0 - bx);
   let turned = 0;
   return (x, y, shift) => {

@@ -1,6 +1,6 @@
 /**
  * The robot in the hand: a point of the configuration square is a pose; a link that is dragged turns its joint; a disc goes
- * where it is put. What a pointer says in pixels of a pane becomes a configuration.
+ * where it is put, a body too, unless it is taken by the handle that turns it. What a pointer says in pixels of a pane becomes a configuration.
  */
 import { contained, coordinatesOf, wrap } from "./coordinates.js";
 
@@ -35,6 +35,7 @@ export class Grip {
     if (!lane || !view) return null;
     const { scenario } = lane;
     this.held = null;
+    if (lane.shown.placed) return lane.shown.placed.take(pane, x, y);
     if (scenario.robot === "disc") return this.drag(pane, x, y);
     const pose = lane.pose ?? lane.shown.start;
     if (!pose) return null;
@@ -59,7 +60,8 @@ export class Grip {
   drag(pane, x, y) {
     const { lane, view } = pane;
     if (!lane || !view) return null;
-    const { scenario, hand } = lane.shown;
+    const { scenario, hand, placed } = lane.shown;
+    if (placed) return placed.drag(pane, x, y);
     const [px, py] = view.toPlane(x, y);
     const coordinates = coordinatesOf(lane.shown);
     if (scenario.robot === "disc") return contained(Float64Array.of(px, py), coordinates);

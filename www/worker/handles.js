@@ -1,4 +1,5 @@
 /** What lies beneath a pointer: handles of what is selected, start and goal by their robot, obstacles. */
+import { contains } from "../stage/shapes.js";
 import { distanceToSegment } from "./grip.js";
 import { obstacleOf, same, thingsOf } from "./things.js";
 
@@ -73,7 +74,12 @@ export function hitAt(pane, isSquare, shown, query, selected, px, py, reach) {
       const [ex, ey] = pane.pixels(Float64Array.from(pose));
       offer(Math.max(0, Math.hypot(ex - px, ey - py) - 7), { thing, part: null, handle: null });
     } else {
-      scenario.footprint(pose).forEach((part, i) => offer(Math.max(0, toPart(part, x, y) * view.scaleX), { thing, part: i, handle: null }));
+      const { placed } = shown;
+      scenario.footprint(pose).forEach((part, i) => offer(Math.max(0, toPart(part, x, y) * view.scaleX), { thing, part: placed ? null : i, handle: null }));
+      if (!placed) continue;
+      const [hx, hy] = placed.handle(pose, view);
+      // The handle goes before the body that it stands in.
+      if (Math.hypot(hx - px, hy - py) <= reach) offer(0, { thing, part: 0, handle: null });
     }
   }
   return best;
@@ -88,15 +94,6 @@ function distanceTo(obstacle, x, y) {
 
 /** @param {Part} part @param {number} x @param {number} y */
 function toPart(part, x, y) {
+  if (part.type === "polygon") return distanceTo(part, x, y);
   return (part.type === "disc" ? Math.hypot(x - part.center[0], y - part.center[1]) : distanceToSegment(x, y, part.a, part.b)) - part.radius;
-}
-
-/** Is a point inside a polygon? @param {Point[]} vertices @param {number} x @param {number} y */
-export function contains(vertices, x, y) {
-  let inside = false;
-  vertices.forEach(([ax, ay], i) => {
-    const [bx, by] = vertices[(i + 1) % vertices.length];
-    if (ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax)) inside = !inside;
-  });
-  return inside;
 }

@@ -3,8 +3,10 @@
  * drives back and rests, at constant speed in the metric that the path was measured in.
  */
 
+/** @import { Placed } from "../stage/placed.js" */
 /** @import { Run } from "./run.js" */
 /** @import { Check, Scenario } from "../types.js" */
+/** @typedef {{ placed: Placed, motions: number[][] }} Course   speed, steering angle and seconds from each waypoint to the next */
 /** @typedef {{ at: number, pose: Float64Array, check: Check }} Flaw   where a path collides: 0 to 1 along it, the pose, and what touches what */
 
 /** Seconds for the line to draw itself. */
@@ -20,13 +22,14 @@ export class Journey {
   /**
    * @param {Scenario} scenario
    * @param {Float64Array} path  rows of `dimension`, at least one
-   * @param {{ isProven?: boolean, isMiss?: boolean, raw?: Float64Array | null }} [kind]  are its motions proven free; does it end short of the goal; how it was found, where it is shorter now
+   * @param {{ isProven?: boolean, isMiss?: boolean, raw?: Float64Array | null, course?: Course | null }} [kind]  are its motions proven free; does it end short of the goal; how it was found, where it is shorter now; the motions between waypoints, where they are no straight lines
    */
-  constructor(scenario, path, { isProven = true, isMiss = false, raw = null } = {}) {
+  constructor(scenario, path, { isProven = true, isMiss = false, raw = null, course = null } = {}) {
     this.scenario = scenario;
     this.isProven = isProven;
     this.isMiss = isMiss;
     this.raw = raw;
+    this.course = course;
     const n = scenario.dimension;
     /** @type {Float64Array[]} */
     this.waypoints = [];
@@ -34,7 +37,7 @@ export class Journey {
     /** Distance from the start to each waypoint. */
     this.reached = [0];
     for (let i = 1; i < this.waypoints.length; i++) {
-      this.reached.push(this.reached[i - 1] + scenario.distance(this.waypoints[i - 1], this.waypoints[i]));
+      this.reached.push(this.reached[i - 1] + (course ? course.placed.lengthOf(course.motions[i - 1]) : scenario.distance(this.waypoints[i - 1], this.waypoints[i])));
     }
     this.length = this.reached[this.reached.length - 1];
     const speed = scenario.robot === "arm" ? 1.5 : size(scenario) / 4;
@@ -72,15 +75,26 @@ export class Journey {
     const last = this.waypoints.length - 1;
     const target = Math.min(1, Math.max(0, part)) * this.length;
     if (last === 0 || target >= this.length) return this.waypoints[last];
+    const low = this.stretch(target);
+    const stretch = this.reached[low + 1] - this.reached[low];
+    const fraction = stretch > 0 ? (target - this.reached[low]) / stretch : 0;
+    if (this.course) return this.course.placed.after(this.waypoints[low], this.course.motions[low], fraction);
+    return this.scenario.interpolate(this.waypoints[low], this.waypoints[low + 1], fraction);
+  }
+
+  /** The waypoint that begins the stretch at a distance from the start. @param {number} target */
+  stretch(target) {
     let low = 0;
-    let high = last;
+    let high = this.waypoints.length - 1;
     while (high - low > 1) {
       const middle = (low + high) >> 1;
       if (this.reached[middle] <= target) low = middle; else high = middle;
     }
-    const stretch = this.reached[high] - this.reached[low];
-    return this.scenario.interpolate(this.waypoints[low], this.waypoints[high], stretch > 0 ? (target - this.reached[low]) / stretch : 0);
+    return low;
   }
+
+  /** The angle of the front wheels where the robot is. */
+  get steering() { return this.course?.motions[this.stretch(this.at * this.length)]?.[1] ?? 0; }
 
   /**
    * The path in small pieces, for drawing: equally spaced, with every waypoint among them.
@@ -128,18 +142,21 @@ export class Journey {
  * The way that a run has to show: its path once solved, or of a tree that gave up the way to its vertex nearest to the goal.
  * @param {Scenario} scenario
  * @param {Run} run
+ * @param {Placed | null} [placed]   of a body or a car
  * @returns {Journey | null}
  */
-export function journeyOf(scenario, run) {
+export function journeyOf(scenario, run, placed = null) {
   const { isProven } = run;
+  /** @param {{ motions?: { control: [number, number], duration: number }[] }} result @returns {Course | null} */
+  const courseOf = ({ motions }) => (placed && motions ? { placed, motions: motions.map(({ control, duration }) => [...control, duration]) } : null);
   if (run.status === "solved") {
     const raw = run.rawLength > run.result.length ? run.planner.rawPath() : null;
-    return new Journey(scenario, run.planner.path(), { isProven, raw });
+    return new Journey(scenario, run.planner.path(), { isProven, raw, course: courseOf(run.result) });
   }
   const { approximate } = run.result;
   // A tree whose root is nearest to the goal has no way to show.
   if (!approximate || approximate.path.length < 2) return null;
-  return new Journey(scenario, Float64Array.from(approximate.path.flat()), { isProven, isMiss: true });
+  return new Journey(scenario, Float64Array.from(approximate.path.flat()), { isProven, isMiss: true, course: courseOf(approximate) });
 }
 
 /** The longer side of the drawn world. @param {Scenario} scenario */

@@ -36,7 +36,7 @@ export class Kin {
       const [parent, child] = run.edges.row(e);
       if (!run.isTree || child < roots || upward[child] !== undefined) continue;
       upward[child] = e;
-      costs[child] = (costs[parent] ?? 0) + this.distance(parent, child);
+      costs[child] = (costs[parent] ?? 0) + run.lengthOf(e);
     }
   }
 

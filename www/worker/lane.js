@@ -5,6 +5,8 @@ import { PAST, Run } from "./run.js";
 /** @import { Standing } from "../standings.js" */
 /** @import { Marked } from "../stage/marked.js" */
 /** @import { Overlay } from "./editor.js" */
+/** @import { Pane } from "../stage/pane.js" */
+/** @import { Placed } from "../stage/placed.js" */
 /** @import { Journey } from "./journey.js" */
 /** @import { Check, Configuration, Plan, Scenario, ScenarioDocument, ViewOptions } from "../types.js" */
 
@@ -12,7 +14,8 @@ import { PAST, Run } from "./run.js";
  * @typedef {object} Shown   what all lanes show alike: the one value that panes read and only the theatre writes
  * @property {Scenario} scenario
  * @property {ScenarioDocument} document
- * @property {Configuration | null} start   of the query asked
+ * @property {string | undefined} query     that is asked
+ * @property {Configuration | null} start   of that query
  * @property {Configuration | null} goal
  * @property {Float64Array | null} hand     the pose held by hand, if any
  * @property {Check | null} check           of the pose held by hand
@@ -21,6 +24,18 @@ import { PAST, Run } from "./run.js";
  * @property {Marked | null} marked         configurations of the reader's own
  * @property {boolean} rough                it is being changed by hand: pictures may be coarse
  * @property {Overlay | null} overlay       what the editor draws
+ * @property {Placed | null} placed         of a body or a car
+ * @property {Driven | null} driven         while a reader drives the car
+ */
+
+/**
+ * @typedef {object} Driven   a car under a reader's keys
+ * @property {number} steering              of its front wheels, radians
+ * @property {Float64Array} trace           where it has been, rows of x, y, theta
+ * @property {import("planarium").Obstructed | null} blocked   what stopped it
+ * @property {import("planarium").Rollout | null} rollout      where a control would lead
+ * @property {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} drawUnder
+ * @property {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} drawOver
  */
 
 /**
@@ -29,6 +44,8 @@ import { PAST, Run } from "./run.js";
  * @property {number} vertex   -1: a pose
  * @property {Float64Array} pose
  * @property {Check} check
+ * @property {number} [edge]   the edge that is pointed at, or that leads to the vertex
+ * @property {Float64Array | null} [motion]   its speed, steering angle and duration, where a car drives it
  */
 
 export class Lane {
@@ -75,11 +92,14 @@ export class Lane {
     return journey && journey.drawn >= 1 ? journey.configuration(journey.at) : null;
   }
 
+  /** The angle of a car's front wheels. */
+  get steering() { return this.shown.driven?.steering ?? (this.shown.hand ? 0 : this.journey?.steering ?? 0); }
+
   /** The way of a run that has ended. @returns {boolean} whether it has just become known */
   arrive() {
     const { run } = this;
     if (!run?.ended || this.end || !run.isNewest) return false;
-    this.end = journeyOf(this.scenario, run);
+    this.end = journeyOf(this.scenario, run, this.shown.placed);
     return this.end !== null;
   }
 

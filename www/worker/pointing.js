@@ -1,17 +1,20 @@
 /**
- * What the reader points at: a vertex near the pointer, in whichever pane; a point of the configuration square that is a whole
+ * Loaded with the first pointer on a pane. What the reader points at: a vertex near the pointer, in whichever pane; a point of the configuration square that is a whole
  * pose; or a vertex chosen by its number, for those without a pointer. Found anew each frame, so that it is true of the
  * iteration that is shown.
  */
+import { Grip } from "./grip.js";
+import { lengthText, touchingSentence } from "./names.js";
 import { PAST } from "./run.js";
 
 /** @import { CSpace } from "../stage/cspace.js" */
 /** @import { Place } from "../stage/stage.js" */
-/** @import { Grip } from "./grip.js" */
 /** @import { Hover, Lane } from "./lane.js" */
+/** @import { Run } from "./run.js" */
 
 export class Pointing {
   constructor() {
+    this.grip = new Grip();
     /** Where the pointer hovers, pixels of the pane. @type {{ place: Place, x: number, y: number } | null} */
     this.at = null;
     /** The vertex chosen by its number, -1: none. */
@@ -21,26 +24,78 @@ export class Pointing {
   /** @param {number} vertex */
   choose(vertex) { this.chosen = vertex; }
 
-  /** @param {Lane[]} lanes @param {Grip} grip @param {Hover | null} before @returns {Hover | null} */
-  find(lanes, grip, before) {
+  /** What the pointer does to the robot, if it holds it. @param {Place} place @param {"down" | "move"} type @param {number} x @param {number} y @returns {Float64Array | null} */
+  hold({ pane, kind }, type, x, y) {
+    const { grip } = this;
+    if (kind === "cspace") return grip.square(/** @type {CSpace} */ (pane), x, y);
+    return type === "down" ? grip.take(pane, x, y) : grip.drag(pane, x, y);
+  }
+
+  /** @param {Lane[]} lanes @param {Hover | null} before @returns {Hover | null} */
+  find(lanes, before) {
     const { at } = this;
     const lane = lanes[at ? at.place.lane : 0];
     if (!lane || (at && at.place.pane.lane !== lane)) return null;
     const { run, scenario } = lane;
     const count = run ? run.past[PAST.vertices] : 0;
-    const vertex = at ? at.place.pane.places?.nearest(at.x, at.y, count) ?? -1 : this.chosen < count ? this.chosen : -1;
-    const pose = vertex >= 0 && run ? run.vertices.row(vertex).slice() : at?.place.kind === "cspace" ? this.pose(lane, grip, at) : null;
+    const isThere = (/** @type {number} */ one) => run !== null && run.isThere(one);
+    const vertex = at ? at.place.pane.places?.nearest(at.x, at.y, count, isThere) ?? -1 : this.chosen < count && isThere(this.chosen) ? this.chosen : -1;
+    const passing = at && vertex < 0 && run ? this.passing(run, at) : null;
+    if (passing) return { lane, ...passing, check: scenario.check(passing.pose) };
+    const pose = vertex >= 0 && run ? run.vertices.row(vertex).slice() : at?.place.kind === "cspace" ? this.pose(lane, at) : null;
     if (!pose) return null;
     const isSame = before?.lane === lane && before.pose.length === pose.length && before.pose.every((value, j) => value === pose[j]);
-    return { lane, vertex, pose, check: isSame ? before.check : scenario.check(pose) };
+    return { lane, vertex, pose, check: isSame ? before.check : scenario.check(pose), edge: run && vertex >= 0 ? run.edgeTo(vertex) : -1 };
   }
 
-  /** The pose at a point of the square: of two joints, or of two with the others held as the slice holds them. @param {Lane} lane @param {Grip} grip @param {{ place: Place, x: number, y: number }} at */
-  pose({ scenario, shown }, grip, { place, x, y }) {
+  /** An edge that is no straight line, where the pointer is upon it. @param {Run} run @param {{ place: Place, x: number, y: number }} at */
+  passing(run, { place: { pane }, x, y }) {
+    const { data, width } = run.traces;
+    const isThere = (/** @type {number} */ row) => {
+      const edge = data[row * width];
+      return edge < run.past[PAST.edges] && run.isThere(run.edges.data[2 * edge + 1]);
+    };
+    const row = pane.passages?.nearest(x, y, run.traces.count, isThere) ?? -1;
+    return row < 0 ? null : { vertex: -1, edge: data[row * width], pose: data.slice(row * width + 1, (row + 1) * width) };
+  }
+
+  /** The pose at a point of the square: of two joints, or of two with the others held as the slice holds them. @param {Lane} lane @param {{ place: Place, x: number, y: number }} at */
+  pose({ scenario, shown }, { place, x, y }) {
     const { view } = place.pane;
     if (!view || (scenario.dimension > 2 && !shown.view.slice)) return null;
     const { min, max } = view.box;
     const inside = view.toPlane(x, y).every((value, i) => value >= min[i] && value <= max[i]);
-    return inside ? grip.square(/** @type {CSpace} */ (place.pane), x, y) : null;
+    return inside ? this.grip.square(/** @type {CSpace} */ (place.pane), x, y) : null;
   }
+
+  /** What is pointed at, in words. @param {Hover} hover */
+  text(hover) { return hoverSentence(hover); }
 }
+
+/** What is pointed at, in words. @param {Hover} hover */
+function hoverSentence({ lane: { run, scenario, shown: { placed } }, vertex, pose, check, edge = -1, motion = null }) {
+  const { robot } = scenario;
+  const numbers = `${[...pose].map(number).join(", ")}${placed ? " (m, m, rad)" : robot === "arm" ? " rad" : " m"}`;
+  const control = placed && motion ? ` ${placed.motionText(motion)}` : "";
+  if (vertex < 0 && edge >= 0 && run) {
+    const [from, to] = run.edges.row(edge);
+    return `Edge ${edge}, from vertex ${from} to ${to}.${control}`;
+  }
+  if (vertex < 0 || !run) return `Pose ${numbers}: ${check.free ? "free" : touchingSentence(scenario, check)}.`;
+  const { kin, past } = run;
+  const edges = past[PAST.edges];
+  kin.follow();
+  const name = `Vertex ${vertex}${vertex < 2 ? [", the start,", ", the goal,"][vertex] : ""} at ${numbers}`;
+  if (!run.isTree) {
+    let degree = 0;
+    kin.neighbours(vertex, edges, () => degree++);
+    return `${name}: ${degree} ${degree === 1 ? "edge" : "edges"}.`;
+  }
+  const parent = kin.parent(vertex, edges);
+  if (parent < 0) return `${name}: ${vertex === 0 || run.kind === "trees" ? "the root of its tree" : "not reached yet"}.`;
+  const way = run.lengthOf(kin.upward[vertex]);
+  return `${name}. Parent ${parent}, ${lengthText(way, robot)} away; ${lengthText(kin.costs[vertex], robot)} from the root.${control}`;
+}
+
+/** @param {number} value */
+function number(value) { return value.toFixed(2).replace("-", "\u2212"); }

@@ -1,7 +1,8 @@
 /** What the page is told of a frame: numbers, words and switches, no handles. */
 import { faultOf } from "../fault.js";
+import { unitOf } from "./names.js";
 import { EVENT, PAST } from "./run.js";
-import { hoverSentence, poseSentence, summary } from "./story.js";
+import { poseSentence, summary } from "./story.js";
 
 /** @import { Theatre } from "./theatre.js" */
 /** @import { Lane } from "./lane.js" */
@@ -27,11 +28,12 @@ export function report(theatre) {
     pose: pose ? Array.from(pose) : null,
     touching: shown?.hand && shown.check ? { text: poseSentence(shown.scenario, shown.check), free: shown.check.free } : { text: "", free: true },
     arrived: shown?.hand !== null && theatre.turn.game.arrived,
-    hover: shown?.hover ? { vertex: shown.hover.vertex, text: hoverSentence(shown.hover), free: shown.hover.check.free } : null,
+    hover: shown?.hover ? { vertex: shown.hover.vertex, text: theatre.turn.pointing?.text(shown.hover) ?? "", free: shown.hover.check.free } : null,
     lanes: lanes.map((lane) => laneState(lane, settled)),
     summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),
     curves: theatre.curvesKey,
     edit: theatre.editor?.state ?? null,
+    drive: theatre.driving?.report ?? null,
     refusal: theatre.refusal && { ...faultOf(theatre.refusal.error), lane: theatre.refusal.lane },
   };
 }
@@ -53,7 +55,7 @@ function laneState({ plan, run, journey, scenario, standing }, settled) {
     vertices: past[PAST.vertices], edges: past[PAST.edges], checks: past[PAST.checks], motions: past[PAST.motions], evaluations: past[PAST.evaluations],
     cost: past[PAST.cost],
     length: isEnd && status === "solved" ? run.result.length : null,
-    unit: scenario.robot === "arm" ? "rad" : "m",
+    unit: unitOf(scenario.robot),
     fingerprint: isEnd ? run.result.fingerprint : "",
     kind: run.kind, isProven: run.isProven, isMiss: journey?.isMiss ?? false, hasGuards: run.has(EVENT.guard), isSearched: run.has(EVENT.expanded), isApart: run.pieces !== null,
     hasRejected: run.has(EVENT.rejected) || run.has(EVENT.discarded), hasRefused: run.has(EVENT.refused),

@@ -11,7 +11,7 @@ import { Rows } from "./rows.js";
 /** @import { ResultDocument, Scenario, Settings } from "../types.js" */
 
 /** Kinds of event, as the package numbers them. */
-export const EVENT = { rejected: 0, refused: 1, expanded: 2, solved: 3, discarded: 4, guard: 5 };
+export const EVENT = { rejected: 0, refused: 1, expanded: 2, solved: 3, discarded: 4, guard: 5, removed: 6 };
 
 /** Columns of a row of history, as the package orders them. */
 export const PAST = { vertices: 0, edges: 1, events: 2, phase: 3, checks: 4, motions: 5, evaluations: 6, cost: 7 };
@@ -49,6 +49,14 @@ export class Run {
     this.history = new Rows((n) => new Float64Array(n), this.planner.historyWidth);
     /** For each vertex the root it hangs from; all `SIDE.none` in a roadmap. */
     this.sides = new Rows((n) => new Uint8Array(n), 1);
+    /** Places on edges that are no straight lines: the number of the edge, then a configuration; of each such edge its first row. */
+    this.traces = new Rows((n) => new Float64Array(n), 1 + dimension);
+    /** @type {Map<number, number>} */
+    this.traced = new Map();
+    /** What was removed again: vertices, by the place of the event in the log, and these places. @type {Map<number, number>} */
+    this.gone = new Map();
+    /** @type {number[]} */
+    this.removals = [];
     /** How many vertices the search has expanded, how many are guards. */
     this.expanded = 0;
     this.guards = 0;
@@ -189,6 +197,7 @@ export class Run {
       const first = this.edges.count;
       this.edges.add(planner.edgesSince(first));
       if (this.isTree) this.inheritSides(first);
+      this.trace(planner.tracesSince(first));
     }
     const first = this.events.count;
     if (planner.eventCount > first) this.events.add(planner.eventsSince(first));
@@ -197,8 +206,68 @@ export class Run {
       this.firsts[data[i * width]] ??= i;
       if (data[i * width] === EVENT.expanded) this.expanded++;
       else if (data[i * width] === EVENT.guard) this.guards++;
+      else if (data[i * width] === EVENT.removed) {
+        this.gone.set(data[i * width + 2], i);
+        this.removals.push(i);
+      }
     }
   }
+
+  /** @param {Float64Array} rows  new ones */
+  trace(rows) {
+    const { traces, traced } = this;
+    const first = traces.count;
+    if (rows.length > 0) traces.add(rows);
+    for (let i = first; i < traces.count; i++) {
+      const edge = traces.data[i * traces.width];
+      if (!traced.has(edge)) traced.set(edge, i);
+    }
+  }
+
+  /** An edge from end to end: rows of configurations, between which it is as good as straight. @param {number} edge @returns {Float64Array} */
+  along(edge) {
+    const { traces: { data, width, count }, dimension: n } = this;
+    const [from, to] = this.edges.row(edge);
+    const first = this.traced.get(edge) ?? count;
+    let end = first;
+    while (end < count && data[end * width] === edge) end++;
+    const rows = new Float64Array((end - first + 2) * n);
+    rows.set(this.vertices.row(from));
+    for (let i = first; i < end; i++) rows.set(data.subarray(i * width + 1, (i + 1) * width), (i - first + 1) * n);
+    rows.set(this.vertices.row(to), rows.length - n);
+    return rows;
+  }
+
+  /** The edge of a tree that leads to a vertex, -1 where none does. @param {number} vertex */
+  edgeTo(vertex) {
+    this.kin.follow();
+    const edge = this.kin.upward[vertex] ?? -1;
+    return this.isTree && edge < this.past[PAST.edges] ? edge : -1;
+  }
+
+  /** How long an edge is; one that is no straight line by its places, which are close. @param {number} edge */
+  lengthOf(edge) {
+    if (!this.traced.has(edge)) return this.kin.distance(this.edges.data[2 * edge], this.edges.data[2 * edge + 1]);
+    const rows = this.along(edge);
+    const n = this.dimension;
+    let sum = 0;
+    for (let at = 0; at + n < rows.length; at += n) sum += this.scenario.distance(rows.subarray(at, at + n), rows.subarray(at + n, at + 2 * n));
+    return sum;
+  }
+
+  /** How many vertices were removed by an event. @param {number} events  how many of the log count */
+  removedBy(events) {
+    let low = 0;
+    let high = this.removals.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.removals[middle] < events) low = middle + 1; else high = middle;
+    }
+    return low;
+  }
+
+  /** Is a vertex in the graph that is shown, or was it removed? @param {number} vertex @param {number} [events] */
+  isThere(vertex, events = this.past[PAST.events]) { return !((this.gone.get(vertex) ?? Infinity) < events); }
 
   /** Tree edges are (parent, child): a new child hangs from its parent's root. A lone tree has the goal only once it is reached. @param {number} first */
   inheritSides(first) {

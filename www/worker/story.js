@@ -1,11 +1,11 @@
 /** The page's sentences: what is to be seen just now. */
 import { leaders, letters } from "../standings.js";
-import { touchingSentence } from "./names.js";
+import { isPlaced, lengthText, robotName, touchingSentence } from "./names.js";
 import { PAST } from "./run.js";
 
 /** @typedef {{ algorithm: string, isProven: boolean, sentence: string }} Story   what a scene says of its own planner, and whether it is to prove its edges */
 /** @import { Journey } from "./journey.js" */
-/** @import { Hover, Lane } from "./lane.js" */
+/** @import { Lane } from "./lane.js" */
 /** @import { Run } from "./run.js" */
 /** @import { Check, Scenario } from "../types.js" */
 
@@ -21,7 +21,7 @@ const OPENING = 60;
 export function going(run, scene) {
   const { phase } = run;
   const free = run.isProven ? "proven free" : "free in the places looked at";
-  const sought = `The ${run.scenario.robot} seeks a way from start to goal`;
+  const sought = `The ${robotName(run.scenario.robot)} seeks a way from start to goal`;
   const begins = run.shown < OPENING;
   if (phase === "improving") return `A path is found; now it is made shorter, by motions ${free}.`;
   if (phase === "sampling") return `${sought}: each point is a pose that touches nothing.`;
@@ -41,11 +41,11 @@ export function going(run, scene) {
 /** A run that has ended. @param {Run} run @param {Journey | null} journey */
 export function ending(run, journey) {
   const iterations = run.made.toLocaleString("en");
-  const unit = run.scenario.robot === "arm" ? "rad" : "m";
+  const { robot } = run.scenario;
   const { length, approximate } = run.result;
   if (run.status === "solved") {
-    const shorter = journey?.raw ? `, cut from ${run.rawLength.toFixed(2)} ${unit}` : "";
-    const found = `Found after ${iterations} iterations: a path of ${length.toFixed(2)} ${unit}${shorter}`;
+    const shorter = journey?.raw ? `, cut from ${lengthText(run.rawLength, robot)}` : "";
+    const found = `Found after ${iterations} iterations: a path of ${isPlaced(robot) ? "length " : ""}${lengthText(length, robot)}${shorter}`;
     if (run.isProven) return `${found}, proven free from end to end.`;
     if (journey?.flaw) return `Found, not proven. ${collision(run, journey.flaw.check)}`;
     return `${found}, not proven. Checked afterwards, it touches nothing.`;
@@ -53,7 +53,7 @@ export function ending(run, journey) {
   if (!run.isTree && run.expanded === 0) return `No path: ${iterations} iterations were too few to search the roadmap.`;
   if (run.pieces) return `No path: ${asked(run)}the map is in ${run.pieces.count.toLocaleString("en")} pieces. Start and goal lie in different ones, in their colours.`;
   if (!approximate || !journey) return `No path after ${iterations} iterations: ${run.kind === "trees" ? "the two trees never met" : "the tree never came nearer to the goal"}.`;
-  const miss = `No path after ${iterations} iterations. The nearest miss, dashed, ends ${approximate.goal_distance.toFixed(2)} ${unit} from the goal`;
+  const miss = `No path after ${iterations} iterations. The nearest miss, dashed, ends ${lengthText(approximate.goal_distance, robot)} from the goal`;
   return `${miss}${run.isProven ? "." : `, not proven. ${journey.flaw ? collision(run, journey.flaw.check) : ""}`}`.trim();
 }
 
@@ -69,6 +69,7 @@ function collision({ scenario }, check) {
 
 /** What to do with the robot in the hand. @param {Scenario} scenario @param {boolean} square  is there a configuration square beside the workspace */
 export function invitation(scenario, square) {
+  if (isPlaced(scenario.robot)) return `Your turn: drag the ${robotName(scenario.robot)} from its start to its goal, touching nothing; the handle before it turns it.`;
   if (scenario.robot === "disc") return "Your turn: drag the disc from its start to its goal without touching anything.";
   return square
     ? "Your turn: drag a link, or the point in the square, from the start to the goal without touching anything."
@@ -80,25 +81,6 @@ export function poseSentence(scenario, check) {
   if (check.free) return "Free: nothing touches.";
   const sentence = touchingSentence(scenario, check);
   return `${sentence[0].toUpperCase()}${sentence.slice(1)}.`;
-}
-
-/** What is pointed at, in words. @param {Hover} hover */
-export function hoverSentence({ lane: { run, scenario }, vertex, pose, check }) {
-  const unit = scenario.robot === "arm" ? "rad" : "m";
-  const numbers = [...pose].map((value) => value.toFixed(2).replace("-", "\u2212")).join(", ");
-  if (vertex < 0 || !run) return `Pose ${numbers} ${unit}: ${check.free ? "free" : touchingSentence(scenario, check)}.`;
-  const { kin, past } = run;
-  const edges = past[PAST.edges];
-  kin.follow();
-  const name = `Vertex ${vertex}${vertex < 2 ? [", the start,", ", the goal,"][vertex] : ""} at ${numbers} ${unit}`;
-  if (!run.isTree) {
-    let degree = 0;
-    kin.neighbours(vertex, edges, () => degree++);
-    return `${name}: ${degree} ${degree === 1 ? "edge" : "edges"}.`;
-  }
-  const parent = kin.parent(vertex, edges);
-  if (parent < 0) return `${name}: ${vertex === 0 || run.kind === "trees" ? "the root of its tree" : "not reached yet"}.`;
-  return `${name}. Parent ${parent}, ${kin.distance(parent, vertex).toFixed(2)} ${unit} away; ${kin.costs[vertex].toFixed(2)} ${unit} from the root.`;
 }
 
 /** @param {number} touches */
@@ -126,6 +108,5 @@ export function race(lanes) {
   const [best] = shortest;
   const winner = `${letters(first)} found a path first, after ${found?.toLocaleString("en")} clearance evaluations`;
   if (best === undefined) return `${winner}.`;
-  const unit = lanes[best].scenario.robot === "arm" ? "rad" : "m";
-  return `${winner}; ${letters(shortest)} ${isOver ? "has" : "so far has"} the shortest, ${standings[best].cost.toFixed(2)} ${unit}.`;
+  return `${winner}; ${letters(shortest)} ${isOver ? "has" : "so far has"} the shortest, ${lengthText(standings[best].cost, lanes[best].scenario.robot)}.`;
 }

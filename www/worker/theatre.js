@@ -9,12 +9,15 @@ import { Conductor } from "./conductor.js";
 import { coordinatesOf } from "./coordinates.js";
 import { thinned } from "./curve.js";
 import { Lane } from "./lane.js";
+import { axesOf } from "./names.js";
 import { report } from "./report.js";
 import * as story from "./story.js";
 import { Turn } from "./turn.js";
 
 /** @import { Curves, Library, Plan, Pointer, Programme, Scenario, ScenarioDocument, SceneFacts, Source, State, ViewOptions } from "../types.js" */
+/** @import { Driving } from "./driving.js" */
 /** @import { Editor } from "./editor.js" */
+/** @import { Placed } from "../stage/placed.js" */
 /** @import { Shown } from "./lane.js" */
 
 /** Milliseconds of planning in a frame at most, and when inking new growth stops. */
@@ -58,6 +61,8 @@ export class Theatre {
     this.heard = -1;
     /** Once it was asked for. @type {Editor | null} */
     this.editor = null;
+    /** Once it was asked for. @type {Driving | null} */
+    this.driving = null;
     this.last = 0;
     this.scheduled = false;
     this.measures = 0;
@@ -65,12 +70,12 @@ export class Theatre {
     this.plannings = 0;
   }
 
-  /** Puts a scenario on the stage; the one before it is freed. @param {Source} source @param {Programme} programme @returns {SceneFacts} @throws {Error} it cannot be read */
-  open(source, programme) {
-    const scenario = this.read(source);
+  /** Puts a scenario on the stage; the one before it is freed. @param {Scenario} scenario @param {Programme} programme @param {Placed | null} placed @returns {SceneFacts} */
+  open(scenario, programme, placed) {
+    if (Boolean(placed) !== Boolean(this.shown?.placed) || this.view.axes.some((axis) => axis >= scenario.dimension)) this.view.axes = axesOf(scenario.robot);
     this.clear();
     const document = scenario.document();
-    this.shown = { scenario, document, start: null, goal: null, hand: null, check: null, hover: null, view: this.view, rough: false, overlay: null, marked: null };
+    this.shown = { scenario, document, query: undefined, start: null, goal: null, hand: null, check: null, hover: null, view: this.view, rough: false, overlay: null, marked: null, placed, driven: null };
     this.story = programme.story;
     if (programme.pace !== undefined) this.clock.pace = programme.pace;
     this.query = document.queries.find(({ name }) => name === programme.query)?.name ?? document.queries[0]?.name;
@@ -140,6 +145,7 @@ export class Theatre {
     const { shown, clock } = this;
     if (!shown) return;
     const query = shown.document.queries.find(({ name }) => name === this.query);
+    shown.query = query?.name;
     shown.start = query?.start ?? null;
     shown.goal = query?.goal ?? null;
     this.plannings++;
@@ -258,6 +264,7 @@ export class Theatre {
     const began = performance.now();
     this.editor?.hand.pass();
     this.editor?.overlay();
+    this.driving?.pass(performance.timeOrigin + now);
     const elapsed = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = now;
     const { stage, clock } = this;
@@ -269,10 +276,10 @@ export class Theatre {
     for (const lane of this.lanes) lane.still = !clock.playing && !clock.owes && lane.run?.status === "running";
     stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
     const resting = !clock.owes && (!clock.playing || !this.growing);
-    this.settled = resting && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isTended);
+    this.settled = resting && !this.driving?.moves && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isTended);
     if (working) this.measure(began);
     this.tell(report(this));
-    if (clock.playing || clock.owes || stage.busy) this.wake();
+    if (clock.playing || clock.owes || stage.busy || this.driving?.moves) this.wake();
   }
 
   /** Differs where the curves do. */
@@ -294,7 +301,8 @@ export class Theatre {
   get sentence() {
     const { shown, turn: { game } } = this;
     if (!shown) return ["", false];
-    const { editor } = this;
+    const { editor, driving } = this;
+    if (driving?.on) return [driving.sentence, driving.state?.blocked !== null];
     if (editor?.sentence && !shown.hand) return [editor.sentence, editor.isBad];
     if (shown.hand && shown.check) {
       if (!shown.check.free) return [story.poseSentence(shown.scenario, shown.check), false];

@@ -3,11 +3,9 @@
  * holds nothing points at something.
  */
 import { contained, coordinatesOf } from "./coordinates.js";
-import { Grip } from "./grip.js";
-import { Pointing } from "./pointing.js";
 
 /** @import { Pointer } from "../types.js" */
-/** @import { CSpace } from "../stage/cspace.js" */
+/** @import { Pointing } from "./pointing.js" */
 /** @import { Shown } from "./lane.js" */
 /** @import { Theatre } from "./theatre.js" */
 
@@ -15,10 +13,17 @@ export class Turn {
   /** @param {Theatre} theatre */
   constructor(theatre) {
     this.theatre = theatre;
-    this.grip = new Grip();
-    this.pointing = new Pointing();
+    /** Once somebody has pointed at something. @type {Pointing | null} */
+    this.pointing = null;
     /** How often the hand touched something, and whether it brought the robot to the goal. */
     this.game = { touches: 0, arrived: false };
+  }
+
+  /** What pointers need, fetched with the first of them. @returns {Promise<Pointing>} */
+  async ready() {
+    const { Pointing } = await import("./pointing.js");
+    this.pointing ??= new Pointing();
+    return this.pointing;
   }
 
   /** The reader's turn, or the planner's again. */
@@ -40,6 +45,7 @@ export class Turn {
     const { theatre } = this;
     const { shown } = theatre;
     if (!shown || pose.length !== shown.scenario.dimension) return;
+    this.theatre.driving?.stop();
     if (!shown.hand) {
       this.game = { touches: 0, arrived: false };
       for (const { journey } of theatre.lanes) {
@@ -72,21 +78,21 @@ export class Turn {
   release() {
     const { shown } = this.theatre;
     if (!shown) return;
+    this.theatre.driving?.stop();
     shown.hand = null;
     shown.check = null;
   }
 
   /** A pointer on a pane, pixels of the pane. @param {Pointer} pointer @returns {boolean} whether it holds something */
   point({ pane: id, type, x, y }) {
-    const { theatre, grip } = this;
+    const { theatre, pointing } = this;
     const place = theatre.stage.at(id);
-    if (!place || !theatre.shown) return false;
-    const { pane, kind } = place;
-    this.pointing.at = type === "hover" ? { place, x, y } : null;
+    const { shown } = theatre;
+    if (!place || !shown || !pointing) return false;
+    if (shown.driven) return false;
+    pointing.at = type === "hover" ? { place, x, y } : null;
     if (type !== "down" && type !== "move") return false;
-    const pose = kind === "cspace"
-      ? grip.square(/** @type {CSpace} */ (pane), x, y)
-      : type === "down" ? grip.take(pane, x, y) : grip.drag(pane, x, y);
+    const pose = pointing.hold(place, type, x, y);
     if (pose) this.hold(pose);
     return pose !== null;
   }
@@ -94,13 +100,15 @@ export class Turn {
   /** What is pointed at, unless the hand has something to do. @param {Shown} shown */
   hover(shown) {
     const { theatre } = this;
-    shown.hover = shown.hand || theatre.editor?.on ? null : this.pointing.find(theatre.lanes, this.grip, shown.hover);
+    shown.hover = shown.hand || theatre.editor?.on ? null : this.pointing?.find(theatre.lanes, shown.hover) ?? null;
   }
 }
 
 /** Is a pose at the goal, as nearly as a hand can put it there? @param {Shown} shown @param {Float64Array} pose */
-function isAtGoal({ scenario, goal }, pose) {
+function isAtGoal(shown, pose) {
+  const { scenario, goal, placed } = shown;
   if (!goal) return false;
+  if (placed) return placed.isNear(pose, goal, shown);
   const { min, max } = scenario.extent();
   const near = scenario.robot === "arm" ? 0.06 * scenario.dimension : 0.015 * Math.max(max[0] - min[0], max[1] - min[1]);
   return scenario.distance(pose, Float64Array.from(goal)) <= near;

@@ -6,10 +6,12 @@
 import * as library from "planarium";
 import { faultOf } from "../fault.js";
 import { drawThumbnail } from "./thumbnail.js";
+import { isPlaced } from "./names.js";
 import { Theatre } from "./theatre.js";
 
 /** @import { LayerName } from "../stage/layer.js" */
-/** @import { EditOrder, Look, PaneKind, Plan, Pointer, Programme, Source, TakeRequest, ViewOptions } from "../types.js" */
+/** @import { Placed } from "../stage/placed.js" */
+/** @import { DriveOrder, EditOrder, Look, PaneKind, Plan, Pointer, Programme, Scenario, Source, TakeRequest, ViewOptions } from "../types.js" */
 
 const port = /** @type {{ postMessage(message: unknown, transfer?: Transferable[]): void }} */ (/** @type {unknown} */ (self));
 
@@ -27,6 +29,17 @@ function desk() {
   return making;
 }
 
+/** While something is being fetched that the stage cannot do without, all else waits its turn. @type {Promise<unknown> | undefined} */
+let gate;
+
+/** What bodies and cars need besides, fetched with the first of them. @param {Scenario} scenario @returns {Promise<Placed | null>} */
+async function placedOf(scenario) {
+  const { robot } = scenario.document();
+  if (robot.type !== "rigid_body" && robot.type !== "car") return null;
+  const { Placed } = await import("../stage/placed.js");
+  return new Placed(robot);
+}
+
 const commands = {
   /** Loads the package. @param {WebAssembly.Module | ArrayBuffer} core  the WebAssembly, compiled or as bytes */
   async start(core) {
@@ -35,7 +48,17 @@ const commands = {
     return { planners: library.planners(), generators: library.generators(), version: library.version };
   },
   /** @param {Source} source @param {Programme} programme */
-  open: (source, programme) => house().open(source, programme),
+  async open(source, programme) {
+    const scenario = house().read(source);
+    const fetching = isPlaced(scenario.robot) ? placedOf(scenario) : null;
+    if (!fetching) return house().open(scenario, programme, null);
+    gate = fetching.catch(() => {});
+    try {
+      return house().open(scenario, programme, await fetching);
+    } finally {
+      gate = undefined;
+    }
+  },
   /** @param {Plan[]} plans @param {boolean} play */
   plan: (plans, play) => house().plan(plans, play),
   /** @param {string} query @param {boolean} play */
@@ -62,11 +85,19 @@ const commands = {
     const { editorOf } = await import("./editor.js");
     return editorOf(house()).obey(order);
   },
+  /** @param {DriveOrder} order */
+  async drive(order) {
+    const { drivingOf } = await import("./driving.js");
+    return drivingOf(house()).obey(order);
+  },
   facts: () => house().facts(),
   /** @param {Pointer} pointer */
-  pointer: (pointer) => house().pointer(pointer),
+  async pointer(pointer) {
+    await house().turn.ready();
+    return house().pointer(pointer);
+  },
   /** @param {number} vertex  -1: none */
-  inspect: (vertex) => house().turn.pointing.choose(vertex),
+  inspect: async (vertex) => (await house().turn.ready()).choose(vertex),
   /** @param {Partial<ViewOptions>} view */
   view: (view) => house().setView(view),
   /** @param {Look} look */
@@ -87,11 +118,11 @@ const commands = {
   /** @param {number} lane */
   log: async (lane) => (await desk()).log(lane),
   freshSeed: () => library.freshSeed(),
-  /** @param {Source} source @param {number} side @param {Look} look @returns {ImageBitmap} */
-  thumbnail(source, side, look) {
+  /** @param {Source} source @param {number} side @param {Look} look @returns {Promise<ImageBitmap>} */
+  async thumbnail(source, side, look) {
     const scenario = house().read(source);
     try {
-      return drawThumbnail(scenario, side, look);
+      return drawThumbnail(scenario, side, look, await placedOf(scenario));
     } finally {
       scenario.free();
     }
@@ -102,6 +133,7 @@ const commands = {
 
 addEventListener("message", async ({ data: { id, command, args } }) => {
   try {
+    if (gate) await gate;
     const order = /** @type {(...args: unknown[]) => unknown} */ (commands[/** @type {keyof Commands} */ (command)]);
     const value = await order(...args);
     if (theatre) {

@@ -72,7 +72,12 @@ impl Walker for Bidirectional {
         let Some(&vertex) = ours.level.get(ours.done) else { return Expansion::Nothing };
         ours.done += 1;
         let depth = ours.depths[vertex.index()];
-        for &next in view.adjacency.neighbours(vertex) {
+        // The goal's side goes against the edges.
+        let neighbours = match self.turn {
+            0 => view.adjacency.neighbours(vertex),
+            _ => view.adjacency.predecessors(vertex),
+        };
+        for &next in neighbours {
             let i = next.index();
             if theirs.parents[i] != UNREACHED {
                 let edges = depth + 1 + theirs.depths[i];

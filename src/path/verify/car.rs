@@ -1,0 +1,77 @@
+//! A car: what its motions do, recomputed from their controls, and the arcs that they draw.
+
+use super::body::{self, Leg};
+use super::{LENGTH, Scale, Seen, difference};
+use crate::control::Motion;
+use crate::result::ResultDocument;
+use crate::robot::Car;
+use crate::scenario::World;
+
+/// How near to the next waypoint a motion must lead, in metres and radians, relative to the largest coordinate and the way.
+const LED: f64 = 1e-9;
+
+/// How far a control may lie outside the car's limits, relative to them: the rounding of a document.
+const WITHIN: f64 = 1e-12;
+
+/// Judges the motions of a car and the arcs that they draw.
+pub(super) fn judge(world: &World, car: &Car, result: &ResultDocument, scale: &Scale) -> Result<Seen, String> {
+    if let Some(word) = &result.integration {
+        return Err(format!(
+            "the motions are integrated by {word}: such a path is a picture, the car would drive elsewhere"
+        ));
+    }
+    let Some(motions) = &result.motions else {
+        return Err("a car's path cannot be judged without its motions".into());
+    };
+    let path = &result.path;
+    if motions.len() + 1 != path.len() {
+        return Err(format!("{} waypoints need {} motions, not {}", path.len(), path.len() - 1, motions.len()));
+    }
+    let (mut legs, mut length) = (Vec::with_capacity(motions.len()), 0.0);
+    for (i, (motion, ends)) in motions.iter().zip(path.windows(2)).enumerate() {
+        check_control(car, i, motion)?;
+        let (way, turn) = extent(car, motion);
+        let leg = Leg::arc(&ends[0], way, turn);
+        let size = ends.iter().flatten().fold(1.0 + way.abs(), |most: f64, x| most.max(x.abs()));
+        let off = difference(2, &leg.at(1.0), &ends[1]);
+        if let Some(k) = off.iter().position(|gap| !(gap.abs() <= LED * size)) {
+            return Err(format!(
+                "motion {i} leads to {:?}, not to waypoint {} {:?} (coordinate {k})",
+                leg.at(1.0),
+                i + 1,
+                ends[1]
+            ));
+        }
+        length += car.weights().translation * way.abs() + car.weights().rotation * turn.abs();
+        legs.push(leg);
+    }
+    if !((result.length - length).abs() <= LENGTH * length + 1e-12) {
+        return Err(format!("the length is told as {}, but the motions measure {length}", result.length));
+    }
+    if legs.is_empty() {
+        legs.push(Leg::straight(&path[0], &path[0]));
+    }
+    body::judge(world, car.shape(), &legs, scale)
+}
+
+/// How far a motion goes along the car's own axis, in metres, and by how much it turns, in radians.
+fn extent(car: &Car, motion: &Motion) -> (f64, f64) {
+    let Motion { control, duration } = *motion;
+    (control.speed * duration, control.speed * libm::tan(control.steering) / car.wheelbase() * duration)
+}
+
+/// Refuses what the car cannot do.
+fn check_control(car: &Car, i: usize, Motion { control, duration }: &Motion) -> Result<(), String> {
+    for (what, value, [low, high]) in
+        [("speed", control.speed, car.speed()), ("steering angle", control.steering, car.steering())]
+    {
+        let slack = WITHIN * low.abs().max(high.abs());
+        if !(low - slack..=high + slack).contains(&value) {
+            return Err(format!("motion {i} has the {what} {value}, outside [{low}, {high}]"));
+        }
+    }
+    if !(0.0..f64::INFINITY).contains(duration) {
+        return Err(format!("motion {i} lasts {duration} s"));
+    }
+    Ok(())
+}

@@ -1,0 +1,270 @@
+//! Planners where motions are curves and may have a direction: paths that are driven in order, roadmaps that are never walked
+//! against their arrows; on native, Node and Chrome alike.
+
+use planarium::graph::{Graph, VertexId};
+use planarium::path::{Improvement, Wanted, length};
+use planarium::planner::{
+    Algorithm, Connection, Cost, Extend, GoalBias, Heuristic, Order, Planner, Prm, PrmOptions, Rrt, RrtConnect,
+    RrtOptions, SearchRules, Status,
+};
+use planarium::problem::Problem;
+use planarium::random::{Random, Stream};
+use planarium::sampling::Uniform;
+use planarium::space::{MotionSpace, Space, Torus};
+use planarium::steering::{Pose, Steering};
+use planarium::validity::{Contact, Touched, Validity};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+type State = [f64; 4];
+type Car = MotionSpace<4>;
+
+const SEEDS: u64 = if cfg!(target_arch = "wasm32") { 1 } else { 8 };
+const BOTH: [Steering; 2] = [Steering::Dubins, Steering::ReedsShepp];
+const SIDE: f64 = 10.0;
+
+/// A point-sized car among discs, looked at every few centimetres of its curves: enough to tell right from wrong here.
+struct Discs {
+    space: Car,
+    discs: Vec<[f64; 3]>,
+}
+
+impl Discs {
+    fn first_place(&self, a: &State, b: &State) -> Option<f64> {
+        let curve = self.space.curve(a, b).expect("cars follow curves");
+        let pieces = (curve.length() / 0.05) as u32 + 1;
+        let from = Pose { x: a[0], y: a[1], heading: a[2] };
+        let is_free = |t: f64| {
+            let at = curve.at(from, t * curve.length());
+            self.is_free(&[at.x, at.y, at.heading, 0.0])
+        };
+        (0..=pieces).map(|i| f64::from(i) / f64::from(pieces)).find(|&t| !is_free(t))
+    }
+}
+
+impl Validity<State> for Discs {
+    fn is_free(&self, state: &State) -> bool {
+        self.contacts(state).is_empty()
+    }
+
+    fn is_motion_free(&self, a: &State, b: &State) -> bool {
+        self.first_place(a, b).is_none()
+    }
+
+    fn first_hit(&self, a: &State, b: &State) -> Option<f64> {
+        let pieces = (self.space.distance(a, b) / 0.05) as u32 + 1;
+        self.first_place(a, b).map(|t| (t - 1.0 / f64::from(pieces)).max(0.0))
+    }
+
+    fn contacts(&self, [x, y, ..]: &State) -> Vec<Contact> {
+        let contact = |with| Contact { part: 0, with };
+        let is_inside = (0.0..=SIDE).contains(x) && (0.0..=SIDE).contains(y);
+        let near = |[cx, cy, r]: &[f64; 3]| (x - cx) * (x - cx) + (y - cy) * (y - cy) <= r * r;
+        let touched = self.discs.iter().position(near).map(Touched::Obstacle);
+        touched.or((!is_inside).then_some(Touched::Bounds)).into_iter().map(contact).collect()
+    }
+
+    fn clearance_evaluations(&self) -> u64 {
+        0
+    }
+}
+
+/// From one corner to the other and about face, among a few discs.
+fn problem(steering: Steering, radius: f64) -> Problem<Car> {
+    let torus = Torus::of_placements([0.0; 2], [SIDE; 2], 0.7, 0.3);
+    let space = MotionSpace::steered(torus, steering, radius);
+    let discs = vec![[5.0, 5.0, 1.2], [2.0, 6.5, 0.8], [7.0, 2.0, 1.0], [8.0, 7.0, 0.7]];
+    let [start, goal] = [[1.5, 1.5, 0.5], [8.5, 8.8, -2.5]].map(|q| space.state(&q));
+    Problem::new(space.clone(), Box::new(Discs { space, discs }), start, goal).expect("both are free")
+}
+
+fn rules(algorithm: Algorithm) -> SearchRules {
+    SearchRules { algorithm, cost: Cost::Metric, heuristic: Heuristic::Metric }
+}
+
+fn uniform(seed: u64) -> Box<Uniform> {
+    Box::new(Uniform::new(Random::new(seed, Stream::Samples)))
+}
+
+fn prm(problem: &Problem<Car>, seed: u64, samples: usize, order: Order, algorithm: Algorithm) -> Prm<Car> {
+    let connection = Connection { k: 6, radius: f64::INFINITY };
+    Prm::new(problem, &PrmOptions { samples, connection, order, rules: rules(algorithm) }, uniform(seed))
+}
+
+fn rrt(problem: &Problem<Car>, seed: u64, extend: Extend) -> Rrt<Car> {
+    let options = RrtOptions { step: 1.0, extend, bias: GoalBias::Share(0.1) };
+    Rrt::new(problem, options, uniform(seed), Random::new(seed, Stream::Bias))
+}
+
+fn finish(planner: &mut dyn Planner<Car>, problem: &Problem<Car>) -> Status {
+    (1..20_000)
+        .map(|i| planner.iterate(problem, i))
+        .find(|&status| status != Status::Running)
+        .unwrap_or(Status::Running)
+}
+
+/// The path is one of the graph's, from start to goal, every edge of it along its arrow and driven in that order.
+fn is_driven(planner: &dyn Planner<Car>, problem: &Problem<Car>, what: &str) {
+    let (graph, path) = (planner.graph(), planner.path());
+    let states: Vec<State> = path.iter().map(|&v| *graph.state(v)).collect();
+    assert_eq!((states[0], states[states.len() - 1]), (*problem.start(), *problem.goal()), "{what}");
+    for pair in path.windows(2) {
+        let is_edge = graph.edges().contains(&[pair[0], pair[1]]);
+        let is_back = problem.space().is_symmetric() && graph.edges().contains(&[pair[1], pair[0]]);
+        assert!(is_edge || is_back, "{what}: {pair:?} is no edge that leads this way");
+    }
+    assert!(states.windows(2).all(|pair| problem.validity().is_motion_free(&pair[0], &pair[1])), "{what}");
+}
+
+/// Every edge is free in the direction that it is stored in.
+fn edges_are_free(graph: &Graph<Car>, problem: &Problem<Car>) {
+    for &[from, to] in graph.edges() {
+        assert!(problem.validity().is_motion_free(graph.state(from), graph.state(to)), "{from:?} to {to:?}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn trees_end_at_the_goal_and_are_driven_in_order() {
+    for (steering, seed) in BOTH.into_iter().flat_map(|steering| (0..SEEDS).map(move |seed| (steering, seed))) {
+        let problem = problem(steering, 0.6);
+        for extend in [Extend::Step, Extend::Half, Extend::UntilObstacle] {
+            let mut planner = rrt(&problem, seed, extend);
+            let what = format!("rrt {steering:?} {extend:?} {seed}");
+            assert_eq!(finish(&mut planner, &problem), Status::Solved, "{what}");
+            is_driven(&planner, &problem, &what);
+            edges_are_free(planner.graph(), &problem);
+        }
+        for step in [0.4, 1.0, 5.0] {
+            let mut planner = RrtConnect::new(&problem, step, uniform(seed));
+            let what = format!("rrt-connect {steering:?} {step} {seed}");
+            assert_eq!(finish(&mut planner, &problem), Status::Solved, "{what}");
+            is_driven(&planner, &problem, &what);
+            edges_are_free(planner.graph(), &problem);
+            for &[from, to] in planner.graph().edges() {
+                let [a, b] = [from, to].map(|vertex| planner.graph().state(vertex));
+                assert!(problem.space().distance(a, b) <= step + 1e-6, "{what}: no edge is longer than a step");
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn roadmaps_are_never_walked_against_their_arrows() {
+    let orders = [Order::Batch, Order::OneByOne { discard: false }, Order::OneByOne { discard: true }];
+    let searches = [Algorithm::AStar, Algorithm::Dijkstra, Algorithm::BreadthFirst, Algorithm::Bidirectional];
+    let (mut solved, mut all) = (0, 0);
+    for (steering, seed) in BOTH.into_iter().flat_map(|steering| (0..SEEDS).map(move |seed| (steering, seed))) {
+        let problem = problem(steering, 0.6);
+        for order in orders {
+            let mut answers = Vec::new();
+            for search in searches {
+                let mut planner = prm(&problem, seed, 120, order, search);
+                let what = format!("prm {steering:?} {order:?} {search:?} {seed}");
+                let status = finish(&mut planner, &problem);
+                all += 1;
+                solved += usize::from(status == Status::Solved);
+                if status == Status::Solved {
+                    is_driven(&planner, &problem, &what);
+                }
+                edges_are_free(planner.graph(), &problem);
+                let states: Vec<State> = planner.path().iter().map(|&v| *planner.graph().state(v)).collect();
+                answers.push((states.len(), length(problem.space(), &states)));
+            }
+            let [a_star, dijkstra, breadth, both] = answers[..] else { unreachable!("four searches") };
+            assert!((a_star.1 - dijkstra.1).abs() <= 1e-4, "{a_star:?} {dijkstra:?}: one cost");
+            assert_eq!(breadth.0, both.0, "one number of edges");
+        }
+    }
+    assert!(solved * 10 > all * 9, "{solved} of {all} are solved");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_directed_roadmap_tries_every_way_out_and_every_way_in_once() {
+    let problem = problem(Steering::Dubins, 0.6);
+    let space = problem.space();
+    for seed in 0..SEEDS {
+        let mut planner = prm(&problem, seed, 60, Order::Batch, Algorithm::AStar);
+        finish(&mut planner, &problem);
+        let graph = planner.graph();
+        let n = graph.states().len();
+        // By the definition: of every vertex the six nearest that it leads to and the six nearest that lead to it.
+        let mut expected = std::collections::BTreeSet::new();
+        for v in 0..n {
+            let mut ranked = |d: &dyn Fn(usize) -> f64, edge: &dyn Fn(usize) -> [usize; 2]| {
+                let mut others: Vec<usize> = (0..n).filter(|&u| u != v).collect();
+                others.sort_by(|&a, &b| d(a).total_cmp(&d(b)).then(a.cmp(&b)));
+                expected.extend(others[..6].iter().map(|&u| edge(u)));
+            };
+            let at = |i: usize| &graph.states()[i];
+            ranked(&|u| space.distance(at(v), at(u)), &|u| [v, u]);
+            ranked(&|u| space.distance(at(u), at(v)), &|u| [u, v]);
+        }
+        let refused = graph.events().iter().filter(|event| event.other.is_some());
+        let refused = refused.filter_map(|event| Some([event.vertex?, event.other?]));
+        let refused = refused.filter(|pair| !graph.edges().contains(pair));
+        let mut tried: Vec<[usize; 2]> =
+            graph.edges().iter().copied().chain(refused).map(|pair| pair.map(VertexId::index)).collect();
+        let count = tried.len();
+        tried.sort();
+        tried.dedup();
+        assert_eq!(tried.len(), count, "none twice");
+        assert_eq!(tried, expected.into_iter().collect::<Vec<_>>());
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_roadmap_answers_other_questions_in_the_direction_asked() {
+    let mut found = 0;
+    for (steering, seed) in BOTH.into_iter().flat_map(|steering| (0..SEEDS).map(move |seed| (steering, seed))) {
+        let problem = problem(steering, 0.6);
+        let space = problem.space();
+        let mut planner = prm(&problem, seed, 150, Order::Batch, Algorithm::Bidirectional);
+        finish(&mut planner, &problem);
+        for (ends, keep) in [([[1.0, 9.0, 0.0], [9.0, 1.0, 1.0]], None), ([[9.0, 5.0, -1.5], [1.0, 4.0, 2.0]], Some(7))]
+        {
+            let ends = ends.map(|q| space.state(&q));
+            let roadmap = planner.roadmap().expect("a roadmap");
+            let before = roadmap.graph().states().len();
+            let answer = roadmap.answer(&problem, ends, keep);
+            assert_eq!(roadmap.graph().states().len(), before + if keep.is_some() { 2 } else { 0 });
+            edges_are_free(roadmap.graph(), &problem);
+            if !answer.path.is_empty() {
+                found += 1;
+                assert_eq!((answer.path[0], answer.path[answer.path.len() - 1]), (ends[0], ends[1]));
+                assert!(answer.path.windows(2).all(|pair| problem.validity().is_motion_free(&pair[0], &pair[1])));
+            }
+        }
+    }
+    assert!(found as u64 > 3 * SEEDS, "{found} answers");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn improved_paths_are_driven_in_order_and_never_longer() {
+    for (steering, seed) in BOTH.into_iter().flat_map(|steering| (0..SEEDS).map(move |seed| (steering, seed))) {
+        let problem = problem(steering, 0.6);
+        let mut planner = RrtConnect::new(&problem, 0.8, uniform(seed));
+        assert_eq!(finish(&mut planner, &problem), Status::Solved);
+        let states: Vec<State> = planner.path().iter().map(|&v| *planner.graph().state(v)).collect();
+        let before = length(problem.space(), &states);
+        let wanted = Wanted { reduce: true, shortcuts: 60, partial_shortcuts: 20 };
+        let mut improvement = Improvement::<Car>::new(states, wanted, seed);
+        while !improvement.is_done() {
+            improvement.attempt(&problem);
+        }
+        let path = improvement.path();
+        assert_eq!((path[0], path[path.len() - 1]), (*problem.start(), *problem.goal()));
+        assert!(length(problem.space(), path) <= before + 1e-6);
+        assert!(
+            path.windows(2).all(|pair| problem.validity().is_motion_free(&pair[0], &pair[1])),
+            "{steering:?} {seed}"
+        );
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+#[test]
+#[should_panic(expected = "guards see only where motions can be made back")]
+fn guards_need_motions_that_can_be_made_back() {
+    use planarium::planner::VisibilityPrm;
+    let connection = Connection { k: 6, radius: f64::INFINITY };
+    VisibilityPrm::new(&problem(Steering::Dubins, 0.6), 10, connection, rules(Algorithm::AStar), uniform(1));
+}

@@ -60,9 +60,9 @@ impl Levels {
     /// The control: what was pressed, within the limits of the car. A car may always stand.
     pub(super) fn control(&self) -> Control {
         let [low, high] = self.speeds;
-        let speed = if self.speed == 0 { 0.0 } else { (self.speed as f64 / 10.0).clamp(low, high) };
+        let speed = if self.speed == 0 { 0.0 } else { (self.speed as f64 / 10.0).max(low).min(high) };
         let [right, left] = self.angles;
-        let steering = (self.steering as f64 * PI / 12.0).clamp(right, left);
+        let steering = (self.steering as f64 * PI / 12.0).max(right).min(left);
         Control { speed, steering: steering + 0.0 }
     }
 

@@ -34,7 +34,7 @@ struct Timing {
 
 fn time(world: &Scenario, planner: &str, seed: u64, parameters: &[(&str, f64)]) -> Timing {
     let parameters = parameters.iter().map(|&(name, value)| (name.to_owned(), Value::Number(value))).collect();
-    let options = Options { planner: planner.to_owned(), query: None, seed, parameters };
+    let options = Options { planner: Some(planner.to_owned()), query: None, seed, parameters };
     let began = Instant::now();
     let mut run: Box<dyn Run> = start(world, &options).expect("a forest leaves start and goal free");
     // A search for a path that does not exist would only measure the budget.

@@ -103,7 +103,7 @@ fn row(file: &Path, scenario: &Scenario, query: &str, &(name, planner, set): &Ar
     let (mut solved, mut times, mut iterations, mut lengths) = (0, Vec::new(), Vec::new(), Vec::new());
     for seed in 0..arguments.seeds {
         let options = Options {
-            planner: planner.to_owned(),
+            planner: Some(planner.to_owned()),
             query: Some(query.to_owned()),
             seed,
             parameters: parameters.clone(),

@@ -37,7 +37,7 @@ fn outcome(case: &Json) -> Json {
         (name.clone(), value)
     });
     let options = Options {
-        planner: case["planner"].as_str().expect("a planner").to_owned(),
+        planner: Some(case["planner"].as_str().expect("a planner").to_owned()),
         query: None,
         seed: case["seed"].as_u64().expect("a seed"),
         parameters: parameters.collect(),

@@ -203,7 +203,7 @@ fn a_start_or_goal_in_collision_is_refused_with_the_pair_named() {
         [("from", "start-in-collision", "/queries/0/start"), ("to", "goal-in-collision", "/queries/1/goal")]
     {
         for planner in ["prm", "rrt-connect"] {
-            let options = Options { planner: planner.into(), query: Some(query.into()), ..Options::default() };
+            let options = Options { planner: Some(planner.into()), query: Some(query.into()), ..Options::default() };
             let error = start(&world, &options).err().expect("refused");
             assert_eq!((error.code().as_str(), error.pointer()), (code, pointer));
             assert!(error.message().contains("part 1 touches obstacle 1"), "{error}");
@@ -235,12 +235,12 @@ fn options_that_make_no_sense_are_refused_with_code_and_pointer() {
     ];
     for (planner, name, value, code) in cases {
         let parameters = vec![(name.to_owned(), value)];
-        let options = Options { planner: planner.into(), parameters, ..Options::default() };
+        let options = Options { planner: Some(planner.into()), parameters, ..Options::default() };
         let error = start(&world, &options).err().expect("refused");
         assert_eq!((error.code().as_str(), error.pointer()), (code, format!("/{name}").as_str()), "{error}");
     }
     let refused = |options: Options| start(&world, &options).err().expect("refused").code().as_str();
-    assert_eq!(refused(Options { planner: "a-star".into(), ..Options::default() }), "unknown-planner");
+    assert_eq!(refused(Options { planner: Some("a-star".into()), ..Options::default() }), "unknown-planner");
     assert_eq!(refused(Options { query: Some("nowhere".into()), ..Options::default() }), "unknown-query");
     assert_eq!(refused(Options { seed: 1 << 53, ..Options::default() }), "out-of-range");
     let twice = vec![("step".to_owned(), number(1.0)), ("step".to_owned(), number(2.0))];

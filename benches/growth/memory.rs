@@ -131,7 +131,7 @@ fn whole_run(n: usize) {
     let world = forest(4);
     let parameters = [("samples", n as f64), ("k", 10.0), ("max_iterations", 4e9)];
     let parameters = parameters.map(|(name, value)| (name.to_owned(), Value::Number(value))).to_vec();
-    let options = Options { planner: "prm".to_owned(), query: None, seed: 1, parameters };
+    let options = Options { planner: Some("prm".to_owned()), query: None, seed: 1, parameters };
     let (run, held, most) = measure(|| {
         let mut run = start(&world, &options).expect("start and goal are free");
         while run.step(u64::MAX) == Status::Running {}

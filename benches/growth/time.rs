@@ -66,7 +66,8 @@ fn table(what: &str, sentence: &str, cases: impl Iterator<Item = Case>) {
         let mut last = None;
         // Long runs are disturbed less, and repeating them is dear.
         for seed in 0..if samples > 10_000 { 1 } else { 5 } {
-            let options = Options { planner: "prm".to_owned(), query: None, seed, parameters: parameters.clone() };
+            let options =
+                Options { planner: Some("prm".to_owned()), query: None, seed, parameters: parameters.clone() };
             let began = Instant::now();
             let mut run = start(&world, &options).expect("start and goal are free");
             while run.step(u64::MAX) == Status::Running {}

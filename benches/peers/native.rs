@@ -36,7 +36,7 @@ fn answer(job: &str) -> Result<serde_json::Value, Box<dyn std::error::Error>> {
     let parameters = words.map(parameter).collect::<Option<Vec<_>>>().ok_or("a parameter is name=value")?;
     let mut done = Vec::new();
     for seed in seed..seed + runs {
-        let options = Options { planner: planner.clone(), query: None, seed, parameters: parameters.clone() };
+        let options = Options { planner: Some(planner.clone()), query: None, seed, parameters: parameters.clone() };
         done.push(outcome(&scenario, &options, limit)?);
     }
     Ok(serde_json::json!({ "runs": done }))

@@ -44,7 +44,7 @@ pub(super) fn options(text: &str, mut wanted: Options) -> Result<Options, Error>
     for (name, given) in fields {
         let fail = |what: &str| Err(Error::new(Code::WrongType, format!("/{name}"), format!("{name} must be {what}")));
         match (name.as_str(), given) {
-            ("algorithm", Node::String(id)) => wanted.planner = id,
+            ("algorithm", Node::String(id)) => wanted.planner = Some(id),
             ("query", Node::String(query)) => wanted.query = Some(query),
             ("seed", Node::Number(seed)) => wanted.seed = count(seed, &name)?,
             ("algorithm" | "query", _) => return fail("a string"),

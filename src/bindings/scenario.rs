@@ -152,7 +152,7 @@ impl RawScenario {
     /// the one that built it.
     pub fn resume(&self, roadmap: &[u8], text: &str) -> Result<RawPlanner, JsValue> {
         let run = RoadmapDocument::read(roadmap).and_then(|document| {
-            let wanted = options(text, Options { planner: document.planner.clone(), ..Options::default() })?;
+            let wanted = options(text, Options::default())?;
             run::resume(&self.scenario, &wanted, &document)
         });
         run.map(RawPlanner::new).map_err(throw)

@@ -70,9 +70,11 @@ impl<S: Space> Graph<S> {
         self.edge_births.push(iteration);
     }
 
-    /// Adds an edge that the motion leads along. The edges of a graph are all driven, or none is.
+    /// Adds an edge that the motion leads along, of a tree: edge v - 1 leads to vertex v. The edges of a graph are all driven,
+    /// or none is.
     pub fn add_driven_edge(&mut self, iteration: u32, from: VertexId, to: VertexId, motion: Motion) {
         debug_assert_eq!(self.motions.len(), self.edges.len(), "an edge of this graph is not driven");
+        debug_assert_eq!(to.index(), self.edges.len() + 1, "a vertex of this tree has no edge");
         self.add_edge(iteration, from, to);
         self.motions.push(motion);
     }

@@ -38,6 +38,11 @@ impl<S: Space> Active<S> {
         }
     }
 
+    /// Whether no vertex is in.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
     /// Whether the vertex is in.
     pub fn contains(&self, vertex: VertexId) -> bool {
         self.is_in.get(vertex.index()) == Some(&true)

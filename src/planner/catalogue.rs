@@ -1,6 +1,7 @@
 //! The planners that exist, with their parameters: the one table that help texts, documents and controls are made from.
 
 use super::parameters::{Fallback, Kind, ParameterInfo};
+use super::presets::Preset;
 use super::pseudocode::PseudocodeLine;
 use super::table::PLANNERS;
 use crate::error::{Code, Error, quoted};
@@ -17,6 +18,10 @@ pub struct PlannerInfo {
     pub summary: &'static str,
     /// How it works, line by line.
     pub pseudocode: &'static [PseudocodeLine],
+    /// The types of robots that it plans for, as in documents.
+    pub robots: &'static [&'static str],
+    /// Settings with a name.
+    pub presets: &'static [Preset],
     /// Its parameters.
     pub parameters: &'static [ParameterInfo],
 }
@@ -37,6 +42,22 @@ pub fn planner_info(id: &str) -> Result<&'static PlannerInfo, Error> {
     })
 }
 
+impl PlannerInfo {
+    /// Refuses a robot that the planner is not for, by its type.
+    ///
+    /// # Errors
+    /// `unsupported`, pointer `/algorithm`, naming planners for it.
+    pub fn check_robot(&self, robot: &str) -> Result<(), Error> {
+        if self.robots.contains(&robot) {
+            return Ok(());
+        }
+        let fitting = PLANNERS.iter().filter(|info| info.robots.contains(&robot)).map(|info| info.id);
+        let (id, own, fitting) = (self.id, self.robots.join(", "), fitting.collect::<Vec<_>>().join(", "));
+        let sentence = format!("{id} plans for robots of type {own}, not {robot}; for that there are {fitting}");
+        Err(Error::new(Code::Unsupported, "/algorithm", sentence))
+    }
+}
+
 /// The table of planners, to be written: a default that depends on the space is null and told in words.
 pub fn catalogue() -> Node {
     let row = |info: &PlannerInfo| {
@@ -45,6 +66,8 @@ pub fn catalogue() -> Node {
             ("title", Some(Node::text(info.title))),
             ("summary", Some(Node::text(info.summary))),
             ("pseudocode", Some(Node::Array(info.pseudocode.iter().map(PseudocodeLine::node).collect()))),
+            ("robots", Some(Node::words(info.robots))),
+            ("presets", Some(Node::Array(info.presets.iter().map(Preset::node).collect()))),
             ("parameters", Some(Node::Array(info.parameters.iter().map(parameter).collect()))),
         ])
     };
@@ -76,11 +99,14 @@ fn parameter(info: &ParameterInfo) -> Node {
         ("default", Some(default)),
         ("default_meaning", or_null(meaning.map(Node::text))),
         ("meaning", Some(Node::text(info.meaning))),
+        ("robots", Some(Node::words(info.robots))),
     ])
 }
 
-/// The planner taken where none is named.
-pub const DEFAULT_PLANNER: &str = "rrt-connect";
+/// The planner taken where none is named, for a robot of that type.
+pub fn default_planner(robot: &str) -> &'static str {
+    if robot == "car" { "rrt-control" } else { "rrt-connect" }
+}
 
 /// The tolerance taken where none is given, as a fraction of the world's longer side.
 pub const DEFAULT_TOLERANCE: f64 = 1e-4;

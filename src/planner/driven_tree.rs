@@ -77,21 +77,11 @@ impl<S: Space> DrivenTree<S> {
         vertex.index().checked_sub(1).map(|edge| self.graph.edges()[edge][0])
     }
 
-    /// What leads to the vertex; `None` to the root.
-    pub fn motion(&self, vertex: VertexId) -> Option<Motion> {
-        vertex.index().checked_sub(1).map(|edge| self.graph.motions()[edge])
-    }
-
     /// The vertices from the root to this one.
     pub fn way(&self, to: VertexId) -> Vec<VertexId> {
         let mut way: Vec<_> = std::iter::successors(Some(to), |&vertex| self.parent(vertex)).collect();
         way.reverse();
         way
-    }
-
-    /// What is driven along a way from the root.
-    pub fn motions(&self, way: &[VertexId]) -> Vec<Motion> {
-        way.iter().filter_map(|&vertex| self.motion(vertex)).collect()
     }
 
     /// The drive as far as it is to be kept; `None` where it is refused.

@@ -7,32 +7,37 @@ mod active;
 mod catalogue;
 mod driven_tree;
 mod parameters;
+mod presets;
 mod prm;
 mod pseudocode;
 mod query;
 mod roadmap;
+mod rows;
 mod rrt;
 mod rrt_connect;
 mod rrt_control;
+mod sst;
 mod table;
 mod visibility_prm;
 
-pub use catalogue::{DEFAULT_PLANNER, DEFAULT_TOLERANCE, PlannerInfo, catalogue, planner_info, planners};
+pub use catalogue::{DEFAULT_TOLERANCE, PlannerInfo, catalogue, default_planner, planner_info, planners};
 pub use driven_tree::{Blocked, Durations, GoalTest};
 pub use parameters::{Fallback, Kind, ParameterInfo, Parameters, Value};
+pub use presets::Preset;
 pub use prm::{Order, Prm, PrmOptions, logarithmic_k, prm_star_k};
 pub use pseudocode::{Mark, PseudocodeLine};
 pub use query::{Algorithm, Cost, Heuristic, SearchRules};
 pub use roadmap::{Answer, Connection, Roadmap};
+pub use rows::MOST_STEPS;
 pub use rrt::{Extend, GoalBias, Rrt, RrtOptions};
 pub use rrt_connect::RrtConnect;
 pub use rrt_control::{Blossom, Late, Origin, RrtControl, RrtControlOptions};
+pub use sst::{Sst, SstOptions};
 pub use visibility_prm::VisibilityPrm;
 
 pub use crate::phase::Phase;
 pub use crate::status::Status;
 
-use crate::control::Motion;
 use crate::graph::{Graph, VertexId};
 use crate::problem::Problem;
 use crate::space::Space;
@@ -67,11 +72,6 @@ pub trait Planner<S: Space> {
 
     /// What was asked so far.
     fn counters(&self) -> Counters;
-
-    /// What is driven from vertex to vertex of a path of this planner, of planners by controls; empty where edges are straight.
-    fn motions(&self, _path: &[VertexId]) -> Vec<Motion> {
-        Vec::new()
-    }
 
     /// The vertices of the path from the start to the vertex nearest to the goal, of planners that have one; else empty.
     fn approximate_path(&self) -> Vec<VertexId> {

@@ -55,6 +55,8 @@ pub struct ParameterInfo {
     pub default: Fallback,
     /// What it means, in one sentence.
     pub meaning: &'static str,
+    /// The types of robots that it is for, as in documents; of others it says nothing.
+    pub robots: &'static [&'static str],
 }
 
 /// A value given for a parameter.
@@ -124,6 +126,11 @@ impl Parameters {
         Ok(Self { values })
     }
 
+    /// Whether the planner has a parameter of that name.
+    pub fn has(&self, name: &str) -> bool {
+        self.values.iter().any(|(known, ..)| *known == name)
+    }
+
     /// The number given for the parameter, or its default; `None` where the default depends on the space.
     ///
     /// # Panics
@@ -144,12 +151,13 @@ impl Parameters {
         self.number(name).expect("counts have fixed defaults") as u64
     }
 
-    /// The word given for the parameter; `None` where its default depends on the space.
+    /// The word given for the parameter, or its default; `None` where that depends on the space, or the planner has no such
+    /// parameter.
     ///
     /// # Panics
-    /// Where the planner has no such parameter, or it is not a choice.
+    /// Where it is not a choice.
     pub fn text(&self, name: &str) -> Option<&str> {
-        match self.get(name) {
+        match self.values.iter().find(|(known, ..)| *known == name)?.1.as_ref() {
             Some(Value::Text(text)) => Some(text),
             None => None,
             Some(other) => unreachable!("{name} is not a word but {other}"),

@@ -200,3 +200,34 @@ pub(super) const RRT_CONNECT: &[PseudocodeLine] = &[
     IMPROVE,
     END,
 ];
+
+/// Of `rrt-control`.
+pub(super) const RRT_CONTROL: &[PseudocodeLine] = &[
+    line(0, "T ← {start}; repeat:", &[]),
+    line(1, "q ← a random placement, or the goal", &[Mark::In(Phase::Growing)]),
+    NONE_FOUND,
+    line(1, "near ← the vertex of T nearest to q", &[Mark::Edge, Mark::Refused]),
+    line(1, "if no vertex sees q: once more", &[Mark::Discarded]),
+    line(1, "for b controls u, for a while each:", &[Mark::Edge, Mark::Refused]),
+    line(2, "drive u from near, up to an obstacle", &[Mark::Edge, Mark::Refused]),
+    line(1, "add the end nearest to q, with its u, to T", &[Mark::Vertex, Mark::Edge]),
+    line(2, "within the goal region: solved", &[Mark::Solved]),
+    line(1, "if none is free: refuse them", &[Mark::Refused]),
+    line(0, "return the path, or the nearest miss", &[Mark::In(Phase::Done)]),
+];
+
+/// Of `sst`.
+pub(super) const SST: &[PseudocodeLine] = &[
+    line(0, "T ← {start}; repeat:", &[Mark::In(Phase::Improving)]),
+    line(1, "q ← a random placement, or the goal", &[Mark::In(Phase::Growing), Mark::In(Phase::Improving)]),
+    NONE_FOUND,
+    line(1, "near ← the cheapest of T about q", &[Mark::Edge, Mark::Refused, Mark::Discarded]),
+    line(1, "drive a random control for a random while", &[Mark::Edge, Mark::Refused, Mark::Discarded]),
+    line(1, "if that is not free: refuse it", &[Mark::Refused]),
+    line(1, "if the end costs least about it: add it", &[Mark::Vertex, Mark::Edge]),
+    line(2, "what cost least there before grows no more", &[Mark::Vertex]),
+    line(2, "and leaves T once nothing hangs on it", &[Mark::Removed]),
+    line(2, "within the goal region: solved", &[Mark::Solved]),
+    line(1, "else: throw it away", &[Mark::Discarded]),
+    line(0, "return the path, or the nearest miss", &[Mark::In(Phase::Done)]),
+];

@@ -129,7 +129,7 @@ impl<S: Space> RrtControl<S> {
         Some(sample.state)
     }
 
-    /// The vertex to grow from; `None` where no vertex sees the target, or all have been grown from.
+    /// The vertex to grow from; `None` where none sees the target.
     fn origin(&mut self, problem: &Problem<S>, target: &S::State) -> Option<VertexId> {
         self.tree.counters.nearest_queries += 1;
         let space = problem.space();
@@ -213,6 +213,9 @@ impl<S: Space> Planner<S> for RrtControl<S> {
         if self.arrived.is_some() {
             return Status::Solved;
         }
+        if self.open.is_empty() {
+            return Status::Exhausted;
+        }
         let Some(target) = self.target(problem, iteration) else { return Status::Running };
         let Some(origin) = self.origin(problem, &target) else {
             self.tree.tell(EventKind::SampleDiscarded, iteration, None, target);
@@ -247,10 +250,6 @@ impl<S: Space> Planner<S> for RrtControl<S> {
 
     fn path(&self) -> Vec<VertexId> {
         self.arrived.map(|vertex| self.tree.way(vertex)).unwrap_or_default()
-    }
-
-    fn motions(&self, path: &[VertexId]) -> Vec<Motion> {
-        self.tree.motions(path)
     }
 
     fn approximate_path(&self) -> Vec<VertexId> {

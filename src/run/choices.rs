@@ -1,11 +1,12 @@
 //! From a planner's parameters to the planner: where the names of planners, samplers and searches become types.
 
+use super::controls::{rrt_control_options, sst_options};
 use crate::decimal::Decimal;
 use crate::error::{Code, Error};
 use crate::kept::RoadmapDocument;
 use crate::planner::{
     Algorithm, Connection, Cost, Extend, GoalBias, Heuristic, Order, Parameters, Planner, Prm, PrmOptions, Rrt,
-    RrtConnect, RrtOptions, SearchRules, VisibilityPrm, logarithmic_k, prm_star_k,
+    RrtConnect, RrtControl, RrtOptions, SearchRules, Sst, VisibilityPrm, logarithmic_k, prm_star_k,
 };
 use crate::problem::Problem;
 use crate::random::{Random, Stream};
@@ -51,8 +52,18 @@ pub(super) fn planner<S: Space + 'static>(
             Box::new(Rrt::new(problem, options, sampler, Random::new(seed, Stream::Bias)))
         }
         "rrt-connect" => Box::new(RrtConnect::new(problem, step(parameters, space.extent())?, sampler)),
+        "rrt-control" => {
+            let options = rrt_control_options(parameters, problem)?;
+            Box::new(RrtControl::new(problem, options, sampler, driving(seed)))
+        }
+        "sst" => Box::new(Sst::new(problem, sst_options(parameters, problem)?, sampler, driving(seed))),
         other => unreachable!("the catalogue lists {other}, nothing here makes it"),
     })
+}
+
+/// The streams that decide when a tree reaches for the goal, and what is driven.
+fn driving(seed: u64) -> [Random; 2] {
+    [Stream::Bias, Stream::Controls].map(|stream| Random::new(seed, stream))
 }
 
 /// A planner that goes on with a roadmap that was built: one for all kinds, as none grows any more.
@@ -145,7 +156,7 @@ fn extend(parameters: &Parameters) -> Extend {
     }
 }
 
-fn bias(parameters: &Parameters) -> GoalBias {
+pub(super) fn bias(parameters: &Parameters) -> GoalBias {
     let share = parameters.number("goal_bias").expect("the goal bias has a fixed default");
     parameters.number("goal_every").map_or(GoalBias::Share(share), |n| GoalBias::Every(n as u32))
 }

@@ -30,7 +30,7 @@ const SMALL: usize = if cfg!(target_arch = "wasm32") { MAX_DIMENSION } else { 4 
 /// `unknown-planner`, `unknown-query`, `unknown-parameter`, and the errors of parameter values, with a pointer into the
 /// options; `start-in-collision` or `goal-in-collision` with a pointer into the scenario.
 pub fn start(scenario: &Scenario, options: &Options) -> Result<Box<dyn Run>, Error> {
-    let info = planner_info(&options.planner)?;
+    let info = planner_info(options.planner_for(scenario))?;
     options.check_seed()?;
     launch(scenario, options, info, Parameters::resolve(info.parameters, &options.parameters)?, None)
 }
@@ -44,18 +44,24 @@ pub(super) fn launch(
     kept: Option<&RoadmapDocument>,
 ) -> Result<Box<dyn Run>, Error> {
     let (place, query) = options.find_query(scenario)?;
-    let has = |name: &str| info.parameters.iter().any(|parameter| parameter.name == name);
+    info.check_robot(scenario.robot().kind())?;
+    let has = |name: &str| parameters.has(name);
+    // What is driven ends near its goal, never there.
+    if has("duration_steps") && query.goal_tolerance.is_none() {
+        let pointer = format!("/queries/{place}/goal_tolerance");
+        return Err(Error::new(
+            Code::MissingField,
+            pointer,
+            format!("{} needs a goal_tolerance in the query", info.id),
+        ));
+    }
     let ticket = Ticket {
         scenario: scenario.name().to_owned(),
         query: query.name.clone(),
         planner: info.id,
         seed: options.seed,
         max_iterations: parameters.integer("max_iterations") as u32,
-        wanted: Wanted {
-            reduce: parameters.is_on("reduce"),
-            shortcuts: parameters.integer("shortcut"),
-            partial_shortcuts: parameters.integer("partial_shortcut"),
-        },
+        wanted: if has("reduce") { wanted(&parameters) } else { Wanted::default() },
         is_sampled: parameters.text("edge_check") == Some("sampled"),
         is_steered: has("steering"),
         is_euler: has("integration") && parameters.text("integration") == Some("euler"),
@@ -84,6 +90,15 @@ pub(super) fn launch(
     };
     let in_query = |error: &Error| matches!(error.code(), Code::StartInCollision | Code::GoalInCollision);
     run.map_err(|error| if in_query(&error) { error.under(&format!("/queries/{place}")) } else { error })
+}
+
+/// What is to be done to a path.
+fn wanted(parameters: &Parameters) -> Wanted {
+    Wanted {
+        reduce: parameters.is_on("reduce"),
+        shortcuts: parameters.integer("shortcut"),
+        partial_shortcuts: parameters.integer("partial_shortcut"),
+    }
 }
 
 /// All that a run is made from.

@@ -5,6 +5,7 @@
 //! work they do: so a planner is compiled once a space, whatever the robot.
 
 mod choices;
+mod controls;
 mod factory;
 mod history;
 mod options;
@@ -18,7 +19,7 @@ pub use history::HISTORY_WIDTH;
 pub use options::Options;
 pub use resume::resume;
 
-pub use crate::planner::{Phase, PlannerInfo, Status, Value, planners};
+pub use crate::planner::{Phase, PlannerInfo, Preset, Status, Value, planners};
 
 use crate::error::Error;
 use crate::kept::RoadmapDocument;
@@ -97,7 +98,7 @@ pub trait Run {
     /// the path is being improved, and after.
     fn raw_path(&self) -> Vec<Vec<f64>>;
 
-    /// The length of the path in the metric of the space; 0 until solved.
+    /// The length of the path in the metric of the space, along its arcs where it is driven; 0 until solved.
     fn length(&self) -> f64;
 
     /// Where motions are first refused, in the run's own space and by its own test, proven or sampled: `ends` are rows of two

@@ -2,15 +2,16 @@
 
 use super::Value;
 use crate::error::{Code, Error, quoted};
-use crate::planner::DEFAULT_PLANNER;
+use crate::planner::default_planner;
 use crate::random::MAX_SEED;
 use crate::scenario::{Query, Scenario};
 
 /// Planner, query, seed and parameters of a run.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Options {
-    /// The id of the planner.
-    pub planner: String,
+    /// The id of the planner; that of [`default_planner`] for the robot where there is none, or the one that built the roadmap
+    /// to go on with.
+    pub planner: Option<String>,
     /// The name of the query; the first of the scenario where there is none.
     pub query: Option<String>,
     /// The seed, up to 2^53 - 1.
@@ -19,13 +20,12 @@ pub struct Options {
     pub parameters: Vec<(String, Value)>,
 }
 
-impl Default for Options {
-    fn default() -> Self {
-        Self { planner: DEFAULT_PLANNER.to_owned(), query: None, seed: 0, parameters: Vec::new() }
-    }
-}
-
 impl Options {
+    /// The id of the planner that is meant.
+    pub fn planner_for(&self, scenario: &Scenario) -> &str {
+        self.planner.as_deref().unwrap_or(default_planner(scenario.robot().kind()))
+    }
+
     /// The query that is meant, and its place among the scenario's.
     ///
     /// # Errors

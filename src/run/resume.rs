@@ -53,8 +53,8 @@ pub fn resume(scenario: &Scenario, options: &Options, document: &RoadmapDocument
     let Some(info) = planner_info(&document.planner).ok().filter(is_roadmap) else {
         return Err(damaged("/planner", format!("{} is no planner that builds a roadmap", quoted(&document.planner))));
     };
-    if options.planner != info.id {
-        let sentence = format!("the roadmap was built by {}, not {}", info.id, options.planner);
+    if let Some(other) = options.planner.as_ref().filter(|planner| *planner != info.id) {
+        let sentence = format!("the roadmap was built by {}, not {other}", info.id);
         return Err(Error::new(Code::OutOfRange, "/algorithm", sentence));
     }
     options.check_seed()?;

@@ -74,22 +74,36 @@ impl<S: Space> Runner<S> {
         self.iteration += 1;
         self.status = self.planner.iterate(&self.problem, self.iteration);
         match self.status {
-            Status::Solved => {
-                let improvement = Improvement::new(self.found(), self.ticket.wanted, self.ticket.seed);
-                if !improvement.is_done() {
-                    self.status = Status::Running;
+            Status::Solved => self.accept(),
+            Status::Running if self.iteration == self.ticket.max_iterations => {
+                self.status = Status::Exhausted;
+                if self.planner.phase() == Phase::Improving {
+                    self.accept();
                 }
-                self.improvement = Some(improvement);
             }
-            Status::Running if self.iteration == self.ticket.max_iterations => self.status = Status::Exhausted,
             Status::Running | Status::Exhausted => {}
         }
     }
 
+    /// Takes the planner's path as it is now.
+    fn accept(&mut self) {
+        let improvement = Improvement::new(self.found(), self.ticket.wanted, self.ticket.seed);
+        self.status = if improvement.is_done() { Status::Solved } else { Status::Running };
+        self.improvement = Some(improvement);
+    }
+
+    /// The length of the best path so far; infinite while there is none.
+    fn cost(&self) -> f64 {
+        if let Some(improvement) = self.improvement.as_ref().filter(|_| self.planner.graph().motions().is_empty()) {
+            return path::length(self.problem.space(), improvement.path());
+        }
+        let way = self.raw_way();
+        if way.states.is_empty() { f64::INFINITY } else { way::length(&self.problem, &way) }
+    }
+
     /// Notes how things stand, where that is wanted.
     fn note(&mut self) {
-        let length = |improvement: &Improvement<S>| path::length(self.problem.space(), improvement.path());
-        let cost = self.improvement.as_ref().map_or(f64::INFINITY, length);
+        let cost = self.cost();
         let (stats, events, phase) = (self.stats(), self.event_count(), self.phase());
         if let Some(history) = &mut self.history {
             history.add(&stats, events, phase, cost);
@@ -167,6 +181,9 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn finish(&mut self) -> Status {
+        if self.improvement.is_none() && self.planner.phase() == Phase::Improving {
+            self.accept();
+        }
         if self.improvement.is_some() {
             self.status = Status::Solved;
         }

@@ -45,14 +45,9 @@ pub(super) fn through<S: Space>(problem: &Problem<S>, states: &[S::State]) -> Wa
     Way { states: waypoints, motions: Some(motions) }
 }
 
-/// The path along the edges of a tree that is driven. O(edges).
+/// The path along the edges of a tree that is driven.
 pub(super) fn driven<S: Space>(graph: &Graph<S>, vertices: &[VertexId]) -> Way<S::State> {
-    // The edge that leads to each vertex.
-    let mut edge_to = vec![0; graph.states().len()];
-    for (i, &[_, to]) in graph.edges().iter().enumerate() {
-        edge_to[to.index()] = i;
-    }
-    let motions = vertices.iter().skip(1).map(|vertex| graph.motions()[edge_to[vertex.index()]]).collect();
+    let motions = vertices.iter().skip(1).map(|vertex| graph.motions()[vertex.index() - 1]).collect();
     Way { states: vertices.iter().map(|&vertex| *graph.state(vertex)).collect(), motions: Some(motions) }
 }
 

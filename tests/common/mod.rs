@@ -90,7 +90,7 @@ pub fn parse(text: &str) -> Scenario {
 /// Begins a run of the scenario's first query.
 pub fn begin(scenario: &Scenario, planner: &str, seed: u64, parameters: &[(&str, f64)]) -> Box<dyn Run> {
     let parameters = parameters.iter().map(|&(name, value)| (name.to_owned(), Value::Number(value))).collect();
-    let options = Options { planner: planner.to_owned(), query: None, seed, parameters };
+    let options = Options { planner: Some(planner.to_owned()), query: None, seed, parameters };
     run::start(scenario, &options).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -105,7 +105,7 @@ pub fn options(planner: &str, seed: u64, settings: &str) -> Options {
         let (name, value) = setting.split_once('=').expect("name=value");
         (name.to_owned(), Value::from_text(value))
     });
-    Options { planner: planner.to_owned(), query: None, seed, parameters: parameters.collect() }
+    Options { planner: Some(planner.to_owned()), query: None, seed, parameters: parameters.collect() }
 }
 
 /// Every planner with settings that show its features, small enough for many runs.

@@ -58,7 +58,7 @@ pub struct Plan {
     #[arg(long, value_name = "NAME")]
     pub query: Option<String>,
 
-    /// The planner, by id; `planarium list` shows them all [default: rrt-connect, or the one that built the roadmap]
+    /// The planner, by id; `planarium list` shows them all [default: rrt-connect, of a car rrt-control; with a roadmap the one that built it]
     #[arg(long, value_name = "ID")]
     pub planner: Option<String>,
 

@@ -7,7 +7,6 @@ use crate::progress::Progress;
 use crate::roadmap;
 use planarium::Error;
 use planarium::error::Code;
-use planarium::planner::DEFAULT_PLANNER;
 use planarium::result::ResultDocument;
 use planarium::run::{self, Options, Phase, Run, Status, Value};
 use planarium::scenario::Scenario;
@@ -27,14 +26,13 @@ pub fn plan(arguments: &Plan) -> Answer {
     }
     let scenario = Scenario::parse(&files::read(&arguments.file)?)?;
     let kept = arguments.roadmap.as_deref().map(roadmap::read).transpose()?;
-    let planner = kept.as_ref().map_or(DEFAULT_PLANNER, |document| &document.planner);
-    let options = options(arguments, planner);
+    let options = options(arguments);
     let mut run = match &kept {
         Some(document) => run::resume(&scenario, &options, document)?,
         None => run::start(&scenario, &options)?,
     };
     if arguments.save_roadmap.is_some() && run.roadmap().is_none() {
-        let sentence = format!("{} builds no roadmap that could be saved", options.planner);
+        let sentence = format!("{} builds no roadmap that could be saved", options.planner_for(&scenario));
         return Err(Error::new(Code::Unsupported, "", sentence));
     }
     let result = drive(run.as_mut(), arguments.max_seconds);
@@ -47,12 +45,11 @@ pub fn plan(arguments: &Plan) -> Answer {
     Ok(result.status == Status::Solved)
 }
 
-/// The options; the planner is the one given, else this one.
-fn options(arguments: &Plan, planner: &str) -> Options {
+fn options(arguments: &Plan) -> Options {
     let set = arguments.set.iter().map(|(key, value)| (key.clone(), Value::from_text(value)));
     let most = arguments.max_iterations.map(|most| ("max_iterations".to_owned(), Value::Number(most as f64)));
     Options {
-        planner: arguments.planner.as_deref().unwrap_or(planner).to_owned(),
+        planner: arguments.planner.clone(),
         query: arguments.query.clone(),
         seed: arguments.seed,
         parameters: set.chain(most).collect(),

@@ -1,0 +1,271 @@
+//! SST: a sparse tree of driven edges, in which of all vertices near each other only the cheapest may grow.
+//!
+//! Li, Littlefield and Bekris 2016, "Asymptotically optimal sampling-based kinodynamic planning". Witnesses are scattered over
+//! the space as the tree reaches it, no two nearer than the pruning radius; each stands for the cheapest vertex near it. A
+//! vertex that is beaten grows no more, and leaves the tree with its edge once nothing hangs on it. Cost is the length of the
+//! way in the metric of the space, along its arcs.
+
+use super::active::Active;
+use super::driven_tree::{Blocked, Drive, DrivenTree, Durations, GoalTest, ROOT, dynamics, up_to_goal};
+use super::{Counters, GoalBias, Phase, Planner, Status};
+use crate::control::Motion;
+use crate::graph::{EventKind, Graph, VertexId};
+use crate::nearest::{Index, Nearest, Neighbour};
+use crate::problem::Problem;
+use crate::random::Random;
+use crate::sampling::{Known, Sampler};
+use crate::space::Space;
+
+/// How a sparse tree grows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SstOptions {
+    /// Of the vertices so near to a sample, the cheapest is grown from; the nearest vertex where there is none. At least 0.
+    pub selection_radius: f64,
+    /// No two witnesses are nearer to each other, at least 0.
+    pub pruning_radius: f64,
+    /// How long controls are held.
+    pub durations: Durations,
+    /// What becomes of motions that are not free to their end.
+    pub blocked: Blocked,
+    /// When the tree reaches for the goal.
+    pub bias: GoalBias,
+    /// Where the goal is looked for.
+    pub goal_test: GoalTest,
+    /// For how many iterations the tree goes on growing once it has a path.
+    pub improve_iterations: u32,
+}
+
+/// The cheapest way to the goal region so far.
+#[derive(Debug, Clone, Copy)]
+struct Best {
+    vertex: VertexId,
+    /// In which iteration there was a first one.
+    since: u32,
+}
+
+/// The planner. An iteration takes one sample, or the goal, and tries one random control for one random while.
+pub struct Sst<S: Space> {
+    options: SstOptions,
+    sampler: Box<dyn Sampler<S>>,
+    /// Decides when it reaches for the goal.
+    bias: Random,
+    /// Draws controls and durations.
+    controls: Random,
+    tree: DrivenTree<S>,
+    /// The length of the way to each vertex.
+    costs: Vec<f64>,
+    /// How many vertices hang on each.
+    children: Vec<u32>,
+    is_removed: Vec<bool>,
+    /// The vertices that may grow: those that witnesses stand for.
+    active: Active<S>,
+    /// Places, numbered as if they were vertices.
+    witnesses: Index<S>,
+    /// The vertex that each witness stands for.
+    representatives: Vec<VertexId>,
+    best: Option<Best>,
+    is_done: bool,
+    found: Vec<Neighbour>,
+}
+
+impl<S: Space> Sst<S> {
+    /// A planner at its beginning; `bias` decides when it reaches for the goal, `controls` what it tries.
+    ///
+    /// # Panics
+    /// Where the problem has no dynamics, once it is stepped.
+    pub fn new(
+        problem: &Problem<S>,
+        options: SstOptions,
+        sampler: Box<dyn Sampler<S>>,
+        [bias, controls]: [Random; 2],
+    ) -> Self {
+        let mut sst = Self {
+            options,
+            sampler,
+            bias,
+            controls,
+            tree: DrivenTree::new(problem),
+            costs: vec![0.0],
+            children: vec![0],
+            is_removed: vec![false],
+            active: Active::new(),
+            witnesses: Index::new(),
+            representatives: vec![ROOT],
+            best: None,
+            is_done: false,
+            found: Vec::new(),
+        };
+        sst.active.insert(problem.space(), &sst.tree.graph, ROOT);
+        sst.witnesses.insert(problem.space(), VertexId(0), *problem.start());
+        sst
+    }
+
+    fn cost(&self, vertex: VertexId) -> f64 {
+        self.costs[vertex.index()]
+    }
+
+    /// Where to grow this time; `None` where the sampler has nothing.
+    fn target(&mut self, problem: &Problem<S>, iteration: u32) -> Option<S::State> {
+        if self.options.bias.is_due(iteration, &mut self.bias) {
+            return Some(*problem.goal());
+        }
+        let sample = self.sampler.draw(problem, &mut self.tree.counters.configuration_checks);
+        if sample.known == Known::Useless {
+            self.tree.tell(EventKind::SampleRejected, iteration, None, sample.state);
+            return None;
+        }
+        Some(sample.state)
+    }
+
+    /// The vertex to grow from: the cheapest that is near, ties by number.
+    fn origin(&mut self, problem: &Problem<S>, target: &S::State) -> VertexId {
+        self.tree.counters.nearest_queries += 1;
+        let space = problem.space();
+        self.active.within(space, target, self.options.selection_radius, &mut self.found);
+        let near = self.found.iter().map(|neighbour| neighbour.vertex);
+        let cheapest = near.min_by(|&a, &b| self.cost(a).total_cmp(&self.cost(b)).then(a.cmp(&b)));
+        cheapest.unwrap_or_else(|| self.active.nearest(space, target).expect("a witness stands for one").vertex)
+    }
+
+    /// The witness of a state: the nearest, or a new one where that is too far; and whether it is new.
+    fn witness(&mut self, problem: &Problem<S>, state: &S::State) -> (usize, bool) {
+        self.tree.counters.nearest_queries += 1;
+        let nearest = self.witnesses.nearest(problem.space(), state).expect("the start has one");
+        if nearest.distance <= self.options.pruning_radius {
+            return (nearest.vertex.index(), false);
+        }
+        let witness = VertexId(self.witnesses.len() as u32);
+        self.witnesses.insert(problem.space(), witness, *state);
+        (witness.index(), true)
+    }
+
+    /// Adds the end of a drive to the tree.
+    fn grow(
+        &mut self,
+        problem: &Problem<S>,
+        iteration: u32,
+        origin: VertexId,
+        drive: Drive<S::State>,
+        cost: f64,
+    ) -> VertexId {
+        let vertex = self.tree.grow(problem, iteration, origin, drive);
+        self.costs.push(cost);
+        self.children.push(0);
+        self.is_removed.push(false);
+        self.children[origin.index()] += 1;
+        vertex
+    }
+
+    /// Has the witness stand for the vertex, and the one that it stood for grow no more.
+    fn replace(&mut self, problem: &Problem<S>, iteration: u32, (witness, is_new): (usize, bool), vertex: VertexId) {
+        let (space, graph) = (problem.space(), &self.tree.graph);
+        self.active.insert(space, graph, vertex);
+        if is_new {
+            self.representatives.push(vertex);
+            return;
+        }
+        let beaten = std::mem::replace(&mut self.representatives[witness], vertex);
+        self.active.remove(space, graph, beaten);
+        self.prune(iteration, beaten);
+    }
+
+    /// Takes the vertex out of the tree where it is a leaf that grows no more, and then its parent likewise, and so on. The end
+    /// of the best path stays.
+    fn prune(&mut self, iteration: u32, vertex: VertexId) {
+        let mut leaf = Some(vertex);
+        while let Some(vertex) = leaf {
+            let is_best = self.best.is_some_and(|best| best.vertex == vertex);
+            let is_kept = self.children[vertex.index()] > 0 || self.active.contains(vertex) || is_best;
+            let Some(parent) = self.tree.parent(vertex).filter(|_| !is_kept) else { return };
+            self.is_removed[vertex.index()] = true;
+            self.children[parent.index()] -= 1;
+            self.tree.tell(EventKind::VertexRemoved, iteration, Some(vertex), *self.tree.graph.state(vertex));
+            leaf = Some(parent);
+        }
+    }
+
+    /// Takes the vertex for the end of the best path.
+    fn arrive(&mut self, iteration: u32, vertex: VertexId, state: S::State) {
+        self.tree.tell(EventKind::SolutionFound, iteration, Some(vertex), state);
+        let earlier = self.best;
+        self.best = Some(Best { vertex, since: earlier.map_or(iteration, |best| best.since) });
+        if let Some(earlier) = earlier {
+            self.prune(iteration, earlier.vertex);
+        }
+    }
+
+    /// One try: a drive from the vertex.
+    fn try_drive(&mut self, problem: &Problem<S>, iteration: u32, origin: VertexId) {
+        let dynamics = dynamics(problem);
+        let from = *self.tree.graph.state(origin);
+        let control = dynamics.sample(&mut self.controls);
+        let steps = self.options.durations.sample(&mut self.controls);
+        let wanted = Drive { control, steps, end: dynamics.drive(&from, control, steps) };
+        let Some(drive) = self.tree.prove(problem, &from, wanted, self.options.blocked) else {
+            let kind = EventKind::EdgeRefused;
+            return self.tree.tell(kind, iteration, Some(origin), wanted.end);
+        };
+        let (drive, is_there) = up_to_goal(problem, &from, drive, self.options.goal_test);
+        let duration = f64::from(drive.steps) * dynamics.step();
+        let cost = self.cost(origin) + dynamics.length(Motion { control, duration });
+        // What costs as much as the best path leads to no better one.
+        let is_cheap = self.best.is_none_or(|best| cost < self.cost(best.vertex));
+        if is_cheap {
+            let (witness, is_new) = self.witness(problem, &drive.end);
+            if is_new || cost < self.cost(self.representatives[witness]) {
+                let vertex = self.grow(problem, iteration, origin, drive, cost);
+                if is_there {
+                    self.arrive(iteration, vertex, drive.end);
+                }
+                return self.replace(problem, iteration, (witness, is_new), vertex);
+            }
+            if is_there {
+                // The end of a path, though something else near it costs less.
+                let vertex = self.grow(problem, iteration, origin, drive, cost);
+                return self.arrive(iteration, vertex, drive.end);
+            }
+        }
+        self.tree.tell(EventKind::SampleDiscarded, iteration, None, drive.end);
+    }
+}
+
+impl<S: Space> Planner<S> for Sst<S> {
+    fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
+        if self.best.is_none() && problem.is_goal(problem.start()) {
+            // No path is shorter.
+            self.arrive(iteration, ROOT, *problem.start());
+            self.is_done = true;
+        } else if !self.is_done
+            && let Some(target) = self.target(problem, iteration)
+        {
+            let origin = self.origin(problem, &target);
+            self.try_drive(problem, iteration, origin);
+        }
+        self.is_done |= self.best.is_some_and(|best| iteration - best.since >= self.options.improve_iterations);
+        if self.is_done { Status::Solved } else { Status::Running }
+    }
+
+    fn phase(&self) -> Phase {
+        match self.best {
+            _ if self.is_done => Phase::Done,
+            Some(_) => Phase::Improving,
+            None => Phase::Growing,
+        }
+    }
+
+    fn graph(&self) -> &Graph<S> {
+        &self.tree.graph
+    }
+
+    fn path(&self) -> Vec<VertexId> {
+        self.best.map(|best| self.tree.way(best.vertex)).unwrap_or_default()
+    }
+
+    fn approximate_path(&self) -> Vec<VertexId> {
+        self.tree.way(self.tree.closest(|vertex| !self.is_removed[vertex.index()]))
+    }
+
+    fn counters(&self) -> Counters {
+        self.tree.counters
+    }
+}

@@ -97,15 +97,15 @@ export const SCENES = [
     story: "Neither leg of the L fits through with the other: it must turn while it goes through.",
   },
   {
-    id: "parking", title: "Parking", algorithm: "rrt", pace: 14, settings: { step: 0.1, seed: 6 },
+    id: "parking", title: "Parking", algorithm: "rrt", pace: 12, settings: { step: 0.1, seed: 0 },
     story: "Each edge is a curve that the wheels can roll; to get in, the car must shunt.",
   },
   {
-    id: "turn", title: "A three-point turn", algorithm: "rrt", pace: 30, settings: { step: 0.1, seed: 6 },
+    id: "turn", title: "A three-point turn", algorithm: "rrt", pace: 10, settings: { step: 0.1, seed: 0 },
     story: "The road is too narrow for a turn in one go: forward, back and forward again.",
   },
   {
-    id: "lanes", title: "A car in a maze", algorithm: "rrt-connect", pace: 22, settings: { step: 0.25, seed: 0 },
+    id: "lanes", title: "A car in a maze", algorithm: "rrt-connect", pace: 45, settings: { step: 0.25, seed: 4 },
     story: "Two trees of curves from both ends; the car may shunt where a corner is too tight.",
   },
 ];

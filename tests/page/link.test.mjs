@@ -181,6 +181,8 @@ describe("there and back", () => {
       /** @type {Experiment} */
       const wanted = { version: 1, scene: "tentacle", lanes: [{ algorithm: "rrt", settings: {} }], iteration: 20, view: { axes: [4, 1], refused: true, strobe: true, poses: 5, raw: true, slice: true, projector: true } };
       await afresh(page, url, `#${await encodeLink(wanted)}`, async (fresh) => {
+        await fresh.locator("#view-fold").evaluate((fold) => { /** @type {HTMLDetailsElement} */ (fold).open = true; });
+        await fresh.waitForSelector("#view-across", { state: "attached" });
         assert.deepEqual([await fresh.inputValue("#view-across"), await fresh.inputValue("#view-up"), await fresh.inputValue("#view-poses")], ["4", "1", "5"]);
         assert.equal(await fresh.getAttribute("#projector", "aria-pressed"), "true");
         const { experiment } = await decodeLink(await linkOf(fresh));

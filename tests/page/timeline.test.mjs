@@ -61,6 +61,7 @@ describe("an iteration looks the same whichever way one comes to it", () => {
       test(`${algorithm}, ${size}`, async () => {
         await onPausedPage(async (page) => {
           await chooseScene(page, "locked");
+          await page.locator("#view-fold").evaluate((fold) => { /** @type {HTMLDetailsElement} */ (fold).open = true; });
           await page.locator("#view-refused").evaluate((input) => /** @type {HTMLElement} */ (input).click());
           await choosePlanner(page, algorithm, settings);
           // Step by step to an iteration, and on to the end.

@@ -36,9 +36,15 @@ async function square(page) {
   return (/** @type {number} */ a, /** @type {number} */ b) => ({ x: view.x(a), y: view.y(b) });
 }
 
+/** Opens the fold of the view, and waits for what it holds. @param {Page} page */
+async function unfold(page) {
+  await page.evaluate(() => { /** @type {HTMLDetailsElement} */ (document.getElementById("view-fold")).open = true; });
+  await page.waitForSelector("#view-plane", { state: "attached" });
+}
+
 /** Sets a switch, a number or a choice of the view. @param {Page} page @param {string} id @param {string | boolean} value */
 async function see(page, id, value) {
-  await page.evaluate(() => { /** @type {HTMLDetailsElement} */ (document.getElementById("view-fold")).open = true; });
+  await unfold(page);
   const control = page.locator(`#${id}`);
   if (typeof value === "boolean") await control.setChecked(value);
   else if (await control.evaluate((element) => element.tagName === "SELECT")) await control.selectOption(value);
@@ -270,6 +276,7 @@ describe("the path", () => {
       for (let i = n; i < raw.length; i += n) found += scenario.distance(raw.slice(i - n, i), raw.slice(i, i + n));
       const { length } = planner.result();
       assert.ok(found > length + 0.1);
+      await unfold(page);
       assert.equal(await page.textContent("#view-lengths"), `${found.toFixed(2)} rad as found, ${length.toFixed(2)} rad shortened.`);
       assert.match(await page.innerText("#story"), new RegExp(`a path of ${length.toFixed(2)} rad, cut from ${found.toFixed(2)} rad`));
       assert.equal(await page.isVisible("#legend-raw"), false);
@@ -285,6 +292,7 @@ describe("the path", () => {
 describe("planes of more than two joints", () => {
   test("two selects say which joints, the caption says it too, and the same one twice is not possible", async () => {
     await onPausedPage(async (page) => {
+      await unfold(page);
       assert.equal(await page.locator("#view-plane").evaluate((element) => /** @type {HTMLElement} */ (element).hidden), true);
       const { planner } = planned("thicket");
       await chooseScene(page, "thicket");

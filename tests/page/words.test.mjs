@@ -147,6 +147,7 @@ describe("options of a scene", () => {
   test("any scene that the core makes can be made; a value out of range is refused beside its field", async () => {
     await onPausedPage(async (page) => {
       await page.click("#scene-options summary");
+      await page.waitForSelector("#make-kind");
       const kinds = await page.locator("#make-kind option").evaluateAll((options) => options.map((option) => /** @type {HTMLOptionElement} */ (option).value));
       assert.ok(kinds.length >= 5, kinds.join());
       await page.selectOption("#make-kind", "discs");

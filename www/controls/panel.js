@@ -45,6 +45,14 @@ export class Panel {
     this.lead = new Set();
     /** The robot on the stage: planners and parameters that are not for it are not offered. */
     this.robot = "arm";
+    this.preset = make("select", { id: "preset" });
+    this.presetRow = make("label", { className: "row field", htmlFor: "preset" }, make("span", { className: "name" }, "Settings"), this.preset);
+    this.preset.addEventListener("change", () => {
+      const { seed } = this.given;
+      this.given = { ...(seed === undefined ? {} : { seed }), ...this.presets.find(({ id }) => id === this.preset.value)?.settings };
+      this.build();
+      onChange();
+    });
     this.planner.addEventListener("change", () => {
       this.build();
       onChange();
@@ -54,8 +62,34 @@ export class Panel {
     this.offer();
   }
 
-  /** Is a planner or a parameter for the robot on the stage? @param {{ robots?: readonly string[] | null }} info */
-  fits({ robots }) { return !robots?.length || robots.includes(this.robot); }
+  /** Is a planner or a parameter for the robot on the stage? @param {object} info */
+  fits(info) {
+    const { robots } = /** @type {{ robots?: readonly string[] | null }} */ (info);
+    return !robots?.length || robots.includes(this.robot);
+  }
+
+  /** Settings of the planner that have a name. @returns {{ id: string, title: string, settings: Settings }[]} */
+  get presets() {
+    const info = /** @type {{ presets?: { id: string, title: string, settings: Settings }[] } | undefined} */ (this.infos.find(({ id }) => id === this.planner.value));
+    return info?.presets ?? [];
+  }
+
+  /** A choice of them, where there are some: what they do not say is at its default, but for the seed. */
+  offerPresets() {
+    const { presets, preset } = this;
+    if (presets.length === 0) return;
+    const option = (/** @type {string} */ value, /** @type {string} */ title) => make("option", { value, disabled: value === "own" }, title);
+    preset.replaceChildren(option("own", "your own"), option("", "the defaults"), ...presets.map(({ id, title }) => option(id, title)));
+    this.first.prepend(this.presetRow);
+    this.markPreset();
+  }
+
+  /** Says which of them is taken. */
+  markPreset() {
+    const { given } = this;
+    const isTaken = (/** @type {Settings} */ settings) => Object.keys({ ...given, ...settings }).every((name) => name === "seed" || given[name] === settings[name]);
+    this.preset.value = this.presets.find(({ settings }) => isTaken(settings))?.id ?? (isTaken({}) ? "" : "own");
+  }
 
   /** Offers what is for a robot. @param {string} [robot] @returns {boolean} whether another planner had to be chosen */
   offer(robot = this.robot) {
@@ -155,6 +189,7 @@ export class Panel {
       if (isFirst(parameter.name)) this.first.append(field.element);
       return field;
     });
+    this.offerPresets();
     this.rest.append(...groupsOf(this.fields.filter(({ info: { name } }) => !isFirst(name))));
     this.more.hidden = this.rest.childElementCount === 0;
   }
@@ -171,6 +206,7 @@ export class Panel {
     const value = field.value;
     if (value === undefined) delete this.given[field.info.name];
     else this.given[field.info.name] = value;
+    this.markPreset();
   }
 }
 

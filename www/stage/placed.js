@@ -262,12 +262,16 @@ export class Placed {
     return Float64Array.of(from[0] + chord * Math.cos(from[2] + half), from[1] + chord * Math.sin(from[2] + half), wrap(from[2] + turn));
   }
 
-  /** What a driver does, in words. @param {Motion} motion */
-  motionText([v, phi, seconds]) {
+  /** What a driver does along an edge, in words. @param {Float64Array} motions  rows of speed, steering angle, seconds */
+  motionsText(motions) {
     const number = (/** @type {number} */ value, /** @type {number} */ digits) => value.toFixed(digits).replace("-", "\u2212");
-    const way = v < 0 ? "backward" : v > 0 ? "forward" : "standing";
-    const side = phi > 0 ? ", left" : phi < 0 ? ", right" : ", straight";
-    return `Control v ${number(v, 2)} m/s, \u03c6 ${number((phi * 180) / Math.PI, 0)}\u00b0 for ${number(seconds, 2)} s: ${way}${side}.`;
+    /** @type {string[]} */
+    const words = [];
+    for (let i = 0; i < motions.length; i += 3) {
+      const [v, phi, seconds] = motions.subarray(i, i + 3);
+      words.push(`v ${number(v, 2)} m/s, \u03c6 ${number((phi * 180) / Math.PI, 0)}\u00b0 for ${number(seconds, 2)} s`);
+    }
+    return `${words.length > 1 ? "Controls" : "Control"}: ${words.join("; then ")}.`;
   }
 
   /** How long a motion is in the metric. @param {Motion} motion */

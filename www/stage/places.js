@@ -29,7 +29,8 @@ export class Places {
     if (first === rows.count) return;
     // What stands before the configuration of a row is left out.
     const head = rows.width - run.dimension;
-    const fresh = this.pane.pixels(rows.slice(first, rows.count).filter((_, i) => i % rows.width >= head));
+    const slice = rows.slice(first, rows.count);
+    const fresh = this.pane.pixels(head > 0 ? slice.filter((_, i) => i % rows.width >= head) : slice);
     for (let i = 0; i < fresh.length; i += 2) {
       const key = keyOf(fresh[i], fresh[i + 1]);
       const cell = this.cells.get(key);

@@ -149,7 +149,7 @@ export class Workspace extends Pane {
     const { placed } = hover.lane.shown;
     placed?.drawSwept(this, context, hover, palette);
     this.drawTouching(context, hover.lane, parts, hover.check.touching, () => drawGhost(context, view, parts, style));
-    placed?.drawMarks(context, view, hover.pose, hover.motion?.[1] ?? 0, palette.ink);
+    placed?.drawMarks(context, view, hover.pose, hover.motions?.[hover.motions.length - 2] ?? 0, palette.ink);
     super.drawHover(context, hover, palette);
   }
 

@@ -191,6 +191,9 @@ export class Driving {
   roll(v, phi, duration) {
     const { state, theatre: { shown } } = this;
     if (!state || !shown) return;
+    // What is refused leaves nothing of the one before.
+    this.rollout = null;
+    this.show();
     this.rollout = shown.scenario.rollout(state.pose, v, phi, duration);
     const { seconds, blocked } = this.rollout;
     this.said = blocked === null ? `Free for all ${seconds.toFixed(2)} s.` : `Free for ${seconds.toFixed(2)} s; then ${this.name(blocked)}.`;

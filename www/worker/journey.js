@@ -5,7 +5,7 @@
 
 /** @import { Placed } from "../stage/placed.js" */
 /** @import { Run } from "./run.js" */
-/** @import { Check, Scenario } from "../types.js" */
+/** @import { Check, ResultDocument, Scenario } from "../types.js" */
 /** @typedef {{ placed: Placed, motions: number[][] }} Course   speed, steering angle and seconds from each waypoint to the next */
 /** @typedef {{ at: number, pose: Float64Array, check: Check }} Flaw   where a path collides: 0 to 1 along it, the pose, and what touches what */
 
@@ -56,6 +56,7 @@ export class Journey {
   /** @returns {Flaw | null} */
   firstFlaw() {
     const { scenario, waypoints, reached } = this;
+    if (this.course) return this.firstFlawOnArcs(waypoints.length * 20);
     for (let i = 1; i < waypoints.length; i++) {
       const hit = scenario.firstHit(waypoints[i - 1], waypoints[i]);
       if (hit === null) continue;
@@ -66,6 +67,16 @@ export class Journey {
         const check = scenario.check(pose);
         if (!check.free) return { at: (reached[i - 1] + t * (reached[i] - reached[i - 1])) / this.length, pose, check };
       }
+    }
+    return null;
+  }
+
+  /** Of a way of arcs: looked for in many places. @param {number} looks @returns {Flaw | null} */
+  firstFlawOnArcs(looks) {
+    for (let look = 0; look <= looks; look++) {
+      const pose = this.configuration(look / looks);
+      const check = this.scenario.check(pose);
+      if (!check.free) return { at: look / looks, pose, check };
     }
     return null;
   }
@@ -147,7 +158,7 @@ export class Journey {
  */
 export function journeyOf(scenario, run, placed = null) {
   const { isProven } = run;
-  /** @param {{ motions?: { control: [number, number], duration: number }[] }} result @returns {Course | null} */
+  /** @param {Pick<ResultDocument, "motions">} result @returns {Course | null} */
   const courseOf = ({ motions }) => (placed && motions ? { placed, motions: motions.map(({ control, duration }) => [...control, duration]) } : null);
   if (run.status === "solved") {
     const raw = run.rawLength > run.result.length ? run.planner.rawPath() : null;

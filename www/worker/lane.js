@@ -45,7 +45,7 @@ import { PAST, Run } from "./run.js";
  * @property {Float64Array} pose
  * @property {Check} check
  * @property {number} [edge]   the edge that is pointed at, or that leads to the vertex
- * @property {Float64Array | null} [motion]   its speed, steering angle and duration, where a car drives it
+ * @property {Float64Array} [motions]   what a car does along it: rows of speed, steering angle and duration
  */
 
 export class Lane {

@@ -41,11 +41,12 @@ export class Pointing {
     const isThere = (/** @type {number} */ one) => run !== null && run.isThere(one);
     const vertex = at ? at.place.pane.places?.nearest(at.x, at.y, count, isThere) ?? -1 : this.chosen < count && isThere(this.chosen) ? this.chosen : -1;
     const passing = at && vertex < 0 && run ? this.passing(run, at) : null;
-    if (passing) return { lane, ...passing, check: scenario.check(passing.pose) };
+    if (passing) return { lane, ...passing, check: scenario.check(passing.pose), motions: run?.motionsOf(passing.edge) };
     const pose = vertex >= 0 && run ? run.vertices.row(vertex).slice() : at?.place.kind === "cspace" ? this.pose(lane, at) : null;
     if (!pose) return null;
     const isSame = before?.lane === lane && before.pose.length === pose.length && before.pose.every((value, j) => value === pose[j]);
-    return { lane, vertex, pose, check: isSame ? before.check : scenario.check(pose), edge: run && vertex >= 0 ? run.edgeTo(vertex) : -1 };
+    const edge = run && vertex >= 0 ? run.edgeTo(vertex) : -1;
+    return { lane, vertex, pose, check: isSame ? before.check : scenario.check(pose), edge, motions: run && edge >= 0 ? run.motionsOf(edge) : undefined };
   }
 
   /** An edge that is no straight line, where the pointer is upon it. @param {Run} run @param {{ place: Place, x: number, y: number }} at */
@@ -73,10 +74,10 @@ export class Pointing {
 }
 
 /** What is pointed at, in words. @param {Hover} hover */
-function hoverSentence({ lane: { run, scenario, shown: { placed } }, vertex, pose, check, edge = -1, motion = null }) {
+function hoverSentence({ lane: { run, scenario, shown: { placed } }, vertex, pose, check, edge = -1, motions = new Float64Array(0) }) {
   const { robot } = scenario;
   const numbers = `${[...pose].map(number).join(", ")}${placed ? " (m, m, rad)" : robot === "arm" ? " rad" : " m"}`;
-  const control = placed && motion ? ` ${placed.motionText(motion)}` : "";
+  const control = placed && motions.length > 0 ? ` ${placed.motionsText(motions)}` : "";
   if (vertex < 0 && edge >= 0 && run) {
     const [from, to] = run.edges.row(edge);
     return `Edge ${edge}, from vertex ${from} to ${to}.${control}`;

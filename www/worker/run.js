@@ -49,10 +49,13 @@ export class Run {
     this.history = new Rows((n) => new Float64Array(n), this.planner.historyWidth);
     /** For each vertex the root it hangs from; all `SIDE.none` in a roadmap. */
     this.sides = new Rows((n) => new Uint8Array(n), 1);
-    /** Places on edges that are no straight lines: the number of the edge, then a configuration; of each such edge its first row. */
+    /** Places on edges that are no straight lines, and what a car does along edges: rows that begin with the number of the edge; of each such edge its first row. */
     this.traces = new Rows((n) => new Float64Array(n), 1 + dimension);
     /** @type {Map<number, number>} */
     this.traced = new Map();
+    this.motions = new Rows((n) => new Float64Array(n), 4);
+    /** @type {Map<number, number>} */
+    this.driven = new Map();
     /** What was removed again: vertices, by the place of the event in the log, and these places. @type {Map<number, number>} */
     this.gone = new Map();
     /** @type {number[]} */
@@ -68,7 +71,7 @@ export class Run {
     this.kind = algorithm === "rrt-connect" ? "trees" : algorithm.startsWith("rrt") ? "tree" : "roadmap";
     this.isTree = this.kind !== "roadmap";
     /** Are its edges proven free, or only looked at in places? */
-    this.isProven = settings.edge_check !== "sampled";
+    this.isProven = settings.edge_check !== "sampled" && settings.integration !== "euler";
     /** Coordinates whose motions go the short way round. The naive metric knows none: its motions may go the long way. */
     this.circles = settings.metric === "naive" ? scenario.circles().fill(false) : scenario.circles();
     /** The iteration that is shown, 0 to `made`. */
@@ -197,7 +200,8 @@ export class Run {
       const first = this.edges.count;
       this.edges.add(planner.edgesSince(first));
       if (this.isTree) this.inheritSides(first);
-      this.trace(planner.tracesSince(first));
+      take(planner.tracesSince(first), this.traces, this.traced);
+      take(planner.motionsSince(first), this.motions, this.driven);
     }
     const first = this.events.count;
     if (planner.eventCount > first) this.events.add(planner.eventsSince(first));
@@ -213,30 +217,15 @@ export class Run {
     }
   }
 
-  /** @param {Float64Array} rows  new ones */
-  trace(rows) {
-    const { traces, traced } = this;
-    const first = traces.count;
-    if (rows.length > 0) traces.add(rows);
-    for (let i = first; i < traces.count; i++) {
-      const edge = traces.data[i * traces.width];
-      if (!traced.has(edge)) traced.set(edge, i);
-    }
-  }
-
   /** An edge from end to end: rows of configurations, between which it is as good as straight. @param {number} edge @returns {Float64Array} */
   along(edge) {
-    const { traces: { data, width, count }, dimension: n } = this;
+    const places = rowsOf(edge, this.traces, this.traced);
     const [from, to] = this.edges.row(edge);
-    const first = this.traced.get(edge) ?? count;
-    let end = first;
-    while (end < count && data[end * width] === edge) end++;
-    const rows = new Float64Array((end - first + 2) * n);
-    rows.set(this.vertices.row(from));
-    for (let i = first; i < end; i++) rows.set(data.subarray(i * width + 1, (i + 1) * width), (i - first + 1) * n);
-    rows.set(this.vertices.row(to), rows.length - n);
-    return rows;
+    return places.length > 0 ? places : Float64Array.of(...this.vertices.row(from), ...this.vertices.row(to));
   }
+
+  /** What a car does along an edge: rows of speed, steering angle, seconds. @param {number} edge */
+  motionsOf(edge) { return rowsOf(edge, this.motions, this.driven); }
 
   /** The edge of a tree that leads to a vertex, -1 where none does. @param {number} vertex */
   edgeTo(vertex) {
@@ -324,4 +313,19 @@ export class Run {
   }
 
   free() { this.planner.free(); }
+}
+
+/** Takes in new rows that begin with the number of their edge. @param {Float64Array} fresh @param {Rows<Float64Array>} rows @param {Map<number, number>} firsts */
+function take(fresh, rows, firsts) {
+  const { width, count } = rows;
+  if (fresh.length > 0) rows.add(fresh);
+  for (let i = count; i < rows.count; i++) if (!firsts.has(rows.data[i * width])) firsts.set(rows.data[i * width], i);
+}
+
+/** The rows of an edge, without its number. @param {number} edge @param {Rows<Float64Array>} rows @param {Map<number, number>} firsts */
+function rowsOf(edge, { data, width, count }, firsts) {
+  const first = firsts.get(edge) ?? count;
+  let end = first;
+  while (end < count && data[end * width] === edge) end++;
+  return data.slice(first * width, end * width).filter((_, i) => i % width > 0);
 }

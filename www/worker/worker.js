@@ -137,14 +137,15 @@ addEventListener("message", async ({ data: { id, command, args } }) => {
     const order = /** @type {(...args: unknown[]) => unknown} */ (commands[/** @type {keyof Commands} */ (command)]);
     const value = await order(...args);
     if (theatre) {
-      theatre.heard = id;
+      // One that had to wait does not take back what was obeyed meanwhile.
+      theatre.heard = Math.max(theatre.heard, id);
       theatre.wake();
     }
     port.postMessage({ id, value }, value instanceof ImageBitmap ? [value] : []);
   } catch (error) {
     const fault = faultOf(error);
     if (theatre) {
-      theatre.heard = id;
+      theatre.heard = Math.max(theatre.heard, id);
       if (fault.code === "internal") theatre.recover();
       theatre.wake();
     }

@@ -1,0 +1,284 @@
+/** The keyboard car on the page: keys, buttons, numbers, stops, records, one control's way; and time that no frame decides. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { Scenario } from "planarium";
+import { Driving } from "../../www/worker/driving.js";
+import { atRest, chooseScene, onPage, onPausedPage, pickFile, pixelsOf, root, start, stop, violations } from "./browser.mjs";
+
+/** @import { DriveKey } from "planarium" */
+/** @import { Theatre } from "../../www/worker/theatre.js" */
+/** @import { Page } from "./browser.mjs" */
+
+before(start);
+after(stop);
+
+const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
+
+/** A car on an empty square with a wall to its right. */
+const ROAD = {
+  format: "planarium-scenario-1", name: "road",
+  world: { bounds: { min: [0, 0], max: [2, 2] }, obstacles: [{ type: "disc", center: [0.3, 1.7], radius: 0.1 }, { type: "polygon", vertices: [[1.5, 0], [1.6, 0], [1.6, 1.2], [1.5, 1.2]] }] },
+  robot: { type: "car", shape: { type: "polygon", vertices: [[-0.05, -0.06], [0.25, -0.06], [0.25, 0.06], [-0.05, 0.06]] }, wheelbase: 0.2, speed: [-0.5, 0.5], steering: [-0.7854, 0.7854] },
+  queries: [{ name: "home", start: [0.3, 0.5, 0], goal: [0.9, 0.5, 0], goal_tolerance: { translation: 0.1, rotation: 0.5 } }],
+};
+
+/** A driving without a page: what it needs of a theatre, and no more. */
+function alone() {
+  const scenario = Scenario.parse(ROAD);
+  const document = scenario.document();
+  const { start: from, goal } = document.queries[0];
+  const shown = { scenario, document, query: "home", start: from, goal, hand: null, check: null, driven: null, placed: { isNear: () => false } };
+  const theatre = { shown, wake() {}, conductor: { pause() {} }, turn: { release() {}, game: {} } };
+  return new Driving(/** @type {Theatre} */ (/** @type {unknown} */ (theatre)));
+}
+
+describe("time", () => {
+  /** Moments of keys, milliseconds. @type {[number, DriveKey][]} */
+  const keys = [[3, "faster"], [111.4, "faster"], [127, "left"], [600.01, "faster"], [640, "right"], [641, "right"], [1234.5, "slower"], [1802, "left"]];
+  const from = 1e12;
+
+  /** Drives for two seconds. @param {number} rate  frames a second @param {number} [late]  milliseconds after which a key is heard */
+  function driven(rate, late = 0) {
+    const driving = alone();
+    driving.turn(true, false, from);
+    /** @type {[number, () => void][]} */
+    const happens = keys.map(([at, key]) => [at + late, () => driving.press(key, from + at)]);
+    for (let frame = 1; frame <= 2.2 * rate; frame++) happens.push([(1000 * frame) / rate, () => driving.pass(from + (1000 * frame) / rate)]);
+    happens.sort(([a], [b]) => a - b);
+    for (const [, then] of happens) then();
+    driving.pause(from + 2030);
+    assert.ok(driving.state && driving.state.blocked === null);
+    return { state: driving.state, trace: [...driving.trace] };
+  }
+
+  test("the same keys lead to the same bits at 30, 60, 120 and 144 frames a second", () => {
+    const slow = driven(30);
+    assert.ok(slow.trace.length > 3 * 150);
+    for (const rate of [60, 120, 144]) assert.deepEqual(driven(rate), slow, `${rate} frames a second`);
+  });
+
+  test("a key that is heard late counts from its moment all the same", () => {
+    assert.deepEqual(driven(60, 25), driven(60));
+  });
+
+  test("a pose of two seconds is that of exact arcs", () => {
+    const { state } = driven(60);
+    const direct = Scenario.parse(ROAD).drive();
+    for (const { step, key } of recordOf()) {
+      direct.tick(step - direct.state.steps);
+      direct.press(key);
+    }
+    direct.tick(state.steps - direct.state.steps);
+    assert.deepEqual(direct.state.pose, state.pose);
+  });
+
+  /** The keys and their steps. */
+  function recordOf() {
+    const driving = alone();
+    driving.turn(true, false, from);
+    for (const [at, key] of keys) driving.press(key, from + at);
+    return driving.record()?.record ?? [];
+  }
+
+  test("a page that nobody saw for a while has not driven on meanwhile", () => {
+    const driving = alone();
+    driving.turn(true, false, from);
+    driving.press("faster", from);
+    driving.pass(from + 16);
+    driving.pass(from + 60_000);
+    assert.ok(driving.state && driving.state.steps < 30, `${driving.state?.steps}`);
+  });
+
+  test("by keys alone, each takes a quarter of a second", () => {
+    const driving = alone();
+    driving.turn(true, true, from);
+    driving.press("faster", from);
+    driving.pass(from + 5000);
+    driving.press("keep", from + 6000);
+    assert.deepEqual([driving.state?.steps, driving.moves], [50, false]);
+  });
+
+  test("while it is paused no time goes by; C goes on", () => {
+    const driving = alone();
+    driving.turn(true, false, from);
+    driving.press("faster", from);
+    driving.pass(from + 130);
+    driving.pause(from + 130);
+    assert.deepEqual([driving.state?.steps, driving.moves], [10, false]);
+    driving.press("keep", from + 5000);
+    driving.pass(from + 5130);
+    assert.deepEqual([driving.state?.steps, driving.paused], [20, false]);
+  });
+});
+
+/** What the bar says. @param {Page} page */
+const dash = (page) => page.locator("#drive").evaluate((bar) => {
+  const { v, phi, x, y, theta, steps, keys, blocked, paused, replaying, arrived } = /** @type {HTMLElement} */ (bar).dataset;
+  return { v: Number(v), phi: Number(phi), pose: [x, y, theta].map(Number), steps: Number(steps), keys: Number(keys), blocked, paused, replaying, arrived };
+});
+
+/** Opens the road and drives. @param {Page} page */
+async function drive(page) {
+  await pickFile(page, "road.json", JSON.stringify(ROAD));
+  await page.waitForSelector("body[data-scene=file]");
+  await page.waitForFunction(() => document.getElementById("your-turn")?.textContent === "Drive");
+  await page.click("#your-turn");
+  await page.waitForSelector("#drive:not([hidden])");
+}
+
+/** @param {Page} page @param {string[]} keys */
+async function press(page, ...keys) {
+  const before = (await dash(page)).keys;
+  for (const key of keys) await page.keyboard.press(key);
+  await page.waitForFunction((count) => document.getElementById("drive")?.dataset.keys === String(count), before + keys.length);
+}
+
+describe("driving", () => {
+  test("arrows and letters drive while the stage has the focus; numbers say how; Escape leaves", async () => {
+    await onPausedPage(async (page) => {
+      await drive(page);
+      assert.equal(await page.evaluate(() => document.activeElement?.id), "stage");
+      assert.deepEqual([(await dash(page)).pose, (await dash(page)).v], [[0.3, 0.5, 0], 0]);
+      // Less motion is asked for: time goes by with each key alone.
+      await press(page, "ArrowUp", "w", "ArrowLeft", "c");
+      const { v, phi, steps } = await dash(page);
+      assert.deepEqual([v, phi, steps], [0.2, Math.PI / 12, 100]);
+      await press(page, "d", "s", "ArrowDown", "ArrowDown", "ArrowRight", "a");
+      const back = await dash(page);
+      assert.ok(Math.abs(back.v + 0.1) < 1e-12 && back.phi === 0);
+      assert.match(await page.innerText("#drive dl"), /v\s+−0\.10 m\/s\s+φ\s+0°\s+x\s+0\.\d{3} m/);
+      await page.focus("#planner");
+      await page.keyboard.press("w");
+      assert.equal((await dash(page)).keys, back.keys, "keys elsewhere are not the car's");
+      await page.focus("#stage");
+      await page.keyboard.press("Escape");
+      await page.waitForSelector("#drive", { state: "hidden" });
+      assert.equal(await page.evaluate(() => document.activeElement?.id), "your-turn");
+      assert.ok(await page.locator("#transport").isVisible());
+    });
+  });
+
+  test("it stops at an obstacle, says at which and marks it; it backs off again", async () => {
+    await onPausedPage(async (page) => {
+      await drive(page);
+      await press(page, ...Array.from({ length: 22 }, () => "w"));
+      const stopped = await dash(page);
+      assert.deepEqual([stopped.blocked, stopped.v], ["1", 0]);
+      assert.ok(stopped.pose[0] > 1.24 && stopped.pose[0] < 1.25, `${stopped.pose}`);
+      assert.match(await page.innerText("#story"), /Stopped: obstacle 1 is in the way/);
+      assert.equal(await page.getAttribute("#story", "data-tone"), "bad");
+      await page.waitForFunction(() => /obstacle 1/.test(document.getElementById("announcer")?.textContent ?? ""));
+      assert.ok((await pixelsOf(page, "workspace", "top", "collision")) > 60);
+      await press(page, "s", "s");
+      const { blocked, pose } = await dash(page);
+      assert.equal(blocked, "");
+      assert.ok(pose[0] < stopped.pose[0]);
+    });
+  });
+
+  test("in its own time it drives on, can be paused, and ends at the goal with a word", async () => {
+    await onPage({}, async (page) => {
+      await page.waitForSelector("#counters[data-status=running]", { state: "attached" });
+      await drive(page);
+      await press(page, "w", "w", "w", "w", "w");
+      await page.waitForFunction(() => Number(document.getElementById("drive")?.dataset.x) > 0.5);
+      await page.keyboard.press("p");
+      await page.waitForSelector("#drive[data-paused=true]");
+      const { steps } = await dash(page);
+      await page.waitForTimeout(200);
+      assert.equal((await dash(page)).steps, steps);
+      await page.keyboard.press("c");
+      await page.waitForFunction(() => Number(document.getElementById("drive")?.dataset.x) > 0.82);
+      await press(page, "s", "s", "s", "s", "s");
+      await page.waitForSelector("#drive[data-arrived=true]");
+      assert.match(await page.innerText("#story"), /You are at the goal, after \d+\.\d s and 11 keys\./);
+    });
+  });
+
+  test("what was driven is driven again to the same place, and so is a record that was kept; another one is refused", async () => {
+    await onPausedPage(async (page) => {
+      await drive(page);
+      await press(page, "w", "w", "ArrowLeft", "c", "ArrowRight", "c");
+      const first = await dash(page);
+      await page.click("#drive-replay");
+      await page.waitForFunction(() => /driven again/.test(document.getElementById("announcer")?.textContent ?? ""));
+      assert.deepEqual(await dash(page), first);
+      await page.click("#drive .more summary");
+      const [download] = await Promise.all([page.waitForEvent("download"), page.click("#drive-save")]);
+      const record = JSON.parse(readFileSync(await download.path(), "utf8"));
+      assert.deepEqual([record.format, record.scenario, record.steps, record.pose], ["planarium-drive-1", "road", first.steps, first.pose]);
+      const direct = Scenario.parse(ROAD).drive();
+      assert.deepEqual(direct.replay(record.record, record.steps).pose, first.pose);
+      await page.click("#drive-anew");
+      await page.waitForSelector("#drive[data-keys='0']");
+      const file = (/** @type {object} */ content) => page.setInputFiles("#drive-file", { name: "x.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(content)) });
+      await file(record);
+      await page.waitForSelector(`#drive[data-keys='${first.keys}']`);
+      assert.deepEqual(await dash(page), first);
+      await file({ ...record, record: [{ step: 0, key: "jump" }] });
+      await page.waitForSelector("#notice[data-pointer='/record/0/key']");
+      await file({ ...record, scenario: "elsewhere" });
+      await page.waitForFunction(() => /driven in the scene "elsewhere"/.test(document.getElementById("notice")?.textContent ?? ""));
+    });
+  });
+
+  test("a form shows where one control leads, and refuses what the car cannot do", async () => {
+    await onPausedPage(async (page) => {
+      await drive(page);
+      await page.click("#drive .more summary");
+      await page.fill("#roll-v", "0.5");
+      await page.fill("#roll-phi", "0");
+      await page.fill("#roll-duration", "10");
+      await page.click("#drive .roll button");
+      await page.waitForFunction(() => /Free for 1\.\d\d s; then obstacle 1 is in the way/.test(document.querySelector("#drive .roll .hint")?.textContent ?? ""));
+      await page.fill("#roll-v", "0.7");
+      await page.click("#drive .roll button");
+      await page.waitForFunction(() => /within \[-0\.5, 0\.5\]/.test(document.querySelector("#drive .roll .hint")?.textContent ?? ""));
+      assert.equal(await page.getAttribute("#roll-v", "aria-invalid"), "true");
+    });
+  });
+
+  test("another scene, or its end, ends the drive and leaves nothing behind", async () => {
+    await onPausedPage(async (page) => {
+      await drive(page);
+      await press(page, "w");
+      await chooseScene(page, "open");
+      await page.waitForSelector("#drive", { state: "hidden" });
+      assert.equal(await page.textContent("#your-turn"), "Your turn");
+      await atRest(page);
+    });
+  });
+});
+
+describe("on a phone, and for everyone", () => {
+  test("buttons are as large as fingers, and do what the keys do", async () => {
+    await onPausedPage(async (page) => {
+      await drive(page);
+      for (const button of await page.locator("#drive button:visible").all()) {
+        const box = await button.boundingBox();
+        assert.ok(box && box.width >= 44 && box.height >= 44, `${await button.innerText()} ${box?.width} x ${box?.height}`);
+      }
+      for (const key of ["faster", "faster", "left", "slower", "right", "keep"]) await page.tap(`#drive-${key}`);
+      await page.waitForSelector("#drive[data-keys='6']");
+      const { v, phi, steps } = await dash(page);
+      assert.deepEqual([v, phi, steps], [0.1, 0, 150]);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing sticks out");
+    }, PHONE);
+  });
+
+  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+    for (const [size, options] of Object.entries({ desk: {}, phone: PHONE })) {
+      test(`axe finds nothing while one drives, ${colorScheme}, ${size}`, async () => {
+        await onPausedPage(async (page) => {
+          await drive(page);
+          await press(page, ...Array.from({ length: 22 }, () => "w"));
+          await page.click("#drive .more summary");
+          assert.deepEqual(await violations(page), []);
+          await page.screenshot({ path: join(root, "dist", "screenshots", `drive-${size}-${colorScheme}.png`) });
+        }, { ...options, colorScheme });
+      });
+    }
+  }
+});

@@ -1,0 +1,300 @@
+/** Bodies and cars on the page: their edges, ways and words, their place in the square, and the hand that moves and turns them. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { Scenario, phases } from "planarium";
+import { decodeLink } from "../../www/exchange/link.js";
+import { SCENES } from "../../www/scenes.js";
+import { Placed } from "../../www/stage/placed.js";
+import { View } from "../../www/stage/view.js";
+import { journeyOf } from "../../www/worker/journey.js";
+import { Run } from "../../www/worker/run.js";
+import { ending } from "../../www/worker/story.js";
+import { atRest, chooseScene, counters, finish, onPausedPage, pickFile, pixelsOf, root, start, stop, violations } from "./browser.mjs";
+
+/** @import { ScenarioDocument } from "planarium" */
+/** @import { Page } from "./browser.mjs" */
+
+before(start);
+after(stop);
+
+const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
+
+/** An L in an empty square but for one disc. @type {ScenarioDocument} */
+const L = {
+  format: "planarium-scenario-1", name: "l", title: "An L",
+  world: { bounds: { min: [-1, -1], max: [1, 1] }, obstacles: [{ type: "disc", center: [0, 0.6], radius: 0.2 }] },
+  robot: { type: "rigid_body", shape: { type: "polygon", vertices: [[-0.05, -0.05], [0.3, -0.05], [0.3, 0.05], [0.05, 0.05], [0.05, 0.3], [-0.05, 0.3]] } },
+  queries: [{ name: "across", start: [-0.6, -0.6, 0], goal: [0.5, -0.4, 1.5] }],
+};
+
+/** A scene's run, to its end. @param {string} id @param {import("../../www/types.js").Settings} [more] */
+function ended(id, more) {
+  const entry = SCENES.find((scene) => scene.id === id);
+  assert.ok(entry);
+  const scenario = entry.generate ? Scenario.generate(entry.generate.kind, entry.generate.options) : Scenario.parse(readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8"));
+  const run = new Run(scenario, entry.algorithm, { ...entry.settings, ...more }, phases);
+  while (!run.ended) run.advance(-1, run.made + 50, Infinity);
+  run.shown = run.made;
+  const { robot } = scenario.document();
+  assert.ok(robot.type === "car" || robot.type === "rigid_body");
+  return { scenario, run, placed: new Placed(robot) };
+}
+
+/** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
+function apart(a, b) {
+  const turn = Math.abs(a[2] - b[2]) % (2 * Math.PI);
+  return Math.max(Math.abs(a[0] - b[0]), Math.abs(a[1] - b[1]), Math.min(turn, 2 * Math.PI - turn));
+}
+
+describe("edges and ways of cars", () => {
+  test("an edge is drawn from its first vertex to its second, in pieces no longer than the eye can see, all of it free", () => {
+    for (const id of ["parking", "turn", "lanes"]) {
+      const { run, scenario } = ended(id);
+      assert.ok(run.traces.count > run.edges.count, id);
+      for (let e = 0; e < run.edges.count; e++) {
+        const rows = run.along(e);
+        const [from, to] = run.edges.row(e);
+        assert.ok(apart(rows, run.vertices.row(from)) < 1e-9 && apart(rows.slice(-3), run.vertices.row(to)) < 1e-6, `${id}, edge ${e}`);
+        for (let i = 0; i + 3 < rows.length; i += 3) {
+          assert.ok(Math.hypot(rows[i + 3] - rows[i], rows[i + 4] - rows[i + 1]) < 0.2, `${id}, edge ${e}`);
+          assert.ok(scenario.check(rows.subarray(i, i + 3)).free);
+        }
+        const motions = run.motionsOf(e);
+        assert.ok(motions.length > 0 && motions.length % 3 === 0);
+      }
+      run.free();
+    }
+  });
+
+  test("what a driver does along an edge leads from its first vertex to its second", () => {
+    const { run, placed } = ended("parking");
+    for (let e = 0; e < run.edges.count; e++) {
+      const [from, to] = run.edges.row(e);
+      const motions = run.motionsOf(e);
+      let at = Float64Array.from(run.vertices.row(from));
+      for (let i = 0; i < motions.length; i += 3) at = placed.after(at, motions.slice(i, i + 3), 1);
+      assert.ok(apart(at, run.vertices.row(to)) < 1e-6, `edge ${e}`);
+    }
+    assert.match(placed.motionsText(Float64Array.of(0.5, Math.PI / 4, 1, -0.5, 0, 0.25)), /^Controls: v 0\.50 m\/s, \u03c6 45\u00b0 for 1\.00 s; then v \u22120\.50 m\/s, \u03c6 0\u00b0 for 0\.25 s\.$/);
+    run.free();
+  });
+
+  test("the way of a car passes its waypoints by exact arcs, with its wheels as they are steered, as long as the result says", () => {
+    for (const id of ["parking", "lanes"]) {
+      const { run, scenario, placed } = ended(id);
+      const journey = journeyOf(scenario, run, placed);
+      assert.ok(journey?.course);
+      const { path, motions = [], length } = run.result;
+      assert.ok(Math.abs(journey.length - length) < 1e-6 * length, `${id}: ${journey.length} and ${length}`);
+      path.forEach((waypoint, i) => assert.ok(apart(journey.configuration(journey.reached[i] / journey.length), waypoint) < 1e-6, `${id}, waypoint ${i}`));
+      for (let part = 0; part <= 1; part += 0.001) assert.ok(scenario.check(journey.configuration(part)).free, `${id} at ${part}`);
+      motions.forEach(({ control: [, phi] }, i) => {
+        journey.seek((journey.reached[i] + journey.reached[i + 1]) / 2 / journey.length);
+        assert.equal(journey.steering, phi);
+      });
+      assert.match(ending(run, journey), /: a path of length \d+\.\d\d, proven free/);
+      run.free();
+    }
+  });
+
+  test("a body's edges and way are straight", () => {
+    const { run, scenario, placed } = ended("corner");
+    assert.deepEqual([run.traces.count, run.motions.count, run.along(0).length], [0, 0, 6]);
+    const journey = journeyOf(scenario, run, placed);
+    assert.ok(journey && journey.course === null && journey.steering === 0);
+    run.free();
+  });
+});
+
+/** Pixels of the window for a point of a pane's plane. @param {Page} page @param {string} pane @param {{ min: [number, number], max: [number, number] }} box @param {boolean} [stretched] */
+async function plane(page, pane, box, stretched = false) {
+  const canvas = page.locator(`#${pane} canvas[data-layer=top]`);
+  await canvas.evaluate((element) => element.scrollIntoView({ block: "center" }));
+  const at = await canvas.boundingBox();
+  assert.ok(at);
+  const margin = pane === "workspace" ? { left: 14, right: 14, top: 14, bottom: 14 } : { left: 34, right: 12, top: 12, bottom: 32 };
+  const view = new View(box, at.width, at.height, margin, stretched);
+  return (/** @type {number} */ x, /** @type {number} */ y) => /** @type {[number, number]} */ ([at.x + view.x(x), at.y + view.y(y)]);
+}
+
+/** @param {Page} page @param {[number, number][]} points */
+async function drag(page, points) {
+  await page.mouse.move(...points[0]);
+  await page.mouse.down();
+  for (const point of points.slice(1)) await page.mouse.move(...point, { steps: 4 });
+  await page.mouse.up();
+}
+
+/** Opens a scenario of one's own. @param {Page} page @param {ScenarioDocument} document */
+async function open(page, document) {
+  await pickFile(page, "own.json", JSON.stringify(document));
+  await page.waitForSelector("body[data-scene=file]");
+  await atRest(page);
+}
+
+const BOX = { min: /** @type {[number, number]} */ ([-1, -1]), max: /** @type {[number, number]} */ ([1, 1]) };
+
+describe("on the stage", () => {
+  for (const { id } of SCENES.filter((scene) => ["crates", "corner", "parking", "turn", "lanes"].includes(scene.id))) {
+    test(`${id}: the run of the page is the core's, and its path ends at the goal`, async () => {
+      await onPausedPage(async (page) => {
+        await chooseScene(page, id);
+        const { fingerprint, status } = await finish(page);
+        const { run } = ended(id);
+        assert.deepEqual([fingerprint, status], [run.result.fingerprint, "solved"]);
+        assert.ok((await pixelsOf(page, "workspace", "top", "path")) > 100);
+        assert.ok((await pixelsOf(page, "cspace", "top", "path")) > 50);
+        await page.screenshot({ path: join(root, "dist", "screenshots", `${id}.png`) });
+        run.free();
+      });
+    });
+  }
+
+  test("the square shows x and theta, or any two; a link keeps them", async () => {
+    await onPausedPage(async (page, url) => {
+      await chooseScene(page, "corner");
+      assert.equal(await page.innerText("#cspace figcaption small"), "x across, theta up");
+      await page.click("#link");
+      await page.waitForFunction(() => location.hash.length > 1);
+      assert.equal((await decodeLink(new URL(page.url()).hash)).experiment?.view.axes, undefined, "as usual");
+      await page.click("#view-fold > summary");
+      await page.waitForSelector("#view-up");
+      assert.deepEqual(await page.locator("#view-up option").allInnerTexts(), ["x", "y", "theta"]);
+      await page.selectOption("#view-up", "1");
+      await page.waitForFunction(() => document.querySelector("#cspace figcaption small")?.textContent === "x across, y up");
+      await page.click("#link");
+      await page.waitForFunction((old) => location.href !== old, page.url());
+      assert.deepEqual((await decodeLink(new URL(page.url()).hash)).experiment?.view.axes, [0, 1]);
+      await chooseScene(page, "stones");
+      assert.equal(await page.locator("#view-plane").isVisible(), false, "two angles need no choice");
+      assert.ok(url);
+    });
+  });
+
+  test("words speak of the body and of the car", async () => {
+    await onPausedPage(async (page) => {
+      await chooseScene(page, "corner");
+      assert.match(await page.innerText("#story"), /^The body seeks a way/);
+      assert.equal(await page.innerText("#workspace figcaption small"), "the body\u2019s world; points mark its origin");
+      assert.deepEqual(await page.locator("#pose .name").allInnerTexts(), ["x", "y", "theta"]);
+      await page.fill("#pose-0-number", "1.2");
+      await page.press("#pose-0-number", "Tab");
+      await page.waitForSelector("#touching[data-free=false]");
+      assert.match(await page.innerText("#touching"), /^Body touches obstacle \d/);
+      await chooseScene(page, "parking");
+      assert.match(await page.innerText("#story"), /^The car seeks a way/);
+      assert.equal(await page.innerText("#workspace figcaption small"), "the car\u2019s world; points mark its rear axle");
+      assert.equal(await page.innerText("#your-turn"), "Drive");
+    });
+  });
+
+  test("what is pointed at on an edge tells its control, and shows all that the car passes over", async () => {
+    await onPausedPage(async (page) => {
+      await chooseScene(page, "turn");
+      await finish(page);
+      const { run } = ended("turn");
+      // A place in the middle of an edge, far from every vertex.
+      const vertices = run.vertices.slice(0, run.vertices.count);
+      const found = Array.from({ length: run.traces.count }, (_, i) => run.traces.row(i).slice()).find(([, x, y]) => {
+        for (let v = 0; v < vertices.length; v += 3) if (Math.hypot(vertices[v] - x, vertices[v + 1] - y) < 0.05) return false;
+        return true;
+      });
+      assert.ok(found);
+      const at = await plane(page, "workspace", { min: [0, 0], max: [1.5, 0.9] });
+      const before = await pixelsOf(page, "workspace", "top", "newest");
+      await page.mouse.move(...at(found[1], found[2]));
+      await page.waitForFunction(() => /^Edge \d+, from vertex \d+ to \d+\. Controls?: v /.test(document.getElementById("readout")?.textContent ?? ""));
+      assert.ok((await pixelsOf(page, "workspace", "top", "newest")) > before + 80, "an outline");
+      const vertex = run.edges.row(found[0])[1];
+      await page.click("#view-fold > summary");
+      await page.fill("#inspect", String(vertex));
+      await page.mouse.move(5, 5);
+      await page.waitForFunction((number) => new RegExp(`^Vertex ${number} at .* \\(m, m, rad\\)\\. Parent \\d+, .* Controls?: v `).test(document.getElementById("readout")?.textContent ?? ""), vertex);
+      run.free();
+    });
+  });
+
+  test("planners and scenes of other robots take turns, and the panel offers what fits", async () => {
+    await onPausedPage(async (page) => {
+      for (const id of ["parking", "stones", "crates", "maze", "turn"]) {
+        await chooseScene(page, id);
+        assert.equal((await finish(page)).status, "solved", id);
+        assert.equal(await page.locator("#notice").isVisible(), false);
+      }
+    });
+  });
+});
+
+describe("the hand", () => {
+  test("takes a body anywhere to move it, and by the place before it to turn it", async () => {
+    await onPausedPage(async (page) => {
+      await open(page, L);
+      await page.click("#your-turn");
+      const at = await plane(page, "workspace", BOX);
+      await drag(page, [at(-0.6, -0.6), at(-0.4, -0.5), at(-0.2, -0.6)]);
+      await page.waitForFunction(() => Math.abs(Number(/** @type {HTMLInputElement} */ (document.getElementById("pose-0-number")).value) + 0.2) < 0.02);
+      assert.ok(Math.abs(Number(await page.inputValue("#pose-2-number"))) < 0.01, "it did not turn");
+      const [hx, hy] = at(-0.2 + 0.3, -0.6);
+      await drag(page, [[hx + 14, hy], [hx - 20, hy - 60], at(-0.2, -0.1)]);
+      await page.waitForFunction(() => Math.abs(Number(/** @type {HTMLInputElement} */ (document.getElementById("pose-2-number")).value) - Math.PI / 2) < 0.05);
+      await drag(page, [at(-0.2, -0.6), at(0, 0.3)]);
+      await page.waitForSelector("#touching[data-free=false]");
+      assert.equal(await page.innerText("#touching"), "Body touches obstacle 0.");
+      await drag(page, [at(0, 0.3), at(0.5, -0.4)]);
+      await page.waitForFunction(() => /You reached the goal, touching something once/.test(document.getElementById("story")?.textContent ?? ""));
+    });
+  });
+
+  test("edits start and goal, moves them and turns them by their handles, with the keyboard too", async () => {
+    await onPausedPage(async (page) => {
+      await open(page, L);
+      await page.click("#edit");
+      await page.waitForSelector("#editor[data-tool=select]", { state: "attached" });
+      const at = await plane(page, "workspace", BOX);
+      const value = async (/** @type {string} */ name) => Number(await page.inputValue(`#edit-${name}`));
+      await drag(page, [at(-0.6, -0.6), at(-0.4, -0.4)]);
+      await page.waitForSelector("#editor[data-changes='1']", { state: "attached" });
+      assert.ok(Math.abs((await value("x")) + 0.4) < 0.02 && Math.abs((await value("y")) + 0.4) < 0.02 && (await value("theta")) === 0);
+      const [hx, hy] = at(-0.4 + 0.3, -0.4);
+      await drag(page, [[hx + 14, hy], [hx, hy - 70], at(-0.4, 0.1)]);
+      await page.waitForSelector("#editor[data-changes='2']", { state: "attached" });
+      assert.ok(Math.abs((await value("theta")) - Math.PI / 2) < 0.05, `${await value("theta")}`);
+      assert.match(await page.getAttribute("#editor", "data-title") ?? "", /^Start, its heading$/);
+      const turned = await value("theta");
+      await page.focus("#stage");
+      await page.keyboard.press("ArrowRight");
+      await page.waitForSelector("#editor[data-changes='3']", { state: "attached" });
+      assert.ok(Math.abs((await value("theta")) - turned - Math.PI / 180) < 2e-4);
+      await page.keyboard.press("Escape");
+      await page.keyboard.press("ArrowRight");
+      await page.waitForSelector("#editor[data-changes='4']", { state: "attached" });
+      assert.ok(Math.abs((await value("theta")) - turned - Math.PI / 180) < 2e-4, "now it moves");
+      await page.keyboard.press("Control+z");
+      await page.keyboard.press("Control+z");
+      await page.keyboard.press("Control+z");
+      await page.waitForFunction(() => Number(document.getElementById("editor")?.dataset.redo) === 3);
+    });
+  });
+
+  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+    test(`axe finds nothing with a body in the editor and a car on a phone, ${colorScheme}`, async () => {
+      await onPausedPage(async (page) => {
+        await open(page, L);
+        await page.click("#edit");
+        await page.waitForSelector("#editor[data-tool=select]", { state: "attached" });
+        await page.screenshot({ path: join(root, "dist", "screenshots", `body-editor-${colorScheme}.png`) });
+        assert.deepEqual(await violations(page), []);
+      }, { colorScheme });
+      await onPausedPage(async (page) => {
+        await chooseScene(page, "parking");
+        await finish(page);
+        assert.ok((await counters(page)).length > 0);
+        assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing sticks out");
+        await page.screenshot({ path: join(root, "dist", "screenshots", `parking-phone-${colorScheme}.png`), fullPage: true });
+        assert.deepEqual(await violations(page), []);
+      }, { ...PHONE, colorScheme });
+    });
+  }
+});

@@ -22,10 +22,14 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").Obstacle} Obstacle */
 /** @typedef {import("./types.js").World} World */
 /** @typedef {import("./types.js").Robot} Robot */
+/** @typedef {import("./types.js").Shape} Shape */
+/** @typedef {import("./types.js").Weights} Weights */
 /** @typedef {import("./types.js").Query} Query */
 /** @typedef {import("./types.js").ScenarioDocument} ScenarioDocument */
 /** @typedef {import("./types.js").PlannerInfo} PlannerInfo */
+/** @typedef {import("./types.js").Motion} Motion */
 /** @typedef {import("./types.js").ParameterInfo} ParameterInfo */
+/** @typedef {import("./types.js").PresetInfo} PresetInfo */
 /** @typedef {import("./types.js").GeneratorInfo} GeneratorInfo */
 /** @typedef {import("./types.js").OptionInfo} OptionInfo */
 /** @typedef {import("./types.js").PlannerOptions} PlannerOptions */

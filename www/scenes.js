@@ -103,7 +103,7 @@ export const SCENES = [
     sliders: [{ option: "count", title: "Stones", min: 0, max: 14, step: 1, unit: "" }, { option: "seed", title: "Other places", min: 0, max: 30, step: 1, unit: "" }],
   },
   {
-    id: "witness", title: "Only the best stays", algorithm: "sst", pace: 28, settings: { seed: 1 },
+    id: "witness", title: "Only the best stays", algorithm: "sst", pace: 140, settings: { seed: 2 },
     story: "Near each place only the cheapest drive is kept: what is worse is taken away again.",
     generate: { kind: "clutter", options: { robot: "car", count: 10, seed: 3 } },
     sliders: [{ option: "count", title: "Stones", min: 0, max: 14, step: 1, unit: "" }, { option: "seed", title: "Other places", min: 0, max: 30, step: 1, unit: "" }],

@@ -74,7 +74,8 @@ fn measure(
             }
         }
     }
-    let of = |sum: f64, group: usize| sum / counts[group] as f64;
+    // Where there was none the mean is not a number.
+    let of = |sum: f64, group: usize| if counts[group] == 0 { f64::NAN } else { sum / counts[group] as f64 };
     let mut columns = format!("{} of {} |", counts[0], counts[0] + counts[1]);
     [0, 1].iter().for_each(|&group| columns += &format!(" {:.1} |", of(pairs[group] as f64, group)));
     for each in &total[..if is_alone { 1 } else { 3 }] {
@@ -132,7 +133,7 @@ fn clutter(count: usize, is_concave: bool, seed: u64) -> World {
     let obstacle = |i: usize| {
         let (center, turn) = (Point::new(random.uniform(), random.uniform()), TAU * random.uniform());
         let corners = 3 + random.below(4) as usize;
-        let dents = is_concave && i % 2 == 0;
+        let dents = is_concave && i.is_multiple_of(2);
         let all = if dents { 2 * corners } else { corners };
         let corner = |k: usize| {
             let (sin, cos) = (turn + TAU * k as f64 / all as f64).sin_cos();

@@ -6,39 +6,40 @@
 //! its scenario, for judges of other houses. Milliseconds are for comparison within one table.
 
 use planarium::path::{Verdict, verify};
-use planarium::run::{Options, Status, Value, start};
+use planarium::run::{Options, Status, Value, planners, start};
 use planarium::scenario::{Robot, Scenario};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// The planners that apply, by the name they go by in the table, with what is set besides the defaults.
-type Arm = (&'static str, &'static str, &'static [(&'static str, &'static str)]);
+/// Who plans: the name it goes by in the table, the planner, and what is set besides the defaults.
+type Arm = (String, &'static str, Vec<(String, Value)>);
 
-const BODY: &[Arm] = &[
-    ("RRT", "rrt", &[]),
-    ("RRT-Connect", "rrt-connect", &[]),
-    ("PRM", "prm", &[]),
-    ("PRM*", "prm-star", &[]),
-    ("visibility PRM", "visibility-prm", &[]),
-    ("RRT, 2000 samples, goal every 5th", "rrt", &[("goal_every", "5"), ("max_iterations", "2000")]),
-    ("RRT to the last free point", "rrt", &[("extend", "until-obstacle"), ("max_iterations", "1000")]),
-    (
-        "PRM, 500, k = 3, unconnected discarded",
-        "prm",
-        &[("samples", "500"), ("k", "3"), ("insertion", "one-by-one"), ("discard", "true")],
-    ),
-];
-
-const CAR: &[Arm] = &[
-    ("RRT by controls", "rrt-control", &[]),
-    ("SST", "sst", &[]),
-    ("RRT, Reeds-Shepp", "rrt", &[("steering", "reeds-shepp")]),
-    ("RRT-Connect, Reeds-Shepp", "rrt-connect", &[("steering", "reeds-shepp")]),
-    ("PRM, Reeds-Shepp", "prm", &[("steering", "reeds-shepp")]),
-    ("RRT, Dubins", "rrt", &[("steering", "dubins")]),
-    ("RRT-Connect, Dubins", "rrt-connect", &[("steering", "dubins")]),
-    ("PRM, Dubins", "prm", &[("steering", "dubins")]),
-];
+/// Every planner that applies to the robot, with its defaults; where it steers along curves, with both kinds; then the presets of
+/// the course reports.
+fn arms(robot: &Robot) -> Vec<Arm> {
+    let fitting = planners().iter().filter(|info| info.robots.contains(&robot.kind()));
+    let mut arms = Vec::new();
+    for info in fitting {
+        let is_steered = info.parameters.iter().any(|parameter| parameter.name == "steering");
+        if !matches!(robot, Robot::Car(_)) || !is_steered {
+            arms.push((info.title.to_owned(), info.id, Vec::new()));
+            let presets = info
+                .presets
+                .iter()
+                .map(|preset| (format!("{}: {}", info.title, preset.title), info.id, preset.parameters()));
+            arms.extend(presets);
+            continue;
+        }
+        for (name, word) in [("Reeds-Shepp", "reeds-shepp"), ("Dubins", "dubins")] {
+            // Guards see only where motions can be made back.
+            if (info.id, word) != ("visibility-prm", "dubins") {
+                let steering = ("steering".to_owned(), Value::Text(word.to_owned()));
+                arms.push((format!("{}, {name}", info.title), info.id, vec![steering]));
+            }
+        }
+    }
+    arms
+}
 
 struct Arguments {
     folder: PathBuf,
@@ -64,13 +65,11 @@ fn main() {
         let text = std::fs::read_to_string(&file).expect("the file is text");
         // Lists of configurations are no scenarios.
         let Ok(scenario) = Scenario::parse(&text) else { continue };
-        let arms = match scenario.robot() {
-            Robot::RigidBody(_) => BODY,
-            Robot::Car(_) => CAR,
-            _ => continue,
-        };
+        if scenario.robot().placed_shape().is_none() {
+            continue;
+        }
         for query in scenario.queries() {
-            for arm in arms {
+            for arm in &arms(scenario.robot()) {
                 let what = format!("{} {} {}", scenario.name(), query.name, arm.0);
                 if what.contains(&arguments.only) {
                     row(&file, &scenario, &query.name, arm, &arguments);
@@ -97,13 +96,11 @@ fn arguments() -> Option<Arguments> {
 }
 
 /// All seeds of one planner on one query.
-fn row(file: &Path, scenario: &Scenario, query: &str, &(name, planner, set): &Arm, arguments: &Arguments) {
-    let parameters: Vec<(String, Value)> =
-        set.iter().map(|(name, value)| ((*name).to_owned(), Value::from_text(value))).collect();
+fn row(file: &Path, scenario: &Scenario, query: &str, (name, planner, parameters): &Arm, arguments: &Arguments) {
     let (mut solved, mut times, mut iterations, mut lengths) = (0, Vec::new(), Vec::new(), Vec::new());
     for seed in 0..arguments.seeds {
         let options = Options {
-            planner: Some(planner.to_owned()),
+            planner: Some((*planner).to_owned()),
             query: Some(query.to_owned()),
             seed,
             parameters: parameters.clone(),
@@ -128,7 +125,7 @@ fn row(file: &Path, scenario: &Scenario, query: &str, &(name, planner, set): &Ar
         if let Some(out) = arguments.out.as_ref().filter(|_| seed % 10 == 0) {
             std::fs::create_dir_all(out).expect("the folder can be made");
             let stem = file.file_stem().expect("a file has a name").to_string_lossy();
-            let to = out.join(format!("{stem}--{query}--{}--{seed}.json", name.replace([' ', ',', '='], "-")));
+            let to = out.join(format!("{stem}--{query}--{}--{seed}.json", name.replace([' ', ',', '=', ':'], "-")));
             std::fs::write(to, result.to_json()).expect("the result can be written");
         }
     }

@@ -378,6 +378,25 @@ fn an_arc_of_many_turns_is_proven_by_its_first() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn nothing_beyond_reach_is_looked_at() {
+    let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
+    let obstacle = |i: u32| {
+        let center = p(f64::from(i % 40) / 10.0, f64::from(i / 40) / 10.0);
+        Obstacle::Disc(Disc { center, radius: 0.01 })
+    };
+    let is_far = |o: &Obstacle| {
+        let middle = o.aabb();
+        (middle.min.x - 2.0).abs().max((middle.min.y - 2.0).abs()) > 1.3
+    };
+    let obstacles = (0..1600).map(obstacle).filter(is_far).collect();
+    let collision = BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 4.0], obstacles), FRACTION);
+    assert!(collision.is_motion_free(&arc([2.0, 2.0, 0.0], 0.0, 3.0, 100.0)), "turning in place");
+    assert!(collision.is_motion_free(&arc([3.0, 2.0, FRAC_PI_2], 1.0, 1.0, 100.0)), "round a circle");
+    assert!(collision.is_motion_free(&straight([1.2, 1.2, 0.0], [2.8, 2.8, 3.0])));
+    assert_eq!(collision.clearance_evaluations(), 0);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn motions_that_make_no_sense_are_refused_and_long_ones_are_cut_at_the_bounds() {
     let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
     let collision = BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 4.0], vec![]), FRACTION);

@@ -189,7 +189,7 @@ fn a_polygon_of_many_corners_is_cut_up() {
     let n = 600;
     let corner = |i: u32| {
         let (sin, cos) = libm::sincos(std::f64::consts::TAU * f64::from(i) / f64::from(n));
-        let radius = if i % 2 == 0 { 2.0 } else { 1.0 };
+        let radius = if i.is_multiple_of(2) { 2.0 } else { 1.0 };
         p(radius * cos, radius * sin)
     };
     let gear = Polygon::new(&(0..n).map(corner).collect::<Vec<_>>()).expect("a gear");

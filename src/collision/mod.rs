@@ -3,7 +3,8 @@
 //! Obstacles are closed and filled: contact is collision. Bounds are closed: contact with them is allowed.
 //!
 //! **Slack.** Every clearance is compared with `eta` = 1e-12 times the largest coordinate plus the reach. It covers the
-//! rounding of kinematics, midpoints, distances and bounds, below it in all (see `proof/separation.rs`). Nothing is
+//! rounding of kinematics, midpoints, distances and bounds, below it in all (see `proof/separation.rs` for arms,
+//! `proof/body_separation.rs` for bodies). Nothing is
 //! promised about features smaller than `eta`; but for points, a configuration with clearance up to `eta` is in collision.
 //!
 //! **Tolerance.** A stretch that is still unproven when its bound on motion is below `tau` counts as hit: see

@@ -22,11 +22,8 @@ impl Preset {
 
     /// The preset as it is written.
     pub(super) fn node(&self) -> Node {
-        let value = |text| match Value::from_text(text) {
-            Value::Number(number) => Node::Number(number),
-            Value::Boolean(on) => Node::Bool(on),
-            Value::Text(word) => Node::String(word),
-        };
+        // Numbers and truth values read as JSON; a word does not.
+        let value = |text: &str| Node::parse(text).unwrap_or_else(|_| Node::text(text));
         let settings = self.settings.iter().map(|&(name, text)| (name, Some(value(text))));
         Node::object(vec![
             ("id", Some(Node::text(self.id))),

@@ -131,6 +131,7 @@ fn place(shape: &BodyShape, middle: &Middle, places: &mut Vec<Vector>) {
 }
 
 /// Where the stretch begins that refuses the motion, in this order the first; `None` where all is proven.
+#[cfg_attr(target_arch = "wasm32", inline(never))]
 fn prove(setting: &BodySetting, motion: &BodyMotion, order: Order, work: &mut Work) -> Option<f64> {
     let mut proof = Proof::new(setting, motion, order, work);
     let root = Stretch { middle: 0.5, half: 0.5, pairs: (0, 0) };

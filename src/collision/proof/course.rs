@@ -12,8 +12,8 @@ use super::rotation::{turned, unit, unit_and_sinc};
 use crate::collision::BodyMotion;
 use crate::geometry::{Aabb, Point, Vector};
 
-/// A body that turns by more radians than this over half a stretch is held better by how far it reaches.
-const FAST: f64 = 1.5;
+/// A body that turns by more radians than this over half a stretch may be held better by how far it reaches.
+const FAST: f64 = 0.7;
 
 /// A way no longer than this, in metres, has no direction: squares may underflow.
 const SHORTEST: f64 = 1e-150;
@@ -129,17 +129,17 @@ impl Course {
     /// The part of the box within reach of where the frame's origin can be.
     #[cold]
     fn held(&self, swept: Aabb, middle: &Middle, h: f64) -> Aabb {
-        let within = |swept: Aabb, place: Vector, by: f64| Aabb {
-            min: swept.min.sup(&Point::from(place - Vector::new(by, by))),
-            max: swept.max.inf(&Point::from(place + Vector::new(by, by))),
+        let within = |swept: Aabb, place: Vector, x: f64, y: f64| {
+            let by = Vector::new(x + self.reach, y + self.reach);
+            Aabb { min: swept.min.sup(&Point::from(place - by)), max: swept.max.inf(&Point::from(place + by)) }
         };
-        let path = if self.arc == 0.0 { self.way.norm() } else { self.arc.abs() };
-        let swept = within(swept, middle.place, path * h + self.reach);
         if self.arc == 0.0 {
-            return swept;
+            return within(swept, middle.place, middle.go.x.abs(), middle.go.y.abs());
         }
+        let path = self.arc.abs() * h;
+        let swept = within(swept, middle.place, path, path);
         let radius = self.arc / self.turn;
-        within(swept, middle.place + left_of(middle.heading) * radius, radius.abs() + self.reach)
+        within(swept, middle.place + left_of(middle.heading) * radius, radius.abs(), radius.abs())
     }
 }
 

@@ -5,7 +5,8 @@
 //! stretch is halved and looked at again. (Schwarzer, Saha and Latombe 2005, "Adaptive dynamic collision checking for
 //! single and multiple articulated robots in complex environments"; LaValle 2006, "Planning Algorithms", section 5.3.4.)
 //!
-//! [`distance`] is that idea in its simplest form and the oracle of the tests; [`separation`] is the one that planners use.
+//! [`distance`] and [`body_distance`] are that idea in its simplest form and the oracles of the tests; [`separation`] and
+//! [`body_separation`] are the ones that planners use.
 
 pub(super) mod body_distance;
 mod body_pair;

@@ -150,8 +150,22 @@ export interface PlannerInfo {
   summary: string;
   /** How it works, line by line. */
   pseudocode: PseudocodeLine[];
+  /** The types of robots that it plans for. */
+  robots: Robot["type"][];
+  /** Settings with a name. */
+  presets: Preset[];
   /** What can be set. */
   parameters: ParameterInfo[];
+}
+
+/** Settings of a planner that belong together. */
+export interface Preset {
+  /** In kebab-case, distinct within the planner. */
+  id: string;
+  /** Title for people. */
+  title: string;
+  /** Values of parameters; all others keep their defaults. */
+  settings: Record<string, number | string | boolean>;
 }
 
 /** One line of pseudo-code. It is lit by an iteration that has one of its marks; each iteration lights at least one line. */
@@ -192,6 +206,8 @@ export interface ParameterInfo {
   choices?: string[] | null;
   /** What it does. */
   meaning: string;
+  /** The types of robots that it is for; of others it says nothing. */
+  robots: Robot["type"][];
 }
 
 /** A generator, as a page would offer it. */

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import init, { Planner, Scenario, freshSeed, generators, initSync, phases, planners, version } from "planarium";
-import { arm, disc, finish } from "./scenes.mjs";
+import { arm, car, disc, finish } from "./scenes.mjs";
 
 const close = (/** @type {number} */ a, /** @type {number} */ b) => assert.ok(Math.abs(a - b) < 1e-12, `${a} is not ${b}`);
 
@@ -17,10 +17,16 @@ test("in Node the package is ready on import; init and initSync change nothing",
 
 test("planners() lists every planner with complete parameters", () => {
   const list = planners();
-  assert.deepEqual(list.map(({ id }) => id).sort(), ["prm", "prm-star", "rrt", "rrt-connect", "visibility-prm"]);
-  for (const { title, summary, parameters } of list) {
+  assert.deepEqual(list.map(({ id }) => id).sort(), ["prm", "prm-star", "rrt", "rrt-connect", "rrt-control", "sst", "visibility-prm"]);
+  const types = ["arm", "disc", "rigid_body", "car"];
+  for (const { title, summary, parameters, robots, presets } of list) {
     assert.ok(title.length > 0 && summary.length > 0);
     assert.ok(parameters.some(({ name }) => name === "max_iterations"));
+    assert.ok(robots.length > 0 && robots.every((type) => types.includes(type)));
+    for (const preset of presets) {
+      assert.ok(/^[a-z0-9-]+$/.test(preset.id) && preset.title.length > 0);
+      for (const name of Object.keys(preset.settings)) assert.ok(parameters.some((parameter) => parameter.name === name), name);
+    }
     for (const parameter of parameters) {
       assert.match(parameter.name, /^[a-z][a-z_]*$/);
       assert.ok(parameter.title.length > 0 && parameter.meaning.length > 0, parameter.name);
@@ -34,13 +40,13 @@ test("planners() lists every planner with complete parameters", () => {
 });
 
 test("each iteration of every planner lights lines of its pseudo-code", () => {
-  const kinds = ["rejected", "refused", "expanded", "solved", "discarded", "guard"];
-  for (const { id, pseudocode } of planners()) {
+  const kinds = ["rejected", "refused", "expanded", "solved", "discarded", "guard", "removed"];
+  for (const { id, pseudocode, robots } of planners()) {
     assert.ok(pseudocode.length >= 6 && pseudocode.length <= 12, id);
     for (const { text, indent, lit_by } of pseudocode) {
       assert.ok(text.length > 0 && Number.isInteger(indent) && indent >= 0 && Array.isArray(lit_by), id);
     }
-    const planner = Scenario.parse(arm).planner({ algorithm: id, seed: 1, max_iterations: 800 });
+    const planner = Scenario.parse(robots.includes("arm") ? arm : car).planner({ algorithm: id, seed: 1, max_iterations: 800 });
     while (planner.status === "running") {
       const { phase, vertexCount, edgeCount, eventCount } = planner;
       planner.step(1);
@@ -58,10 +64,12 @@ test("each iteration of every planner lights lines of its pseudo-code", () => {
 });
 
 test("every parameter of every planner takes its default, its choices and its ends, unless the scenario narrows them", () => {
-  const scenario = Scenario.parse(arm);
-  for (const { id, parameters } of planners()) {
-    for (const { name, min, max, default: value, choices } of parameters) {
+  for (const { id, parameters, robots: all } of planners()) {
+    for (const { name, min, max, default: value, choices, robots } of parameters) {
+      const scenario = Scenario.parse(all.includes("arm") && robots.includes("arm") ? arm : car);
       for (const setting of [value, ...(choices ?? [])]) {
+        // Visibility is mutual, and a car without a reverse gear cannot drive back.
+        if (id === "visibility-prm" && setting === "dubins") continue;
         if (setting !== null) assert.equal(scenario.planner({ algorithm: id, [name]: setting }).iterations, 0, `${id} ${name} = ${setting}`);
       }
       for (const [inside, outside] of [[min, -1], [max, 1]]) {

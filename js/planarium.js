@@ -33,7 +33,6 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").GeneratorInfo} GeneratorInfo */
 /** @typedef {import("./types.js").OptionInfo} OptionInfo */
 /** @typedef {import("./types.js").PlannerOptions} PlannerOptions */
-/** @typedef {import("./types.js").Preset} Preset */
 /** @typedef {import("./types.js").PseudocodeLine} PseudocodeLine */
 /** @typedef {import("./types.js").PseudocodeMark} PseudocodeMark */
 /** @typedef {import("./types.js").QueryOptions} QueryOptions */

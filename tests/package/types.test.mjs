@@ -52,7 +52,7 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   const { free, touching }: Check = scenario.check(q);
   const names: (number | "bounds")[] = touching.map((pair: Touching) => pair.obstacle);
   const parts: Part[] = scenario.footprint(new Float64Array(2));
-  const radii: number[] = parts.map((part) => part.type === "polygon" ? part.vertices[0][0] : (part.type === "capsule" ? part.a[0] : part.center[0]) + part.radius);
+  const radii: number[] = parts.map((part) => part.type === "polygon" ? part.vertices[0]?.[0] ?? 0 : (part.type === "capsule" ? part.a[0] : part.center[0]) + part.radius);
   const box: Box = scenario.extent();
   const tip: Point = scenario.endEffector(q);
   const tips: Float64Array = scenario.endEffectors(new Float64Array(4));

@@ -79,6 +79,16 @@ export const LESSONS = [
       { scene: "trap", algorithm: "rrt-connect", settings: { step: 0.1, seed: 5 }, text: "In the bug trap two trees are only twice as quick as one: somebody still has to find the mouth." },
     ],
   },
+  {
+    id: "wheels", title: "What wheels can do",
+    steps: [
+      { scene: "turn", text: "A car goes where its wheels point. Its edges are Reeds-Shepp curves: the shortest there are, forward and backward." },
+      { settings: { steering: "dubins", max_iterations: 250 }, text: "Without a reverse gear, along Dubins curves, the same tree never gets round: the road is too narrow." },
+      { scene: "blossom", settings: { blossom: 1 }, iteration: 1857, text: "Or nobody computes curves: a control drawn by chance is held for a while. With one try each it takes 1,857 iterations." },
+      { settings: { blossom: 3 }, text: "With three tries, of which the one that comes closest to the sample stays, 296 iterations do." },
+      { settings: { blossom: 5 }, iteration: 1073, text: "Five tries cost more than they help here: 1,073 iterations. But the path is a little shorter." },
+    ],
+  },
 ];
 
 /**

@@ -97,6 +97,18 @@ export const SCENES = [
     story: "Neither leg of the L fits through with the other: it must turn while it goes through.",
   },
   {
+    id: "blossom", title: "A tree of drives", algorithm: "rrt-control", pace: 22, settings: { blossom: 3, seed: 1 },
+    story: "At each vertex three controls are tried; the drive that comes closest to the sample stays.",
+    generate: { kind: "clutter", options: { robot: "car", count: 10, seed: 1 } },
+    sliders: [{ option: "count", title: "Stones", min: 0, max: 14, step: 1, unit: "" }, { option: "seed", title: "Other places", min: 0, max: 30, step: 1, unit: "" }],
+  },
+  {
+    id: "witness", title: "Only the best stays", algorithm: "sst", pace: 140, settings: { seed: 2 },
+    story: "Near each place only the cheapest drive is kept: what is worse is taken away again.",
+    generate: { kind: "clutter", options: { robot: "car", count: 10, seed: 3 } },
+    sliders: [{ option: "count", title: "Stones", min: 0, max: 14, step: 1, unit: "" }, { option: "seed", title: "Other places", min: 0, max: 30, step: 1, unit: "" }],
+  },
+  {
     id: "parking", title: "Parking", algorithm: "rrt", pace: 12, settings: { step: 0.1, seed: 0 },
     story: "Each edge is a curve that the wheels can roll; to get in, the car must shunt.",
   },

@@ -30,9 +30,9 @@ const isJoined = (run) => {
   return piece[0] === piece[1];
 };
 
-test("six lessons of up to five short steps, each of which plays", () => {
-  assert.equal(LESSONS.length, 6);
-  assert.equal(new Set(LESSONS.map(({ id }) => id)).size, 6);
+test("seven lessons of up to five short steps, each of which plays", () => {
+  assert.equal(LESSONS.length, 7);
+  assert.equal(new Set(LESSONS.map(({ id }) => id)).size, 7);
   for (const lesson of LESSONS) {
     assert.ok(lesson.title.length > 0 && lesson.title.length <= 30 && lesson.steps.length >= 3 && lesson.steps.length <= 5, lesson.id);
     assert.ok(lesson.steps[0].scene, lesson.id);
@@ -216,5 +216,23 @@ describe("trees", () => {
     assert.ok(runs[1].result.length < runs[0].result.length);
     const alone = ran(open(sceneOf("trap")), "rrt", sceneOf("trap").settings).iterations;
     assert.ok(alone / trap > 1.8 && alone / trap < 2.2, `${alone} ${trap}`);
+  });
+});
+
+describe("wheels", () => {
+  test("with a reverse gear the car gets round, without it does not, within ten times as much room to try", () => {
+    assert.equal(shown("wheels", 1).status, "solved");
+    const forward = shown("wheels", 2);
+    assert.deepEqual([forward.status, forward.iterations], ["exhausted", 250]);
+    for (let seed = 0; seed < 4; seed++) {
+      const { status } = ran(open(sceneOf("turn")), "rrt", { ...sceneOf("turn").settings, steering: "dubins", seed, max_iterations: 2500 });
+      assert.equal(status, "exhausted", `seed ${seed}`);
+    }
+  });
+
+  test("a blossom of three needs the fewest iterations, one of five the shorter path of the two", () => {
+    const [one, three, five] = [3, 4, 5].map((at) => shown("wheels", at));
+    assert.deepEqual([one, three, five].map(({ status, iterations }) => [status, iterations]), [["solved", 1857], ["solved", 296], ["solved", 1073]]);
+    assert.ok(five.result.length < three.result.length && three.result.length < one.result.length);
   });
 });

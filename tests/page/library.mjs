@@ -48,6 +48,14 @@ export function isFree(scenario, path) {
   return path.every((q, i) => scenario.check(q).free && (i === 0 || scenario.firstHit(path[i - 1], q) === null));
 }
 
+/** Whether every motion of a car's path is proven free again, one control after the other, and leads to the next waypoint. @param {Scenario} scenario @param {import("planarium").ResultDocument} result */
+export function isDriven(scenario, { path, motions = [] }) {
+  return motions.length === path.length - 1 && motions.every(({ control: [v, phi], duration }, i) => {
+    const { poses, blocked } = scenario.rollout(path[i], v, phi, duration);
+    return blocked === null && scenario.distance(poses.slice(-3), path[i + 1]) < 1e-6;
+  });
+}
+
 /** The number of the piece of the graph that each vertex is in. @param {{ vertices: number[][], edges: number[][] }} run */
 export function pieces({ vertices, edges }) {
   const piece = vertices.map((_, i) => i);

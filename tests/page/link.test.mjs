@@ -104,7 +104,7 @@ describe("there and back", () => {
     await onPausedPage(async (page, url) => {
       for (const [i, { id }] of SCENES.entries()) {
         if (i > 0) await chooseScene(page, id);
-        await seek(page, 11 + 7 * i);
+        await seek(page, 11 + 3 * i);
         const experiment = await roundTrip(page, url, id);
         assert.equal(experiment.scene, id);
         assert.equal(experiment.document, undefined);

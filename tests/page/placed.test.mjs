@@ -11,7 +11,7 @@ import { View } from "../../www/stage/view.js";
 import { journeyOf } from "../../www/worker/journey.js";
 import { Run } from "../../www/worker/run.js";
 import { ending } from "../../www/worker/story.js";
-import { atRest, chooseScene, counters, finish, onPausedPage, pickFile, pixelsOf, root, start, stop, violations } from "./browser.mjs";
+import { atRest, chooseScene, counters, finish, growthHash, onPausedPage, pickFile, pixelsOf, root, start, stop, violations } from "./browser.mjs";
 
 /** @import { ScenarioDocument } from "planarium" */
 /** @import { Page } from "./browser.mjs" */
@@ -50,7 +50,7 @@ function apart(a, b) {
 
 describe("edges and ways of cars", () => {
   test("an edge is drawn from its first vertex to its second, in pieces no longer than the eye can see, all of it free", () => {
-    for (const id of ["parking", "turn", "lanes"]) {
+    for (const id of ["blossom", "witness", "parking", "turn", "lanes"]) {
       const { run, scenario } = ended(id);
       assert.ok(run.traces.count > run.edges.count, id);
       for (let e = 0; e < run.edges.count; e++) {
@@ -69,11 +69,12 @@ describe("edges and ways of cars", () => {
   });
 
   test("what a driver does along an edge leads from its first vertex to its second", () => {
-    const { run, placed } = ended("parking");
+    const { run, placed } = ended("blossom");
     for (let e = 0; e < run.edges.count; e++) {
       const [from, to] = run.edges.row(e);
       const motions = run.motionsOf(e);
-      let at = Float64Array.from(run.vertices.row(from));
+      /** @type {Float64Array} */
+      let at = run.vertices.row(from);
       for (let i = 0; i < motions.length; i += 3) at = placed.after(at, motions.slice(i, i + 3), 1);
       assert.ok(apart(at, run.vertices.row(to)) < 1e-6, `edge ${e}`);
     }
@@ -82,7 +83,7 @@ describe("edges and ways of cars", () => {
   });
 
   test("the way of a car passes its waypoints by exact arcs, with its wheels as they are steered, as long as the result says", () => {
-    for (const id of ["parking", "lanes"]) {
+    for (const id of ["blossom", "parking", "lanes"]) {
       const { run, scenario, placed } = ended(id);
       const journey = journeyOf(scenario, run, placed);
       assert.ok(journey?.course);
@@ -137,7 +138,7 @@ async function open(page, document) {
 const BOX = { min: /** @type {[number, number]} */ ([-1, -1]), max: /** @type {[number, number]} */ ([1, 1]) };
 
 describe("on the stage", () => {
-  for (const { id } of SCENES.filter((scene) => ["crates", "corner", "parking", "turn", "lanes"].includes(scene.id))) {
+  for (const { id } of SCENES.filter((scene) => ["crates", "corner", "blossom", "witness", "parking", "turn", "lanes"].includes(scene.id))) {
     test(`${id}: the run of the page is the core's, and its path ends at the goal`, async () => {
       await onPausedPage(async (page) => {
         await chooseScene(page, id);
@@ -192,17 +193,23 @@ describe("on the stage", () => {
 
   test("what is pointed at on an edge tells its control, and shows all that the car passes over", async () => {
     await onPausedPage(async (page) => {
-      await chooseScene(page, "turn");
+      await chooseScene(page, "blossom");
       await finish(page);
-      const { run } = ended("turn");
-      // A place in the middle of an edge, far from every vertex.
+      const { run, scenario } = ended("blossom");
+      // A place on the middle of an edge, far from every vertex and from every other edge.
       const vertices = run.vertices.slice(0, run.vertices.count);
-      const found = Array.from({ length: run.traces.count }, (_, i) => run.traces.row(i).slice()).find(([, x, y]) => {
-        for (let v = 0; v < vertices.length; v += 3) if (Math.hypot(vertices[v] - x, vertices[v + 1] - y) < 0.05) return false;
-        return true;
+      /** @type {number[][]} */
+      const middles = Array.from({ length: run.edges.count }, (_, e) => {
+        const rows = run.along(e);
+        const at = 3 * Math.floor((rows.length / 3 - 1) / 2);
+        return [e, ...scenario.interpolate(rows.slice(at, at + 3), rows.slice(at + 3, at + 6), 0.5)];
+      });
+      const found = middles.find(([e, x, y]) => {
+        for (let v = 0; v < vertices.length; v += 3) if (Math.hypot(vertices[v] - x, vertices[v + 1] - y) < 0.07) return false;
+        return middles.every(([other, ox, oy]) => other === e || Math.hypot(ox - x, oy - y) > 0.07);
       });
       assert.ok(found);
-      const at = await plane(page, "workspace", { min: [0, 0], max: [1.5, 0.9] });
+      const at = await plane(page, "workspace", { min: [0, 0], max: [2, 2] });
       const before = await pixelsOf(page, "workspace", "top", "newest");
       await page.mouse.move(...at(found[1], found[2]));
       await page.waitForFunction(() => /^Edge \d+, from vertex \d+ to \d+\. Controls?: v /.test(document.getElementById("readout")?.textContent ?? ""));
@@ -212,6 +219,44 @@ describe("on the stage", () => {
       await page.fill("#inspect", String(vertex));
       await page.mouse.move(5, 5);
       await page.waitForFunction((number) => new RegExp(`^Vertex ${number} at .* \\(m, m, rad\\)\\. Parent \\d+, .* Controls?: v `).test(document.getElementById("readout")?.textContent ?? ""), vertex);
+      run.free();
+    });
+  });
+
+  test("what was removed is gone, and comes back where one goes back to when it was there: to the pixel", async () => {
+    await onPausedPage(async (page) => {
+      await chooseScene(page, "witness");
+      const picture = async () => [await growthHash(page, "workspace"), await growthHash(page, "cspace")];
+      const goTo = async (/** @type {string} */ iteration) => {
+        await page.fill("#time", iteration);
+        await page.press("#time", "Enter");
+        await atRest(page);
+      };
+      for (let i = 0; i < 12; i++) await page.click("#step-100");
+      assert.equal((await atRest(page)).iterations, 1200);
+      const stepped = await picture();
+      const { run } = ended("witness");
+      run.shown = 1200;
+      assert.ok(run.removedBy(run.past[2]) > 10, "some are removed by then");
+      await finish(page);
+      const end = await picture();
+      await goTo("1200");
+      assert.deepEqual(await picture(), stepped, "back from the end");
+      await goTo("300");
+      await goTo("1200");
+      assert.deepEqual(await picture(), stepped, "on from before");
+      await page.click("#reset");
+      await atRest(page);
+      await goTo("1200");
+      assert.deepEqual(await picture(), stepped, "at once");
+      await goTo("1951");
+      assert.deepEqual(await picture(), end);
+      const gone = [...run.gone].find(([, event]) => event < run.past[2])?.[0] ?? -1;
+      await goTo("1200");
+      await page.click("#view-fold > summary");
+      await page.fill("#inspect", String(gone));
+      await page.waitForTimeout(200);
+      assert.equal(await page.getAttribute("#readout", "data-vertex"), null, "what is gone cannot be pointed at");
       run.free();
     });
   });

@@ -87,7 +87,7 @@ test("the nearest of 20,000 vertices is that of the slow way, and quick to find"
   const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
   const points = Float64Array.from({ length: 40_000 }, () => 700 * random() - 20);
   const pane = { pixels: (/** @type {Float64Array} */ rows) => rows };
-  const run = { dimension: 2, vertices: { width: 2, count: 20_000, slice: (/** @type {number} */ first, /** @type {number} */ end) => points.subarray(2 * first, 2 * end) } };
+  const run = { vertices: { count: 20_000, slice: (/** @type {number} */ first, /** @type {number} */ end) => points.subarray(2 * first, 2 * end) } };
   const places = new Places(/** @type {never} */ (pane), /** @type {never} */ (run));
   places.nearest(0, 0, 1);
   let found = 0;

@@ -6,7 +6,7 @@ import { describe, test } from "node:test";
 import { planners } from "planarium";
 import { root } from "../../scripts/run.mjs";
 import { SCENES, optionsAt } from "../../www/scenes.js";
-import { isFree, open, pieces, ran, sceneOf } from "./library.mjs";
+import { isDriven, isFree, open, pieces, ran, sceneOf } from "./library.mjs";
 
 /** A scene at work as the page opens it. @param {string} id @param {import("../../www/types.js").Settings} [changed] @param {Record<string, number>} [positions] @param {number} [iterations] */
 function played(id, changed = {}, positions = {}, iterations = Infinity) {
@@ -56,14 +56,17 @@ for (const entry of SCENES) {
   });
 
   test(`${entry.id}: it grows for 3 to 25 seconds at its pace, and ends as it should`, () => {
-    const { scenario, status, path, iterations } = played(entry.id);
+    const { scenario, status, path, iterations, result } = played(entry.id);
     const seconds = iterations / entry.pace;
     assert.ok(seconds >= 3 && seconds <= 25, `${seconds} s`);
     assert.equal(status, entry.id === "locked" ? "exhausted" : "solved");
     if (status !== "solved") return;
-    const { start, goal } = scenario.document().queries[0];
-    assert.ok(scenario.distance(path[0], start) < 1e-9 && scenario.distance(path[path.length - 1], goal) < 1e-9);
-    assert.equal(isFree(scenario, path), entry.id !== "veil");
+    const { start, goal, goal_tolerance: near } = scenario.document().queries[0];
+    const end = path[path.length - 1];
+    assert.ok(scenario.distance(path[0], start) < 1e-9);
+    if (near) assert.ok(Math.hypot(end[0] - goal[0], end[1] - goal[1]) <= near.translation && Math.abs(turnBetween(end[2], goal[2])) <= near.rotation);
+    else assert.ok(scenario.distance(end, goal) < 1e-9);
+    assert.equal(scenario.robot === "car" ? isDriven(scenario, result) : isFree(scenario, path), entry.id !== "veil");
   });
 }
 
@@ -103,7 +106,34 @@ describe("sliders", () => {
   });
 });
 
+/** From one direction to another, the short way round. @param {number} from @param {number} to */
+function turnBetween(from, to) { return Math.atan2(Math.sin(to - from), Math.cos(to - from)); }
+
 describe("what the stories promise", () => {
+  test("corner: the L does not fit through the gap as it stands, nor with any one heading", () => {
+    const scenario = open(sceneOf("corner"));
+    for (let theta = -Math.PI; theta < Math.PI; theta += 0.02) {
+      // Straight through, at any height: somewhere it touches.
+      const passes = Array.from({ length: 160 }, (_, i) => i / 100).some((y) => {
+        for (let x = 0.5; x <= 1.9; x += 0.02) if (!scenario.check([x, y, theta]).touching.every(({ obstacle }) => obstacle === "bounds")) return false;
+        return true;
+      });
+      assert.equal(passes, false, `${theta}`);
+    }
+  });
+
+  test("parking and turn: the car goes forward and backward", () => {
+    for (const id of ["parking", "turn"]) {
+      const ways = new Set((played(id).result.motions ?? []).map(({ control: [v] }) => Math.sign(v)));
+      assert.ok(ways.has(1) && ways.has(-1), id);
+    }
+  });
+
+  test("witness: what is worse is taken away again", () => {
+    const { events } = played("witness");
+    assert.ok(events.filter(([kind]) => kind === 6).length > 50);
+  });
+
   test("open: the tree reaches for the emptiest places first, then fills in", () => {
     const { scenario, vertices, edges } = played("open");
     const early = vertices.slice(2, 82);

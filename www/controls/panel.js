@@ -8,12 +8,15 @@ import { Field } from "./field.js";
 /** @import { OptionInfo, ParameterInfo, Plan, PlannerInfo, Settings } from "../types.js" */
 
 /** Parameters worth a place of their own; the others stand under "More parameters". */
-export const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "goal_bias", "sampler", "seed"]);
+export const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "blossom", "goal_bias", "sampler", "seed"]);
 
 /** How the others are grouped, in this order; what no group names comes last. @type {[string, string[]][]} */
 const GROUPS = [
   ["Samples", ["insertion", "discard", "spread", "goal_every"]],
-  ["Edges", ["radius", "extend", "metric", "edge_check", "edge_samples", "tolerance"]],
+  ["Controls", ["controls", "duration_steps", "shortest_steps", "near_goal_steps", "blocked", "integration"]],
+  ["Tree", ["nearest", "once", "goal_test", "selection_radius", "pruning_radius", "improve_iterations"]],
+  ["Later on", ["late_duration_steps", "late_goal_every"]],
+  ["Edges", ["radius", "extend", "metric", "steering", "edge_check", "edge_samples", "tolerance"]],
   ["Search", ["search", "cost", "heuristic"]],
   ["Path, once found", ["reduce", "shortcut", "partial_shortcut"]],
 ];
@@ -46,7 +49,7 @@ export class Panel {
     /** The robot on the stage: planners and parameters that are not for it are not offered. */
     this.robot = "arm";
     this.preset = make("select", { id: "preset" });
-    this.presetRow = make("label", { className: "row field", htmlFor: "preset" }, make("span", { className: "name" }, "Settings"), this.preset);
+    this.presetRow = make("label", { className: "row", htmlFor: "preset" }, make("span", { className: "name" }, "Settings"), this.preset);
     this.preset.addEventListener("change", () => {
       const { seed } = this.given;
       this.given = { ...(seed === undefined ? {} : { seed }), ...this.presets.find(({ id }) => id === this.preset.value)?.settings };
@@ -68,11 +71,8 @@ export class Panel {
     return !robots?.length || robots.includes(this.robot);
   }
 
-  /** Settings of the planner that have a name. @returns {{ id: string, title: string, settings: Settings }[]} */
-  get presets() {
-    const info = /** @type {{ presets?: { id: string, title: string, settings: Settings }[] } | undefined} */ (this.infos.find(({ id }) => id === this.planner.value));
-    return info?.presets ?? [];
-  }
+  /** Settings of the planner that have a name. */
+  get presets() { return this.infos.find(({ id }) => id === this.planner.value)?.presets ?? []; }
 
   /** A choice of them, where there are some: what they do not say is at its default, but for the seed. */
   offerPresets() {

@@ -73,7 +73,9 @@ export class Race {
 
   /** @param {Plan} plan */
   enter(plan) {
-    const rival = new Rival(this.page.panel.infos, plan, { change: () => this.page.plan(), remove: () => this.drop(rival) });
+    const { panel } = this.page;
+    const fits = (/** @type {object} */ info) => panel.fits(info);
+    const rival = new Rival(panel.infos.filter(fits), fits, plan, { change: () => this.page.plan(), remove: () => this.drop(rival) });
     this.rivals.push(rival);
     this.list.append(rival.element);
   }

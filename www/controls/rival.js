@@ -8,12 +8,14 @@ import { FIRST, groupsOf, withSeed } from "./panel.js";
 
 export class Rival {
   /**
-   * @param {PlannerInfo[]} infos
+   * @param {PlannerInfo[]} infos   those that are for the robot on the stage
+   * @param {(info: object) => boolean} fits   is a parameter for it, too
    * @param {Plan} plan   settings that its planner does not know are kept for one that does
    * @param {{ change: () => void, remove: () => void }} then
    */
-  constructor(infos, { algorithm, settings }, then) {
+  constructor(infos, fits, { algorithm, settings }, then) {
     this.infos = infos;
+    this.fits = fits;
     this.change = then.change;
     /** @type {Settings} */
     this.given = { ...settings };
@@ -49,8 +51,8 @@ export class Rival {
 
   build() {
     const info = this.infos.find(({ id }) => id === this.planner.value) ?? this.infos[0];
-    this.fields = withSeed(info.parameters).map((parameter) => {
-      const one = parameter.name === "seed" ? { ...parameter, default: null, default_meaning: "the seed of A" } : parameter;
+    this.fields = withSeed(info.parameters).filter(this.fits).map((parameter) => {
+      const one = parameter.name === "seed" ? { ...parameter, default: null, default_meaning: "the seed of A", robots: [] } : parameter;
       const field = new Field(one, this.given[one.name] ?? one.default, () => {
         const { value } = field;
         if (value === undefined) delete this.given[one.name];

@@ -291,7 +291,7 @@ export class Growth {
       ends.set(run.vertices.row(data[i * width + 2]), k * 2 * n);
       ends.set(other >= 0 ? run.vertices.row(other) : data.subarray(i * width + 4, i * width + 4 + n), k * 2 * n + n);
     });
-    const hits = run.planner.firstHits(ends);
+    const hits = run.isDriven ? new Float64Array(which.length).fill(1) : run.planner.firstHits(ends);
     const { points, firsts } = this.pane.lines(shortened(ends, n, hits, run.circles), run.circles);
     which.forEach((i, k) => lines.set(i, points.slice(2 * firsts[k], 2 * firsts[k + 1])));
     return lines;

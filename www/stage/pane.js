@@ -54,8 +54,6 @@ export class Pane {
     this.flashes = null;
     /** @type {Places | null} */
     this.found = null;
-    /** @type {Places | null} */
-    this.passed = null;
   }
 
   // What a kind of pane must say of itself.
@@ -119,7 +117,7 @@ export class Pane {
   /** What was made for another layout or run. */
   forget() {
     this.glow.clear();
-    this.pathLines = this.rawLines = this.flashes = this.found = this.passed = null;
+    this.pathLines = this.rawLines = this.flashes = this.found = null;
   }
 
   /** Where vertices are; none while there is no run or no room. @returns {Places | null} */
@@ -128,14 +126,6 @@ export class Pane {
     if (!run || !this.view) return null;
     if (this.found?.run !== run) this.found = new Places(this, run);
     return this.found;
-  }
-
-  /** Where edges pass that are no straight lines. @returns {Places | null} */
-  get passages() {
-    const run = this.lane?.run;
-    if (!run || !this.view || run.traces.count === 0) return null;
-    if (this.passed?.run !== run) this.passed = new Places(this, run, "traces");
-    return this.passed;
   }
 
   /** Has everything that is shown been inked? */

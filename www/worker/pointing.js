@@ -3,18 +3,24 @@
  * pose; or a vertex chosen by its number, for those without a pointer. Found anew each frame, so that it is true of the
  * iteration that is shown.
  */
+import { Passages } from "../stage/passages.js";
 import { Grip } from "./grip.js";
 import { lengthText, touchingSentence } from "./names.js";
 import { PAST } from "./run.js";
 
 /** @import { CSpace } from "../stage/cspace.js" */
 /** @import { Place } from "../stage/stage.js" */
+/** @import { View } from "../stage/view.js" */
 /** @import { Hover, Lane } from "./lane.js" */
 /** @import { Run } from "./run.js" */
 
 export class Pointing {
   constructor() {
     this.grip = new Grip();
+    /** Where edges pass on the pane that was pointed at last, and its view. @type {Passages | null} */
+    this.passages = null;
+    /** @type {View | null} */
+    this.laid = null;
     /** Where the pointer hovers, pixels of the pane. @type {{ place: Place, x: number, y: number } | null} */
     this.at = null;
     /** The vertex chosen by its number, -1: none. */
@@ -51,13 +57,11 @@ export class Pointing {
 
   /** An edge that is no straight line, where the pointer is upon it. @param {Run} run @param {{ place: Place, x: number, y: number }} at */
   passing(run, { place: { pane }, x, y }) {
-    const { data, width } = run.traces;
-    const isThere = (/** @type {number} */ row) => {
-      const edge = data[row * width];
-      return edge < run.past[PAST.edges] && run.isThere(run.edges.data[2 * edge + 1]);
-    };
-    const row = pane.passages?.nearest(x, y, run.traces.count, isThere) ?? -1;
-    return row < 0 ? null : { vertex: -1, edge: data[row * width], pose: data.slice(row * width + 1, (row + 1) * width) };
+    if (run.traces.count === 0 || !pane.view) return null;
+    // A new layout makes the places anew, a new run too.
+    if (this.passages?.run !== run || this.laid !== pane.view) [this.passages, this.laid] = [new Passages(pane, run), pane.view];
+    const found = this.passages.find(x, y, run.past[PAST.edges], (edge) => run.isThere(run.edges.data[2 * edge + 1]));
+    return found && { vertex: -1, ...found };
   }
 
   /** The pose at a point of the square: of two joints, or of two with the others held as the slice holds them. @param {Lane} lane @param {{ place: Place, x: number, y: number }} at */

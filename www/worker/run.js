@@ -68,7 +68,9 @@ export class Run {
     this.kin = new Kin(this);
     this.frontier = new Frontier(this, this.kin);
     /** What grows. @type {"roadmap" | "tree" | "trees"} */
-    this.kind = algorithm === "rrt-connect" ? "trees" : algorithm.startsWith("rrt") ? "tree" : "roadmap";
+    this.kind = algorithm === "rrt-connect" ? "trees" : algorithm.startsWith("rrt") || algorithm === "sst" ? "tree" : "roadmap";
+    /** Is it driven by controls, so that what was refused has no straight motion to be looked at again? */
+    this.isDriven = algorithm === "rrt-control" || algorithm === "sst";
     this.isTree = this.kind !== "roadmap";
     /** Are its edges proven free, or only looked at in places? */
     this.isProven = settings.edge_check !== "sampled" && settings.integration !== "euler";

@@ -270,6 +270,15 @@ test("a roadmap of a body is kept and gone on with", () => {
   assert.deepEqual([resumed.status, resumed.path()], ["solved", planner.path()]);
 });
 
+test("a roadmap of a car is not kept: no format says along which curves it was built", () => {
+  const scenario = Scenario.parse(car);
+  const planner = scenario.planner({ algorithm: "prm", samples: 20 });
+  planner.step(30);
+  for (const format of /** @type {const} */ (["json", "binary", "graphml"])) fails(() => planner.roadmap(format), "unsupported", "", /this robot/);
+  const other = finish(Scenario.parse(body).planner({ algorithm: "prm", samples: 20 })).roadmap("binary");
+  fails(() => scenario.resume(other), "unsupported", "", /along which curves/);
+});
+
 test("planners() says which robots each planner and each parameter is for; the others are refused by name", () => {
   const types = /** @type {(keyof typeof scenes)[]} */ (Object.keys(scenes));
   for (const { id, robots, parameters } of planners()) {

@@ -57,13 +57,14 @@ fn main() {
             }
         }
         let (runs, solved, mean) = (times.len(), lengths.len(), times.iter().sum::<f64>() / times.len() as f64);
-        let [(half, most), (few, many), (length, _)] = [&mut times, &mut motions, &mut lengths].map(quantiles);
+        let [(half, most), (few, many), (length, _)] =
+            [&mut times, &mut motions, &mut lengths].map(|values| quantiles(values));
         println!("| {line} | {solved} of {runs} | {half:.2} | {most:.2} | {mean:.2} | {few} | {many} | {length:.2} |");
     }
 }
 
 /// The median, and what 95 of 100 do not exceed.
-fn quantiles(values: &mut Vec<f64>) -> (f64, f64) {
+fn quantiles(values: &mut [f64]) -> (f64, f64) {
     values.sort_by(f64::total_cmp);
     let at = |part: f64| values.get(((values.len() as f64 - 1.0) * part) as usize).copied().unwrap_or(f64::NAN);
     (at(0.5), at(0.95))

@@ -36,8 +36,8 @@ export function makePlanner(raw) {
  * One run of one planner. It does nothing by itself: each `step` makes some iterations, and whoever watches asks for
  * what is new since a cursor. How the iterations are cut into steps never changes the result.
  *
- * Vertices, edges and events are only ever added. Vertex 0 is the start, vertex 1 the goal (of `rrt` too, whose tree it
- * joins only when it is reached).
+ * Vertices, edges and events are only ever added; what leaves a tree is told by an event. Vertex 0 is the start, vertex 1 the
+ * goal (of `rrt` too, whose tree it joins only when it is reached); where a car is driven by controls, the goal is no vertex.
  */
 export class Planner {
   /** @type {Handle<RawPlanner>} */
@@ -210,7 +210,8 @@ export class Planner {
   }
 
   /**
-   * The edges from a row on: rows of two vertex numbers, (parent, child) in trees. A fresh copy, yours to keep.
+   * The edges from a row on: rows of two vertex numbers, (parent, child) in trees; where a car drives forwards only
+   * (`steering: "dubins"`), in the direction of the drive. A fresh copy, yours to keep.
    * @param {number} row  an integer from 0 to `edgeCount`
    * @returns {Uint32Array}
    */
@@ -248,6 +249,7 @@ export class Planner {
    * - 3: a solution was found; the vertex is where
    * - 4: a free sample was thrown away, as it connects to nothing, or to nothing new
    * - 5: the vertex became a guard of a visibility roadmap
+   * - 6: the vertex and the edge that leads to it were taken out of the tree (`sst`); its number is not used again
    * @param {number} row  an integer from 0 to `eventCount`
    * @returns {Float64Array}
    */
@@ -257,7 +259,7 @@ export class Planner {
 
   /**
    * The path: rows of `dimension` numbers, empty until solved. Between rows motion is linear, circles the short way
-   * round, and no step turns a joint by more than 3 rad.
+   * round, and no step turns a joint by more than 3 rad; a car drives the `motions` of `result()`, one from each row to the next.
    * @returns {Float64Array}
    */
   path() {

@@ -48,10 +48,10 @@ export class Scenario {
   /**
    * Makes a scenario from a seed; the same kind and options always make the same scenario. `generators()` tells all; in short:
    * - `forest`: an arm among triangles (`links`);
-   * - `clutter`: a disc or an arm among convex polygons (`robot`, `links`, `radius`, `count`, `smallest`, `largest`, `gap`);
+   * - `clutter`: a disc, an arm, a body or a car among convex polygons (`robot`, `links`, `radius`, `count`, `smallest`, `largest`, `gap`);
    * - `discs`: the same among discs, and `placement` says whether they stand `"apart"` or are `"overlapping"`;
    * - `maze`: a disc in a maze that always has a path (`difficulty`, `radius`, `thickness`);
-   * - `gap`: a disc or an arm before a wall with one gap (`robot`, `links`, `radius`, `width`, `thickness`);
+   * - `gap`: a disc, an arm, a body or a car before a wall with one gap (`robot`, `links`, `radius`, `width`, `thickness`);
    * - `bug-trap`: a disc in a pocket whose mouth is turned inwards (`radius`, `mouth`, `start`, `turn`).
    * @param {GeneratorId} kind
    * @param {GenerateOptions} [options]
@@ -142,7 +142,7 @@ export class Scenario {
   }
 
   /**
-   * The point that a picture of the workspace plots for a configuration: an arm's tip, a disc's centre.
+   * The point that a picture of the workspace plots for a configuration: an arm's tip, a disc's centre, (x, y) of a body or a car.
    * @param {Configuration} q
    * @returns {[number, number]}
    */
@@ -167,7 +167,7 @@ export class Scenario {
   }
 
   /**
-   * The configuration at the fraction `t` of the motion from `a` to `b`; circles go the short way round.
+   * The configuration at the fraction `t` of the straight motion from `a` to `b`; circles go the short way round.
    * @param {Configuration} a
    * @param {Configuration} b
    * @param {number} t  from 0 to 1
@@ -189,8 +189,8 @@ export class Scenario {
   }
 
   /**
-   * Where the motion from `a` to `b` is first refused: the fraction at which the first stretch begins that could not
-   * be proven free. All before it is proven. `null` means the whole motion is proven free.
+   * Where the straight motion from `a` to `b` is first refused: the fraction at which the first stretch begins that could not
+   * be proven free. All before it is proven. `null` means the whole motion is proven free. A car's own ways are asked by `rollout`.
    * @param {Configuration} a
    * @param {Configuration} b
    * @returns {number | null}
@@ -236,7 +236,8 @@ export class Scenario {
    * @param {PlannerOptions} [options]
    * @returns {Planner}
    * @throws {PlanariumError} `unknown-planner`, `unknown-query`, `unknown-parameter`, `out-of-range`,
-   *   `start-in-collision`, `goal-in-collision` (the message names what touches what)
+   *   `start-in-collision`, `goal-in-collision` (the message names what touches what); `unsupported` where the planner is not for
+   *   the robot, or the car cannot follow the curves of `steering`; `missing-field` where a car by controls has no `goal_tolerance`
    */
   planner(options) {
     return this.#handle.call((raw) => makePlanner(raw.planner(argument.optionsText(options))));

@@ -6,8 +6,9 @@
 export type Status = "running" | "solved" | "exhausted";
 
 /**
- * What a planner is at. `prm` and `prm-star`: sampling, connecting, searching; `visibility-prm`: guarding, searching; `rrt` and
- * `rrt-connect`: growing; a roadmap gone on with: connecting, searching. Then improving, where that is asked for, and done.
+ * What a planner is at. `prm` and `prm-star`: sampling, connecting, searching; `visibility-prm`: guarding, searching; `rrt`,
+ * `rrt-connect`, `rrt-control` and `sst`: growing; a roadmap gone on with: connecting, searching. Then improving, where that is
+ * asked for (`sst` by growing on), and done.
  */
 export type Phase = "sampling" | "connecting" | "guarding" | "searching" | "growing" | "improving" | "done";
 
@@ -152,19 +153,19 @@ export interface PlannerInfo {
   pseudocode: PseudocodeLine[];
   /** The types of robots that it plans for. */
   robots: Robot["type"][];
-  /** Settings with a name. */
-  presets: Preset[];
+  /** Settings with a name; may be empty. */
+  presets: PresetInfo[];
   /** What can be set. */
   parameters: ParameterInfo[];
 }
 
 /** Settings of a planner that belong together. */
-export interface Preset {
-  /** In kebab-case, distinct within the planner. */
+export interface PresetInfo {
+  /** Unique in its planner. */
   id: string;
   /** Title for people. */
   title: string;
-  /** Values of parameters; all others keep their defaults. */
+  /** Parameters by name, as options take them: `scenario.planner({ algorithm, ...settings })`. Others keep their defaults. */
   settings: Record<string, number | string | boolean>;
 }
 
@@ -180,9 +181,9 @@ export interface PseudocodeLine {
 
 /**
  * What an iteration did: the phase it began in; `vertex` and `edge` where it added some; the kinds of its events (`eventsSince`), from
- * 0 on: `rejected`, `refused`, `expanded`, `solved`, `discarded`, `guard`; and `done` where the run has ended with it.
+ * 0 on: `rejected`, `refused`, `expanded`, `solved`, `discarded`, `guard`, `removed`; and `done` where the run has ended with it.
  */
-export type PseudocodeMark = Phase | "vertex" | "edge" | "rejected" | "refused" | "expanded" | "solved" | "discarded" | "guard";
+export type PseudocodeMark = Phase | "vertex" | "edge" | "rejected" | "refused" | "expanded" | "solved" | "discarded" | "guard" | "removed";
 
 /** One parameter of a planner. */
 export interface ParameterInfo {
@@ -206,7 +207,7 @@ export interface ParameterInfo {
   choices?: string[] | null;
   /** What it does. */
   meaning: string;
-  /** The types of robots that it is for; of others it says nothing. */
+  /** The types of robots that it is for; for others it says nothing. */
   robots: Robot["type"][];
 }
 
@@ -246,7 +247,7 @@ export interface OptionInfo {
 
 /** How to plan: the common options, and the planner's own parameters by name (see `planners()`). */
 export interface PlannerOptions {
-  /** Id of the planner; `rrt-connect` where absent. */
+  /** Id of the planner; where absent `rrt-control` for a car, `rrt-connect` for all others. */
   algorithm?: string;
   /** Name of the query; the first where absent. */
   query?: string;
@@ -276,8 +277,8 @@ export type GeneratorId = "forest" | "clutter" | "discs" | "maze" | "gap" | "bug
 export interface GenerateOptions {
   /** Integer from 0 to 2^53 - 1; 0 where absent. */
   seed?: number;
-  /** What moves in `clutter`, `discs` and `gap`; `disc` where absent. */
-  robot?: "disc" | "arm";
+  /** What moves in `clutter`, `discs` and `gap`; `disc` where absent. A body or a car is a rectangle of 0.2 m by 0.1 m. */
+  robot?: Robot["type"];
   /** Links of the arm: 1 to 8, in a `gap` 2 to 8. */
   links?: number;
   /** Radius of the disc, or half the width of the arm's links: 0 to 0.1; 0.03 where absent. */

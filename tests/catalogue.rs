@@ -2,7 +2,10 @@
 
 mod common;
 
-use common::{PLANNERS, arm_and_wall, begin_with, disc_and_wall, finish, fitting, no_way, options};
+use common::{
+    DRIVEN, PLANNERS, arm_and_wall, begin_with, car_and_wall, car_shut_in, disc_and_wall, finish, fitting, no_way,
+    options,
+};
 use planarium::graph::EventKind;
 use planarium::planner::{Mark, Phase, PseudocodeLine, planner_info, planners};
 use planarium::run::{EVENT_HEAD, Run, Status, resume};
@@ -10,13 +13,14 @@ use std::collections::BTreeSet;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// The kinds of event by the numbers that viewers see.
-const KINDS: [EventKind; 6] = [
+const KINDS: [EventKind; 7] = [
     EventKind::SampleRejected,
     EventKind::EdgeRefused,
     EventKind::VertexExpanded,
     EventKind::SolutionFound,
     EventKind::SampleDiscarded,
     EventKind::GuardAdded,
+    EventKind::VertexRemoved,
 ];
 
 /// The word of a mark, as viewers see it.
@@ -53,6 +57,8 @@ fn lit<'a>(lines: &'a [PseudocodeLine], marks: &BTreeSet<String>) -> Vec<&'a str
 /// Every planner with more settings than the laws need, so that all that can happen does.
 fn settings() -> Vec<(&'static str, String)> {
     let mut all: Vec<(&str, String)> = PLANNERS.iter().map(|&(planner, words)| (planner, words.to_owned())).collect();
+    all.extend(DRIVEN.iter().map(|&(planner, words)| (planner, words.to_owned())));
+    all.extend(["rrt-control", "sst"].map(|planner| (planner, "sampler=bridge max_iterations=400".to_owned())));
     all.push(("prm", "samples=60 k=1 insertion=one-by-one discard=true".to_owned()));
     for (planner, few) in [
         ("prm", "samples=60"),
@@ -104,10 +110,12 @@ fn every_planner_has_a_few_short_lines_and_marks_that_exist() {
 #[wasm_bindgen_test(unsupported = test)]
 fn every_iteration_lights_a_line_and_every_mark_is_met() {
     let worlds = [arm_and_wall(0.1), disc_and_wall(0.3, 0.5), no_way()];
+    let cars = [car_and_wall(0.1), car_shut_in(0.1)];
     let mut met: BTreeSet<(&str, String)> = BTreeSet::new();
     for (planner, words) in settings() {
-        let lines = planner_info(planner).expect("a planner").pseudocode;
-        for world in &worlds {
+        let info = planner_info(planner).expect("a planner");
+        let lines = info.pseudocode;
+        for world in if info.robots == ["car"] { &cars[..] } else { &worlds } {
             let settings = fitting(world, &words);
             let limit = if settings.contains("max_iterations") { "" } else { " max_iterations=1500" };
             let mut run = begin_with(world, planner, 5, &(settings + limit));

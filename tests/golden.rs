@@ -56,7 +56,7 @@ fn outcome(case: &Json) -> Json {
 #[wasm_bindgen_test(unsupported = test)]
 fn every_case_has_its_golden_outcome() {
     let cases: Vec<Json> = serde_json::from_str(GOLDEN).expect("the golden file is JSON");
-    assert!(cases.len() >= 70, "every planner with every sampler");
+    assert!(cases.len() >= 110, "every planner with every sampler, bodies, cars by controls and by curves");
     #[cfg(not(target_arch = "wasm32"))]
     if std::env::var_os("PLANARIUM_BLESS").is_some() {
         let blessed: Vec<Json> = cases

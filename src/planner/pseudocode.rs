@@ -218,7 +218,7 @@ pub(super) const RRT_CONTROL: &[PseudocodeLine] = &[
 
 /// Of `sst`.
 pub(super) const SST: &[PseudocodeLine] = &[
-    line(0, "T ← {start}; repeat:", &[Mark::In(Phase::Improving)]),
+    line(0, "T ← {start}; repeat:", &[]),
     line(1, "q ← a random placement, or the goal", &[Mark::In(Phase::Growing), Mark::In(Phase::Improving)]),
     NONE_FOUND,
     line(1, "near ← the cheapest of T about q", &[Mark::Edge, Mark::Refused, Mark::Discarded]),

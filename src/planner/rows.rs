@@ -219,7 +219,7 @@ pub(super) const STEERING: ParameterInfo = ParameterInfo {
         "Steering",
         Kind::Choice(&["dubins", "reeds-shepp"]),
         Fallback::Computed("reeds-shepp for a car with a reverse gear, else dubins"),
-        "Along which curves a car goes from place to place: the shortest forwards (dubins), or with shunts (reeds-shepp).",
+        "Along which curves a car goes between places: the shortest forwards (dubins), or with shunts (reeds-shepp).",
     )
 };
 
@@ -280,7 +280,7 @@ pub(super) const BLOSSOM: ParameterInfo = driven(
     "Blossom",
     whole(1.0, 100.0),
     Fallback::Number(1.0),
-    "How many random controls are tried at once: more aim better, but a tree that aims too well gets stuck more often.",
+    "How many random controls are tried at once: more aim better, but a tree that aims too well gets stuck.",
 );
 
 pub(super) const DURATION_STEPS: ParameterInfo = steps(

@@ -73,7 +73,7 @@ fn default_steps<S: Space>(problem: &Problem<S>) -> u32 {
     let straight =
         |control: Control| Motion { control: Control { steering: 0.0, ..control }, duration: dynamics.step() };
     let step = dynamics.extremes().into_iter().map(|control| dynamics.length(straight(control))).fold(0.0, f64::max);
-    (DEFAULT_DRIVE * problem.space().extent() / step).max(1.0).min(MOST_STEPS) as u32
+    ((DEFAULT_DRIVE * problem.space().extent() / step).min(MOST_STEPS) as u32).max(1)
 }
 
 /// What is different in the last quarter of the iterations, if anything is.

@@ -82,6 +82,42 @@ pub fn arm_of(links: usize, limits: bool, radius: f64) -> Scenario {
     ))
 }
 
+/// A car, 0.2 by 0.1, in a box of side 2 that is cut by a wall of the given thickness, with a door of width 0.5 above it.
+pub fn car_and_wall(thickness: f64) -> Scenario {
+    car_in(&format!("[[{:?}, 0], [{:?}, 0], [1, 1.5], [{:?}, 1.5]]", 1.0 - thickness, 1.0, 1.0 - thickness))
+}
+
+/// The same with a wall of that thickness that has no door.
+pub fn car_shut_in(thickness: f64) -> Scenario {
+    car_in(&format!("[[{:?}, 0], [{:?}, 0], [1, 2], [{:?}, 2]]", 1.0 - thickness, 1.0, 1.0 - thickness))
+}
+
+/// The same with this polygon.
+fn car_in(wall: &str) -> Scenario {
+    parse(&format!(
+        r#"{{ "format": "planarium-scenario-1", "name": "car",
+            "world": {{ "bounds": {{ "min": [0, 0], "max": [2, 2] }},
+                "obstacles": [ {{ "type": "polygon", "vertices": {wall} }}, {{ "type": "disc", "center": [1.5, 1.3], "radius": 0.1 }} ] }},
+            "robot": {{ "type": "car", "wheelbase": 0.2, "speed": [-0.5, 0.5], "steering": [-0.75, 0.75],
+                "shape": {{ "type": "polygon", "vertices": [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]] }} }},
+            "queries": [ {{ "name": "through", "start": [0.4, 0.3, 0], "goal": [1.6, 0.4, 0],
+                "goal_tolerance": {{ "translation": 0.1, "rotation": 0.5 }} }} ] }}"#
+    ))
+}
+
+/// The planners by controls with settings that show their features, small enough for many runs.
+pub const DRIVEN: &[(&str, &str)] = &[
+    ("rrt-control", ""),
+    ("rrt-control", "blossom=4 shortest_steps=20 goal_test=ends"),
+    ("rrt-control", "blossom=6 blocked=refused goal_every=7"),
+    ("rrt-control", "nearest=nearest-visible near_goal_steps=20 sampler=halton"),
+    ("rrt-control", "controls=reeds-shepp duration_steps=120 once=true"),
+    ("rrt-control", "max_iterations=3000 duration_steps=200 late_duration_steps=80 goal_every=10 late_goal_every=5"),
+    ("sst", ""),
+    ("sst", "improve_iterations=400 selection_radius=0.3 pruning_radius=0.15"),
+    ("sst", "shortest_steps=50 blocked=refused sampler=goal-biased"),
+];
+
 /// Parses a scenario that is right.
 pub fn parse(text: &str) -> Scenario {
     Scenario::parse(text).unwrap_or_else(|error| panic!("{error}\n{text}"))

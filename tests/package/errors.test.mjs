@@ -144,7 +144,7 @@ test("counts and cursors", () => {
   for (const n of /** @type {any[]} */ ([undefined, null, "1", 1n, {}])) fails(() => planner.step(n), "wrong-type", "/n");
   fails(() => planner.stepFor(-1), "out-of-range", "/ms");
   fails(() => planner.stepFor(NaN), "not-finite", "/ms");
-  for (const read of /** @type {const} */ (["verticesSince", "edgesSince", "eventsSince"])) {
+  for (const read of /** @type {const} */ (["verticesSince", "edgesSince", "motionsSince", "tracesSince", "eventsSince"])) {
     fails(() => planner[read](-1), "out-of-range", "/row");
     fails(() => planner[read](1e6), "out-of-range", "/row");
     fails(() => planner[read](NaN), "not-finite", "/row");

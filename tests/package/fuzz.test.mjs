@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Drive, PlanariumError, Planner, Scenario } from "planarium";
-import { arm, car, disc, finish } from "./scenes.mjs";
+import { arm, body, car, disc, finish } from "./scenes.mjs";
 
 /** Calls for each seed. */
 const CALLS = 35_000;
@@ -33,7 +33,7 @@ for (const seed of [1, 2, 3]) {
         case 0: return undefined;
         case 1: return null;
         case 2: case 3: return number();
-        case 4: return pick(["", "prm", "rrt-connect", "over", "across", "forest", "clutter", "sum", "\u0000", "\ud800", "x".repeat(below(2000)), "{}", "[[[[1]]]]", "faster", "left"]);
+        case 4: return pick(["", "prm", "rrt-connect", "over", "across", "forest", "clutter", "sum", "rrt-control", "sst", "dubins", "reeds-shepp", "euler", "through", "home", "\u0000", "\ud800", "x".repeat(below(2000)), "{}", "[[[[1]]]]", "faster", "left"]);
         case 5: return pick([true, false, 10n, Symbol.iterator, () => 1]);
         case 6: return Float64Array.from({ length: below(5) }, number);
         case 7: return [number(), number()];
@@ -42,7 +42,7 @@ for (const seed of [1, 2, 3]) {
         case 10: return { length: number(), 0: 1, 1: 1 };
         case 11: return new Proxy([0, 0], { get() { throw pick([new Error("trap"), "text", undefined]); } });
         case 12: return Object.fromEntries(Array.from({ length: below(5) }, () => [
-          pick(["algorithm", "query", "seed", "samples", "k", "step", "shortcut", "metric", "max_iterations", "tolerance", "width", "height", "links", "format", "__proto__", "toJSON", "a"]),
+          pick(["algorithm", "query", "seed", "samples", "k", "step", "shortcut", "metric", "steering", "blossom", "duration_steps", "integration", "pruning_radius", "robot", "max_iterations", "tolerance", "width", "height", "links", "format", "__proto__", "toJSON", "a"]),
           anything(depth + 1),
         ]));
         default: return mutated();
@@ -50,7 +50,7 @@ for (const seed of [1, 2, 3]) {
     };
     /** A real document with one value replaced. */
     const mutated = () => {
-      const document = structuredClone(pick([arm, disc, car]));
+      const document = structuredClone(pick([arm, disc, body, car]));
       /** @type {any} */ let place = document;
       for (;;) {
         const key = pick(Object.keys(place));
@@ -64,7 +64,9 @@ for (const seed of [1, 2, 3]) {
 
     const scenario = Scenario.parse(arm);
     /** @type {any[]} */
-    let handles = [scenario, Scenario.parse(disc), Scenario.parse(car), Scenario.parse(car).drive(), scenario.planner(), scenario.planner({ algorithm: "prm", samples: 20 })];
+    let handles = [scenario, Scenario.parse(disc), Scenario.parse(body), Scenario.parse(car), Scenario.parse(car).drive(), scenario.planner(), scenario.planner({ algorithm: "prm", samples: 20 }),
+      Scenario.parse(body).planner(), Scenario.parse(car).planner(), Scenario.parse(car).planner({ algorithm: "sst", improve_iterations: 100 }), Scenario.parse(car).planner({ algorithm: "prm", samples: 20, steering: "dubins" })];
+    const standing = handles.length;
     /** @type {Map<string, number>} */
     const codes = new Map();
     let returned = 0;
@@ -82,7 +84,7 @@ for (const seed of [1, 2, 3]) {
         const made = descriptor?.get ? descriptor.get.call(target) : target[name](...args);
         returned += 1;
         if (made instanceof Scenario || made instanceof Planner || made instanceof Drive) {
-          if (handles.length > 14) handles.splice(6 + below(8), 1)[0].free();
+          if (handles.length > standing + 8) handles.splice(standing + below(8), 1)[0].free();
           handles.push(made);
         }
       } catch (error) {

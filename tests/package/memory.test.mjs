@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { Scenario } from "planarium";
 import { root } from "../../scripts/run.mjs";
-import { arm, finish } from "./scenes.mjs";
+import { arm, car, finish } from "./scenes.mjs";
 
 /** The memory of the instance that the package runs on. */
 const { initSync } = await import(pathToFileURL(join(root, "dist", "package", "planarium_glue.js")).href);
@@ -44,6 +44,29 @@ test("10,000 cycles of making, stepping and freeing grow the memory by nothing",
   for (let i = 0; i < 500; i += 1) cycle(i);
   const before = pages();
   for (let i = 0; i < 10_000; i += 1) cycle(i);
+  assert.equal(pages(), before);
+});
+
+test("nor do cars that are driven, by a planner, along curves or by hand", () => {
+  const cycle = (/** @type {number} */ seed) => {
+    const scenario = Scenario.parse(car);
+    for (const options of [{ algorithm: "sst" }, { algorithm: "rrt", steering: "reeds-shepp" }]) {
+      const planner = scenario.planner({ ...options, seed: seed % 10 });
+      planner.step(20);
+      planner.motionsSince(0);
+      planner.tracesSince(0);
+      planner.result();
+      planner.free();
+    }
+    const drive = scenario.drive();
+    drive.press("faster");
+    drive.tick(20);
+    drive.free();
+    scenario.free();
+  };
+  for (let i = 0; i < 100; i += 1) cycle(i);
+  const before = pages();
+  for (let i = 0; i < 2_000; i += 1) cycle(i);
   assert.equal(pages(), before);
 });
 

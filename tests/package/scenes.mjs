@@ -47,6 +47,26 @@ export const car = {
   queries: [{ name: "home", start: [0.5, 0.5, 0], goal: [1.8, 0.5, 0], goal_tolerance: { translation: 0.1, rotation: 0.5 } }],
 };
 
+/** An L that must turn to get through a gap. @type {ScenarioDocument} */
+export const body = {
+  format: "planarium-scenario-1",
+  name: "through-the-gap",
+  world: {
+    bounds: { min: [0, 0], max: [2.4, 1.6] },
+    obstacles: [
+      { type: "polygon", vertices: [[1.17, 0], [1.23, 0], [1.23, 0.55], [1.17, 0.55]] },
+      { type: "disc", center: [1.2, 1.25], radius: 0.2 },
+    ],
+  },
+  robot: {
+    type: "rigid_body", shape: { type: "polygon", vertices: [[-0.06, -0.06], [0.34, -0.06], [0.34, 0.06], [0.06, 0.06], [0.06, 0.34], [-0.06, 0.34]] },
+  },
+  queries: [{ name: "through", start: [0.4, 0.4, 0], goal: [2, 1.1, 3] }],
+};
+
+/** A robot's type, and a scene for it. @type {Record<import("planarium").Robot["type"], ScenarioDocument>} */
+export const scenes = { arm, disc, rigid_body: body, car };
+
 /**
  * Runs a planner to its end.
  * @param {import("planarium").Planner} planner

@@ -10,9 +10,9 @@ import { addFiles, install, pack } from "./packed.mjs";
 const consumer = `
 import init, {
   initSync, planners, generators, phases, freshSeed, version, Drive, PlanariumError, Planner, Scenario,
-  type Box, type Check, type Configuration, type CspaceOptions, type DriveKey, type DriveState, type GenerateOptions, type GeneratorInfo, type InitInput, type InitSyncInput, type KeyPress, type Obstacle, type Obstructed,
-  type OptionInfo, type ParameterInfo, type Part, type Phase, type PlannerInfo, type PlannerOptions, type Point, type PseudocodeLine,
-  type PseudocodeMark, type Query, type ResultDocument, type Robot, type Rollout, type ScenarioDocument, type Stats, type Status, type Touching, type World,
+  type Approximate, type Box, type Check, type Configuration, type CspaceOptions, type DriveKey, type DriveState, type GenerateOptions, type GeneratorInfo, type InitInput, type InitSyncInput, type KeyPress, type Motion, type Obstacle, type Obstructed,
+  type OptionInfo, type ParameterInfo, type Part, type Phase, type PlannerInfo, type PlannerOptions, type Point, type PresetInfo, type PseudocodeLine,
+  type PseudocodeMark, type Query, type ResultDocument, type Robot, type Rollout, type ScenarioDocument, type Shape, type Stats, type Status, type Touching, type Weights, type World,
 } from "planarium";
 
 type IsAny<T> = 0 extends 1 & T ? true : false;
@@ -24,6 +24,8 @@ type None<T extends never> = T;
 type No<T extends false> = T;
 export type Proofs = [
   None<AnyMembers<Drive>>, None<AnyMembers<DriveState>>, None<AnyMembers<Rollout>>, None<AnyMembers<Planner>>, None<AnyMembers<Scenario>>, None<AnyMembers<PlanariumError>>, None<AnyMembers<Stats>>, None<AnyMembers<ResultDocument>>,
+  None<AnyMembers<Motion>>, None<AnyMembers<PresetInfo>>, No<IsAny<PresetInfo["settings"]["whatever"]>>, No<IsAny<Motion["control"][0]>>, None<AnyMembers<Approximate>>,
+  None<AnyMembers<Extract<Robot, { type: "car" }>>>, None<AnyMembers<Extract<Robot, { type: "rigid_body" }>>>, None<AnyMembers<Weights>>, No<IsAny<Shape["vertices"]>>,
   None<AnyMembers<PlannerInfo>>, None<AnyMembers<ParameterInfo>>, None<AnyMembers<ScenarioDocument>>, None<AnyMembers<World>>, None<AnyMembers<Query>>,
   None<AnyMembers<GeneratorInfo>>, None<AnyMembers<OptionInfo>>, No<IsAny<(typeof phases)[number]>>,
   No<IsAny<Parameters<typeof init>[0]>>, No<IsAny<Parameters<typeof initSync>[0]>>, No<IsAny<InitInput>>, No<IsAny<InitSyncInput>>,
@@ -56,6 +58,14 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   const tips: Float64Array = scenario.endEffectors(new Float64Array(4));
   const half: Float64Array = scenario.interpolate(q, [1, 1], 0.5);
   const hit: number | null = scenario.firstHit(q, half);
+  const shape: Shape = { type: "polygon", vertices: [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]] };
+  const metric: Weights = { translation: 0.7, rotation: 0.3 };
+  const bounds: Box = { min: [0, 0], max: [2, 2] };
+  const body: ScenarioDocument = { ...document, world: { bounds, obstacles: [] }, robot: { type: "rigid_body", shape, metric } };
+  const car: ScenarioDocument = {
+    ...body, robot: { type: "car", shape, wheelbase: 0.2, speed: [-0.5, 0.5], steering: [-0.5, 0.5], integration_step: 0.01 },
+    queries: [{ name: "q", start: [1, 1, 0], goal: [1.5, 1, 0], goal_tolerance: { translation: 0.1, rotation: 0.5 } }],
+  };
   const drive: Drive = scenario.drive(q);
   const key: DriveKey = "faster";
   drive.press(key);
@@ -68,7 +78,14 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   const cells: Uint8Array = scenario.cspace(size);
   const [[low]] = scenario.cspaceRange();
   const circles: boolean[] = scenario.circles();
-  const kind: Robot["type"] = scenario.robot;
+  const kind: "arm" | "disc" | "rigid_body" | "car" = scenario.robot;
+  const moved: Motion[] = Scenario.parse(car).planner({ steering: "dubins", algorithm: "rrt" }).result().motions ?? [];
+  const speeds: number[] = moved.map(({ control: [v, phi], duration }) => v + phi + duration);
+  const miss: Approximate | undefined = Scenario.parse(body).planner().result().approximate;
+  const far: number | undefined = miss?.goal_distance ?? miss?.motions?.[0]?.duration;
+  const presets: PresetInfo[] = planners().flatMap((one) => one.presets);
+  const settled: Planner[] = presets.map(({ settings }) => scenario.planner({ algorithm: "prm", ...settings }));
+  const fit: boolean = planners().every((one) => one.robots.includes(kind) && one.parameters.every((row) => row.robots.includes(kind)));
   const again: ScenarioDocument = scenario.toJSON();
   const obstacle: Obstacle | undefined = scenario.document().world.obstacles[0];
   const robot: Robot = again.robot;
@@ -92,6 +109,8 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   const vertices: Float64Array = planner.verticesSince(0);
   const edges: Uint32Array = planner.edgesSince(0);
   const events: Float64Array = planner.eventsSince(0);
+  const motions: Float64Array = planner.motionsSince(0);
+  const traces: Float64Array = planner.tracesSince(0);
   const path: Float64Array = planner.path();
   const stats: Stats = planner.stats();
   const result: ResultDocument = planner.result();
@@ -115,8 +134,12 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   planner.roadmap("png");
   // @ts-expect-error: a count is a number
   planner.step("10");
+  // @ts-expect-error: not a key
+  drive.press("jump");
+  // @ts-expect-error: a car has a wheelbase
+  Scenario.parse({ ...car, robot: { type: "car", shape } } satisfies ScenarioDocument);
   return JSON.stringify([free, names, stopped, driven, rolled, radii, box, tip, tips, hit, cells, low, circles, kind, obstacle, robot, status, phase, counts, vertices, edges,
-    events, path, stats, result, marks, choices, reached, raw, hits, version, scenario.name, scenario.title, scenario.distance(q, half), planner.fingerprint()]);
+    events, motions, traces, path, stats, result, speeds, far, settled.length, fit, marks, choices, reached, raw, hits, version, scenario.name, scenario.title, scenario.distance(q, half), planner.fingerprint()]);
 }
 `;
 

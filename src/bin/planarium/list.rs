@@ -29,9 +29,24 @@ fn as_tables() -> String {
     let mut text = String::from("PLANNERS\n");
     for planner in planners() {
         let _ = writeln!(text, "\n  {} ({}): {}", planner.id, planner.title, planner.summary);
+        let _ = writeln!(text, "    for robots of type {}", planner.robots.join(", "));
         for parameter in planner.parameters {
             let _ = writeln!(text, "    {:<15} {}", parameter.name, parameter.meaning);
             let _ = writeln!(text, "    {:<15} {}", "", values(parameter));
+            // What the planner says of itself need not be said again.
+            if planner.robots.iter().any(|robot| !parameter.robots.contains(robot)) {
+                let _ = writeln!(text, "    {:<15} (for robots of type {} only)", "", parameter.robots.join(", "));
+            }
+        }
+        for preset in planner.presets {
+            let settings = preset.settings.iter().map(|(name, value)| format!("--set {name}={value}"));
+            let _ = writeln!(
+                text,
+                "    preset {} ({}): {}",
+                preset.id,
+                preset.title,
+                settings.collect::<Vec<_>>().join(" ")
+            );
         }
     }
     text.push_str("\nGENERATORS\n");

@@ -169,7 +169,7 @@ impl Piece<'_> {
         let (x, y) = (self.middle.heading.x, self.middle.heading.y);
         let from = disc.center.coords - self.middle.place;
         let center = Vector::new(x * from.x + y * from.y, x * from.y - y * from.x);
-        // The nearest point lies on the face that the centre is farthest before, or is one of its ends.
+        // The nearest point lies on the face that the centre is farthest before, where the centre is beside that one.
         let mut before = (f64::NEG_INFINITY, 0);
         for (i, corner) in self.corners.iter().enumerate() {
             let distance = corner.normal.dot(&center) - corner.support;
@@ -180,16 +180,22 @@ impl Piece<'_> {
         if before.0 <= 0.0 {
             return (Answer::Touching, before.0 - disc.radius);
         }
-        let corner = &self.corners[before.1];
-        let next = &self.corners[if before.1 + 1 == self.corners.len() { 0 } else { before.1 + 1 }];
+        let at = |i: usize| self.corners[if i == self.corners.len() { 0 } else { i }].at;
+        let (corner, next) = (&self.corners[before.1], at(before.1 + 1));
         let along = left_of(corner.normal);
         let (mut to, mut distance) = (corner.normal, before.0);
-        for (end, sign) in [(corner.at, -1.0), (next.at, 1.0)] {
-            let beyond = center - end;
-            if sign * along.dot(&beyond) > 0.0 {
-                distance = beyond.norm();
-                to = beyond / distance;
+        if along.dot(&(center - corner.at)) < 0.0 || along.dot(&(center - next)) > 0.0 {
+            // All faces are asked: where two are in one line, or all but, rounding tells which of them is found.
+            let mut least = f64::INFINITY;
+            for i in 0..self.corners.len() {
+                let nearest = nearest_point(Point::from(center), Point::from(at(i)), Point::from(at(i + 1)));
+                let beyond = center - nearest.coords;
+                if beyond.norm_squared() < least {
+                    (to, least) = (beyond, beyond.norm_squared());
+                }
             }
+            distance = least.sqrt();
+            to /= distance;
         }
         let clearance = distance - disc.radius;
         if clearance <= margin {

@@ -34,7 +34,7 @@ pub(super) fn judge(world: &World, car: &Car, result: &ResultDocument, scale: &S
         let leg = Leg::arc(&ends[0], way, turn);
         let size = ends.iter().flatten().fold(1.0 + way.abs(), |most: f64, x| most.max(x.abs()));
         let off = difference(2, &leg.at(1.0), &ends[1]);
-        if let Some(k) = off.iter().position(|gap| !(gap.abs() <= LED * size)) {
+        if let Some(k) = off.iter().position(|gap| gap.is_nan() || gap.abs() > LED * size) {
             return Err(format!(
                 "motion {i} leads to {:?}, not to waypoint {} {:?} (coordinate {k})",
                 leg.at(1.0),
@@ -45,7 +45,8 @@ pub(super) fn judge(world: &World, car: &Car, result: &ResultDocument, scale: &S
         length += car.weights().translation * way.abs() + car.weights().rotation * turn.abs();
         legs.push(leg);
     }
-    if !((result.length - length).abs() <= LENGTH * length + 1e-12) {
+    let off = (result.length - length).abs();
+    if off.is_nan() || off > LENGTH * length + 1e-12 {
         return Err(format!("the length is told as {}, but the motions measure {length}", result.length));
     }
     if legs.is_empty() {

@@ -1,0 +1,71 @@
+//! Trees that are driven, as viewers see them, recomputed by simple means.
+#![allow(dead_code)] // each test uses some of it
+
+use planarium::geometry::arc_pose;
+use planarium::graph::EventKind;
+use planarium::robot::Car;
+use planarium::run::{EVENT_HEAD, Run};
+use planarium::scenario::{GoalTolerance, Robot, Scenario};
+use planarium::space::wrap;
+
+/// An edge of a tree, as a viewer sees it.
+#[derive(Debug, Clone, Copy)]
+pub struct Edge {
+    pub from: usize,
+    pub to: usize,
+    pub speed: f64,
+    pub steering: f64,
+    pub duration: f64,
+}
+
+/// The car of a world.
+pub fn car(world: &Scenario) -> &Car {
+    let Robot::Car(car) = world.robot() else { panic!("a car") };
+    car
+}
+
+/// The vertices of a tree.
+pub fn vertices_of(run: &dyn Run) -> Vec<[f64; 3]> {
+    run.vertices_since(0).as_chunks().0.to_vec()
+}
+
+/// Its edges.
+pub fn edges(run: &dyn Run) -> Vec<Edge> {
+    let (ends, motions) = (run.edges_since(0), run.motions_since(0));
+    assert_eq!((ends.len() / 2, motions.len() / 4), (run.edge_count(), run.edge_count()), "one motion an edge");
+    let edge = |(i, (ends, motion)): (usize, (&[u32; 2], &[f64; 4]))| {
+        assert_eq!(motion[0], i as f64);
+        let [from, to] = ends.map(|vertex| vertex as usize);
+        Edge { from, to, speed: motion[1], steering: motion[2], duration: motion[3] }
+    };
+    ends.as_chunks().0.iter().zip(motions.as_chunks().0).enumerate().map(edge).collect()
+}
+
+/// How many steps of integration an edge has.
+pub fn steps(car: &Car, edge: &Edge) -> u32 {
+    let steps = (edge.duration / car.integration_step()).round();
+    assert_eq!((steps * car.integration_step()).to_bits(), edge.duration.to_bits(), "whole steps: {edge:?}");
+    steps as u32
+}
+
+/// Where so many steps of the edge lead.
+pub fn driven(car: &Car, from: [f64; 3], edge: &Edge, steps: u32) -> [f64; 3] {
+    let duration = f64::from(steps) * car.integration_step();
+    let [x, y, theta] = arc_pose(from, edge.speed, car.turn_rate(edge.speed, edge.steering), duration);
+    [x + 0.0, y + 0.0, wrap(theta)]
+}
+
+/// Whether a placement lies within the region about the goal.
+pub fn is_in_region(world: &Scenario, [x, y, theta]: [f64; 3]) -> bool {
+    let query = &world.queries()[0];
+    let GoalTolerance { translation, rotation } = query.goal_tolerance.expect("a region");
+    let [u, v, goal] = [0, 1, 2].map(|i| query.goal[i]);
+    ((x - u) * (x - u) + (y - v) * (y - v)).sqrt() <= translation && wrap(theta - goal).abs() <= rotation
+}
+
+/// The events of a kind: iteration and vertex.
+pub fn events(run: &dyn Run, kind: EventKind) -> Vec<(u64, usize)> {
+    let rows = run.events_since(0);
+    let of_kind = |row: &&[f64]| row[0] == f64::from(kind as u8);
+    rows.chunks(EVENT_HEAD + 3).filter(of_kind).map(|row| (row[1] as u64, row[2] as usize)).collect()
+}

@@ -1,0 +1,340 @@
+//! Planning by controls: what is driven is free, leads where it says, and keeps to the settings.
+
+mod common;
+#[path = "common/driven.rs"]
+mod driven;
+
+use common::{DRIVEN, arm_and_wall, begin_with, car_and_wall, car_shut_in, finish, options, parse, seeds};
+use driven::{car, driven, edges, is_in_region, steps, vertices_of};
+use planarium::control::Motion;
+use planarium::path::{Leg, Verdict, verify, verify_legs};
+use planarium::planner::{default_planner, planners};
+use planarium::run::{Options, Status, start};
+use planarium::scenario::Scenario;
+use planarium::space::wrap;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+#[wasm_bindgen_test(unsupported = test)]
+fn slices_change_nothing_and_seeds_decide_all() {
+    let world = car_and_wall(0.1);
+    for (planner, settings) in DRIVEN {
+        let whole = finish(begin_with(&world, planner, 3, settings));
+        for slice in [1, 7] {
+            let mut run = begin_with(&world, planner, 3, settings);
+            while run.step(slice) == Status::Running {}
+            assert_eq!(run.fingerprint(), whole.fingerprint(), "{planner} {settings}");
+            assert_eq!(run.result().to_json(), whole.result().to_json(), "{planner} {settings}");
+        }
+        assert_ne!(finish(begin_with(&world, planner, 4, settings)).fingerprint(), whole.fingerprint());
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_edge_is_free_and_leads_to_its_vertex_bit_by_bit() {
+    let mut judged = 0;
+    for world in [car_and_wall(0.1), car_and_wall(1e-6)] {
+        let car = car(&world);
+        for (planner, settings) in DRIVEN {
+            for seed in 0..seeds(3) {
+                let run = finish(begin_with(&world, planner, seed, settings));
+                let vertices = vertices_of(&*run);
+                for (i, edge) in edges(&*run).iter().enumerate() {
+                    assert!(edge.to == i + 1 && edge.from <= i, "a tree, in the order of its growth");
+                    let [slow, fast] = car.speed();
+                    let [right, left] = car.steering();
+                    assert!((slow..=fast).contains(&edge.speed) && (right..=left).contains(&edge.steering), "{edge:?}");
+                    let end = driven(car, vertices[edge.from], edge, steps(car, edge));
+                    assert_eq!(end.map(f64::to_bits), vertices[edge.to].map(f64::to_bits), "{planner} {settings}");
+                    // Every leg is judged by dense looks, as a path is: some of many are enough.
+                    if i % 13 == 0 || i + 1 == run.edge_count() {
+                        let turn = car.turn_rate(edge.speed, edge.steering) * edge.duration;
+                        let leg = Leg::arc(&vertices[edge.from], edge.speed * edge.duration, turn);
+                        let verdict = verify_legs(world.world(), car.shape(), &[leg]);
+                        assert!(matches!(verdict, Verdict::Valid { .. }), "{planner} {settings}: {verdict:?}");
+                        judged += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(judged > 200, "only {judged}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn paths_end_in_the_region_and_the_judge_agrees() {
+    let world = car_and_wall(0.1);
+    let car = car(&world);
+    for (planner, settings) in DRIVEN {
+        let mut solved = 0;
+        for seed in 0..seeds(10) {
+            let run = finish(begin_with(&world, planner, seed, settings));
+            let result = run.result();
+            if run.status() != Status::Solved {
+                assert!(run.path().is_empty() && result.motions == Some(Vec::new()));
+                continue;
+            }
+            solved += 1;
+            let verdict = verify(&world, &result).expect("its own scenario");
+            assert!(matches!(verdict, Verdict::Valid { .. }), "{planner} {settings}: {verdict:?}");
+            let motions = result.motions.expect("a car has motions");
+            assert_eq!(motions.len() + 1, result.path.len());
+            let length = |Motion { control, duration }: &Motion| {
+                let turn = car.turn_rate(control.speed, control.steering);
+                (car.weights().translation * control.speed.abs() + car.weights().rotation * turn.abs()) * duration
+            };
+            let sum = motions.iter().map(length).fold(0.0, |sum, length| sum + length);
+            assert_eq!((result.length, run.length(), run.raw_path()), (sum, sum, run.path()));
+            let last = &result.path[result.path.len() - 1];
+            assert!(is_in_region(&world, [last[0], last[1], last[2]]));
+        }
+        assert!(solved * 10 >= seeds(10) * 7, "{planner} {settings}: {solved}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_goal_is_met_after_the_first_step_that_is_there() {
+    let world = car_and_wall(0.1);
+    let car = car(&world);
+    for (planner, settings, is_along) in
+        [("rrt-control", "", true), ("sst", "", true), ("rrt-control", "goal_test=ends", false)]
+    {
+        let mut passed_by = 0;
+        for seed in 0..seeds(12) {
+            let run = finish(begin_with(&world, planner, seed, settings));
+            assert_eq!(run.status(), Status::Solved);
+            let (vertices, edges) = (vertices_of(&*run), edges(&*run));
+            for edge in &edges {
+                let is_there = |steps: &u32| is_in_region(&world, driven(car, vertices[edge.from], edge, *steps));
+                let first = (1..=steps(car, edge)).find(is_there);
+                match first {
+                    Some(first) if is_along => assert_eq!((edge.to, first), (edges.len(), steps(car, edge))),
+                    Some(first) => passed_by += u32::from(first < steps(car, edge)),
+                    None => assert!(edge.to < edges.len()),
+                }
+            }
+        }
+        assert_eq!(is_along, passed_by == 0, "at ends alone the goal is passed by now and then");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn six_controls_are_all_kept_and_vertices_grow_once() {
+    let world = car_and_wall(0.1);
+    let settings = "controls=reeds-shepp duration_steps=60 once=true goal_test=ends max_iterations=400";
+    let mut run = begin_with(&world, "rrt-control", 2, settings);
+    let (mut grown, mut most) = (std::collections::BTreeSet::new(), 0);
+    while run.status() == Status::Running {
+        let before = run.edge_count();
+        run.step(1);
+        let new = &edges(&*run)[before..];
+        most = new.len().max(most);
+        for edge in new {
+            assert_eq!(edge.from, new[0].from, "all from one vertex");
+            assert!([-0.5, 0.5].contains(&edge.speed) && [-0.75, 0.0, 0.75].contains(&edge.steering), "{edge:?}");
+        }
+        let mut controls: Vec<_> = new.iter().map(|edge| (edge.speed.to_bits(), edge.steering.to_bits())).collect();
+        controls.dedup();
+        assert_eq!(controls.len(), new.len());
+        assert!(new.is_empty() || grown.insert(new[0].from), "vertex {} grows twice", new[0].from);
+    }
+    assert_eq!(most, 6);
+    // Where every drive is refused, nothing is left to grow from after the first iteration.
+    let mut document: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
+    document["world"] = serde_json::json!({ "bounds": { "min": [0, 0], "max": [0.9, 0.6] }, "obstacles": [] });
+    document["queries"][0]["goal"] = serde_json::json!([0.7, 0.3, 0]);
+    let settings = "controls=reeds-shepp once=true blocked=refused duration_steps=250";
+    let run = finish(begin_with(&parse(&document.to_string()), "rrt-control", 2, settings));
+    assert_eq!((run.status(), run.vertex_count(), run.iterations()), (Status::Exhausted, 1, 2));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn durations_keep_to_their_settings() {
+    let world = car_shut_in(0.1);
+    let car = car(&world);
+    let lengths = |settings: &str| -> Vec<u32> {
+        let run = finish(begin_with(&world, "rrt-control", 1, settings));
+        edges(&*run).iter().map(|edge| steps(car, edge)).collect()
+    };
+    let range = |lengths: &[u32]| (*lengths.iter().min().unwrap(), *lengths.iter().max().unwrap());
+    let refused = "max_iterations=300 blocked=refused";
+    assert_eq!(range(&lengths(&format!("{refused} duration_steps=40"))), (40, 40));
+    let drawn = lengths(&format!("{refused} duration_steps=40 shortest_steps=20"));
+    assert_eq!(range(&drawn), (20, 40), "both ends are drawn");
+    assert!(lengths("max_iterations=300 duration_steps=40").iter().any(|&steps| steps < 40), "some are cut");
+    // By default as long as the fastest straight drive of 0.3 times the extent: 0.7 times 2 sqrt 2 and 0.3 pi, at 0.35 a second.
+    let extent = 0.7 * 8f64.sqrt() + 0.3 * std::f64::consts::PI;
+    let default = (0.3 * extent / (0.7 * 0.5 * 0.01)) as u32;
+    assert_eq!((default, range(&lengths("max_iterations=300")).1), (250, 250));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_last_quarter_is_different() {
+    let world = car_shut_in(0.1);
+    let car = car(&world);
+    let settings =
+        "max_iterations=400 duration_steps=40 late_duration_steps=15 goal_every=10 late_goal_every=1 blocked=refused";
+    let mut run = begin_with(&world, "rrt-control", 1, settings);
+    while run.status() == Status::Running {
+        let before = run.edge_count();
+        run.step(1);
+        let expected = if run.iterations() <= 300 { 40 } else { 15 };
+        edges(&*run)[before..].iter().for_each(|edge| assert_eq!(steps(car, edge), expected));
+    }
+    // In the end all reaches for the goal, unless it is told otherwise.
+    let (late, early) = (
+        run.fingerprint(),
+        "max_iterations=400 duration_steps=40 late_duration_steps=15 goal_every=10 blocked=refused",
+    );
+    assert_ne!(finish(begin_with(&world, "rrt-control", 1, early)).fingerprint(), late);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn durations_shrink_near_the_goal() {
+    let world = car_shut_in(0.1);
+    let (car, query) = (car(&world), &world.queries()[0]);
+    // Towards a goal on this side of the wall, never reached: the region is a point.
+    let mut document: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
+    document["queries"][0]["goal"] = serde_json::json!([0.5, 1.2, 0.5]);
+    document["queries"][0]["goal_tolerance"] = serde_json::json!({ "translation": 0, "rotation": 0 });
+    let near = parse(&document.to_string());
+    let goal = &near.queries()[0].goal;
+    assert_ne!(goal, &query.goal);
+    let run = finish(begin_with(
+        &near,
+        "rrt-control",
+        1,
+        "max_iterations=2000 goal_bias=0.3 blocked=refused duration_steps=100 near_goal_steps=30",
+    ));
+    let vertices = vertices_of(&*run);
+    let (mut shrunk, mut least) = (0, 0);
+    for edge in edges(&*run) {
+        let [x, y, theta] = vertices[edge.from];
+        let (u, v, turn) = (x - goal[0], y - goal[1], wrap(theta - goal[2]).abs());
+        let part = (0.7 * (u * u + v * v).sqrt() + 0.3 * turn) / (0.7 * 0.5);
+        let expected = if part < 1.0 { ((part * 100.0) as u32).max(30) } else { 100 };
+        let steps = steps(car, &edge);
+        assert!(steps.abs_diff(expected) <= 1, "{steps} {expected}");
+        shrunk += u32::from((31..99).contains(&steps));
+        least += u32::from(steps == 30);
+    }
+    assert!(shrunk > 0 && least > 0, "{shrunk} {least}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_shut_in_stays_there() {
+    for (planner, settings) in DRIVEN {
+        for thickness in [0.1, 1e-6] {
+            let world = car_shut_in(thickness);
+            for seed in 0..seeds(2) {
+                let mut run = begin_with(&world, planner, seed, settings);
+                assert_ne!(run.step(800), Status::Solved, "{planner} {settings}");
+                assert!(vertices_of(&*run).iter().all(|[x, ..]| *x < 1.0));
+                let record = run.result();
+                if let Some(near) = record.approximate {
+                    assert_eq!(near.motions.expect("a car has motions").len() + 1, near.path.len());
+                }
+            }
+        }
+    }
+    let run = finish(begin_with(&car_shut_in(0.1), "sst", 1, "max_iterations=500"));
+    let near = run.result().approximate.expect("the nearest miss");
+    assert!(near.path.len() > 1 && near.goal_distance > 0.0 && near.path[0] == [0.4, 0.3, 0.0]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_start_in_the_region_is_a_path() {
+    let mut document: serde_json::Value =
+        serde_json::from_str(&car_and_wall(0.1).to_json_string()).expect("a document");
+    document["queries"][0]["goal"] = serde_json::json!([0.45, 0.3, 0.25]);
+    let world = parse(&document.to_string());
+    for (planner, settings) in DRIVEN {
+        let run = finish(begin_with(&world, planner, 1, settings));
+        let result = run.result();
+        assert_eq!((run.status(), run.iterations(), run.length()), (Status::Solved, 1, 0.0), "{planner}");
+        assert_eq!((result.path.clone(), result.motions.clone()), (vec![vec![0.4, 0.3, 0.0]], Some(Vec::new())));
+        assert!(matches!(verify(&world, &result), Ok(Verdict::Valid { .. })));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn presets_are_settings_of_their_planner() {
+    let (cars, arms) = (car_and_wall(0.1), arm_and_wall(0.1));
+    let mut found = 0;
+    for info in planners() {
+        for preset in info.presets {
+            let world = if info.robots.contains(&"arm") { &arms } else { &cars };
+            let parameters = preset.parameters();
+            let options = Options { planner: Some(info.id.to_owned()), parameters, ..Options::default() };
+            let mut run = start(world, &options).unwrap_or_else(|error| panic!("{}: {error}", preset.id));
+            assert_eq!(run.step(1), run.status());
+            assert_eq!(info.presets.iter().filter(|other| other.id == preset.id).count(), 1);
+            found += 1;
+        }
+    }
+    assert!(found >= 8, "{found}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn euler_steps_are_a_picture_and_say_so() {
+    let world = car_and_wall(0.1);
+    let car = car(&world);
+    let mut opened = 0.0f64;
+    for (planner, settings) in [("rrt-control", "integration=euler"), ("sst", "integration=euler")] {
+        let run = finish(begin_with(&world, planner, 1, settings));
+        let result = run.result();
+        assert_eq!((run.status(), result.integration.as_deref()), (Status::Solved, Some("euler")));
+        let Ok(Verdict::Invalid { why }) = verify(&world, &result) else { panic!("it is not judged valid") };
+        assert!(why.contains("euler"), "{why}");
+        let vertices = vertices_of(&*run);
+        for edge in edges(&*run) {
+            let (mut state, steps) = (vertices[edge.from], steps(car, &edge));
+            for _ in 0..steps {
+                let along = edge.speed * car.integration_step();
+                let turn = car.turn_rate(edge.speed, edge.steering) * car.integration_step();
+                let [x, y, theta] = state;
+                state = [x + along * libm::cos(theta), y + along * libm::sin(theta), theta + turn];
+            }
+            let [x, y, theta] = vertices[edge.to];
+            assert!(
+                (state[0] - x).abs() < 1e-12 && (state[1] - y).abs() < 1e-12 && wrap(state[2] - theta).abs() < 1e-9
+            );
+            let [u, v, _] = driven(car, vertices[edge.from], &edge, steps);
+            opened = opened.max((u - x).abs()).max((v - y).abs());
+        }
+    }
+    assert!(opened > 1e-4 && opened < 0.05, "near the arc, and off it: {opened}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_does_not_fit_is_refused_in_its_place() {
+    let (cars, arms) = (car_and_wall(0.1), arm_and_wall(0.1));
+    let refusal = |world: &Scenario, planner: &str, settings: &str| {
+        let error = start(world, &options(planner, 1, settings)).err().expect("refused");
+        (error.code().as_str(), error.pointer().to_owned(), error.message().to_owned())
+    };
+    let (code, pointer, why) = refusal(&arms, "sst", "");
+    assert_eq!((code, pointer.as_str()), ("unsupported", "/algorithm"));
+    assert!(why.contains("car") && why.contains("rrt-connect") && !why.contains("rrt-control,"), "{why}");
+    for (settings, name) in [
+        ("shortest_steps=300 duration_steps=250", "shortest_steps"),
+        ("shortest_steps=100 duration_steps=250 late_duration_steps=50", "shortest_steps"),
+        ("duration_steps=10001", "duration_steps"),
+        ("blossom=0", "blossom"),
+        ("goal_test=somewhere", "goal_test"),
+    ] {
+        let (code, pointer, _) = refusal(&cars, "rrt-control", settings);
+        assert_eq!((code, pointer), ("out-of-range", format!("/{name}")), "{settings}");
+    }
+    assert_eq!(refusal(&cars, "sst", "blossom=3").0, "unknown-parameter");
+    let mut document: serde_json::Value = serde_json::from_str(&cars.to_json_string()).expect("a document");
+    document["queries"][0].as_object_mut().expect("a query").remove("goal_tolerance");
+    let (code, pointer, _) = refusal(&parse(&document.to_string()), "rrt-control", "");
+    assert_eq!((code, pointer.as_str()), ("missing-field", "/queries/0/goal_tolerance"));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn cars_are_planned_for_by_controls_unless_another_planner_is_named() {
+    let of = |world: &Scenario| start(world, &Options::default()).expect("it starts").result().planner;
+    assert_eq!((of(&car_and_wall(0.1)), of(&arm_and_wall(0.1))), ("rrt-control".into(), "rrt-connect".into()));
+    assert_eq!((default_planner("car"), default_planner("rigid_body")), ("rrt-control", "rrt-connect"));
+}

@@ -70,7 +70,8 @@ test("every parameter of every planner takes its default, its choices and its en
         if (inside === null || outside === null) continue;
         const beyond = inside + outside * Math.max(1, Math.abs(inside));
         assert.throws(() => scenario.planner({ algorithm: id, [name]: beyond }), { code: "out-of-range", pointer: `/${name}` }, `${id} ${name} = ${beyond}`);
-        if (name !== "step") assert.equal(scenario.planner({ algorithm: id, [name]: inside }).iterations, 0, `${id} ${name} = ${inside}`);
+        // The scene narrows a step, another parameter the shortest durations.
+        if (name !== "step" && name !== "shortest_steps") assert.equal(scenario.planner({ algorithm: id, [name]: inside }).iterations, 0, `${id} ${name} = ${inside}`);
       }
     }
   }

@@ -165,8 +165,9 @@ describe("on the stage", () => {
       assert.deepEqual(await page.locator("#view-up option").allInnerTexts(), ["x", "y", "theta"]);
       await page.selectOption("#view-up", "1");
       await page.waitForFunction(() => document.querySelector("#cspace figcaption small")?.textContent === "x across, y up");
+      const old = page.url();
       await page.click("#link");
-      await page.waitForFunction((old) => location.href !== old, page.url());
+      await page.waitForFunction((before) => location.href !== before, old);
       assert.deepEqual((await decodeLink(new URL(page.url()).hash)).experiment?.view.axes, [0, 1]);
       await chooseScene(page, "stones");
       assert.equal(await page.locator("#view-plane").isVisible(), false, "two angles need no choice");
@@ -266,11 +267,11 @@ describe("on the stage", () => {
       assert.deepEqual(await page.locator("#planner option").evaluateAll((options) => options.map((option) => /** @type {HTMLOptionElement} */ (option).value)),
         ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connect"], "an arm has no controls");
       await chooseScene(page, "blossom");
-      assert.equal(await page.inputValue("#preset"), "blossom-3");
+      assert.equal(await page.inputValue("#preset"), "own");
       await page.selectOption("#preset", "blossom-5");
       await page.waitForFunction(() => /** @type {HTMLInputElement} */ (document.getElementById("parameter-blossom")).value === "5");
       assert.equal(await page.inputValue("#parameter-seed"), "1", "the seed stays");
-      const { preset } = { preset: planners().find(({ id }) => id === "rrt-control")?.presets.find(({ id }) => id === "six-controls") };
+      const preset = planners().find(({ id }) => id === "rrt-control")?.presets.find(({ id }) => id === "six-controls");
       assert.ok(preset);
       await page.selectOption("#preset", "six-controls");
       for (const [name, value] of Object.entries(preset.settings)) {

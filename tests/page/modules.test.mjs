@@ -6,6 +6,7 @@ import { test } from "node:test";
 import { Scenario, phases } from "planarium";
 import { Journey, journeyOf } from "../../www/worker/journey.js";
 import { touchingSentence } from "../../www/worker/names.js";
+import { once } from "../../www/once.js";
 import { Rows } from "../../www/worker/rows.js";
 import { PAST, Run, SIDE } from "../../www/worker/run.js";
 import { SCENES } from "../../www/scenes.js";
@@ -278,4 +279,19 @@ test("every scene's start and goal are free, and its settings are parameters of 
       scenario.planner({ ...settings, algorithm, query: query.name }).free();
     }
   }
+});
+
+test("what is fetched once is fetched once; those who wait go on in their order; what failed is fetched again", async () => {
+  let calls = 0;
+  const get = once(async () => {
+    await new Promise((resolve) => setTimeout(resolve, 5));
+    if (++calls === 1) throw new Error("not yet");
+    return calls;
+  });
+  await assert.rejects(get(), /not yet/);
+  /** @type {number[]} */
+  const order = [];
+  await Promise.all([1, 2, 3].map(async (who) => { order.push(who + 10 * await get()); }));
+  assert.deepEqual(order, [21, 22, 23]);
+  assert.equal(calls, 2);
 });

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { Scenario, phases } from "planarium";
+import { Scenario, phases, planners } from "planarium";
 import { decodeLink } from "../../www/exchange/link.js";
 import { SCENES } from "../../www/scenes.js";
 import { Placed } from "../../www/stage/placed.js";
@@ -165,8 +165,9 @@ describe("on the stage", () => {
       assert.deepEqual(await page.locator("#view-up option").allInnerTexts(), ["x", "y", "theta"]);
       await page.selectOption("#view-up", "1");
       await page.waitForFunction(() => document.querySelector("#cspace figcaption small")?.textContent === "x across, y up");
+      const old = page.url();
       await page.click("#link");
-      await page.waitForFunction((old) => location.href !== old, page.url());
+      await page.waitForFunction((before) => location.href !== before, old);
       assert.deepEqual((await decodeLink(new URL(page.url()).hash)).experiment?.view.axes, [0, 1]);
       await chooseScene(page, "stones");
       assert.equal(await page.locator("#view-plane").isVisible(), false, "two angles need no choice");
@@ -258,6 +259,31 @@ describe("on the stage", () => {
       await page.waitForTimeout(200);
       assert.equal(await page.getAttribute("#readout", "data-vertex"), null, "what is gone cannot be pointed at");
       run.free();
+    });
+  });
+
+  test("settings with a name fill the fields; what is changed by hand is one's own", async () => {
+    await onPausedPage(async (page) => {
+      assert.deepEqual(await page.locator("#planner option").evaluateAll((options) => options.map((option) => /** @type {HTMLOptionElement} */ (option).value)),
+        ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connect"], "an arm has no controls");
+      await chooseScene(page, "blossom");
+      assert.equal(await page.inputValue("#preset"), "own");
+      await page.selectOption("#preset", "blossom-5");
+      await page.waitForFunction(() => /** @type {HTMLInputElement} */ (document.getElementById("parameter-blossom")).value === "5");
+      assert.equal(await page.inputValue("#parameter-seed"), "1", "the seed stays");
+      const preset = planners().find(({ id }) => id === "rrt-control")?.presets.find(({ id }) => id === "six-controls");
+      assert.ok(preset);
+      await page.selectOption("#preset", "six-controls");
+      for (const [name, value] of Object.entries(preset.settings)) {
+        const field = page.locator(`#parameter-${name}`);
+        assert.equal(await field.evaluate((control) => (control instanceof HTMLInputElement && control.type === "checkbox" ? control.checked : /** @type {HTMLInputElement} */ (control).value)), typeof value === "boolean" ? value : String(value), name);
+      }
+      await page.locator("#parameter-goal_bias").fill("0.3");
+      await page.locator("#parameter-goal_bias").blur();
+      assert.equal(await page.inputValue("#preset"), "own");
+      await page.selectOption("#preset", "");
+      assert.equal(await page.inputValue("#parameter-goal_bias"), "0.05");
+      assert.equal(await page.locator("#parameter-metric").count(), 0, "a car has no choice of metrics");
     });
   });
 

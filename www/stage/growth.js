@@ -14,8 +14,6 @@ import { way } from "./trace.js";
 
 /** What is inked before the clock is looked at again. */
 const BATCH = { edges: 48, vertices: 256, events: 128 };
-/** Roots: the marks of start and goal stand for them. */
-const ROOTS = 2;
 
 /** Which layer holds what. */
 const LAYER = /** @type {const} */ ({ edges: "edges", vertices: "vertices", events: "marks" });
@@ -157,7 +155,8 @@ export class Growth {
     const { context } = pane.layers.vertices;
     const radius = (run.isTree ? 1.8 : 1.5) * pane.fineness;
     const { events } = this.target;
-    for (let v = Math.max(first, ROOTS); v < end; v++) {
+    // The marks of start and goal stand for the roots.
+    for (let v = Math.max(first, run.roots); v < end; v++) {
       if (this.removed > 0 && !run.isThere(v, events)) continue;
       context.fillStyle = pane.sideColour(run.sides.data[v]);
       disc(context, points[2 * (v - first)], points[2 * (v - first) + 1], radius);

@@ -71,6 +71,8 @@ export class Run {
     this.kind = algorithm === "rrt-connect" ? "trees" : algorithm.startsWith("rrt") || algorithm === "sst" ? "tree" : "roadmap";
     /** Is it driven by controls, so that what was refused has no straight motion to be looked at again? */
     this.isDriven = algorithm === "rrt-control" || algorithm === "sst";
+    /** Its first vertices are start and goal; where it is driven by controls the goal is a region, and no vertex. */
+    this.roots = this.isDriven ? 1 : 2;
     this.isTree = this.kind !== "roadmap";
     /** Are its edges proven free, or only looked at in places? */
     this.isProven = settings.edge_check !== "sampled" && settings.integration !== "euler";

@@ -2,6 +2,7 @@
  * The reader's turn: the robot in the hand, what it touches on its way, and whether it was brought to the goal. A pointer that
  * holds nothing points at something.
  */
+import { once } from "../once.js";
 import { contained, coordinatesOf } from "./coordinates.js";
 
 /** @import { Pointer } from "../types.js" */
@@ -15,15 +16,10 @@ export class Turn {
     this.theatre = theatre;
     /** Once somebody has pointed at something. @type {Pointing | null} */
     this.pointing = null;
+    /** What pointers need, fetched with the first of them. */
+    this.ready = once(async () => (this.pointing = new (await import("./pointing.js")).Pointing()));
     /** How often the hand touched something, and whether it brought the robot to the goal. */
     this.game = { touches: 0, arrived: false };
-  }
-
-  /** What pointers need, fetched with the first of them. @returns {Promise<Pointing>} */
-  async ready() {
-    const { Pointing } = await import("./pointing.js");
-    this.pointing ??= new Pointing();
-    return this.pointing;
   }
 
   /** The reader's turn, or the planner's again. */

@@ -5,6 +5,7 @@
  */
 import * as library from "planarium";
 import { faultOf } from "../fault.js";
+import { once } from "../once.js";
 import { drawThumbnail } from "./thumbnail.js";
 import { isPlaced } from "./names.js";
 import { Theatre } from "./theatre.js";
@@ -22,12 +23,11 @@ function house() {
   return theatre;
 }
 
-/** What is taken away is made here; fetched when it is first asked for. @type {Promise<import("./take.js").Desk> | undefined} */
-let making;
-function desk() {
-  making ??= import("./take.js").then(({ Desk }) => new Desk(house()));
-  return making;
-}
+/** What is taken away is made here. */
+const desk = once(async () => new (await import("./take.js")).Desk(house()));
+const editor = once(() => import("./editor.js"));
+const driving = once(() => import("./driving.js"));
+const placed = once(() => import("../stage/placed.js"));
 
 /** While something is being fetched that the stage cannot do without, all else waits its turn. @type {Promise<unknown> | undefined} */
 let gate;
@@ -36,7 +36,7 @@ let gate;
 async function placedOf(scenario) {
   const { robot } = scenario.document();
   if (robot.type !== "rigid_body" && robot.type !== "car") return null;
-  const { Placed } = await import("../stage/placed.js");
+  const { Placed } = await placed();
   return new Placed(robot);
 }
 
@@ -82,12 +82,12 @@ const commands = {
   hold: (pose) => house().turn.hold(Float64Array.from(pose)),
   /** @param {EditOrder} order */
   async edit(order) {
-    const { editorOf } = await import("./editor.js");
+    const { editorOf } = await editor();
     return editorOf(house()).obey(order);
   },
   /** @param {DriveOrder} order */
   async drive(order) {
-    const { drivingOf } = await import("./driving.js");
+    const { drivingOf } = await driving();
     return drivingOf(house()).obey(order);
   },
   facts: () => house().facts(),

@@ -18,8 +18,7 @@ test("in Node the package is ready on import; init and initSync change nothing",
 test("planners() lists every planner with complete parameters", () => {
   const list = planners();
   assert.deepEqual(list.map(({ id }) => id).sort(), ["prm", "prm-star", "rrt", "rrt-connect", "rrt-control", "sst", "visibility-prm"]);
-  const types = ["arm", "disc", "rigid_body", "car"];
-  for (const { title, summary, parameters, robots, presets } of list) {
+  for (const { title, summary, parameters } of list) {
     assert.ok(title.length > 0 && summary.length > 0);
     assert.ok(parameters.some(({ name }) => name === "max_iterations"));
     for (const parameter of parameters) {

@@ -29,7 +29,7 @@ const DRIVING = [
     .map((algorithm) => ({ algorithm, steering: "dubins", samples: /^prm/.test(algorithm) ? 300 : undefined })),
 ];
 
-const named = ({ algorithm, steering }) => `${algorithm}${steering ? ` along ${steering} curves` : ""}`;
+const named = (/** @type {PlannerOptions} */ { algorithm, steering }) => `${algorithm}${steering ? ` along ${steering} curves` : ""}`;
 
 /** @param {() => unknown} work @param {string} code @param {string} pointer @param {RegExp} [message] */
 function fails(work, code, pointer, message = /./) {

@@ -14,19 +14,15 @@
  * @property {[number, number][]} edges
  */
 
-/** A full turn. */
-const TURN = 2 * Math.PI;
-
-/** How the metric of placements (x, y, theta) is named, with its two weights. */
-const PLACEMENT = /^(\S+) translation \+ (\S+) rotation$/;
-
 /**
- * The roadmap as an undirected graph of nodes `n0`, `n1`, ... with their coordinates `q0`, `q1`, ..., and edges whose `weight` is
- * their length in the metric.
+ * The roadmap as a graph, directed where its edges are, of nodes `n0`, `n1`, ... with their coordinates `q0`, `q1`, ..., and edges
+ * whose `weight` is their length in the metric.
  * @param {RoadmapDocument} roadmap
+ * @param {ArrayLike<number>} lengths  of the edges
+ * @param {boolean} isDirected
  * @returns {string}
  */
-export function graphml(roadmap) {
+export function graphml(roadmap, lengths, isDirected) {
   const { vertices, edges, circles } = roadmap;
   const key = (/** @type {string} */ name, /** @type {string} */ of, /** @type {string} */ kind) =>
     `<key id="${name}" for="${of}" attr.name="${name}" attr.type="${kind}"/>`;
@@ -37,34 +33,13 @@ export function graphml(roadmap) {
     ...words.map((name) => key(name, "graph", "string")),
     ...circles.map((_, i) => key(`q${i}`, "node", "double")),
     key("weight", "edge", "double"),
-    '<graph id="roadmap" edgedefault="undirected">',
+    `<graph id="roadmap" edgedefault="${isDirected ? "directed" : "undirected"}">`,
     ...words.map((name) => `<data key="${name}">${escaped(roadmap[name])}</data>`),
     ...vertices.map((q, i) => `<node id="n${i}">${q.map((x, k) => `<data key="q${k}">${x}</data>`).join("")}</node>`),
-    ...edges.map(([a, b], i) => {
-      const weight = length(vertices[a], vertices[b], roadmap);
-      return `<edge id="e${i}" source="n${a}" target="n${b}"><data key="weight">${weight}</data></edge>`;
-    }),
+    ...edges.map(([a, b], i) => `<edge id="e${i}" source="n${a}" target="n${b}"><data key="weight">${lengths[i]}</data></edge>`),
     "</graph>",
     "</graphml>\n",
   ].join("\n");
-}
-
-/**
- * The length of an edge in the metric, to the bit that of the core.
- * @param {number[]} a
- * @param {number[]} b
- * @param {RoadmapDocument} roadmap
- */
-function length(a, b, { circles, metric }) {
-  const gaps = circles.map((isCircle, i) => {
-    const gap = Math.abs(a[i] - b[i]);
-    return isCircle && gap > Math.PI ? TURN - gap : gap;
-  });
-  const [, translation, rotation] = PLACEMENT.exec(metric) ?? [];
-  if (rotation !== undefined) return Number(translation) * Math.sqrt(gaps[0] * gaps[0] + gaps[1] * gaps[1]) + Number(rotation) * gaps[2];
-  let sum = 0;
-  for (const gap of gaps) sum += metric === "sum" ? gap : gap * gap;
-  return metric === "sum" ? sum : Math.sqrt(sum);
 }
 
 /** Text as XML 1.0 may hold it: its marks escaped, characters that it cannot hold replaced. @param {string} text */

@@ -18,7 +18,7 @@ impl RawPlanner {
     }
 
     fn document(&self) -> Result<RoadmapDocument, JsValue> {
-        let sentence = "this planner builds no roadmap that could be kept, for this robot";
+        let sentence = "this planner builds no roadmap that could be kept";
         self.run.roadmap().ok_or_else(|| throw(Error::new(Code::Unsupported, "", sentence)))
     }
 }
@@ -50,6 +50,17 @@ impl RawPlanner {
     /// The roadmap in its binary form.
     pub fn roadmap_bytes(&self) -> Result<Vec<u8>, JsValue> {
         Ok(self.document()?.to_bytes())
+    }
+
+    /// The lengths of the roadmap's edges in its metric.
+    pub fn roadmap_lengths(&self) -> Result<Vec<f64>, JsValue> {
+        let document = self.document()?;
+        Ok(document.edges.iter().map(|&edge| document.length(edge)).collect())
+    }
+
+    /// Whether the roadmap's edges lead from their first vertex to their second only.
+    pub fn is_roadmap_directed(&self) -> Result<bool, JsValue> {
+        Ok(self.document()?.is_directed())
     }
 
     /// 0 where the run goes on, 1 where it is solved, 2 where it is exhausted.

@@ -270,13 +270,19 @@ test("a roadmap of a body is kept and gone on with", () => {
   assert.deepEqual([resumed.status, resumed.path()], ["solved", planner.path()]);
 });
 
-test("a roadmap of a car is not kept: no format says along which curves it was built", () => {
+test("a roadmap of a car says along which curves it was built, and is gone on with along them", () => {
   const scenario = Scenario.parse(car);
-  const planner = scenario.planner({ algorithm: "prm", samples: 20 });
-  planner.step(30);
-  for (const format of /** @type {const} */ (["json", "binary", "graphml"])) fails(() => planner.roadmap(format), "unsupported", "", /this robot/);
-  const other = finish(Scenario.parse(body).planner({ algorithm: "prm", samples: 20 })).roadmap("binary");
-  fails(() => scenario.resume(other), "unsupported", "", /along which curves/);
+  for (const steering of ["dubins", "reeds-shepp"]) {
+    const planner = finish(scenario.planner({ algorithm: "prm", samples: 300, seed: 1, steering }));
+    const kept = planner.roadmap("binary");
+    const resumed = finish(scenario.resume(kept));
+    assert.deepEqual([resumed.status, resumed.path()], [planner.status, planner.path()]);
+    const xml = planner.roadmap("graphml");
+    assert.equal(xml.includes('edgedefault="directed"'), steering === "dubins");
+    assert.ok(JSON.parse(planner.roadmap("json")).metric.startsWith(steering));
+    const other = steering === "dubins" ? "reeds-shepp" : "dubins";
+    fails(() => scenario.resume(kept, { steering: other }), "out-of-range", "/steering");
+  }
 });
 
 test("planners() says which robots each planner and each parameter is for; the others are refused by name", () => {

@@ -11,7 +11,7 @@ use planarium::path::{Leg, Verdict, verify, verify_legs};
 use planarium::planner::{default_planner, planners};
 use planarium::run::{Options, Status, start};
 use planarium::scenario::Scenario;
-use planarium::space::wrap;
+use planarium::space::{angular_distance, wrap};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -35,7 +35,7 @@ fn every_edge_is_free_and_leads_to_its_vertex_bit_by_bit() {
     for world in [car_and_wall(0.1), car_and_wall(1e-6)] {
         let car = car(&world);
         for (planner, settings) in DRIVEN {
-            for seed in 0..seeds(3) {
+            for seed in 0..seeds(2) {
                 let run = finish(begin_with(&world, planner, seed, settings));
                 let vertices = vertices_of(&*run);
                 for (i, edge) in edges(&*run).iter().enumerate() {
@@ -46,7 +46,7 @@ fn every_edge_is_free_and_leads_to_its_vertex_bit_by_bit() {
                     let end = driven(car, vertices[edge.from], edge, steps(car, edge));
                     assert_eq!(end.map(f64::to_bits), vertices[edge.to].map(f64::to_bits), "{planner} {settings}");
                     // Every leg is judged by dense looks, as a path is: some of many are enough.
-                    if i % 13 == 0 || i + 1 == run.edge_count() {
+                    if i % 29 == 0 || i + 1 == run.edge_count() {
                         let turn = car.turn_rate(edge.speed, edge.steering) * edge.duration;
                         let leg = Leg::arc(&vertices[edge.from], edge.speed * edge.duration, turn);
                         let verdict = verify_legs(world.world(), car.shape(), &[leg]);
@@ -57,7 +57,7 @@ fn every_edge_is_free_and_leads_to_its_vertex_bit_by_bit() {
             }
         }
     }
-    assert!(judged > 200, "only {judged}");
+    assert!(judged > 100, "only {judged}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -145,6 +145,31 @@ fn six_controls_are_all_kept_and_vertices_grow_once() {
     let settings = "controls=reeds-shepp once=true blocked=refused duration_steps=250";
     let run = finish(begin_with(&parse(&document.to_string()), "rrt-control", 2, settings));
     assert_eq!((run.status(), run.vertex_count(), run.iterations()), (Status::Exhausted, 1, 2));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn of_the_vertices_that_have_not_grown_the_nearest_does() {
+    let world = car_shut_in(0.1);
+    let goal = [0, 1, 2].map(|i| world.queries()[0].goal[i]);
+    // Always towards the goal, so that the sample is known.
+    let settings = "controls=reeds-shepp duration_steps=40 once=true goal_bias=1 max_iterations=300";
+    let mut run = begin_with(&world, "rrt-control", 1, settings);
+    let mut has_grown = vec![false];
+    while run.status() == Status::Running {
+        let vertices = vertices_of(&*run);
+        run.step(1);
+        has_grown.resize(vertices.len(), false);
+        let far = |&vertex: &usize| {
+            let ([x, y, theta], [u, v, there]) = (vertices[vertex], goal);
+            0.7 * ((x - u) * (x - u) + (y - v) * (y - v)).sqrt() + 0.3 * angular_distance(theta, there)
+        };
+        let open = (0..vertices.len()).filter(|&vertex| !has_grown[vertex]);
+        let Some(nearest) = open.min_by(|a, b| far(a).total_cmp(&far(b)).then(a.cmp(b))) else { break };
+        has_grown[nearest] = true;
+        let new = &edges(&*run)[vertices.len() - 1..];
+        assert!(new.iter().all(|edge| edge.from == nearest));
+    }
+    assert!(has_grown.iter().filter(|grown| **grown).count() > 200);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -4,11 +4,13 @@ mod common;
 #[path = "common/driven.rs"]
 mod driven;
 
-use common::{begin_with, car_and_wall, finish, seeds};
-use driven::{car, edges, events, is_in_region, vertices_of};
+use common::{begin_with, car_and_wall, finish, parse, seeds};
+use driven::{Edge, car, edges, events, is_in_region, vertices_of};
 use planarium::graph::EventKind;
 use planarium::path::{Verdict, verify};
 use planarium::run::{HISTORY_WIDTH, Phase, Status};
+use planarium::scenario::Scenario;
+use planarium::space::angular_distance;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -49,38 +51,57 @@ fn sst_improves_for_as_long_as_it_is_told_and_never_costs_more() {
     }
 }
 
+/// The distance in the metric of the worlds here.
+fn distance([x, y, a]: [f64; 3], [u, v, b]: [f64; 3]) -> f64 {
+    0.7 * ((x - u) * (x - u) + (y - v) * (y - v)).sqrt() + 0.3 * angular_distance(a, b)
+}
+
+/// Witnesses by simple means: where each is, and the vertex that it stands for.
+struct Witnesses<'a> {
+    world: &'a Scenario,
+    radius: f64,
+    places: Vec<[f64; 3]>,
+    stands_for: Vec<usize>,
+    /// The length of the way to every vertex.
+    costs: Vec<f64>,
+}
+
+impl<'a> Witnesses<'a> {
+    fn new(world: &'a Scenario, radius: f64, start: [f64; 3]) -> Self {
+        Self { world, radius, places: vec![start], stands_for: vec![0], costs: vec![0.0] }
+    }
+
+    /// Adds the vertex at the end of the next edge, which must be the cheapest about its witness, or in the goal region.
+    fn add(&mut self, edge: &Edge, place: [f64; 3]) {
+        let pace = 0.7 * edge.speed.abs() + 0.3 * car(self.world).turn_rate(edge.speed, edge.steering).abs();
+        let cost = self.costs[edge.from] + pace * edge.duration;
+        self.costs.push(cost);
+        let far = |&i: &usize| distance(self.places[i], place);
+        let near = (0..self.places.len()).min_by(|a, b| far(a).total_cmp(&far(b))).expect("the start has one");
+        if far(&near) > self.radius {
+            self.places.push(place);
+            self.stands_for.push(edge.to);
+        } else if cost < self.costs[self.stands_for[near]] {
+            self.stands_for[near] = edge.to;
+        } else {
+            assert!(is_in_region(self.world, place), "vertex {} is dominated", edge.to);
+        }
+    }
+}
+
 #[wasm_bindgen_test(unsupported = test)]
 fn of_vertices_with_one_witness_each_is_cheaper_than_those_before() {
     let world = car_and_wall(0.1);
-    let car = car(&world);
     let (radius, mut pruned) = (0.15, 0);
     for seed in 0..seeds(4) {
         let settings = format!("improve_iterations=1500 pruning_radius={radius} selection_radius=0.3");
         let run = finish(begin_with(&world, "sst", seed, &settings));
         let (vertices, edges) = (vertices_of(&*run), edges(&*run));
-        let distance = |[x, y, a]: [f64; 3], [u, v, b]: [f64; 3]| {
-            0.7 * ((x - u) * (x - u) + (y - v) * (y - v)).sqrt() + 0.3 * planarium::space::angular_distance(a, b)
-        };
-        // Witnesses, with what the cheapest way to a place near each costs.
-        let mut witnesses = vec![(vertices[0], 0.0)];
-        let mut costs = vec![0.0];
+        let mut witnesses = Witnesses::new(&world, radius, vertices[0]);
         let mut children = vec![0; vertices.len()];
         for edge in &edges {
-            let pace = 0.7 * edge.speed.abs() + 0.3 * car.turn_rate(edge.speed, edge.steering).abs();
-            costs.push(costs[edge.from] + pace * edge.duration);
+            witnesses.add(edge, vertices[edge.to]);
             children[edge.from] += 1;
-            let (place, cost) = (vertices[edge.to], costs[edge.to]);
-            let near = (0..witnesses.len())
-                .min_by(|&a, &b| distance(witnesses[a].0, place).total_cmp(&distance(witnesses[b].0, place)))
-                .expect("the start has one");
-            if distance(witnesses[near].0, place) > radius {
-                witnesses.push((place, cost));
-            } else if !is_in_region(&world, place) {
-                assert!(cost < witnesses[near].1, "vertex {} is dominated", edge.to);
-                witnesses[near].1 = cost;
-            } else {
-                witnesses[near].1 = cost.min(witnesses[near].1);
-            }
         }
         // What leaves is a leaf by then, leaves once, and is on no path.
         let removed = events(&*run, EventKind::VertexRemoved);
@@ -90,8 +111,40 @@ fn of_vertices_with_one_witness_each_is_cheaper_than_those_before() {
             children[edges[vertex - 1].from] -= 1;
             children[vertex] = -1;
             assert!(!way.contains(&vertices[vertex].to_vec()), "vertex {vertex} is on the path");
+            assert!(!witnesses.stands_for.contains(&vertex), "vertex {vertex} is the cheapest about its witness");
         }
         pruned += removed.len();
     }
     assert!(pruned > 50, "{pruned}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_cheapest_vertex_about_the_sample_grows() {
+    // A goal that is met by no luck, on this side of the wall.
+    let mut document: serde_json::Value =
+        serde_json::from_str(&car_and_wall(0.1).to_json_string()).expect("a document");
+    document["queries"][0]["goal"] = serde_json::json!([0.5, 1.2, 0.5]);
+    document["queries"][0]["goal_tolerance"] = serde_json::json!({ "translation": 0, "rotation": 0 });
+    let world = parse(&document.to_string());
+    let goal = [0, 1, 2].map(|i| world.queries()[0].goal[i]);
+    let (mut by_cost, mut by_distance) = (0, 0);
+    // Always towards the goal, so that the sample is known.
+    let settings = "goal_bias=1 duration_steps=60 pruning_radius=0.05 selection_radius=0.6 max_iterations=1000";
+    let mut run = begin_with(&world, "sst", 2, settings);
+    let mut witnesses = Witnesses::new(&world, 0.05, vertices_of(&*run)[0]);
+    while run.status() == Status::Running {
+        let vertices = vertices_of(&*run);
+        run.step(1);
+        let Some(edge) = edges(&*run).get(vertices.len() - 1).copied() else { continue };
+        let active = witnesses.stands_for.iter().copied();
+        let (costs, far) = (&witnesses.costs, |vertex: usize| distance(vertices[vertex], goal));
+        let near = active.clone().filter(|&vertex| far(vertex) <= 0.6);
+        let cheapest = near.min_by(|&a, &b| costs[a].total_cmp(&costs[b]).then(a.cmp(&b)));
+        let nearest = active.min_by(|&a, &b| far(a).total_cmp(&far(b)).then(a.cmp(&b))).expect("the start");
+        assert_eq!(edge.from, cheapest.unwrap_or(nearest));
+        by_cost += u32::from(cheapest.is_some_and(|vertex| vertex != nearest));
+        by_distance += u32::from(cheapest.is_none());
+        witnesses.add(&edge, vertices_of(&*run)[edge.to]);
+    }
+    assert!(by_cost > 0 && by_distance > 0, "{by_cost} {by_distance}");
 }

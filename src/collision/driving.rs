@@ -97,6 +97,7 @@ impl<const N: usize> Dynamics<[f64; N]> for Driving<N> {
                 let steps = if most < f64::from(steps) { most as u32 } else { steps };
                 let duration = f64::from(steps) * self.step();
                 let motion = BodyMotion::Arc { from: placement(from), speed, turn_rate, duration };
+                // A step that rounding has let past the hit is past it by less than the slack of the proof.
                 self.collision.first_hit(&motion).map_or(steps, |hit| (hit * f64::from(steps)) as u32)
             }
             Integration::Euler => {

@@ -8,6 +8,8 @@ use crate::space::Space;
 /// then it is built anew. So a removal costs O(log n) in the long run.
 pub(super) struct Active<S: Space> {
     index: Index<S>,
+    /// The vertices of the index, in the order in which they came.
+    members: Vec<VertexId>,
     /// Whether a vertex is in, by its number.
     is_in: Vec<bool>,
     len: usize,
@@ -15,12 +17,13 @@ pub(super) struct Active<S: Space> {
 
 impl<S: Space> Active<S> {
     pub fn new() -> Self {
-        Self { index: Index::new(), is_in: Vec::new(), len: 0 }
+        Self { index: Index::new(), members: Vec::new(), is_in: Vec::new(), len: 0 }
     }
 
     /// Adds a vertex that has not been in.
     pub fn insert(&mut self, space: &S, graph: &Graph<S>, vertex: VertexId) {
         self.index.insert(space, vertex, *graph.state(vertex));
+        self.members.push(vertex);
         self.is_in.resize(self.is_in.len().max(vertex.index() + 1), false);
         self.is_in[vertex.index()] = true;
         self.len += 1;
@@ -30,9 +33,10 @@ impl<S: Space> Active<S> {
     pub fn remove(&mut self, space: &S, graph: &Graph<S>, vertex: VertexId) {
         self.is_in[vertex.index()] = false;
         self.len -= 1;
-        if 2 * self.len < self.index.len() {
+        if 2 * self.len < self.members.len() {
+            self.members.retain(|vertex| self.is_in[vertex.index()]);
             self.index = Index::new();
-            for vertex in (0..self.is_in.len()).filter(|&i| self.is_in[i]).map(|i| VertexId(i as u32)) {
+            for &vertex in &self.members {
                 self.index.insert(space, vertex, *graph.state(vertex));
             }
         }

@@ -20,14 +20,21 @@ const TURN = 2 * Math.PI;
 /** How the metric of placements (x, y, theta) is named, with its two weights. */
 const PLACEMENT = /^(\S+) translation \+ (\S+) rotation$/;
 
+/** How the metric of a steered car is named. */
+const CURVES = /^(dubins|reeds-shepp) of radius /;
+
 /**
- * The roadmap as an undirected graph of nodes `n0`, `n1`, ... with their coordinates `q0`, `q1`, ..., and edges whose `weight` is
- * their length in the metric.
+ * The roadmap as a graph, directed where its edges are, of nodes `n0`, `n1`, ... with their coordinates `q0`, `q1`, ..., and edges
+ * whose `weight` is their length in the metric.
  * @param {RoadmapDocument} roadmap
+ * @param {Float64Array} motions  of a car, along its edges: rows of edge, speed, steering angle, seconds
  * @returns {string}
  */
-export function graphml(roadmap) {
+export function graphml(roadmap, motions) {
   const { vertices, edges, circles } = roadmap;
+  const [, curve] = CURVES.exec(roadmap.metric) ?? [];
+  const driven = new Float64Array(curve === undefined ? 0 : edges.length);
+  if (curve !== undefined) for (let i = 0; i < motions.length; i += 4) driven[motions[i]] += Math.abs(motions[i + 1]) * motions[i + 3];
   const key = (/** @type {string} */ name, /** @type {string} */ of, /** @type {string} */ kind) =>
     `<key id="${name}" for="${of}" attr.name="${name}" attr.type="${kind}"/>`;
   const words = /** @type {const} */ (["scenario", "planner", "metric"]);
@@ -37,11 +44,11 @@ export function graphml(roadmap) {
     ...words.map((name) => key(name, "graph", "string")),
     ...circles.map((_, i) => key(`q${i}`, "node", "double")),
     key("weight", "edge", "double"),
-    '<graph id="roadmap" edgedefault="undirected">',
+    `<graph id="roadmap" edgedefault="${curve === "dubins" ? "directed" : "undirected"}">`,
     ...words.map((name) => `<data key="${name}">${escaped(roadmap[name])}</data>`),
     ...vertices.map((q, i) => `<node id="n${i}">${q.map((x, k) => `<data key="q${k}">${x}</data>`).join("")}</node>`),
     ...edges.map(([a, b], i) => {
-      const weight = length(vertices[a], vertices[b], roadmap);
+      const weight = curve === undefined ? length(vertices[a], vertices[b], roadmap) : driven[i];
       return `<edge id="e${i}" source="n${a}" target="n${b}"><data key="weight">${weight}</data></edge>`;
     }),
     "</graph>",
@@ -50,7 +57,7 @@ export function graphml(roadmap) {
 }
 
 /**
- * The length of an edge in the metric, to the bit that of the core.
+ * The length of a straight edge in the metric, to the bit that of the core.
  * @param {number[]} a
  * @param {number[]} b
  * @param {RoadmapDocument} roadmap

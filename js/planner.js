@@ -147,15 +147,14 @@ export class Planner {
    * @param {F} format  `"json"` for text, `"binary"` for bytes, much fewer; `"graphml"` is text for other programs, which
    *   `resume` does not read
    * @returns {F extends "binary" ? Uint8Array : string}
-   * @throws {PlanariumError} `unsupported` where the planner builds no roadmap, and for a car, whose curves no format has;
-   *   `out-of-range` for another format
+   * @throws {PlanariumError} `unsupported` where the planner builds no roadmap, `out-of-range` for another format
    */
   roadmap(format) {
     const kept = this.#handle.call((raw) => {
       const wanted = argument.text(format, "format");
       if (wanted === "binary") return raw.roadmap_bytes();
       if (wanted === "json") return raw.roadmap_text();
-      if (wanted === "graphml") return graphml(JSON.parse(raw.roadmap_text()));
+      if (wanted === "graphml") return graphml(JSON.parse(raw.roadmap_text()), raw.motions_since(0));
       throw new PlanariumError("out-of-range", "`format` must be \"json\", \"binary\" or \"graphml\".", "/format");
     });
     return /** @type {F extends "binary" ? Uint8Array : string} */ (kept);

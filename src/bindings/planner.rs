@@ -18,7 +18,7 @@ impl RawPlanner {
     }
 
     fn document(&self) -> Result<RoadmapDocument, JsValue> {
-        let sentence = "this planner builds no roadmap that could be kept, for this robot";
+        let sentence = "this planner builds no roadmap that could be kept";
         self.run.roadmap().ok_or_else(|| throw(Error::new(Code::Unsupported, "", sentence)))
     }
 }

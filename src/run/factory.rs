@@ -292,9 +292,7 @@ impl Launch<'_> {
             None => choices::planner(self.ticket.planner, &self.parameters, &problem, seed)?,
         };
         let circles = (0..space.dimension()).map(|i| space.period(i).is_finite()).collect();
-        // A document has no word for the curves of a car.
-        let connection = planner.connection().filter(|_| !matches!(self.scenario.robot(), Robot::Car(_)));
-        let kept = connection.map(|connection| self.empty_document(connection, circles, places));
+        let kept = planner.connection().map(|connection| self.empty_document(connection, circles, places));
         Ok(Box::new(Runner::new(problem, planner, self.ticket, kept)))
     }
 

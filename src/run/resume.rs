@@ -27,15 +27,10 @@ const SEARCHING: &[&str] = &["search", "cost", "heuristic", "reduce", "shortcut"
 /// # Errors
 /// `other-scenario` where world or robot are not those that the roadmap was built for; `invalid-roadmap`, with a pointer into
 /// the JSON form, where the document contradicts itself, a vertex lies outside the space or in collision, or an edge is not
-/// free; `unsupported` where the robot is a car, whose roadmaps are not kept; `out-of-range` where another planner or another value of what the document holds is given, `unsupported` for
+/// free; `out-of-range` where another planner or another value of what the document holds is given, `unsupported` for
 /// parameters of a growth that is over; and those of [`start`](super::start).
 pub fn resume(scenario: &Scenario, options: &Options, document: &RoadmapDocument) -> Result<Box<dyn Run>, Error> {
     document.check()?;
-    if matches!(scenario.robot(), Robot::Car(_)) {
-        let sentence =
-            "a car's roadmap cannot be gone on with: what is kept does not say along which curves it was built";
-        return Err(Error::new(Code::Unsupported, "", sentence));
-    }
     let found = fingerprint(scenario);
     if document.fingerprint != found {
         let sentence = format!(

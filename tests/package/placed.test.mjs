@@ -270,14 +270,26 @@ test("a roadmap of a body is kept and gone on with", () => {
   assert.deepEqual([resumed.status, resumed.path()], ["solved", planner.path()]);
 });
 
-test("a roadmap of a car is not kept: no format says along which curves it was built", () => {
-  const scenario = Scenario.parse(car);
-  const planner = scenario.planner({ algorithm: "prm", samples: 20 });
-  planner.step(30);
-  for (const format of /** @type {const} */ (["json", "binary", "graphml"])) fails(() => planner.roadmap(format), "unsupported", "", /this robot/);
-  const other = finish(Scenario.parse(body).planner({ algorithm: "prm", samples: 20 })).roadmap("binary");
-  fails(() => scenario.resume(other), "unsupported", "", /along which curves/);
-});
+for (const steering of ["dubins", "reeds-shepp"]) {
+  test(`a roadmap of a car along ${steering} curves is kept with them, and gone on with; GraphML tells their lengths and directions`, () => {
+    const scenario = Scenario.parse(square);
+    const planner = finish(scenario.planner({ algorithm: "prm", samples: 300, seed: 1, steering }));
+    assert.equal(planner.status, "solved");
+    for (const kept of [planner.roadmap("json"), planner.roadmap("binary")]) {
+      const resumed = finish(scenario.resume(kept));
+      assert.deepEqual([resumed.status, resumed.path(), resumed.result().motions], ["solved", planner.path(), planner.result().motions]);
+    }
+    const other = steering === "dubins" ? "reeds-shepp" : "dubins";
+    fails(() => scenario.resume(planner.roadmap("binary"), { steering: other }), "out-of-range", "/steering", /was built with/);
+    assert.match(JSON.parse(planner.roadmap("json")).metric, new RegExp(`^${steering} of radius 0\\.2`));
+    const xml = planner.roadmap("graphml");
+    assert.match(xml, steering === "dubins" ? /edgedefault="directed"/ : /edgedefault="undirected"/);
+    const weights = Array.from(xml.matchAll(/<data key="weight">(.+?)<\/data>/g), ([, weight]) => Number(weight));
+    const lengths = motionsByEdge(planner).map((list) => list.reduce((sum, { control: [v], duration }) => sum + Math.abs(v) * duration, 0));
+    assert.equal(weights.length, planner.edgeCount);
+    assert.ok(weights.every((weight, i) => Math.abs(weight - lengths[i]) < 1e-12 * (1 + weight)));
+  });
+}
 
 test("planners() says which robots each planner and each parameter is for; the others are refused by name", () => {
   const types = /** @type {(keyof typeof scenes)[]} */ (Object.keys(scenes));

@@ -32,8 +32,7 @@ pub fn plan(arguments: &Plan) -> Answer {
         None => run::start(&scenario, &options)?,
     };
     if arguments.save_roadmap.is_some() && run.roadmap().is_none() {
-        let planner = options.planner_for(&scenario);
-        let sentence = format!("{planner} builds no roadmap that could be saved, for this robot");
+        let sentence = format!("{} builds no roadmap that could be saved", options.planner_for(&scenario));
         return Err(Error::new(Code::Unsupported, "", sentence));
     }
     let result = drive(run.as_mut(), arguments.max_seconds);

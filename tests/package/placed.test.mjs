@@ -169,7 +169,9 @@ for (const options of DRIVING) {
       assert.ok(trace.length >= 2, `edge ${edge} is traced`);
       assert.deepEqual([trace[0], trace[trace.length - 1]], [from, to]);
       // Close enough to be joined by straight lines, and all of it on the drive.
-      trace.slice(1).forEach((at, i) => assert.ok(gap(trace[i], at)[0] < (isSteered ? 0.041 : 0.051), `edge ${edge}: ${gap(trace[i], at)}`));
+      const length = list.reduce((sum, { control: [v], duration }) => sum + Math.abs(v) * duration, 0);
+      const chords = trace.slice(1).reduce((sum, at, i) => sum + gap(trace[i], at)[0], 0);
+      assert.ok(chords <= length + 1e-9 && chords > 0.99 * length - 1e-9, `edge ${edge}: ${chords} of ${length}`);
       const looks = dense(from, list);
       for (const at of trace) assert.ok(looks.some((look) => gap(look, at)[0] < 5e-3), `edge ${edge} is not at ${at}`);
     }

@@ -169,7 +169,9 @@ for (const options of DRIVING) {
       assert.ok(trace.length >= 2, `edge ${edge} is traced`);
       assert.deepEqual([trace[0], trace[trace.length - 1]], [from, to]);
       // Close enough to be joined by straight lines, and all of it on the drive.
-      trace.slice(1).forEach((at, i) => assert.ok(gap(trace[i], at)[0] < (isSteered ? 0.041 : 0.051), `edge ${edge}: ${gap(trace[i], at)}`));
+      const length = list.reduce((sum, { control: [v], duration }) => sum + Math.abs(v) * duration, 0);
+      const chords = trace.slice(1).reduce((sum, at, i) => sum + gap(trace[i], at)[0], 0);
+      assert.ok(chords <= length + 1e-9 && chords > 0.99 * length - 1e-9, `edge ${edge}: ${chords} of ${length}`);
       const looks = dense(from, list);
       for (const at of trace) assert.ok(looks.some((look) => gap(look, at)[0] < 5e-3), `edge ${edge} is not at ${at}`);
     }
@@ -270,20 +272,26 @@ test("a roadmap of a body is kept and gone on with", () => {
   assert.deepEqual([resumed.status, resumed.path()], ["solved", planner.path()]);
 });
 
-test("a roadmap of a car says along which curves it was built, and is gone on with along them", () => {
-  const scenario = Scenario.parse(car);
-  for (const steering of ["dubins", "reeds-shepp"]) {
+for (const steering of ["dubins", "reeds-shepp"]) {
+  test(`a roadmap of a car along ${steering} curves is kept with them, and gone on with; GraphML tells their lengths and directions`, () => {
+    const scenario = Scenario.parse(square);
     const planner = finish(scenario.planner({ algorithm: "prm", samples: 300, seed: 1, steering }));
-    const kept = planner.roadmap("binary");
-    const resumed = finish(scenario.resume(kept));
-    assert.deepEqual([resumed.status, resumed.path()], [planner.status, planner.path()]);
-    const xml = planner.roadmap("graphml");
-    assert.equal(xml.includes('edgedefault="directed"'), steering === "dubins");
-    assert.ok(JSON.parse(planner.roadmap("json")).metric.startsWith(steering));
+    assert.equal(planner.status, "solved");
+    for (const kept of [planner.roadmap("json"), planner.roadmap("binary")]) {
+      const resumed = finish(scenario.resume(kept));
+      assert.deepEqual([resumed.status, resumed.path(), resumed.result().motions], ["solved", planner.path(), planner.result().motions]);
+    }
     const other = steering === "dubins" ? "reeds-shepp" : "dubins";
-    fails(() => scenario.resume(kept, { steering: other }), "out-of-range", "/steering");
-  }
-});
+    fails(() => scenario.resume(planner.roadmap("binary"), { steering: other }), "out-of-range", "/steering", /was built with/);
+    assert.match(JSON.parse(planner.roadmap("json")).metric, new RegExp(`^${steering} of radius 0\\.2`));
+    const xml = planner.roadmap("graphml");
+    assert.match(xml, steering === "dubins" ? /edgedefault="directed"/ : /edgedefault="undirected"/);
+    const weights = Array.from(xml.matchAll(/<data key="weight">(.+?)<\/data>/g), ([, weight]) => Number(weight));
+    const lengths = motionsByEdge(planner).map((list) => list.reduce((sum, { control: [v], duration }) => sum + Math.abs(v) * duration, 0));
+    assert.equal(weights.length, planner.edgeCount);
+    assert.ok(weights.every((weight, i) => Math.abs(weight - lengths[i]) < 1e-12 * (1 + weight)));
+  });
+}
 
 test("planners() says which robots each planner and each parameter is for; the others are refused by name", () => {
   const types = /** @type {(keyof typeof scenes)[]} */ (Object.keys(scenes));

@@ -160,15 +160,16 @@ function json(value) {
   let written;
   try {
     written = JSON.stringify(value);
+    // Every number that is not finite has become a null; look for them only where there is one.
+    if (written?.includes("null")) refuseNonFinite(value, "");
   } catch (error) {
+    if (error instanceof PlanariumError) throw error;
     const reason = error instanceof Error ? error.message : String(error);
     throw new PlanariumError("invalid-json", `This object cannot be written as JSON: ${reason}`, "", { cause: error });
   }
   if (written === undefined) {
     throw new PlanariumError("wrong-type", `An object is wanted, not ${show(value)}.`);
   }
-  // Every number that is not finite has become a null; look for them only where there is one.
-  if (written.includes("null")) refuseNonFinite(value, "");
   return written;
 }
 

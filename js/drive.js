@@ -140,13 +140,13 @@ function numberOf(name, pointer) {
   return number;
 }
 
-/** A record as rows of numbers. @param {unknown} record */
-function rowsOf(record) {
+/** A record as rows of numbers. @param {unknown} given */
+function rowsOf(given) {
   // By way of JSON, so that nothing of the caller's own runs while it is read.
-  const { presses } = argument.options({ presses: record });
-  if (!Array.isArray(presses)) throw new PlanariumError("wrong-type", "`record` must be an array of { step, key }.", "/record");
-  const rows = new Float64Array(2 * presses.length);
-  presses.forEach((press, i) => {
+  const { record } = /** @type {{ record?: ({ step?: unknown, key?: unknown } | null)[] }} */ (argument.options({ record: given }));
+  if (!Array.isArray(record)) throw new PlanariumError("wrong-type", "`record` must be an array of { step, key }.", "/record");
+  const rows = new Float64Array(2 * record.length);
+  record.forEach((press, i) => {
     rows[2 * i] = argument.count(press?.step, `record/${i}/step`);
     rows[2 * i + 1] = numberOf(press?.key, `/record/${i}/key`);
   });

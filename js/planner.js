@@ -147,7 +147,8 @@ export class Planner {
    * @param {F} format  `"json"` for text, `"binary"` for bytes, much fewer; `"graphml"` is text for other programs, which
    *   `resume` does not read
    * @returns {F extends "binary" ? Uint8Array : string}
-   * @throws {PlanariumError} `unsupported` where the planner builds no roadmap, `out-of-range` for another format
+   * @throws {PlanariumError} `unsupported` where the planner builds no roadmap, and for a car, whose curves no format has;
+   *   `out-of-range` for another format
    */
   roadmap(format) {
     const kept = this.#handle.call((raw) => {

@@ -251,7 +251,8 @@ export class Scenario {
    * @param {PlannerOptions} [options]  `algorithm` is the planner that built it, and may be left out
    * @returns {Planner}
    * @throws {PlanariumError} `other-scenario` where it belongs to another world or robot; `invalid-roadmap` where it is
-   *   damaged or not free; `out-of-range` and `unsupported` for options that contradict it; and what `planner` throws
+   *   damaged or not free; `out-of-range` and `unsupported` for options that contradict it, `unsupported` for a car; and what
+   *   `planner` throws
    */
   resume(roadmap, options) {
     return this.#handle.call((raw) =>

@@ -8,15 +8,17 @@
 //! - [`scenario::Scenario::parse`] reads a document, [`scenario::generate`] makes one by seed;
 //! - [`run::start`] begins a run behind one face, [`run::Run`]; [`run::planners`] lists planners and their parameters;
 //! - [`kept::RoadmapDocument`] keeps a built roadmap, [`run::resume`] goes on asking it;
-//! - [`inspect::Inspector`] answers what a viewer asks; [`drive::Drive`] puts a car under a driver's hand; [`path::verify`] judges a finished path by an independent route.
+//! - [`inspect::Inspector`] answers what a viewer asks;
+//! - [`drive::Drive`] puts a car under a driver's hand, [`drive::rollout`] tells where one control leads;
+//! - [`path::verify()`] judges a finished path by an independent route.
 //!
 //! # The house, and the rule of its arrows
-//! From the ground up: [`control`], [`decimal`], [`error`], [`json`], [`order`], [`phase`], [`random`], [`geometry`], [`steering`],
-//! [`validity`]; on them [`space`] and [`robot`]; on those [`scenario`] and [`collision`], [`problem`]; [`sampling`], [`graph`],
-//! [`nearest`], [`path`], [`kept`], [`drive`]; then [`planner`]; then [`run`] and [`inspect`]; and last the bindings and the command
-//! line. A room names only rooms below it: a planner sees a space and the
-//! trait [`validity::Validity`], never a robot, a scenario or a shape. The core reads no clock, prints nothing, keeps no
-//! global and calls nothing back. A test holds this against the code.
+//! From the ground up: [`decimal`], [`error`], [`order`], [`json`], [`stats`], [`status`], [`phase`], [`random`],
+//! [`geometry`], [`validity`]; on them [`control`], [`steering`], [`space`] and [`robot`]; on those [`scenario`],
+//! [`collision`], [`problem`] and [`result`]; then [`graph`], [`nearest`], [`sampling`], [`kept`], [`path`] and [`drive`];
+//! then [`planner`]; then [`run`] and [`inspect`]; and last the bindings and the command line. A room names only rooms below
+//! it: a planner sees a space and the traits [`validity::Validity`] and [`control::Dynamics`], never a robot, a scenario or a
+//! shape. The core reads no clock, prints nothing, keeps no global and calls nothing back. A test holds this against the code.
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
 

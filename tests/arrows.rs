@@ -27,7 +27,7 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("graph", &["control", "space"]),
     ("nearest", &["graph", "order", "random", "space"]),
     ("result", &["control", "error", "json", "random", "scenario", "stats", "status"]),
-    ("kept", &["decimal", "error", "graph", "json", "scenario", "space"]),
+    ("kept", &["decimal", "error", "graph", "json", "scenario", "space", "steering"]),
     (
         "path",
         &[

@@ -6,11 +6,20 @@ mod bodies;
 mod common;
 
 use bodies::*;
-use common::seeds;
-use planarium::collision::BodyCollision;
+use common::{finish, options, parse, seeds};
+use planarium::collision::{BodyCollision, BodyValidity, placements};
 use planarium::geometry::{Disc, Polygon};
+use planarium::kept::RoadmapDocument;
+use planarium::path::{Verdict, verify};
 use planarium::random::{Random, Stream};
-use planarium::scenario::Obstacle;
+use planarium::result::ResultDocument;
+use planarium::robot::Weights;
+use planarium::run::{self, Status};
+use planarium::scenario::{Obstacle, Scenario};
+use planarium::space::MotionSpace;
+use planarium::steering::Steering;
+use planarium::validity::Validity;
+use std::rc::Rc;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -48,4 +57,223 @@ fn corners_in_one_line_or_all_but_change_nothing() {
         }
     }
     assert!(accepted > 20 * seeds(30), "{accepted}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_curve_that_leads_nowhere_is_its_placement() {
+    let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
+    let block = Obstacle::Polygon(rectangle([1.5, 1.5], [2.5, 2.5]));
+    let world = world([0.0, 0.0], [4.0, 4.0], vec![block]);
+    let torus = placements::<4>(&body, Weights::default(), &world.bounds.expect("bounds"));
+    for steering in [Steering::Dubins, Steering::ReedsShepp] {
+        let space = MotionSpace::steered(torus.clone(), steering, 0.5);
+        let validity = BodyValidity::new(space, Rc::new(BodyCollision::new(&body, &world, 1e-4)));
+        for (q, is_free) in [([1.0, 1.0, 0.5, 0.0], true), ([2.0, 2.0, 0.5, 0.0], false), ([1.4, 2.0, 0.5, 0.0], false)]
+        {
+            assert_eq!(validity.is_motion_free(&q, &q), is_free, "{q:?}");
+            assert_eq!(validity.first_hit(&q, &q), (!is_free).then_some(0.0), "{q:?}");
+        }
+    }
+}
+
+/// A car in an empty box of side 10.
+fn car(wheelbase: &str, speed: &str, steering: &str, goal: &str) -> Scenario {
+    parse(&format!(
+        r#"{{ "format": "planarium-scenario-1", "name": "car",
+            "world": {{ "bounds": {{ "min": [0, 0], "max": [10, 10] }}, "obstacles": [] }},
+            "robot": {{ "type": "car", "shape": {{ "type": "polygon",
+                "vertices": [[-0.2, -0.1], [0.2, -0.1], [0.2, 0.1], [-0.2, 0.1]] }},
+                "wheelbase": {wheelbase}, "speed": {speed}, "steering": {steering} }},
+            "queries": [ {{ "name": "there", "start": [1, 1, 0.3], "goal": {goal} }} ] }}"#
+    ))
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn whatever_the_turning_circle_what_is_solved_arrives() {
+    let mut solved = 0;
+    for (wheelbase, steering) in [
+        ("1e-8", "[-1, 1]"),
+        ("1e-4", "[-1, 1]"),
+        ("1", "[-0.7, 0.7]"),
+        ("100", "[-0.1, 0.1]"),
+        ("1e6", "[-0.1, 0.1]"),
+        ("1e6", "[-0.001, 0.001]"),
+    ] {
+        // All but straight ahead, and anywhere.
+        for goal in ["[9, 3.47469006, 0.3]", "[9, 9, -2]"] {
+            let scenario = car(wheelbase, "[-1, 1]", steering, goal);
+            for planner in ["rrt", "rrt-connect"] {
+                let mut run = run::start(&scenario, &options(planner, 1, "")).expect("a run");
+                if run.step(300) == Status::Solved {
+                    solved += 1;
+                    let verdict = verify(&scenario, &run.result()).expect("its own scenario");
+                    assert!(matches!(verdict, Verdict::Valid { .. }), "{wheelbase} {steering} {planner}: {verdict:?}");
+                }
+            }
+        }
+    }
+    assert!(solved >= 10, "{solved}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn cars_whose_curves_would_overflow_are_refused() {
+    let goal = "[9, 9, -2]";
+    for (wheelbase, speed, steering) in [
+        ("5e-324", "[-1, 1]", "[-1.55, 1.55]"),
+        ("1e-12", "[-1, 1]", "[-1, 1]"),
+        ("1e6", "[-1, 1]", "[-1e-4, 1e-4]"),
+        ("1", "[-1, 1]", "[-1e-300, 1e-300]"),
+        ("1", "[-5e-324, 1]", "[-1, 1]"),
+        ("1", "[0, 1e-10]", "[-1, 1]"),
+    ] {
+        let error = run::start(&car(wheelbase, speed, steering, goal), &options("rrt", 1, "")).err().expect("refused");
+        assert_eq!((error.code().as_str(), error.pointer()), ("unsupported", "/steering"), "{wheelbase} {speed}");
+    }
+    // A reverse gear that is too slow is no matter where it is not used.
+    let slow = car("1", "[-5e-324, 1]", "[-1, 1]", goal);
+    assert!(run::start(&slow, &options("rrt", 1, "steering=dubins")).is_ok());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn curves_are_traced_as_finely_as_they_bend() {
+    for wheelbase in ["1e-8", "1e-3", "0.3"] {
+        let run = finish(
+            run::start(&car(wheelbase, "[-1, 1]", "[-1, 1]", "[9, 9, -2]"), &options("rrt", 1, "")).expect("a run"),
+        );
+        let traces = run.traces_since(0);
+        let rows: Vec<&[f64]> = traces.chunks(4).collect();
+        assert!(rows.len() <= 170 * run.edge_count(), "{} rows for {} edges", rows.len(), run.edge_count());
+        for pair in rows.windows(2).filter(|pair| pair[0][0] == pair[1][0]) {
+            let turn = planarium::space::angular_distance(pair[0][3], pair[1][3]);
+            assert!(turn <= 0.2 + 1e-9 && pair[0] != pair[1], "{pair:?}");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_kept_roadmap_says_how_the_car_was_steered() {
+    let scenario = car("0.5", "[-1, 1]", "[-0.6, 0.6]", "[9, 9, -2]");
+    for word in ["dubins", "reeds-shepp"] {
+        let settings = format!("samples=60 k=6 steering={word}");
+        let run = finish(run::start(&scenario, &options("prm", 1, &settings)).expect("a run"));
+        let document = run.roadmap().expect("a roadmap");
+        assert!(document.metric.starts_with(word), "{}", document.metric);
+        assert_eq!(document.is_directed(), word == "dubins");
+        assert_eq!(document.to_graphml().contains("edgedefault=\"directed\""), word == "dubins");
+        assert_eq!(RoadmapDocument::parse(&document.to_json()).expect("its own JSON"), document);
+        // The same path, without a word about steering, and with the same one.
+        for given in [String::new(), format!("steering={word}")] {
+            let resumed = run::resume(&scenario, &options("prm", 1, &given), &document).expect("it fits");
+            let resumed = finish(resumed);
+            assert_eq!(resumed.path(), run.path());
+            assert_eq!(resumed.roadmap().expect("a roadmap").edges, document.edges);
+        }
+        let other = if word == "dubins" { "reeds-shepp" } else { "dubins" };
+        let error = run::resume(&scenario, &options("prm", 1, &format!("steering={other}")), &document).err();
+        assert_eq!(error.expect("refused").pointer(), "/steering");
+        let plain = RoadmapDocument { metric: "0.7 translation + 0.3 rotation".to_owned(), ..document.clone() };
+        let error = run::resume(&scenario, &options("prm", 1, ""), &plain).err().expect("refused");
+        assert_eq!((error.code().as_str(), error.pointer()), ("invalid-roadmap", "/metric"));
+        // Lengths of edges are those of the space.
+        let radius = 0.5 / libm::tan(0.6);
+        for &[from, to] in &document.edges {
+            let pose = |i: u32| document.rows().nth(i as usize).expect("a vertex");
+            let [a, b] =
+                [from, to].map(|i| planarium::steering::Pose { x: pose(i)[0], y: pose(i)[1], heading: pose(i)[2] });
+            let steering = if word == "dubins" { Steering::Dubins } else { Steering::ReedsShepp };
+            let length = steering.shortest(a, b, radius).length();
+            assert!((document.length([from, to]) - length).abs() <= 1e-12 * length);
+        }
+    }
+}
+
+/// A solved result of a path, and of motions where it is a car's.
+fn told(scenario: &Scenario, path: &str, motions: &str, length: f64) -> ResultDocument {
+    let (query, name) = (&scenario.queries()[0].name, scenario.name());
+    ResultDocument::parse(&format!(
+        r#"{{ "scenario": "{name}", "query": "{query}", "planner": "rrt", "seed": 1, "status": "solved", "path": {path},
+            {motions} "length": {length:e}, "fingerprint": "0000000000000000",
+            "stats": {{ "iterations": 1, "vertices": 1, "edges": 1, "configuration_checks": 1, "motion_checks": 1,
+                "nearest_queries": 1, "visited": 1, "clearance_evaluations": 1, "build_seconds": 0, "search_seconds": 0 }} }}"#
+    ))
+    .expect("a result")
+}
+
+fn why(scenario: &Scenario, result: &ResultDocument) -> Option<String> {
+    match verify(scenario, result).expect("its own scenario") {
+        Verdict::Valid { .. } => None,
+        Verdict::Invalid { why } => Some(why),
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn no_waypoint_turns_a_body_by_an_angle_that_says_nothing() {
+    // Through a slot that only a body fits that lies flat; at both ends it stands.
+    let scenario = parse(
+        r#"{ "format": "planarium-scenario-1", "name": "slot",
+            "world": { "bounds": { "min": [0, 0], "max": [6, 2] }, "obstacles": [
+                { "type": "polygon", "vertices": [[2, 0], [4, 0], [4, 0.8], [2, 0.8]] },
+                { "type": "polygon", "vertices": [[2, 1.2], [4, 1.2], [4, 2], [2, 2]] } ] },
+            "robot": { "type": "rigid_body", "shape": { "type": "polygon",
+                "vertices": [[-0.4, -0.1], [0.4, -0.1], [0.4, 0.1], [-0.4, 0.1]] } },
+            "queries": [ { "name": "through", "start": [1, 1, 1.5], "goal": [5, 1, 1.5] } ] }"#,
+    );
+    let upright = told(&scenario, "[[1, 1, 1.5], [5, 1, 1.5]]", "", 2.8);
+    assert!(why(&scenario, &upright).expect("it does not fit").contains("obstacle"));
+    // By its sine the angle lies flat; by the remainder of whole turns, as steps are measured, it stands.
+    let turns = |angle: f64| {
+        let rest = |a: f64| libm::remainder(a, std::f64::consts::TAU);
+        rest(rest(angle) - rest(1.5)).abs()
+    };
+    let angle = (0..100_000)
+        .map(|i| 4e16 + 8.0 * f64::from(i))
+        .find(|&angle| libm::sin(angle).abs() < 0.05 && turns(angle) < 0.2)
+        .expect("such an angle");
+    let length = 2.8 + 0.3 * 2.0 * turns(angle);
+    let lying = told(&scenario, &format!("[[1, 1, 1.5], [1, 1, {angle:e}], [5, 1, 1.5]]"), "", length);
+    assert!(why(&scenario, &lying).expect("it lies").contains("obstacle"));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn no_step_of_a_car_leads_through_a_wall_and_many_turns_are_judged_at_once() {
+    let scenario = parse(
+        r#"{ "format": "planarium-scenario-1", "name": "dust",
+            "world": { "bounds": { "min": [0, 0], "max": [10, 10] }, "obstacles": [
+                { "type": "polygon", "vertices": [[5, 0], [5.0000000001, 0], [5.0000000001, 10], [5, 10]] } ] },
+            "robot": { "type": "car", "shape": { "type": "polygon",
+                "vertices": [[-1e-10, -1e-10], [1e-10, -1e-10], [1e-10, 1e-10], [-1e-10, 1e-10]] },
+                "wheelbase": 1e-3, "speed": [-1, 1], "steering": [-1, 1] },
+            "queries": [ { "name": "through", "start": [4.9999999997, 5, 0], "goal": [5.0000000005, 5, 0] } ] }"#,
+    );
+    let motion = |speed: f64, steering: f64, duration: f64| {
+        format!(r#"{{ "control": [{speed:e}, {steering:e}], "duration": {duration:e} }}"#)
+    };
+    // It stands still, and the waypoint is as near as rounding might have it.
+    let path = "[[4.9999999997, 5, 0], [5.0000000005, 5, 0]]";
+    let why = |result: ResultDocument| why(&scenario, &result).expect("it lies");
+    let resting = motion(0.0, 0.0, 1.0);
+    assert!(why(told(&scenario, path, &format!(r#""motions": [{resting}],"#), 0.0)).contains("obstacle"));
+    // A million and a trillion metres in circles: no farther from where they lead, and not looked at turn by turn.
+    for metres in [1e6, 1e12, 1e300] {
+        let length = 0.7 * metres + 0.3 * metres * libm::tan(1.0) / 1e-3;
+        let motions = format!(r#""motions": [{}, {resting}],"#, motion(1.0, 1.0, metres));
+        let path = "[[4.9999999997, 5, 0], [5.0002, 5, 0], [5.0000000005, 5, 0]]";
+        assert!(why(told(&scenario, path, &motions, length)).contains("waypoint 1"));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_grain_of_dust_in_a_wide_world_is_judged_at_once() {
+    let scenario = parse(
+        r#"{ "format": "planarium-scenario-1", "name": "desert",
+            "world": { "bounds": { "min": [0, 0], "max": [1e6, 1e6] }, "obstacles": [
+                { "type": "disc", "center": [5e5, 5e5], "radius": 10 } ] },
+            "robot": { "type": "rigid_body", "shape": { "type": "polygon",
+                "vertices": [[-1e-3, -1e-3], [1e-3, -1e-3], [1e-3, 1e-3], [-1e-3, 1e-3]] } },
+            "queries": [ { "name": "across", "start": [1, 1, 0], "goal": [999999, 1, 0] } ] }"#,
+    );
+    let run = finish(run::start(&scenario, &options("rrt", 1, "")).expect("a run"));
+    assert_eq!(why(&scenario, &run.result()), None);
+    let through = told(&scenario, "[[1, 1, 0], [999999, 999999, 0], [999999, 1, 0]]", "", 1e6);
+    assert!(why(&scenario, &through).expect("it hits the disc").contains("obstacle"));
 }

@@ -18,7 +18,7 @@ impl RawPlanner {
     }
 
     fn document(&self) -> Result<RoadmapDocument, JsValue> {
-        let sentence = "this planner builds no roadmap that could be kept";
+        let sentence = "this planner builds no roadmap that could be kept, for this robot";
         self.run.roadmap().ok_or_else(|| throw(Error::new(Code::Unsupported, "", sentence)))
     }
 }

@@ -150,6 +150,16 @@ impl BodyCollision {
         prove(&motion).map(|hit| hit * part)
     }
 
+    /// The largest coordinate of the world plus the reach of the body, in metres.
+    pub(super) fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// The slack of the proof, in metres.
+    pub(super) fn slack(&self) -> f64 {
+        self.tolerance.eta
+    }
+
     fn setting(&self) -> BodySetting<'_> {
         BodySetting {
             body: &self.body,

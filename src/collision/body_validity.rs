@@ -4,7 +4,7 @@ use super::{BodyCollision, BodyMotion, LONGEST_TURN};
 use crate::geometry::{Aabb, Point, Polygon};
 use crate::robot::Weights;
 use crate::space::{MotionSpace, Space, Torus};
-use crate::steering::Curve;
+use crate::steering::{Curve, wrap};
 use crate::validity::{Contact, Validity};
 use std::rc::Rc;
 
@@ -29,6 +29,20 @@ impl<const N: usize> BodyValidity<N> {
     /// The body in that space. The collision may be shared with what drives the body: its work is counted here.
     pub fn new(space: MotionSpace<N>, collision: Rc<BodyCollision>) -> Self {
         Self { space, collision }
+    }
+
+    /// The curve between two states; `None` where the motion is straight, as it is between states that are one but for rounding.
+    fn curve(&self, a: &[f64; N], b: &[f64; N]) -> Option<Curve> {
+        self.space.curve(a, b).filter(|curve| !curve.segments().is_empty())
+    }
+
+    /// Whether a curve that ends there has led to the state: what rounding made it miss by may cost half the slack at most, also
+    /// where the curve is driven back. Of a turning circle far wider than the world it may be more.
+    fn is_reached(&self, end: [f64; 3], state: &[f64; N]) -> bool {
+        let mut reached = [0.0; N];
+        (reached[0], reached[1], reached[2]) = (end[0], end[1], wrap(end[2]));
+        let [x, y, turn] = placement(&self.space.torus().difference(&reached, state)).map(f64::abs);
+        x + y + 4.0 * self.collision.scale() * turn <= 0.5 * self.collision.slack()
     }
 
     /// The straight motion; `None` where the short way round is ambiguous.
@@ -60,16 +74,23 @@ impl<const N: usize> Validity<[f64; N]> for BodyValidity<N> {
     }
 
     fn is_motion_free(&self, a: &[f64; N], b: &[f64; N]) -> bool {
-        match self.space.curve(a, b) {
-            Some(curve) => arcs(placement(a), &curve).all(|arc| self.collision.is_motion_free(&arc)),
-            None => self.straight(a, b).is_some_and(|motion| self.collision.is_motion_free(&motion)),
-        }
+        let Some(curve) = self.curve(a, b) else {
+            return self.straight(a, b).is_some_and(|motion| self.collision.is_motion_free(&motion));
+        };
+        let mut end = placement(a);
+        arcs(end, &curve).all(|arc| {
+            end = arc.at(1.0);
+            self.collision.is_motion_free(&arc)
+        }) && self.is_reached(end, b)
     }
 
     fn first_hit(&self, a: &[f64; N], b: &[f64; N]) -> Option<f64> {
-        let Some(curve) = self.space.curve(a, b) else {
+        let Some(curve) = self.curve(a, b) else {
             return self.straight(a, b).map_or(Some(0.0), |motion| self.collision.first_hit(&motion));
         };
+        if !arcs(placement(a), &curve).last().is_some_and(|arc| self.is_reached(arc.at(1.0), b)) {
+            return Some(0.0);
+        }
         let mut before = 0.0;
         for (arc, segment) in arcs(placement(a), &curve).zip(curve.segments()) {
             let length = segment.length.abs();

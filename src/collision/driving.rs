@@ -10,6 +10,9 @@ use crate::space::{MotionSpace, Space};
 use crate::steering::Turn;
 use std::rc::Rc;
 
+/// What a car may turn by in one motion, in radians: of more turns, rounding leaves too little of where they end.
+const LARGEST_TURN: f64 = 1e5;
+
 /// How the motion of a car is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Integration {
@@ -90,6 +93,8 @@ impl<const N: usize> Dynamics<[f64; N]> for Driving<N> {
         match self.integration {
             Integration::Exact => {
                 let (speed, turn_rate) = (control.speed, self.turn_rate(control));
+                let most = LARGEST_TURN / (turn_rate * self.step()).abs();
+                let steps = if most < f64::from(steps) { most as u32 } else { steps };
                 let duration = f64::from(steps) * self.step();
                 let motion = BodyMotion::Arc { from: placement(from), speed, turn_rate, duration };
                 self.collision.first_hit(&motion).map_or(steps, |hit| (hit * f64::from(steps)) as u32)

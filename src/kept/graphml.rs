@@ -6,7 +6,7 @@ use crate::decimal::exact;
 use std::fmt::Write;
 
 impl RoadmapDocument {
-    /// The roadmap as GraphML: an undirected graph of nodes `n0`, `n1`, ... with their coordinates `q0`, `q1`, ..., and edges
+    /// The roadmap as GraphML: a graph, directed where its edges are, of nodes `n0`, `n1`, ... with their coordinates `q0`, `q1`, ..., and edges
     /// whose `weight` is their length in the metric. Numbers have the fewest digits that parse back to the same bits.
     pub fn to_graphml(&self) -> String {
         let mut xml = String::with_capacity(1024 + 64 * (self.vertices.len() + self.edges.len()));
@@ -19,7 +19,8 @@ impl RoadmapDocument {
         for (name, of, kind) in keys.into_iter().chain(numbers).chain([("weight", "edge", "double")]) {
             let _ = writeln!(xml, "<key id=\"{name}\" for=\"{of}\" attr.name=\"{name}\" attr.type=\"{kind}\"/>");
         }
-        xml.push_str("<graph id=\"roadmap\" edgedefault=\"undirected\">\n");
+        let edges = if self.is_directed() { "directed" } else { "undirected" };
+        let _ = writeln!(xml, "<graph id=\"roadmap\" edgedefault=\"{edges}\">");
         for (name, text) in [("scenario", &self.scenario), ("planner", &self.planner), ("metric", &self.metric)] {
             let _ = writeln!(xml, "<data key=\"{name}\">{}</data>", escaped(text));
         }

@@ -8,15 +8,16 @@ mod binary;
 mod fingerprint;
 mod graphml;
 mod json;
+mod metric;
 
 pub use binary::MAGIC;
 pub use fingerprint::fingerprint;
 pub use json::FORMAT;
+pub use metric::{curve_metric, placement_metric};
 
 use crate::decimal::Decimal;
 use crate::error::{Code, Error};
-use crate::json::Node;
-use crate::space::MAX_DIMENSION;
+use crate::space::{MAX_DIMENSION, MotionSpace, Space, Torus};
 use std::f64::consts::{PI, TAU};
 
 /// The most neighbours that a vertex may be joined to: where a radius counts, as many as a roadmap may try.
@@ -33,7 +34,8 @@ pub struct RoadmapDocument {
     pub circles: Vec<bool>,
     /// The id of the planner that built it.
     pub planner: String,
-    /// The metric: `sum`, `euclidean`, `naive`, or of placements what [`placement_metric`] says.
+    /// The metric: `sum`, `euclidean`, `naive`, of placements what [`placement_metric`] says, of a steered car what
+    /// [`curve_metric`] does.
     pub metric: String,
     /// To how many neighbours a vertex is joined, 1 to 20 million.
     pub k: u32,
@@ -87,6 +89,11 @@ impl RoadmapDocument {
         self.rows().len()
     }
 
+    /// Whether edges lead from their first vertex to their second only.
+    pub fn is_directed(&self) -> bool {
+        metric::curves(&self.metric).is_some_and(|(steering, _)| !steering.is_symmetric())
+    }
+
     /// The length of an edge in the metric, to the bit that of the space it was built in.
     ///
     /// # Panics
@@ -94,11 +101,18 @@ impl RoadmapDocument {
     pub fn length(&self, [a, b]: [u32; 2]) -> f64 {
         let dimension = self.dimension();
         let at = |vertex: u32, i: usize| self.vertices[vertex as usize * dimension + i];
+        if let (Some((steering, radius)), 3) = (metric::curves(&self.metric), dimension) {
+            // How far the box of places reaches is no part of the length.
+            let torus = Torus::<MAX_DIMENSION>::of_placements([0.0; 2], [1.0; 2], 1.0, 1.0);
+            let space = MotionSpace::steered(torus, steering, radius);
+            let [a, b] = [a, b].map(|vertex| std::array::from_fn(|i| if i < 3 { at(vertex, i) } else { 0.0 }));
+            return space.distance(&a, &b);
+        }
         let gaps = self.circles.iter().enumerate().map(|(i, &is_circle)| {
             let gap = (at(a, i) - at(b, i)).abs();
             if is_circle && gap > PI { TAU - gap } else { gap }
         });
-        match (placement_weights(&self.metric), dimension) {
+        match (metric::placement_weights(&self.metric), dimension) {
             (Some([translation, rotation]), 3) => {
                 let gaps: Vec<f64> = gaps.collect();
                 translation * (gaps[0] * gaps[0] + gaps[1] * gaps[1]).sqrt() + rotation * gaps[2]
@@ -147,19 +161,6 @@ impl RoadmapDocument {
         }
         Ok(())
     }
-}
-
-/// How a document names the metric of placements (x, y, theta) with these weights.
-pub fn placement_metric(translation: f64, rotation: f64) -> String {
-    format!("{} translation + {} rotation", Decimal(translation), Decimal(rotation))
-}
-
-/// The weights in such a name.
-fn placement_weights(metric: &str) -> Option<[f64; 2]> {
-    let (translation, rest) = metric.split_once(" translation + ")?;
-    let rotation = rest.strip_suffix(" rotation")?;
-    let number = |text| if let Ok(Node::Number(weight)) = Node::parse(text) { Some(weight) } else { None };
-    Some([number(translation)?, number(rotation)?])
 }
 
 /// The error for a document that is damaged.

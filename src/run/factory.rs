@@ -8,8 +8,9 @@ use crate::collision::{
     plane,
 };
 use crate::control::Dynamics;
+use crate::decimal::Decimal;
 use crate::error::{Code, Error};
-use crate::kept::{RoadmapDocument, fingerprint, placement_metric};
+use crate::kept::{RoadmapDocument, curve_metric, fingerprint, placement_metric};
 use crate::path::Wanted;
 use crate::planner::{Connection, Parameters, PlannerInfo, planner_info};
 use crate::problem::{Estimate, GoalRegion, Problem};
@@ -23,6 +24,12 @@ use std::rc::Rc;
 /// The smaller size of states: most robots have no more coordinates. In WebAssembly one size serves all, which costs a tenth
 /// of the speed and saves a tenth of the module.
 const SMALL: usize = if cfg!(target_arch = "wasm32") { MAX_DIMENSION } else { 4 };
+
+/// The turning radii of steered cars, in metres: wide of all worlds on either side. Beyond, lengths and durations of curves might
+/// overflow.
+const TURNING_RADII: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
+/// The slowest that a steered car may be at its fastest, in metres a second, for the same reason.
+const SLOWEST: f64 = 1e-9;
 
 /// Begins a run.
 ///
@@ -78,6 +85,7 @@ pub(super) fn launch(
         parameters,
         ticket,
         kept,
+        steering: None,
         ends: [&query.start, &query.goal],
         goal_tolerance: query.goal_tolerance,
     };
@@ -108,6 +116,8 @@ struct Launch<'a> {
     ticket: Ticket,
     /// The roadmap to go on with.
     kept: Option<&'a RoadmapDocument>,
+    /// How a car is steered, and its turning radius.
+    steering: Option<(Steering, f64)>,
     ends: [&'a [f64]; 2],
     goal_tolerance: Option<GoalTolerance>,
 }
@@ -160,7 +170,7 @@ impl Launch<'_> {
         )
     }
 
-    fn placed(self, robot: &Robot) -> Result<Box<dyn Run>, Error> {
+    fn placed(mut self, robot: &Robot) -> Result<Box<dyn Run>, Error> {
         if let Some(word) = self.parameters.text("metric") {
             let sentence = format!("the metric of a body is its scenario's, not \"{word}\"");
             return Err(Error::new(Code::OutOfRange, "/metric", sentence));
@@ -172,6 +182,7 @@ impl Launch<'_> {
             Robot::Car(car) if self.ticket.is_steered => self.steered(car, torus.clone())?,
             _ => MotionSpace::new(torus.clone()),
         };
+        self.steering = space.steering();
         let ends = self.ends.map(|q| space.state(q));
         let collision = || BodyCollision::new(shape, world, self.tolerance());
         let [start, goal] = ends.map(|q| [q[0], q[1], q[2]]);
@@ -197,6 +208,13 @@ impl Launch<'_> {
         let Some((radius, _)) = car.turning_radius() else {
             return Err(unsupported("the car cannot steer both ways, so that no curve leads everywhere"));
         };
+        if !TURNING_RADII.contains(&radius) {
+            let [low, high] = [*TURNING_RADII.start(), *TURNING_RADII.end()].map(Decimal);
+            let radius = Decimal(radius);
+            return Err(unsupported(&format!(
+                "a car's turning radius must lie within [{low}, {high}] m for curves, not {radius}"
+            )));
+        }
         let [backward, forward] = car.speed();
         let steering = match self.parameters.text("steering") {
             Some("dubins") => Steering::Dubins,
@@ -208,6 +226,11 @@ impl Launch<'_> {
             return Err(unsupported(
                 "the car's speeds do not admit these curves: dubins goes forwards, reeds-shepp both ways",
             ));
+        }
+        let used = if steering == Steering::Dubins { forward } else { forward.min(-backward) };
+        if used < SLOWEST {
+            let [used, slowest] = [used, SLOWEST].map(Decimal);
+            return Err(unsupported(&format!("curves are driven at {slowest} m/s at least, not {used}")));
         }
         if steering == Steering::Dubins && self.ticket.planner == "visibility-prm" {
             return Err(unsupported(
@@ -269,15 +292,18 @@ impl Launch<'_> {
             None => choices::planner(self.ticket.planner, &self.parameters, &problem, seed)?,
         };
         let circles = (0..space.dimension()).map(|i| space.period(i).is_finite()).collect();
-        let kept = planner.connection().map(|connection| self.empty_document(connection, circles, places));
+        // A document has no word for the curves of a car.
+        let connection = planner.connection().filter(|_| !matches!(self.scenario.robot(), Robot::Car(_)));
+        let kept = connection.map(|connection| self.empty_document(connection, circles, places));
         Ok(Box::new(Runner::new(problem, planner, self.ticket, kept)))
     }
 
     /// How the roadmap of this run will be kept, without vertices and edges.
     fn empty_document(&self, connection: Connection, circles: Vec<bool>, edge_samples: Option<u32>) -> RoadmapDocument {
-        let default = match self.scenario.robot() {
-            Robot::Arm(_) => "sum".to_owned(),
-            robot => only_metric(robot),
+        let default = match (self.scenario.robot(), self.steering) {
+            (_, Some((steering, radius))) => curve_metric(steering, radius),
+            (Robot::Arm(_), None) => "sum".to_owned(),
+            (robot, None) => only_metric(robot),
         };
         RoadmapDocument {
             scenario: self.scenario.name().to_owned(),
@@ -310,7 +336,7 @@ fn goal_region<const N: usize>(
     GoalRegion { contains: Box::new(contains), reach }
 }
 
-/// The metric of a robot that has only one, as a roadmap is kept with it.
+/// The metric of a robot that has only one and is not steered, as a roadmap is kept with it.
 pub(super) fn only_metric(robot: &Robot) -> String {
     match robot.placed_shape() {
         Some((_, weights)) => placement_metric(weights.translation, weights.rotation),

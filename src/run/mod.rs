@@ -119,8 +119,8 @@ pub trait Run {
     /// All of it as a document; seconds are 0.
     fn result(&self) -> ResultDocument;
 
-    /// The roadmap as far as it is built, to be kept for later: see [`resume`]. `None` of planners that build none. Vertices
-    /// that [`Run::query`] has kept are part of it. O(size).
+    /// The roadmap as far as it is built, to be kept for later: see [`resume`]. `None` of planners that build none, and of
+    /// cars. Vertices that [`Run::query`] has kept are part of it. O(size).
     fn roadmap(&self) -> Option<RoadmapDocument>;
 
     /// Asks the roadmap for another path, as far as it is built: joins start and goal to their neighbours and searches. The

@@ -4,10 +4,12 @@ use super::factory::{launch, only_metric};
 use super::{Options, Run};
 use crate::decimal::Row;
 use crate::error::{Code, Error, quoted};
-use crate::kept::{RoadmapDocument, damaged, fingerprint};
+use crate::kept::{RoadmapDocument, curve_metric, damaged, fingerprint};
 use crate::planner::{Parameters, PlannerInfo, Value, planner_info};
+use crate::robot::Car;
 use crate::scenario::{Robot, Scenario};
 use crate::space::Space;
+use crate::steering::Steering;
 use crate::validity::Validity;
 
 /// The parameters that do not say how a roadmap is built but what is done with it.
@@ -19,15 +21,21 @@ const SEARCHING: &[&str] = &["search", "cost", "heuristic", "reduce", "shortcut"
 /// sampled is sampled again, and stays named as such.
 ///
 /// How the roadmap was built is the document's: `options` name its planner, how to search, and what to do with the path.
-/// Parameters that the document holds (`metric`, `k`, `radius`, `edge_check`, `edge_samples`, `tolerance`) may be given again.
+/// Parameters that the document holds (`metric`, `steering`, `k`, `radius`, `edge_check`, `edge_samples`, `tolerance`) may be given
+/// again.
 ///
 /// # Errors
 /// `other-scenario` where world or robot are not those that the roadmap was built for; `invalid-roadmap`, with a pointer into
 /// the JSON form, where the document contradicts itself, a vertex lies outside the space or in collision, or an edge is not
-/// free; `out-of-range` where another planner or another value of what the document holds is given, `unsupported` for
+/// free; `unsupported` where the robot is a car, whose roadmaps are not kept; `out-of-range` where another planner or another value of what the document holds is given, `unsupported` for
 /// parameters of a growth that is over; and those of [`start`](super::start).
 pub fn resume(scenario: &Scenario, options: &Options, document: &RoadmapDocument) -> Result<Box<dyn Run>, Error> {
     document.check()?;
+    if matches!(scenario.robot(), Robot::Car(_)) {
+        let sentence =
+            "a car's roadmap cannot be gone on with: what is kept does not say along which curves it was built";
+        return Err(Error::new(Code::Unsupported, "", sentence));
+    }
     let found = fingerprint(scenario);
     if document.fingerprint != found {
         let sentence = format!(
@@ -43,7 +51,9 @@ pub fn resume(scenario: &Scenario, options: &Options, document: &RoadmapDocument
         return Err(damaged("/dimension", sentence));
     }
     let robot = scenario.robot();
-    let only = (!matches!(robot, Robot::Arm(_))).then(|| only_metric(robot));
+    // A car's roadmap is one of curves.
+    let steering = if let Robot::Car(car) = robot { Some(steering(car, document)?) } else { None };
+    let only = (!matches!(robot, Robot::Arm(_) | Robot::Car(_))).then(|| only_metric(robot));
     if let Some(metric) = only.filter(|metric| document.metric != *metric) {
         let sentence = format!("the metric of this robot is {metric}, not {}", quoted(&document.metric));
         return Err(damaged("/metric", sentence));
@@ -60,7 +70,19 @@ pub fn resume(scenario: &Scenario, options: &Options, document: &RoadmapDocument
     options.check_seed()?;
     // A parameter chooses among metrics; the one of placements is the scenario's.
     let metric = robot.placed_shape().is_none().then_some(document.metric.as_str());
-    launch(scenario, options, info, parameters(info, options, document, metric)?, Some(document))
+    launch(scenario, options, info, parameters(info, options, document, metric, steering)?, Some(document))
+}
+
+/// How the car was steered when the roadmap was built.
+fn steering(car: &Car, document: &RoadmapDocument) -> Result<Steering, Error> {
+    let metrics = |(radius, _)| {
+        [Steering::Dubins, Steering::ReedsShepp].map(|steering| (steering, curve_metric(steering, radius)))
+    };
+    let known: Vec<_> = car.turning_radius().into_iter().flat_map(metrics).collect();
+    known.iter().find(|(_, metric)| *metric == document.metric).map(|&(steering, _)| steering).ok_or_else(|| {
+        let known = known.iter().map(|(_, metric)| metric.as_str()).collect::<Vec<_>>().join(" or ");
+        damaged("/metric", format!("the metric of this car is {known}, not {}", quoted(&document.metric)))
+    })
 }
 
 /// The parameters of the run: what the document holds, and of those given what may be.
@@ -69,12 +91,14 @@ fn parameters(
     options: &Options,
     document: &RoadmapDocument,
     metric: Option<&str>,
+    steering: Option<Steering>,
 ) -> Result<Parameters, Error> {
     let number = |name: &str, value: f64| (name.to_owned(), Value::Number(value));
     let text = |name: &str, value: &str| (name.to_owned(), Value::Text(value.to_owned()));
     let edge_check = if document.edge_samples.is_some() { "sampled" } else { "proven" };
     let mut all = vec![text("edge_check", edge_check), number("tolerance", document.tolerance)];
     all.extend(metric.map(|metric| text("metric", metric)));
+    all.extend(steering.map(|steering| text("steering", steering.as_str())));
     all.extend(document.edge_samples.map(|places| number("edge_samples", f64::from(places))));
     Parameters::resolve(info.parameters, &all).map_err(|error| damaged(error.pointer(), error.message()))?;
     let held = [&all[..], &[number("k", f64::from(document.k)), number("radius", document.radius)]].concat();

@@ -96,7 +96,8 @@ test("a record replays to the same bits, and as far as it is told to", () => {
   fails(() => other.replay([{ step: 1, key: /** @type {any} */ ("jump") }], 1), "out-of-range", "/record/0/key");
   fails(() => other.replay(/** @type {any} */ ([null]), 1), "wrong-type", "/record/0/step");
   fails(() => other.replay(/** @type {any} */ ("left"), 1), "wrong-type", "/record");
-  fails(() => other.replay(new Proxy([], { get() { throw undefined; } }), 1), "invalid-json");
+  fails(() => other.replay(/** @type {any} */ (new Proxy([0, 0], { get() { throw undefined; } })), 1), "invalid-json");
+  fails(() => other.replay([{ step: NaN, key: "left" }], 1), "not-finite", "/record/0/step");
   fails(() => other.replay(/** @type {any} */ ([{ get step() { throw new Error("hands off"); } }]), 1), "invalid-json");
 });
 

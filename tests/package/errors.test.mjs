@@ -58,6 +58,9 @@ test("what is no document at all", () => {
   fails(() => Scenario.parse(circle), "invalid-json");
   fails(() => Scenario.parse({ get name() { throw new Error("never read me"); } }), "invalid-json", undefined, /never read me/);
   fails(() => Scenario.parse({ name: 1n }), "invalid-json");
+  let reads = 0;
+  const fickle = { nothing: null, get name() { reads += 1; if (reads > 1) throw new Error("only once"); return "n"; } };
+  fails(() => Scenario.parse(fickle), "invalid-json", undefined, /only once/);
   for (const value of [undefined, () => 1, Symbol("s")]) fails(() => Scenario.parse(/** @type {any} */ (value)), "wrong-type");
   for (const value of [null, 1, true, [], "[]"]) fails(() => Scenario.parse(/** @type {any} */ (value)), "wrong-type", "");
   fails(() => Scenario.parse("[".repeat(100_000)), "invalid-json");

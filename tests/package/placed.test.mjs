@@ -29,7 +29,7 @@ const DRIVING = [
     .map((algorithm) => ({ algorithm, steering: "dubins", samples: /^prm/.test(algorithm) ? 300 : undefined })),
 ];
 
-const named = ({ algorithm, steering }) => `${algorithm}${steering ? ` along ${steering} curves` : ""}`;
+const named = (/** @type {PlannerOptions} */ { algorithm, steering }) => `${algorithm}${steering ? ` along ${steering} curves` : ""}`;
 
 /** @param {() => unknown} work @param {string} code @param {string} pointer @param {RegExp} [message] */
 function fails(work, code, pointer, message = /./) {
@@ -268,6 +268,15 @@ test("a roadmap of a body is kept and gone on with", () => {
   const planner = finish(scenario.planner({ algorithm: "prm", samples: 500, seed: 4 }));
   const resumed = finish(scenario.resume(planner.roadmap("binary")));
   assert.deepEqual([resumed.status, resumed.path()], ["solved", planner.path()]);
+});
+
+test("a roadmap of a car is not kept: no format says along which curves it was built", () => {
+  const scenario = Scenario.parse(car);
+  const planner = scenario.planner({ algorithm: "prm", samples: 20 });
+  planner.step(30);
+  for (const format of /** @type {const} */ (["json", "binary", "graphml"])) fails(() => planner.roadmap(format), "unsupported", "", /this robot/);
+  const other = finish(Scenario.parse(body).planner({ algorithm: "prm", samples: 20 })).roadmap("binary");
+  fails(() => scenario.resume(other), "unsupported", "", /along which curves/);
 });
 
 test("planners() says which robots each planner and each parameter is for; the others are refused by name", () => {

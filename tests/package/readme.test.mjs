@@ -10,24 +10,28 @@ import { addFiles, emptyFolder, install, pack } from "./packed.mjs";
 const readme = readFileSync(join(root, "README.md"), "utf8");
 
 /**
- * The one block of code in a language.
+ * The blocks of code in a language.
  * @param {string} language
+ * @param {number} count  how many there are
  */
-function block(language) {
-  const blocks = [...readme.matchAll(new RegExp(`^\`\`\`${language}\n([^]*?)^\`\`\`$`, "gm"))];
-  assert.equal(blocks.length, 1, `one block of ${language}`);
-  return blocks[0][1];
+function blocks(language, count) {
+  const found = Array.from(readme.matchAll(new RegExp(`^\`\`\`${language}\n([^]*?)^\`\`\`$`, "gm")), ([, code]) => code);
+  assert.equal(found.length, count, `blocks of ${language}`);
+  return found;
 }
 
-test("the quick start of npm plans a path", () => {
+test("the quick starts of npm plan paths, of an arm and of a car", () => {
   const folder = install(pack());
-  addFiles(folder, { "quick-start.mjs": block("js") });
-  const printed = execFileSync(process.execPath, ["quick-start.mjs"], { cwd: folder, encoding: "utf8" });
-  assert.match(printed, /^solved \d+\.\d+\n$/);
+  const printed = blocks("js", 2).map((code, i) => {
+    addFiles(folder, { [`quick-start-${i}.mjs`]: code });
+    return execFileSync(process.execPath, [`quick-start-${i}.mjs`], { cwd: folder, encoding: "utf8" });
+  });
+  assert.match(printed[0], /^solved \d+\.\d+\n$/);
+  assert.match(printed[1], /^(?:solved [1-9]\d* motions\n){2}3\n$/);
 });
 
 test("the quick start of the command line plans a path that is valid", () => {
-  const lines = block("sh").trim().split("\n");
+  const lines = blocks("sh", 1)[0].trim().split("\n");
   // Installing is building and copying: the program that the other tests have built serves, on the PATH of a shell.
   assert.equal(lines.shift(), "cargo install --path . --features cli --quiet");
   execFileSync("cargo", ["build", "--locked", "--quiet", "--features", "cli,schema"], { cwd: root, stdio: "inherit" });
@@ -39,7 +43,10 @@ test("the quick start of the command line plans a path that is valid", () => {
   const printed = execFileSync("sh", ["-ec", lines.join("\n")], { cwd: folder, env, encoding: "utf8" });
   assert.match(printed, /valid/);
   assert.match(printed, /rrt-connect/);
-  assert.equal(JSON.parse(readFileSync(join(folder, "result.json"), "utf8")).status, "solved");
+  for (const [name, planner] of [["result", "rrt-connect"], ["driven", "rrt-control"]]) {
+    const result = JSON.parse(readFileSync(join(folder, `${name}.json`), "utf8"));
+    assert.deepEqual([result.status, result.planner], ["solved", planner]);
+  }
 });
 
 test("the two commands are scripts of the project", () => {

@@ -32,7 +32,8 @@ pub fn plan(arguments: &Plan) -> Answer {
         None => run::start(&scenario, &options)?,
     };
     if arguments.save_roadmap.is_some() && run.roadmap().is_none() {
-        let sentence = format!("{} builds no roadmap that could be saved", options.planner_for(&scenario));
+        let planner = options.planner_for(&scenario);
+        let sentence = format!("{planner} builds no roadmap that could be saved, for this robot");
         return Err(Error::new(Code::Unsupported, "", sentence));
     }
     let result = drive(run.as_mut(), arguments.max_seconds);

@@ -10,6 +10,9 @@ use crate::geometry::{Point, Polygon, arc_pose};
 use crate::scenario::World;
 use std::f64::consts::{PI, TAU};
 
+/// A little more than a whole turn, in radians.
+const ONE_TURN: f64 = TAU + 1e-9;
+
 /// A part of a body's path that is driven without a break: where it starts, and how it goes on at constant rates.
 #[derive(Debug, Clone, Copy)]
 pub struct Leg {
@@ -30,7 +33,7 @@ impl Leg {
     /// Where either has fewer than three entries.
     pub fn straight(a: &[f64], b: &[f64]) -> Self {
         let step = difference(2, a, b);
-        Self { from: [a[0], a[1], a[2]], way: [step[0], step[1]], arc: 0.0, turn: step[2] }
+        Self { from: placement(a), way: [step[0], step[1]], arc: 0.0, turn: step[2] }
     }
 
     /// From a placement along an arc of so many metres, backward where negative, while turning by `turn` radians.
@@ -38,7 +41,7 @@ impl Leg {
     /// # Panics
     /// Where `from` has fewer than three entries.
     pub fn arc(from: &[f64], length: f64, turn: f64) -> Self {
-        Self { from: [from[0], from[1], from[2]], way: [0.0; 2], arc: length, turn }
+        Self { from: placement(from), way: [0.0; 2], arc: length, turn }
     }
 
     /// Where the leg has led at `t` in [0, 1]; the angle is not wrapped.
@@ -54,6 +57,16 @@ impl Leg {
         arc_pose(self.from, self.arc / self.turn, 1.0, libm::remainder(turn, TAU))
     }
 
+    /// As much of the leg as tells about all of it: an arc of several turns comes by the same places again and again.
+    fn first_turn(&self) -> Self {
+        let turn = self.turn.abs();
+        if turn <= ONE_TURN {
+            return *self;
+        }
+        let part = ONE_TURN / turn;
+        Self { arc: self.arc * part, turn: self.turn * part, ..*self }
+    }
+
     /// How far the origin goes.
     fn path(&self) -> f64 {
         let [x, y] = self.way;
@@ -61,11 +74,21 @@ impl Leg {
     }
 }
 
-/// Judges every leg of a body of this shape.
-pub(super) fn judge(world: &World, shape: &Polygon, legs: &[Leg], scale: &Scale) -> Result<Seen, String> {
+/// (x, y, theta) without whole turns: how steps are measured is how orientations are read.
+fn placement(q: &[f64]) -> [f64; 3] {
+    [q[0], q[1], difference(2, &[0.0; 3], q)[2]]
+}
+
+/// Judges every leg of a body of this shape, each with its number.
+pub(super) fn judge(
+    world: &World,
+    shape: &Polygon,
+    legs: impl IntoIterator<Item = (usize, Leg)>,
+    scale: &Scale,
+) -> Result<Seen, String> {
     let mut judge = Judge::new(world, scale);
-    for (index, leg) in legs.iter().enumerate() {
-        let outline = Outline { shape, leg, index, reach: shape.reach() };
+    for (index, leg) in legs {
+        let outline = Outline { shape, leg: leg.first_turn(), index, reach: shape.reach() };
         judge.look_at_start(&outline)?;
         judge.follow(&outline)?;
     }
@@ -75,7 +98,7 @@ pub(super) fn judge(world: &World, shape: &Polygon, legs: &[Leg], scale: &Scale)
 /// The outline of a body on its way along one leg.
 struct Outline<'a> {
     shape: &'a Polygon,
-    leg: &'a Leg,
+    leg: Leg,
     index: usize,
     reach: f64,
 }

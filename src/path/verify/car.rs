@@ -7,7 +7,8 @@ use crate::result::ResultDocument;
 use crate::robot::Car;
 use crate::scenario::World;
 
-/// How near to the next waypoint a motion must lead, in metres and radians, relative to the largest coordinate and the way.
+/// How near to the next waypoint a motion must lead, in metres and radians, relative to the coordinates of both where these are
+/// larger than a metre.
 const LED: f64 = 1e-9;
 
 /// How far a control may lie outside the car's limits, relative to them: the rounding of a document.
@@ -32,9 +33,10 @@ pub(super) fn judge(world: &World, car: &Car, result: &ResultDocument, scale: &S
         check_control(car, i, motion)?;
         let (way, turn) = extent(car, motion);
         let leg = Leg::arc(&ends[0], way, turn);
-        let size = ends.iter().flatten().fold(1.0 + way.abs(), |most: f64, x| most.max(x.abs()));
+        let size = ends.iter().flat_map(|q| &q[..2]).fold(1.0, |most: f64, x| most.max(x.abs()));
         let off = difference(2, &leg.at(1.0), &ends[1]);
-        if let Some(k) = off.iter().position(|gap| gap.is_nan() || gap.abs() > LED * size) {
+        let most = LED * size + scale.overstep;
+        if let Some(k) = off.iter().position(|gap| gap.is_nan() || gap.abs() > most) {
             return Err(format!(
                 "motion {i} leads to {:?}, not to waypoint {} {:?} (coordinate {k})",
                 leg.at(1.0),
@@ -43,16 +45,20 @@ pub(super) fn judge(world: &World, car: &Car, result: &ResultDocument, scale: &S
             ));
         }
         length += car.weights().translation * way.abs() + car.weights().rotation * turn.abs();
-        legs.push(leg);
+        legs.push((i, leg));
+        // What is left to the waypoint, where it counts, is followed as well: no step leads through anything.
+        if off[0].abs() + off[1].abs() + off[2].abs() * car.shape().reach() > scale.slack {
+            legs.push((i, Leg::straight(&leg.at(1.0), &ends[1])));
+        }
     }
     let off = (result.length - length).abs();
     if off.is_nan() || off > LENGTH * length + 1e-12 {
         return Err(format!("the length is told as {}, but the motions measure {length}", result.length));
     }
     if legs.is_empty() {
-        legs.push(Leg::straight(&path[0], &path[0]));
+        legs.push((0, Leg::straight(&path[0], &path[0])));
     }
-    body::judge(world, car.shape(), &legs, scale)
+    body::judge(world, car.shape(), legs, scale)
 }
 
 /// How far a motion goes along the car's own axis, in metres, and by how much it turns, in radians.

@@ -1,7 +1,8 @@
 //! The independent judge of finished paths.
 //!
 //! A planner proves its edges by clearances and bounds on motion. The judge goes another way: it looks at the robot at many
-//! places along every edge, at most a thousandth of the world's size of motion apart, and between two looks it takes the
+//! places along every edge, at most a thousandth of the world's size of motion apart (of the robot's, where that is smaller, but a
+//! hundred-thousandth of the world's at least), and between two looks it takes the
 //! whole region that each link of an arm, or each edge of a body's outline, can have swept: the convex hull of its two places, grown by how far the ends can leave
 //! their chords. Where that region comes near an obstacle, it looks again in between. So nothing is missed between two
 //! looks, however thin it is.
@@ -99,7 +100,8 @@ pub fn verify(scenario: &Scenario, result: &ResultDocument) -> Result<Verdict, E
 /// Judges legs of a body of this shape in a world, each by itself: whether they join is not asked. The verdict counts legs as
 /// waypoints.
 pub fn verify_legs(world: &World, shape: &Polygon, legs: &[Leg]) -> Verdict {
-    match body::judge(world, shape, legs, &Scale::new(world, None, shape.reach())) {
+    let scale = Scale::new(world, None, shape.reach());
+    match body::judge(world, shape, legs.iter().copied().enumerate(), &scale) {
         Ok(Seen { looks, clearance }) => Verdict::Valid { waypoints: legs.len(), looks, clearance },
         Err(why) => Verdict::Invalid { why },
     }
@@ -125,7 +127,7 @@ fn judge(scenario: &Scenario, query: &Query, result: &ResultDocument) -> Result<
             if legs.is_empty() {
                 legs.push(Leg::straight(&path[0], &path[0]));
             }
-            body::judge(scenario.world(), body.shape(), &legs, &scale)?
+            body::judge(scenario.world(), body.shape(), legs.into_iter().enumerate(), &scale)?
         }
         // Its length is that of its motions.
         Robot::Car(car) => return car::judge(scenario.world(), car, result, &scale),
@@ -250,7 +252,9 @@ impl Scale {
         let coordinates = boxes.flat_map(|b| [b.min.x, b.min.y, b.max.x, b.max.y]);
         let largest = coordinates.fold(0.0, |largest: f64, coordinate| largest.max(coordinate.abs())) + reach;
         let side = world.bounds.map_or(f64::INFINITY, |bounds| bounds.longer_side());
+        // Between looks nothing is missed: a grain of dust in a wide world need not be looked at in all places that it fills.
         let size = if reach > 0.0 { side.min(2.0 * reach) } else { side };
+        let size = if side < f64::INFINITY { size.max(1e-2 * side) } else { size };
         Self { slack: 1e-13 * largest, overstep: 2e-12 * largest, spacing: 1e-3 * size }
     }
 }

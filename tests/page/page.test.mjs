@@ -349,7 +349,7 @@ describe("scenes and files", () => {
         const marks = await Promise.all(["growth", "start", "goal"].map((colour) => pixelsOf(page, "workspace", "edges", colour)));
         const dots = await Promise.all(["growth", "start", "goal"].map((colour) => pixelsOf(page, "workspace", "vertices", colour)));
         assert.ok(Math.max(...marks, ...dots) > 0, `${marks} ${dots}`);
-        assert.equal(await page.locator("#cspace").isVisible(), scenarioOf(entry).robot === "arm");
+        assert.equal(await page.locator("#cspace").isVisible(), scenarioOf(entry).robot !== "disc");
         assert.match(await page.innerText("#story"), wanted === "solved" ? /^Found/ : /^No path/);
       });
     });

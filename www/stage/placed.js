@@ -36,7 +36,7 @@ export class Placed {
     this.reach = Math.max(...vertices.map(([x, y]) => Math.hypot(x, y)));
     /** By how much the pointer was off when it took hold; a turn where it is one number. @type {number | [number, number] | null} */
     this.held = null;
-    /** The swept area that was drawn last. @type {{ key: string, run: Run, parts: Part[][] } | null} */
+    /** The swept area that was drawn last. @type {{ edge: number, run: Run, parts: Part[][] } | null} */
     this.swept = null;
   }
 
@@ -127,8 +127,7 @@ export class Placed {
   drawSwept(pane, context, { lane: { run, scenario }, edge = -1 }, palette) {
     const view = /** @type {View} */ (pane.view);
     if (!run || edge < 0) return;
-    const key = String(edge);
-    if (this.swept?.key !== key || this.swept.run !== run) {
+    if (this.swept?.edge !== edge || this.swept.run !== run) {
       const rows = run.along(edge);
       const n = run.dimension;
       const count = rows.length / n;
@@ -141,43 +140,39 @@ export class Placed {
         for (let p = 0; p < pieces; p++) parts.push(scenario.footprint(scenario.interpolate(from, to, p / pieces)));
       }
       parts.push(scenario.footprint(rows.subarray(rows.length - n)));
-      this.swept = { key, run, parts };
+      this.swept = { edge, run, parts };
     }
-    context.save();
-    context.lineJoin = "round";
-    // The outline is what sticks out where all outlines are drawn first and all insides are taken out again.
     const { width, height, ratio } = pane.layers.top;
-    const canvas = new OffscreenCanvas(Math.max(1, Math.round(width * ratio)), Math.max(1, Math.round(height * ratio)));
-    const ink = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (canvas.getContext("2d")));
-    ink.setTransform(ratio, 0, 0, ratio, 0, 0);
-    ink.lineJoin = "round";
-    ink.strokeStyle = palette.newest;
-    ink.lineWidth = 3;
-    const each = (/** @type {() => void} */ draw) => {
-      for (const [part] of /** @type {{ parts: Part[][] }} */ (this.swept).parts) {
-        if (part.type !== "polygon") continue;
-        obstaclePath(ink, view, part);
-        draw();
-      }
+    const outlines = this.swept.parts;
+    /** A picture of all outlines. @param {(ink: CanvasRenderingContext2D, each: (draw: () => void) => void) => void} draw */
+    const picture = (draw) => {
+      const canvas = new OffscreenCanvas(Math.max(1, Math.round(width * ratio)), Math.max(1, Math.round(height * ratio)));
+      const ink = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (canvas.getContext("2d")));
+      ink.setTransform(ratio, 0, 0, ratio, 0, 0);
+      ink.strokeStyle = ink.fillStyle = palette.newest;
+      ink.lineJoin = "round";
+      ink.lineWidth = 3;
+      draw(ink, (inked) => {
+        for (const [part] of outlines) {
+          if (part.type !== "polygon") continue;
+          obstaclePath(ink, view, part);
+          inked();
+        }
+      });
+      return canvas;
     };
-    each(() => ink.stroke());
-    ink.globalCompositeOperation = "destination-out";
-    each(() => ink.fill());
-    ink.globalCompositeOperation = "destination-over";
-    ink.globalAlpha = 1;
-    const tint = new OffscreenCanvas(canvas.width, canvas.height);
-    const light = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (tint.getContext("2d")));
-    light.setTransform(ratio, 0, 0, ratio, 0, 0);
-    light.fillStyle = palette.newest;
-    for (const [part] of /** @type {{ parts: Part[][] }} */ (this.swept).parts) {
-      if (part.type !== "polygon") continue;
-      obstaclePath(light, view, part);
-      light.fill();
-    }
+    const inside = picture((ink, each) => each(() => ink.fill()));
+    // The outline is what sticks out where all outlines are drawn first and all insides are taken out again.
+    const outline = picture((ink, each) => {
+      each(() => ink.stroke());
+      ink.globalCompositeOperation = "destination-out";
+      each(() => ink.fill());
+    });
+    context.save();
     context.globalAlpha = 0.14;
-    context.drawImage(tint, 0, 0, width, height);
+    context.drawImage(inside, 0, 0, width, height);
     context.globalAlpha = 1;
-    context.drawImage(canvas, 0, 0, width, height);
+    context.drawImage(outline, 0, 0, width, height);
     context.restore();
   }
 

@@ -2,13 +2,12 @@
 import { drawGhost, drawObstacles } from "../stage/shapes.js";
 import { View } from "../stage/view.js";
 
-/** @import { Placed } from "../stage/placed.js" */
 /** @import { Look, Scenario } from "../types.js" */
 
 const MARGIN = { left: 5, right: 5, top: 5, bottom: 5 };
 
-/** @param {Scenario} scenario @param {number} side  CSS pixels @param {Look} look @param {Placed | null} placed @returns {ImageBitmap} */
-export function drawThumbnail(scenario, side, { palette, ratio }, placed) {
+/** @param {Scenario} scenario @param {number} side  CSS pixels @param {Look} look @returns {ImageBitmap} */
+export function drawThumbnail(scenario, side, { palette, ratio }) {
   const pixels = Math.round(side * ratio);
   const canvas = new OffscreenCanvas(pixels, pixels);
   const context = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (canvas.getContext("2d")));
@@ -20,7 +19,6 @@ export function drawThumbnail(scenario, side, { palette, ratio }, placed) {
     const style = { fill: 0.9, stroke: 1, dash: [], width: 1.6 };
     for (const end of /** @type {const} */ (["goal", "start"])) {
       drawGhost(context, view, scenario.footprint(queries[0][end]), { ...style, colour: palette[end] });
-      placed?.drawMarks(context, view, queries[0][end], 0, palette.stage);
     }
   }
   return canvas.transferToImageBitmap();

@@ -118,11 +118,11 @@ const commands = {
   /** @param {number} lane */
   log: async (lane) => (await desk()).log(lane),
   freshSeed: () => library.freshSeed(),
-  /** @param {Source} source @param {number} side @param {Look} look @returns {Promise<ImageBitmap>} */
-  async thumbnail(source, side, look) {
+  /** @param {Source} source @param {number} side @param {Look} look @returns {ImageBitmap} */
+  thumbnail(source, side, look) {
     const scenario = house().read(source);
     try {
-      return drawThumbnail(scenario, side, look, await placedOf(scenario));
+      return drawThumbnail(scenario, side, look);
     } finally {
       scenario.free();
     }

@@ -295,3 +295,14 @@ fn a_car_is_not_driven_in_more_turns_than_can_be_told_apart() {
     let driven = |speed: f64| rollout(&scenario, &[2.0, 1.0, 0.0], control(speed)).expect("a car").poses.len();
     assert_eq!([1.0, 50.0, 1e3, 1e6].map(driven), [2, 2, 1, 1]);
 }
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_polygon_of_many_corners_is_cut_up_in_no_time() {
+    // Minutes, where every piece asks every other whether the two are one.
+    let many = if cfg!(target_arch = "wasm32") { 2_000 } else { 8_000 };
+    let body = Polygon::new(&star(p(0.0, 0.0), 1.0, many, 0.1)).expect("a star");
+    let pieces = planarium::geometry::convex_pieces(&body);
+    assert_eq!(pieces.len(), many + 1, "the points of the star, and its middle");
+    assert!(pieces.iter().all(Polygon::is_convex));
+    assert_eq!(pieces.iter().map(|piece| piece.vertices().len()).max(), Some(many));
+}

@@ -20,14 +20,18 @@ const TURN = 2 * Math.PI;
 /** How the metric of placements (x, y, theta) is named, with its two weights. */
 const PLACEMENT = /^(\S+) translation \+ (\S+) rotation$/;
 
+/** How the lengths of a steered car's curves are named. */
+const CURVES = /^(dubins|reeds-shepp) of radius /;
+
 /**
- * The roadmap as an undirected graph of nodes `n0`, `n1`, ... with their coordinates `q0`, `q1`, ..., and edges whose `weight` is
- * their length in the metric.
+ * The roadmap as a graph, directed where its edges are, of nodes `n0`, `n1`, ... with their coordinates `q0`, `q1`, ..., and edges
+ * whose `weight` is their length in the metric; of curves, which are not measured here, there is no weight.
  * @param {RoadmapDocument} roadmap
  * @returns {string}
  */
 export function graphml(roadmap) {
-  const { vertices, edges, circles } = roadmap;
+  const { vertices, edges, circles, metric } = roadmap;
+  const [, curves] = CURVES.exec(metric) ?? [];
   const key = (/** @type {string} */ name, /** @type {string} */ of, /** @type {string} */ kind) =>
     `<key id="${name}" for="${of}" attr.name="${name}" attr.type="${kind}"/>`;
   const words = /** @type {const} */ (["scenario", "planner", "metric"]);
@@ -36,13 +40,13 @@ export function graphml(roadmap) {
     '<graphml xmlns="http://graphml.graphdrawing.org/xmlns">',
     ...words.map((name) => key(name, "graph", "string")),
     ...circles.map((_, i) => key(`q${i}`, "node", "double")),
-    key("weight", "edge", "double"),
-    '<graph id="roadmap" edgedefault="undirected">',
+    ...(curves ? [] : [key("weight", "edge", "double")]),
+    `<graph id="roadmap" edgedefault="${curves === "dubins" ? "directed" : "undirected"}">`,
     ...words.map((name) => `<data key="${name}">${escaped(roadmap[name])}</data>`),
     ...vertices.map((q, i) => `<node id="n${i}">${q.map((x, k) => `<data key="q${k}">${x}</data>`).join("")}</node>`),
     ...edges.map(([a, b], i) => {
-      const weight = length(vertices[a], vertices[b], roadmap);
-      return `<edge id="e${i}" source="n${a}" target="n${b}"><data key="weight">${weight}</data></edge>`;
+      const weight = curves ? "" : `<data key="weight">${length(vertices[a], vertices[b], roadmap)}</data>`;
+      return `<edge id="e${i}" source="n${a}" target="n${b}">${weight}</edge>`;
     }),
     "</graph>",
     "</graphml>\n",

@@ -24,9 +24,6 @@
  */
 export function graphml(roadmap, lengths, isDirected) {
   const { vertices, edges, circles } = roadmap;
-  const [, curve] = CURVES.exec(roadmap.metric) ?? [];
-  const driven = new Float64Array(curve === undefined ? 0 : edges.length);
-  if (curve !== undefined) for (let i = 0; i < motions.length; i += 4) driven[motions[i]] += Math.abs(motions[i + 1]) * motions[i + 3];
   const key = (/** @type {string} */ name, /** @type {string} */ of, /** @type {string} */ kind) =>
     `<key id="${name}" for="${of}" attr.name="${name}" attr.type="${kind}"/>`;
   const words = /** @type {const} */ (["scenario", "planner", "metric"]);

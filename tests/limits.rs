@@ -8,6 +8,8 @@ mod common;
 use bodies::*;
 use common::{finish, options, parse, seeds};
 use planarium::collision::{BodyCollision, BodyValidity, placements};
+use planarium::control::{Control, Motion};
+use planarium::drive::rollout;
 use planarium::geometry::{Disc, Polygon};
 use planarium::kept::RoadmapDocument;
 use planarium::path::{Verdict, verify};
@@ -276,4 +278,31 @@ fn a_grain_of_dust_in_a_wide_world_is_judged_at_once() {
     assert_eq!(why(&scenario, &run.result()), None);
     let through = told(&scenario, "[[1, 1, 0], [999999, 999999, 0], [999999, 1, 0]]", "", 1e6);
     assert!(why(&scenario, &through).expect("it hits the disc").contains("obstacle"));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_car_is_not_driven_in_more_turns_than_can_be_told_apart() {
+    // Three million turns a step, a metre round; where they end is off by more than what the proof leaves to rounding.
+    let scenario = parse(
+        r#"{ "format": "planarium-scenario-1", "name": "top",
+            "world": { "bounds": { "min": [0, 0], "max": [4, 4] }, "obstacles": [] },
+            "robot": { "type": "car", "shape": { "type": "polygon",
+                "vertices": [[-0.2, -0.1], [0.2, -0.1], [0.2, 0.1], [-0.2, 0.1]] },
+                "wheelbase": 1, "speed": [-1e6, 1e6], "steering": [-0.7, 0.7], "integration_step": 10 },
+            "queries": [ { "name": "round", "start": [2, 1, 0], "goal": [2, 1, 1] } ] }"#,
+    );
+    let control = |speed: f64| Motion { control: Control { speed, steering: 0.7 }, duration: 10.0 };
+    let driven = |speed: f64| rollout(&scenario, &[2.0, 1.0, 0.0], control(speed)).expect("a car").poses.len();
+    assert_eq!([1.0, 50.0, 1e3, 1e6].map(driven), [2, 2, 1, 1]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_polygon_of_many_corners_is_cut_up_in_no_time() {
+    // Minutes, where every piece asks every other whether the two are one.
+    let many = if cfg!(target_arch = "wasm32") { 2_000 } else { 8_000 };
+    let body = Polygon::new(&star(p(0.0, 0.0), 1.0, many, 0.1)).expect("a star");
+    let pieces = planarium::geometry::convex_pieces(&body);
+    assert_eq!(pieces.len(), many + 1, "the points of the star, and its middle");
+    assert!(pieces.iter().all(Polygon::is_convex));
+    assert_eq!(pieces.iter().map(|piece| piece.vertices().len()).max(), Some(many));
 }

@@ -1,7 +1,7 @@
 //! How a car is driven among obstacles: along exact arcs that are proven free; or by Euler's steps, which are only looked at.
 
 use super::body_validity::placement;
-use super::{BodyCollision, BodyMotion};
+use super::{BodyCollision, BodyMotion, LONGEST_DRIVE};
 use crate::control::{Control, Dynamics, Motion};
 use crate::geometry::arc_pose;
 use crate::random::Random;
@@ -9,9 +9,6 @@ use crate::robot::Car;
 use crate::space::{MotionSpace, Space};
 use crate::steering::Turn;
 use std::rc::Rc;
-
-/// What a car may turn by in one motion, in radians: of more turns, rounding leaves too little of where they end.
-const LARGEST_TURN: f64 = 1e5;
 
 /// How the motion of a car is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -93,7 +90,7 @@ impl<const N: usize> Dynamics<[f64; N]> for Driving<N> {
         match self.integration {
             Integration::Exact => {
                 let (speed, turn_rate) = (control.speed, self.turn_rate(control));
-                let most = LARGEST_TURN / (turn_rate * self.step()).abs();
+                let most = LONGEST_DRIVE / (turn_rate * self.step()).abs();
                 let steps = if most < f64::from(steps) { most as u32 } else { steps };
                 let duration = f64::from(steps) * self.step();
                 let motion = BodyMotion::Arc { from: placement(from), speed, turn_rate, duration };

@@ -28,7 +28,7 @@ pub use body::BodyCollision;
 pub use body_validity::{BodyValidity, placements};
 pub use disc::{DiscValidity, plane};
 pub use driving::{Driving, Integration};
-pub use motion::{BodyMotion, LONGEST_TURN};
+pub use motion::{BodyMotion, LONGEST_DRIVE, LONGEST_TURN};
 pub use obstacles::Obstacles;
 pub use sampled::Sampled;
 pub use tolerance::Tolerance;

@@ -6,6 +6,10 @@ use std::f64::consts::{PI, TAU};
 /// No straight motion turns an angle by this or more, in radians: there the short way round is ambiguous.
 pub const LONGEST_TURN: f64 = PI - 1e-9;
 
+/// No arc that is driven turns by more than this, in radians: of more turns, rounding takes more off where they end than the slack
+/// covers.
+pub const LONGEST_DRIVE: f64 = 1e3;
+
 /// An arc that turns by more, in radians, repeats itself; a little more than a whole turn.
 const ONE_TURN: f64 = TAU + 1e-9;
 

@@ -1,7 +1,7 @@
 //! What lies before a car: is the next arc proven free, and what would it touch.
 
 use super::car_of;
-use crate::collision::{BodyCollision, BodyMotion};
+use crate::collision::{BodyCollision, BodyMotion, LONGEST_DRIVE};
 use crate::control::Control;
 use crate::decimal::Decimal;
 use crate::error::{Code, Error};
@@ -84,8 +84,8 @@ impl Road {
         let turn_rate = self.car.turn_rate(control.speed, control.steering);
         let arc = BodyMotion::Arc { from: *from, speed: control.speed, turn_rate, duration: seconds };
         match self.collision.first_hit(&arc) {
-            None => Ok(self.after(from, control, seconds)),
-            Some(_) => Err(self.touched(from, control, seconds)),
+            None if (turn_rate * seconds).abs() <= LONGEST_DRIVE => Ok(self.after(from, control, seconds)),
+            _ => Err(self.touched(from, control, seconds)),
         }
     }
 

@@ -1,51 +1,93 @@
 //! Convex pieces of a simple polygon.
 
 use super::{Point, Polygon, orientation, triangles};
+use crate::order::sort;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
 
 /// Convex polygons that cover the polygon exactly and overlap in borders alone, with no other corners than its own: the polygon
-/// itself where it is convex, else at most four times as few as there can be. Decided exactly. O(n^2), after triangulation.
+/// itself where it is convex, else at most four times as few as there can be. Decided exactly. O(n log n), after triangulation.
 ///
 /// Hertel and Mehlhorn 1983, "Fast triangulation of simple polygons": of a triangulation, every cut is taken out whose removal
-/// leaves both its ends convex.
+/// leaves both its ends convex. Pieces take in triangles one after the other, each the first that it can: one that it cannot
+/// take in once it never can, since its angles only grow.
 pub fn convex_pieces(polygon: &Polygon) -> Vec<Polygon> {
     if polygon.is_convex() {
         return vec![polygon.clone()];
     }
-    let vertices = polygon.vertices();
-    let mut pieces: Vec<Vec<u32>> = triangles(polygon).into_iter().map(Vec::from).collect();
-    let mut at = 0;
-    while at < pieces.len() {
-        let merged = (at + 1..pieces.len()).find_map(|j| Some((j, merge(vertices, &pieces[at], &pieces[j])?)));
-        if let Some((j, piece)) = merged {
-            pieces[at] = piece;
-            pieces.remove(j);
-        } else {
-            at += 1;
+    let cuts = Cuts::new(triangles(polygon));
+    let mut is_taken = vec![false; cuts.triangles.len()];
+    let mut pieces = Vec::new();
+    for first in 0..cuts.triangles.len() {
+        if !is_taken[first] {
+            let piece = grown(polygon.vertices(), &cuts, first, &mut is_taken);
+            pieces.push(strictly_convex(polygon.vertices(), &piece));
         }
     }
-    pieces.iter().map(|piece| strictly_convex(vertices, piece)).collect()
+    pieces
 }
 
-/// Both pieces as one where they share a cut and are convex together.
-fn merge(vertices: &[Point], a: &[u32], b: &[u32]) -> Option<Vec<u32>> {
-    for i in 0..a.len() {
-        let (from, to) = (a[i], a[(i + 1) % a.len()]);
-        let Some(j) = b.iter().position(|&v| v == to) else { continue };
-        if b[(j + 1) % b.len()] != from {
+/// Triangles and their sides, numbered from 3 times the triangle on.
+struct Cuts {
+    triangles: Vec<[u32; 3]>,
+    /// The sides by the vertices that they lead from and to.
+    order: Vec<u32>,
+}
+
+impl Cuts {
+    fn new(triangles: Vec<[u32; 3]>) -> Self {
+        let mut order: Vec<u32> = (0..3 * triangles.len() as u32).collect();
+        let cuts = Self { triangles, order: Vec::new() };
+        sort(&mut order, &|a, b| cuts.side(a).cmp(&cuts.side(b)));
+        Self { order, ..cuts }
+    }
+
+    /// The vertices that a side leads from and to, the triangle on its left.
+    fn side(&self, number: u32) -> [u32; 2] {
+        let (triangle, from) = (&self.triangles[number as usize / 3], number as usize % 3);
+        [triangle[from], triangle[(from + 1) % 3]]
+    }
+
+    /// The triangle on the right of the side.
+    fn across(&self, from: u32, to: u32) -> Option<u32> {
+        let at = self.order.partition_point(|&number| self.side(number) < [to, from]);
+        self.order.get(at).filter(|&&number| self.side(number) == [to, from]).map(|number| number / 3)
+    }
+}
+
+/// The piece that the triangle grows to by taking in later ones.
+fn grown(vertices: &[Point], cuts: &Cuts, first: usize, is_taken: &mut [bool]) -> Vec<u32> {
+    // A ring of corners, in the order in which they came: which, the one before and the one after.
+    let mut ring: Vec<(u32, usize, usize)> =
+        cuts.triangles[first].into_iter().zip([(2, 1), (0, 2), (1, 0)]).map(|(v, (p, n))| (v, p, n)).collect();
+    let mut start = 0;
+    // Triangles across a side, and the corner that the side starts from.
+    let mut open = BinaryHeap::new();
+    let turns_left = |a: u32, b: u32, c: u32| {
+        let [a, b, c] = [a, b, c].map(|v| vertices[v as usize]);
+        orientation(a, b, c) >= 0.0
+    };
+    let offer = |open: &mut BinaryHeap<Reverse<(u32, usize)>>, ring: &[(u32, usize, usize)], at: usize| {
+        let (from, _, next) = ring[at];
+        open.extend(cuts.across(from, ring[next].0).filter(|&other| other as usize > first).map(|t| Reverse((t, at))));
+    };
+    (0..3).for_each(|at| offer(&mut open, &ring, at));
+    while let Some(Reverse((triangle, at))) = open.pop() {
+        let (from, before, next) = ring[at];
+        let (to, _, after) = ring[next];
+        let Some(tip) = cuts.triangles[triangle as usize].into_iter().find(|&v| v != from && v != to) else { continue };
+        if is_taken[triangle as usize] || !turns_left(ring[before].0, from, tip) || !turns_left(tip, to, ring[after].0)
+        {
             continue;
         }
-        // Round the first from the end of the cut to its start, on round the second and back.
-        let first = (1..=a.len()).map(|k| a[(i + k) % a.len()]);
-        let second = (2..b.len()).map(|k| b[(j + k) % b.len()]);
-        let merged: Vec<u32> = first.chain(second).collect();
-        let n = merged.len();
-        let turns_left = |k: usize| {
-            let [p, q, r] = [(k + n - 1) % n, k, (k + 1) % n].map(|k| vertices[merged[k] as usize]);
-            orientation(p, q, r) >= 0.0
-        };
-        return (turns_left(0) && turns_left(a.len() - 1)).then_some(merged);
+        is_taken[triangle as usize] = true;
+        let new = ring.len();
+        ring.push((tip, at, next));
+        (ring[at].2, ring[next].1) = (new, new);
+        start = next;
+        [at, new].into_iter().for_each(|at| offer(&mut open, &ring, at));
     }
-    None
+    std::iter::successors(Some(start), |&at| Some(ring[at].2)).take(ring.len()).map(|at| ring[at].0).collect()
 }
 
 /// The piece without its corners on straight edges.

@@ -49,7 +49,7 @@ function apart(a, b) {
 }
 
 describe("edges and ways of cars", () => {
-  test("an edge is drawn from its first vertex to its second, in pieces no longer than the eye can see, all of it free", () => {
+  test("an edge is drawn from its first vertex to its second, in pieces that hardly turn, all of it free", () => {
     for (const id of ["blossom", "witness", "parking", "turn", "lanes"]) {
       const { run, scenario } = ended(id);
       assert.ok(run.traces.count > run.edges.count, id);
@@ -58,7 +58,7 @@ describe("edges and ways of cars", () => {
         const [from, to] = run.edges.row(e);
         assert.ok(apart(rows, run.vertices.row(from)) < 1e-9 && apart(rows.slice(-3), run.vertices.row(to)) < 1e-6, `${id}, edge ${e}`);
         for (let i = 0; i + 3 < rows.length; i += 3) {
-          assert.ok(Math.hypot(rows[i + 3] - rows[i], rows[i + 4] - rows[i + 1]) < 0.2, `${id}, edge ${e}`);
+          assert.ok(apart([0, 0, rows[i + 2]], [0, 0, rows[i + 5]]) < 0.3, `${id}, edge ${e}`);
           assert.ok(scenario.check(rows.subarray(i, i + 3)).free);
         }
         const motions = run.motionsOf(e);

@@ -10,7 +10,7 @@
  * `node scripts/build.mjs` builds all, `node scripts/build.mjs package` leaves the page out.
  */
 import { createHash } from "node:crypto";
-import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { homedir } from "node:os";
 import { basename, join } from "node:path";
@@ -104,10 +104,8 @@ async function makeTypes() {
 }
 
 async function assemblePackage() {
-  const out = join(dist, "package");
   requireFile(join(root, "schema", "scenario.schema.json"));
-  rmSync(out, { recursive: true, force: true });
-  mkdirSync(out, { recursive: true });
+  const out = mkdtempSync(join(dist, "package-"));
   const sources = readdirSync(join(root, "js")).filter((name) => name.endsWith(".js")).map((name) => join(root, "js", name));
   for (const file of [...sources, join(glue, "planarium_bg.wasm")]) cpSync(file, join(out, basename(file)));
   // Nobody reads the generated glue; ours stays as it was written.
@@ -118,6 +116,24 @@ async function assemblePackage() {
   for (const name of publicDeclarations()) cpSync(join(types, name), join(out, name));
   const { writeNotices } = await import("./notices.mjs");
   writeNotices(join(out, "THIRD-PARTY-NOTICES.txt"));
+  takeOver(out, join(dist, "package"));
+}
+
+/**
+ * Moves the files of a fresh folder into one that may be in use meanwhile: what is the same there stays untouched, what is not fresh
+ * goes.
+ * @param {string} fresh
+ * @param {string} place
+ */
+function takeOver(fresh, place) {
+  mkdirSync(place, { recursive: true });
+  const names = new Set(readdirSync(fresh));
+  for (const name of names) {
+    const [from, to] = [fresh, place].map((folder) => join(folder, name));
+    if (!existsSync(to) || !readFileSync(to).equals(readFileSync(from))) renameSync(from, to);
+  }
+  for (const name of readdirSync(place)) if (!names.has(name)) rmSync(join(place, name), { recursive: true });
+  rmSync(fresh, { recursive: true });
 }
 
 /** The declarations that the entry reaches; those of inner modules stay at home. */

@@ -121,6 +121,8 @@ const commands = {
   /** @param {Source} source @param {number} side @param {Look} look @returns {ImageBitmap} */
   thumbnail(source, side, look) {
     const scenario = house().read(source);
+    // Whoever sees the scene may want it once the network is gone.
+    if (isPlaced(scenario.robot)) placed().catch(() => {});
     try {
       return drawThumbnail(scenario, side, look);
     } finally {

@@ -17,6 +17,8 @@ describe("without a network", () => {
     await onPausedPage(async (page) => {
       // The last thumbnail is drawn once all scenes are there.
       await page.waitForFunction((count) => [...document.querySelectorAll(".card canvas")].filter((canvas) => /** @type {HTMLCanvasElement} */ (canvas).width > 20 && /** @type {HTMLCanvasElement} */ (canvas).width !== 300).length === count, SCENES.length);
+      // What bodies and cars need is fetched a little later.
+      await page.waitForTimeout(5000);
       await page.context().setOffline(true);
       for (const { id } of SCENES) {
         await chooseScene(page, id);

@@ -29,6 +29,9 @@ const editor = once(() => import("./editor.js"));
 const driving = once(() => import("./driving.js"));
 const placed = once(() => import("../stage/placed.js"));
 
+/** Milliseconds after the thumbnails until bodies and cars are made ready: the page has opened by then. */
+const QUIET = 3000;
+
 /** While something is being fetched that the stage cannot do without, all else waits its turn. @type {Promise<unknown> | undefined} */
 let gate;
 
@@ -122,7 +125,7 @@ const commands = {
   thumbnail(source, side, look) {
     const scenario = house().read(source);
     // Whoever sees the scene may want it once the network is gone.
-    if (isPlaced(scenario.robot)) placed().catch(() => {});
+    if (isPlaced(scenario.robot)) setTimeout(() => placed().catch(() => {}), QUIET);
     try {
       return drawThumbnail(scenario, side, look);
     } finally {

@@ -105,8 +105,8 @@ impl<S: Space> Forest<S> {
         nodes.extend([Node::Leaf(members), Node::Leaf(second)]);
     }
 
-    /// Offers the states of leaves, nearest planes first, until there were `enough`.
-    fn search(&self, space: &S, from: &S::State, enough: usize, closest: &mut Closest) {
+    /// Offers the states of leaves, nearest planes first, until there were `enough`. Answers how many there were.
+    fn search(&self, space: &S, from: &S::State, enough: usize, closest: &mut Closest) -> usize {
         let point = embedded(space, from);
         let mut seen = vec![0u64; self.states.len().div_ceil(64)];
         let mut looked = 0;
@@ -148,6 +148,7 @@ impl<S: Space> Forest<S> {
             }
         }
         closest.offer(&[pack.0], |_, lane| pack.1[lane]);
+        looked
     }
 }
 
@@ -183,18 +184,19 @@ impl<S: Space> Nearest<S> for Forest<S> {
         found.pop()
     }
 
-    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
+    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
         let mut closest = Closest::new(found, k, f64::INFINITY, k <= 16);
-        if k > 0 {
-            self.search(space, state, self.parameters.candidates.max(k), &mut closest);
-        }
+        let enough = self.parameters.candidates.max(k);
+        let looked = if k > 0 { self.search(space, state, enough, &mut closest) } else { 0 };
         closest.finish();
+        looked
     }
 
-    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
+    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
         let mut closest = Closest::within(found, radius);
-        self.search(space, state, self.parameters.candidates, &mut closest);
+        let looked = self.search(space, state, self.parameters.candidates, &mut closest);
         closest.finish();
+        looked
     }
 }
 

@@ -114,7 +114,7 @@ impl Parameters {
         for (i, (name, value)) in given.iter().enumerate() {
             let Some(at) = table.iter().position(|info| info.name == name) else {
                 let known = table.iter().map(|info| info.name).collect::<Vec<_>>().join(", ");
-                let sentence = format!("there is no parameter {}; this planner takes {known}", quoted(name));
+                let sentence = format!("there is no parameter {}; those known here are {known}", quoted(name));
                 return Err(Error::new(Code::UnknownParameter, pointer(name), sentence));
             };
             if given[..i].iter().any(|(earlier, _)| earlier == name) {

@@ -6,7 +6,8 @@ import { load, loadSync } from "./runtime.js";
 
 export { Drive } from "./drive.js";
 export { PlanariumError } from "./error.js";
-export { freshSeed, generators, phases, planners } from "./functions.js";
+export { freshSeed, generators, neighbourIndexes, phases, planners } from "./functions.js";
+export { Neighbours } from "./neighbours.js";
 export { Planner } from "./planner.js";
 export { Scenario } from "./scenario.js";
 export { version } from "./version.js";
@@ -43,6 +44,10 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").KeyPress} KeyPress */
 /** @typedef {import("./types.js").Obstructed} Obstructed */
 /** @typedef {import("./types.js").Rollout} Rollout */
+/** @typedef {import("./types.js").IndexInfo} IndexInfo */
+/** @typedef {import("./types.js").NeighboursOptions} NeighboursOptions */
+/** @typedef {import("./types.js").NeighboursFound} NeighboursFound */
+/** @typedef {import("./types.js").SampleOptions} SampleOptions */
 /** @typedef {import("./types.js").GenerateOptions} GenerateOptions */
 /** @typedef {import("./types.js").GeneratorId} GeneratorId */
 /** @typedef {import("./types.js").CspaceOptions} CspaceOptions */

@@ -1,6 +1,7 @@
 /** A room's sheets as a picture, or as a drawing in lines: side by side as they stand, each under its caption. */
 import { SvgContext } from "../exchange/svg.js";
 import { hatch } from "../stage/hatch.js";
+import { Figure, stripes } from "../worker/figure.js";
 
 /** @import { Sheet } from "./sheet.js" */
 /** @typedef {CanvasRenderingContext2D} Context */
@@ -57,18 +58,16 @@ export async function pictureOf(sheets, ratio) {
   return canvas.convertToBlob({ type: "image/png" });
 }
 
-/** @param {Sheet[]} sheets @param {string} title @returns {Blob} */
-export function drawingOf(sheets, title) {
+/** @param {Sheet[]} sheets @param {string} title @returns {Promise<Blob>} */
+export async function drawingOf(sheets, title) {
   const { places, width, height } = layoutOf(sheets);
-  const drawing = new SvgContext(width, height);
-  const context = /** @type {Context} */ (/** @type {unknown} */ (drawing));
-  for (const place of places) {
-    writeCaption(context, place);
-    drawing.save();
-    drawing.setTransform(1, 0, 0, 1, place.x, place.y);
-    place.sheet.drawWith(context, IMAGES, (colour) => ({ colour, size: 7, width: 1.5 }));
-    drawing.restore();
-  }
-  const text = drawing.toString({ background: places[0]?.sheet.palette?.stage ?? "", title });
-  return new Blob([text], { type: "image/svg+xml" });
+  const whole = new SvgContext(width, height);
+  for (const place of places) writeCaption(/** @type {Context} */ (/** @type {unknown} */ (whole)), place);
+  const elements = await Promise.all(places.map(({ sheet, x, y }, i) => {
+    const figure = new Figure(Math.ceil(sheet.width), Math.ceil(sheet.height));
+    sheet.drawWith(/** @type {Context} */ (/** @type {unknown} */ (figure)), IMAGES, stripes);
+    return figure.element(`s${i}`, Math.round(x), Math.round(y));
+  }));
+  const text = whole.toString({ background: places[0]?.sheet.palette?.stage ?? "", title });
+  return new Blob([text.replace("</svg>", () => `${elements.join("")}</svg>`)], { type: "image/svg+xml" });
 }

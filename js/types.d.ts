@@ -110,14 +110,24 @@ export type Robot =
       metric?: Weights;
     };
 
-/** A motion that is asked for. */
+/** A place for the end effector of an arm. */
+export interface Target {
+  /** Where the tip is to be. */
+  point: Point;
+  /** The angle of the last link in the world, in radians; any where it is absent. */
+  orientation?: number;
+}
+
+/** A motion that is asked for: to a goal, or to a target. */
 export interface Query {
   /** Unique in its scenario. */
   name: string;
   /** Configuration to start from. */
   start: number[];
-  /** Configuration to reach. */
-  goal: number[];
+  /** Configuration to reach; absent where there is a target. */
+  goal?: number[];
+  /** Where the end effector of an arm is to be, in place of a goal: any configuration that reaches it will do. */
+  target?: Target;
   /** How near to the goal is near enough, of bodies and cars: metres and radians, both. */
   goal_tolerance?: { translation: number; rotation: number };
 }

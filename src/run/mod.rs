@@ -7,6 +7,7 @@
 mod choices;
 mod controls;
 mod factory;
+mod goals;
 mod history;
 mod options;
 mod questions;

@@ -8,11 +8,13 @@ mod convert;
 mod drive;
 mod neighbours;
 mod planner;
+mod reach;
 mod scenario;
 
 pub use drive::RawDrive;
 pub use neighbours::RawNeighbours;
 pub use planner::RawPlanner;
+pub use reach::RawReach;
 pub use scenario::RawScenario;
 
 use wasm_bindgen::prelude::*;
@@ -33,4 +35,10 @@ pub fn neighbour_indexes() -> String {
 #[wasm_bindgen]
 pub fn generators() -> String {
     crate::scenario::generate::catalogue().to_json()
+}
+
+/// Every method of inverse kinematics with its parameters, as JSON text.
+#[wasm_bindgen]
+pub fn reach_methods() -> String {
+    crate::reach::catalogue().to_json()
 }

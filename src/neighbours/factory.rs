@@ -6,7 +6,7 @@ use super::{MAX_CONFIGURATIONS, MAX_PLACES, Neighbours};
 use crate::error::{Code, Error};
 use crate::inspect::{Configurations, space_of};
 use crate::nearest::{Forest, ForestParameters, KdTree, LinearScan};
-use crate::planner::{Parameters, Value};
+use crate::parameters::{Parameters, Value};
 use crate::random::{Random, Stream};
 use crate::scenario::{Robot, Scenario};
 use crate::space::{MAX_DIMENSION, Metric, MotionSpace};

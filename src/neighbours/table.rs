@@ -2,7 +2,8 @@
 
 use crate::error::{Code, Error, quoted};
 use crate::json::Node;
-use crate::planner::{Fallback, Kind, METRIC, ParameterInfo};
+use crate::parameters::{Fallback, Kind, ParameterInfo};
+use crate::planner::METRIC;
 use crate::random::MAX_SEED;
 
 /// What there is to know about an index before it is made.
@@ -106,7 +107,7 @@ pub fn catalogue() -> Node {
             ("title", Some(Node::text(info.title))),
             ("summary", Some(Node::text(info.summary))),
             ("exact", Some(Node::Bool(info.is_exact))),
-            ("parameters", Some(Node::Array(info.parameters.iter().map(ParameterInfo::to_node).collect()))),
+            ("parameters", Some(Node::Array(info.parameters.iter().map(ParameterInfo::node).collect()))),
         ])
     };
     Node::Array(INDEXES.iter().map(row).collect())

@@ -88,7 +88,7 @@ pub(super) fn launch(
         kept,
         steering: None,
         start: &query.start,
-        goals: goals(scenario, query, options.seed, place)?,
+        goals: goals(scenario, query, place, options.seed)?,
         goal_tolerance: query.goal_tolerance,
     };
     // Entries past the dimension are 0 and change no bit: two sizes at most serve every robot.

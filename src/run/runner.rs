@@ -283,6 +283,10 @@ impl<S: Space> Run for Runner<S> {
         rows
     }
 
+    fn goals(&self) -> Vec<Vec<f64>> {
+        self.rows(&self.problem.goals().copied().collect::<Vec<_>>())
+    }
+
     fn path(&self) -> Vec<Vec<f64>> {
         self.rows(&self.way().states)
     }

@@ -92,7 +92,7 @@ export class Hand {
     return () => {
       const { view } = square;
       return view && ((/** @type {number} */ x, /** @type {number} */ y) => {
-        this.desk.aim(view.toPlane(x, y).map((angle) => Math.min(Math.PI, Math.max(-Math.PI, angle))));
+        this.desk.aim(view.toPlane(x, y));
       });
     };
   }

@@ -26,6 +26,7 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").Shape} Shape */
 /** @typedef {import("./types.js").Weights} Weights */
 /** @typedef {import("./types.js").Query} Query */
+/** @typedef {import("./types.js").Target} Target */
 /** @typedef {import("./types.js").ScenarioDocument} ScenarioDocument */
 /** @typedef {import("./types.js").PlannerInfo} PlannerInfo */
 /** @typedef {import("./types.js").Motion} Motion */

@@ -6,8 +6,9 @@ import { load, loadSync } from "./runtime.js";
 
 export { Drive } from "./drive.js";
 export { PlanariumError } from "./error.js";
-export { freshSeed, generators, phases, planners } from "./functions.js";
+export { freshSeed, generators, phases, planners, reachMethods } from "./functions.js";
 export { Planner } from "./planner.js";
+export { Reach } from "./reach.js";
 export { Scenario } from "./scenario.js";
 export { version } from "./version.js";
 
@@ -43,6 +44,12 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").KeyPress} KeyPress */
 /** @typedef {import("./types.js").Obstructed} Obstructed */
 /** @typedef {import("./types.js").Rollout} Rollout */
+/** @typedef {import("./types.js").ReachMethodInfo} ReachMethodInfo */
+/** @typedef {import("./types.js").ReachOptions} ReachOptions */
+/** @typedef {import("./types.js").ReachVerdict} ReachVerdict */
+/** @typedef {import("./types.js").ReachResult} ReachResult */
+/** @typedef {import("./types.js").Followed} Followed */
+/** @typedef {import("./types.js").NearestPoint} NearestPoint */
 /** @typedef {import("./types.js").GenerateOptions} GenerateOptions */
 /** @typedef {import("./types.js").GeneratorId} GeneratorId */
 /** @typedef {import("./types.js").CspaceOptions} CspaceOptions */

@@ -24,6 +24,8 @@ pub enum Stream {
     Projections = 4,
     /// Which controls are tried, and for how long.
     Controls = 5,
+    /// Where a search for joint angles starts anew.
+    Starts = 6,
 }
 
 /// A stream of random numbers.

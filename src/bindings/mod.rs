@@ -7,10 +7,12 @@
 mod convert;
 mod drive;
 mod planner;
+mod reach;
 mod scenario;
 
 pub use drive::RawDrive;
 pub use planner::RawPlanner;
+pub use reach::RawReach;
 pub use scenario::RawScenario;
 
 use wasm_bindgen::prelude::*;
@@ -25,4 +27,10 @@ pub fn planners() -> String {
 #[wasm_bindgen]
 pub fn generators() -> String {
     crate::scenario::generate::catalogue().to_json()
+}
+
+/// Every method of inverse kinematics with its parameters, as JSON text.
+#[wasm_bindgen]
+pub fn reach_methods() -> String {
+    crate::reach::catalogue().to_json()
 }

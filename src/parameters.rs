@@ -1,8 +1,8 @@
-//! Parameters of planners: their table, and values checked against it.
+//! Parameters of planners and of other methods: their tables, and values checked against them.
 
 use crate::decimal::Decimal;
 use crate::error::{Code, Error, quoted};
-use crate::json::push_field;
+use crate::json::{Node, push_field};
 
 /// What values a parameter takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,11 +36,11 @@ pub enum Fallback {
     Text(&'static str),
     /// False: switches are off unless they are turned on.
     Off,
-    /// What depends on the space, told in words.
+    /// What depends on the rest, told in words.
     Computed(&'static str),
 }
 
-/// One row of a planner's table of parameters: what controls, help texts and checks are made from.
+/// One row of a table of parameters: what controls, help texts and checks are made from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ParameterInfo {
     /// The name, in snake_case, the same everywhere.
@@ -57,6 +57,38 @@ pub struct ParameterInfo {
     pub meaning: &'static str,
     /// The types of robots that it is for, as in documents; of others it says nothing.
     pub robots: &'static [&'static str],
+}
+
+impl ParameterInfo {
+    /// The row as a tree: a default that depends on the rest is null and told in words.
+    pub fn node(&self) -> Node {
+        let (kind, range, choices) = match self.kind {
+            Kind::Integer { min, max } => ("integer", Some([min, max]), None),
+            Kind::Number { min, max } => ("number", Some([min, max]), None),
+            Kind::Choice(words) => ("choice", None, Some(words)),
+            Kind::Switch => ("boolean", None, None),
+        };
+        let (default, meaning) = match self.default {
+            Fallback::Number(number) => (Node::Number(number), None),
+            Fallback::Text(word) => (Node::text(word), None),
+            Fallback::Off => (Node::Bool(false), None),
+            Fallback::Computed(words) => (Node::Null, Some(words)),
+        };
+        let or_null = |node: Option<Node>| Some(node.unwrap_or(Node::Null));
+        Node::object(vec![
+            ("name", Some(Node::text(self.name))),
+            ("title", Some(Node::text(self.title))),
+            ("kind", Some(Node::text(kind))),
+            ("unit", Some(Node::text(self.unit))),
+            ("min", or_null(range.map(|[min, _]| Node::Number(min)))),
+            ("max", or_null(range.map(|[_, max]| Node::Number(max)))),
+            ("choices", or_null(choices.map(Node::words))),
+            ("default", Some(default)),
+            ("default_meaning", or_null(meaning.map(Node::text))),
+            ("meaning", Some(Node::text(self.meaning))),
+            ("robots", Some(Node::words(self.robots))),
+        ])
+    }
 }
 
 /// A value given for a parameter.
@@ -91,7 +123,7 @@ impl std::fmt::Display for Value {
     }
 }
 
-/// Values for every parameter of one planner: those given, checked, and the defaults for the rest.
+/// Values for every parameter of one table: those given, checked, and the defaults for the rest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameters {
     /// Name, value, whether it was given.
@@ -114,7 +146,7 @@ impl Parameters {
         for (i, (name, value)) in given.iter().enumerate() {
             let Some(at) = table.iter().position(|info| info.name == name) else {
                 let known = table.iter().map(|info| info.name).collect::<Vec<_>>().join(", ");
-                let sentence = format!("there is no parameter {}; this planner takes {known}", quoted(name));
+                let sentence = format!("there is no parameter {}; there are {known}", quoted(name));
                 return Err(Error::new(Code::UnknownParameter, pointer(name), sentence));
             };
             if given[..i].iter().any(|(earlier, _)| earlier == name) {
@@ -126,7 +158,7 @@ impl Parameters {
         Ok(Self { values })
     }
 
-    /// Whether the planner has a parameter of that name.
+    /// Whether the table has a parameter of that name.
     pub fn has(&self, name: &str) -> bool {
         self.values.iter().any(|(known, ..)| *known == name)
     }
@@ -134,7 +166,7 @@ impl Parameters {
     /// The number given for the parameter, or its default; `None` where the default depends on the space.
     ///
     /// # Panics
-    /// Where the planner has no such parameter, or it is not a number.
+    /// Where the table has no such parameter, or it is not a number.
     pub fn number(&self, name: &str) -> Option<f64> {
         match self.get(name) {
             Some(Value::Number(number)) => Some(*number),
@@ -146,12 +178,12 @@ impl Parameters {
     /// The whole number given for the parameter, or its default.
     ///
     /// # Panics
-    /// Where the planner has no such parameter, it is not a number, or its default depends on the space.
+    /// Where the table has no such parameter, it is not a number, or its default depends on the space.
     pub fn integer(&self, name: &str) -> u64 {
         self.number(name).expect("counts have fixed defaults") as u64
     }
 
-    /// The word given for the parameter, or its default; `None` where that depends on the space, or the planner has no such
+    /// The word given for the parameter, or its default; `None` where that depends on the space, or the table has no such
     /// parameter.
     ///
     /// # Panics
@@ -167,7 +199,7 @@ impl Parameters {
     /// Whether the switch is on.
     ///
     /// # Panics
-    /// Where the planner has no such parameter, or it is not a switch.
+    /// Where the table has no such parameter, or it is not a switch.
     pub fn is_on(&self, name: &str) -> bool {
         match self.get(name) {
             Some(Value::Boolean(on)) => *on,
@@ -175,7 +207,7 @@ impl Parameters {
         }
     }
 
-    /// Whether a value was given for the parameter; false where the planner has none of that name.
+    /// Whether a value was given for the parameter; false where the table has none of that name.
     pub fn is_given(&self, name: &str) -> bool {
         self.values.iter().any(|(known, _, given)| *known == name && *given)
     }

@@ -111,10 +111,8 @@ await room.open(async () => {
     }
   }, (name, error) => room.fail(error, `${name} could not be read.`));
   showTake(room, bench, all);
-  const link = new Link(room, stateRule, () => stateOf(bench, { method: solving.method.value, ...solving.given }), (state) => {
-    const { method, ...given } = state?.solve ?? {};
-    if (typeof method === "string") solving.choose(method, given);
-    if (state) putState(bench, state);
+  const link = new Link(room, stateRule, () => stateOf(bench, solving.told), (state) => {
+    if (state) putState(bench, solving, state);
     else if (!bench.now) bench.openEntry(SCENES[0]);
     room.notice.hide();
   }, "this arm, its pose, and what is asked of it");
@@ -174,7 +172,8 @@ await room.open(async () => {
     if (mode === "between") byId("between", HTMLElement).dataset.hit = String(bench.way.hit ?? "none");
     const summary = summaryOf(bench);
     for (const sheet of all) sheet.describe(`${sheet.caption.textContent}: ${summary}`);
-    if (said !== text) room.announcer.say(text);
+    // What changes with each iterate is not read out.
+    if (said !== text && !solving.transport.isPlaying) room.announcer.say(text);
     said = text;
   }
 

@@ -51,6 +51,10 @@ export class Solving {
     this.start = new Float64Array();
     /** What differs from the defaults. @type {Settings} */
     this.given = { ...GIVEN };
+    /** The arm that there was a run for, or would have been but for a refusal. @type {import("./arm.js").Arm | null} */
+    this.of = null;
+    /** Does the notice say why there is no run? */
+    this.isRefused = false;
     /** Its own poses are not taken for the reader's. */
     this.isOwn = false;
     this.drawn = -Infinity;
@@ -99,20 +103,15 @@ export class Solving {
     if (!isOn) {
       if (this.transport.isPlaying) this.transport.pause();
       this.search?.free();
-      this.search = null;
+      this.search = this.of = null;
       return;
     }
     const { arm } = this.bench;
-    if (this.search && this.search.arm !== arm) {
-      this.search.free();
-      this.search = null;
-    }
-    if (this.isOwn) return;
-    if (!this.search || change === "pose") {
-      // The reader has moved the arm: it starts from there.
-      this.start = Float64Array.from(arm.q);
-      this.begin();
-    }
+    // The reader has moved the arm, or it is another: it starts from there.
+    if (this.isOwn || (this.of === arm && change !== "pose")) return;
+    this.of = arm;
+    this.start = Float64Array.from(arm.q);
+    this.begin();
   }
 
   /** @param {string} method @param {Settings} [given] */
@@ -144,15 +143,22 @@ export class Solving {
     if (!settings) return;
     try {
       this.search = new Search(bench.arm, { target: bench.target, orientation: bench.lock, start: this.start, method: this.method.value, settings });
-      if (bench.room.notice.element.dataset.code) bench.room.notice.hide();
+      if (this.isRefused) bench.room.notice.hide();
+      this.isRefused = false;
     } catch (error) {
       const { pointer = "", message = String(error) } = /** @type {{ pointer?: string, message?: string }} */ (error);
-      if (!options.refuse(pointer, message)) bench.room.notice.show("This cannot be solved.", error);
+      this.isRefused = !options.refuse(pointer, message);
+      if (this.isRefused) bench.room.notice.show("This cannot be solved.", error);
       this.tell();
       return;
     }
     this.pose(this.start);
     this.tell();
+  }
+
+  /** What a link need know: the pose that the run starts from, how far it has come, how it is asked. */
+  get told() {
+    return { start: this.start, steps: this.search?.run.iterations ?? 0, settings: { method: this.method.value, ...this.given } };
   }
 
   /** @param {number} count @returns {boolean} */

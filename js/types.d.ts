@@ -221,6 +221,54 @@ export interface ParameterInfo {
   robots: Robot["type"][];
 }
 
+/** An index of configurations, as a page would offer it. */
+export interface IndexInfo {
+  /** What `scenario.neighbours` takes as `index`. */
+  id: "linear" | "kd-tree" | "forest";
+  /** Title for people. */
+  title: string;
+  /** What it does, in a sentence. */
+  summary: string;
+  /** Whether it always finds the nearest. */
+  exact: boolean;
+  /** Its parameters. */
+  parameters: ParameterInfo[];
+}
+
+/** Options of `scenario.neighbours`. */
+export interface NeighboursOptions {
+  /** What kind of index; `kd-tree` where absent. */
+  index?: IndexInfo["id"];
+  /** How an arm's joint distances are put together; `sum` where absent. */
+  metric?: "sum" | "euclidean" | "naive";
+  /** Of a forest: how many trees, 1 to 64; 8 where absent. */
+  trees?: number;
+  /** Of a forest: how many configurations fill a leaf, 8 to 1024; 32 where absent. */
+  leaf?: number;
+  /** Of a forest: how many configurations a question looks at, at least; 400 where absent. */
+  candidates?: number;
+  /** Of a forest: integer from 0 to 2^53 - 1; 0 where absent. The same seed draws the same planes. */
+  seed?: number;
+}
+
+/** What an index has found, nearest first; ties go to the lower number. */
+export interface NeighboursFound {
+  /** The numbers of the configurations, in the order in which they were added, from 0. */
+  indices: Uint32Array;
+  /** Their distances in the metric, true ones of a forest too. */
+  distances: Float64Array;
+  /** Of how many configurations the distance was computed. The shape of a kd-tree, and so this number, may differ between platforms. */
+  visited: number;
+}
+
+/** Options of `scenario.sampleConfigurations`. */
+export interface SampleOptions {
+  /** Integer from 0 to 2^53 - 1; 0 where absent. */
+  seed?: number;
+  /** Whether only free configurations are kept; false where absent. */
+  free?: boolean;
+}
+
 /** A generator, as a page would offer it. */
 export interface GeneratorInfo {
   /** What `Scenario.generate` takes. */

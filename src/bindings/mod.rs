@@ -6,11 +6,13 @@
 
 mod convert;
 mod drive;
+mod neighbours;
 mod planner;
 mod reach;
 mod scenario;
 
 pub use drive::RawDrive;
+pub use neighbours::RawNeighbours;
 pub use planner::RawPlanner;
 pub use reach::RawReach;
 pub use scenario::RawScenario;
@@ -21,6 +23,12 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 pub fn planners() -> String {
     crate::planner::catalogue().to_json()
+}
+
+/// Every index of configurations with its parameters, as JSON text.
+#[wasm_bindgen]
+pub fn neighbour_indexes() -> String {
+    crate::neighbours::catalogue().to_json()
 }
 
 /// Every generator with its options, as JSON text.

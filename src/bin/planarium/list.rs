@@ -5,6 +5,7 @@ use crate::arguments::List;
 use crate::files;
 use planarium::error::Code;
 use planarium::json::Node;
+use planarium::neighbours;
 use planarium::planner::{Fallback, Kind, ParameterInfo, catalogue, planners};
 use planarium::scenario::generate::{self, GENERATORS, OptionInfo, OptionKind};
 use serde_json::{Value, json};
@@ -20,8 +21,7 @@ fn as_json() -> String {
     let errors: Vec<_> =
         Code::ALL.iter().map(|code| json!({ "code": code.as_str(), "meaning": code.meaning() })).collect();
     let table = |node: Node| -> Value { serde_json::from_str(&node.to_json()).expect("a tree is written as JSON") };
-    let document =
-        json!({ "planners": table(catalogue()), "generators": table(generate::catalogue()), "errors": errors });
+    let document = json!({ "planners": table(catalogue()), "indexes": table(neighbours::catalogue()), "generators": table(generate::catalogue()), "errors": errors });
     serde_json::to_string_pretty(&document).expect("tables of words and numbers are JSON")
 }
 
@@ -47,6 +47,14 @@ fn as_tables() -> String {
                 preset.title,
                 settings.collect::<Vec<_>>().join(" ")
             );
+        }
+    }
+    text.push_str("\nINDEXES\n");
+    for index in neighbours::indexes() {
+        let _ = writeln!(text, "\n  {} ({}): {}", index.id, index.title, index.summary);
+        for parameter in index.parameters {
+            let _ = writeln!(text, "    {:<15} {}", parameter.name, parameter.meaning);
+            let _ = writeln!(text, "    {:<15} {}", "", values(parameter));
         }
     }
     text.push_str("\nGENERATORS\n");

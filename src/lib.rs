@@ -10,13 +10,14 @@
 //! - [`kept::RoadmapDocument`] keeps a built roadmap, [`run::resume`] goes on asking it;
 //! - [`inspect::Inspector`] answers what a viewer asks;
 //! - [`drive::Drive`] puts a car under a driver's hand, [`drive::rollout`] tells where one control leads;
+//! - [`fleet::Trajectories`] adds trajectories that do not cross, one by one;
 //! - [`path::verify()`] judges a finished path by an independent route.
 //!
 //! # The house, and the rule of its arrows
 //! From the ground up: [`decimal`], [`error`], [`order`], [`json`], [`stats`], [`status`], [`phase`], [`random`],
 //! [`geometry`], [`validity`]; on them [`control`], [`steering`], [`space`] and [`robot`]; on those [`scenario`],
 //! [`collision`], [`problem`] and [`result`]; then [`graph`], [`nearest`], [`sampling`], [`kept`], [`path`] and [`drive`];
-//! then [`planner`]; then [`run`] and [`inspect`]; and last the bindings and the command line. A room names only rooms below
+//! then [`planner`]; then [`fleet`], [`run`] and [`inspect`]; and last the bindings and the command line. A room names only rooms below
 //! it: a planner sees a space and the traits [`validity::Validity`] and [`control::Dynamics`], never a robot, a scenario or a
 //! shape. The core reads no clock, prints nothing, keeps no global and calls nothing back. A test holds this against the code.
 #![deny(missing_docs)]
@@ -30,6 +31,7 @@ pub mod control;
 pub mod decimal;
 pub mod drive;
 pub mod error;
+pub mod fleet;
 pub mod geometry;
 pub mod graph;
 pub mod inspect;

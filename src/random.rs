@@ -24,6 +24,8 @@ pub enum Stream {
     Projections = 4,
     /// Which controls are tried, and for how long.
     Controls = 5,
+    /// Which trajectories of particles are tried.
+    Particles = 6,
 }
 
 /// A stream of random numbers.

@@ -43,6 +43,7 @@ const HOUSE: &[(&str, &[&str])] = &[
             "space", "status",
         ],
     ),
+    ("fleet", &["decimal", "error", "geometry", "graph", "json", "order", "planner", "random", "status"]),
     (
         "run",
         &[
@@ -72,8 +73,8 @@ const HOUSE: &[(&str, &[&str])] = &[
     (
         "bindings",
         &[
-            "control", "drive", "error", "geometry", "decimal", "inspect", "json", "kept", "planner", "random",
-            "robot", "run", "scenario", "validity",
+            "control", "drive", "error", "fleet", "geometry", "decimal", "inspect", "json", "kept", "planner",
+            "random", "robot", "run", "scenario", "validity",
         ],
     ),
 ];

@@ -1,6 +1,6 @@
 //! The planners that exist, with their parameters: the one table that help texts, documents and controls are made from.
 
-use super::parameters::{Fallback, Kind, ParameterInfo};
+use super::parameters::ParameterInfo;
 use super::presets::Preset;
 use super::pseudocode::PseudocodeLine;
 use super::table::PLANNERS;
@@ -68,39 +68,10 @@ pub fn catalogue() -> Node {
             ("pseudocode", Some(Node::Array(info.pseudocode.iter().map(PseudocodeLine::node).collect()))),
             ("robots", Some(Node::words(info.robots))),
             ("presets", Some(Node::Array(info.presets.iter().map(Preset::node).collect()))),
-            ("parameters", Some(Node::Array(info.parameters.iter().map(parameter).collect()))),
+            ("parameters", Some(Node::Array(info.parameters.iter().map(ParameterInfo::node).collect()))),
         ])
     };
     Node::Array(PLANNERS.iter().map(row).collect())
-}
-
-fn parameter(info: &ParameterInfo) -> Node {
-    let (kind, range, choices) = match info.kind {
-        Kind::Integer { min, max } => ("integer", Some([min, max]), None),
-        Kind::Number { min, max } => ("number", Some([min, max]), None),
-        Kind::Choice(words) => ("choice", None, Some(words)),
-        Kind::Switch => ("boolean", None, None),
-    };
-    let (default, meaning) = match info.default {
-        Fallback::Number(number) => (Node::Number(number), None),
-        Fallback::Text(word) => (Node::text(word), None),
-        Fallback::Off => (Node::Bool(false), None),
-        Fallback::Computed(words) => (Node::Null, Some(words)),
-    };
-    let or_null = |node: Option<Node>| Some(node.unwrap_or(Node::Null));
-    Node::object(vec![
-        ("name", Some(Node::text(info.name))),
-        ("title", Some(Node::text(info.title))),
-        ("kind", Some(Node::text(kind))),
-        ("unit", Some(Node::text(info.unit))),
-        ("min", or_null(range.map(|[min, _]| Node::Number(min)))),
-        ("max", or_null(range.map(|[_, max]| Node::Number(max)))),
-        ("choices", or_null(choices.map(Node::words))),
-        ("default", Some(default)),
-        ("default_meaning", or_null(meaning.map(Node::text))),
-        ("meaning", Some(Node::text(info.meaning))),
-        ("robots", Some(Node::words(info.robots))),
-    ])
 }
 
 /// The planner taken where none is named, for a robot of that type.

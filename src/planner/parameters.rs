@@ -2,7 +2,7 @@
 
 use crate::decimal::Decimal;
 use crate::error::{Code, Error, quoted};
-use crate::json::push_field;
+use crate::json::{Node, push_field};
 
 /// What values a parameter takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,8 +55,40 @@ pub struct ParameterInfo {
     pub default: Fallback,
     /// What it means, in one sentence.
     pub meaning: &'static str,
-    /// The types of robots that it is for, as in documents; of others it says nothing.
+    /// The types of robots that it is for, as in documents; of others it says nothing. Empty where there is no robot.
     pub robots: &'static [&'static str],
+}
+
+impl ParameterInfo {
+    /// The row, to be written: a default that depends on the space is null and told in words.
+    pub fn node(&self) -> Node {
+        let (kind, range, choices) = match self.kind {
+            Kind::Integer { min, max } => ("integer", Some([min, max]), None),
+            Kind::Number { min, max } => ("number", Some([min, max]), None),
+            Kind::Choice(words) => ("choice", None, Some(words)),
+            Kind::Switch => ("boolean", None, None),
+        };
+        let (default, meaning) = match self.default {
+            Fallback::Number(number) => (Node::Number(number), None),
+            Fallback::Text(word) => (Node::text(word), None),
+            Fallback::Off => (Node::Bool(false), None),
+            Fallback::Computed(words) => (Node::Null, Some(words)),
+        };
+        let or_null = |node: Option<Node>| Some(node.unwrap_or(Node::Null));
+        Node::object(vec![
+            ("name", Some(Node::text(self.name))),
+            ("title", Some(Node::text(self.title))),
+            ("kind", Some(Node::text(kind))),
+            ("unit", Some(Node::text(self.unit))),
+            ("min", or_null(range.map(|[min, _]| Node::Number(min)))),
+            ("max", or_null(range.map(|[_, max]| Node::Number(max)))),
+            ("choices", or_null(choices.map(Node::words))),
+            ("default", Some(default)),
+            ("default_meaning", or_null(meaning.map(Node::text))),
+            ("meaning", Some(Node::text(self.meaning))),
+            ("robots", (!self.robots.is_empty()).then(|| Node::words(self.robots))),
+        ])
+    }
 }
 
 /// A value given for a parameter.
@@ -114,7 +146,7 @@ impl Parameters {
         for (i, (name, value)) in given.iter().enumerate() {
             let Some(at) = table.iter().position(|info| info.name == name) else {
                 let known = table.iter().map(|info| info.name).collect::<Vec<_>>().join(", ");
-                let sentence = format!("there is no parameter {}; this planner takes {known}", quoted(name));
+                let sentence = format!("there is no parameter {}; there are {known}", quoted(name));
                 return Err(Error::new(Code::UnknownParameter, pointer(name), sentence));
             };
             if given[..i].iter().any(|(earlier, _)| earlier == name) {

@@ -3,7 +3,8 @@
 //! `cargo bench --bench trajectories`; a run pinned to one core is quieter.
 
 use planarium::fleet::Trajectories;
-use planarium::planner::{Status, Value};
+use planarium::parameters::Value;
+use planarium::status::Status;
 use std::time::Instant;
 
 /// Runs of one cell; the median is told.

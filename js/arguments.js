@@ -59,6 +59,19 @@ export function configuration(value, dimension, name) {
 }
 
 /**
+ * A point: two finite numbers.
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {Float64Array}
+ */
+export function point(value, name) {
+  return numbers(value, name, (length) => {
+    if (length === 2) return;
+    throw new PlanariumError("wrong-dimension", `\`${name}\` must have two numbers, x and y, not ${length}.`, `/${name}`);
+  });
+}
+
+/**
  * Rows of `dimension` finite numbers, one after the other.
  * @param {unknown} value
  * @param {number} dimension

@@ -1,7 +1,7 @@
-/** What stands on its own: the lists of planners, of generators and of phases, and a fresh seed. */
+/** What stands on its own: the lists of planners, of generators, of methods and of phases, and a fresh seed. */
 import { call } from "./runtime.js";
 
-/** @import { GeneratorInfo, Phase, PlannerInfo } from "./types.js" */
+/** @import { GeneratorInfo, Phase, PlannerInfo, ReachMethodInfo } from "./types.js" */
 
 /**
  * The names of phases: a row of `planner.takeHistory()` holds the place of one in this list.
@@ -24,6 +24,14 @@ export function planners() {
  */
 export function generators() {
   return JSON.parse(call((core) => core.generators()));
+}
+
+/**
+ * The methods of inverse kinematics: their parameters with title, meaning, unit, range and default of each.
+ * @returns {ReachMethodInfo[]}
+ */
+export function reachMethods() {
+  return JSON.parse(call((core) => core.reach_methods()));
 }
 
 /**

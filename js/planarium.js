@@ -6,9 +6,11 @@ import { load, loadSync } from "./runtime.js";
 
 export { Drive } from "./drive.js";
 export { PlanariumError } from "./error.js";
-export { freshSeed, generators, phases, planners } from "./functions.js";
+export { freshSeed, generators, phases, planners, reachMethods } from "./functions.js";
 export { Planner } from "./planner.js";
+export { Reach } from "./reach.js";
 export { Scenario } from "./scenario.js";
+export { Trajectories, particlePoints, trajectoryOptions } from "./trajectories.js";
 export { version } from "./version.js";
 
 /** @typedef {import("./types.js").Status} Status */
@@ -43,6 +45,16 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").KeyPress} KeyPress */
 /** @typedef {import("./types.js").Obstructed} Obstructed */
 /** @typedef {import("./types.js").Rollout} Rollout */
+/** @typedef {import("./types.js").ReachMethodInfo} ReachMethodInfo */
+/** @typedef {import("./types.js").ReachOptions} ReachOptions */
+/** @typedef {import("./types.js").ReachVerdict} ReachVerdict */
+/** @typedef {import("./types.js").ReachResult} ReachResult */
+/** @typedef {import("./types.js").TrajectoryOptions} TrajectoryOptions */
+/** @typedef {import("./types.js").TrajectoriesResult} TrajectoriesResult */
+/** @typedef {import("./types.js").ParticleMotion} ParticleMotion */
+/** @typedef {import("./types.js").ParticleModel} ParticleModel */
+/** @typedef {import("./types.js").Followed} Followed */
+/** @typedef {import("./types.js").NearestPoint} NearestPoint */
 /** @typedef {import("./types.js").GenerateOptions} GenerateOptions */
 /** @typedef {import("./types.js").GeneratorId} GeneratorId */
 /** @typedef {import("./types.js").CspaceOptions} CspaceOptions */

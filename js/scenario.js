@@ -6,10 +6,11 @@ import { makeDrive, obstructed } from "./drive.js";
 import { PlanariumError } from "./error.js";
 import { Handle, key } from "./handle.js";
 import { Planner, makePlanner } from "./planner.js";
+import { Reach, followedOf, makeReach, nearestOf } from "./reach.js";
 import { call } from "./runtime.js";
 
 /** @import { Drive } from "./drive.js" */
-/** @import { Box, Check, Configuration, CspaceOptions, GenerateOptions, GeneratorId, Part, PlannerOptions, Robot, Rollout, ScenarioDocument, Touching } from "./types.js" */
+/** @import { Box, Check, Configuration, CspaceOptions, Followed, GenerateOptions, GeneratorId, NearestPoint, Part, PlannerOptions, Point, ReachOptions, Robot, Rollout, ScenarioDocument, Touching } from "./types.js" */
 
 /**
  * A parsed, checked scenario: it answers questions about configurations and motions, and makes planners.
@@ -284,6 +285,44 @@ export class Scenario {
     return { poses: numbers.slice(2), seconds: numbers[1], blocked: obstructed(numbers[0]) };
   }
 
+  /**
+   * Starts a search for joint angles that bring the arm's tip to a target. The run lives on when the scenario is freed.
+   * @param {ReachOptions} options
+   * @returns {Reach}
+   * @throws {PlanariumError} `unsupported` for any robot but an arm, for an orientation of an arm of one link, and where there is no
+   *   closed form; `missing-field` without a `target`; `out-of-range` for an unknown `method` and a `start` outside the limits;
+   *   `unknown-parameter`, `wrong-dimension`, `wrong-type`, `not-finite`
+   */
+  reach(options) {
+    return this.#handle.call((raw) => makeReach(raw.reach(argument.optionsText(options))));
+  }
+
+  /**
+   * Where the arm goes from `q` when its tip follows a point: smoothly, within its limits, as near as it gets from there. For
+   * dragging: call it with the last configuration whenever the hand moves.
+   * @param {Configuration} q
+   * @param {Point} target
+   * @param {number} [orientation]  wanted absolute angle of the last link, in radians
+   * @returns {Followed}
+   * @throws {PlanariumError} `unsupported` for any robot but an arm, `out-of-range` for a `q` outside the limits
+   */
+  follow(q, target, orientation) {
+    return followedOf(this.#handle.call((raw) =>
+      raw.follow(this.#configuration(q, "q"), argument.point(target, "target"), angle(orientation))));
+  }
+
+  /**
+   * The point nearest to the target that the arm's tip can reach, and a configuration that does: exactly, within the limits.
+   * With an orientation, the nearest in that orientation.
+   * @param {Point} target
+   * @param {number} [orientation]  wanted absolute angle of the last link, in radians
+   * @returns {NearestPoint}
+   * @throws {PlanariumError} `unsupported` for any robot but an arm
+   */
+  nearestReachable(target, orientation) {
+    return nearestOf(this.#handle.call((raw) => raw.nearest_reachable(argument.point(target, "target"), angle(orientation))));
+  }
+
   /** Gives the memory back. Any use afterwards throws `freed`; freeing twice does nothing. @returns {void} */
   free() {
     this.#handle.free();
@@ -301,4 +340,9 @@ export class Scenario {
   #configuration(value, name) {
     return argument.configuration(value, this.#dimension, name);
   }
+}
+
+/** An orientation where one is given. @param {unknown} value */
+function angle(value) {
+  return value === undefined ? undefined : argument.finite(value, "/orientation");
 }

@@ -441,6 +441,188 @@ export interface Rollout {
   blocked: Obstructed | null;
 }
 
+/** A method of inverse kinematics, as a page would offer it. */
+export interface ReachMethodInfo {
+  /** What `method` takes. */
+  id: string;
+  /** Title for people. */
+  title: string;
+  /** What it does, in a sentence. */
+  summary: string;
+  /** What can be set. */
+  parameters: ParameterInfo[];
+}
+
+/** What the tip of an arm is to reach, and how: the common options, and the method's own parameters by name (see `reachMethods()`). */
+export interface ReachOptions {
+  /** Where the tip is to be. */
+  target: readonly [number, number];
+  /** Wanted absolute angle of the last link, in radians, whole turns aside; any where absent. */
+  orientation?: number;
+  /** Id of the method; `damped-least-squares` where absent. */
+  method?: string;
+  /** Where to start from; where absent the start of the first query, or all joints at 0 as far as their limits allow. */
+  start?: readonly number[];
+  /** Integer from 0 to 2^53 - 1, for the starts that are drawn; 0 where absent. */
+  seed?: number;
+  /** How far the tip may end from the target, metres and radians. */
+  tolerance?: number;
+  /** Budget of iterations. */
+  max_iterations?: number;
+  /** How many starts may be drawn. */
+  restarts?: number;
+  /** How many distinct solutions are looked for; 1 where absent. */
+  solutions?: number;
+  /** Whether only those count that touch nothing; false where absent. */
+  free_only?: boolean;
+  /** How far apart, in radians, some joint of two distinct solutions is. */
+  separation?: number;
+  /** Any other parameter of the method. */
+  [parameter: string]: number | string | boolean | readonly number[] | undefined;
+}
+
+/** How near an arm can come to a target. */
+export interface NearestPoint {
+  /** A configuration that comes that near. */
+  configuration: Float64Array;
+  /** Where the tip then is. */
+  point: Point;
+  /** How far that is from the target, in metres. */
+  distance: number;
+  /** How far the last link is from the wanted orientation, in radians: 0 unless the limits allow that orientation nowhere. */
+  turn: number;
+}
+
+/** An arm that has followed a hand. */
+export interface Followed {
+  /** The configuration. */
+  configuration: Float64Array;
+  /** Where the tip is. */
+  point: Point;
+  /** How far it is from the target, in metres. */
+  distance: number;
+  /** How far the last link is from the wanted orientation, in radians. */
+  turn: number;
+  /** Whether it is at the target. */
+  reached: boolean;
+  /** Yoshikawa's manipulability there, in square metres: 0 where the arm is singular. */
+  manipulability: number;
+}
+
+/** What has come of a search for joint angles. */
+export interface ReachVerdict {
+  /**
+   * `reached`; `in-collision` where the target is reached in collision only; `out-of-reach` where no configuration reaches it;
+   * `running`, or `not-found` once the budget is spent, where one does that has not been found.
+   */
+  verdict: "reached" | "in-collision" | "out-of-reach" | "running" | "not-found";
+  /** Why it is out of reach; null otherwise. */
+  reason: "too-far" | "too-near" | "limits" | "orientation" | null;
+  /** How near the arm can come to a target out of reach; null otherwise. */
+  nearest: { configuration: number[]; point: Point; distance: number; turn: number } | null;
+  /** What touches what at the first solution in collision; null where that is not the verdict. */
+  touching: Touching[] | null;
+}
+
+/** The result of a search for joint angles, the same as the command line prints. */
+export interface ReachResult {
+  /** Name of the scenario. */
+  scenario: string;
+  /** Id of the method. */
+  method: string;
+  /** Where the tip was to be. */
+  target: Point;
+  /** The orientation that was wanted, within (-pi, pi]; null for any. */
+  orientation: number | null;
+  /** Seed of the run. */
+  seed: number;
+  /** Where the run stands. */
+  status: Status;
+  /** Distinct configurations that reach the target. */
+  solutions: number[][];
+  /** Those that do so in collision, where `free_only` is set. */
+  rejected: { configuration: number[]; touching: Touching[] }[];
+  /** What has come of it. */
+  verdict: ReachVerdict;
+  /** How large the error of a solution may be: as set, but no finer than rounding allows. */
+  tolerance: number;
+  /** What was counted. */
+  stats: { iterations: number; restarts: number; configuration_checks: number };
+  /** 16 hexadecimal digits over every iterate and solution. */
+  fingerprint: string;
+}
+
+/** How a particle moves: on a circular arc, or on the spiral v t (cos(theta + w t), sin(theta + w t)) about its start. */
+export type ParticleModel = "arc" | "spiral";
+
+/** A particle with constant speed and turn rate. */
+export interface ParticleMotion {
+  /** How it moves; `arc` unless told otherwise. */
+  model?: ParticleModel;
+  /** Where it starts, metres; 0 unless told otherwise. */
+  x?: number;
+  /** Where it starts, metres; 0 unless told otherwise. */
+  y?: number;
+  /** Its first heading, radians; 0 unless told otherwise. */
+  theta?: number;
+  /** Its speed, metres a second, at least 0; 1 unless told otherwise. */
+  v?: number;
+  /** Its turn rate, radians a second, counter-clockwise; pi / 4 unless told otherwise. */
+  w?: number;
+}
+
+/** What `new Trajectories` takes; `trajectoryOptions()` tells ranges and meanings. */
+export interface TrajectoryOptions {
+  /** An integer from 0 (default) to 2^53 - 1. */
+  seed?: number;
+  /** How particles move. */
+  model?: ParticleModel;
+  /** How many are accepted. */
+  count?: number;
+  /** Half the side of the square of starts, metres. */
+  half_side?: number;
+  /** First headings lie between minus this and this, radians. */
+  spread?: number;
+  /** The least speed, metres a second. */
+  slowest?: number;
+  /** The greatest speed, metres a second. */
+  fastest?: number;
+  /** The least turn rate, radians a second. */
+  least_turn_rate?: number;
+  /** The greatest turn rate, radians a second. */
+  greatest_turn_rate?: number;
+  /** How long every particle moves, seconds. */
+  duration?: number;
+  /** Whether a grid tells which earlier trajectories may be near; the result is the same. */
+  index?: "grid" | "none";
+  /** After how many tried the search gives up. */
+  max_iterations?: number;
+}
+
+/** What has come of many trajectories. */
+export interface TrajectoriesResult {
+  /** How particles move. */
+  model: ParticleModel;
+  /** The seed. */
+  seed: number;
+  /** Where it stands. */
+  status: Status;
+  /** How many were accepted. */
+  accepted: number;
+  /** How many were refused. */
+  refused: number;
+  /** How many were tried. */
+  iterations: number;
+  /** Pairs of boxes around trajectories that were compared. */
+  boxes: number;
+  /** Pairs of trajectories that were tested themselves. */
+  pairs: number;
+  /** Pairs of stretches looked at where closed forms do not serve. */
+  stretches: number;
+  /** 16 hexadecimal digits over all that was tried. */
+  fingerprint: string;
+}
+
 /** Something with a URL that can be fetched: a `URL` or a `Request`. */
 export type Fetchable = { readonly href: string } | { readonly url: string; readonly method: string };
 

@@ -24,8 +24,10 @@ pub enum Stream {
     Projections = 4,
     /// Which controls are tried, and for how long.
     Controls = 5,
+    /// Where a search for joint angles starts anew.
+    Starts = 6,
     /// Which trajectories of particles are tried.
-    Particles = 6,
+    Particles = 7,
 }
 
 /// A stream of random numbers.

@@ -2,7 +2,8 @@
 
 use planarium::fleet::{Model, PARAMETERS, Particle, Trajectories, TrajectoryOptions, catalogue, halve};
 use planarium::json::Node;
-use planarium::planner::{Fallback, Kind, Status, Value};
+use planarium::parameters::{Fallback, Kind, Value};
+use planarium::status::Status;
 use serde_json::{Value as Json, json};
 use wasm_bindgen_test::wasm_bindgen_test;
 

@@ -32,6 +32,7 @@ import { showSceneOptions } from "./controls/scene-options.js";
 import { watchTheme } from "./controls/theme.js";
 import { watchReadout } from "./controls/readout.js";
 import { Transport } from "./controls/transport.js";
+import { keepForLater } from "./keep.js";
 import { Page } from "./page.js";
 import { Part } from "./part.js";
 import { loadCore, makeWorker } from "./resources.js";
@@ -54,11 +55,6 @@ try {
 } catch (error) {
   counters.none("failed");
   notice.show("Planarium could not start: it needs a browser with WebAssembly, and its own files beside this page.", error);
-}
-
-/** Has the page's files kept, so that it opens without a network too; a page that may not keep anything does without. */
-function keepForLater() {
-  if (location.protocol.startsWith("http")) navigator.serviceWorker?.register("offline.js").catch(() => {});
 }
 
 async function start() {

@@ -2,7 +2,9 @@
 
 use crate::decimal::Decimal;
 use crate::error::{Code, Error};
+use crate::geometry::Point;
 use crate::json::Node;
+use crate::reach::{ReachOptions, Target};
 use crate::run::{Options, Value};
 use wasm_bindgen::prelude::*;
 
@@ -56,4 +58,74 @@ pub(super) fn options(text: &str, mut wanted: Options) -> Result<Options, Error>
         }
     }
     Ok(wanted)
+}
+
+/// Settings of a table and the seed, 0 where there is none, from JSON text.
+pub(super) fn settings(text: &str) -> Result<(Vec<(String, Value)>, u64), Error> {
+    let Node::Object(fields) = Node::parse(text)? else {
+        return Err(Error::new(Code::WrongType, "", "options must be an object"));
+    };
+    let (mut given, mut seed) = (Vec::with_capacity(fields.len()), 0);
+    for (name, node) in fields {
+        let value = match node {
+            Node::Number(number) if name == "seed" => {
+                seed = count(number, &name)?;
+                continue;
+            }
+            Node::Number(number) => Value::Number(number),
+            Node::String(text) => Value::Text(text),
+            Node::Bool(yes) => Value::Boolean(yes),
+            _ => {
+                let sentence = format!("{name} must be a number, a word or a truth value");
+                return Err(Error::new(Code::WrongType, format!("/{name}"), sentence));
+            }
+        };
+        if name == "seed" {
+            return Err(Error::new(Code::WrongType, "/seed", "seed must be a number"));
+        }
+        given.push((name, value));
+    }
+    Ok((given, seed))
+}
+
+/// The options of inverse kinematics from JSON text.
+pub(super) fn reach_options(text: &str) -> Result<ReachOptions, Error> {
+    let Node::Object(fields) = Node::parse(text)? else {
+        return Err(Error::new(Code::WrongType, "", "options must be an object"));
+    };
+    let mut wanted = ReachOptions::to(Target { point: Point::origin(), orientation: None });
+    let mut has_target = false;
+    for (name, given) in fields {
+        let fail = |what: &str| Err(Error::new(Code::WrongType, format!("/{name}"), format!("{name} must be {what}")));
+        match (name.as_str(), given) {
+            ("target", Node::Array(point)) => match numbers(&point, &name)?[..] {
+                [x, y] => (wanted.target.point, has_target) = (Point::new(x, y), true),
+                _ => return Err(Error::new(Code::WrongDimension, "/target", "target must hold two numbers, x and y")),
+            },
+            ("orientation", Node::Number(angle)) => wanted.target.orientation = Some(angle),
+            ("start", Node::Array(start)) => wanted.start = Some(numbers(&start, &name)?),
+            ("method", Node::String(id)) => wanted.method = Some(id),
+            ("seed", Node::Number(seed)) => wanted.seed = count(seed, &name)?,
+            ("target" | "start", _) => return fail("an array of numbers"),
+            ("orientation" | "seed", _) => return fail("a number"),
+            ("method", _) => return fail("a string"),
+            (_, Node::Number(number)) => wanted.parameters.push((name, Value::Number(number))),
+            (_, Node::String(text)) => wanted.parameters.push((name, Value::Text(text))),
+            (_, Node::Bool(yes)) => wanted.parameters.push((name, Value::Boolean(yes))),
+            _ => return fail("a number, a word or a truth value"),
+        }
+    }
+    if !has_target {
+        return Err(Error::new(Code::MissingField, "/target", "the target is missing: [x, y]"));
+    }
+    Ok(wanted)
+}
+
+/// An array of numbers.
+fn numbers(nodes: &[Node], name: &str) -> Result<Vec<f64>, Error> {
+    let number = |(i, node): (usize, &Node)| match node {
+        Node::Number(number) => Ok(*number),
+        _ => Err(Error::new(Code::WrongType, format!("/{name}/{i}"), format!("{name} must hold numbers"))),
+    };
+    nodes.iter().enumerate().map(number).collect()
 }

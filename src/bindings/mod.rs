@@ -7,11 +7,15 @@
 mod convert;
 mod drive;
 mod planner;
+mod reach;
 mod scenario;
+mod trajectories;
 
 pub use drive::RawDrive;
 pub use planner::RawPlanner;
+pub use reach::RawReach;
 pub use scenario::RawScenario;
+pub use trajectories::{RawTrajectories, particle_points, trajectory_options};
 
 use wasm_bindgen::prelude::*;
 
@@ -25,4 +29,10 @@ pub fn planners() -> String {
 #[wasm_bindgen]
 pub fn generators() -> String {
     crate::scenario::generate::catalogue().to_json()
+}
+
+/// Every method of inverse kinematics with its parameters, as JSON text.
+#[wasm_bindgen]
+pub fn reach_methods() -> String {
+    crate::reach::catalogue().to_json()
 }

@@ -1,13 +1,15 @@
 //! A scenario in JavaScript's hands.
 
-use super::convert::{count, options, throw};
+use super::convert::{count, options, reach_options, throw};
 use super::drive::told;
-use super::{RawDrive, RawPlanner};
+use super::reach::{followed, near, target};
+use super::{RawDrive, RawPlanner, RawReach};
 use crate::control::{Control, Motion};
 use crate::drive::{self, Drive};
 use crate::inspect::Inspector;
 use crate::json::Node;
 use crate::kept::RoadmapDocument;
+use crate::reach::{Reach, arm_of, follow, nearest_reachable};
 use crate::robot::Part;
 use crate::run::{self, Options};
 use crate::scenario::Scenario;
@@ -171,5 +173,24 @@ impl RawScenario {
         let mut numbers = vec![told(rollout.blocked), rollout.seconds];
         numbers.extend(rollout.poses.concat());
         Ok(numbers)
+    }
+
+    /// Begins a run of inverse kinematics; `text` is JSON and holds `target`, `orientation`, `method`, `start`, `seed` and the
+    /// method's parameters.
+    pub fn reach(&self, text: &str) -> Result<RawReach, JsValue> {
+        let reach = reach_options(text).and_then(|wanted| Reach::new(&self.scenario, &wanted));
+        reach.map(RawReach::new).map_err(throw)
+    }
+
+    /// Where the arm goes from `q` when its tip follows a point: see `followed`.
+    pub fn follow(&self, q: &[f64], point: &[f64], orientation: Option<f64>) -> Result<Vec<f64>, JsValue> {
+        let arm = arm_of(&self.scenario).and_then(|arm| follow(arm, q, target(point, orientation)));
+        arm.map(|arm| followed(&arm, self.dimension())).map_err(throw)
+    }
+
+    /// How near the arm can come to a point: see `near`.
+    pub fn nearest_reachable(&self, point: &[f64], orientation: Option<f64>) -> Result<Vec<f64>, JsValue> {
+        let nearest = arm_of(&self.scenario).and_then(|arm| nearest_reachable(arm, target(point, orientation)));
+        nearest.map(|nearest| near(&nearest, self.dimension())).map_err(throw)
     }
 }

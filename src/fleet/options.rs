@@ -4,11 +4,11 @@ use super::particle::{MOST_TURNING, Model};
 use crate::decimal::Decimal;
 use crate::error::{Code, Error};
 use crate::json::Node;
-use crate::planner::{Fallback, Kind, ParameterInfo, Parameters, Value};
+use crate::parameters::{Fallback, Kind, ParameterInfo, Parameters, Value};
 use crate::random::MAX_SEED;
 use std::f64::consts::PI;
 
-const fn row(
+pub(super) const fn row(
     name: &'static str,
     title: &'static str,
     kind: Kind,
@@ -19,7 +19,7 @@ const fn row(
     ParameterInfo { name, title, kind, unit, default, meaning, robots: &[] }
 }
 
-const fn number(
+pub(super) const fn number(
     name: &'static str,
     title: &'static str,
     [min, max, default]: [f64; 3],

@@ -15,7 +15,7 @@ use crate::geometry::Point;
 use crate::graph::Fingerprint;
 use crate::json::Node;
 use crate::order;
-use crate::planner::Value;
+use crate::parameters::Value;
 use crate::random::{Random, Stream};
 use crate::status::Status;
 

@@ -1,11 +1,11 @@
 //! The planners that exist, with their parameters: the one table that help texts, documents and controls are made from.
 
-use super::parameters::ParameterInfo;
 use super::presets::Preset;
 use super::pseudocode::PseudocodeLine;
 use super::table::PLANNERS;
 use crate::error::{Code, Error, quoted};
 use crate::json::Node;
+use crate::parameters::ParameterInfo;
 
 /// What there is to know about a planner before it runs.
 #[derive(Debug, Clone, Copy, PartialEq)]

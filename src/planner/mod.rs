@@ -6,7 +6,6 @@
 mod active;
 mod catalogue;
 mod driven_tree;
-mod parameters;
 mod presets;
 mod prm;
 mod pseudocode;
@@ -22,7 +21,6 @@ mod visibility_prm;
 
 pub use catalogue::{DEFAULT_TOLERANCE, PlannerInfo, catalogue, default_planner, planner_info, planners};
 pub use driven_tree::{Blocked, Durations, GoalTest};
-pub use parameters::{Fallback, Kind, ParameterInfo, Parameters, Value};
 pub use presets::Preset;
 pub use prm::{Order, Prm, PrmOptions, logarithmic_k, prm_star_k};
 pub use pseudocode::{Mark, PseudocodeLine};
@@ -35,6 +33,7 @@ pub use rrt_control::{Blossom, Late, Origin, RrtControl, RrtControlOptions};
 pub use sst::{Sst, SstOptions};
 pub use visibility_prm::VisibilityPrm;
 
+pub use crate::parameters::{Fallback, Kind, ParameterInfo, Parameters, Value};
 pub use crate::phase::Phase;
 pub use crate::status::Status;
 

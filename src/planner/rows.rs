@@ -1,7 +1,7 @@
 //! The rows of the catalogue: every parameter, with the robots that it is for.
 
 use super::catalogue::DEFAULT_TOLERANCE;
-use super::parameters::{Fallback, Kind, ParameterInfo};
+use crate::parameters::{Fallback, Kind, ParameterInfo};
 
 /// Every robot, by its type in documents.
 pub(super) const ALL: &[&str] = &["arm", "disc", "rigid_body", "car"];

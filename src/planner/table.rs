@@ -1,9 +1,9 @@
 //! The catalogue: every planner.
 
 use super::catalogue::PlannerInfo;
-use super::parameters::{Fallback, ParameterInfo};
 use super::rows::*;
 use super::{presets, pseudocode};
+use crate::parameters::{Fallback, ParameterInfo};
 
 pub(super) const PLANNERS: [PlannerInfo; 7] = [
     PlannerInfo {

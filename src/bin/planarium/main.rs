@@ -1,4 +1,4 @@
-//! The command line: plan, verify, list, generate.
+//! The command line: plan, verify, list, generate, trajectories.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
 //! solved or not valid, 2 that the input is wrong; then standard output holds `{"error": {"code", "message", "pointer"}}`.
@@ -11,6 +11,7 @@ mod list;
 mod plan;
 mod progress;
 mod roadmap;
+mod trajectories;
 mod verify;
 
 use arguments::{Arguments, Command};
@@ -51,6 +52,7 @@ fn run(command: &Command) -> Answer {
         Command::Verify(arguments) => verify::verify(arguments),
         Command::List(arguments) => list::list(arguments),
         Command::Generate(arguments) => generate::generate(arguments),
+        Command::Trajectories(arguments) => trajectories::trajectories(arguments),
         #[cfg(feature = "schema")]
         Command::Schema => {
             let schema = serde_json::to_string_pretty(&planarium::scenario::schema()).expect("a schema is JSON");

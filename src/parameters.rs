@@ -1,4 +1,4 @@
-//! Parameters of planners: their table, and values checked against it.
+//! Parameters of planners and of other methods: their tables, and values checked against them.
 
 use crate::decimal::Decimal;
 use crate::error::{Code, Error, quoted};
@@ -36,11 +36,11 @@ pub enum Fallback {
     Text(&'static str),
     /// False: switches are off unless they are turned on.
     Off,
-    /// What depends on the space, told in words.
+    /// What depends on the rest, told in words.
     Computed(&'static str),
 }
 
-/// One row of a planner's table of parameters: what controls, help texts and checks are made from.
+/// One row of a table of parameters: what controls, help texts and checks are made from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ParameterInfo {
     /// The name, in snake_case, the same everywhere.
@@ -60,7 +60,7 @@ pub struct ParameterInfo {
 }
 
 impl ParameterInfo {
-    /// The row, to be written: a default that depends on the space is null and told in words.
+    /// The row as a tree: a default that depends on the rest is null and told in words.
     pub fn node(&self) -> Node {
         let (kind, range, choices) = match self.kind {
             Kind::Integer { min, max } => ("integer", Some([min, max]), None),
@@ -86,7 +86,7 @@ impl ParameterInfo {
             ("default", Some(default)),
             ("default_meaning", or_null(meaning.map(Node::text))),
             ("meaning", Some(Node::text(self.meaning))),
-            ("robots", (!self.robots.is_empty()).then(|| Node::words(self.robots))),
+            ("robots", Some(Node::words(self.robots))),
         ])
     }
 }
@@ -123,7 +123,7 @@ impl std::fmt::Display for Value {
     }
 }
 
-/// Values for every parameter of one planner: those given, checked, and the defaults for the rest.
+/// Values for every parameter of one table: those given, checked, and the defaults for the rest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameters {
     /// Name, value, whether it was given.
@@ -158,7 +158,7 @@ impl Parameters {
         Ok(Self { values })
     }
 
-    /// Whether the planner has a parameter of that name.
+    /// Whether the table has a parameter of that name.
     pub fn has(&self, name: &str) -> bool {
         self.values.iter().any(|(known, ..)| *known == name)
     }
@@ -166,7 +166,7 @@ impl Parameters {
     /// The number given for the parameter, or its default; `None` where the default depends on the space.
     ///
     /// # Panics
-    /// Where the planner has no such parameter, or it is not a number.
+    /// Where the table has no such parameter, or it is not a number.
     pub fn number(&self, name: &str) -> Option<f64> {
         match self.get(name) {
             Some(Value::Number(number)) => Some(*number),
@@ -178,12 +178,12 @@ impl Parameters {
     /// The whole number given for the parameter, or its default.
     ///
     /// # Panics
-    /// Where the planner has no such parameter, it is not a number, or its default depends on the space.
+    /// Where the table has no such parameter, it is not a number, or its default depends on the space.
     pub fn integer(&self, name: &str) -> u64 {
         self.number(name).expect("counts have fixed defaults") as u64
     }
 
-    /// The word given for the parameter, or its default; `None` where that depends on the space, or the planner has no such
+    /// The word given for the parameter, or its default; `None` where that depends on the space, or the table has no such
     /// parameter.
     ///
     /// # Panics
@@ -199,7 +199,7 @@ impl Parameters {
     /// Whether the switch is on.
     ///
     /// # Panics
-    /// Where the planner has no such parameter, or it is not a switch.
+    /// Where the table has no such parameter, or it is not a switch.
     pub fn is_on(&self, name: &str) -> bool {
         match self.get(name) {
             Some(Value::Boolean(on)) => *on,
@@ -207,7 +207,7 @@ impl Parameters {
         }
     }
 
-    /// Whether a value was given for the parameter; false where the planner has none of that name.
+    /// Whether a value was given for the parameter; false where the table has none of that name.
     pub fn is_given(&self, name: &str) -> bool {
         self.values.iter().any(|(known, _, given)| *known == name && *given)
     }

@@ -1,0 +1,109 @@
+//! An arm that follows a hand: from where it is, smoothly to a configuration whose tip is at the target, or as near as it can be.
+
+use super::damped_least_squares::DampedLeastSquares;
+use super::kinematics::manipulability;
+use super::method::Method;
+use super::target::{Target, configuration};
+use super::task::Task;
+use crate::error::Error;
+use crate::geometry::Point;
+use crate::robot::{Arm, MAX_LINKS};
+
+/// The most updates of one call.
+const UPDATES: usize = 80;
+
+/// An error that falls by less than this part has settled.
+const SETTLED: f64 = 1e-7;
+
+/// A target counts as reached within this part of the reach, and no nearer than rounding allows.
+const NEAR: f64 = 1e-9;
+
+/// How far a straight arm is bent to get it going, as a part of what the target asks for.
+const BEND: f64 = 0.3;
+
+/// Where an arm is that has followed a hand.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Followed {
+    /// The configuration; entries past the last joint are 0.
+    pub configuration: [f64; MAX_LINKS],
+    /// Where the tip is, in metres.
+    pub point: Point,
+    /// How far it is from the target, in metres.
+    pub distance: f64,
+    /// How far the last link is from the wanted orientation, in radians.
+    pub turn: f64,
+    /// Whether both are within 1e-9 of the reach, or of a radian.
+    pub is_reached: bool,
+    /// See [`manipulability`].
+    pub manipulability: f64,
+}
+
+/// Moves the arm from `q` towards the target by damped least squares, within its limits. Small changes of the target make small
+/// changes of the joints, wherever that is possible; beyond the arm's reach it stretches towards the target. Limits can hold it
+/// back where another way of reaching would be nearer: then it stays on its own way. At most 80 updates, each O(links).
+///
+/// # Errors
+/// `wrong-dimension`, `not-finite`, `out-of-range` of the configuration, pointers below `/q`; of the target as in
+/// [`nearest_reachable`](super::nearest_reachable).
+pub fn follow(arm: &Arm, q: &[f64], target: Target) -> Result<Followed, Error> {
+    let mut at = configuration(arm, q, "/q")?;
+    let wanted = Task::new(arm, &target.checked(arm)?);
+    let task = drawn_in(&wanted);
+    let enough = task.finest.max(1e-3 * NEAR * task.reach);
+    let mut method = DampedLeastSquares::new();
+    let mut is_bent = false;
+    for _ in 0..UPDATES {
+        let before = task.deviation(&at);
+        if before.error() <= enough {
+            break;
+        }
+        let next = method.update(&task, &at);
+        let after = next.map_or(before.square(), |next| task.deviation(&next).square());
+        at = next.unwrap_or(at);
+        if after > before.square() * (1.0 - SETTLED) {
+            // A straight arm that is to be drawn in has no direction to go by the linear model: it has to be bent first.
+            if is_bent {
+                break;
+            }
+            is_bent = true;
+            at = bent(&task, &at);
+        }
+    }
+    let end = wanted.deviation(&at);
+    let near = wanted.finest.max(NEAR * wanted.reach);
+    Ok(Followed {
+        configuration: at,
+        point: arm.end_effector(&at),
+        distance: end.distance,
+        turn: end.turn,
+        is_reached: end.distance <= near && end.turn <= NEAR,
+        manipulability: manipulability(arm, &at[..task.joints.count]),
+    })
+}
+
+/// The task with its target drawn to the ring that the arm could reach without limits.
+fn drawn_in(task: &Task) -> Task {
+    let mut task = task.clone();
+    let ([x, y], count) = task.wrist();
+    let [inner, outer] = task.ring(count);
+    let r = (x * x + y * y).sqrt();
+    if r > 0.0 && !(inner..=outer).contains(&r) {
+        let move_by = r.max(inner).min(outer) / r - 1.0;
+        task.point = [task.point[0] + x * move_by, task.point[1] + y * move_by];
+    }
+    task
+}
+
+/// The configuration with every joint but the first bent a little, the less the nearer the target is.
+fn bent(task: &Task, q: &[f64; MAX_LINKS]) -> [f64; MAX_LINKS] {
+    let joints = &task.joints;
+    let angle = BEND * (task.deviation(q).distance / task.reach).min(1.0).sqrt();
+    let mut bent = *q;
+    for i in 1..joints.count {
+        bent[i] = joints.hold(i, q[i] + angle);
+        if bent[i] == q[i] {
+            bent[i] = joints.hold(i, q[i] - angle);
+        }
+    }
+    bent
+}

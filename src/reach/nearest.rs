@@ -1,0 +1,297 @@
+//! The point nearest to a target that an arm can reach, exactly, with limits.
+//!
+//! Where the tip is as near as it gets, and not there, every joint that could still turn lies on one line with the tip and the
+//! target, and all others stand at a limit. So the links between two such joints are one rigid link along that line, forwards
+//! or backwards, and there are finitely many such configurations. Where the target can be reached, some configuration that
+//! reaches it has the least angle of the first joint that is not at a limit; there all later free joints lie on one line with the tip in
+//! the same way, and the first joint, the rigid link from it and that line make a triangle with the target. All of these are
+//! tried, and each is judged by where it really takes the tip, so nothing is said to be reached that is not.
+//!
+//! An orientation that is wanted moves the target to the last joint. Where that joint then is at a limit, the link before has
+//! a wanted orientation too, and so on inwards.
+//!
+//! O(4^links) with limits, O(2^links) without, pruned by what the limits refuse.
+//!
+//! Sources: that the joints line up on the border of the workspace is in Kumar and Waldron 1981, "The workspaces of a mechanical
+//! manipulator"; limits in Haug, Luh, Adkins and Wang 1996, "Numerical algorithms for mapping boundaries of manipulator workspaces".
+
+use super::target::Target;
+use super::task::Task;
+use crate::error::Error;
+use crate::geometry::Point;
+use crate::robot::{Arm, MAX_LINKS};
+use std::f64::consts::PI;
+
+/// How near an arm can come to a target.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nearest {
+    /// A configuration that comes that near; entries past the last joint are 0.
+    pub configuration: [f64; MAX_LINKS],
+    /// Where the tip then is, in metres.
+    pub point: Point,
+    /// How far that is from the target, in metres.
+    pub distance: f64,
+    /// How far the last link then is from the wanted orientation, in radians: 0 unless the limits allow that orientation
+    /// nowhere, and then as little as they allow; the distance is the least among configurations of this orientation.
+    pub turn: f64,
+}
+
+/// The point nearest to the target that the arm can reach, with a configuration. With an orientation: among the points that it
+/// can reach in that orientation, or where the limits allow it nowhere, in the nearest one that they do.
+///
+/// # Errors
+/// Of the target: `not-finite`, `out-of-range`, `unsupported` (see [`Target`]).
+pub fn nearest_reachable(arm: &Arm, target: Target) -> Result<Nearest, Error> {
+    let target = target.checked(arm)?;
+    Ok(nearest(arm, &Task::new(arm, &target)))
+}
+
+/// The same for a task of that arm.
+pub(super) fn nearest(arm: &Arm, task: &Task) -> Nearest {
+    let mut search = Search::new(task);
+    search.all();
+    let (q, turn) = match search.best {
+        Some(_) => (search.best_q, 0.0),
+        None => farthest_turned(task),
+    };
+    let deviation = task.deviation(&q);
+    let point = arm.end_effector(&q);
+    Nearest { configuration: q, point, distance: deviation.distance, turn: if turn > 0.0 { turn } else { 0.0 } }
+}
+
+/// Where no configuration has the wanted orientation: all joints at their low limits, or all at their high ones, whichever
+/// turns the last link nearer to it; and how far it then is from it.
+fn farthest_turned(task: &Task) -> ([f64; MAX_LINKS], f64) {
+    let ends = [0, 1].map(|end| {
+        let mut q = [0.0; MAX_LINKS];
+        for i in 0..task.joints.count {
+            q[i] = task.joints.range(i)[end] + 0.0;
+        }
+        (q, task.deviation(&q).turn)
+    });
+    if ends[1].1 < ends[0].1 { ends[1] } else { ends[0] }
+}
+
+/// What is done with a line of joints once it reaches the tip.
+#[derive(Clone, Copy)]
+enum Purpose {
+    /// The line runs through the target: it ends so far from it, and begins there.
+    Approach { away: f64 },
+    /// The line is the third side of a triangle.
+    Triangle(Corner),
+}
+
+/// The first two corners of the triangle: the joint that has the least angle, and the first joint of the line.
+#[derive(Clone, Copy)]
+struct Corner {
+    joint: usize,
+    place: [f64; 2],
+    /// The absolute angle of the link before the joint.
+    before: f64,
+    line: usize,
+    /// The rigid link from one to the other, its angle to the first link in it, and that of the last link in it.
+    length: f64,
+    angle: f64,
+    end: f64,
+}
+
+/// The search for the best configuration of the first `count` joints, the rest being known.
+struct Search<'a> {
+    task: &'a Task,
+    rest: [f64; MAX_LINKS],
+    q: [f64; MAX_LINKS],
+    count: usize,
+    point: [f64; 2],
+    /// The joint after the first `count`, and the absolute angle that its link must have.
+    last: Option<(usize, f64)>,
+    best: Option<f64>,
+    best_q: [f64; MAX_LINKS],
+    is_done: bool,
+}
+
+impl<'a> Search<'a> {
+    fn new(task: &'a Task) -> Self {
+        let (rest, zeros) = (task.joints.rest(), [0.0; MAX_LINKS]);
+        let count = task.joints.count;
+        let (best, best_q) = (None, zeros);
+        Self { task, rest, q: zeros, count, point: task.point, last: None, best, best_q, is_done: false }
+    }
+
+    fn all(&mut self) {
+        match self.task.orientation {
+            None => self.prefix(0, 0.0, [0.0; 2], false),
+            Some(wanted) => self.oriented(self.task.joints.count - 1, self.task.point, wanted),
+        }
+    }
+
+    /// The link after `joint` has to have the absolute angle `wanted` and to end at `point`; all later joints are known.
+    fn oriented(&mut self, joint: usize, point: [f64; 2], wanted: f64) {
+        let (sin, cos) = libm::sincos(wanted);
+        let length = self.task.links[joint];
+        let point = [point[0] - length * cos, point[1] - length * sin];
+        (self.count, self.point, self.last) = (joint, point, Some((joint, wanted)));
+        self.prefix(0, 0.0, [0.0; 2], false);
+        if joint > 0 && !self.task.joints.turns_around(joint) {
+            for limit in self.task.joints.range(joint) {
+                self.q[joint] = limit;
+                self.oriented(joint - 1, point, wanted - limit);
+            }
+        }
+    }
+
+    /// Joints before `joint` stand still, the link before it at the absolute angle `before`. `is_cut` where one of them is a
+    /// circle, which is at its end nowhere but where it was cut open.
+    fn prefix(&mut self, joint: usize, before: f64, place: [f64; 2], is_cut: bool) {
+        if self.is_done {
+            return;
+        }
+        if joint == self.count {
+            return self.judge();
+        }
+        self.triangles(joint, before, place);
+        if !is_cut {
+            let [x, y] = [self.point[0] - place[0], self.point[1] - place[1]];
+            let away = (x * x + y * y).sqrt();
+            // At the target itself, any direction is the direction to it.
+            let direction = if away > 0.0 { libm::atan2(y, x) } else { before + self.rest[joint] };
+            self.line(joint, Some(before - direction), 0.0, Purpose::Approach { away });
+        }
+        if self.task.joints.turns_around(joint) {
+            self.stop(joint, self.rest[joint], before, place, true);
+        } else {
+            for limit in self.task.joints.range(joint) {
+                self.stop(joint, limit, before, place, is_cut);
+            }
+        }
+    }
+
+    fn stop(&mut self, joint: usize, angle: f64, before: f64, place: [f64; 2], is_cut: bool) {
+        self.q[joint] = angle;
+        let (sin, cos) = libm::sincos(before + angle);
+        let length = self.task.links[joint];
+        self.prefix(joint + 1, before + angle, [place[0] + length * cos, place[1] + length * sin], is_cut);
+    }
+
+    /// Every rigid link from `joint` to the first joint of a line.
+    fn triangles(&mut self, joint: usize, before: f64, place: [f64; 2]) {
+        let corner = Corner { joint, place, before, line: 0, length: 0.0, angle: 0.0, end: 0.0 };
+        self.rigid(joint, [self.task.links[joint], 0.0], 0.0, &mut |search, line, length, angle, end| {
+            if line < search.count {
+                search.line(line, None, 0.0, Purpose::Triangle(Corner { line, length, angle, end, ..corner }));
+            }
+        });
+    }
+
+    /// Every rigid link that begins with the link after `joint`, all joints in it at limits: `vector` so far, from the first
+    /// link, whose own angle is 0; `end` the angle of the last. `then` is told where it ends, its length, its angle and `end`.
+    fn rigid(
+        &mut self,
+        joint: usize,
+        vector: [f64; 2],
+        end: f64,
+        then: &mut dyn FnMut(&mut Self, usize, f64, f64, f64),
+    ) {
+        let next = joint + 1;
+        let [x, y] = vector;
+        then(self, next, (x * x + y * y).sqrt(), libm::atan2(y, x), end);
+        if next == self.count || self.task.joints.turns_around(next) {
+            return;
+        }
+        for limit in self.task.joints.range(next) {
+            self.q[next] = limit;
+            let (sin, cos) = libm::sincos(end + limit);
+            let length = self.task.links[next];
+            self.rigid(next, [x + length * cos, y + length * sin], end + limit, then);
+        }
+    }
+
+    /// Joints from `joint` on lie on a line, along which the tip of the links before is `along`, and the angle of the last of
+    /// those to the line is `before`, where that is known.
+    fn line(&mut self, joint: usize, before: Option<f64>, along: f64, purpose: Purpose) {
+        if self.is_done {
+            return;
+        }
+        if joint == self.count {
+            return self.finish(along, purpose);
+        }
+        if let (Purpose::Approach { away }, Some(best)) = (purpose, self.best) {
+            let rest: f64 = self.task.links[joint..self.count].iter().sum();
+            if (away - along).abs() - rest >= best {
+                return;
+            }
+        }
+        self.rigid(joint, [self.task.links[joint], 0.0], 0.0, &mut |search, next, length, angle, end| {
+            for (sign, turned) in [(1.0, -angle), (-1.0, PI - angle)] {
+                // The joints of the rigid link are set already, and are not touched by what comes after.
+                let kept = search.q;
+                match before {
+                    None => search.q[joint] = turned,
+                    Some(before) => match search.task.joints.fit(joint, turned - before, search.rest[joint]) {
+                        Some(fitting) => search.q[joint] = fitting,
+                        None => continue,
+                    },
+                }
+                search.line(next, Some(turned + end), along + sign * length, purpose);
+                search.q = kept;
+            }
+        });
+    }
+
+    /// The line has reached the tip, `along` from where it began.
+    fn finish(&mut self, along: f64, purpose: Purpose) {
+        match purpose {
+            Purpose::Approach { away } => {
+                // Judging is dear; rounding may make it a little better than it looks here.
+                if self.best.is_none_or(|best| (away - along).abs() < best + self.task.finest) {
+                    self.judge();
+                }
+            }
+            Purpose::Triangle(corner) => self.close(corner, along),
+        }
+    }
+
+    /// Closes the triangle of the rigid link, the line and the way to the target, on either side.
+    fn close(&mut self, corner: Corner, along: f64) {
+        let [x, y] = [self.point[0] - corner.place[0], self.point[1] - corner.place[1]];
+        let (r, a, b) = ((x * x + y * y).sqrt(), corner.length, along.abs());
+        let square = (a + b + r) * (a + b - r) * (r + (a - b)) * (r - (a - b));
+        // Straight or folded triangles are lines through the target, which are found as such.
+        if !(square > 0.0 && b > 0.0) {
+            return;
+        }
+        let (towards, inner) = (libm::atan2(y, x), libm::atan2(square.sqrt(), r * r + (a - b) * (a + b)));
+        let (joints, turned) = (&self.task.joints, self.q[corner.line]);
+        for rigid in [towards - inner, towards + inner] {
+            let first = rigid - corner.angle;
+            let (sin, cos) = libm::sincos(rigid);
+            let [dx, dy] = [x - a * cos, y - a * sin];
+            let direction = libm::atan2(dy, dx) + if along < 0.0 { PI } else { 0.0 };
+            let wanted =
+                [(corner.joint, first - corner.before), (corner.line, direction + turned - first - corner.end)];
+            let [one, other] = wanted.map(|(joint, angle)| joints.fit(joint, angle, self.rest[joint]));
+            if let (Some(one), Some(other)) = (one, other) {
+                (self.q[corner.joint], self.q[corner.line]) = (one, other);
+                self.judge();
+            }
+        }
+        self.q[corner.line] = turned;
+    }
+
+    /// Where the configuration really takes the tip.
+    fn judge(&mut self) {
+        let mut q = self.q;
+        if let Some((joint, wanted)) = self.last {
+            let angle = wanted - q[..joint].iter().sum::<f64>();
+            match self.task.joints.fit(joint, angle, self.rest[joint]) {
+                Some(fitting) => q[joint] = fitting,
+                None => return,
+            }
+        }
+        let q = self.task.joints.hold_all(&q);
+        let distance = self.task.deviation(&q).distance;
+        if self.best.is_none_or(|best| distance < best) {
+            (self.best, self.best_q) = (Some(distance), q);
+            self.is_done = distance <= self.task.finest;
+        }
+    }
+}

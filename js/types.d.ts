@@ -610,6 +610,77 @@ export interface ReachResult {
   fingerprint: string;
 }
 
+/** How a particle moves: on a circular arc, or on the spiral v t (cos(theta + w t), sin(theta + w t)) about its start. */
+export type ParticleModel = "arc" | "spiral";
+
+/** A particle with constant speed and turn rate. */
+export interface ParticleMotion {
+  /** How it moves; `arc` unless told otherwise. */
+  model?: ParticleModel;
+  /** Where it starts, metres; 0 unless told otherwise. */
+  x?: number;
+  /** Where it starts, metres; 0 unless told otherwise. */
+  y?: number;
+  /** Its first heading, radians; 0 unless told otherwise. */
+  theta?: number;
+  /** Its speed, metres a second, at least 0; 1 unless told otherwise. */
+  v?: number;
+  /** Its turn rate, radians a second, counter-clockwise; pi / 4 unless told otherwise. */
+  w?: number;
+}
+
+/** What `new Trajectories` takes; `trajectoryOptions()` tells ranges and meanings. */
+export interface TrajectoryOptions {
+  /** An integer from 0 (default) to 2^53 - 1. */
+  seed?: number;
+  /** How particles move. */
+  model?: ParticleModel;
+  /** How many are accepted. */
+  count?: number;
+  /** Half the side of the square of starts, metres. */
+  half_side?: number;
+  /** First headings lie between minus this and this, radians. */
+  spread?: number;
+  /** The least speed, metres a second. */
+  slowest?: number;
+  /** The greatest speed, metres a second. */
+  fastest?: number;
+  /** The least turn rate, radians a second. */
+  least_turn_rate?: number;
+  /** The greatest turn rate, radians a second. */
+  greatest_turn_rate?: number;
+  /** How long every particle moves, seconds. */
+  duration?: number;
+  /** Whether a grid tells which earlier trajectories may be near; the result is the same. */
+  index?: "grid" | "none";
+  /** After how many tried the search gives up. */
+  max_iterations?: number;
+}
+
+/** What has come of many trajectories. */
+export interface TrajectoriesResult {
+  /** How particles move. */
+  model: ParticleModel;
+  /** The seed. */
+  seed: number;
+  /** Where it stands. */
+  status: Status;
+  /** How many were accepted. */
+  accepted: number;
+  /** How many were refused. */
+  refused: number;
+  /** How many were tried. */
+  iterations: number;
+  /** Pairs of boxes around trajectories that were compared. */
+  boxes: number;
+  /** Pairs of trajectories that were tested themselves. */
+  pairs: number;
+  /** Pairs of stretches looked at where closed forms do not serve. */
+  stretches: number;
+  /** 16 hexadecimal digits over all that was tried. */
+  fingerprint: string;
+}
+
 /** Something with a URL that can be fetched: a `URL` or a `Request`. */
 export type Fetchable = { readonly href: string } | { readonly url: string; readonly method: string };
 

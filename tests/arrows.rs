@@ -27,6 +27,7 @@ const HOUSE: &[(&str, &[&str])] = &[
     ("problem", &["control", "decimal", "error", "space", "validity"]),
     ("graph", &["control", "space"]),
     ("nearest", &["graph", "order", "random", "space"]),
+    ("fleet", &["decimal", "error", "geometry", "graph", "json", "order", "parameters", "random", "status"]),
     ("result", &["control", "error", "json", "random", "scenario", "stats", "status"]),
     ("kept", &["decimal", "error", "graph", "json", "scenario", "space", "steering"]),
     (
@@ -126,6 +127,7 @@ const HOUSE: &[(&str, &[&str])] = &[
             "control",
             "drive",
             "error",
+            "fleet",
             "geometry",
             "decimal",
             "inspect",

@@ -95,6 +95,34 @@ pub(super) fn options(text: &str, mut wanted: Options) -> Result<Options, Error>
     Ok(wanted)
 }
 
+/// Settings of a table and the seed, 0 where there is none, from JSON text.
+pub(super) fn settings(text: &str) -> Result<(Vec<(String, Value)>, u64), Error> {
+    let Node::Object(fields) = Node::parse(text)? else {
+        return Err(Error::new(Code::WrongType, "", "options must be an object"));
+    };
+    let (mut given, mut seed) = (Vec::with_capacity(fields.len()), 0);
+    for (name, node) in fields {
+        let value = match node {
+            Node::Number(number) if name == "seed" => {
+                seed = count(number, &name)?;
+                continue;
+            }
+            Node::Number(number) => Value::Number(number),
+            Node::String(text) => Value::Text(text),
+            Node::Bool(yes) => Value::Boolean(yes),
+            _ => {
+                let sentence = format!("{name} must be a number, a word or a truth value");
+                return Err(Error::new(Code::WrongType, format!("/{name}"), sentence));
+            }
+        };
+        if name == "seed" {
+            return Err(Error::new(Code::WrongType, "/seed", "seed must be a number"));
+        }
+        given.push((name, value));
+    }
+    Ok((given, seed))
+}
+
 /// The options of inverse kinematics from JSON text.
 pub(super) fn reach_options(text: &str) -> Result<ReachOptions, Error> {
     let Node::Object(fields) = Node::parse(text)? else {

@@ -10,12 +10,14 @@ mod neighbours;
 mod planner;
 mod reach;
 mod scenario;
+mod trajectories;
 
 pub use drive::RawDrive;
 pub use neighbours::RawNeighbours;
 pub use planner::RawPlanner;
 pub use reach::RawReach;
 pub use scenario::RawScenario;
+pub use trajectories::{RawTrajectories, particle_points, trajectory_options};
 
 use wasm_bindgen::prelude::*;
 

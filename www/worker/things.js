@@ -52,7 +52,7 @@ export function withTarget(document, { index }, target) { return withQuery(docum
 
 /** @param {ScenarioDocument} document @param {number} index @param {object} change  what is undefined is left out @returns {ScenarioDocument} */
 function withQuery(document, index, change) {
-  const changed = (/** @type {Query} */ query) => /** @type {Query} */ (Object.fromEntries(Object.entries({ ...query, ...change }).filter(([, value]) => value !== undefined)));
+  const changed = (/** @type {Query} */ query) => /** @type {Query} */ (/** @type {unknown} */ (Object.fromEntries(Object.entries({ ...query, ...change }).filter(([, value]) => value !== undefined))));
   return { ...document, queries: document.queries.map((query, i) => (i === index ? changed(query) : query)) };
 }
 

@@ -37,6 +37,8 @@ pub enum Command {
     List(List),
     /// Generate a scenario by seed and print it
     Generate(Generate),
+    /// Add random trajectories of particles one by one, none of which crosses another, and print counts
+    Trajectories(Trajectories),
     /// Print the JSON Schema of scenarios
     #[cfg(feature = "schema")]
     Schema,
@@ -211,6 +213,29 @@ pub struct Generate {
     /// Write the scenario to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+`planarium list` shows the options. The CSV has a row for every accepted trajectory: x, y, theta, v, w,
+duration, how many were tried for it, the microseconds that took, and their moving average over 20.
+Exit codes: 0 as many are accepted as were asked for; 1 not; 2 the input is wrong.
+
+Examples:
+  planarium trajectories
+  planarium trajectories --set model=spiral --set count=500 --seed 3 --csv trajectories.csv")]
+pub struct Trajectories {
+    /// The seed: with the options it decides every bit of the result
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
+    pub seed: u64,
+
+    /// Set an option; may be repeated
+    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
+    pub set: Vec<(String, String)>,
+
+    /// Write a row for every accepted trajectory to this file
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<String>,
 }
 
 /// Reads KEY=VALUE.

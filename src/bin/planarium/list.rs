@@ -4,6 +4,7 @@ use crate::Answer;
 use crate::arguments::List;
 use crate::files;
 use planarium::error::Code;
+use planarium::fleet;
 use planarium::json::Node;
 use planarium::neighbours;
 use planarium::planner::{Fallback, Kind, ParameterInfo, catalogue, planners};
@@ -21,7 +22,8 @@ fn as_json() -> String {
     let errors: Vec<_> =
         Code::ALL.iter().map(|code| json!({ "code": code.as_str(), "meaning": code.meaning() })).collect();
     let table = |node: Node| -> Value { serde_json::from_str(&node.to_json()).expect("a tree is written as JSON") };
-    let document = json!({ "planners": table(catalogue()), "indexes": table(neighbours::catalogue()), "generators": table(generate::catalogue()), "errors": errors });
+    let document = json!({ "planners": table(catalogue()), "indexes": table(neighbours::catalogue()),
+        "generators": table(generate::catalogue()), "trajectories": table(fleet::catalogue()), "errors": errors });
     serde_json::to_string_pretty(&document).expect("tables of words and numbers are JSON")
 }
 
@@ -64,6 +66,11 @@ fn as_tables() -> String {
             let _ = writeln!(text, "    {:<15} {}", option.name, option.meaning);
             let _ = writeln!(text, "    {:<15} {}", "", option_values(option));
         }
+    }
+    text.push_str("\nTRAJECTORIES\n\n");
+    for parameter in fleet::PARAMETERS {
+        let _ = writeln!(text, "    {:<18} {}", parameter.name, parameter.meaning);
+        let _ = writeln!(text, "    {:<18} {}", "", values(parameter));
     }
     let _ = write!(text, "\nERROR CODES\n");
     for code in Code::ALL {

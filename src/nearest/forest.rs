@@ -103,8 +103,10 @@ impl<S: Space> Forest<S> {
         let along = |&member: &u32| projection(&direction, self.point(member));
         let projections: Vec<f64> = members.iter().map(along).collect();
         let mut order: Vec<u32> = (0..members.len() as u32).collect();
-        // Members stand in the order in which they came: a tie by place is one by number.
-        sort(&mut order, &|a, b| projections[a as usize].total_cmp(&projections[b as usize]).then(a.cmp(&b)));
+        sort(&mut order, &|a, b| {
+            let (a, b) = (a as usize, b as usize);
+            projections[a].total_cmp(&projections[b]).then(members[a].cmp(&members[b]))
+        });
         let middle = order.len() / 2;
         let threshold = projections[order[middle] as usize];
         members = order.iter().map(|&at| members[at as usize]).collect();

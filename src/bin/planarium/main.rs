@@ -1,4 +1,4 @@
-//! The command line: plan, verify, list, generate.
+//! The command line: plan, reach, verify, list, generate.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
 //! solved or not valid, 2 that the input is wrong; then standard output holds `{"error": {"code", "message", "pointer"}}`.
@@ -10,6 +10,7 @@ mod generate;
 mod list;
 mod plan;
 mod progress;
+mod reach;
 mod roadmap;
 mod verify;
 
@@ -48,6 +49,7 @@ fn main() -> ExitCode {
 fn run(command: &Command) -> Answer {
     match command {
         Command::Plan(arguments) => plan::plan(arguments),
+        Command::Reach(arguments) => reach::reach(arguments),
         Command::Verify(arguments) => verify::verify(arguments),
         Command::List(arguments) => list::list(arguments),
         Command::Generate(arguments) => generate::generate(arguments),

@@ -30,7 +30,7 @@ const isJoined = (run) => {
   return piece[0] === piece[1];
 };
 
-test("seven lessons of up to five short steps, each of which plays", () => {
+test("eight lessons of up to five short steps, each of which plays", () => {
   assert.equal(LESSONS.length, 7);
   assert.equal(new Set(LESSONS.map(({ id }) => id)).size, 7);
   for (const lesson of LESSONS) {

@@ -61,11 +61,11 @@ impl Grid {
         let Self { half_side, width, cells, met, question, margin } = self;
         let per_metre = *width as f64 / (2.0 * *half_side);
         let last = (*width - 1) as f64;
-        let place = |x: f64| libm::floor((x + *half_side) * per_metre).clamp(0.0, last) as usize;
+        let place = |x: f64| libm::floor((x + *half_side) * per_metre).max(0.0).min(last) as usize;
         let particle = &track.particle;
         let wanted =
             particle.fastest() * particle.duration * per_metre + (particle.turn_rate * particle.duration).abs();
-        let stretches = libm::ceil(wanted).clamp(1.0, STRETCHES * *width as f64) as u32;
+        let stretches = libm::ceil(wanted).max(1.0).min(STRETCHES * *width as f64) as u32;
         track.stretches(stretches, |stretch: Aabb| {
             let Aabb { min, max } = stretch.grown(*margin);
             for row in place(min.y)..=place(max.y) {

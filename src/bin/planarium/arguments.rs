@@ -29,6 +29,8 @@ pub struct Arguments {
 pub enum Command {
     /// Plan a path for one query of a scenario and print the result document
     Plan(Plan),
+    /// Find joint angles that bring the tip of an arm to a target and print the result document
+    Reach(Reach),
     /// Judge a result against its scenario, independently of the planners
     Verify(Verify),
     /// Find the configurations nearest to a target, among those of a list or drawn by seed
@@ -99,6 +101,56 @@ pub struct Plan {
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
 }
+
+#[derive(Args)]
+#[command(after_help = "\
+Where the target is out of reach, the result tells why, and the nearest point that can be reached.
+Exit codes: 0 reached; 1 not reached; 2 the input is wrong.
+
+Examples:
+  planarium reach arm.json --target 1.2,0.4
+  planarium reach arm.json --target 1.2,0.4 --orientation 0.5 --method newton --seed 3
+  planarium reach arm.json --target=-0.5,1 --solutions 4 --set free_only=true")]
+pub struct Reach {
+    /// The scenario, a JSON file; - reads it from standard input
+    pub file: String,
+
+    /// Where the tip is to be, in metres
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true, value_parser = point)]
+    pub target: [f64; 2],
+
+    /// The absolute angle that the last link is to have, in radians [default: any]
+    #[arg(long, value_name = "PHI", allow_negative_numbers = true)]
+    pub orientation: Option<f64>,
+
+    /// The method, by id; `planarium list` shows them all [default: damped-least-squares]
+    #[arg(long, value_name = "ID")]
+    pub method: Option<String>,
+
+    /// The joint angles to start from, in radians [default: the start of the first query, else 0 as far as limits allow]
+    #[arg(long, value_name = "Q1,Q2,..", allow_hyphen_values = true, value_parser = angles)]
+    pub start: Option<Angles>,
+
+    /// The seed of further starts: with all else it decides every bit of the result
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
+    pub seed: u64,
+
+    /// How many distinct solutions to look for; the same as --set solutions=N
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub solutions: Option<u64>,
+
+    /// Set a parameter of the method; may be repeated
+    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
+    pub set: Vec<(String, String)>,
+
+    /// Write the result to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<String>,
+}
+
+/// The angles of a configuration, in one argument.
+#[derive(Clone)]
+pub struct Angles(pub Vec<f64>);
 
 /// The forms of a roadmap in a file.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -244,6 +296,23 @@ fn setting(text: &str) -> Result<(String, String), String> {
         Some((key, value)) if !key.is_empty() => Ok((key.to_owned(), value.to_owned())),
         _ => Err("a setting reads KEY=VALUE".to_owned()),
     }
+}
+
+/// Reads numbers with commas between them.
+fn numbers(text: &str) -> Result<Vec<f64>, String> {
+    let number = |part: &str| part.trim().parse().map_err(|_| format!("{part:?} is not a number"));
+    text.split(',').map(number).collect()
+}
+
+/// Reads X,Y.
+fn point(text: &str) -> Result<[f64; 2], String> {
+    let numbers = numbers(text)?;
+    numbers.try_into().map_err(|_| "a point reads X,Y".to_owned())
+}
+
+/// Reads Q1,Q2,...
+fn angles(text: &str) -> Result<Angles, String> {
+    numbers(text).map(Angles)
 }
 
 /// Reads a number of seconds, 0 or more.

@@ -12,6 +12,7 @@ mod nearest;
 mod npy;
 mod plan;
 mod progress;
+mod reach;
 mod roadmap;
 mod trajectories;
 mod verify;
@@ -51,6 +52,7 @@ fn main() -> ExitCode {
 fn run(command: &Command) -> Answer {
     match command {
         Command::Plan(arguments) => plan::plan(arguments),
+        Command::Reach(arguments) => reach::reach(arguments),
         Command::Verify(arguments) => verify::verify(arguments),
         Command::Nearest(arguments) => nearest::nearest(arguments),
         Command::List(arguments) => list::list(arguments),

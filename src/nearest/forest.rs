@@ -73,7 +73,7 @@ impl<S: Space> Forest<S> {
     /// # Panics
     /// Where there is no tree, or leaves of fewer than two.
     pub fn new(parameters: ForestParameters, key: u64) -> Self {
-        assert!(parameters.trees >= 1 && parameters.leaf >= 2, "a forest of {parameters:?} cannot be");
+        assert!(parameters.trees >= 1 && parameters.leaf >= 2, "a forest has a tree, and leaves of two, at least");
         let trees = vec![vec![Node::Leaf(Vec::new())]; parameters.trees];
         Self { parameters, key, draws: 0, vertices: Vec::new(), states: Vec::new(), points: Vec::new(), trees }
     }

@@ -6,6 +6,7 @@ import { after, before, describe, test } from "node:test";
 import { Scenario } from "planarium";
 import { writeNpy } from "../../www/exchange/npy.js";
 import { ROBOTS } from "../../www/neighbours/robots.js";
+import { encodeState } from "../../www/room/link.js";
 import { onPage, pixelsOf, root, start, stop, tasks, violations } from "./browser.mjs";
 import { allOf, readXml } from "./xml.mjs";
 
@@ -158,6 +159,10 @@ describe("questions", () => {
       assert.equal(Number(forest.missed), numbers(tree.found).filter((one) => !expected.indices.includes(one)).length);
       assert.ok(Number(forest.missed) > 0);
       assert.match(await page.innerText("#story"), new RegExp(`missed ${forest.missed} of the 40 nearest`));
+      await select(page, "index", "kd-tree");
+      assert.equal((await stateOf(page)).found, tree.found, "what only a forest takes is no trouble to a tree");
+      await select(page, "index", "forest");
+      assert.equal((await stateOf(page)).found, forest.found, "and is there again");
       await page.fill("#option-trees", "65");
       await page.locator("#option-trees").blur();
       assert.match(await page.innerText("#option-trees-reason"), /65 is above 64/);
@@ -394,9 +399,11 @@ describe("links and files", () => {
   });
 
   test("one that does not work is said not to, and the page opens all the same", async () => {
-    for (const fragment of ["#1abc", "#2abc", "#nothing"]) {
+    const state = { robot: "three", draw: { n: 300, seed: 1, free: true }, q: [0, 0, 0], k: 3, index: "forest" };
+    const strange = await encodeState({ ...state, given: { trees: 1000 } }, () => {});
+    for (const fragment of ["#1abc", "#2abc", "#nothing", `#${strange}`]) {
       await onNeighbours(async (page) => {
-        assert.match(await page.innerText("#notice"), /This link does not work/);
+        assert.match(await page.innerText("#notice"), /This link does not work|The link cannot be opened/);
         assert.equal((await stateOf(page)).robot, "two");
       }, DESK, { path: `neighbours.html${fragment}` });
     }

@@ -24,7 +24,7 @@ export class Panel {
     this.free.addEventListener("change", () => void desk.fill({ free: this.free.checked }));
     byId("list-settings", HTMLElement).append(this.count.element, this.seed.element,
       make("label", { className: "row", htmlFor: "free" }, make("span", { className: "name" }, "Only free ones"), this.free));
-    this.preset = make("select", { id: "preset", ariaLabel: "A question of the reports" });
+    this.preset = make("select", { id: "preset", ariaLabel: "Preset" });
     this.preset.addEventListener("change", () => {
       const preset = desk.entry.presets[Number(this.preset.value)];
       if (preset && this.preset.value !== "") {
@@ -75,7 +75,7 @@ export class Panel {
       const values = (/** @type {number[]} */ q) => q.map((value) => String(value).replace("-", "\u2212")).join(", ");
       this.preset.replaceChildren(make("option", { value: "" }, "\u2013"), ...desk.entry.presets.map(({ q, k }, i) => make("option", { value: String(i) }, `(${values(q)}), k = ${k}`)));
       this.sliders = desk.coordinates.map(({ name, low, high, unit }, i) => new Slider({ name: `q${i}`, title: name, unit, min: low, max: high }, desk.q[i], (value) => desk.turn(i, value)));
-      this.targets.replaceChildren(make("label", { className: "row", htmlFor: "preset" }, make("span", { className: "name" }, "Of the reports"), this.preset), ...this.sliders.map(({ element }) => element));
+      this.targets.replaceChildren(make("label", { className: "row", htmlFor: "preset" }, make("span", { className: "name" }, "Preset"), this.preset), ...this.sliders.map(({ element }) => element));
       this.build();
     }
     if (change === "list" && typeof desk.source !== "string") {

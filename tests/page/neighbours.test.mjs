@@ -341,13 +341,16 @@ describe("timing", () => {
     await onNeighbours(async (page) => {
       await choose(page, "four");
       await put(page, "k-number", 10);
-      await page.click("#measure");
-      await page.waitForSelector("#timing[data-timing=done]");
-      await rest(page);
+      const worked = await tasks(page, async () => {
+        await page.click("#measure");
+        await page.waitForSelector("#timing[data-timing=done]");
+        await rest(page);
+      });
       const seconds = Number(await page.getAttribute("#timing", "data-seconds"));
-      context.diagnostic(`${seconds} s`);
-      // A budget ends it, however busy the machine: what was begun is let go to its end.
-      assert.ok(seconds > 0.05 && seconds < 3, `${seconds} s`);
+      const busy = worked.worker.reduce((a, b) => a + b, 0) / 1000;
+      context.diagnostic(`${seconds} s, of which the worker was busy for ${busy.toFixed(2)}`);
+      // What has passed depends on what else the machine does; what the worker did does not.
+      assert.ok(seconds > 0.05 && busy > 0.05 && busy < 2, `${busy} s`);
       const cells = await page.locator("#timings td").evaluateAll((all) => all.map((cell) => {
         const { index, of, value } = /** @type {HTMLElement} */ (cell).dataset;
         return { n: Number(/** @type {HTMLElement} */ (cell.parentElement).dataset.n), index, of, value: Number(value), has: value !== "" };

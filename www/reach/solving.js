@@ -66,7 +66,7 @@ export class Solving {
     this.listed.setAttribute("role", "group");
     this.listed.setAttribute("aria-label", "Solutions");
     this.plan = make("a", { className: "plan-link", id: "plan", href: "./" }, "Plan to this target");
-    byId("solve-settings", HTMLElement).append(this.method, this.summary, this.fields, this.listed, make("p", {}, this.plan));
+    byId("solve-settings", HTMLElement).append(this.method, this.summary, this.listed, make("p", {}, this.plan), this.fields);
     this.transport = new Transport(bench.room, this.host, {
       name: "solve", label: "Inverse kinematics", unit: "iterations", steps: [1, 10], slowest: 1, fastest: 2000, pace: 12,
       advance: (count) => this.advance(count), reset: () => this.begin(), canFinish: true,

@@ -14,6 +14,20 @@ before(start);
 after(stop);
 
 describe("inverse kinematics", () => {
+  test("a scenario with a target brings it along", async () => {
+    await onReach(async (page) => {
+      await page.setInputFiles("#file", { name: "pick.json", mimeType: "application/json", buffer: readFileSync(new URL("../../www/scenes/pick.json", import.meta.url)) });
+      await page.waitForSelector("body[data-scene=file]");
+      await page.click("#mode-solve");
+      await rest(page);
+      await page.click("#solve-finish");
+      await page.waitForSelector("#solve:not([data-status=running])", { state: "attached" });
+      await rest(page);
+      const [x, y] = Scenario.parse(readFileSync(new URL("../../www/scenes/pick.json", import.meta.url), "utf8")).endEffector(await poseOf(page));
+      assert.ok(Math.hypot(x - 1.55, y - 0.6) < 1e-8, `${x} ${y}`);
+    });
+  });
+
   test("a target out of reach is said to be, with the nearest point; one in collision too", async () => {
     await onReach(async (page) => {
       await page.click("#mode-solve");
@@ -68,6 +82,11 @@ describe("inverse kinematics", () => {
       const { queries, robot } = /** @type {any} */ (experiment?.document);
       assert.deepEqual(queries, [{ name: "reach", start: entryOf("islands").q, target: { point: entryOf("islands").target } }]);
       assert.deepEqual(robot.links, entryOf("islands").robot.links);
+      await page.click("#plan");
+      await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
+      await page.click("#finish");
+      await page.waitForSelector("#counters[data-settled=true][data-status=solved]", { state: "attached", timeout: 60_000 });
+      assert.equal(await page.isHidden("#notice"), true);
     });
   });
 });

@@ -9,6 +9,7 @@ import { root } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import { ensureBrowser } from "../../scripts/setup.mjs";
 import { outcomes } from "./golden.mjs";
+import { neighboursOf } from "./neighbours.mjs";
 import { emptyFolder } from "./packed.mjs";
 
 /** @type {import("./golden.mjs").Case[]} */
@@ -18,25 +19,30 @@ const scenes = Object.fromEntries(
   readdirSync(place).filter((name) => name.endsWith(".json")).map((name) => [basename(name, ".json"), readFileSync(join(place, name), "utf8")]),
 );
 const expected = cases.map(({ outcome }) => outcome);
+/** @type {import("./neighbours.mjs").Case[]} */
+const asked = JSON.parse(readFileSync(join(root, "tests", "golden-neighbours.json"), "utf8"));
+const found = asked.map(({ outcome }) => outcome);
 
 test("golden outcomes in Node", () => {
   assert.ok(cases.length >= 12);
   assert.deepEqual(outcomes(planarium, cases, scenes), expected);
+  assert.deepEqual(neighboursOf(planarium, asked, scenes), found);
 });
 
 test("golden outcomes in Chromium, on the page and in a worker, without special headers", async () => {
   const site = emptyFolder();
   cpSync(join(root, "dist", "package"), join(site, "package"), { recursive: true });
-  cpSync(join(root, "tests", "package", "golden.mjs"), join(site, "golden.mjs"));
+  for (const name of ["golden.mjs", "neighbours.mjs"]) cpSync(join(root, "tests", "package", name), join(site, name));
   mkdirSync(join(site, "data"));
-  writeFileSync(join(site, "data", "input.json"), JSON.stringify({ cases, scenes }));
+  writeFileSync(join(site, "data", "input.json"), JSON.stringify({ cases, asked, scenes }));
   writeFileSync(join(site, "run.mjs"), `
 import init, * as planarium from "./package/planarium.js";
 import { outcomes } from "./golden.mjs";
+import { neighboursOf } from "./neighbours.mjs";
 export async function run() {
-  const { cases, scenes } = await (await fetch("./data/input.json")).json();
+  const { cases, asked, scenes } = await (await fetch("./data/input.json")).json();
   await init();
-  return outcomes(planarium, cases, scenes);
+  return [outcomes(planarium, cases, scenes), neighboursOf(planarium, asked, scenes)];
 }`);
   writeFileSync(join(site, "worker.mjs"), `import { run } from "./run.mjs"; run().then((answer) => postMessage(answer));`);
   writeFileSync(join(site, "index.html"), "<!doctype html><title>golden</title>");
@@ -46,13 +52,13 @@ export async function run() {
     const page = await browser.newPage();
     await page.goto(server.url);
     const onPage = await page.evaluate(`import("./run.mjs").then(({ run }) => run())`);
-    assert.deepEqual(onPage, expected);
+    assert.deepEqual(onPage, [expected, found]);
     const inWorker = await page.evaluate(`new Promise((resolve, reject) => {
       const worker = new Worker("./worker.mjs", { type: "module" });
       worker.onmessage = ({ data }) => resolve(data);
       worker.onerror = ({ message }) => reject(new Error(message));
     })`);
-    assert.deepEqual(inWorker, expected);
+    assert.deepEqual(inWorker, [expected, found]);
     assert.equal(await page.evaluate("crossOriginIsolated"), false);
   } finally {
     await browser.close();

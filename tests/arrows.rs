@@ -119,6 +119,7 @@ const HOUSE: &[(&str, &[&str])] = &[
             "robot",
             "run",
             "scenario",
+            "status",
             "validity",
         ],
     ),

@@ -14,7 +14,7 @@ function refused(act, code, pointer = "") {
 }
 
 test("trajectories are accepted one by one, and read by cursors", () => {
-  using trajectories = new Trajectories({ seed: 3, count: 200 });
+  const trajectories = new Trajectories({ seed: 3, count: 200 });
   assert.equal(trajectories.status, "running");
   assert.equal(trajectories.step(1), "running");
   assert.equal(trajectories.acceptedCount, 1, "the first one crosses nothing");
@@ -40,6 +40,8 @@ test("trajectories are accepted one by one, and read by cursors", () => {
   assert.deepEqual([result.accepted, result.refused, result.status, result.seed, result.model], [200, refusedCount, "solved", 3, "arc"]);
   assert.match(trajectories.fingerprint, /^[0-9a-f]{16}$/);
   assert.equal(trajectories.fingerprint, result.fingerprint);
+  trajectories[Symbol.dispose]();
+  refused(() => trajectories.result(), "freed");
 });
 
 test("slices and the index change nothing, the seed does", () => {

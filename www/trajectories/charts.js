@@ -20,7 +20,7 @@ export class Charts {
   constructor(growth) {
     this.growth = growth;
     this.tries = new Plot("tries", "Tries for each accepted trajectory");
-    this.time = new Plot("time", "Milliseconds for each accepted trajectory");
+    this.time = new Plot("time", "Microseconds for each accepted trajectory");
     byId("charts", HTMLElement).append(this.tries.element, this.time.element);
     this.drawn = -Infinity;
     this.count = -1;
@@ -34,12 +34,16 @@ export class Charts {
     if (!isOther || (!isAtRest && now - this.drawn < EVERY)) return;
     [this.drawn, this.count, this.epoch] = [now, growth.tries.length, growth.epoch];
     curve(this.tries, growth.tries, "tries", (value) => value.toFixed(1));
-    curve(this.time, growth.milliseconds, "milliseconds", (value) => value.toFixed(4));
+    curve(this.time, growth.milliseconds.map((value) => 1000 * value), "microseconds", (value) => value.toFixed(1), true);
   }
 }
 
-/** @param {Plot} plot @param {number[]} values @param {string} unit @param {(value: number) => string} told */
-function curve(plot, values, unit, told) {
+/**
+ * Times are told on a logarithmic scale, each by a dot: clocks of browsers count in coarse steps, and now and then the machine is
+ * busy with something else. Those too short for the clock have no dot, but count in the mean.
+ * @param {Plot} plot @param {number[]} values @param {string} unit @param {(value: number) => string} told @param {boolean} [isLog]
+ */
+function curve(plot, values, unit, told, isLog = false) {
   const every = Math.max(1, Math.ceil(values.length / MOST));
   const thin = (/** @type {[number, number][]} */ points) => points.filter((_, i) => i % every === 0 || i === points.length - 1);
   const average = movingAverage(values, WINDOW);
@@ -47,7 +51,7 @@ function curve(plot, values, unit, told) {
   const summary = values.length === 0 ? `${plot.title.textContent}: none yet.`
     : `${plot.title.textContent}: ${values.length} accepted${last === undefined ? "" : `, ${told(average[0][1])} ${unit} on average over the first ${WINDOW}, ${told(last)} over the last`}.`;
   plot.draw([
-    { label: "", points: thin(values.map((value, i) => [i + 1, value])), className: "each" },
+    { label: "", points: thin(values.map((value, i) => [i + 1, value])), className: "each", dots: isLog },
     { label: last === undefined ? "" : `mean of ${WINDOW}`, points: thin(average), className: "average" },
-  ], { title: "accepted", low: 0, high: 1 }, { title: unit, low: 0 }, summary);
+  ], { title: "accepted", low: 0, high: 1 }, isLog ? { title: unit, isLog } : { title: unit, low: 0 }, summary);
 }

@@ -3,7 +3,7 @@
  *
  * What tests may rely on, beside what room.js says: `#stage` carries `data-status` ("running", "solved", "exhausted", or "refused"
  * while the settings cannot be used), `data-accepted`, `data-tried`, `data-drawn` (trajectories on the canvas), `data-last`
- * ("accepted", "refused" or "none"), and `data-fingerprint`. Each frame leaves a measure "trajectories-frame".
+ * ("accepted", "refused" or "none"), `data-begun` (another number for each experiment), and `data-fingerprint`. Each frame leaves a measure "trajectories-frame".
  */
 import * as library from "planarium";
 import { grouped, write } from "../controls/counters.js";
@@ -136,7 +136,7 @@ await room.open(async () => {
     finish.disabled = false;
     plane.fit();
     started = performance.now();
-    stage.dataset.status = "running";
+    Object.assign(stage.dataset, { status: "running", begun: String(growth.epoch) });
     sheet.redraw();
     return true;
   }

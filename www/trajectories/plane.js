@@ -65,7 +65,7 @@ export class Plane {
     context.stroke();
     context.fillStyle = palette.start;
     context.beginPath();
-    for (let i = this.drawn; i < lines.length; i++) this.dot(context, lines[i][0], lines[i][1], 1.5);
+    for (let i = this.drawn; i < lines.length; i++) this.dot(context, lines[i][0], lines[i][1], 1.4);
     context.fill();
     this.drawn = lines.length;
   }

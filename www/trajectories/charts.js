@@ -20,7 +20,7 @@ export class Charts {
   constructor(growth) {
     this.growth = growth;
     this.tries = new Plot("tries", "Tries for each accepted trajectory");
-    this.time = new Plot("time", "Microseconds for each accepted trajectory");
+    this.time = new Plot("time", "Microseconds for each accepted trajectory, by the clock of this machine");
     byId("charts", HTMLElement).append(this.tries.element, this.time.element);
     this.drawn = -Infinity;
     this.count = -1;

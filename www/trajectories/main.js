@@ -193,7 +193,7 @@ await room.open(async () => {
     write(byId("fact-accepted", HTMLElement), `${grouped(lines.length)} of ${grouped(count)}`);
     write(byId("fact-tried", HTMLElement), grouped(result.iterations));
     write(byId("fact-tries", HTMLElement), tries.length === 0 ? "\u2013" : mean(tries).toFixed(1));
-    write(byId("fact-time", HTMLElement), milliseconds.length === 0 ? "\u2013" : `${(1000 * mean(milliseconds)).toFixed(0)} \u00b5s`);
+    write(byId("fact-time", HTMLElement), milliseconds.length === 0 ? "\u2013" : mean(milliseconds) === 0 ? "too short" : `${(1000 * mean(milliseconds)).toFixed(0)} \u00b5s`);
     write(byId("fact-pairs", HTMLElement), grouped(result.pairs));
     write(byId("fact-fingerprint", HTMLElement), transport.isPlaying || isFinishing ? "\u2013" : result.fingerprint);
     write(byId("where", HTMLElement), `${growth.options.model === "spiral" ? "Spirals" : "Arcs"} \u00b7 seed ${growth.options.seed ?? 0}`);

@@ -70,7 +70,7 @@ function linked(name, pages) {
 }
 
 /**
- * The page as one single HTML file, `dist/planarium.html`, that runs from `file://` and in a sandboxed frame: the worker, the
+ * The page as one single HTML file, `dist/planarium.html`, that runs from `file://` and in a sandboxed frame: the worker and the
  * WebAssembly (gzip in base64), the scenes and the style are elements of it. Its policy names its script and style by their hashes.
  */
 export function assembleOneFile() {
@@ -88,9 +88,9 @@ export function assembleOneFile() {
   const style = text(join(made, "style.css"));
   const policy = `default-src 'none'; script-src ${hashOf(script)} 'wasm-unsafe-eval' blob:; worker-src blob:; style-src ${hashOf(style)}; img-src data: blob:`;
   const icon = `data:image/svg+xml;base64,${readFileSync(join(page, "icon.svg")).toString("base64")}`;
-  const core = gzipSync(readFileSync(join(dist, "package", "planarium_bg.wasm")), { level: 9 }).toString("base64");
+  const packed = (/** @type {string} */ path) => gzipSync(readFileSync(path), { level: 9 }).toString("base64");
   const scenes = readdirSync(join(page, "scenes")).filter((name) => name.endsWith(".json"));
-  const parts = [["core", core], ["worker", closed(text(join(made, "worker.js")))],
+  const parts = [["core", packed(join(dist, "package", "planarium_bg.wasm"))], ["worker", packed(join(made, "worker.js"))],
     ...scenes.map((name) => [`scene-${basename(name, ".json")}`, JSON.stringify(JSON.parse(text(join(page, "scenes", name))))])];
   const html = text(join(page, "index.html"))
     .replace(/<meta http-equiv="Content-Security-Policy"[^>]*>/, () => `<meta http-equiv="Content-Security-Policy" content="${policy}">`)

@@ -59,7 +59,7 @@ try {
 
 async function start() {
   const core = loadCore();
-  const studio = new Studio(makeWorker(), (error) => notice.show("Something went wrong.", error));
+  const studio = new Studio(await makeWorker(), (error) => notice.show("Something went wrong.", error));
   const { planners, generators } = await studio.ask("start", [await core]);
 
   const story = byId("story", HTMLElement);

@@ -17,6 +17,7 @@ import { Way } from "./way.js";
  * @property {Point} point      the tip's place that is nearest to it, as far as the arm could find
  * @property {number} distance  between them, metres
  * @property {boolean} reached
+ * @property {boolean} isStuck   another pose would come nearer
  */
 
 /** What has changed: the arm itself, its pose, or anything else. @typedef {"arm" | "pose" | "rest"} Change */

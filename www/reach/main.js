@@ -23,8 +23,10 @@ import { Bench, documentOf } from "./bench.js";
 import { Between } from "./between.js";
 import { Hand } from "./hand.js";
 import { isNearlySingular } from "./jacobian.js";
+import { showLock } from "./lock.js";
 import { ArmPanel } from "./panel.js";
 import { SCENES } from "./scenes.js";
+import { Solving } from "./solving.js";
 import { Square } from "./square.js";
 import { putState, stateOf, stateRule } from "./state.js";
 import { showTake } from "./take.js";
@@ -32,14 +34,17 @@ import { num, pointText, sentenceOf, summaryOf, touchingText } from "./words.js"
 import { Workspace } from "./workspace.js";
 
 /** @import { Change } from "./bench.js" */
-/** @import { Mode } from "./types.js" */
+/** @import { Mode, Point } from "./types.js" */
 /** @import { Commands } from "./worker.js" */
 
 /** Cells a side of the picture of the configuration space: at once, and finely. */
 const CELLS = { rough: 64, fine: 360 };
 
 /** @type {[Mode, string][]} */
-const MODES = [["hand", "By hand"], ["between", "From A to B"]];
+const MODES = [["hand", "By hand"], ["between", "From A to B"], ["solve", "Inverse kinematics"]];
+
+/** By how much of its reach another pose must come nearer for this one to be called stuck. */
+const STUCK = 1e-3;
 
 const room = new Room();
 /** The sentence that was announced last. */
@@ -66,7 +71,18 @@ await room.open(async () => {
   const all = Object.values(sheets);
   new ArmPanel(bench);
   new Between(bench, stage);
-  const hand = new Hand(bench, { pull: () => {}, aim: () => {} });
+  const solving = new Solving(bench, library);
+  workspace.overlay = solving;
+  square.overlay = (brush, on) => solving.onSquare(brush, on);
+  axes.overlay = (brush, on) => solving.onAxes(brush, on);
+  showLock(bench, () => {
+    if (bench.mode === "solve") solving.begin();
+    else pull(bench.arm.tip);
+  });
+  const hand = new Hand(bench, { pull, aim: (target) => {
+    bench.target = target;
+    solving.begin();
+  } });
   hand.listen(sheets.workspace, hand.onWorkspace(workspace));
   hand.listen(sheets.square, hand.onSquare(square));
   hand.listen(sheets.axes, hand.onAxes(axes));
@@ -95,8 +111,8 @@ await room.open(async () => {
     }
   }, (name, error) => room.fail(error, `${name} could not be read.`));
   showTake(room, bench, all);
-  const link = new Link(room, stateRule, () => stateOf(bench, undefined), (state) => {
-    if (state) putState(bench, state);
+  const link = new Link(room, stateRule, () => stateOf(bench, solving.told), (state) => {
+    if (state) putState(bench, solving, state);
     else if (!bench.now) bench.openEntry(SCENES[0]);
     room.notice.hide();
   }, "this arm, its pose, and what is asked of it");
@@ -109,6 +125,16 @@ await room.open(async () => {
   });
   await link.obey();
   thumbnails();
+
+  /** The tip follows a wish, as near as it gets; where that is not there, what is the nearest point at all? @param {Point} wanted */
+  function pull(wanted) {
+    const { arm, lock } = bench;
+    const orientation = lock ?? undefined;
+    const { configuration, point, distance, reached } = arm.scenario.follow(arm.q, wanted, orientation);
+    const nearest = reached ? null : arm.scenario.nearestReachable(wanted, orientation);
+    const isStuck = nearest !== null && nearest.distance < distance - STUCK * arm.reach;
+    bench.pose(configuration, { wanted, point: isStuck ? point : nearest?.point ?? point, distance: isStuck ? distance : nearest?.distance ?? distance, reached, isStuck });
+  }
 
   /** @param {Change} change */
   function show(change) {
@@ -128,7 +154,7 @@ await room.open(async () => {
     }
     for (const { mode: own, button } of modes) button.setAttribute("aria-pressed", String(own === mode));
     for (const element of document.querySelectorAll("[data-mode]:not(body)")) if (element instanceof HTMLElement) element.hidden = element.dataset.mode !== mode;
-    const { text, isBad } = sentenceOf(bench);
+    const { text, isBad } = mode === "solve" && solving.said ? solving.said : sentenceOf(bench);
     const story = byId("story", HTMLElement);
     write(story, text);
     story.dataset.tone = isBad ? "bad" : "";
@@ -146,7 +172,8 @@ await room.open(async () => {
     if (mode === "between") byId("between", HTMLElement).dataset.hit = String(bench.way.hit ?? "none");
     const summary = summaryOf(bench);
     for (const sheet of all) sheet.describe(`${sheet.caption.textContent}: ${summary}`);
-    if (said !== text) room.announcer.say(text);
+    // What changes with each iterate is not read out.
+    if (said !== text && !solving.transport.isPlaying) room.announcer.say(text);
     said = text;
   }
 

@@ -15,6 +15,8 @@ import { View } from "../stage/view.js";
 const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };
 /** How much of the picture is shown again beyond each border of a circle, radians. */
 const BEYOND = 0.55;
+/** Pixels of the picture a cell, at most. */
+const PIXELS = 2;
 const TURN = 2 * Math.PI;
 
 /** @implements {Painting} */
@@ -26,6 +28,8 @@ export class Square {
     this.view = null;
     /** Rows of 1 for collision, from the lowest angles. @type {{ side: number, mask: Float32Array } | null} */
     this.cells = null;
+    /** The picture of them, as long as it is the same. @type {{ key: string, cells: object, canvas: OffscreenCanvas } | null} */
+    this.picture = null;
     /** Draws what belongs to a mode of its own. @type {((brush: Brush, square: Square) => void) | null} */
     this.overlay = null;
   }
@@ -49,8 +53,7 @@ export class Square {
     context.save();
     this.clip(context);
     if (this.cells) {
-      const { mask, side } = this.cells;
-      const picture = paint(mask, side, Math.round(inner.width * ratio), Math.round(inner.height * ratio), palette);
+      const picture = this.paint(inner.width * ratio, inner.height * ratio, palette);
       for (const i of x.isCircle ? [-1, 0, 1] : [0]) {
         for (const j of y.isCircle ? [-1, 0, 1] : [0]) context.drawImage(picture, inner.x + i * inner.width, inner.y + j * inner.height, inner.width, inner.height);
       }
@@ -77,6 +80,16 @@ export class Square {
     }
     context.setLineDash([]);
     this.drawTicks(context, palette, { left, top, right, bottom });
+  }
+
+  /** The obstacles as an image, no finer than its cells are worth. @param {number} width  device pixels @param {number} height @param {Brush["palette"]} palette */
+  paint(width, height, palette) {
+    const cells = /** @type {NonNullable<Square["cells"]>} */ (this.cells);
+    const scale = Math.min(1, (PIXELS * cells.side) / Math.max(width, height));
+    const [w, h] = [Math.round(width * scale), Math.round(height * scale)];
+    const key = [w, h, palette.obstacle, palette["obstacle-edge"]].join();
+    if (this.picture?.key !== key || this.picture.cells !== cells) this.picture = { key, cells, canvas: paint(cells.mask, cells.side, w, h, palette) };
+    return this.picture.canvas;
   }
 
   /** @param {CanvasRenderingContext2D} context @param {Brush["palette"]} palette @param {{ left: number, top: number, right: number, bottom: number }} frame */

@@ -1,10 +1,11 @@
-/** What is on the bench as a link holds it, and back. Numbers are kept to a millionth: links are short, and what they show is the same. */
+/** What is on the bench as a link holds it, and back: every number as it is, so that a run is the same to the last bit. */
 import { flag, json, list, name, number, record, rule, settings, whole } from "../exchange/rules.js";
 import { documentOf } from "./bench.js";
 import { SCENES } from "./scenes.js";
 
 /** @import { Rule } from "../exchange/rules.js" */
 /** @import { Bench } from "./bench.js" */
+/** @import { Solving } from "./solving.js" */
 /** @import { ArmRobot, Mode, Point, ScenarioDocument } from "./types.js" */
 /** @import { Round } from "./way.js" */
 
@@ -23,8 +24,11 @@ import { SCENES } from "./scenes.js";
  * @property {number} [lock]
  * @property {Point} [target]
  * @property {Record<string, number | string | boolean>} [solve]   settings of inverse kinematics
+ * @property {number} [steps]    its iterations; `q` is then where it starts
  */
 
+/** As many as the core allows. */
+const MOST_STEPS = 200_000;
 const MODES = ["hand", "between", "solve"];
 const angles = list(number, 1, 8);
 const pair = list(number, 2, 2);
@@ -35,17 +39,11 @@ export const stateRule = record({
   robot: record({ type: name, base: pair, links: list(number, 1, 8), radius: number, joint_limits: list(pair, 1, 8) }),
   free: flag, q: angles, mode: rule((value) => typeof value === "string" && MODES.includes(value)),
   a: angles, b: angles, long: list(whole(7), 0, 8), along: rule((value) => typeof value === "number" && value >= 0 && value <= 1),
-  lock: number, target: pair, solve: settings,
+  lock: number, target: pair, solve: settings, steps: whole(MOST_STEPS),
 });
 
-/** @param {number} value */
-const short = (value) => Number(value.toFixed(6));
-
-/** @param {ArrayLike<number>} values @returns {number[]} */
-const shorts = (values) => Array.from(values, short);
-
-/** @param {Bench} bench @param {State["solve"]} solve @returns {State} */
-export function stateOf(bench, solve) {
+/** @param {Bench} bench @param {Solving["told"]} solving @returns {State} */
+export function stateOf(bench, { start, steps, settings: solve }) {
   const { arm, entry, mode, a, b, rounds, along, lock, target } = bench;
   const { robot, document: { world } } = arm;
   const given = /** @type {Record<string, unknown>} */ (entry ? { radius: 0, ...entry.robot } : {});
@@ -54,16 +52,19 @@ export function stateOf(bench, solve) {
     ...(entry ? { scene: entry.id } : { world }),
     robot: Object.fromEntries(others),
     free: entry?.robot.joint_limits && !robot.joint_limits ? true : undefined,
-    q: shorts(arm.q), mode,
-    a: shorts(a), b: shorts(b), long: rounds.flatMap((round, i) => (round === "long" ? [i] : [])),
-    along: mode === "between" ? short(along) : undefined, lock: lock === null ? undefined : short(lock),
-    target: /** @type {Point} */ (shorts(target)), solve,
+    q: Array.from(mode === "solve" ? start : arm.q), mode,
+    a: Array.from(a), b: Array.from(b), long: rounds.flatMap((round, i) => (round === "long" ? [i] : [])),
+    along: mode === "between" ? along : undefined, lock: lock === null ? undefined : lock,
+    target, solve,
+    steps: mode === "solve" && steps > 0 ? steps : undefined,
   };
 }
 
-/** Puts on the bench what a link holds. @param {Bench} bench @param {State} state @throws {Error} there is no such scene, or the core refuses it */
-export function putState(bench, state) {
-  const { scene, world, robot, free, q, mode, a, b, long = [], along = 0, lock, target } = state;
+/** Puts on the bench what a link holds. @param {Bench} bench @param {Solving} solving @param {State} state @throws {Error} there is no such scene, or the core refuses it */
+export function putState(bench, solving, state) {
+  const { scene, world, robot, free, q, mode, a, b, long = [], along = 0, lock, target, solve, steps = 0 } = state;
+  const { method, ...given } = solve ?? {};
+  if (typeof method === "string") solving.choose(method, given);
   const entry = SCENES.find(({ id }) => id === scene);
   if (scene && !entry) throw new Error(`There is no scene "${scene}" here.`);
   if (entry) {
@@ -83,4 +84,5 @@ export function putState(bench, state) {
   bench.turnTo(mode);
   bench.along = along;
   bench.pose(q);
+  if (mode === "solve" && steps > 0) solving.advance(steps);
 }

@@ -146,9 +146,14 @@ export class Workspace {
         context.lineWidth = width;
         context.setLineDash(isTouching ? [2, 5] : []);
         context.beginPath();
+        let pen = -1;
         for (let i = from; i < to; i++) {
-          if ((touches[i] || touches[i + 1]) !== isTouching) continue;
-          context.moveTo(view.x(curve[2 * i]), view.y(curve[2 * i + 1]));
+          if ((touches[i] || touches[i + 1]) !== isTouching) {
+            pen = -1;
+            continue;
+          }
+          if (pen !== i) context.moveTo(view.x(curve[2 * i]), view.y(curve[2 * i + 1]));
+          pen = i + 1;
           context.lineTo(view.x(curve[2 * i + 2]), view.y(curve[2 * i + 3]));
         }
         context.stroke();

@@ -8,7 +8,6 @@ import { svg, ticks, told, words } from "../controls/chart.js";
 /** @typedef {{ label: string, points: [number, number][], dots?: boolean, className?: string }} Curve   x rising; `dots`: marks instead of a line */
 /** @typedef {{ title: string, isLog?: boolean, low?: number, high?: number }} Axis   `low`, `high`: reach at least so far */
 
-const HEIGHT = 190;
 const ROOM = { left: 56, right: 22, top: 10, bottom: 38 };
 /** How near two words at the ends may come. */
 const APART = 13;
@@ -16,8 +15,9 @@ const APART = 13;
 const DECADES = 16;
 
 export class Plot {
-  /** @param {string} id   a class of the picture @param {string} title */
-  constructor(id, title) {
+  /** @param {string} id   a class of the picture @param {string} title @param {number} [height]  CSS pixels */
+  constructor(id, title, height = 190) {
+    this.height = height;
     this.title = make("figcaption", {}, title);
     this.picture = svg("svg", { role: "img", class: `chart plot ${id}`, "aria-label": title });
     this.element = make("figure", {}, this.title, this.picture);
@@ -30,14 +30,14 @@ export class Plot {
   draw(curves, across, up, summary) {
     this.last = [curves, across, up, summary];
     const width = Math.max(200, this.element.clientWidth);
-    const { picture } = this;
-    picture.setAttribute("viewBox", `0 0 ${width} ${HEIGHT}`);
+    const { picture, height } = this;
+    picture.setAttribute("viewBox", `0 0 ${width} ${height}`);
     picture.setAttribute("aria-label", summary);
     picture.replaceChildren();
     const right = width - ROOM.right;
-    const bottom = HEIGHT - ROOM.bottom;
+    const bottom = height - ROOM.bottom;
     const x = scaleOf(curves.flatMap(({ points }) => points.map(([value]) => value)), across, ROOM.left, right, width / 90);
-    const y = scaleOf(curves.flatMap(({ points }) => points.map(([, value]) => value)), up, bottom, ROOM.top, 4);
+    const y = scaleOf(curves.flatMap(({ points }) => points.map(([, value]) => value)), up, bottom, ROOM.top, height / 45);
     for (const value of y.marks) {
       picture.append(svg("line", { class: "grid", x1: ROOM.left, x2: right, y1: y.at(value), y2: y.at(value) }));
       picture.append(words(y.told(value), { x: ROOM.left - 8, y: y.at(value) + 4, "text-anchor": "end", "data-up": value }));
@@ -47,7 +47,7 @@ export class Plot {
       picture.append(words(x.told(value), { x: x.at(value), y: bottom + 17, "text-anchor": "middle", "data-across": value }));
     }
     picture.append(svg("line", { class: "axis", x1: ROOM.left, x2: right, y1: bottom, y2: bottom }));
-    picture.append(words(across.title, { x: (ROOM.left + right) / 2, y: HEIGHT - 3, "text-anchor": "middle" }));
+    picture.append(words(across.title, { x: (ROOM.left + right) / 2, y: height - 3, "text-anchor": "middle" }));
     /** @type {{ label: string, x: number, y: number }[]} */
     const ends = [];
     curves.forEach(({ label, points, dots, className = "" }, i) => {

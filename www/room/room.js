@@ -38,6 +38,11 @@ export class Room {
     this.frame = 0;
     /** Answers that are waited for. */
     this.waiting = 0;
+    // Whatever an event brings down is said, like what a frame does.
+    addEventListener("error", (event) => {
+      event.preventDefault();
+      this.fail(event.error ?? event.message);
+    });
     watchTheme(() => this.dress());
     matchMedia("(forced-colors: active)").addEventListener("change", () => this.dress());
     this.watchRatio();

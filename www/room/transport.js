@@ -21,9 +21,14 @@ import { watchKeys } from "../controls/keys.js";
  * @property {number} pace
  * @property {(count: number) => boolean | Promise<boolean>} advance   goes on by so many, more than 0; whether there is more to come
  * @property {() => void} reset
+ * @property {boolean} [canFinish]   is there a button that goes on to the end, as fast as it goes?
  * @property {boolean} [isWhole]   are they counted whole? true where absent
  * @property {(pace: number) => string} [told]   the pace in a word or two
  */
+
+/** Milliseconds of a frame for going on to the end, and units asked for at once. */
+const SLICE = 8;
+const AT_ONCE = 50;
 
 /** Longest pause between two frames that is made up for, seconds. */
 const LONGEST = 0.1;
@@ -35,6 +40,7 @@ export class Transport {
     this.course = course;
     this.isPlaying = false;
     this.isAsking = false;
+    this.isFinishing = false;
     /** Units that are due, and when that was found. */
     this.due = 0;
     this.last = 0;
@@ -43,12 +49,17 @@ export class Transport {
     this.play = make("button", { type: "button", id: `${name}-play`, className: "primary" }, icon("icon-play", "M5 3v14l12-7z"), icon("icon-pause", "M4.5 3h4v14h-4zm7 0h4v14h-4z"), this.word);
     this.steps = steps.map((count) => make("button", { type: "button", id: `${name}-step-${count}`, ariaLabel: `Step ${count}` }, String(count)));
     this.reset = make("button", { type: "button", id: `${name}-reset` }, "Reset");
+    this.finish = make("button", { type: "button", id: `${name}-finish`, hidden: !course.canFinish }, "To the end");
+    this.finish.addEventListener("click", () => {
+      this.start();
+      this.isFinishing = true;
+    });
     this.speed = make("input", { type: "range", id: `${name}-speed`, min: "0", max: "100", step: "1", ariaLabel: "Speed" });
     this.told = make("output", {});
     const group = make("div", { className: "steps" }, ...this.steps);
     group.setAttribute("role", "group");
     group.setAttribute("aria-label", "Step");
-    this.bar = make("div", { className: "transport", id: `${name}-transport` }, this.play, ...(steps.length > 0 ? [group] : []), this.reset,
+    this.bar = make("div", { className: "transport", id: `${name}-transport` }, this.play, ...(steps.length > 0 ? [group] : []), this.finish, this.reset,
       make("label", { className: "speed", htmlFor: this.speed.id }, make("span", {}, "Speed"), this.speed, this.told));
     this.bar.setAttribute("role", "toolbar");
     this.bar.setAttribute("aria-label", label);
@@ -93,7 +104,7 @@ export class Transport {
   }
 
   pause() {
-    this.isPlaying = false;
+    this.isPlaying = this.isFinishing = false;
     this.tell();
     this.room.wake();
   }
@@ -113,7 +124,7 @@ export class Transport {
   /** Is there anything to play? @param {boolean} isReady @param {boolean} [canStep] */
   enable(isReady, canStep = isReady) {
     this.play.disabled = !isReady;
-    for (const button of this.steps) button.disabled = !canStep;
+    for (const button of [...this.steps, this.finish]) button.disabled = !canStep;
     if (!isReady && this.isPlaying) this.pause();
   }
 
@@ -125,6 +136,11 @@ export class Transport {
   /** @param {number} now */
   move(now) {
     if (!this.isPlaying) return false;
+    if (this.isFinishing) {
+      const until = performance.now() + SLICE;
+      do this.ask(AT_ONCE); while (this.isFinishing && !this.isAsking && performance.now() < until);
+      return this.isPlaying;
+    }
     const { pace, course: { isWhole = true } } = this;
     this.due += pace * Math.min(LONGEST, Math.max(0, (now - this.last) / 1000));
     this.last = now;
@@ -138,6 +154,7 @@ export class Transport {
 
   /** @param {number} count */
   ask(count) {
+    if (this.isAsking) return;
     const answer = this.room.guard(() => this.course.advance(count)) ?? false;
     if (typeof answer === "boolean") {
       if (!answer && this.isPlaying) this.pause();

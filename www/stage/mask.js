@@ -61,7 +61,7 @@ export function paint(mask, side, width, height, palette) {
 }
 
 /** Red, green and blue of a resolved CSS colour. @param {string} colour @returns {[number, number, number]} */
-function bytesOf(colour) {
+export function bytesOf(colour) {
   const canvas = new OffscreenCanvas(1, 1);
   const context = canvas.getContext("2d");
   if (!context) return [0, 0, 0];

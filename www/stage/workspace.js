@@ -2,7 +2,7 @@
 import { drawBase, drawBounds, drawReach, drawScale } from "./ground.js";
 import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
-import { drawGhost, drawObstacles, drawRobot } from "./shapes.js";
+import { drawGhost, drawObstacles, drawRobot, drawTarget } from "./shapes.js";
 import { drawTouched, drawTouching } from "./touching.js";
 import { Tracer } from "./trace.js";
 import { View } from "./view.js";
@@ -64,17 +64,24 @@ export class Workspace extends Pane {
     if (world.bounds) drawBounds(context, view, world.bounds, palette);
     else if (robot.type === "arm") drawReach(context, view, robot, palette);
     drawObstacles(context, view, world.obstacles, palette);
-    const { start, goal, scenario } = shown;
+    const { start, goal, goals, scenario } = shown;
     const thin = "radius" in robot && (robot.radius ?? 0) * view.scaleX < 1.6;
     const width = thin ? 2 : 1.5;
     if (goal) shown.placed?.drawRegion(context, view, goal, shown, palette.goal);
-    for (const [pose, colour, fill, dash] of /** @type {[Configuration | null, string, number, number[]][]} */ ([[goal, palette.goal, 0.14, [5, 4]], [start, palette.start, 0.16, []]])) {
+    for (const [pose, colour, fill, dash] of /** @type {[Configuration | null, string, number, number[]][]} */ ([...goals.map((pose) => [pose, palette.goal, 0.14 / goals.length, [5, 4]]), [start, palette.start, 0.16, []]])) {
       if (!pose) continue;
       drawGhost(context, view, scenario.footprint(pose), { colour, fill, stroke: 0.95, dash, width });
       shown.placed?.drawMarks(context, view, pose, 0, colour);
     }
     if (robot.type === "arm") drawBase(context, view, robot.base, palette);
     drawMarked(this, context, lane);
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette @override */
+  drawEnds(context, lane, palette) {
+    super.drawEnds(context, lane, palette);
+    const { target } = lane.shown;
+    if (target && this.view) drawTarget(context, this.view.x(target.point[0]), this.view.y(target.point[1]), target.orientation, palette);
   }
 
   /** @param {CanvasRenderingContext2D} context @param {Journey} journey @param {Palette} palette @override */

@@ -29,9 +29,13 @@ pub struct Arguments {
 pub enum Command {
     /// Plan a path for one query of a scenario and print the result document
     Plan(Plan),
+    /// Find joint angles that bring the tip of an arm to a target and print the result document
+    Reach(Reach),
     /// Judge a result against its scenario, independently of the planners
     Verify(Verify),
-    /// List the planners with their parameters, the generators with their options, and the error codes
+    /// Find the configurations nearest to a target, among those of a list or drawn by seed
+    Nearest(Nearest),
+    /// List the planners and the indexes with their parameters, the generators with their options, and the error codes
     List(List),
     /// Generate a scenario by seed and print it
     Generate(Generate),
@@ -98,6 +102,56 @@ pub struct Plan {
     pub out: Option<String>,
 }
 
+#[derive(Args)]
+#[command(after_help = "\
+Where the target is out of reach, the result tells why, and the nearest point that can be reached.
+Exit codes: 0 reached; 1 not reached; 2 the input is wrong.
+
+Examples:
+  planarium reach arm.json --target 1.2,0.4
+  planarium reach arm.json --target 1.2,0.4 --orientation 0.5 --method newton --seed 3
+  planarium reach arm.json --target=-0.5,1 --solutions 4 --set free_only=true")]
+pub struct Reach {
+    /// The scenario, a JSON file; - reads it from standard input
+    pub file: String,
+
+    /// Where the tip is to be, in metres
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true, value_parser = point)]
+    pub target: [f64; 2],
+
+    /// The absolute angle that the last link is to have, in radians [default: any]
+    #[arg(long, value_name = "PHI", allow_negative_numbers = true)]
+    pub orientation: Option<f64>,
+
+    /// The method, by id; `planarium list` shows them all [default: damped-least-squares]
+    #[arg(long, value_name = "ID")]
+    pub method: Option<String>,
+
+    /// The joint angles to start from, in radians [default: the start of the first query, else 0 as far as limits allow]
+    #[arg(long, value_name = "Q1,Q2,..", allow_hyphen_values = true, value_parser = angles)]
+    pub start: Option<Angles>,
+
+    /// The seed of further starts: with all else it decides every bit of the result
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
+    pub seed: u64,
+
+    /// How many distinct solutions to look for; the same as --set solutions=N
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub solutions: Option<u64>,
+
+    /// Set a parameter of the method; may be repeated
+    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
+    pub set: Vec<(String, String)>,
+
+    /// Write the result to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<String>,
+}
+
+/// The angles of a configuration, in one argument.
+#[derive(Clone)]
+pub struct Angles(pub Vec<f64>);
+
 /// The forms of a roadmap in a file.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum RoadmapFormat {
@@ -121,6 +175,60 @@ pub struct Verify {
 
     /// The result document to judge; - reads it from standard input
     pub result: String,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+Prints {\"indices\", \"distances\", \"visited\", \"build_seconds\", \"query_seconds\", ...}, nearest first, ties by number; of a
+forest also \"recall\", the part of the true nearest that it found. query_seconds is the middle of many repetitions.
+
+Examples:
+  planarium nearest arm.json --samples 100000 --target 3.14,0 --k 10
+  planarium nearest arm.json --configurations list.npy --target 3.14,0 --k 5 --index linear --metric naive
+  planarium nearest arm.json --samples 20000 --target 0,0 --k 20 --index forest --set trees=4")]
+pub struct Nearest {
+    /// The scenario, whose robot it is; a JSON file; - reads it from standard input
+    pub file: String,
+
+    /// The configurations: JSON, an array of arrays of numbers, or an array file of NumPy; - reads them from standard input
+    #[arg(long, value_name = "LIST", conflicts_with_all = ["samples", "seed", "free"])]
+    pub configurations: Option<String>,
+
+    /// Draw so many configurations uniformly [default: 1000]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub samples: Option<u64>,
+
+    /// The seed of the configurations drawn
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
+    pub seed: u64,
+
+    /// Keep only configurations that are free
+    #[arg(long)]
+    pub free: bool,
+
+    /// The configuration whose neighbours are wanted
+    #[arg(long, value_name = "Q1,Q2,...", required = true, allow_hyphen_values = true, value_delimiter = ',')]
+    pub target: Vec<f64>,
+
+    /// How many neighbours [default: 1]
+    #[arg(long, value_name = "K", allow_negative_numbers = true, conflicts_with = "within")]
+    pub k: Option<usize>,
+
+    /// All neighbours no farther than this, instead of so many
+    #[arg(long, value_name = "RADIUS", allow_negative_numbers = true)]
+    pub within: Option<f64>,
+
+    /// The index: linear, kd-tree or forest
+    #[arg(long, value_name = "ID", default_value = "kd-tree")]
+    pub index: String,
+
+    /// The metric of an arm: sum, euclidean or naive [default: sum]
+    #[arg(long, value_name = "NAME")]
+    pub metric: Option<String>,
+
+    /// Set a parameter of the index; may be repeated
+    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
+    pub set: Vec<(String, String)>,
 }
 
 #[derive(Args)]
@@ -188,6 +296,23 @@ fn setting(text: &str) -> Result<(String, String), String> {
         Some((key, value)) if !key.is_empty() => Ok((key.to_owned(), value.to_owned())),
         _ => Err("a setting reads KEY=VALUE".to_owned()),
     }
+}
+
+/// Reads numbers with commas between them.
+fn numbers(text: &str) -> Result<Vec<f64>, String> {
+    let number = |part: &str| part.trim().parse().map_err(|_| format!("{part:?} is not a number"));
+    text.split(',').map(number).collect()
+}
+
+/// Reads X,Y.
+fn point(text: &str) -> Result<[f64; 2], String> {
+    let numbers = numbers(text)?;
+    numbers.try_into().map_err(|_| "a point reads X,Y".to_owned())
+}
+
+/// Reads Q1,Q2,...
+fn angles(text: &str) -> Result<Angles, String> {
+    numbers(text).map(Angles)
 }
 
 /// Reads a number of seconds, 0 or more.

@@ -6,7 +6,9 @@ use crate::files;
 use planarium::error::Code;
 use planarium::fleet;
 use planarium::json::Node;
+use planarium::neighbours;
 use planarium::planner::{Fallback, Kind, ParameterInfo, catalogue, planners};
+use planarium::reach::{self, methods};
 use planarium::scenario::generate::{self, GENERATORS, OptionInfo, OptionKind};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -21,8 +23,14 @@ fn as_json() -> String {
     let errors: Vec<_> =
         Code::ALL.iter().map(|code| json!({ "code": code.as_str(), "meaning": code.meaning() })).collect();
     let table = |node: Node| -> Value { serde_json::from_str(&node.to_json()).expect("a tree is written as JSON") };
-    let document = json!({ "planners": table(catalogue()), "generators": table(generate::catalogue()),
-        "trajectories": table(fleet::catalogue()), "errors": errors });
+    let document = json!({
+        "planners": table(catalogue()),
+        "reach_methods": table(reach::catalogue()),
+        "indexes": table(neighbours::catalogue()),
+        "generators": table(generate::catalogue()),
+        "trajectories": table(fleet::catalogue()),
+        "errors": errors,
+    });
     serde_json::to_string_pretty(&document).expect("tables of words and numbers are JSON")
 }
 
@@ -32,8 +40,7 @@ fn as_tables() -> String {
         let _ = writeln!(text, "\n  {} ({}): {}", planner.id, planner.title, planner.summary);
         let _ = writeln!(text, "    for robots of type {}", planner.robots.join(", "));
         for parameter in planner.parameters {
-            let _ = writeln!(text, "    {:<15} {}", parameter.name, parameter.meaning);
-            let _ = writeln!(text, "    {:<15} {}", "", values(parameter));
+            push_parameter(&mut text, parameter);
             // What the planner says of itself need not be said again.
             if planner.robots.iter().any(|robot| !parameter.robots.contains(robot)) {
                 let _ = writeln!(text, "    {:<15} (for robots of type {} only)", "", parameter.robots.join(", "));
@@ -49,6 +56,16 @@ fn as_tables() -> String {
                 settings.collect::<Vec<_>>().join(" ")
             );
         }
+    }
+    text.push_str("\nMETHODS OF INVERSE KINEMATICS\n");
+    for method in methods() {
+        let _ = writeln!(text, "\n  {} ({}): {}", method.id, method.title, method.summary);
+        method.parameters.iter().for_each(|parameter| push_parameter(&mut text, parameter));
+    }
+    text.push_str("\nINDEXES\n");
+    for index in neighbours::indexes() {
+        let _ = writeln!(text, "\n  {} ({}): {}", index.id, index.title, index.summary);
+        index.parameters.iter().for_each(|parameter| push_parameter(&mut text, parameter));
     }
     text.push_str("\nGENERATORS\n");
     for generator in GENERATORS {
@@ -68,6 +85,12 @@ fn as_tables() -> String {
         let _ = write!(text, "\n  {:<18} {}", code.as_str(), code.meaning());
     }
     text
+}
+
+/// What a parameter means, and what values it takes.
+fn push_parameter(text: &mut String, parameter: &ParameterInfo) {
+    let _ = writeln!(text, "    {:<15} {}", parameter.name, parameter.meaning);
+    let _ = writeln!(text, "    {:<15} {}", "", values(parameter));
 }
 
 /// Type, range, unit and default in words.

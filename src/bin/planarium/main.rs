@@ -1,4 +1,4 @@
-//! The command line: plan, verify, list, generate, trajectories.
+//! The command line: plan, verify, nearest, list, generate, reach, trajectories.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
 //! solved or not valid, 2 that the input is wrong; then standard output holds `{"error": {"code", "message", "pointer"}}`.
@@ -8,8 +8,11 @@ mod arguments;
 mod files;
 mod generate;
 mod list;
+mod nearest;
+mod npy;
 mod plan;
 mod progress;
+mod reach;
 mod roadmap;
 mod trajectories;
 mod verify;
@@ -49,7 +52,9 @@ fn main() -> ExitCode {
 fn run(command: &Command) -> Answer {
     match command {
         Command::Plan(arguments) => plan::plan(arguments),
+        Command::Reach(arguments) => reach::reach(arguments),
         Command::Verify(arguments) => verify::verify(arguments),
+        Command::Nearest(arguments) => nearest::nearest(arguments),
         Command::List(arguments) => list::list(arguments),
         Command::Generate(arguments) => generate::generate(arguments),
         Command::Trajectories(arguments) => trajectories::trajectories(arguments),

@@ -1,0 +1,74 @@
+//! Random arms and targets for the tests of inverse kinematics.
+#![allow(dead_code)] // each test uses some of it
+
+use planarium::geometry::Point;
+use planarium::random::Random;
+use planarium::reach::{Target, orientation};
+use planarium::robot::Arm;
+use planarium::scenario::{Node, Scenario};
+use planarium::space::angular_distance;
+
+/// An arm of that many links of 0.2 to 1.2 m, with limits of 0.4 to 7 rad a joint where they are wanted.
+pub fn arm(random: &mut Random, links: usize, has_limits: bool) -> Arm {
+    let lengths = (0..links).map(|_| 0.2 + random.uniform()).collect();
+    let mut interval = || {
+        let (middle, half) = (4.0 * random.uniform() - 2.0, 0.2 + 3.3 * random.uniform() * random.uniform());
+        [middle - half, middle + half]
+    };
+    let limits: Vec<[f64; 2]> = (0..links).map(|_| interval()).collect();
+    let base = Point::new(random.uniform() - 0.5, random.uniform() - 0.5);
+    Arm::new(base, lengths, 0.0, has_limits.then_some(limits)).expect("an arm")
+}
+
+/// A configuration within the limits.
+pub fn configuration(random: &mut Random, arm: &Arm) -> Vec<f64> {
+    let range = |i: usize| arm.joint_limits().map_or([-3.1, 3.1], |limits| limits[i]);
+    let mut angle = |i: usize| range(i)[0] + (range(i)[1] - range(i)[0]) * random.uniform();
+    (0..arm.links().len()).map(&mut angle).collect()
+}
+
+/// A target that a configuration within the limits reaches, with its orientation where that is wanted.
+pub fn reachable(random: &mut Random, arm: &Arm, is_oriented: bool) -> Target {
+    let q = configuration(random, arm);
+    Target { point: arm.end_effector(&q), orientation: is_oriented.then(|| orientation(&q)) }
+}
+
+/// How far the arm is from the target at `q`: metres and radians.
+pub fn deviation(arm: &Arm, q: &[f64], target: &Target) -> [f64; 2] {
+    let turn = target.orientation.map_or(0.0, |wanted| angular_distance(wanted, orientation(q)));
+    [(arm.end_effector(q) - target.point).norm(), turn]
+}
+
+/// Whether every joint is within its limits to the bit, or in canonical form on its circle, and what follows the last is 0.
+pub fn is_within(arm: &Arm, q: &[f64]) -> bool {
+    let links = arm.links().len();
+    let is_fine = |i: usize| match arm.joint_limits() {
+        Some(limits) => limits[i][0] <= q[i] && q[i] <= limits[i][1],
+        None => -std::f64::consts::PI < q[i] && q[i] <= std::f64::consts::PI,
+    };
+    (0..links).all(is_fine)
+        && q[links..].iter().all(|&angle| angle == 0.0)
+        && q.iter().all(|angle| !(*angle == 0.0 && angle.is_sign_negative()))
+}
+
+/// A world of that arm, with these obstacles as JSON.
+pub fn scenario(arm: &Arm, obstacles: &str) -> Scenario {
+    let limits = match arm.joint_limits() {
+        Some(limits) => format!(r#", "joint_limits": {limits:?}"#),
+        None => String::new(),
+    };
+    let text = format!(
+        r#"{{ "format": "planarium-scenario-1", "name": "arm", "world": {{ "obstacles": [{obstacles}] }},
+            "robot": {{ "type": "arm", "base": [{:?}, {:?}], "links": {:?}, "radius": {:?}{limits} }}, "queries": [] }}"#,
+        arm.base().x,
+        arm.base().y,
+        arm.links(),
+        arm.radius()
+    );
+    Scenario::parse(&text).expect("a scenario")
+}
+
+/// Reads JSON.
+pub fn json(text: &str) -> Node {
+    Node::parse(text).expect("JSON")
+}

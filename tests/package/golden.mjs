@@ -28,3 +28,25 @@ export function outcomes({ Scenario }, cases, scenes) {
     return { status, fingerprint, length, waypoints: path.length, clearance_evaluations: stats.clearance_evaluations };
   });
 }
+
+/**
+ * @typedef {object} TrajectoryCase
+ * @property {import("planarium").TrajectoryOptions} options
+ * @property {number} seed
+ * @property {import("planarium").TrajectoriesResult} outcome
+ */
+
+/**
+ * The same of many trajectories.
+ * @param {Pick<typeof import("planarium"), "Trajectories">} planarium
+ * @param {TrajectoryCase[]} cases
+ */
+export function trajectoryOutcomes({ Trajectories }, cases) {
+  return cases.map(({ options, seed }) => {
+    const trajectories = new Trajectories({ ...options, seed });
+    while (trajectories.step(100) === "running");
+    const result = trajectories.result();
+    trajectories.free();
+    return result;
+  });
+}

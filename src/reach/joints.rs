@@ -74,6 +74,11 @@ impl Joints {
         angle.max(self.low[i]).min(self.high[i]) + 0.0
     }
 
+    /// The turn of the joint from one angle to another: the short way round on circles.
+    pub fn turn(&self, from: f64, to: f64) -> f64 {
+        if self.are_circles { wrap(to - from) } else { to - from }
+    }
+
     /// The configuration nearest to `q` within the limits, in canonical form.
     pub fn hold_all(&self, q: &[f64; MAX_LINKS]) -> [f64; MAX_LINKS] {
         let mut held = [0.0; MAX_LINKS];

@@ -81,7 +81,8 @@ fn limits_drop_solutions_and_choose_turns() {
     let found = both(&[[-1.0, 1.0], [13.0, 15.0]]);
     assert_eq!(found.len(), 1);
     assert!((found[0][1] - (right + 2.0 * TAU)).abs() < 1e-14, "{found:?}");
-    let found = closed_from(&limited(&[1.0, 1.0], &[[-100.0, 100.0]; 2]), target(1.0, 1.0, None), Some(vec![50.0, -70.0]));
+    let found =
+        closed_from(&limited(&[1.0, 1.0], &[[-100.0, 100.0]; 2]), target(1.0, 1.0, None), Some(vec![50.0, -70.0]));
     assert!((found[0][0] - 8.0 * TAU).abs() < 1e-12 && (found[0][1] - (right - 11.0 * TAU)).abs() < 1e-12, "{found:?}");
 }
 
@@ -97,7 +98,11 @@ fn closed_forms_are_right_to_a_trillionth_of_the_reach() {
             // On the very rim, and a little within.
             let away = (goal.point - arm.base()).normalize();
             let inward = [0.0, 1e-16, 1e-15, 1e-12, 1e-9][random.below(5) as usize];
-            let rim = if random.below(2) == 0 { arm.reach() - inward } else { (arm.links()[0] - arm.links()[1]).abs() + inward };
+            let rim = if random.below(2) == 0 {
+                arm.reach() - inward
+            } else {
+                (arm.links()[0] - arm.links()[1]).abs() + inward
+            };
             goal.point = arm.base() + away * rim;
         }
         let found = closed(&arm, goal);
@@ -127,7 +132,8 @@ fn without_limits_the_nearest_point_lies_on_the_ring() {
         let (near, angle) = (1.5 * arm.reach() * random.uniform(), TAU * random.uniform());
         let goal = target(arm.base().x + near * angle.cos(), arm.base().y + near * angle.sin(), wanted);
         let chain = if wanted.is_some() { &arm.links()[..links - 1] } else { arm.links() };
-        let last = wanted.map_or(Point::origin(), |wanted| Point::new(wanted.cos(), wanted.sin()) * arm.links()[links - 1]);
+        let last =
+            wanted.map_or(Point::origin(), |wanted| Point::new(wanted.cos(), wanted.sin()) * arm.links()[links - 1]);
         let wrist = goal.point - last.coords - arm.base().coords;
         let sum: f64 = chain.iter().sum();
         let longest = chain.iter().copied().fold(0.0, f64::max);
@@ -175,7 +181,13 @@ fn descend(arm: &Arm, q: &mut [f64], point: Point) {
             let [low, high] = arm.joint_limits().expect("limits")[i];
             let inside = q[i] + turn + TAU * ((low - q[i] - turn) / TAU).ceil();
             // Outside the limits, whichever of them is nearer on the circle.
-            q[i] = if inside <= high { inside } else if low - (inside - TAU) < inside - high { low } else { high };
+            q[i] = if inside <= high {
+                inside
+            } else if low - (inside - TAU) < inside - high {
+                low
+            } else {
+                high
+            };
         }
     }
 }
@@ -195,8 +207,10 @@ fn with_limits_no_sample_comes_nearer() {
         let [distance, turn] = deviation(&arm, &nearest.configuration[..links], &goal);
         assert!((distance - nearest.distance).abs() < 1e-13 && (turn - nearest.turn).abs() < 1e-13, "case {case}");
         if nearest.turn > 0.0 {
-            let sums = (0..2).map(|end| arm.joint_limits().expect("limits").iter().map(|limit| limit[end]).sum::<f64>());
-            let turned = sums.map(|sum| angular_distance(sum, wanted.expect("an orientation"))).fold(f64::INFINITY, f64::min);
+            let sums =
+                (0..2).map(|end| arm.joint_limits().expect("limits").iter().map(|limit| limit[end]).sum::<f64>());
+            let turned =
+                sums.map(|sum| angular_distance(sum, wanted.expect("an orientation"))).fold(f64::INFINITY, f64::min);
             assert!((turned - nearest.turn).abs() < 1e-13, "case {case}");
             continue;
         }
@@ -223,7 +237,8 @@ fn what_a_configuration_reaches_is_never_out_of_reach() {
             }
         }
         let wanted = (links >= 2 && case % 3 == 0).then(|| orientation(&q));
-        let nearest = nearest_reachable(&arm, Target { point: arm.end_effector(&q), orientation: wanted }).expect("a target");
+        let nearest =
+            nearest_reachable(&arm, Target { point: arm.end_effector(&q), orientation: wanted }).expect("a target");
         assert!(nearest.distance < 1e-12 && nearest.turn == 0.0, "case {case}: {} {arm:?} {q:?}", nearest.distance);
     }
 }

@@ -128,16 +128,16 @@ fn drawn_in(task: &Task) -> Task {
     task
 }
 
-/// The configuration with every joint but the first bent a little, the less the nearer the target is.
+/// The configuration with every joint but the first bent a little to the side where its limits leave more room, the less the
+/// nearer the target is.
 fn bent(task: &Task, q: &[f64; MAX_LINKS]) -> [f64; MAX_LINKS] {
     let joints = &task.joints;
     let angle = BEND * (task.deviation(q).distance / task.reach).min(1.0).sqrt();
     let mut bent = *q;
     for i in 1..joints.count {
-        bent[i] = joints.hold(i, q[i] + angle);
-        if bent[i] == q[i] {
-            bent[i] = joints.hold(i, q[i] - angle);
-        }
+        let [low, high] = joints.range(i);
+        let side = if !joints.is_circle() && high - q[i] < q[i] - low { -angle } else { angle };
+        bent[i] = joints.hold(i, q[i] + side);
     }
     bent
 }

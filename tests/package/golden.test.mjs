@@ -8,20 +8,23 @@ import { chromium } from "playwright-core";
 import { root } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import { ensureBrowser } from "../../scripts/setup.mjs";
-import { outcomes } from "./golden.mjs";
+import { outcomes, reachOutcomes } from "./golden.mjs";
 import { emptyFolder } from "./packed.mjs";
 
 /** @type {import("./golden.mjs").Case[]} */
 const cases = JSON.parse(readFileSync(join(root, "tests", "golden.json"), "utf8"));
+/** @type {import("./golden.mjs").ReachCase[]} */
+const reachCases = JSON.parse(readFileSync(join(root, "tests", "reach-golden.json"), "utf8"));
 const place = join(root, "www", "scenes");
 const scenes = Object.fromEntries(
   readdirSync(place).filter((name) => name.endsWith(".json")).map((name) => [basename(name, ".json"), readFileSync(join(place, name), "utf8")]),
 );
-const expected = cases.map(({ outcome }) => outcome);
+const expected = [...cases, ...reachCases].map(({ outcome }) => outcome);
 
 test("golden outcomes in Node", () => {
   assert.ok(cases.length >= 12);
-  assert.deepEqual(outcomes(planarium, cases, scenes), expected);
+  assert.ok(reachCases.length >= 30);
+  assert.deepEqual([...outcomes(planarium, cases, scenes), ...reachOutcomes(planarium, reachCases)], expected);
 });
 
 test("golden outcomes in Chromium, on the page and in a worker, without special headers", async () => {
@@ -29,14 +32,14 @@ test("golden outcomes in Chromium, on the page and in a worker, without special 
   cpSync(join(root, "dist", "package"), join(site, "package"), { recursive: true });
   cpSync(join(root, "tests", "package", "golden.mjs"), join(site, "golden.mjs"));
   mkdirSync(join(site, "data"));
-  writeFileSync(join(site, "data", "input.json"), JSON.stringify({ cases, scenes }));
+  writeFileSync(join(site, "data", "input.json"), JSON.stringify({ cases, reachCases, scenes }));
   writeFileSync(join(site, "run.mjs"), `
 import init, * as planarium from "./package/planarium.js";
-import { outcomes } from "./golden.mjs";
+import { outcomes, reachOutcomes } from "./golden.mjs";
 export async function run() {
-  const { cases, scenes } = await (await fetch("./data/input.json")).json();
+  const { cases, reachCases, scenes } = await (await fetch("./data/input.json")).json();
   await init();
-  return outcomes(planarium, cases, scenes);
+  return [...outcomes(planarium, cases, scenes), ...reachOutcomes(planarium, reachCases)];
 }`);
   writeFileSync(join(site, "worker.mjs"), `import { run } from "./run.mjs"; run().then((answer) => postMessage(answer));`);
   writeFileSync(join(site, "index.html"), "<!doctype html><title>golden</title>");

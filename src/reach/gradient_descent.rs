@@ -1,6 +1,6 @@
 //! Gradient descent on the squared error, with a line search.
 
-use super::method::Method;
+use super::method::{Method, widest};
 use super::task::{Linear, Task};
 use crate::robot::MAX_LINKS;
 
@@ -46,9 +46,8 @@ impl Method for GradientDescent {
                 downhill[i] = 0.0;
             }
         }
-        let widest = downhill.iter().fold(0.0, |most: f64, angle| most.max(angle.abs()));
         let learned = self.last.and_then(|last| learned_step(task, q, &downhill, &last));
-        let mut step = learned.or_else(|| best_step(&model, &downhill))?.min(LARGEST_TURN / widest);
+        let mut step = learned.or_else(|| best_step(&model, &downhill))?.min(LARGEST_TURN / widest(&downhill));
         self.squares[self.count % REMEMBERED] = before;
         self.count += 1;
         let largest =
@@ -84,6 +83,7 @@ impl Method for GradientDescent {
 }
 
 /// The step downhill that is best for the linear model, shortened a little; `None` where nothing moves.
+#[inline(never)]
 fn best_step(model: &Linear, downhill: &[f64; MAX_LINKS]) -> Option<f64> {
     let moved = |row: usize| -> f64 { (0..MAX_LINKS).map(|i| model.jacobian[row][i] * downhill[i]).sum() };
     let change: f64 = (0..model.rows).map(|row| moved(row) * moved(row)).sum();
@@ -92,6 +92,7 @@ fn best_step(model: &Linear, downhill: &[f64; MAX_LINKS]) -> Option<f64> {
 }
 
 /// The step that fits how the way downhill has changed since the last configuration; `None` where it curves the wrong way.
+#[inline(never)]
 fn learned_step(
     task: &Task,
     q: &[f64; MAX_LINKS],

@@ -85,6 +85,7 @@ impl Task {
     }
 
     /// The places of the joints from the base, and of the tip.
+    #[inline(never)]
     pub fn places(&self, q: &[f64; MAX_LINKS]) -> [[f64; 2]; MAX_LINKS + 1] {
         let mut places = [[0.0; 2]; MAX_LINKS + 1];
         let mut angle = 0.0;
@@ -97,6 +98,7 @@ impl Task {
     }
 
     /// How far the configuration is from the target. O(links).
+    #[inline(never)]
     pub fn deviation(&self, q: &[f64; MAX_LINKS]) -> Deviation {
         self.deviation_at(q, &self.places(q))
     }
@@ -127,8 +129,11 @@ impl Task {
     /// The nearest and the farthest that the tip of the first `count` links can be from the base where nothing limits the
     /// joints, in metres: a ring.
     pub fn ring(&self, count: usize) -> [f64; 2] {
-        let sum: f64 = self.links[..count].iter().sum();
-        let longest = self.links[..count].iter().fold(0.0, |most: f64, &link| most.max(link));
+        let (mut sum, mut longest) = (0.0, 0.0);
+        for &link in &self.links[..count] {
+            sum += link;
+            longest = f64::max(longest, link);
+        }
         [(longest - (sum - longest)).max(0.0), sum]
     }
 

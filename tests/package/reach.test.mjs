@@ -78,7 +78,7 @@ test("an arm follows a point, and stretches towards one that it cannot reach", (
   const near = scenario.follow([0.1, 0.2, 0.3], [1.2, 0.9]);
   assert.ok(near.reached && near.distance < 1e-9 && near.manipulability > 0.1);
   assert.deepEqual(scenario.endEffector(near.configuration), near.point);
-  const far = scenario.follow(near.configuration, new Float64Array([4, 3]));
+  const far = scenario.follow(near.configuration, [4, 3]);
   assert.ok(!far.reached && Math.abs(far.distance - 2.7) < 1e-6 && far.manipulability < 1e-3);
   assert.ok(scenario.follow([0, 0, 0], [1.5, 0]).reached, "out of a straight line");
   const nearest = scenario.nearestReachable([4, 3]);

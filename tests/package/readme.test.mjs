@@ -20,14 +20,15 @@ function blocks(language, count) {
   return found;
 }
 
-test("the quick starts of npm plan paths, of an arm and of a car", () => {
+test("the quick starts of npm plan paths, of an arm and of a car, and reach", () => {
   const folder = install(pack());
-  const printed = blocks("js", 2).map((code, i) => {
+  const printed = blocks("js", 3).map((code, i) => {
     addFiles(folder, { [`quick-start-${i}.mjs`]: code });
     return execFileSync(process.execPath, [`quick-start-${i}.mjs`], { cwd: folder, encoding: "utf8" });
   });
   assert.match(printed[0], /^solved \d+\.\d+\n$/);
   assert.match(printed[1], /^(?:solved [1-9]\d* motions\n){2}3\n$/);
+  assert.match(printed[2], /^reached true [1-4]\ntrue \[ [\d.]+, [-\d.e]+ \]\n$/);
 });
 
 test("the quick start of the command line plans a path that is valid", () => {

@@ -10,6 +10,9 @@ const LONGEST_TEXT = 32 * 1024 * 1024;
 /** Rows handed over to the core at once. */
 const ROWS_AT_ONCE = 16384;
 
+/** Most configurations that are read as an array of arrays. */
+const MOST_ROWS = 1_000_000;
+
 /** Longest roadmap that is read, in bytes or characters. */
 const LONGEST_FILE = 256 * 1024 * 1024;
 
@@ -76,14 +79,51 @@ export function point(value, name) {
  * @param {unknown} value
  * @param {number} dimension
  * @param {string} name
+ * @param {(index: number) => number | string} [place]  how the pointer to a number goes on
  * @returns {Float64Array}
  */
-export function rows(value, dimension, name) {
+export function rows(value, dimension, name, place) {
   return numbers(value, name, (length) => {
     if (length % dimension === 0) return;
     const sentence = `\`${name}\` must have whole rows of ${dimension} numbers; ${length} numbers are not.`;
     throw new PlanariumError("wrong-dimension", sentence, `/${name}`);
-  });
+  }, place);
+}
+
+/**
+ * Configurations, one after the other in one array of numbers, or an array of arrays of them; pointers name row and number.
+ * @param {unknown} value
+ * @param {number} dimension
+ * @param {string} name
+ * @returns {Float64Array}
+ */
+export function matrix(value, dimension, name) {
+  const count = guarded(name, () => (Array.isArray(value) && value[0] instanceof Object ? value.length : null));
+  if (count === null) {
+    return rows(value, dimension, name, (i) => `${Math.floor(i / dimension)}/${i % dimension}`);
+  }
+  if (count > MOST_ROWS) {
+    throw new PlanariumError("too-large", `\`${name}\` has ${count} rows; ${MOST_ROWS} are read at most.`, `/${name}`);
+  }
+  const copy = new Float64Array(count * dimension);
+  for (let row = 0; row < count; row += 1) {
+    const given = guarded(name, () => /** @type {unknown[]} */ (value)[row]);
+    copy.set(configuration(given, dimension, `${name}/${row}`), row * dimension);
+  }
+  return copy;
+}
+
+/**
+ * A truth value.
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {boolean}
+ */
+export function truth(value, name) {
+  if (typeof value !== "boolean") {
+    throw new PlanariumError("wrong-type", `\`${name}\` must be true or false, not ${show(value)}.`, `/${name}`);
+  }
+  return value;
 }
 
 /**
@@ -199,14 +239,15 @@ function refuseNonFinite(value, pointer) {
 }
 
 /**
- * A copy of an array of finite numbers. Whatever the caller's own getters and proxies throw is wrapped.
+ * A copy of an array of finite numbers.
  * @param {unknown} value
  * @param {string} name
  * @param {(length: number) => void} checkLength  throws before anything is read
+ * @param {(index: number) => number | string} [place]  how the pointer to a number goes on
  * @returns {Float64Array}
  */
-function numbers(value, name, checkLength) {
-  try {
+function numbers(value, name, checkLength, place = (i) => i) {
+  return guarded(name, () => {
     const isList = Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
     if (!isList) {
       throw new PlanariumError("wrong-type", `\`${name}\` must be an array of numbers, not ${show(value)}.`, `/${name}`);
@@ -214,8 +255,25 @@ function numbers(value, name, checkLength) {
     const list = /** @type {ArrayLike<unknown>} */ (/** @type {unknown} */ (value));
     checkLength(list.length);
     const copy = new Float64Array(list.length);
-    for (let i = 0; i < copy.length; i += 1) copy[i] = finite(list[i], `/${name}/${i}`);
+    for (let i = 0; i < copy.length; i += 1) {
+      const number = list[i];
+      // The pointer costs more than the number: it is made where it is needed.
+      copy[i] = typeof number === "number" && Number.isFinite(number) ? number : finite(number, `/${name}/${place(i)}`);
+    }
     return copy;
+  });
+}
+
+/**
+ * Reads what a caller holds. Whatever the caller's own getters and proxies throw is wrapped.
+ * @template T
+ * @param {string} name
+ * @param {() => T} read
+ * @returns {T}
+ */
+function guarded(name, read) {
+  try {
+    return read();
   } catch (error) {
     if (error instanceof PlanariumError) throw error;
     const reason = error instanceof Error ? error.message : String(error);

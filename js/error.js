@@ -6,7 +6,7 @@
  * The codes are those of the crate (`invalid-json`, `unknown-field`, `start-in-collision`, ...), and five of the
  * package itself: `not-initialised` (call `init` first), `init-failed` (the WebAssembly file could not be loaded),
  * `freed` (the handle was used after `free`), `illegal-constructor` (handles come from `Scenario.parse`,
- * `Scenario.generate`, `scenario.planner`, `scenario.resume` and `scenario.drive`) and `internal` (a fault in Planarium: please report it).
+ * `Scenario.generate`, `scenario.planner`, `scenario.resume`, `scenario.reach`, `scenario.neighbours` and `scenario.drive`) and `internal` (a fault in Planarium: please report it).
  */
 export class PlanariumError extends Error {
   /**

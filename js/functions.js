@@ -1,7 +1,7 @@
-/** What stands on its own: the lists of planners, of generators, of methods and of phases, and a fresh seed. */
+/** What stands on its own: the lists of planners, of generators, of methods, of indexes and of phases, and a fresh seed. */
 import { call } from "./runtime.js";
 
-/** @import { GeneratorInfo, Phase, PlannerInfo, ReachMethodInfo } from "./types.js" */
+/** @import { GeneratorInfo, IndexInfo, Phase, PlannerInfo, ReachMethodInfo } from "./types.js" */
 
 /**
  * The names of phases: a row of `planner.takeHistory()` holds the place of one in this list.
@@ -32,6 +32,15 @@ export function generators() {
  */
 export function reachMethods() {
   return JSON.parse(call((core) => core.reach_methods()));
+}
+
+/**
+ * The indexes of configurations that `scenario.neighbours` makes, and their parameters, with title, meaning, unit, range and
+ * default of each.
+ * @returns {IndexInfo[]}
+ */
+export function neighbourIndexes() {
+  return JSON.parse(call((core) => core.neighbour_indexes()));
 }
 
 /**

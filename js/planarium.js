@@ -6,10 +6,12 @@ import { load, loadSync } from "./runtime.js";
 
 export { Drive } from "./drive.js";
 export { PlanariumError } from "./error.js";
-export { freshSeed, generators, phases, planners, reachMethods } from "./functions.js";
+export { freshSeed, generators, neighbourIndexes, phases, planners, reachMethods } from "./functions.js";
+export { Neighbours } from "./neighbours.js";
 export { Planner } from "./planner.js";
 export { Reach } from "./reach.js";
 export { Scenario } from "./scenario.js";
+export { Trajectories, particlePoints, trajectoryOptions } from "./trajectories.js";
 export { version } from "./version.js";
 
 /** @typedef {import("./types.js").Status} Status */
@@ -26,6 +28,7 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").Shape} Shape */
 /** @typedef {import("./types.js").Weights} Weights */
 /** @typedef {import("./types.js").Query} Query */
+/** @typedef {import("./types.js").Target} Target */
 /** @typedef {import("./types.js").ScenarioDocument} ScenarioDocument */
 /** @typedef {import("./types.js").PlannerInfo} PlannerInfo */
 /** @typedef {import("./types.js").Motion} Motion */
@@ -48,8 +51,16 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").ReachOptions} ReachOptions */
 /** @typedef {import("./types.js").ReachVerdict} ReachVerdict */
 /** @typedef {import("./types.js").ReachResult} ReachResult */
+/** @typedef {import("./types.js").TrajectoryOptions} TrajectoryOptions */
+/** @typedef {import("./types.js").TrajectoriesResult} TrajectoriesResult */
+/** @typedef {import("./types.js").ParticleMotion} ParticleMotion */
+/** @typedef {import("./types.js").ParticleModel} ParticleModel */
 /** @typedef {import("./types.js").Followed} Followed */
 /** @typedef {import("./types.js").NearestPoint} NearestPoint */
+/** @typedef {import("./types.js").IndexInfo} IndexInfo */
+/** @typedef {import("./types.js").NeighboursOptions} NeighboursOptions */
+/** @typedef {import("./types.js").NeighboursFound} NeighboursFound */
+/** @typedef {import("./types.js").SampleOptions} SampleOptions */
 /** @typedef {import("./types.js").GenerateOptions} GenerateOptions */
 /** @typedef {import("./types.js").GeneratorId} GeneratorId */
 /** @typedef {import("./types.js").CspaceOptions} CspaceOptions */

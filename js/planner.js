@@ -258,6 +258,15 @@ export class Planner {
   }
 
   /**
+   * The configurations that the run may end at: the goal of its query, or of a query with a `target` those free ones that were
+   * found to reach it. A car may end near its goal.
+   * @returns {Float64Array} rows of `dimension` numbers, one at least
+   */
+  goals() {
+    return this.#handle.call((raw) => raw.goals());
+  }
+
+  /**
    * The path: rows of `dimension` numbers, empty until solved. Between rows motion is linear, circles the short way
    * round, and no step turns a joint by more than 3 rad; a car drives the `motions` of `result()`, one from each row to the next.
    * @returns {Float64Array}

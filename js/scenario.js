@@ -5,12 +5,13 @@ import * as argument from "./arguments.js";
 import { makeDrive, obstructed } from "./drive.js";
 import { PlanariumError } from "./error.js";
 import { Handle, key } from "./handle.js";
+import { Neighbours, makeNeighbours } from "./neighbours.js";
 import { Planner, makePlanner } from "./planner.js";
 import { Reach, followedOf, makeReach, nearestOf } from "./reach.js";
 import { call } from "./runtime.js";
 
 /** @import { Drive } from "./drive.js" */
-/** @import { Box, Check, Configuration, CspaceOptions, Followed, GenerateOptions, GeneratorId, NearestPoint, Part, PlannerOptions, Point, ReachOptions, Robot, Rollout, ScenarioDocument, Touching } from "./types.js" */
+/** @import { Box, Check, Configuration, CspaceOptions, Followed, GenerateOptions, GeneratorId, NearestPoint, NeighboursOptions, Part, PlannerOptions, Point, ReachOptions, Robot, Rollout, SampleOptions, ScenarioDocument, Touching } from "./types.js" */
 
 /**
  * A parsed, checked scenario: it answers questions about configurations and motions, and makes planners.
@@ -257,6 +258,32 @@ export class Scenario {
   resume(roadmap, options) {
     return this.#handle.call((raw) =>
       makePlanner(raw.resume(argument.textOrBytes(roadmap, "roadmap"), argument.optionsText(options))));
+  }
+
+  /**
+   * Makes an empty index of configurations of the scenario's robot, which finds the nearest of many. It lives on when the
+   * scenario is freed.
+   * @param {NeighboursOptions} [options]  `index` is `"linear"`, `"kd-tree"` (default) or `"forest"`; `metric` of an arm is `"sum"`
+   *   (default), `"euclidean"` or `"naive"`; of a forest `trees`, `leaf`, `candidates` and `seed`: `neighbourIndexes()` tells all
+   * @returns {Neighbours}
+   * @throws {PlanariumError} `out-of-range`, `unknown-parameter`, `wrong-type`, `not-finite`
+   */
+  neighbours(options) {
+    return this.#handle.call((raw) => makeNeighbours(raw.neighbours(argument.optionsText(options)), this.#dimension));
+  }
+
+  /**
+   * Configurations drawn uniformly; the same that a planner of this seed draws with its uniform sampler.
+   * @param {number} n  at most 1,000,000
+   * @param {SampleOptions} [options]  `seed`: integer from 0 (default) to 2^53 - 1; `free`: whether only free ones are kept (default false)
+   * @returns {Float64Array} rows of `dimension` numbers
+   * @throws {PlanariumError} `out-of-range`, `not-finite`, `wrong-type`; `unsupported` where 100,000 draws in a row are in collision
+   */
+  sampleConfigurations(n, options) {
+    return this.#handle.call((raw) => {
+      const { seed = 0, free = false } = argument.options(options);
+      return raw.sample_configurations(argument.count(n, "n"), argument.count(seed, "seed"), argument.truth(free, "free"));
+    });
   }
 
   /**

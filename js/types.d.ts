@@ -110,14 +110,24 @@ export type Robot =
       metric?: Weights;
     };
 
-/** A motion that is asked for. */
+/** A place for the end effector of an arm. */
+export interface Target {
+  /** Where the tip is to be. */
+  point: Point;
+  /** The angle of the last link in the world, in radians; any where it is absent. */
+  orientation?: number;
+}
+
+/** A motion that is asked for: to a goal, or to a target. */
 export interface Query {
   /** Unique in its scenario. */
   name: string;
   /** Configuration to start from. */
   start: number[];
-  /** Configuration to reach. */
-  goal: number[];
+  /** Configuration to reach; absent where there is a target. */
+  goal?: number[];
+  /** Where the end effector of an arm is to be, in place of a goal: any configuration that reaches it will do. */
+  target?: Target;
   /** How near to the goal is near enough, of bodies and cars: metres and radians, both. */
   goal_tolerance?: { translation: number; rotation: number };
 }
@@ -209,6 +219,54 @@ export interface ParameterInfo {
   meaning: string;
   /** The types of robots that it is for; for others it says nothing. */
   robots: Robot["type"][];
+}
+
+/** An index of configurations, as a page would offer it. */
+export interface IndexInfo {
+  /** What `scenario.neighbours` takes as `index`. */
+  id: "linear" | "kd-tree" | "forest";
+  /** Title for people. */
+  title: string;
+  /** What it does, in a sentence. */
+  summary: string;
+  /** Whether it always finds the nearest. */
+  exact: boolean;
+  /** Its parameters. */
+  parameters: ParameterInfo[];
+}
+
+/** Options of `scenario.neighbours`. */
+export interface NeighboursOptions {
+  /** What kind of index; `kd-tree` where absent. */
+  index?: IndexInfo["id"];
+  /** How an arm's joint distances are put together; `sum` where absent. */
+  metric?: "sum" | "euclidean" | "naive";
+  /** Of a forest: how many trees, 1 to 64; 8 where absent. */
+  trees?: number;
+  /** Of a forest: how many configurations fill a leaf, 8 to 1024; 32 where absent. */
+  leaf?: number;
+  /** Of a forest: how many configurations a question looks at, at least; 400 where absent. */
+  candidates?: number;
+  /** Of a forest: integer from 0 to 2^53 - 1; 0 where absent. The same seed draws the same planes. */
+  seed?: number;
+}
+
+/** What an index has found, nearest first; ties go to the lower number. */
+export interface NeighboursFound {
+  /** The numbers of the configurations, in the order in which they were added, from 0. */
+  indices: Uint32Array;
+  /** Their distances in the metric, true ones of a forest too. */
+  distances: Float64Array;
+  /** Of how many configurations the distance was computed. The shape of a kd-tree, and so this number, may differ between platforms. */
+  visited: number;
+}
+
+/** Options of `scenario.sampleConfigurations`. */
+export interface SampleOptions {
+  /** Integer from 0 to 2^53 - 1; 0 where absent. */
+  seed?: number;
+  /** Whether only free configurations are kept; false where absent. */
+  free?: boolean;
 }
 
 /** A generator, as a page would offer it. */
@@ -549,6 +607,77 @@ export interface ReachResult {
   /** What was counted. */
   stats: { iterations: number; restarts: number; configuration_checks: number };
   /** 16 hexadecimal digits over every iterate and solution. */
+  fingerprint: string;
+}
+
+/** How a particle moves: on a circular arc, or on the spiral v t (cos(theta + w t), sin(theta + w t)) about its start. */
+export type ParticleModel = "arc" | "spiral";
+
+/** A particle with constant speed and turn rate. */
+export interface ParticleMotion {
+  /** How it moves; `arc` unless told otherwise. */
+  model?: ParticleModel;
+  /** Where it starts, metres; 0 unless told otherwise. */
+  x?: number;
+  /** Where it starts, metres; 0 unless told otherwise. */
+  y?: number;
+  /** Its first heading, radians; 0 unless told otherwise. */
+  theta?: number;
+  /** Its speed, metres a second, at least 0; 1 unless told otherwise. */
+  v?: number;
+  /** Its turn rate, radians a second, counter-clockwise; pi / 4 unless told otherwise. */
+  w?: number;
+}
+
+/** What `new Trajectories` takes; `trajectoryOptions()` tells ranges and meanings. */
+export interface TrajectoryOptions {
+  /** An integer from 0 (default) to 2^53 - 1. */
+  seed?: number;
+  /** How particles move. */
+  model?: ParticleModel;
+  /** How many are accepted. */
+  count?: number;
+  /** Half the side of the square of starts, metres. */
+  half_side?: number;
+  /** First headings lie between minus this and this, radians. */
+  spread?: number;
+  /** The least speed, metres a second. */
+  slowest?: number;
+  /** The greatest speed, metres a second. */
+  fastest?: number;
+  /** The least turn rate, radians a second. */
+  least_turn_rate?: number;
+  /** The greatest turn rate, radians a second. */
+  greatest_turn_rate?: number;
+  /** How long every particle moves, seconds. */
+  duration?: number;
+  /** Whether a grid tells which earlier trajectories may be near; the result is the same. */
+  index?: "grid" | "none";
+  /** After how many tried the search gives up. */
+  max_iterations?: number;
+}
+
+/** What has come of many trajectories. */
+export interface TrajectoriesResult {
+  /** How particles move. */
+  model: ParticleModel;
+  /** The seed. */
+  seed: number;
+  /** Where it stands. */
+  status: Status;
+  /** How many were accepted. */
+  accepted: number;
+  /** How many were refused. */
+  refused: number;
+  /** How many were tried. */
+  iterations: number;
+  /** Pairs of boxes around trajectories that were compared. */
+  boxes: number;
+  /** Pairs of trajectories that were tested themselves. */
+  pairs: number;
+  /** Pairs of stretches looked at where closed forms do not serve. */
+  stretches: number;
+  /** 16 hexadecimal digits over all that was tried. */
   fingerprint: string;
 }
 

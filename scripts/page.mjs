@@ -1,6 +1,6 @@
 /** The page, built around the package: as files to be served, and as one file to be opened. */
 import { createHash } from "node:crypto";
-import { cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { basename, join, relative, sep } from "node:path";
 import { gzipSync } from "node:zlib";
@@ -8,9 +8,15 @@ import { requireFile, root } from "./run.mjs";
 
 const dist = join(root, "dist");
 
+/** The pages, in the order of the links between them; one that has no file yet is left out. The first is the planner's. */
+const PAGES = [["index", "Plan"], ["reach", "Reach"], ["neighbours", "Neighbours"], ["trajectories", "Trajectories"]];
+
 /**
  * Assembles the page around the package: a script for the page and one for its worker, each with the parts that are loaded when
  * they are asked for; the package stays a file of its own, the published one. The maps beside them lead back to the sources.
+ *
+ * Beside the planner's page stand rooms: `www/NAME.html` with `www/NAME/main.js`, `www/NAME/style.css` and, where there is one,
+ * `www/NAME/worker.js`. They share their parts with each other, and none with the planner's page, which opens with no more for them.
  */
 export function assemblePage() {
   const page = join(root, "www");
@@ -18,13 +24,16 @@ export function assemblePage() {
   requireFile(join(page, "index.html"));
   rmSync(out, { recursive: true, force: true });
   mkdirSync(join(out, "planarium"), { recursive: true });
-  for (const part of ["index.html", "icon.svg", "scenes"]) cpSync(join(page, part), join(out, part), { recursive: true });
+  for (const part of ["icon.svg", "scenes"]) cpSync(join(page, part), join(out, part), { recursive: true });
+  const pages = PAGES.filter(([name]) => existsSync(join(page, `${name}.html`)));
+  for (const [name] of pages) writeFileSync(join(out, `${name}.html`), linked(name, pages));
   cpSync(join(dist, "package", "planarium_bg.wasm"), join(out, "planarium", "planarium_bg.wasm"));
   const inParts = { outfile: undefined, outdir: out, splitting: true, chunkNames: "parts/[name]-[hash]" };
   joinModules(join(page, "style", "style.css"), join(out, "style.css"));
   joinModules(join(page, "main.js"), "", inParts);
   joinModules(join(page, "worker", "worker.js"), "", { ...inParts, alias: { planarium: "./planarium/planarium.js" }, external: ["./planarium/planarium.js"] });
   joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
+  assembleRooms(pages.slice(1).map(([name]) => name), inParts);
   const files = readdirSync(out, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile() && !entry.name.endsWith(".map"))
     .map((entry) => relative(out, join(entry.parentPath, entry.name)).split(sep).join("/"))
@@ -36,7 +45,32 @@ export function assemblePage() {
 }
 
 /**
- * The page as one single HTML file, `dist/planarium.html`, that runs from `file://` and in a sandboxed frame: the worker, the
+ * The scripts, workers and styles of the rooms, with one set of parts. An entry and a part lie equally deep, so that the package
+ * has the same address for both.
+ * @param {string[]} rooms
+ * @param {import("esbuild").BuildOptions} inParts
+ */
+function assembleRooms(rooms, inParts) {
+  if (rooms.length === 0) return;
+  const page = join(root, "www");
+  const entries = rooms.flatMap((name) => ["main.js", "worker.js"].map((file) => join(page, name, file))).filter((file) => existsSync(file));
+  joinModules("", "", { ...inParts, entryPoints: entries, outbase: page, alias: { planarium: "../planarium/planarium.js" }, external: ["../planarium/planarium.js"] });
+  for (const name of rooms) joinModules(join(page, name, "style.css"), join(dist, "page", name, "style.css"));
+}
+
+/** A page with what all rooms begin with and with the links to the others. @param {string} name @param {string[][]} pages  those that there are */
+function linked(name, pages) {
+  const page = join(root, "www");
+  const links = pages.map(([other, title]) => `<a href="${other === "index" ? "./" : `${other}.html`}"${other === name ? " aria-current=\"page\"" : ""}>${title}</a>`);
+  // Spaces between them: the planner's page is one of them only where there are others.
+  const nav = pages.length > 1 ? `<nav class="rooms" aria-label="Pages">${links.join(" ")}</nav>` : "";
+  return readFileSync(join(page, `${name}.html`), "utf8")
+    .replace("<!-- masthead -->", () => readFileSync(join(page, "room", "masthead.html"), "utf8").trim())
+    .replace("<!-- rooms -->", () => nav);
+}
+
+/**
+ * The page as one single HTML file, `dist/planarium.html`, that runs from `file://` and in a sandboxed frame: the worker and the
  * WebAssembly (gzip in base64), the scenes and the style are elements of it. Its policy names its script and style by their hashes.
  */
 export function assembleOneFile() {
@@ -54,14 +88,16 @@ export function assembleOneFile() {
   const style = text(join(made, "style.css"));
   const policy = `default-src 'none'; script-src ${hashOf(script)} 'wasm-unsafe-eval' blob:; worker-src blob:; style-src ${hashOf(style)}; img-src data: blob:`;
   const icon = `data:image/svg+xml;base64,${readFileSync(join(page, "icon.svg")).toString("base64")}`;
-  const core = gzipSync(readFileSync(join(dist, "package", "planarium_bg.wasm")), { level: 9 }).toString("base64");
+  const packed = (/** @type {string} */ path) => gzipSync(readFileSync(path), { level: 9 }).toString("base64");
   const scenes = readdirSync(join(page, "scenes")).filter((name) => name.endsWith(".json"));
-  const parts = [["core", core], ["worker", closed(text(join(made, "worker.js")))],
+  const parts = [["core", packed(join(dist, "package", "planarium_bg.wasm"))], ["worker", packed(join(made, "worker.js"))],
     ...scenes.map((name) => [`scene-${basename(name, ".json")}`, JSON.stringify(JSON.parse(text(join(page, "scenes", name))))])];
   const html = text(join(page, "index.html"))
     .replace(/<meta http-equiv="Content-Security-Policy"[^>]*>/, () => `<meta http-equiv="Content-Security-Policy" content="${policy}">`)
     .replace(/href="icon.svg"/, () => `href="${icon}"`)
     .replace(/ *<link rel="(preload|modulepreload)"[^>]*>\n/g, "")
+    // There is no other page beside a file on its own.
+    .replace(/ *<!-- rooms -->\n/, "")
     .replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${style}</style>`)
     .replace(/ *<script type="module"[^>]*><\/script>\n/, "")
     .replace("</body>", () => `${parts.map(([name, part]) => `<script type="text/plain" id="inline-${name}">${part}</script>`).join("\n")}

@@ -38,6 +38,8 @@ pub enum Code {
     StartInCollision,
     /// The goal of the query touches something.
     GoalInCollision,
+    /// The end effector cannot reach the target of the query.
+    TargetUnreachable,
     /// The scenario has no query of that name, or none at all.
     UnknownQuery,
     /// No planner has that id.
@@ -62,7 +64,7 @@ pub enum Code {
 
 impl Code {
     /// Every code, in the order of their declaration.
-    pub const ALL: [Code; 26] = [
+    pub const ALL: [Code; 27] = [
         Code::InvalidJson,
         Code::UnknownFormat,
         Code::UnknownField,
@@ -79,6 +81,7 @@ impl Code {
         Code::TooLarge,
         Code::StartInCollision,
         Code::GoalInCollision,
+        Code::TargetUnreachable,
         Code::UnknownQuery,
         Code::UnknownPlanner,
         Code::UnknownParameter,
@@ -110,6 +113,7 @@ impl Code {
             Code::TooLarge => "too-large",
             Code::StartInCollision => "start-in-collision",
             Code::GoalInCollision => "goal-in-collision",
+            Code::TargetUnreachable => "target-unreachable",
             Code::UnknownQuery => "unknown-query",
             Code::UnknownPlanner => "unknown-planner",
             Code::UnknownParameter => "unknown-parameter",
@@ -144,6 +148,7 @@ impl Code {
             Code::TooLarge => "More obstacles or vertices than the limits allow.",
             Code::StartInCollision => "The start of the query touches something.",
             Code::GoalInCollision => "The goal of the query touches something.",
+            Code::TargetUnreachable => "The end effector cannot reach the target of the query.",
             Code::UnknownQuery => "The scenario has no query of that name, or none at all.",
             Code::UnknownPlanner => "No planner has that id.",
             Code::UnknownParameter => "There is no parameter of that name.",

@@ -1,13 +1,20 @@
 //! Questions about a scenario outside any run: is a configuration free and why not, where is the robot, what does its
 //! configuration space look like. For viewers; planners ask through [`Validity`].
 
+mod configuration;
+mod samples;
+
+pub use configuration::Configurations;
+pub(crate) use configuration::space_of;
+pub use samples::MAX_SAMPLES;
+
 use crate::collision::{ArmValidity, BodyCollision, BodyValidity, DiscValidity, joint_space, placements, plane};
 use crate::decimal::Decimal;
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Point};
 use crate::planner::DEFAULT_TOLERANCE;
 use crate::robot::Part;
-use crate::scenario::{LARGEST, Obstacle, Robot, Scenario};
+use crate::scenario::{Obstacle, Robot, Scenario};
 use crate::space::{MAX_DIMENSION, Metric, MotionSpace, Space, Torus};
 use crate::validity::{Contact, Validity};
 use std::rc::Rc;
@@ -20,6 +27,7 @@ pub const MAX_CELLS: usize = 4096;
 /// within the joint limits as well. Motions are judged with the default tolerance, which a run may refine.
 pub struct Inspector {
     robot: Robot,
+    configurations: Configurations,
     space: Torus<MAX_DIMENSION>,
     validity: Box<dyn Validity<[f64; MAX_DIMENSION]>>,
     extent: Aabb,
@@ -44,7 +52,7 @@ impl Inspector {
                 (space.clone(), Box::new(BodyValidity::new(MotionSpace::new(space), Rc::new(collision))))
             }
         };
-        Self { robot, space, validity, extent: extent(scenario) }
+        Self { robot, configurations: Configurations::of(scenario), space, validity, extent: extent(scenario) }
     }
 
     /// How many numbers a configuration has.
@@ -67,7 +75,7 @@ impl Inspector {
     /// # Errors
     /// Of the configuration: see [`Inspector`].
     pub fn check(&self, q: &[f64]) -> Result<Vec<Contact>, Error> {
-        self.refuse_configuration(q, "")?;
+        self.configurations.refuse(q, "")?;
         Ok(self.validity.contacts(&self.space.state(q)))
     }
 
@@ -76,7 +84,7 @@ impl Inspector {
     /// # Errors
     /// Of the configuration: see [`Inspector`].
     pub fn footprint(&self, q: &[f64]) -> Result<Vec<Part>, Error> {
-        self.refuse_configuration(q, "")?;
+        self.configurations.refuse(q, "")?;
         Ok(self.robot.footprint(q))
     }
 
@@ -85,7 +93,7 @@ impl Inspector {
     /// # Errors
     /// Of the configuration: see [`Inspector`].
     pub fn end_effector(&self, q: &[f64]) -> Result<Point, Error> {
-        self.refuse_configuration(q, "")?;
+        self.configurations.refuse(q, "")?;
         Ok(match &self.robot {
             Robot::Arm(arm) => arm.end_effector(q),
             Robot::Disc(_) | Robot::RigidBody(_) | Robot::Car(_) => Point::new(q[0], q[1]),
@@ -163,41 +171,8 @@ impl Inspector {
 
     /// Refuses ends that are no configurations, or lie outside the joint limits.
     fn refuse_motion(&self, a: &[f64], b: &[f64]) -> Result<(), Error> {
-        for (q, pointer) in [(a, "/a"), (b, "/b")] {
-            self.refuse_configuration(q, pointer)?;
-            if !matches!(self.robot, Robot::Arm(_)) {
-                continue;
-            }
-            for (i, angle) in q.iter().enumerate().filter(|(i, _)| !self.space.is_circle(*i)) {
-                let [low, high] = self.space.range(i);
-                if !(low..=high).contains(angle) {
-                    let [low, high, angle] = [low, high, *angle].map(Decimal);
-                    let sentence = format!("joint {i} must lie within its limits [{low}, {high}], not {angle}");
-                    return Err(Error::new(Code::OutOfRange, format!("{pointer}/{i}"), sentence));
-                }
-            }
-        }
-        Ok(())
-    }
-
-    fn refuse_configuration(&self, q: &[f64], pointer: &str) -> Result<(), Error> {
-        if q.len() != self.dimension() {
-            let sentence = format!("a configuration of this robot has {} numbers, not {}", self.dimension(), q.len());
-            return Err(Error::new(Code::WrongDimension, pointer, sentence));
-        }
-        for (i, &value) in q.iter().enumerate() {
-            let pointer = format!("{pointer}/{i}");
-            if !value.is_finite() {
-                let sentence = format!("a configuration holds finite numbers, not {}", Decimal(value));
-                return Err(Error::new(Code::NotFinite, pointer, sentence));
-            }
-            if value.abs() > LARGEST {
-                let [most, value] = [LARGEST, value].map(Decimal);
-                let sentence = format!("a configuration holds numbers within [-{most}, {most}], not {value}");
-                return Err(Error::new(Code::OutOfRange, pointer, sentence));
-            }
-        }
-        Ok(())
+        self.configurations.refuse_outside(a, "/a")?;
+        self.configurations.refuse_outside(b, "/b")
     }
 }
 

@@ -9,15 +9,18 @@
 //! - [`run::start`] begins a run behind one face, [`run::Run`]; [`run::planners`] lists planners and their parameters;
 //! - [`kept::RoadmapDocument`] keeps a built roadmap, [`run::resume`] goes on asking it;
 //! - [`inspect::Inspector`] answers what a viewer asks;
+//! - [`neighbours::index`] finds the nearest of many configurations;
 //! - [`drive::Drive`] puts a car under a driver's hand, [`drive::rollout`] tells where one control leads;
 //! - [`reach::Reach`] finds joint angles that bring an arm's tip to a target, [`reach::follow`] has it follow a hand;
+//! - [`fleet::Trajectories`] adds trajectories that do not cross, one by one;
 //! - [`path::verify()`] judges a finished path by an independent route.
 //!
 //! # The house, and the rule of its arrows
 //! From the ground up: [`decimal`], [`error`], [`order`], [`json`], [`parameters`], [`stats`], [`status`], [`phase`],
 //! [`random`], [`geometry`], [`validity`]; on them [`control`], [`steering`], [`space`] and [`robot`]; on those [`scenario`],
-//! [`collision`], [`problem`] and [`result`]; then [`graph`], [`nearest`], [`sampling`], [`kept`], [`path`], [`drive`] and
-//! [`reach`]; then [`planner`]; then [`run`] and [`inspect`]; and last the bindings and the command line. A room names only rooms below
+//! [`collision`], [`problem`] and [`result`]; then [`graph`], [`nearest`], [`sampling`], [`kept`], [`path`], [`drive`],
+//! [`reach`] and [`fleet`]; then [`planner`]; then [`run`] and [`inspect`]; on that [`neighbours`]; and last the bindings and
+//! the command line. A room names only rooms below
 //! it: a planner sees a space and the traits [`validity::Validity`] and [`control::Dynamics`], never a robot, a scenario or a
 //! shape. The core reads no clock, prints nothing, keeps no global and calls nothing back. A test holds this against the code.
 #![deny(missing_docs)]
@@ -31,12 +34,14 @@ pub mod control;
 pub mod decimal;
 pub mod drive;
 pub mod error;
+pub mod fleet;
 pub mod geometry;
 pub mod graph;
 pub mod inspect;
 pub mod json;
 pub mod kept;
 pub mod nearest;
+pub mod neighbours;
 pub mod order;
 pub mod parameters;
 pub mod path;

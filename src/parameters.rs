@@ -55,7 +55,7 @@ pub struct ParameterInfo {
     pub default: Fallback,
     /// What it means, in one sentence.
     pub meaning: &'static str,
-    /// The types of robots that it is for, as in documents; of others it says nothing.
+    /// The types of robots that it is for, as in documents; of others it says nothing. Empty where there is no robot.
     pub robots: &'static [&'static str],
 }
 

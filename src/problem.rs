@@ -23,6 +23,8 @@ pub struct Problem<S: Space> {
     validity: Box<dyn Validity<S::State>>,
     start: S::State,
     goal: S::State,
+    /// Other states that are as good as the goal.
+    other_goals: Vec<S::State>,
     end_effector: Option<Estimate<S::State>>,
     goal_region: Option<GoalRegion<S::State>>,
     dynamics: Option<Box<dyn Dynamics<S::State>>>,
@@ -39,7 +41,16 @@ impl<S: Space> Problem<S> {
         start: S::State,
         goal: S::State,
     ) -> Result<Self, Error> {
-        let problem = Self { space, validity, start, goal, end_effector: None, goal_region: None, dynamics: None };
+        let problem = Self {
+            space,
+            validity,
+            start,
+            goal,
+            other_goals: Vec::new(),
+            end_effector: None,
+            goal_region: None,
+            dynamics: None,
+        };
         problem.check_ends(&start, &goal)?;
         Ok(problem)
     }
@@ -48,6 +59,12 @@ impl<S: Space> Problem<S> {
     #[must_use]
     pub fn with_end_effector(self, estimate: Estimate<S::State>) -> Self {
         Self { end_effector: Some(estimate), ..self }
+    }
+
+    /// The same with more states to reach any one of: as good as the goal, and free.
+    #[must_use]
+    pub fn with_other_goals(self, other_goals: Vec<S::State>) -> Self {
+        Self { other_goals, ..self }
     }
 
     /// The same with a region about the goal.
@@ -96,14 +113,35 @@ impl<S: Space> Problem<S> {
         &self.start
     }
 
-    /// Where the motion is to end.
+    /// Where the motion is to end; the first such state where there are several.
     pub fn goal(&self) -> &S::State {
         &self.goal
     }
 
-    /// Whether the state is as good as the goal: within the region about it, or the goal itself where there is none.
+    /// Every state where the motion may end, one at least.
+    pub fn goals(&self) -> impl ExactSizeIterator<Item = &S::State> {
+        (0..self.other_goals.len() + 1).map(|i| if i == 0 { &self.goal } else { &self.other_goals[i - 1] })
+    }
+
+    /// One goal after another, by turns.
+    pub fn goal_in_turn(&self, turn: usize) -> &S::State {
+        match turn % (self.other_goals.len() + 1) {
+            0 => &self.goal,
+            i => &self.other_goals[i - 1],
+        }
+    }
+
+    /// How far the nearest goal is, in the metric of the space.
+    pub fn distance_to_goal(&self, state: &S::State) -> f64 {
+        self.goals().map(|goal| self.space.distance(state, goal)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether the state is as good as the goal: within the region about it, or one of the goals where there is none.
     pub fn is_goal(&self, state: &S::State) -> bool {
-        self.goal_region.as_ref().map_or(state == &self.goal, |region| (region.contains)(state))
+        match &self.goal_region {
+            Some(region) => (region.contains)(state),
+            None => self.goals().any(|goal| goal == state),
+        }
     }
 
     /// How far from the goal, in the metric of the space, [`Problem::is_goal`] may still hold.

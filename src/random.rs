@@ -26,6 +26,8 @@ pub enum Stream {
     Controls = 5,
     /// Where a search for joint angles starts anew.
     Starts = 6,
+    /// Which trajectories of particles are tried.
+    Particles = 7,
 }
 
 /// A stream of random numbers.

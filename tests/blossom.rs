@@ -67,7 +67,8 @@ fn of_a_blossom_the_one_that_comes_closest_is_kept() {
     let world = car_shut_in(0.1);
     let (car, bounds) = (car(&world), world.world().bounds.expect("a box"));
     let space = MotionSpace::new(placements(car.shape(), car.weights(), &bounds));
-    let [start, goal] = [&world.queries()[0].start, &world.queries()[0].goal].map(|q| space.state(q));
+    let [start, goal] =
+        [&world.queries()[0].start, world.queries()[0].configuration().unwrap()].map(|q| space.state(q));
     let collision = Rc::new(BodyCollision::new(car.shape(), world.world(), 1e-4));
     let driving = || Driving::new(car, space.clone(), Rc::clone(&collision), Integration::Exact);
     let oracle = driving();

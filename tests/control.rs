@@ -150,7 +150,7 @@ fn six_controls_are_all_kept_and_vertices_grow_once() {
 #[wasm_bindgen_test(unsupported = test)]
 fn of_the_vertices_that_have_not_grown_the_nearest_does() {
     let world = car_shut_in(0.1);
-    let goal = [0, 1, 2].map(|i| world.queries()[0].goal[i]);
+    let goal = [0, 1, 2].map(|i| world.queries()[0].configuration().unwrap()[i]);
     // Always towards the goal, so that the sample is known.
     let settings = "controls=reeds-shepp duration_steps=40 once=true goal_bias=1 max_iterations=300";
     let mut run = begin_with(&world, "rrt-control", 1, settings);
@@ -222,8 +222,8 @@ fn durations_shrink_near_the_goal() {
     document["queries"][0]["goal"] = serde_json::json!([0.5, 1.2, 0.5]);
     document["queries"][0]["goal_tolerance"] = serde_json::json!({ "translation": 0, "rotation": 0 });
     let near = parse(&document.to_string());
-    let goal = &near.queries()[0].goal;
-    assert_ne!(goal, &query.goal);
+    let goal = near.queries()[0].configuration().unwrap();
+    assert_ne!(Some(goal), query.configuration());
     let run = finish(begin_with(
         &near,
         "rrt-control",

@@ -141,8 +141,11 @@ fn another_query_of_the_same_world_is_joined_and_proven() {
             let joined = document.vertex_count() + if both { 2 } else { 1 };
             assert_eq!((run.vertex_count(), run.status()), (joined, Status::Solved), "seed {seed}");
             let query = &other.queries()[0];
-            assert_eq!((&run.path()[0], run.path().last()), (&query.start, Some(&query.goal)));
-            assert_eq!(run.vertices_since(0)[..4], [&query.start[..], &query.goal].concat());
+            assert_eq!(
+                (&run.path()[0], run.path().last()),
+                (&query.start, query.configuration().map(<[f64]>::to_vec).as_ref())
+            );
+            assert_eq!(run.vertices_since(0)[..4], [&query.start[..], query.configuration().unwrap()].concat());
             let verdict = planarium::path::verify(&other, &run.result()).expect("of this scenario");
             assert!(matches!(verdict, planarium::path::Verdict::Valid { .. }), "{verdict:?}");
             let mut edges: Vec<_> = run.roadmap().expect("a roadmap").edges;

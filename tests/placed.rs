@@ -16,7 +16,7 @@ fn a_document_becomes_a_body_or_a_car_and_is_written_again() {
     assert_eq!((body.shape().vertices().len(), body.shape().is_convex()), (5, false));
     assert_eq!(body.weights(), Weights { translation: 0.7, rotation: 0.3 });
     let query = &scenario.queries()[0];
-    assert_eq!(query.goal, [1.8, 1.8, 7.0], "angles are kept as they are written");
+    assert_eq!(query.configuration(), Some(&[1.8, 1.8, 7.0][..]), "angles are kept as they are written");
     assert_eq!(query.goal_tolerance, Some(GoalTolerance { translation: 0.1, rotation: 0.5 }));
     let scenario = Scenario::parse(CAR).unwrap();
     let Robot::Car(car) = scenario.robot() else { panic!("a car") };

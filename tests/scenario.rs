@@ -3,8 +3,10 @@
 #[path = "common/documents.rs"]
 mod documents;
 
-use documents::{ARM, DISC, refusal, with};
-use planarium::scenario::{FORMAT, LARGEST, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Robot, Scenario};
+use documents::{ARM, BODY, CAR, DISC, refusal, with};
+use planarium::geometry::Point;
+use planarium::robot::Target;
+use planarium::scenario::{FORMAT, Goal, LARGEST, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Robot, Scenario};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// Replacement for a piece of a document; the code, the pointer, and a part of the sentence that must come of it.
@@ -28,7 +30,7 @@ fn a_document_becomes_a_scenario() {
     assert_eq!((arm.links(), arm.radius(), arm.reach()), (&[1.0, 0.5][..], 0.05, 1.5));
     assert_eq!(arm.joint_limits(), Some(&[[-1.0, 1.0], [-2.0, 2.0]][..]));
     assert_eq!(scenario.world().obstacles.len(), 2);
-    assert_eq!(scenario.queries()[1].goal, [0.0, 1.0]);
+    assert_eq!(scenario.queries()[1].configuration(), Some(&[0.0, 1.0][..]));
     let scenario = Scenario::parse(DISC).unwrap();
     let Robot::Disc(disc) = scenario.robot() else { panic!("a disc") };
     assert_eq!((disc.radius(), scenario.robot().dimension()), (0.1, 2));
@@ -110,7 +112,7 @@ fn what_the_contract_does_not_know_is_refused() {
             (r#""center""#, r#""centre""#, "unknown-field", "/world/obstacles/0/centre", "centre"),
             (r#""vertices""#, r#""closed": true, "vertices""#, "unknown-field", "/world/obstacles/1/closed", "closed"),
             (r#""links""#, r#""a/b~c": 1, "links""#, "unknown-field", "/robot/a~1b~0c", "a/b~c"),
-            (r#""start""#, r#""from""#, "unknown-field", "/queries/0/from", "known are name, start, goal"),
+            (r#""start""#, r#""from""#, "unknown-field", "/queries/0/from", "known are name, start, goal, target"),
             (
                 r#""start""#,
                 r#""goal_tolerance": {"translation": 0.1, "rotation": 0.5}, "start""#,
@@ -463,5 +465,48 @@ mod native {
             let _ = Scenario::parse(&format!("{}{insert}", &ARM[..cut]));
             let _ = Node::parse(&insert);
         }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_query_may_ask_for_a_place_of_the_end_effector() {
+    let target = r#""target": {"point": [1, 0.5], "orientation": 7}"#;
+    let reaching = with(ARM, r#""goal": [1, 2]"#, target);
+    let scenario = Scenario::parse(&reaching).unwrap();
+    let wanted = Target { point: Point::new(1.0, 0.5), orientation: Some(7.0) };
+    assert_eq!((&scenario.queries()[0].goal, scenario.queries()[0].configuration()), (&Goal::Target(wanted), None));
+    let written = scenario.to_json_string();
+    assert!(written.contains(r#""start":[-1,0],"target":{"point":[1,0.5],"orientation":7}}"#), "{written}");
+    assert_eq!(Scenario::parse(&written).unwrap(), scenario);
+    let at = "/queries/0/target";
+    check_refusals(
+        &reaching,
+        &[
+            (r#""target""#, r#""goal": [0, 0], "target""#, "unknown-field", at, "a goal or a target, not both"),
+            (r#""point": [1, 0.5], "#, "", "missing-field", "/queries/0/target/point", "point"),
+            (r#""point": [1, 0.5]"#, r#""point": [1]"#, "wrong-dimension", "/queries/0/target/point", "2"),
+            (r#""orientation": 7"#, r#""orientation": "up""#, "wrong-type", "/queries/0/target/orientation", "number"),
+            (
+                r#""orientation": 7"#,
+                r#""orientation": 2e6"#,
+                "out-of-range",
+                "/queries/0/target/orientation",
+                "2000000",
+            ),
+            (
+                r#""orientation""#,
+                r#""angle""#,
+                "unknown-field",
+                "/queries/0/target/angle",
+                "known are point, orientation",
+            ),
+        ],
+    );
+    let why = "a target is for the end effector of an arm";
+    for document in [DISC, BODY, CAR] {
+        check_refusals(
+            document,
+            &[(r#""start""#, r#""target": {"point": [1, 1]}, "start""#, "unknown-field", at, why)],
+        );
     }
 }

@@ -87,6 +87,12 @@ fn disc() -> Value {
     document
 }
 
+fn reaching() -> Value {
+    let mut document = arm();
+    document["queries"][0] = json!({"name": "q", "start": [-1, 0], "target": {"point": [1, 0.5], "orientation": 0.25}});
+    document
+}
+
 fn body() -> Value {
     serde_json::from_str(documents::BODY).unwrap()
 }
@@ -122,7 +128,7 @@ fn objects(value: &Value, pointer: String, found: &mut Vec<String>) {
 #[test]
 fn schema_and_parser_know_and_require_the_same_fields() {
     let mut removed = [0, 0];
-    for (document, count) in [(arm(), 7), (disc(), 7), (body(), 9), (car(), 9)] {
+    for (document, count) in [(arm(), 7), (reaching(), 8), (disc(), 7), (body(), 9), (car(), 9)] {
         assert!(is_valid(&document));
         Scenario::parse(&document.to_string()).unwrap();
         let mut places = Vec::new();
@@ -146,12 +152,15 @@ fn schema_and_parser_know_and_require_the_same_fields() {
             }
         }
     }
-    // Optional: the title four times, bounds, radius and limits of the arm, metric and region of body and car, the car's step.
-    assert_eq!(removed[1], 12);
+    // Optional: the title five times, the bounds of the arm, its radius and limits twice, the orientation of a target, metric
+    // and region of body and car, the car's step.
+    assert_eq!(removed[1], 16);
     assert!(removed[0] > 25);
     // Every property of the schema stands in one of the documents.
     let mut known = std::collections::BTreeSet::new();
-    for place in ["", "/$defs/World", "/$defs/Bounds", "/$defs/Query", "/$defs/Metric", "/$defs/GoalTolerance"] {
+    for place in
+        ["", "/$defs/World", "/$defs/Bounds", "/$defs/Query", "/$defs/Target", "/$defs/Metric", "/$defs/GoalTolerance"]
+    {
         known.extend(schema().pointer(&format!("{place}/properties")).unwrap().as_object().unwrap().keys().cloned());
     }
     for union in ["Obstacle", "Robot"] {
@@ -159,7 +168,7 @@ fn schema_and_parser_know_and_require_the_same_fields() {
             known.extend(one["properties"].as_object().unwrap().keys().cloned());
         }
     }
-    let mentioned = format!("{}{}{}{}", arm(), disc(), body(), car());
+    let mentioned = format!("{}{}{}{}{}", arm(), reaching(), disc(), body(), car());
     for name in known {
         assert!(mentioned.contains(&format!("{name:?}:")), "{name}");
     }

@@ -95,12 +95,13 @@ fn every_search_finds_the_best_path_by_its_own_measure_and_only_where_there_is_o
         let to_goal = |v| world.length(v, goal);
         // Admissible but inconsistent: full strength at some vertices, nothing at others.
         let patchy = |v: VertexId| if v.0.is_multiple_of(3) { world.length(v, goal) } else { 0.0 };
-        let (dijkstra, plain) = walk(&mut BestFirst::new(n, START, goal), &world, &metric, &none);
-        let (a_star, guided) = walk(&mut BestFirst::new(n, START, goal), &world, &metric, &to_goal);
-        let (reopening, _) = walk(&mut BestFirst::new(n, START, goal), &world, &metric, &patchy);
-        let (breadth, one_sided) = walk(&mut BreadthFirst::new(n, START, goal), &world, &metric, &none);
-        let (both, two_sided) = walk(&mut Bidirectional::new(n, START, goal), &world, &metric, &none);
-        let (hopping, _) = walk(&mut BestFirst::new(n, START, goal), &world, &hops, &none);
+        let goals = goal..VertexId(n as u32);
+        let (dijkstra, plain) = walk(&mut BestFirst::new(n, START, goals.clone()), &world, &metric, &none);
+        let (a_star, guided) = walk(&mut BestFirst::new(n, START, goals.clone()), &world, &metric, &to_goal);
+        let (reopening, _) = walk(&mut BestFirst::new(n, START, goals.clone()), &world, &metric, &patchy);
+        let (breadth, one_sided) = walk(&mut BreadthFirst::new(n, START, goals.clone()), &world, &metric, &none);
+        let (both, two_sided) = walk(&mut Bidirectional::new(n, START, goals.clone()), &world, &metric, &none);
+        let (hopping, _) = walk(&mut BestFirst::new(n, START, goals.clone()), &world, &hops, &none);
         let paths = [&dijkstra, &a_star, &reopening, &breadth, &both, &hopping];
         if shortest.is_infinite() {
             assert!(paths.iter().all(|path| path.is_empty()), "seed {seed}: no search finds what is not there");
@@ -126,14 +127,52 @@ fn every_search_finds_the_best_path_by_its_own_measure_and_only_where_there_is_o
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn of_several_goals_the_best_is_found() {
+    let mut reachable = 0;
+    for seed in 0..1000 {
+        let world = World::new(seed);
+        let n = world.points.len();
+        let first = 1 + seed as usize % (n - 1);
+        let goals = VertexId(first as u32)..VertexId(n as u32);
+        let metric = |a, b| world.length(a, b);
+        let hops = |_: VertexId, _: VertexId| 1.0;
+        let best = |costs: Vec<f64>| costs[first..].iter().copied().fold(f64::INFINITY, f64::min);
+        let (shortest, fewest) = (best(world.costs(metric)), best(world.costs(hops)));
+        let nearest = |v| (first..n).map(|goal| world.length(v, VertexId(goal as u32))).fold(f64::INFINITY, f64::min);
+        let none = |_: VertexId| 0.0;
+        let (dijkstra, _) = walk(&mut BestFirst::new(n, START, goals.clone()), &world, &metric, &none);
+        let (a_star, _) = walk(&mut BestFirst::new(n, START, goals.clone()), &world, &metric, &nearest);
+        let (breadth, _) = walk(&mut BreadthFirst::new(n, START, goals.clone()), &world, &metric, &none);
+        let (both, _) = walk(&mut Bidirectional::new(n, START, goals.clone()), &world, &metric, &none);
+        for path in [&dijkstra, &a_star, &breadth, &both] {
+            assert_eq!(path.is_empty(), shortest.is_infinite(), "seed {seed}");
+        }
+        if shortest.is_infinite() {
+            continue;
+        }
+        reachable += 1;
+        for path in [&dijkstra, &a_star, &breadth, &both] {
+            assert!(path[0] == START && goals.contains(&path[path.len() - 1]), "seed {seed}: {path:?}");
+        }
+        for path in [&dijkstra, &a_star] {
+            assert!((cost_of(&world, path, metric) - shortest).abs() <= 1e-12, "seed {seed}");
+        }
+        for path in [&breadth, &both] {
+            assert_eq!(cost_of(&world, path, hops), fewest, "seed {seed}");
+        }
+    }
+    assert!(reachable > 400, "{reachable} of 1000 graphs lead to a goal");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn a_search_from_a_vertex_to_itself_is_over_at_once() {
     let world = World { points: vec![[0.0; 2]; 2], edges: vec![[VertexId(0), VertexId(1)]] };
     let cost = |_: VertexId, _: VertexId| 1.0;
     let none = |_: VertexId| 0.0;
     let walkers: [Box<dyn Walker>; 3] = [
-        Box::new(BestFirst::new(2, START, START)),
-        Box::new(BreadthFirst::new(2, START, START)),
-        Box::new(Bidirectional::new(2, START, START)),
+        Box::new(BestFirst::new(2, START, START..VertexId(1))),
+        Box::new(BreadthFirst::new(2, START, START..VertexId(1))),
+        Box::new(Bidirectional::new(2, START, START..VertexId(1))),
     ];
     for mut walker in walkers {
         assert_eq!(walk(walker.as_mut(), &world, &cost, &none), (vec![START], 0));
@@ -185,11 +224,12 @@ fn searches_follow_edges_that_lead_one_way() {
             Adjacency::directed(n, &world.edges[..world.edges.len() / 2], &world.edges[world.edges.len() / 2..]);
         let none = |_: VertexId| 0.0;
         let to_goal = |v| world.length(v, goal);
+        let goals = goal..VertexId(n as u32);
         let walkers: [Box<dyn Walker>; 4] = [
-            Box::new(BestFirst::new(n, START, goal)),
-            Box::new(BestFirst::new(n, START, goal)),
-            Box::new(BreadthFirst::new(n, START, goal)),
-            Box::new(Bidirectional::new(n, START, goal)),
+            Box::new(BestFirst::new(n, START, goals.clone())),
+            Box::new(BestFirst::new(n, START, goals.clone())),
+            Box::new(BreadthFirst::new(n, START, goals.clone())),
+            Box::new(Bidirectional::new(n, START, goals.clone())),
         ];
         reachable += usize::from(shortest.is_finite());
         only_back += usize::from(shortest.is_infinite() && world.costs(hops)[goal.index()].is_finite());

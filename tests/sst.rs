@@ -126,7 +126,7 @@ fn the_cheapest_vertex_about_the_sample_grows() {
     document["queries"][0]["goal"] = serde_json::json!([0.5, 1.2, 0.5]);
     document["queries"][0]["goal_tolerance"] = serde_json::json!({ "translation": 0, "rotation": 0 });
     let world = parse(&document.to_string());
-    let goal = [0, 1, 2].map(|i| world.queries()[0].goal[i]);
+    let goal = [0, 1, 2].map(|i| world.queries()[0].configuration().unwrap()[i]);
     let (mut by_cost, mut by_distance) = (0, 0);
     // Always towards the goal, so that the sample is known.
     let settings = "goal_bias=1 duration_steps=60 pruning_radius=0.05 selection_radius=0.6 max_iterations=1000";

@@ -80,6 +80,15 @@ export const LESSONS = [
     ],
   },
   {
+    id: "reach", title: "A place, not a pose",
+    steps: [
+      { scene: "pick", iteration: 0, text: "The crosshair is where the hand is to be. Eight faint poses put it there: inverse kinematics has found them." },
+      { text: "Each of them is a root of the second tree. Whichever the first tree meets is the goal: 254 iterations." },
+      { algorithm: "prm", settings: { samples: 260, k: 9, seed: 0 }, text: "In a map all eight are vertices, and one search ends at the one that is nearest along the map." },
+      { algorithm: "rrt", settings: { step: 0.3, seed: 3 }, iteration: 1441, text: "One tree reaches for each in turn. It takes 1,441 iterations, as a goal in a shelf is hard to come upon." },
+    ],
+  },
+  {
     id: "wheels", title: "What wheels can do",
     steps: [
       { scene: "turn", text: "A car goes where its wheels point. Its edges are Reeds-Shepp curves: the shortest there are, forward and backward." },

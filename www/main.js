@@ -32,6 +32,7 @@ import { showSceneOptions } from "./controls/scene-options.js";
 import { watchTheme } from "./controls/theme.js";
 import { watchReadout } from "./controls/readout.js";
 import { Transport } from "./controls/transport.js";
+import { keepForLater } from "./keep.js";
 import { Page } from "./page.js";
 import { Part } from "./part.js";
 import { loadCore, makeWorker } from "./resources.js";
@@ -56,14 +57,9 @@ try {
   notice.show("Planarium could not start: it needs a browser with WebAssembly, and its own files beside this page.", error);
 }
 
-/** Has the page's files kept, so that it opens without a network too; a page that may not keep anything does without. */
-function keepForLater() {
-  if (location.protocol.startsWith("http")) navigator.serviceWorker?.register("offline.js").catch(() => {});
-}
-
 async function start() {
   const core = loadCore();
-  const studio = new Studio(makeWorker(), (error) => notice.show("Something went wrong.", error));
+  const studio = new Studio(await makeWorker(), (error) => notice.show("Something went wrong.", error));
   const { planners, generators } = await studio.ask("start", [await core]);
 
   const story = byId("story", HTMLElement);

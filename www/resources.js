@@ -1,16 +1,16 @@
 /**
  * Where the page's parts come from: files beside it, or, where the page is one single file, elements inside it.
- * Inline parts are `<script type="text/plain" id="inline-NAME">`; bytes are gzip in base64.
+ * Inline parts are `<script type="text/plain" id="inline-NAME">`; what is large is gzip in base64.
  */
 
 /** @param {string} name */
 function inline(name) { return document.getElementById(`inline-${name}`)?.textContent ?? null; }
 
-/** The worker that plans and draws. @returns {Worker} */
-export function makeWorker() {
-  const text = inline("worker");
-  if (text === null) return new Worker("worker.js", { type: "module" });
-  return new Worker(URL.createObjectURL(new Blob([text], { type: "text/javascript" })));
+/** The worker that plans and draws. @returns {Promise<Worker>} */
+export async function makeWorker() {
+  const packed = inline("worker");
+  if (packed === null) return new Worker("worker.js", { type: "module" });
+  return new Worker(URL.createObjectURL(new Blob([await unpacked(packed)], { type: "text/javascript" })));
 }
 
 /** The WebAssembly, compiled. @returns {Promise<WebAssembly.Module>} */

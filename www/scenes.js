@@ -79,6 +79,10 @@ export const SCENES = [
     story: "Two trees thread six links through both doors; then shortcuts calm the wild path.",
   },
   {
+    id: "pick", title: "Pick from the shelf", algorithm: "rrt-connect", pace: 25, settings: { step: 0.3, seed: 3 },
+    story: "The crosshair says where the hand must be, not how: any of the faint poses will do.",
+  },
+  {
     id: "rings", title: "A disc in the rings", algorithm: "prm", pace: 300, settings: { samples: 900, k: 9, seed: 14 },
     story: "Every line is a way that the whole disc fits through; one leads inwards, gate by gate.",
   },

@@ -10,6 +10,8 @@
  * @typedef {import("planarium").ScenarioDocument} ScenarioDocument
  * @typedef {import("planarium").ResultDocument} ResultDocument
  * @typedef {import("planarium").Obstacle} Obstacle
+ * @typedef {import("planarium").Query} Query
+ * @typedef {import("planarium").Target} Target   of an end effector
  * @typedef {import("planarium").Configuration} Configuration   one number a degree of freedom
  * @typedef {import("planarium").Check} Check   which part touches what
  * @typedef {import("planarium").Box} Box
@@ -64,7 +66,7 @@
  *
  * @typedef {"select" | "disc" | "rectangle" | "polygon"} EditTool
  * @typedef {["turn", boolean] | ["use", EditTool] | ["select" | "pick", -1 | 1] | ["nudge", number, number, boolean] | ["set", number, number]
- *   | ["go", -1 | 1] | ["insert" | "remove" | "duplicate" | "enter" | "cancel" | "revert"]} EditOrder   a method of the worker's editor, and what it takes
+ *   | ["go", -1 | 1] | ["insert" | "remove" | "duplicate" | "retarget" | "enter" | "cancel" | "revert"]} EditOrder   a method of the worker's editor, and what it takes
  *
  * @typedef {["turn", boolean, boolean, number] | ["press", import("planarium").DriveKey, number] | ["setByKeys", boolean, number] | ["pause" | "anew", number]
  *   | ["replay", import("planarium").KeyPress[] | null, number, number] | ["roll", number, number, number] | ["record"]} DriveOrder   a method of the worker's driving; moments are milliseconds since the epoch
@@ -161,8 +163,9 @@
  * @typedef {object} EditState
  * @property {EditTool} tool
  * @property {"" | "end" | "disc" | "polygon"} kind   of what is selected; an end is start or goal
+ * @property {"" | "pose" | "target"} goal   of an arm, where that is selected: one pose, or any that reaches a point
  * @property {string} title      of what is selected
- * @property {number} parts      its vertices or joints
+ * @property {number} parts      its vertices, or its joints and end effector
  * @property {number | null} part
  * @property {Field[]} fields
  * @property {string} said       what was done last

@@ -74,7 +74,7 @@ export function writeWorlds(Scenario, { name, generator, options }, count, folde
  */
 export function flat({ world, robot, queries: [query] }) {
   /** @type {(string | number)[][]} */
-  const items = [...machine(robot), ["start", ...query.start], ["goal", ...query.goal]];
+  const items = [...machine(robot), ["start", ...query.start], ["goal", ...(query.goal ?? [])]];
   if (query.goal_tolerance) items.push(["tolerance", query.goal_tolerance.translation, query.goal_tolerance.rotation]);
   if (world.bounds) items.push(["bounds", ...world.bounds.min, ...world.bounds.max]);
   for (const obstacle of world.obstacles) {

@@ -38,26 +38,89 @@ pub(super) fn cursor(value: f64, length: usize) -> Result<usize, JsValue> {
     Ok(row as usize)
 }
 
+/// The fields of an object in JSON text.
+fn fields(text: &str) -> Result<Vec<(String, Node)>, Error> {
+    match Node::parse(text)? {
+        Node::Object(fields) => Ok(fields),
+        _ => Err(Error::new(Code::WrongType, "", "options must be an object")),
+    }
+}
+
+/// Refuses an option of the wrong type.
+fn wrong<T>(name: &str, what: &str) -> Result<T, Error> {
+    Err(Error::new(Code::WrongType, format!("/{name}"), format!("{name} must be {what}")))
+}
+
+/// The value of a parameter.
+fn value(name: &str, given: Node) -> Result<Value, Error> {
+    match given {
+        Node::Number(number) => Ok(Value::Number(number)),
+        Node::String(text) => Ok(Value::Text(text)),
+        Node::Bool(yes) => Ok(Value::Boolean(yes)),
+        _ => wrong(name, "a number, a word or a truth value"),
+    }
+}
+
+/// The id of an index, if any, and its parameters from JSON text.
+pub(super) fn index_options(text: &str) -> Result<(Option<String>, Vec<(String, Value)>), Error> {
+    let (mut id, mut parameters) = (None, Vec::new());
+    for (name, given) in fields(text)? {
+        match (name.as_str(), given) {
+            ("index", Node::String(word)) => id = Some(word),
+            ("index", _) => return wrong("index", "a string"),
+            (_, given) => {
+                let value = value(&name, given)?;
+                parameters.push((name, value));
+            }
+        }
+    }
+    Ok((id, parameters))
+}
+
 /// The options of a run from JSON text, beginning with the defaults.
 pub(super) fn options(text: &str, mut wanted: Options) -> Result<Options, Error> {
-    let Node::Object(fields) = Node::parse(text)? else {
-        return Err(Error::new(Code::WrongType, "", "options must be an object"));
-    };
-    for (name, given) in fields {
-        let fail = |what: &str| Err(Error::new(Code::WrongType, format!("/{name}"), format!("{name} must be {what}")));
+    for (name, given) in fields(text)? {
         match (name.as_str(), given) {
             ("algorithm", Node::String(id)) => wanted.planner = Some(id),
             ("query", Node::String(query)) => wanted.query = Some(query),
             ("seed", Node::Number(seed)) => wanted.seed = count(seed, &name)?,
-            ("algorithm" | "query", _) => return fail("a string"),
-            ("seed", _) => return fail("a number"),
-            (_, Node::Number(number)) => wanted.parameters.push((name, Value::Number(number))),
-            (_, Node::String(text)) => wanted.parameters.push((name, Value::Text(text))),
-            (_, Node::Bool(yes)) => wanted.parameters.push((name, Value::Boolean(yes))),
-            _ => return fail("a number, a word or a truth value"),
+            ("algorithm" | "query", _) => return wrong(&name, "a string"),
+            ("seed", _) => return wrong("seed", "a number"),
+            (_, given) => {
+                let value = value(&name, given)?;
+                wanted.parameters.push((name, value));
+            }
         }
     }
     Ok(wanted)
+}
+
+/// Settings of a table and the seed, 0 where there is none, from JSON text.
+pub(super) fn settings(text: &str) -> Result<(Vec<(String, Value)>, u64), Error> {
+    let Node::Object(fields) = Node::parse(text)? else {
+        return Err(Error::new(Code::WrongType, "", "options must be an object"));
+    };
+    let (mut given, mut seed) = (Vec::with_capacity(fields.len()), 0);
+    for (name, node) in fields {
+        let value = match node {
+            Node::Number(number) if name == "seed" => {
+                seed = count(number, &name)?;
+                continue;
+            }
+            Node::Number(number) => Value::Number(number),
+            Node::String(text) => Value::Text(text),
+            Node::Bool(yes) => Value::Boolean(yes),
+            _ => {
+                let sentence = format!("{name} must be a number, a word or a truth value");
+                return Err(Error::new(Code::WrongType, format!("/{name}"), sentence));
+            }
+        };
+        if name == "seed" {
+            return Err(Error::new(Code::WrongType, "/seed", "seed must be a number"));
+        }
+        given.push((name, value));
+    }
+    Ok((given, seed))
 }
 
 /// The options of inverse kinematics from JSON text.

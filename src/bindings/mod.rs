@@ -6,14 +6,18 @@
 
 mod convert;
 mod drive;
+mod neighbours;
 mod planner;
 mod reach;
 mod scenario;
+mod trajectories;
 
 pub use drive::RawDrive;
+pub use neighbours::RawNeighbours;
 pub use planner::RawPlanner;
 pub use reach::RawReach;
 pub use scenario::RawScenario;
+pub use trajectories::{RawTrajectories, particle_points, trajectory_options};
 
 use wasm_bindgen::prelude::*;
 
@@ -21,6 +25,12 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 pub fn planners() -> String {
     crate::planner::catalogue().to_json()
+}
+
+/// Every index of configurations with its parameters, as JSON text.
+#[wasm_bindgen]
+pub fn neighbour_indexes() -> String {
+    crate::neighbours::catalogue().to_json()
 }
 
 /// Every generator with its options, as JSON text.

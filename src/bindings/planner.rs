@@ -143,6 +143,11 @@ impl RawPlanner {
         Ok(self.run.events_since(cursor(row, self.run.event_count())?))
     }
 
+    /// The configurations that the run may end at, in rows of `dimension`.
+    pub fn goals(&self) -> Vec<f64> {
+        self.run.goals().concat()
+    }
+
     /// The path, `dimension` numbers a waypoint; empty until solved.
     pub fn path(&self) -> Vec<f64> {
         self.run.path().concat()

@@ -1,14 +1,15 @@
 //! A scenario in JavaScript's hands.
 
-use super::convert::{count, options, reach_options, throw};
+use super::convert::{count, index_options, options, reach_options, throw};
 use super::drive::told;
 use super::reach::{followed, near, target};
-use super::{RawDrive, RawPlanner, RawReach};
+use super::{RawDrive, RawNeighbours, RawPlanner, RawReach};
 use crate::control::{Control, Motion};
 use crate::drive::{self, Drive};
 use crate::inspect::Inspector;
 use crate::json::Node;
 use crate::kept::RoadmapDocument;
+use crate::neighbours;
 use crate::reach::{Reach, arm_of, follow, nearest_reachable};
 use crate::robot::Part;
 use crate::run::{self, Options};
@@ -158,6 +159,19 @@ impl RawScenario {
             run::resume(&self.scenario, &wanted, &document)
         });
         run.map(RawPlanner::new).map_err(throw)
+    }
+
+    /// Configurations drawn uniformly, all or only free ones: `dimension` numbers each.
+    pub fn sample_configurations(&self, n: f64, seed: f64, is_free: bool) -> Result<Vec<f64>, JsValue> {
+        let [n, seed] = [count(n, "n"), count(seed, "seed")].map(|number| number.map_err(throw));
+        self.inspector.samples(n?, seed?, is_free).map_err(throw)
+    }
+
+    /// An empty index of configurations; `text` is JSON and holds `index` and the parameters of that.
+    pub fn neighbours(&self, text: &str) -> Result<RawNeighbours, JsValue> {
+        let index = index_options(text)
+            .and_then(|(id, parameters)| neighbours::index(&self.scenario, id.as_deref(), &parameters));
+        index.map(RawNeighbours::new).map_err(throw)
     }
 
     /// Begins a drive from `q`, or where it is empty from the start of the first query.

@@ -11,6 +11,7 @@ use super::closest::Closest;
 use super::packs::LANES;
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
+use crate::order::sort;
 use crate::space::Space;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -92,12 +93,13 @@ impl<S: Space> Forest<S> {
         let [a, b] = pair.map(|member| embedded(space, &self.states[member as usize]));
         let direction: Vec<f64> = a.iter().zip(&b).map(|(a, b)| b - a).collect();
         let along = |member: u32| projection(&direction, &embedded(space, &self.states[member as usize]));
-        let mut projections: Vec<(f64, u32)> = members.iter().map(|&member| (along(member), member)).collect();
-        projections.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let middle = projections.len() / 2;
-        let threshold = projections[middle].0;
-        members.clear();
-        members.extend(projections.iter().map(|&(_, member)| member));
+        let projections: Vec<f64> = members.iter().map(|&member| along(member)).collect();
+        let mut order: Vec<u32> = (0..members.len() as u32).collect();
+        // Members stand in the order in which they came: a tie by place is one by number.
+        sort(&mut order, &|a, b| projections[a as usize].total_cmp(&projections[b as usize]).then(a.cmp(&b)));
+        let middle = order.len() / 2;
+        let threshold = projections[order[middle] as usize];
+        members = order.iter().map(|&at| members[at as usize]).collect();
         let second = members.split_off(middle);
         let nodes = &mut self.trees[tree];
         let children = [nodes.len() as u32, nodes.len() as u32 + 1];
@@ -105,8 +107,8 @@ impl<S: Space> Forest<S> {
         nodes.extend([Node::Leaf(members), Node::Leaf(second)]);
     }
 
-    /// Offers the states of leaves, nearest planes first, until there were `enough`.
-    fn search(&self, space: &S, from: &S::State, enough: usize, closest: &mut Closest) {
+    /// Offers the states of leaves, nearest planes first, until there were `enough`. Answers how many there were.
+    fn search(&self, space: &S, from: &S::State, enough: usize, closest: &mut Closest) -> usize {
         let point = embedded(space, from);
         let mut seen = vec![0u64; self.states.len().div_ceil(64)];
         let mut looked = 0;
@@ -148,6 +150,7 @@ impl<S: Space> Forest<S> {
             }
         }
         closest.offer(&[pack.0], |_, lane| pack.1[lane]);
+        looked
     }
 }
 
@@ -183,18 +186,19 @@ impl<S: Space> Nearest<S> for Forest<S> {
         found.pop()
     }
 
-    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
+    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
         let mut closest = Closest::new(found, k, f64::INFINITY, k <= 16);
-        if k > 0 {
-            self.search(space, state, self.parameters.candidates.max(k), &mut closest);
-        }
+        let enough = self.parameters.candidates.max(k);
+        let looked = if k > 0 { self.search(space, state, enough, &mut closest) } else { 0 };
         closest.finish();
+        looked
     }
 
-    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
+    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
         let mut closest = Closest::within(found, radius);
-        self.search(space, state, self.parameters.candidates, &mut closest);
+        let looked = self.search(space, state, self.parameters.candidates, &mut closest);
         closest.finish();
+        looked
     }
 }
 

@@ -42,20 +42,20 @@ impl<S: Space> Index<S> {
     }
 
     /// The `k` vertices nearest to `state` by motions of the given way (all, where there are fewer), nearest first, into `found`.
-    pub fn k_nearest_by(&self, space: &S, way: Way, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
+    pub fn k_nearest_by(&self, space: &S, way: Way, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
         if space.is_norm_exact() {
-            self.k_nearest(space, state, k, found);
+            self.k_nearest(space, state, k, found)
         } else {
-            self.ranked.k_nearest(space, way, state, k, found);
+            self.ranked.k_nearest(space, way, state, k, found)
         }
     }
 
     /// Every vertex no farther from `state` than `radius` by motions of the given way, nearest first, into `found`.
-    pub fn within_by(&self, space: &S, way: Way, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
+    pub fn within_by(&self, space: &S, way: Way, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
         if space.is_norm_exact() {
-            self.within(space, state, radius, found);
+            self.within(space, state, radius, found)
         } else {
-            self.ranked.within(space, way, state, radius, found);
+            self.ranked.within(space, way, state, radius, found)
         }
     }
 
@@ -108,25 +108,25 @@ impl<S: Space> Nearest<S> for Index<S> {
         }
     }
 
-    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
+    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
         if !space.is_norm_exact() {
             return self.k_nearest_by(space, Way::In, state, k, found);
         }
         if SCANS && self.len <= Self::crossover(space, k) {
-            self.scan.k_nearest(space, state, k, found);
+            self.scan.k_nearest(space, state, k, found)
         } else {
-            self.tree.k_nearest(space, state, k, found);
+            self.tree.k_nearest(space, state, k, found)
         }
     }
 
-    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
+    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
         if !space.is_norm_exact() {
             return self.within_by(space, Way::In, state, radius, found);
         }
         if SCANS && self.len <= Self::crossover(space, 1) {
-            self.scan.within(space, state, radius, found);
+            self.scan.within(space, state, radius, found)
         } else {
-            self.tree.within(space, state, radius, found);
+            self.tree.within(space, state, radius, found)
         }
     }
 }

@@ -104,10 +104,10 @@ impl<S: Space> Nearest<S> for LinearScan<S> {
         found.pop()
     }
 
-    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
+    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
         found.clear();
         if k == 0 {
-            return;
+            return 0;
         }
         let from = space.coordinates(state);
         let guess = self.guess(space, from, k);
@@ -119,11 +119,13 @@ impl<S: Space> Nearest<S> for LinearScan<S> {
             self.scan(space, from, &mut closest);
             closest.finish();
         }
+        self.len
     }
 
-    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
+    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
         let mut closest = Closest::within(found, radius);
         self.scan(space, space.coordinates(state), &mut closest);
         closest.finish();
+        self.len
     }
 }

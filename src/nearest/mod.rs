@@ -60,9 +60,10 @@ pub trait Nearest<S: Space> {
     /// The vertex nearest to `state`; `None` where the index is empty.
     fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour>;
 
-    /// The `k` vertices nearest to `state` (all, where there are fewer), nearest first, into `found`.
-    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>);
+    /// The `k` vertices nearest to `state` (all, where there are fewer), nearest first, into `found`. Answers how many vertices it
+    /// visited: whose distances, or where those are dearer the bounds on them, it looked at.
+    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize;
 
-    /// Every vertex no farther from `state` than `radius`, nearest first, into `found`.
-    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>);
+    /// Every vertex no farther from `state` than `radius`, nearest first, into `found`. Answers how many vertices it visited.
+    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize;
 }

@@ -65,18 +65,18 @@ impl<S: Space> Ranked<S> {
     }
 
     /// The `k` vertices nearest to the state, nearest first, into `found`.
-    pub fn k_nearest(&self, space: &S, way: Way, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
+    pub fn k_nearest(&self, space: &S, way: Way, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
         found.clear();
         if k == 0 {
-            return;
+            return 0;
         }
-        let mut candidates = Vec::new();
+        let (mut candidates, mut visited) = (Vec::new(), 0);
         let (mut asked, mut ranked) = (k.saturating_mul(2).saturating_add(6), 0);
         while ranked < self.entries.len() {
-            self.bounds.k_nearest(space, state, asked, &mut candidates);
+            visited = self.bounds.k_nearest(space, state, asked, &mut candidates);
             for candidate in &candidates[ranked..] {
                 if found.len() == k && candidate.distance > found[k - 1].distance {
-                    return;
+                    return visited;
                 }
                 let neighbour = self.neighbour(space, way, state, candidate);
                 if found.len() == k {
@@ -91,13 +91,15 @@ impl<S: Space> Ranked<S> {
             ranked = candidates.len();
             asked = asked.saturating_mul(2);
         }
+        visited
     }
 
     /// Every vertex no farther from the state than `radius`, nearest first, into `found`.
-    pub fn within(&self, space: &S, way: Way, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
-        self.bounds.within(space, state, radius, found);
+    pub fn within(&self, space: &S, way: Way, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
+        let visited = self.bounds.within(space, state, radius, found);
         found.iter_mut().for_each(|candidate| *candidate = self.neighbour(space, way, state, candidate));
         found.retain(|neighbour| neighbour.distance <= radius);
         found.sort_unstable_by_key(Neighbour::key);
+        visited
     }
 }

@@ -26,7 +26,7 @@ pub use prm::{Order, Prm, PrmOptions, logarithmic_k, prm_star_k};
 pub use pseudocode::{Mark, PseudocodeLine};
 pub use query::{Algorithm, Cost, Heuristic, SearchRules};
 pub use roadmap::{Answer, Connection, Roadmap};
-pub use rows::MOST_STEPS;
+pub use rows::{METRIC, MOST_STEPS};
 pub use rrt::{Extend, GoalBias, Rrt, RrtOptions};
 pub use rrt_connect::RrtConnect;
 pub use rrt_control::{Blossom, Late, Origin, RrtControl, RrtControlOptions};

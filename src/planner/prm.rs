@@ -2,7 +2,7 @@
 //!
 //! Kavraki, Svestka, Latombe and Overmars 1996, "Probabilistic roadmaps for path planning in high-dimensional configuration
 //! spaces"; LaValle 2006, "Planning Algorithms", section 5.6; Karaman and Frazzoli 2011, "Sampling-based algorithms for
-//! optimal motion planning". Start and goal are the first two vertices.
+//! optimal motion planning". The start is the first vertex, the goal the second; where there are several goals, they follow it.
 //!
 //! Where motions have a direction, so have edges (Svestka and Overmars 1997, "Motion planning for carlike robots using a
 //! probabilistic learning approach"): a vertex is joined to the nearest that it leads to and to the nearest that lead to it.
@@ -65,6 +65,11 @@ pub struct Prm<S: Space> {
     stage: Stage,
 }
 
+/// How many vertices come before all samples: the start and the goals.
+fn roadmap_ends<S: Space>(problem: &Problem<S>) -> usize {
+    1 + problem.goals().len()
+}
+
 enum Stage {
     Sampling,
     /// The next vertex to connect, and the one after the last.
@@ -72,6 +77,8 @@ enum Stage {
         next: VertexId,
         end: VertexId,
     },
+    /// The ends that are to be joined to a roadmap that exists, the next one last.
+    Joining(Vec<VertexId>),
     Ending(Ending),
 }
 
@@ -81,20 +88,22 @@ impl<S: Space> Prm<S> {
         let roadmap = Roadmap::new(problem, options.connection, options.rules);
         let mut prm = Self {
             roadmap,
-            vertices: options.samples + 2,
+            vertices: options.samples + roadmap_ends(problem),
             order: options.order,
             sampler,
             farthest: [Vec::new(), Vec::new()],
             neighbours: Vec::new(),
             stage: Stage::Sampling,
         };
-        // One by one the goal comes second, and its neighbour is the start.
+        // One by one a goal comes right after the start, its neighbour.
         if matches!(options.order, Order::OneByOne { .. }) {
-            for way in Way::all(problem.space()) {
-                let distance = way.distance(problem.space(), problem.goal(), problem.start());
-                if distance <= options.connection.radius {
-                    let [from, to] = way.ends(GOAL, START);
-                    prm.roadmap.try_edge(problem, 0, from, to);
+            for (i, goal) in problem.goals().enumerate() {
+                for way in Way::all(problem.space()) {
+                    let distance = way.distance(problem.space(), goal, problem.start());
+                    if distance <= options.connection.radius {
+                        let [from, to] = way.ends(VertexId(GOAL.0 + i as u32), START);
+                        prm.roadmap.try_edge(problem, 0, from, to);
+                    }
                 }
             }
         }
@@ -102,9 +111,9 @@ impl<S: Space> Prm<S> {
         prm
     }
 
-    /// A planner whose roadmap exists, proven: it draws no more samples, joins start and goal to their neighbours and searches.
-    /// A vertex of the roadmap that is the start or the goal is that one and stays joined as it was; all others come after
-    /// the two, in their order. O(states + edges), and the index of neighbours.
+    /// A planner whose roadmap exists, proven: it draws no more samples, joins start and goals to their neighbours and searches.
+    /// A vertex of the roadmap that is the start or a goal is that one and stays joined as it was; all others come after
+    /// these ends, in their order. O(states + edges), and the index of neighbours.
     ///
     /// # Panics
     /// Where an edge names a vertex that does not exist.
@@ -117,11 +126,12 @@ impl<S: Space> Prm<S> {
         edges: &[[u32; 2]],
     ) -> Self {
         let mut roadmap = Roadmap::new(problem, connection, rules);
-        let mut is_kept = [false; 2];
+        let ends: Vec<VertexId> = (0..roadmap_ends(problem) as u32).map(VertexId).collect();
+        let mut is_kept = vec![false; ends.len()];
         let mut vertices = Vec::with_capacity(states.len());
         for state in states {
             let is_new = |end: &VertexId| !is_kept[end.index()] && roadmap.graph.state(*end) == state;
-            vertices.push(match [START, GOAL].into_iter().find(is_new) {
+            vertices.push(match ends.iter().copied().find(is_new) {
                 Some(end) => {
                     is_kept[end.index()] = true;
                     end
@@ -133,22 +143,17 @@ impl<S: Space> Prm<S> {
             let [from, to] = edge.map(|vertex| vertices[vertex as usize]);
             roadmap.graph.add_edge(0, from, to);
         }
-        let stage = match is_kept {
-            [true, true] => Stage::Ending(roadmap.begin_search(problem.space())),
-            [start, goal] => {
-                let next = if start { GOAL } else { START };
-                Stage::Connecting { next, end: if goal { GOAL } else { VertexId(2) } }
-            }
+        let left: Vec<VertexId> = ends.iter().rev().copied().filter(|end| !is_kept[end.index()]).collect();
+        let stage = match left.is_empty() {
+            true => Stage::Ending(roadmap.begin_search(problem.space())),
+            false => Stage::Joining(left),
         };
-        // A start that is not connected anew has tried nothing from its side.
-        let nothing = Neighbour { distance: -1.0, vertex: START };
-        let farthest = if is_kept[0] { vec![nothing] } else { Vec::new() };
         Self {
-            vertices: states.len() + 2,
+            vertices: states.len() + ends.len(),
             roadmap,
             order: Order::Batch,
             sampler,
-            farthest: [farthest.clone(), farthest],
+            farthest: [Vec::new(), Vec::new()],
             neighbours: Vec::new(),
             stage,
         }
@@ -237,12 +242,16 @@ impl<S: Space> Prm<S> {
             Way::Out => (0, 1),
             Way::In => (1, 0),
         };
+        // An end that is not connected anew has tried nothing from its side.
+        let nothing = Neighbour { distance: -1.0, vertex: START };
+        self.farthest[own].resize(vertex.index(), nothing);
         self.farthest[own].push(farthest);
         for neighbour in &self.neighbours {
             let other = neighbour.vertex;
             let back = Neighbour { distance: neighbour.distance, vertex };
             // A vertex connected earlier has tried all up to its farthest neighbour.
-            if other < vertex && !self.farthest[others][other.index()].is_before(&back) {
+            let tried = self.farthest[others].get(other.index()).copied().unwrap_or(nothing);
+            if other < vertex && !tried.is_before(&back) {
                 continue;
             }
             let [from, to] = way.ends(vertex, other);
@@ -264,6 +273,15 @@ impl<S: Space> Planner<S> for Prm<S> {
                     self.stage = Stage::Ending(self.roadmap.begin_search(problem.space()));
                 }
             }
+            Stage::Joining(left) => {
+                if let Some(vertex) = left.pop() {
+                    let is_last = left.is_empty();
+                    self.connect(problem, iteration, vertex);
+                    if is_last {
+                        self.stage = Stage::Ending(self.roadmap.begin_search(problem.space()));
+                    }
+                }
+            }
             Stage::Ending(ending) => return ending.step(&mut self.roadmap, problem, iteration),
         }
         Status::Running
@@ -272,7 +290,7 @@ impl<S: Space> Planner<S> for Prm<S> {
     fn phase(&self) -> Phase {
         match self.stage {
             Stage::Sampling => Phase::Sampling,
-            Stage::Connecting { .. } => Phase::Connecting,
+            Stage::Connecting { .. } | Stage::Joining(_) => Phase::Connecting,
             Stage::Ending(ref ending) => ending.phase(),
         }
     }

@@ -1,7 +1,7 @@
 //! A search of a roadmap for a path: which search, what an edge costs, what estimates the rest.
 
 use super::roadmap::state;
-use crate::graph::search::{BestFirst, Bidirectional, BreadthFirst, Expansion, View, Walker};
+use crate::graph::search::{BestFirst, Bidirectional, BreadthFirst, Expansion, Goals, View, Walker};
 use crate::graph::{Adjacency, Graph, VertexId};
 use crate::problem::Problem;
 use crate::space::Space;
@@ -67,27 +67,29 @@ pub(super) struct Query {
     adjacency: Adjacency,
     walker: Box<dyn Walker>,
     rules: SearchRules,
-    goal: VertexId,
+    goals: Goals,
     /// What estimates are multiplied with.
     scale: f64,
 }
 
 impl Query {
-    /// A search over the graph's edges and `joined` ones, along their direction where the space is not symmetric, between two vertices; `more` are the states of vertices numbered
+    /// A search over the graph's edges and `joined` ones, along their direction where the space is not symmetric, from one vertex
+    /// to any of the goals; `more` are the states of vertices numbered
     /// after the graph's.
     pub fn new<S: Space>(
         space: &S,
         graph: &Graph<S>,
         joined: &[[VertexId; 2]],
         more: &[S::State],
-        [start, goal]: [VertexId; 2],
+        start: VertexId,
+        goals: Goals,
         rules: SearchRules,
     ) -> Self {
         let vertices = graph.states().len() + more.len();
         let walker: Box<dyn Walker> = match rules.algorithm {
-            Algorithm::AStar | Algorithm::Dijkstra => Box::new(BestFirst::new(vertices, start, goal)),
-            Algorithm::BreadthFirst => Box::new(BreadthFirst::new(vertices, start, goal)),
-            Algorithm::Bidirectional => Box::new(Bidirectional::new(vertices, start, goal)),
+            Algorithm::AStar | Algorithm::Dijkstra => Box::new(BestFirst::new(vertices, start, goals.clone())),
+            Algorithm::BreadthFirst => Box::new(BreadthFirst::new(vertices, start, goals.clone())),
+            Algorithm::Bidirectional => Box::new(Bidirectional::new(vertices, start, goals.clone())),
         };
         let scale = match (rules.cost, rules.heuristic) {
             (Cost::Hops, Heuristic::Metric | Heuristic::EndEffector) => {
@@ -99,7 +101,7 @@ impl Query {
             _ => 1.0,
         };
         let join = if space.is_symmetric() { Adjacency::joining } else { Adjacency::directed };
-        Self { adjacency: join(vertices, graph.edges(), joined), walker, rules, goal, scale }
+        Self { adjacency: join(vertices, graph.edges(), joined), walker, rules, goals, scale }
     }
 
     /// Expands one vertex.
@@ -107,11 +109,19 @@ impl Query {
         let space = problem.space();
         let at = |vertex| state(graph, more, vertex);
         let distance = |a: VertexId, b: VertexId| space.distance(at(a), at(b));
-        let (goal, scale, rules) = (self.goal, self.scale, self.rules);
+        let (goals, scale, rules) = (&self.goals, self.scale, self.rules);
+        // The least estimate of all goals is an estimate, too.
+        let least = |estimate: &dyn Fn(VertexId) -> f64| {
+            (goals.start.0..goals.end.0).map(|goal| estimate(VertexId(goal))).fold(f64::INFINITY, f64::min)
+        };
         let cost = |a, b| if rules.cost == Cost::Metric { distance(a, b) } else { 1.0 };
         let heuristic = |vertex| match (rules.algorithm, rules.heuristic, problem.end_effector()) {
-            (Algorithm::AStar, Heuristic::Metric | Heuristic::MetricAsHops, _) => scale * distance(vertex, goal),
-            (Algorithm::AStar, Heuristic::EndEffector, Some(estimate)) => scale * estimate(at(vertex), at(goal)),
+            (Algorithm::AStar, Heuristic::Metric | Heuristic::MetricAsHops, _) => {
+                scale * least(&|goal| distance(vertex, goal))
+            }
+            (Algorithm::AStar, Heuristic::EndEffector, Some(estimate)) => {
+                scale * least(&|goal| estimate(at(vertex), at(goal)))
+            }
             _ => 0.0,
         };
         self.walker.step(&View { adjacency: &self.adjacency, cost: &cost, heuristic: &heuristic })

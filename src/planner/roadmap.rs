@@ -3,7 +3,7 @@
 
 use super::query::{Query, SearchRules};
 use super::{Counters, Phase, Status};
-use crate::graph::search::Expansion;
+use crate::graph::search::{Expansion, Goals};
 use crate::graph::{Event, EventKind, Graph, VertexId};
 use crate::nearest::{Index, Nearest, Neighbour, Way};
 use crate::problem::Problem;
@@ -12,7 +12,7 @@ use crate::space::Space;
 
 /// The start is vertex 0.
 pub(super) const START: VertexId = VertexId(0);
-/// The goal is vertex 1.
+/// The goal is vertex 1; where there are several, they are the vertices from 1 on.
 pub(super) const GOAL: VertexId = VertexId(1);
 
 /// To which other vertices a vertex is joined, where the motion is free: its `k` nearest of those within `radius`.
@@ -28,6 +28,8 @@ pub struct Connection {
 #[derive(Debug, Clone)]
 pub struct Roadmap<S: Space> {
     pub(super) graph: Graph<S>,
+    /// How many goals there are.
+    goals: u32,
     nearest: Index<S>,
     connection: Connection,
     rules: SearchRules,
@@ -35,11 +37,12 @@ pub struct Roadmap<S: Space> {
 }
 
 impl<S: Space> Roadmap<S> {
-    /// A roadmap of the start and the goal alone.
+    /// A roadmap of the start and the goals alone.
     pub fn new(problem: &Problem<S>, connection: Connection, rules: SearchRules) -> Self {
         let (graph, nearest, counters) = (Graph::default(), Index::new(), Counters::default());
-        let mut roadmap = Self { graph, nearest, connection, rules, counters };
-        for state in [problem.start(), problem.goal()] {
+        let goals = problem.goals().len() as u32;
+        let mut roadmap = Self { graph, goals, nearest, connection, rules, counters };
+        for state in std::iter::once(problem.start()).chain(problem.goals()) {
             roadmap.add_vertex(problem.space(), 0, *state);
         }
         roadmap
@@ -127,9 +130,14 @@ impl<S: Space> Roadmap<S> {
         self.graph.add_event(Event { kind, iteration, vertex: None, other: None, state });
     }
 
-    /// The search from start to goal on the roadmap as it is.
+    /// The vertices of the goals.
+    pub(super) fn goals(&self) -> Goals {
+        GOAL..VertexId(GOAL.0 + self.goals)
+    }
+
+    /// The search from the start to a goal on the roadmap as it is.
     pub(super) fn begin_search(&self, space: &S) -> Ending {
-        Ending::Searching(Query::new(space, &self.graph, &[], &[], [START, GOAL], self.rules))
+        Ending::Searching(Query::new(space, &self.graph, &[], &[], START, self.goals(), self.rules))
     }
 
     /// Expands one vertex of the search.
@@ -137,7 +145,7 @@ impl<S: Space> Roadmap<S> {
         let expansion = query.step(problem, &self.graph, &[]);
         let (kind, vertex) = match expansion {
             Expansion::Vertex(vertex) => (EventKind::VertexExpanded, vertex),
-            Expansion::Goal => (EventKind::SolutionFound, GOAL),
+            Expansion::Goal => (EventKind::SolutionFound, query.path().last().copied().unwrap_or(GOAL)),
             Expansion::Nothing => return expansion,
         };
         self.counters.visited += 1;
@@ -169,7 +177,7 @@ impl<S: Space> Roadmap<S> {
         if self.is_motion_free(problem, &ends[0], &ends[1]) {
             joined.push([start, goal]);
         }
-        let mut query = Query::new(space, &self.graph, &joined, &ends, [start, goal], self.rules);
+        let mut query = Query::new(space, &self.graph, &joined, &ends, start, goal..VertexId(count + 2), self.rules);
         let mut visited = 0;
         let path = loop {
             match query.step(problem, &self.graph, &ends) {

@@ -201,7 +201,8 @@ pub(super) const PARTIAL_SHORTCUT: ParameterInfo = row(
     "How many shortcuts of one joint or coordinate alone are tried after that: more take out needless turns.",
 );
 
-pub(super) const METRIC: ParameterInfo = ParameterInfo {
+/// In which metric joints are measured.
+pub const METRIC: ParameterInfo = ParameterInfo {
     robots: &["arm", "disc"],
     ..row(
         "metric",

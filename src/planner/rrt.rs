@@ -2,7 +2,7 @@
 //!
 //! LaValle 1998, "Rapidly-exploring random trees: a new tool for path planning"; LaValle and Kuffner 2001, "Randomized
 //! kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 5.5. The goal is vertex 1 from the beginning, but in
-//! the tree only once it is reached.
+//! the tree only once it is reached; where there are several they are the vertices from 1 on, and it reaches for each in turn.
 
 use super::{Counters, Phase, Planner, Status};
 use crate::graph::{Event, EventKind, Graph, VertexId};
@@ -12,6 +12,7 @@ use crate::random::Random;
 use crate::sampling::{Known, Sampler};
 use crate::space::Space;
 
+/// The first goal.
 const GOAL: VertexId = VertexId(1);
 
 /// How far the tree grows towards a sample.
@@ -63,9 +64,12 @@ pub struct Rrt<S: Space> {
     graph: Graph<S>,
     parents: Vec<Option<VertexId>>,
     nearest: Index<S>,
-    /// The vertex of the tree nearest to the goal, and how far it is.
+    /// The vertex of the tree nearest to a goal, and how far it is.
     closest: (VertexId, f64),
-    is_solved: bool,
+    /// How often it has reached for a goal.
+    reaches: usize,
+    /// The goal that was reached.
+    arrived: Option<VertexId>,
     counters: Counters,
 }
 
@@ -74,17 +78,20 @@ impl<S: Space> Rrt<S> {
     pub fn new(problem: &Problem<S>, options: RrtOptions, sampler: Box<dyn Sampler<S>>, random: Random) -> Self {
         let (mut graph, mut nearest) = (Graph::default(), Index::new());
         let start = graph.add_vertex(0, *problem.start());
-        graph.add_vertex(0, *problem.goal());
+        for goal in problem.goals() {
+            graph.add_vertex(0, *goal);
+        }
         nearest.insert(problem.space(), start, *problem.start());
-        let closest = (start, problem.space().distance(problem.start(), problem.goal()));
-        let (parents, counters) = (vec![None; 2], Counters::default());
-        Self { options, sampler, random, graph, parents, nearest, closest, is_solved: false, counters }
+        let closest = (start, problem.distance_to_goal(problem.start()));
+        let (parents, counters) = (vec![None; graph.states().len()], Counters::default());
+        Self { options, sampler, random, graph, parents, nearest, closest, reaches: 0, arrived: None, counters }
     }
 
     /// Where to grow this time; `None` where the sampler has nothing.
     fn target(&mut self, problem: &Problem<S>, iteration: u32) -> Option<S::State> {
         if self.options.bias.is_due(iteration, &mut self.random) {
-            return Some(*problem.goal());
+            self.reaches = self.reaches.wrapping_add(1);
+            return Some(*problem.goal_in_turn(self.reaches - 1));
         }
         let sample = self.sampler.draw(problem, &mut self.counters.configuration_checks);
         if sample.known == Known::Useless {
@@ -136,13 +143,25 @@ impl<S: Space> Rrt<S> {
         self.graph.add_event(Event { kind, iteration, vertex: Some(from), other, state });
     }
 
-    /// Joins the goal to the tree.
-    fn arrive(&mut self, iteration: u32, from: VertexId, goal: S::State) -> Status {
-        self.add_edge(iteration, from, GOAL);
-        let kind = EventKind::SolutionFound;
-        self.graph.add_event(Event { kind, iteration, vertex: Some(GOAL), other: Some(from), state: goal });
-        self.closest = (GOAL, 0.0);
-        self.is_solved = true;
+    /// The goal that is nearest to the state, the first of those equally near, and how far it is.
+    fn nearest_goal(&self, problem: &Problem<S>, state: &S::State) -> (VertexId, f64) {
+        let mut nearest = (GOAL, f64::INFINITY);
+        for (i, goal) in problem.goals().enumerate() {
+            let left = problem.space().distance(state, goal);
+            if left < nearest.1 {
+                nearest = (VertexId(GOAL.0 + i as u32), left);
+            }
+        }
+        nearest
+    }
+
+    /// Joins a goal to the tree.
+    fn arrive(&mut self, iteration: u32, from: VertexId, goal: VertexId) -> Status {
+        self.add_edge(iteration, from, goal);
+        let (kind, state) = (EventKind::SolutionFound, *self.graph.state(goal));
+        self.graph.add_event(Event { kind, iteration, vertex: Some(goal), other: Some(from), state });
+        self.closest = (goal, 0.0);
+        self.arrived = Some(goal);
         Status::Solved
     }
 
@@ -155,10 +174,10 @@ impl<S: Space> Rrt<S> {
 
 impl<S: Space> Planner<S> for Rrt<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
-        if self.is_solved {
+        if self.arrived.is_some() {
             return Status::Solved;
         }
-        let (space, goal) = (problem.space(), *problem.goal());
+        let space = problem.space();
         let Some(target) = self.target(problem, iteration) else { return Status::Running };
         self.counters.nearest_queries += 1;
         let near = self.nearest.nearest(space, &target).expect("a tree has a root").vertex;
@@ -170,28 +189,29 @@ impl<S: Space> Planner<S> for Rrt<S> {
                 return Status::Running;
             }
         };
-        if reached == goal {
+        let (goal, left) = self.nearest_goal(problem, &reached);
+        if reached == *self.graph.state(goal) {
             return self.arrive(iteration, near, goal);
         }
         let vertex = self.graph.add_vertex(iteration, reached);
         self.parents.push(None);
         self.add_edge(iteration, near, vertex);
         self.nearest.insert(space, vertex, reached);
-        let left = space.distance(&reached, &goal);
         if left < self.closest.1 {
             self.closest = (vertex, left);
         }
         if left <= self.options.step {
-            if self.is_motion_free(problem, &reached, &goal) {
+            let target = *self.graph.state(goal);
+            if self.is_motion_free(problem, &reached, &target) {
                 return self.arrive(iteration, vertex, goal);
             }
-            self.refuse(iteration, vertex, Some(GOAL), goal);
+            self.refuse(iteration, vertex, Some(goal), target);
         }
         Status::Running
     }
 
     fn phase(&self) -> Phase {
-        if self.is_solved { Phase::Done } else { Phase::Growing }
+        if self.arrived.is_some() { Phase::Done } else { Phase::Growing }
     }
 
     fn graph(&self) -> &Graph<S> {
@@ -199,7 +219,7 @@ impl<S: Space> Planner<S> for Rrt<S> {
     }
 
     fn path(&self) -> Vec<VertexId> {
-        if self.is_solved { self.way(GOAL) } else { Vec::new() }
+        self.arrived.map_or(Vec::new(), |goal| self.way(goal))
     }
 
     fn approximate_path(&self) -> Vec<VertexId> {

@@ -4,7 +4,7 @@
 //! one step towards a sample; the other then grows step by step towards what was added until it arrives or is refused.
 //! Trees are kept in balance: the smaller one takes the sample, the start's tree where they are equal (LaValle 2006,
 //! "Planning Algorithms", section 5.5.3). Where motions have a direction, the goal's tree grows against it: its motions
-//! lead from new vertices to it.
+//! lead from new vertices to it. Several goals are roots of one forest.
 
 use super::{Counters, Phase, Planner, Status};
 use crate::graph::{Event, EventKind, Graph, VertexId};
@@ -49,7 +49,8 @@ impl<S: Space> RrtConnect<S> {
             bridge: None,
             counters: Counters::default(),
         };
-        for (tree, root) in [problem.start(), problem.goal()].into_iter().enumerate() {
+        let roots = std::iter::once((0, problem.start())).chain(problem.goals().map(|goal| (1, goal)));
+        for (tree, root) in roots {
             planner.add_vertex(problem.space(), tree, 0, None, *root);
         }
         planner

@@ -6,15 +6,15 @@
 //! space has to be symmetric.
 
 use super::query::SearchRules;
-use super::roadmap::{Connection, Ending, GOAL, Roadmap, START};
+use super::roadmap::{Connection, Ending, Roadmap, START};
 use super::{Counters, Phase, Planner, Status};
 use crate::graph::{Event, EventKind, Graph, UnionFind, VertexId};
 use crate::problem::Problem;
 use crate::sampling::Sampler;
 use crate::space::Space;
 
-/// The planner. An iteration tries one sample against every guard, or expands one vertex in the search. Start and goal are
-/// the first two guards.
+/// The planner. An iteration tries one sample against every guard, or expands one vertex in the search. Start and goals are
+/// the first guards.
 pub struct VisibilityPrm<S: Space> {
     roadmap: Roadmap<S>,
     sampler: Box<dyn Sampler<S>>,
@@ -54,16 +54,21 @@ impl<S: Space> VisibilityPrm<S> {
             components: UnionFind::default(),
             most_failures,
             failures: 0,
-            seen: vec![0; 2],
+            seen: Vec::new(),
             stage: Stage::Guarding,
         };
-        for end in [START, GOAL] {
+        let goals = planner.roadmap.goals();
+        for end in 0..goals.end.0 {
             planner.components.add();
-            planner.guard(0, end);
+            planner.seen.push(0);
+            planner.guard(0, VertexId(end));
         }
-        planner.roadmap.try_edge(problem, 0, START, GOAL);
-        if !planner.roadmap.graph.edges().is_empty() {
-            planner.components.join(0, 1);
+        for goal in goals.start.0..goals.end.0 {
+            let edges = planner.roadmap.graph.edges().len();
+            planner.roadmap.try_edge(problem, 0, START, VertexId(goal));
+            if planner.roadmap.graph.edges().len() > edges {
+                planner.components.join(START.index(), goal as usize);
+            }
         }
         planner
     }

@@ -2,18 +2,10 @@
 
 use crate::decimal::Decimal;
 use crate::error::{Code, Error};
-use crate::geometry::Point;
 use crate::robot::{Arm, LARGEST};
 use crate::space::wrap;
 
-/// A target of an arm's tip: a point, and where one is given the absolute direction of the last link.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Target {
-    /// Where the tip is to be, in metres.
-    pub point: Point,
-    /// The absolute angle of the last link, in radians, compared modulo 2 pi; any where there is none.
-    pub orientation: Option<f64>,
-}
+pub use crate::robot::Target;
 
 impl Target {
     /// Refuses a target that no arm, or not this arm, can be asked for; brings its orientation into (-pi, pi].

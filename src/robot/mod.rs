@@ -8,6 +8,7 @@ mod car;
 mod disc;
 mod footprint;
 mod range;
+mod target;
 mod weights;
 
 pub use arm::{Arm, MAX_LINKS};
@@ -16,4 +17,5 @@ pub use car::Car;
 pub use disc::DiscRobot;
 pub use footprint::Part;
 pub use range::LARGEST;
+pub use target::Target;
 pub use weights::Weights;

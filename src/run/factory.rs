@@ -1,5 +1,6 @@
 //! From a scenario and options to a run: where the names of robots become types.
 
+use super::goals::goals;
 use super::runner::{Runner, Ticket};
 use super::{Options, Run};
 use super::{choices, resume};
@@ -86,7 +87,8 @@ pub(super) fn launch(
         ticket,
         kept,
         steering: None,
-        ends: [&query.start, &query.goal],
+        start: &query.start,
+        goals: goals(scenario, query, place, options.seed)?,
         goal_tolerance: query.goal_tolerance,
     };
     // Entries past the dimension are 0 and change no bit: two sizes at most serve every robot.
@@ -118,7 +120,9 @@ struct Launch<'a> {
     kept: Option<&'a RoadmapDocument>,
     /// How a car is steered, and its turning radius.
     steering: Option<(Steering, f64)>,
-    ends: [&'a [f64]; 2],
+    start: &'a [f64],
+    /// The configurations to reach any one of, one at least; several only of arms.
+    goals: Vec<Vec<f64>>,
     goal_tolerance: Option<GoalTolerance>,
 }
 
@@ -127,16 +131,17 @@ struct Extras<S> {
     end_effector: Estimate<S>,
     goal_region: Option<GoalRegion<S>>,
     dynamics: Option<Box<dyn Dynamics<S>>>,
+    other_goals: Vec<S>,
 }
 
 impl<S> Extras<S> {
     /// Nothing but the estimate.
     fn of(end_effector: Estimate<S>) -> Self {
-        Self { end_effector, goal_region: None, dynamics: None }
+        Self { end_effector, goal_region: None, dynamics: None, other_goals: Vec::new() }
     }
 
     fn added_to<P: Space<State = S>>(self, mut problem: Problem<P>) -> Problem<P> {
-        problem = problem.with_end_effector(self.end_effector);
+        problem = problem.with_end_effector(self.end_effector).with_other_goals(self.other_goals);
         if let Some(region) = self.goal_region {
             problem = problem.with_goal_region(region);
         }
@@ -156,17 +161,18 @@ impl Launch<'_> {
         };
         let space: Torus<N> = joint_space(arm, metric);
         let space = if is_naive { space.cut_open() } else { space };
-        let [start, goal] = self.ends.map(|q| space.state(q));
+        let start = space.state(self.start);
+        let goals: Vec<_> = self.goals.iter().map(|q| space.state(q)).collect();
         let validity = || ArmValidity::new(arm, space.clone(), self.scenario.world(), self.tolerance());
-        let proven = Box::new(validity().fitted(&start, &goal));
+        let proven = Box::new(goals.iter().fold(validity(), |validity, goal| validity.fitted(&start, goal)));
         let finest = self.kept.map(|_| -> Box<dyn Validity<_>> { Box::new(validity().finest()) });
         let estimate = from_end_effector(arm, metric);
         self.plan(
             MotionSpace::new(space),
             proven,
             finest,
-            [start, goal],
-            Extras::of(Box::new(move |a, b| estimate(a, b))),
+            [start, goals[0]],
+            Extras { other_goals: goals[1..].to_vec(), ..Extras::of(Box::new(move |a, b| estimate(a, b))) },
         )
     }
 
@@ -183,7 +189,7 @@ impl Launch<'_> {
             _ => MotionSpace::new(torus.clone()),
         };
         self.steering = space.steering();
-        let ends = self.ends.map(|q| space.state(q));
+        let ends = self.ends().map(|q| space.state(q));
         let collision = || BodyCollision::new(shape, world, self.tolerance());
         let [start, goal] = ends.map(|q| [q[0], q[1], q[2]]);
         let fitted = Rc::new(collision().fitted(&start, &goal));
@@ -199,7 +205,7 @@ impl Launch<'_> {
         } else {
             None
         };
-        self.plan(space, proven, finest, ends, Extras { end_effector, goal_region, dynamics })
+        self.plan(space, proven, finest, ends, Extras { end_effector, goal_region, dynamics, other_goals: Vec::new() })
     }
 
     /// The space of a car that follows the curves wanted.
@@ -248,7 +254,7 @@ impl Launch<'_> {
         let world = self.scenario.world();
         let bounds = world.bounds.expect("a disc has bounds");
         let space: Torus<SMALL> = plane(&bounds);
-        let ends = self.ends.map(|q| space.state(q));
+        let ends = self.ends().map(|q| space.state(q));
         let measure = space.clone();
         let proven = Box::new(DiscValidity::new(disc, world));
         let finest = self.kept.map(|_| -> Box<dyn Validity<_>> { Box::new(DiscValidity::new(disc, world)) });
@@ -259,6 +265,11 @@ impl Launch<'_> {
             ends,
             Extras::of(Box::new(move |a, b| measure.distance(a, b))),
         )
+    }
+
+    /// Start and goal, of robots that have one goal.
+    fn ends(&self) -> [&[f64]; 2] {
+        [self.start, &self.goals[0]]
     }
 
     /// The wanted tolerance, as a fraction of the world's longer side.

@@ -7,6 +7,7 @@
 mod choices;
 mod controls;
 mod factory;
+mod goals;
 mod history;
 mod options;
 mod questions;
@@ -90,6 +91,10 @@ pub trait Run {
 
     /// The events from row `row` on: kind, iteration, vertex or -1, other vertex or -1, and a configuration each.
     fn events_since(&self, row: usize) -> Vec<f64>;
+
+    /// The configurations that the run may end at: that of the query, or of a query with a target those that were found to
+    /// reach it, the first of them first. Where the planner begins with them as vertices, they are those from 1 on.
+    fn goals(&self) -> Vec<Vec<f64>>;
 
     /// The path from start to goal, split so that no step turns a circle joint by more than 3 radians; empty until solved.
     fn path(&self) -> Vec<Vec<f64>>;

@@ -142,7 +142,7 @@ impl<S: Space> Runner<S> {
             return None;
         }
         let nearest = self.planner.graph().state(vertices[vertices.len() - 1]);
-        let goal_distance = self.problem.space().distance(nearest, self.problem.goal());
+        let goal_distance = self.problem.distance_to_goal(nearest);
         let way = way::found(&self.problem, &*self.planner, &vertices);
         Some(Approximate { path: self.rows(&way.states), motions: way.motions, goal_distance })
     }
@@ -281,6 +281,10 @@ impl<S: Space> Run for Runner<S> {
             rows.extend_from_slice(self.problem.space().coordinates(&event.state));
         }
         rows
+    }
+
+    fn goals(&self) -> Vec<Vec<f64>> {
+        self.rows(&self.problem.goals().copied().collect::<Vec<_>>())
     }
 
     fn path(&self) -> Vec<Vec<f64>> {

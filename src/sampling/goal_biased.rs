@@ -8,17 +8,19 @@ use crate::space::Space;
 /// One sample in so many falls near the goal.
 const ONE_IN: u64 = 5;
 
-/// Uniform samples, but every fifth on average normally distributed about the goal.
+/// Uniform samples, but every fifth on average normally distributed about the goal, or about each of the goals in turn.
 #[derive(Debug, Clone)]
 pub struct GoalBiased {
     random: Random,
     deviation: f64,
+    /// How many fell near a goal.
+    count: usize,
 }
 
 impl GoalBiased {
     /// About the goal every coordinate deviates by `deviation` (radians or metres).
     pub fn new(random: Random, deviation: f64) -> Self {
-        Self { random, deviation }
+        Self { random, deviation, count: 0 }
     }
 }
 
@@ -26,7 +28,9 @@ impl<S: Space> Sampler<S> for GoalBiased {
     fn draw(&mut self, problem: &Problem<S>, _: &mut u64) -> Sample<S::State> {
         let space = problem.space();
         let nearby = if self.random.below(ONE_IN) == 0 {
-            near(space, problem.goal(), self.deviation, &mut self.random)
+            let goal = problem.goal_in_turn(self.count);
+            self.count = self.count.wrapping_add(1);
+            near(space, goal, self.deviation, &mut self.random)
         } else {
             None
         };

@@ -15,4 +15,4 @@ pub use crate::json::{MAX_DEPTH, MAX_TEXT, Node};
 pub use parse::{FORMAT, LARGEST, MAX_OBSTACLES, MAX_VERTICES};
 #[cfg(feature = "schema")]
 pub use schema::schema;
-pub use types::{GoalTolerance, Obstacle, Query, Robot, Scenario, World};
+pub use types::{Goal, GoalTolerance, Obstacle, Query, Robot, Scenario, World};

@@ -194,9 +194,20 @@ struct GoalToleranceDocument {
     rotation: f64,
 }
 
-/// One question.
+/// Where an end effector is to be: any configuration that reaches it will do.
 #[derive(JsonSchema)]
-#[schemars(rename = "Query", deny_unknown_fields)]
+#[schemars(rename = "Target", deny_unknown_fields)]
+struct TargetDocument {
+    /// Where the tip is to be.
+    point: PointDocument,
+    /// The angle of the last link in the world, in radians; any where it is absent.
+    #[schemars(default, schema_with = "angle")]
+    orientation: Option<f64>,
+}
+
+/// One question, with a goal or a target.
+#[derive(JsonSchema)]
+#[schemars(rename = "Query", deny_unknown_fields, extend("oneOf" = [{ "required": ["goal"] }, { "required": ["target"] }]))]
 struct QueryDocument {
     /// The name, distinct within the scenario.
     #[schemars(length(min = 1))]
@@ -206,8 +217,11 @@ struct QueryDocument {
     #[schemars(length(min = 1, max = 8), inner(range(min = -1e6, max = 1e6)))]
     start: Vec<f64>,
     /// The configuration to reach, exactly but for a body or a car with a tolerance.
-    #[schemars(length(min = 1, max = 8), inner(range(min = -1e6, max = 1e6)))]
-    goal: Vec<f64>,
+    #[schemars(default, schema_with = "configuration")]
+    goal: Option<Vec<f64>>,
+    /// Where the end effector of an arm is to be, in place of a goal.
+    #[schemars(default, schema_with = "target")]
+    target: Option<TargetDocument>,
     /// How near to the goal is near enough; for bodies and cars only.
     #[schemars(default, schema_with = "goal_tolerance")]
     goal_tolerance: Option<GoalToleranceDocument>,
@@ -239,6 +253,19 @@ fn links(generator: &mut SchemaGenerator) -> Schema {
 
 fn metric(generator: &mut SchemaGenerator) -> Schema {
     generator.subschema_for::<MetricDocument>()
+}
+
+fn configuration(_: &mut SchemaGenerator) -> Schema {
+    let entry = angle(&mut SchemaGenerator::default());
+    json_schema!({ "type": "array", "items": entry, "minItems": 1, "maxItems": 8 })
+}
+
+fn angle(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "number", "minimum": -1e6, "maximum": 1e6 })
+}
+
+fn target(generator: &mut SchemaGenerator) -> Schema {
+    generator.subschema_for::<TargetDocument>()
 }
 
 fn goal_tolerance(generator: &mut SchemaGenerator) -> Schema {

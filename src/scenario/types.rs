@@ -1,7 +1,7 @@
 //! What a scenario holds, once it has been checked.
 
 use crate::geometry::{Aabb, Disc, Polygon};
-use crate::robot::{Arm, Car, DiscRobot, Part, RigidBody, Weights};
+use crate::robot::{Arm, Car, DiscRobot, Part, RigidBody, Target, Weights};
 
 /// A checked scenario: a world, a robot in it, and named queries.
 #[derive(Debug, Clone, PartialEq)]
@@ -131,10 +131,34 @@ pub struct Query {
     pub name: String,
     /// The configuration to start from, as written (angles of circle joints in any number of turns).
     pub start: Vec<f64>,
-    /// The configuration to reach, as written.
-    pub goal: Vec<f64>,
+    /// What is to be reached.
+    pub goal: Goal,
     /// How near to it is near enough, of bodies and cars; exactly there where it is absent.
     pub goal_tolerance: Option<GoalTolerance>,
+}
+
+/// What a query asks for.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Goal {
+    /// A configuration, as written.
+    Configuration(Vec<f64>),
+    /// Any configuration of an arm whose end effector is there.
+    Target(Target),
+}
+
+impl Query {
+    /// The configurations that the query names: the start, and the goal unless it is a target.
+    pub fn ends(&self) -> impl Iterator<Item = &[f64]> {
+        std::iter::once(&self.start[..]).chain(self.configuration())
+    }
+
+    /// The configuration to reach; `None` where any will do that reaches a target.
+    pub fn configuration(&self) -> Option<&[f64]> {
+        match &self.goal {
+            Goal::Configuration(goal) => Some(goal),
+            Goal::Target(_) => None,
+        }
+    }
 }
 
 /// A goal region about a configuration (x, y, theta): both must hold.

@@ -1,9 +1,9 @@
 //! From a checked scenario back to its document, in one normal form.
 
 use super::parse::FORMAT;
-use super::{GoalTolerance, Node, Obstacle, Query, Robot, Scenario, World};
+use super::{Goal, GoalTolerance, Node, Obstacle, Query, Robot, Scenario, World};
 use crate::geometry::{Aabb, Point, Polygon};
-use crate::robot::Weights;
+use crate::robot::{Target, Weights};
 
 impl Scenario {
     /// The normalised document: fields in the order of the contract, defaults written out, polygons open,
@@ -100,9 +100,14 @@ fn query(query: &Query) -> Node {
     Node::object(vec![
         ("name", Some(Node::text(&query.name))),
         ("start", Some(Node::numbers(&query.start))),
-        ("goal", Some(Node::numbers(&query.goal))),
+        ("goal", query.configuration().map(Node::numbers)),
+        ("target", if let Goal::Target(at) = &query.goal { Some(target(at)) } else { None }),
         ("goal_tolerance", query.goal_tolerance.map(region)),
     ])
+}
+
+fn target(target: &Target) -> Node {
+    Node::object(vec![("point", Some(point(target.point))), ("orientation", target.orientation.map(Node::Number))])
 }
 
 fn region(region: GoalTolerance) -> Node {

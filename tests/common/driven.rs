@@ -59,7 +59,7 @@ pub fn driven(car: &Car, from: [f64; 3], edge: &Edge, steps: u32) -> [f64; 3] {
 pub fn is_in_region(world: &Scenario, [x, y, theta]: [f64; 3]) -> bool {
     let query = &world.queries()[0];
     let GoalTolerance { translation, rotation } = query.goal_tolerance.expect("a region");
-    let [u, v, goal] = [0, 1, 2].map(|i| query.goal[i]);
+    let [u, v, goal] = [0, 1, 2].map(|i| query.configuration().unwrap()[i]);
     ((x - u) * (x - u) + (y - v) * (y - v)).sqrt() <= translation && wrap(theta - goal).abs() <= rotation
 }
 

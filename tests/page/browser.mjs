@@ -34,9 +34,9 @@ export async function stop() {
  * no request to anywhere else.
  * @param {Options} options  `reducedMotion: "reduce"` opens it paused
  * @param {(page: Page, url: string) => Promise<void>} test
- * @param {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean }} [more]
+ * @param {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean, path?: string }} [more]  `path`: of the page, its query and fragment
  */
-export async function onPage(options, test, { before, expectErrors = false } = {}) {
+export async function onPage(options, test, { before, expectErrors = false, path = "" } = {}) {
   assert.ok(browser && server, "start() comes first");
   const url = server.url;
   // What the page keeps for later would answer in the place of the files that tests put in its way.
@@ -57,7 +57,7 @@ export async function onPage(options, test, { before, expectErrors = false } = {
   });
   try {
     await before?.(page);
-    await page.goto(url);
+    await page.goto(url + path);
     await test(page, url);
     if (!expectErrors) assert.deepEqual(faults, []);
   } finally {

@@ -4,6 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { atRest, chooseScene, counters, finish, onPage, onPausedPage, pickFile, pixelsOf, root, start, stop, violations } from "./browser.mjs";
+import { endsOf } from "./library.mjs";
 import { Edits } from "../../www/worker/edits.js";
 import { documentText } from "../../www/exchange/document.js";
 
@@ -156,7 +157,7 @@ describe("with the mouse", () => {
       assert.equal(polygon.vertices.length, 4, "a middle that is dragged becomes a vertex");
       [[-0.7, -0.5], [-0.4, -0.7], [-0.1, -0.5], [-0.4, 0.2]].forEach((point, i) => point.forEach((value, k) => near(polygon.vertices[i][k], value, 0.02)));
       near(queries[0].start[0], -0.7);
-      near(queries[0].goal[0], 0.6);
+      near(endsOf(queries[0])[1][0], 0.6);
       for (const number of text.match(/-?\d+\.\d+/g) ?? []) assert.ok(number.replace(/^.*\./, "").length <= 4, `${number} is readable`);
       assert.deepEqual({ ...(await counters(page)), fingerprint: "", length: 0 }, { status: "running", phase: "sampling", iterations: 0, vertices: 2, edges: 0, fingerprint: "", length: 0 });
     });
@@ -233,11 +234,11 @@ describe("with the mouse", () => {
       const point = (/** @type {number} */ a, /** @type {number} */ b) => /** @type {[number, number]} */ ([
         square.x + 34 + ((a + Math.PI) / (2 * Math.PI)) * (square.width - 46), square.y + 12 + ((Math.PI - b) / (2 * Math.PI)) * (square.height - 44),
       ]);
-      await drag(page, [point(...queriesOf(document).goal), point(-2, 1)]);
+      await drag(page, [point(.../** @type {[number, number]} */ (endsOf(document.queries[0])[1])), point(-2, 1)]);
       await until(page, "undo", 3);
       ({ document } = await saved(page));
-      near(document.queries[0].goal[0], -2, 0.03);
-      near(document.queries[0].goal[1], 1, 0.03);
+      near(endsOf(document.queries[0])[1][0], -2, 0.03);
+      near(endsOf(document.queries[0])[1][1], 1, 0.03);
     });
   });
 
@@ -324,9 +325,6 @@ describe("with the mouse", () => {
     });
   });
 });
-
-/** @param {ScenarioDocument} document @returns {{ goal: [number, number] }} */
-function queriesOf(document) { return { goal: /** @type {[number, number]} */ (document.queries[0].goal) }; }
 
 describe("while it changes", () => {
   test("planning begins anew and waits until someone plays; the configuration space follows the hand", async () => {

@@ -30,9 +30,9 @@ const isJoined = (run) => {
   return piece[0] === piece[1];
 };
 
-test("seven lessons of up to five short steps, each of which plays", () => {
-  assert.equal(LESSONS.length, 7);
-  assert.equal(new Set(LESSONS.map(({ id }) => id)).size, 7);
+test("eight lessons of up to five short steps, each of which plays", () => {
+  assert.equal(LESSONS.length, 8);
+  assert.equal(new Set(LESSONS.map(({ id }) => id)).size, 8);
   for (const lesson of LESSONS) {
     assert.ok(lesson.title.length > 0 && lesson.title.length <= 30 && lesson.steps.length >= 3 && lesson.steps.length <= 5, lesson.id);
     assert.ok(lesson.steps[0].scene, lesson.id);

@@ -15,6 +15,9 @@ export function sceneOf(id) {
   return entry;
 }
 
+/** The poses that a query names: the start, and the goal unless any will do that reaches a target. @param {import("planarium").Query} query @returns {number[][]} */
+export function endsOf({ start, goal }) { return goal ? [start, goal] : [start]; }
+
 /** Its scenario, with sliders where they are put. @param {SceneEntry} entry @param {Record<string, number>} [positions] */
 export function open(entry, positions) {
   if (entry.generate) return Scenario.generate(entry.generate.kind, optionsAt(entry, positions));

@@ -148,6 +148,7 @@ describe("there and back", () => {
     await onPausedPage(async (page, url) => {
       await chooseScene(page, "passage");
       await page.fill("#option-width", "0.44");
+      await atRest(page);
       await seek(page, 30);
       const moved = await roundTrip(page, url, "slider");
       assert.deepEqual(moved.options, { width: 0.44 });
@@ -157,6 +158,7 @@ describe("there and back", () => {
       await page.fill("#make-seed", "12");
       await page.click("#make button");
       await page.waitForSelector("body[data-scene=file]");
+      await atRest(page);
       await seek(page, 25);
       const made = await roundTrip(page, url, "made");
       assert.equal(made.scene, "make-maze");
@@ -170,6 +172,7 @@ describe("there and back", () => {
       await pickFile(page, "own.json", JSON.stringify(document));
       await page.waitForSelector("#query-row:not([hidden])");
       await page.selectOption("#query", "up \u2191");
+      await atRest(page);
       await seek(page, 9);
       const own = await roundTrip(page, url, "own");
       assert.deepEqual([own.scene, own.query, own.document?.name], [undefined, "up \u2191", "own"]);

@@ -9,6 +9,7 @@ import { touchingSentence } from "../../www/worker/names.js";
 import { once } from "../../www/once.js";
 import { Rows } from "../../www/worker/rows.js";
 import { PAST, Run, SIDE } from "../../www/worker/run.js";
+import { endsOf } from "./library.mjs";
 import { SCENES } from "../../www/scenes.js";
 import { Glow } from "../../www/stage/glow.js";
 import { Tracer, folded, unrolled, way } from "../../www/stage/trace.js";
@@ -59,7 +60,7 @@ test("the way between two angles is the short one, signed", () => {
 
 test("traced curves end where the core says, and follow its interpolation", () => {
   const scenario = load("thicket");
-  const { start, goal } = scenario.document().queries[0];
+  const [start, goal] = endsOf(scenario.document().queries[0]);
   const { points, firsts } = new Tracer(scenario).curves(Float64Array.from([...start, ...goal, ...goal, ...start]));
   assert.deepEqual([...points.slice(0, 2)], [...scenario.endEffector(start)]);
   const last = firsts[1] - 1;
@@ -164,7 +165,7 @@ test("a tree that gave up shows its nearest miss; others have none to show", () 
   const { scenario, run } = ended("firs", "rrt", { step: 0.35, seed: 7, max_iterations: 300 });
   const journey = journeyOf(scenario, run);
   assert.ok(journey?.isMiss && journey.isProven);
-  const { start, goal } = scenario.document().queries[0];
+  const [start, goal] = endsOf(scenario.document().queries[0]);
   assert.ok(scenario.distance(journey.configuration(0), start) < 1e-12);
   const short = scenario.distance(journey.configuration(1), goal);
   assert.ok(short > 0.1);
@@ -235,7 +236,7 @@ test("a journey runs from start to goal at constant speed, rests, and comes back
   const planner = scenario.planner({ algorithm: "rrt-connect", seed: 1 });
   while (planner.step(100) === "running");
   const journey = new Journey(scenario, planner.path());
-  const { start, goal } = scenario.document().queries[0];
+  const [start, goal] = endsOf(scenario.document().queries[0]);
   assert.ok(Math.abs(journey.length - planner.result().length) < 1e-9);
   assert.ok(scenario.distance(journey.configuration(0), start) < 1e-12);
   assert.ok(scenario.distance(journey.configuration(1), goal) < 1e-12);
@@ -275,7 +276,7 @@ test("every scene's start and goal are free, and its settings are parameters of 
     const scenario = load(id);
     if (!generate) assert.equal(scenario.title, title);
     for (const query of scenario.document().queries) {
-      assert.ok(scenario.check(query.start).free && scenario.check(query.goal).free, `${id} ${query.name}`);
+      assert.ok(endsOf(query).every((pose) => scenario.check(pose).free), `${id} ${query.name}`);
       scenario.planner({ ...settings, algorithm, query: query.name }).free();
     }
   }

@@ -6,7 +6,7 @@ import { describe, test } from "node:test";
 import { planners } from "planarium";
 import { root } from "../../scripts/run.mjs";
 import { SCENES, optionsAt } from "../../www/scenes.js";
-import { isDriven, isFree, open, pieces, ran, sceneOf } from "./library.mjs";
+import { endsOf, isDriven, isFree, open, pieces, ran, sceneOf } from "./library.mjs";
 
 /** A scene at work as the page opens it. @param {string} id @param {import("../../www/types.js").Settings} [changed] @param {Record<string, number>} [positions] @param {number} [iterations] */
 function played(id, changed = {}, positions = {}, iterations = Infinity) {
@@ -46,7 +46,7 @@ for (const entry of SCENES) {
     const scenario = open(entry);
     const { queries } = scenario.document();
     assert.ok(queries.length > 0);
-    for (const { start, goal } of queries) assert.ok(scenario.check(start).free && scenario.check(goal).free);
+    for (const query of queries) for (const pose of endsOf(query)) assert.ok(scenario.check(pose).free);
     const { parameters } = planners().find(({ id }) => id === entry.algorithm) ?? assert.fail(entry.algorithm);
     const known = new Set([...parameters.map(({ name }) => name), "seed", "query"]);
     for (const name of Object.keys(entry.settings)) assert.ok(known.has(name), name);
@@ -61,10 +61,14 @@ for (const entry of SCENES) {
     assert.ok(seconds >= 3 && seconds <= 25, `${seconds} s`);
     assert.equal(status, entry.id === "locked" ? "exhausted" : "solved");
     if (status !== "solved") return;
-    const { start, goal, goal_tolerance: near } = scenario.document().queries[0];
+    const { start, goal, target, goal_tolerance: near } = scenario.document().queries[0];
     const end = path[path.length - 1];
     assert.ok(scenario.distance(path[0], start) < 1e-9);
-    if (near) assert.ok(Math.hypot(end[0] - goal[0], end[1] - goal[1]) <= near.translation && Math.abs(turnBetween(end[2], goal[2])) <= near.rotation);
+    if (target) {
+      const [x, y] = scenario.endEffector(end);
+      assert.ok(Math.hypot(x - target.point[0], y - target.point[1]) < 1e-8);
+    } else if (!goal) assert.fail("a query has a goal or a target");
+    else if (near) assert.ok(Math.hypot(end[0] - goal[0], end[1] - goal[1]) <= near.translation && Math.abs(turnBetween(end[2], goal[2])) <= near.rotation);
     else assert.ok(scenario.distance(end, goal) < 1e-9);
     assert.equal(scenario.robot === "car" ? isDriven(scenario, result) : isFree(scenario, path), entry.id !== "veil");
   });
@@ -77,8 +81,8 @@ describe("sliders", () => {
       assert.ok(entry.generate && sliders.length >= 1 && sliders.length <= 2);
       const check = (/** @type {Record<string, number>} */ positions) => {
         const scenario = open(entry, positions);
-        for (const { start, goal } of scenario.document().queries) {
-          assert.ok(scenario.check(start).free && scenario.check(goal).free, JSON.stringify(positions));
+        for (const query of scenario.document().queries) {
+          assert.ok(endsOf(query).every((pose) => scenario.check(pose).free), JSON.stringify(positions));
         }
         scenario.free();
       };
@@ -159,7 +163,7 @@ describe("what the stories promise", () => {
     const columns = new Set([...seen].map((cell) => cell % n));
     const rows = new Set([...seen].map((cell) => Math.floor(cell / n)));
     assert.ok(columns.size < n && rows.size < n, "with sea all round");
-    const { start, goal } = scenario.document().queries[0];
+    const [start, goal] = endsOf(scenario.document().queries[0]);
     assert.notEqual(scenario.firstHit(start, goal), null, "the straight way is blocked");
   });
 
@@ -195,7 +199,7 @@ describe("what the stories promise", () => {
 
   test("pebbles: the path is nearly as short as the straight line", () => {
     const { scenario, result } = played("pebbles");
-    const { start, goal } = scenario.document().queries[0];
+    const [start, goal] = endsOf(scenario.document().queries[0]);
     assert.ok(result.length < 1.1 * scenario.distance(start, goal), `${result.length}`);
   });
 

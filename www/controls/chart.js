@@ -110,14 +110,14 @@ const round = (value) => Math.round(10 * value) / 10;
 export const told = (value) => value.toLocaleString("en", { maximumSignificantDigits: 6 });
 
 /** @template {keyof SVGElementTagNameMap} T @param {T} tag @param {Record<string, string | number>} attributes @returns {SVGElementTagNameMap[T]} */
-function svg(tag, attributes) {
+export function svg(tag, attributes) {
   const element = document.createElementNS(SPACE, tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   return element;
 }
 
 /** @param {string} text @param {Record<string, string | number>} attributes */
-function words(text, attributes) {
+export function words(text, attributes) {
   const element = svg("text", attributes);
   element.textContent = text;
   return element;

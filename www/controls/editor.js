@@ -56,7 +56,9 @@ export class EditorControls {
     this.previous = this.button("Previous", ["pick", -1], "PageUp");
     this.next = this.button("Next", ["pick", 1], "PageDown");
     this.insert = this.button("Add vertex", ["insert"], "Insert");
-    this.parts = make("div", { className: "parts" }, this.previous, this.next, this.insert);
+    this.retarget = this.button("", ["retarget"]);
+    this.retarget.id = "edit-retarget";
+    this.parts = make("div", { className: "parts" }, this.previous, this.next, this.insert, this.retarget);
     this.fields = make("div", {});
     this.reason = make("p", { className: "reason", id: "edit-reason", hidden: true });
     const save = make("button", { type: "button", id: "edit-save" }, "Save JSON");
@@ -64,7 +66,7 @@ export class EditorControls {
     this.revert = this.button("Revert", ["revert"]);
     this.revert.title = "Brings the scene back as it was opened; Undo brings your edits back.";
     const keys = make("details", {}, make("summary", {}, "Editing keys"), make("p", { className: "hint" },
-      "On the stage: [ and ] select, Page Up and Page Down pick a vertex or joint, arrows move (Shift: ten times as far), "
+      "On the stage: [ and ] select, Page Up and Page Down pick a vertex, a joint or the end of an arm, arrows move (Shift: ten times as far), "
       + "Insert adds a vertex, Delete deletes, D duplicates, Enter puts what the tool draws or closes a polygon, Escape cancels, "
       + "Ctrl+Z undoes, Ctrl+Shift+Z redoes. While dragging, Shift snaps to a grid and to 15 degrees."));
     this.host.append(this.bar, this.title, this.parts, this.fields, this.reason, make("div", { className: "parts" }, save, this.revert), keys);
@@ -139,7 +141,10 @@ export class EditorControls {
     this.remove.disabled = this.duplicate.disabled && !edit.isBusy;
     this.revert.disabled = !edit.isChanged;
     write(this.title, title || "Nothing is selected.");
-    this.parts.hidden = parts === 0;
+    this.parts.hidden = parts === 0 && edit.goal === "";
+    this.previous.hidden = this.next.hidden = parts === 0;
+    this.retarget.hidden = edit.goal === "";
+    write(this.retarget, edit.goal === "target" ? "Reach it in one pose" : "Reach it in any pose");
     this.insert.hidden = kind !== "polygon";
     write(this.reason, reason || touching);
     this.reason.hidden = reason === "" && touching === "";

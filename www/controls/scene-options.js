@@ -64,6 +64,8 @@ export function showSceneOptions(page, generators) {
   /** @param {Source} source @param {SceneEntry} [entry] */
   function wish(source, entry) {
     next = { source, entry };
+    // What is on the stage is old news from now on, not only from the frame in which it is replaced.
+    page.studio.order();
     if (!busy) requestAnimationFrame(() => void obey());
     busy = true;
   }

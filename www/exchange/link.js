@@ -26,60 +26,11 @@
  * @property {View} view
  * @property {Settings} [options]  of the scene
  */
+import { packed, unpacked } from "./packed.js";
+import { Fault, flag, json, list, must, name, record, rule, settings, text, whole } from "./rules.js";
 
 const MOST_FRAGMENT = 65536;
 const MOST_BYTES = 1 << 20;
-
-/** @typedef {(value: unknown, at: string) => void} Rule  throws a fault that names `at` */
-
-class Fault extends Error {}
-
-/** @param {unknown} holds @param {string} fault @returns {asserts holds} */
-function must(holds, fault) {
-  if (!holds) throw new Fault(`This link does not work: ${fault}.`);
-}
-
-/** @param {(value: unknown) => unknown} holds @returns {Rule} */
-const rule = (holds) => (value, at) => must(holds(value), `${at} is wrong`);
-
-/** @param {number} most @returns {Rule} */
-const whole = (most) => rule((value) => Number.isInteger(value) && Number(value) >= 0 && Number(value) <= most);
-
-/** By such a name nothing is found that was not put there. */
-const name = rule((value) => typeof value === "string" && /^[\w-]{1,64}$/.test(value) && value !== "prototype" && !(value in Object.prototype));
-const text = rule((value) => typeof value === "string" && value.length <= 256);
-const flag = rule((value) => typeof value === "boolean");
-const number = rule(Number.isFinite);
-
-/** @param {Rule} item @param {number} least @param {number} most @returns {Rule} */
-const list = (item, least, most) => (value, at) => {
-  must(Array.isArray(value) && value.length >= least && value.length <= most, `${at} is wrong`);
-  value.forEach((entry, i) => item(entry, `${at}.${i}`));
-};
-
-/** At most 64 entries; what is undefined is absent. @param {Record<string, Rule>} rules @param {Rule} [others]  of entries without a rule; else there are none @returns {Rule} */
-const record = (rules, others) => (value, at) => {
-  must(typeof value === "object" && value && !Array.isArray(value), `${at} is wrong`);
-  const entries = Object.entries(value).filter(([, entry]) => entry !== undefined);
-  must(entries.length <= 64, `${at} is wrong`);
-  for (const [key, entry] of entries) {
-    const place = `${at}.${key.slice(0, 64)}`;
-    name(key, place);
-    const each = rules[key] ?? others;
-    must(each, `${place} is unknown`);
-    each(entry, place);
-  }
-};
-
-const settings = record({}, (value, at) => (typeof value === "string" ? text : typeof value === "number" ? number : flag)(value, at));
-
-/** Any JSON; what it means is for the package to judge. @param {number} depth  how deep it may be nested @returns {Rule} */
-const json = (depth) => (value, at) => {
-  must(depth, `${at} is wrong`);
-  if (Array.isArray(value)) list(json(depth - 1), 0, Infinity)(value, at);
-  else if (typeof value === "object" && value) record({}, json(depth - 1))(value, at);
-  else if (typeof value === "number") number(value, at);
-};
 
 const experimentRule = record({
   version: rule((value) => value === 1),
@@ -117,11 +68,8 @@ function seen(view) {
 export async function encodeLink(experiment) {
   requireExperiment(experiment);
   const { version, iteration, view, ...rest } = experiment;
-  const bytes = new TextEncoder().encode(JSON.stringify({ ...rest, iteration: iteration || undefined, view: seen(view) }));
-  const packed = await pump(bytes, new CompressionStream("deflate-raw"));
-  const binary = Array.from(packed, (byte) => String.fromCharCode(byte)).join("");
-  const fragment = `1${btoa(binary).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "")}`;
-  must(bytes.length <= MOST_BYTES && fragment.length < MOST_FRAGMENT, "it is too long");
+  const fragment = `1${await packed({ ...rest, iteration: iteration || undefined, view: seen(view) }, MOST_BYTES)}`;
+  must(fragment.length < MOST_FRAGMENT, "it is too long");
   return fragment;
 }
 
@@ -132,33 +80,13 @@ export async function encodeLink(experiment) {
 export async function decodeLink(fragment) {
   try {
     must(String(fragment).length <= MOST_FRAGMENT, "it is too long");
-    const [, packed] = /^#?1([\w-]+)$/.exec(fragment) ?? [];
-    must(packed, "it is not one of version 1");
-    const binary = atob(packed.replace(/-/g, "+").replace(/_/g, "/"));
-    const bytes = await pump(Uint8Array.from(binary, (c) => c.charCodeAt(0)), new DecompressionStream("deflate-raw"));
-    const value = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
+    const [, content] = /^#?1([\w-]+)$/.exec(fragment) ?? [];
+    must(content, "it is not one of version 1");
+    const value = await unpacked(content, MOST_BYTES);
     requireExperiment(value);
     const lanes = value.lanes.map((lane) => ({ ...lane, settings: lane.settings ?? {} }));
     return { experiment: { iteration: 0, view: {}, ...value, version: 1, lanes }, fault: null };
   } catch (error) {
     return { experiment: null, fault: error instanceof Fault ? error.message : "This link does not work: it is damaged." };
-  }
-}
-
-/**
- * Sends bytes through a transform, and stops reading beyond the limit.
- * @param {Uint8Array<ArrayBuffer>} bytes @param {CompressionStream | DecompressionStream} transform
- */
-async function pump(bytes, transform) {
-  const reader = new Blob([bytes]).stream().pipeThrough(transform).getReader();
-  const parts = [];
-  let size = 0;
-  for (;;) {
-    const { done, value } = await reader.read();
-    if (done) return new Uint8Array(await new Blob(parts).arrayBuffer());
-    parts.push(value);
-    size += value.length;
-    if (size > MOST_BYTES) await reader.cancel();
-    must(size <= MOST_BYTES, "it is too long");
   }
 }

@@ -4,7 +4,9 @@
  * comes back on the other.
  */
 import { coordinatesOf } from "../worker/coordinates.js";
+import { tick, ticks, titleOf } from "./angles.js";
 import { drawMarked } from "./marked.js";
+import { paint, soften } from "./mask.js";
 import { Pane } from "./pane.js";
 import { Slice, keyOf } from "./slice.js";
 import { folded, unrolled } from "./trace.js";
@@ -13,7 +15,6 @@ import { View } from "./view.js";
 /** @import { Lane, Shown } from "../worker/lane.js" */
 /** @import { LayerName } from "./layer.js" */
 /** @import { Coordinate, Scenario } from "../types.js" */
-/** @import { Palette } from "./palette.js" */
 
 const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };
 /** Cells a side of the obstacle image: as many as the screen is worth, within reason (the core takes some 0.3 us a cell); while the world changes, as many as `time` milliseconds allow. */
@@ -241,97 +242,4 @@ export class CSpace extends Pane {
     }
     context.restore();
   }
-}
-
-/** @param {CanvasRenderingContext2D} context @param {number} x0 @param {number} y0 @param {number} x1 @param {number} y1 */
-function tick(context, x0, y0, x1, y1) {
-  context.beginPath();
-  context.moveTo(x0, y0);
-  context.lineTo(x1, y1);
-  context.stroke();
-}
-
-/** @param {Coordinate} coordinate */
-function titleOf({ name, unit }) { return unit === "m" ? `${name} (m)` : name; }
-
-/** Multiples of a quarter or half turn within a range of angles; of lengths, both ends and the middle where it is round. @param {Coordinate} coordinate */
-function ticks({ low, high, unit: measure }) {
-  if (measure === "m") return [low, (low + high) / 2, high].map((value) => ({ value, text: Number(value.toPrecision(3)).toString().replace("-", "\u2212") }));
-  const unit = high - low > 4 * Math.PI + 0.01 ? 2 * Math.PI : Math.PI;
-  const marks = [];
-  for (let i = Math.ceil(low / unit - 1e-9); i * unit <= high + 1e-9; i++) {
-    const turns = (i * unit) / Math.PI;
-    const text = turns === 0 ? "0" : `${turns < 0 ? "\u2212" : ""}${Math.abs(turns) === 1 ? "" : Math.abs(turns)}\u03c0`;
-    marks.push({ value: i * unit, text });
-  }
-  return marks;
-}
-
-/** Rounds the stairs of a mask of cells: each becomes the weighted mean of its neighbourhood. @param {Uint8Array} bytes @param {number} side */
-function soften(bytes, side) {
-  const pass = new Float32Array(side * side);
-  const mask = new Float32Array(side * side);
-  const clamp = (/** @type {number} */ i) => Math.min(side - 1, Math.max(0, i));
-  for (let r = 0; r < side; r++) {
-    for (let c = 0; c < side; c++) {
-      pass[r * side + c] = (bytes[r * side + clamp(c - 1)] + 2 * bytes[r * side + c] + bytes[r * side + clamp(c + 1)]) / 4;
-    }
-  }
-  for (let r = 0; r < side; r++) {
-    for (let c = 0; c < side; c++) {
-      mask[r * side + c] = (pass[clamp(r - 1) * side + c] + 2 * pass[r * side + c] + pass[clamp(r + 1) * side + c]) / 4;
-    }
-  }
-  return mask;
-}
-
-/**
- * The mask as an image of the screen's own pixels: filled where more than half is collision, with a fine edge.
- * @param {Float32Array} mask  rows from the lowest angles
- * @param {number} side @param {number} width @param {number} height  device pixels
- * @param {Palette} palette
- */
-function paint(mask, side, width, height, palette) {
-  const canvas = new OffscreenCanvas(Math.max(1, width), Math.max(1, height));
-  const context = canvas.getContext("2d");
-  if (!context) return canvas;
-  const image = context.createImageData(canvas.width, canvas.height);
-  const inner = bytesOf(palette.obstacle);
-  const edge = bytesOf(palette["obstacle-edge"]);
-  // However small the picture, what is deep inside has the colour of obstacles.
-  const cell = Math.max(1.4, Math.min(width, height) / side);
-  const pixels = image.data;
-  for (let py = 0; py < canvas.height; py++) {
-    const gy = Math.min(side - 1, Math.max(0, (1 - (py + 0.5) / canvas.height) * side - 0.5));
-    const r0 = Math.floor(gy);
-    const r1 = Math.min(side - 1, r0 + 1);
-    const fy = gy - r0;
-    for (let px = 0; px < canvas.width; px++) {
-      const gx = Math.min(side - 1, Math.max(0, ((px + 0.5) / canvas.width) * side - 0.5));
-      const c0 = Math.floor(gx);
-      const c1 = Math.min(side - 1, c0 + 1);
-      const fx = gx - c0;
-      const low = mask[r0 * side + c0] * (1 - fx) + mask[r0 * side + c1] * fx;
-      const high = mask[r1 * side + c0] * (1 - fx) + mask[r1 * side + c1] * fx;
-      const depth = (low * (1 - fy) + high * fy - 0.42) * cell * 2.4 + 0.5;
-      if (depth <= 0) continue;
-      const rim = Math.min(1, Math.max(0, (depth - 1.2) / 1.2));
-      const at = 4 * (py * canvas.width + px);
-      for (let k = 0; k < 3; k++) pixels[at + k] = edge[k] * (1 - rim) + inner[k] * rim;
-      pixels[at + 3] = 255 * Math.min(1, depth);
-    }
-  }
-  context.putImageData(image, 0, 0);
-  return canvas;
-}
-
-/** Red, green and blue of a resolved CSS colour. @param {string} colour @returns {[number, number, number]} */
-function bytesOf(colour) {
-  const canvas = new OffscreenCanvas(1, 1);
-  const context = canvas.getContext("2d");
-  if (!context) return [0, 0, 0];
-  context.fillStyle = colour;
-  context.fillRect(0, 0, 1, 1);
-  const [r, g, b] = context.getImageData(0, 0, 1, 1).data;
-  return [r, g, b];
 }

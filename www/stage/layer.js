@@ -10,7 +10,7 @@ export const LAYERS = /** @type {const} */ (["ground", "edges", "vertices", "mar
 /** @typedef {typeof LAYERS[number]} LayerName */
 
 export class Layer {
-  /** @param {OffscreenCanvas} canvas */
+  /** @param {OffscreenCanvas | HTMLCanvasElement} canvas */
   constructor(canvas) {
     this.canvas = canvas;
     const context = canvas.getContext("2d");

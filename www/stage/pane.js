@@ -278,12 +278,12 @@ export class Pane {
   }
 
   /** Start and goal. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette */
-  drawEnds(context, { shown: { start, goal } }, palette) {
+  drawEnds(context, { shown: { start, goals } }, palette) {
     if (start) {
       const [x, y] = this.pixels(Float64Array.from(start));
       drawStart(context, x, y, palette);
     }
-    if (goal) {
+    for (const goal of goals) {
       const [x, y] = this.pixels(Float64Array.from(goal));
       drawGoal(context, x, y, palette);
     }

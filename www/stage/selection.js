@@ -1,7 +1,8 @@
 /** What the editor adds to the picture: what is selected and its handles, what is being drawn, what is refused or in collision. */
 import { handlesOf } from "../worker/handles.js";
 import { touchingSentence } from "../worker/names.js";
-import { obstacleOf } from "../worker/things.js";
+import { isTip, tipOf } from "../worker/reaching.js";
+import { obstacleOf, targetOf } from "../worker/things.js";
 import { drawGhost, drawHit, drawLabel, drawTouchingParts, obstaclePath } from "./shapes.js";
 import { Workspace } from "./workspace.js";
 
@@ -44,6 +45,9 @@ function drawSelection(pane, context, lane) {
     const isActive = selected?.kind === end && part === 0;
     if (at) shown.placed?.drawHandle(context, view, at, palette[end], isActive ? palette.ink : palette.stage);
   }
+  const target = targetOf(document, selected);
+  if (pose && selected && isTip(scenario, selected, part)) drawSelected(context, ...pixelsOf(view, tipOf(scenario, pose)), palette);
+  if (target) drawSelected(context, ...pixelsOf(view, target.point), palette);
   context.save();
   context.lineJoin = "round";
   const obstacle = obstacleOf(document, selected);
@@ -91,11 +95,7 @@ function drawSelectedPoint(pane, context, { shown }) {
   const pose = selected?.kind === "start" ? shown.start : selected?.kind === "goal" ? shown.goal : null;
   if (pose) {
     const [x, y] = pane.pixels(Float64Array.from(pose));
-    context.strokeStyle = palette.ink;
-    context.lineWidth = 1.5;
-    context.beginPath();
-    context.arc(x, y, 13, 0, 2 * Math.PI);
-    context.stroke();
+    drawSelected(context, x, y, palette);
   }
   for (const { pose: at } of overlay.touching) {
     const [x, y] = pane.pixels(Float64Array.from(at));
@@ -103,6 +103,18 @@ function drawSelectedPoint(pane, context, { shown }) {
   }
   nameTouching(pane, context, overlay, scenario);
 }
+
+/** A fine ring around what is selected. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {Palette} palette */
+function drawSelected(context, x, y, palette) {
+  context.strokeStyle = palette.ink;
+  context.lineWidth = 1.5;
+  context.beginPath();
+  context.arc(x, y, 13, 0, 2 * Math.PI);
+  context.stroke();
+}
+
+/** @param {View} view @param {ArrayLike<number>} point @returns {[number, number]} */
+function pixelsOf(view, point) { return [view.x(point[0]), view.y(point[1])]; }
 
 /** Says what touches what beside each end in collision, within the sheet. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Overlay} overlay @param {Scenario} scenario */
 function nameTouching(pane, context, { touching }, scenario) {

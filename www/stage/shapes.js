@@ -215,6 +215,33 @@ export function drawGoal(context, x, y, palette) {
   context.restore();
 }
 
+/** A ring with four strokes: where the end effector is to be, and which way the last link is to point there. @param {Context} context @param {number} x @param {number} y @param {number | undefined} orientation @param {Palette} palette */
+export function drawTarget(context, x, y, orientation, palette) {
+  context.save();
+  context.lineCap = "round";
+  for (const [colour, width] of /** @type {[string, number][]} */ ([[palette.stage, 5], [palette.goal, 2]])) {
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.beginPath();
+    context.arc(x, y, 12, 0, 2 * Math.PI);
+    for (let i = 0; i < 4; i++) {
+      const [dx, dy] = [Math.cos((i * Math.PI) / 2), Math.sin((i * Math.PI) / 2)];
+      context.moveTo(x + 9 * dx, y + 9 * dy);
+      context.lineTo(x + 17 * dx, y + 17 * dy);
+    }
+    if (orientation !== undefined) {
+      const [dx, dy] = [Math.cos(orientation), -Math.sin(orientation)];
+      context.moveTo(x, y);
+      context.lineTo(x + 30 * dx, y + 30 * dy);
+      context.moveTo(x + 24 * dx - 5 * dy, y + 24 * dy + 5 * dx);
+      context.lineTo(x + 30 * dx, y + 30 * dy);
+      context.lineTo(x + 24 * dx + 5 * dy, y + 24 * dy - 5 * dx);
+    }
+    context.stroke();
+  }
+  context.restore();
+}
+
 /** @param {Context} context @param {number} x @param {number} y @param {number} radius */
 function diamond(context, x, y, radius) {
   context.beginPath();

@@ -1,7 +1,8 @@
 /** What keys and fields do to a document: small moves, further vertices, further obstacles. */
 import { contained, coordinatesOf } from "./coordinates.js";
 import { ANGLE } from "./gestures.js";
-import { moved, obstacleOf, poseOf, rectangle, rounded, withObstacle, withPose, withVertex } from "./things.js";
+import { isTip, leads, tipOf } from "./reaching.js";
+import { moved, obstacleOf, poseOf, rectangle, rounded, targetOf, withObstacle, withPose, withTarget, withVertex } from "./things.js";
 
 /** @import { EditTool, Obstacle, ScenarioDocument } from "../types.js" */
 /** @import { Shown } from "./lane.js" */
@@ -16,6 +17,15 @@ export function nudged(shown, thing, part, dx, dy, unit) {
   const { document, scenario } = shown;
   const step = 100 * unit;
   const pose = poseOf(document, thing);
+  const target = targetOf(document, thing);
+  if (target) {
+    const [x, y] = target.point;
+    return withTarget(document, thing, { ...target, point: [rounded(x + dx * step, unit), rounded(y + dy * step, unit)] });
+  }
+  if (pose && isTip(scenario, thing, part)) {
+    const [x, y] = tipOf(scenario, pose);
+    return leads(shown, thing, pose)([x + dx * step, y + dy * step]);
+  }
   if (pose) {
     const angle = scenario.robot === "arm" ? part ?? 0 : part === null ? -1 : 2;
     const next = angle < 0 || scenario.robot === "disc"

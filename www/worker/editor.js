@@ -10,7 +10,8 @@ import { coordinatesOf } from "./coordinates.js";
 import { Edits } from "./edits.js";
 import { Hand } from "./hand.js";
 import { touchingSentence } from "./names.js";
-import { fieldsOf, obstacleOf, poseOf, same, thingsOf, withField, withObstacle, withVertex } from "./things.js";
+import { isTip, leads, otherGoal, tipOf } from "./reaching.js";
+import { fieldsOf, obstacleOf, place, poseOf, rounded, same, targetOf, thingsOf, withField, withObstacle, withVertex } from "./things.js";
 
 /** @import { Check, EditOrder, EditState, EditTool, Fault, Obstacle, Pointer, Scenario, ScenarioDocument } from "../types.js" */
 /** @import { Pane } from "../stage/pane.js" */
@@ -44,6 +45,9 @@ export function editorOf(theatre) {
   }
   return theatre.editor;
 }
+
+/** @param {string} message */
+function sentence(message) { return message && `${message[0].toUpperCase()}${message.slice(1)}.`; }
 
 export class Editor {
   /** @param {Theatre} theatre */
@@ -81,6 +85,8 @@ export class Editor {
 
   get shown() { return /** @type {Shown} */ (this.theatre.shown); }
   get document() { return this.shown.document; }
+  /** The target, where that is selected. */
+  get target() { return targetOf(this.document, this.selected); }
   get obstacle() { return obstacleOf(this.document, this.selected); }
   get history() { return /** @type {Edits} */ (this.edits); }
 
@@ -154,7 +160,12 @@ export class Editor {
 
   /** Gives one number of what is selected. @param {number} index @param {number} value */
   set(index, value) {
-    if (this.selected) this.change(withField(this.document, this.selected, this.part ?? 0, index, value));
+    const { selected, part, shown, document } = this;
+    const pose = poseOf(document, selected);
+    if (selected && pose && isTip(shown.scenario, selected, part)) {
+      const point = tipOf(shown.scenario, pose);
+      this.change(leads(shown, selected, pose)(/** @type {Point} */ (Array.from(point).with(index, value))));
+    } else if (selected) this.change(withField(document, selected, part ?? 0, index, value));
   }
 
   /** Adds a vertex behind the one that is selected. */
@@ -178,6 +189,15 @@ export class Editor {
     if (!this.change(withObstacle(this.document, selected.index, left))) return;
     this.choose(left && selected, null);
     this.said = `${title} deleted.`;
+  }
+
+  /** Makes a target of a goal, or a goal of a target. */
+  retarget() {
+    const { selected, shown } = this;
+    const document = selected && otherGoal(shown, selected);
+    if (!document || !this.change(document)) return;
+    this.choose(selected, null);
+    this.said = this.target ? "Any pose that reaches the point will do." : "The goal is this one pose.";
   }
 
   duplicate() {
@@ -281,7 +301,7 @@ export class Editor {
   /** The stage shows the document of now again, which was good once. */
   settle() {
     this.attempt(this.history.now, null, false);
-    if (!this.obstacle && !poseOf(this.document, this.selected)) this.selected = null;
+    if (!this.obstacle && !this.target && !poseOf(this.document, this.selected)) this.selected = null;
     if ((this.part ?? 0) >= this.parts) this.part = null;
     this.end();
   }
@@ -302,24 +322,31 @@ export class Editor {
 
   // What is told.
 
-  /** Vertices of a polygon, joints of an arm or the heading of a body, 0 where there is nothing to pick. @returns {number} */
+  /** Vertices of a polygon, joints of an arm and its end effector, or the heading of a body, 0 where there is nothing to pick. @returns {number} */
   get parts() {
     const { obstacle } = this;
     if (obstacle) return obstacle.type === "polygon" ? obstacle.vertices.length : 0;
     const { scenario, placed } = this.shown;
-    return this.selected && scenario.robot !== "disc" ? placed ? 1 : scenario.dimension : 0;
+    return this.selected && !this.target && scenario.robot !== "disc" ? placed ? 1 : scenario.dimension + 1 : 0;
   }
 
   /** What is selected, in words. @returns {string} */
   get title() {
     const { selected, part, obstacle } = this;
     if (!selected) return "";
-    const name = obstacle ? `Obstacle ${selected.index}, a ${obstacle.type}` : selected.kind === "start" ? "Start" : "Goal";
+    const name = obstacle ? `Obstacle ${selected.index}, a ${obstacle.type}` : selected.kind === "start" ? "Start" : this.target ? "Target" : "Goal";
+    if (isTip(this.shown.scenario, selected, part)) return `${name}, end effector`;
     if (part === null || this.parts === 0) return name;
     return this.shown.placed && !obstacle ? `${name}, its heading` : `${name}, ${obstacle ? "vertex" : "joint"} ${part}`;
   }
 
-  get fields() { return fieldsOf(this.document, this.selected, this.part ?? 0, coordinatesOf(this.shown)); }
+  get fields() {
+    const { document, selected, part, shown } = this;
+    const pose = poseOf(document, selected);
+    if (!pose || !isTip(shown.scenario, selected, part)) return fieldsOf(document, selected, part ?? 0, coordinatesOf(shown));
+    const [x, y] = tipOf(shown.scenario, pose);
+    return [place("x", rounded(x, this.unit)), place("y", rounded(y, this.unit))];
+  }
 
   /** What is selected, and where it is. */
   get whereabouts() { return `${this.title}: ${this.fields.map(({ name, value }) => `${name} ${value}`).join(", ")}.`; }
@@ -342,16 +369,17 @@ export class Editor {
     };
   }
 
-  /** Start or goal in collision, in words. @returns {string} */
+  /** Start or goal in collision, or a target that is out of reach, in words. @returns {string} */
   get touching() {
-    const { overlay, scenario } = this.shown;
+    const { overlay, scenario, target } = this.shown;
+    const { refusal } = this.theatre;
+    if (target && refusal) return sentence(faultOf(refusal.error).message);
     return (overlay?.touching ?? []).map(({ end, check }) => `The ${end} is in collision: ${touchingSentence(scenario, check)}.`).join(" ");
   }
 
   /** Why the last change was refused, or empty. @returns {string} */
   get reason() {
-    const message = this.refusal?.message ?? "";
-    return message && `${message[0].toUpperCase()}${message.slice(1)}.`;
+    return sentence(this.refusal?.message ?? "");
   }
 
   /** Is there bad news? @returns {boolean} */
@@ -373,6 +401,7 @@ export class Editor {
     return {
       tool, title, said, part, parts, changes, reason, touching, fields,
       kind: obstacle ? obstacle.type : this.selected ? "end" : "",
+      goal: this.selected?.kind !== "goal" || this.shown.scenario.robot !== "arm" ? "" : this.target ? "target" : "pose",
       code: this.refusal?.code ?? "",
       undoable: history.undoable, redoable: history.redoable, isChanged: history.now !== history.first,
       isBusy: this.hand.isBusy,

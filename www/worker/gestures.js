@@ -3,7 +3,8 @@
  * fifths of the grid of dots, joints and directions to 15 degrees, and makes rectangles squares.
  */
 import { contained, coordinatesOf, wrap } from "./coordinates.js";
-import { moved, obstacleOf, rectangle, rounded, withObstacle, withPose, withVertex } from "./things.js";
+import { isTip, leads } from "./reaching.js";
+import { moved, obstacleOf, rectangle, rounded, targetOf, withObstacle, withPose, withTarget, withVertex } from "./things.js";
 
 /** @import { CSpace } from "../stage/cspace.js" */
 /** @import { Obstacle, ScenarioDocument } from "../types.js" */
@@ -42,9 +43,15 @@ export function pointFrom(scale, from, x, y, shift) {
 }
 
 /** Takes hold of what lies beneath the pointer. @param {Shown} shown @param {Hit} hit @param {Scale} scale @param {CSpace | null} square @param {Point} from @returns {Gesture} */
-export function holds({ document, scenario, start, goal, placed }, { thing, part, handle }, scale, square, [x0, y0]) {
+export function holds(shown, { thing, part, handle }, scale, square, [x0, y0]) {
+  const { document, scenario, start, goal, placed } = shown;
   const obstacle = obstacleOf(document, thing);
   if (obstacle) return reshapes(document, obstacle, thing, handle, scale, x0, y0);
+  const target = targetOf(document, thing);
+  if (target) {
+    const [tx, ty] = target.point;
+    return (x, y, shift) => withTarget(document, thing, { ...target, point: pointAt(scale, tx + x - x0, ty + y - y0, shift) });
+  }
   const pose = Array.from((thing.kind === "start" ? start : goal) ?? []);
   const coordinates = coordinatesOf({ scenario, document });
   /** @param {number[]} next */
@@ -64,6 +71,10 @@ export function holds({ document, scenario, start, goal, placed }, { thing, part
   }
   if (placed) return (x, y, shift) => put([...pointAt(scale, pose[0] + x - x0, pose[1] + y - y0, shift), pose[2]]);
   if (scenario.robot === "disc") return (x, y, shift) => put(pointAt(scale, pose[0] + x - x0, pose[1] + y - y0, shift));
+  if (isTip(scenario, thing, part)) {
+    const lead = leads(shown, thing, pose);
+    return (x, y, shift) => lead(pointAt(scale, x, y, shift));
+  }
   const joint = part ?? 0;
   const link = scenario.footprint(pose)[joint];
   if (link.type !== "capsule") return () => document;

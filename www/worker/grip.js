@@ -1,5 +1,6 @@
 /**
- * The robot in the hand: a point of the configuration square is a pose; a link that is dragged turns its joint; a disc goes
+ * The robot in the hand: a point of the configuration square is a pose; a link that is dragged turns its joint, the end of the last
+ * one leads the arm; a disc goes
  * where it is put, a body too, unless it is taken by the handle that turns it. What a pointer says in pixels of a pane becomes a configuration.
  */
 import { contained, coordinatesOf, wrap } from "./coordinates.js";
@@ -9,10 +10,12 @@ import { contained, coordinatesOf, wrap } from "./coordinates.js";
 
 /** How near to a part a pointer must be to hold it, CSS pixels: a finger is less exact than a mouse. */
 const REACH = 18;
+/** How near to the end of an arm to lead it by that. */
+const TIP = 12;
 
 export class Grip {
   constructor() {
-    /** Which joint is held, and by how much the pointer was off its link when it was taken. @type {{ joint: number, offset: number } | null} */
+    /** Which joint is held, or behind the last one the end effector, and by how much the pointer was off its link when it was taken. @type {{ joint: number, offset: number } | null} */
     this.held = null;
   }
 
@@ -48,6 +51,11 @@ export class Grip {
       const distance = distanceToSegment(px, py, part.a, part.b) - part.radius;
       if (distance < least) { least = distance; nearest = i; }
     });
+    const last = parts[parts.length - 1];
+    if (last.type === "capsule" && Math.hypot(px - last.b[0], py - last.b[1]) * view.scaleX <= TIP) {
+      this.held = { joint: parts.length, offset: 0 };
+      return Float64Array.from(pose);
+    }
     if (nearest < 0 || least * view.scaleX > REACH) return null;
     const part = parts[nearest];
     if (part.type !== "capsule") return null;
@@ -66,6 +74,7 @@ export class Grip {
     const coordinates = coordinatesOf(lane.shown);
     if (scenario.robot === "disc") return contained(Float64Array.of(px, py), coordinates);
     if (!this.held || !hand) return null;
+    if (this.held.joint === scenario.dimension) return Float64Array.from(scenario.follow(hand, [px, py]).configuration);
     const part = scenario.footprint(hand)[this.held.joint];
     if (part.type !== "capsule") return null;
     const link = Math.atan2(part.b[1] - part.a[1], part.b[0] - part.a[0]);

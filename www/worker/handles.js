@@ -1,7 +1,7 @@
 /** What lies beneath a pointer: handles of what is selected, start and goal by their robot, obstacles. */
 import { contains } from "../stage/shapes.js";
 import { distanceToSegment } from "./grip.js";
-import { obstacleOf, same, thingsOf } from "./things.js";
+import { obstacleOf, same, targetOf, thingsOf } from "./things.js";
 
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { View } from "../stage/view.js" */
@@ -9,10 +9,12 @@ import { obstacleOf, same, thingsOf } from "./things.js";
 /** @import { Shown } from "./lane.js" */
 /** @import { Point, Thing } from "./things.js" */
 /** @typedef {{ kind: "vertex" | "middle" | "radius", part: number, at: Point }} Handle   `part` is the vertex, or the one before a middle */
-/** @typedef {{ thing: Thing, part: number | null, handle: Handle | null }} Hit   `part` is the vertex or the joint */
+/** @typedef {{ thing: Thing, part: number | null, handle: Handle | null }} Hit   `part` is the vertex, the joint, or behind the last joint the end effector */
 
 /** How near a pointer must come, CSS pixels: a finger is less exact than a mouse. */
 export const REACH = { mouse: 9, touch: 22 };
+/** How large the mark of an end effector is, CSS pixels. */
+const TIP = 8;
 /** Edges shorter than this have no handle in their middle, CSS pixels. */
 const ROOM = 40;
 
@@ -68,6 +70,8 @@ export function hitAt(pane, isSquare, shown, query, selected, px, py, reach) {
       if (!isSquare) offer(distanceTo(obstacle, x, y) * view.scaleX, { thing, part: null, handle: null });
       continue;
     }
+    const target = targetOf(document, thing);
+    if (target && !isSquare) offer(Math.max(0, Math.hypot(view.x(target.point[0]) - px, view.y(target.point[1]) - py) - TIP), { thing, part: null, handle: null });
     const pose = thing.kind === "start" ? shown.start : shown.goal;
     if (!pose) continue;
     if (isSquare) {
@@ -76,6 +80,11 @@ export function hitAt(pane, isSquare, shown, query, selected, px, py, reach) {
     } else {
       const { placed } = shown;
       scenario.footprint(pose).forEach((part, i) => offer(Math.max(0, toPart(part, x, y) * view.scaleX), { thing, part: placed ? null : i, handle: null }));
+      if (scenario.robot === "arm") {
+        const [ex, ey] = pane.pixels(Float64Array.from(pose));
+        // The end effector goes before its link.
+        if (Math.hypot(ex - px, ey - py) <= Math.max(TIP, reach)) offer(0, { thing, part: scenario.dimension, handle: null });
+      }
       if (!placed) continue;
       const [hx, hy] = placed.handle(pose, view);
       // The handle goes before the body that it stands in.

@@ -26,7 +26,7 @@ export class Kin {
   follow() {
     const { run, heads, next, upward, costs } = this;
     const { data, count } = run.edges;
-    const roots = run.kind === "trees" ? 2 : 1;
+    const roots = run.kind === "trees" ? run.roots : 1;
     for (; this.count < count; this.count++) {
       const e = this.count;
       for (const half of [2 * e, 2 * e + 1]) {

@@ -8,7 +8,7 @@ import { PAST, Run } from "./run.js";
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { Placed } from "../stage/placed.js" */
 /** @import { Journey } from "./journey.js" */
-/** @import { Check, Configuration, Plan, Scenario, ScenarioDocument, ViewOptions } from "../types.js" */
+/** @import { Check, Configuration, Plan, Scenario, ScenarioDocument, Target, ViewOptions } from "../types.js" */
 
 /**
  * @typedef {object} Shown   what all lanes show alike: the one value that panes read and only the theatre writes
@@ -16,7 +16,9 @@ import { PAST, Run } from "./run.js";
  * @property {ScenarioDocument} document
  * @property {string | undefined} query     that is asked
  * @property {Configuration | null} start   of that query
- * @property {Configuration | null} goal
+ * @property {Configuration | null} goal    null where any will do that reaches the target
+ * @property {Target | null} target         of the end effector
+ * @property {Configuration[]} goals        the goal, or what was found to reach the target
  * @property {Float64Array | null} hand     the pose held by hand, if any
  * @property {Check | null} check           of the pose held by hand
  * @property {Hover | null} hover           what is pointed at, if anything

@@ -5,7 +5,7 @@ import { PAST } from "./run.js";
 
 /** Pieces of a roadmap at its shown iteration, found by union-find (Tarjan 1975): about O(vertices + edges). @param {Run} run */
 export function piecesOf(run) {
-  const { past, edges } = run;
+  const { past, edges, roots } = run;
   const count = past[PAST.vertices];
   const parent = Uint32Array.from({ length: count }, (_, vertex) => vertex);
   /** @param {number} vertex */
@@ -22,13 +22,13 @@ export function piecesOf(run) {
     parent[Math.max(a, b)] = Math.min(a, b);
     pieces--;
   }
-  /** The vertices of the piece that one is in, without the roots. @param {number} vertex */
-  const around = (vertex) => {
-    const root = find(vertex);
+  /** The vertices of the pieces that some are in, without the roots. @param {number[]} vertices */
+  const around = (vertices) => {
+    const pieces = new Set(vertices.map(find));
     /** @type {number[]} */
     const members = [];
-    for (let other = 2; other < count; other++) if (find(other) === root) members.push(other);
+    for (let other = roots; other < count; other++) if (pieces.has(find(other))) members.push(other);
     return members;
   };
-  return { count: pieces, start: around(0), goal: around(1) };
+  return { count: pieces, start: around([0]), goal: around(Array.from({ length: roots - 1 }, (_, i) => 1 + i)) };
 }

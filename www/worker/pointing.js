@@ -90,7 +90,7 @@ function hoverSentence({ lane: { run, scenario, shown: { placed } }, vertex, pos
   const { kin, past } = run;
   const edges = past[PAST.edges];
   kin.follow();
-  const name = `Vertex ${vertex}${vertex < run.roots ? [", the start,", ", the goal,"][vertex] : ""} at ${numbers}`;
+  const name = `Vertex ${vertex}${vertex < run.roots ? (vertex === 0 ? ", the start," : run.roots > 2 ? ", a goal," : ", the goal,") : ""} at ${numbers}`;
   if (!run.isTree) {
     let degree = 0;
     kin.neighbours(vertex, edges, () => degree++);

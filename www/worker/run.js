@@ -71,8 +71,10 @@ export class Run {
     this.kind = algorithm === "rrt-connect" ? "trees" : algorithm.startsWith("rrt") || algorithm === "sst" ? "tree" : "roadmap";
     /** Is it driven by controls, so that what was refused has no straight motion to be looked at again? */
     this.isDriven = algorithm === "rrt-control" || algorithm === "sst";
-    /** Its first vertices are start and goal; where it is driven by controls the goal is a region, and no vertex. */
-    this.roots = this.isDriven ? 1 : 2;
+    /** Where it may end: several poses where its query has a target. */
+    this.goals = rowsIn(this.planner.goals(), scenario.dimension);
+    /** Its first vertices are the start and the goals; where it is driven by controls the goal is a region, and no vertex. */
+    this.roots = this.isDriven ? 1 : 1 + this.goals.length;
     this.isTree = this.kind !== "roadmap";
     /** Are its edges proven free, or only looked at in places? */
     this.isProven = settings.edge_check !== "sampled" && settings.integration !== "euler";
@@ -266,7 +268,7 @@ export class Run {
   inheritSides(first) {
     const sides = this.sides.data;
     sides[0] = SIDE.start;
-    if (this.kind === "trees") sides[1] = SIDE.goal;
+    if (this.kind === "trees") sides.fill(SIDE.goal, 1, this.roots);
     for (let i = first; i < this.edges.count; i++) {
       const parent = this.edges.data[2 * i];
       const child = this.edges.data[2 * i + 1];
@@ -317,6 +319,11 @@ export class Run {
   }
 
   free() { this.planner.free(); }
+}
+
+/** Rows of numbers, each by itself. @param {Float64Array} numbers @param {number} width @returns {number[][]} */
+function rowsIn(numbers, width) {
+  return Array.from({ length: numbers.length / width }, (_, i) => Array.from(numbers.subarray(i * width, (i + 1) * width)));
 }
 
 /** Takes in new rows that begin with the number of their edge. @param {Float64Array} fresh @param {Rows<Float64Array>} rows @param {Map<number, number>} firsts */

@@ -72,8 +72,8 @@ export function invitation(scenario, square) {
   if (isPlaced(scenario.robot)) return `Your turn: drag the ${robotName(scenario.robot)} from its start to its goal, touching nothing; the handle before it turns it.`;
   if (scenario.robot === "disc") return "Your turn: drag the disc from its start to its goal without touching anything.";
   return square
-    ? "Your turn: drag a link, or the point in the square, from the start to the goal without touching anything."
-    : "Your turn: drag the links from the start to the goal without touching anything.";
+    ? "Your turn: drag a link, the arm\u2019s end, or the point in the square, from the start to the goal without touching anything."
+    : "Your turn: drag the links, or the arm\u2019s end, from the start to the goal without touching anything.";
 }
 
 /** The pose in the hand, in words. @param {Scenario} scenario @param {Check} check */

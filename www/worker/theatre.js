@@ -75,7 +75,7 @@ export class Theatre {
     if (Boolean(placed) !== Boolean(this.shown?.placed) || this.view.axes.some((axis) => axis >= scenario.dimension)) this.view.axes = axesOf(scenario.robot);
     this.clear();
     const document = scenario.document();
-    this.shown = { scenario, document, query: undefined, start: null, goal: null, hand: null, check: null, hover: null, view: this.view, rough: false, overlay: null, marked: null, placed, driven: null };
+    this.shown = { scenario, document, query: undefined, start: null, goal: null, target: null, goals: [], hand: null, check: null, hover: null, view: this.view, rough: false, overlay: null, marked: null, placed, driven: null };
     this.story = programme.story;
     if (programme.pace !== undefined) this.clock.pace = programme.pace;
     this.query = document.queries.find(({ name }) => name === programme.query)?.name ?? document.queries[0]?.name;
@@ -148,6 +148,8 @@ export class Theatre {
     shown.query = query?.name;
     shown.start = query?.start ?? null;
     shown.goal = query?.goal ?? null;
+    shown.target = query?.target ?? null;
+    shown.goals = shown.goal ? [shown.goal] : [];
     this.plannings++;
     this.turn.release();
     clock.reset();
@@ -168,6 +170,12 @@ export class Theatre {
       for (const lane of this.lanes) lane.free();
       this.refusal = { error, lane: at };
       if (!this.editor?.on) this.turn.showTouching();
+    }
+    const { run } = this.lanes[0] ?? {};
+    if (shown.target) {
+      // A seed of its own may find other poses that reach the target.
+      shown.goals = run ? run.goals : [];
+      this.stage.relay();
     }
     this.stage.restart(this.lanes);
     this.wake();

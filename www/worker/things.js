@@ -3,7 +3,7 @@
  * whoever edits gets another one that shares the rest.
  */
 
-/** @import { Coordinate, Field, Obstacle, ScenarioDocument } from "../types.js" */
+/** @import { Coordinate, Field, Obstacle, Query, ScenarioDocument, Target } from "../types.js" */
 /** @typedef {{ kind: "start" | "goal" | "obstacle", index: number }} Thing   index of the query, or of the obstacle */
 /** @typedef {[number, number]} Point */
 
@@ -29,6 +29,11 @@ export function poseOf({ queries }, thing) {
   return !thing || thing.kind === "obstacle" ? null : queries[thing.index]?.[thing.kind] ?? null;
 }
 
+/** What a query has in place of a goal. @param {ScenarioDocument} document @param {Thing | null} thing @returns {Target | null} */
+export function targetOf({ queries }, thing) {
+  return thing?.kind === "goal" ? queries[thing.index]?.target ?? null : null;
+}
+
 /** The document with other obstacles from one on. @param {ScenarioDocument} document @param {number} index @param {Obstacle | null} obstacle  null takes it away; the index behind the last adds one @returns {ScenarioDocument} */
 export function withObstacle(document, index, obstacle) {
   const obstacles = [...document.world.obstacles];
@@ -36,9 +41,19 @@ export function withObstacle(document, index, obstacle) {
   return { ...document, world: { ...document.world, obstacles } };
 }
 
-/** The document with another start or goal. @param {ScenarioDocument} document @param {Thing} thing @param {ArrayLike<number>} pose @returns {ScenarioDocument} */
+/** The document with another start or goal, which takes the place of a target. @param {ScenarioDocument} document @param {Thing} thing @param {ArrayLike<number>} pose @returns {ScenarioDocument} */
 export function withPose(document, { kind, index }, pose) {
-  return { ...document, queries: document.queries.map((query, i) => (i === index ? { ...query, [kind]: Array.from(pose) } : query)) };
+  const end = { [kind]: Array.from(pose), ...(kind === "goal" ? { target: undefined } : {}) };
+  return withQuery(document, index, end);
+}
+
+/** The document with another target in place of a goal. @param {ScenarioDocument} document @param {Thing} thing @param {Target} target @returns {ScenarioDocument} */
+export function withTarget(document, { index }, target) { return withQuery(document, index, { goal: undefined, target }); }
+
+/** @param {ScenarioDocument} document @param {number} index @param {object} change  what is undefined is left out @returns {ScenarioDocument} */
+function withQuery(document, index, change) {
+  const changed = (/** @type {Query} */ query) => /** @type {Query} */ (/** @type {unknown} */ (Object.fromEntries(Object.entries({ ...query, ...change }).filter(([, value]) => value !== undefined))));
+  return { ...document, queries: document.queries.map((query, i) => (i === index ? changed(query) : query)) };
 }
 
 /** Rounds to whole units, without the dust of binary fractions. @param {number} value @param {number} unit  a power of ten */
@@ -58,21 +73,27 @@ export function rectangle([x, y], width, height) {
   return { type: "polygon", vertices: [[a, b], [c, b], [c, d], [a, d]] };
 }
 
+/** A coordinate of a point, as a field. @param {string} name @param {number} value @returns {Field} */
+export function place(name, value) { return { name, value, unit: "m", low: -Infinity, high: Infinity }; }
+
 /** The numbers of a thing, or of one vertex of a polygon. @param {ScenarioDocument} document @param {Thing | null} thing @param {number} vertex @param {Coordinate[]} coordinates @returns {Field[]} */
 export function fieldsOf(document, thing, vertex, coordinates) {
   const pose = poseOf(document, thing);
   if (pose) return coordinates.map(({ name, unit, low, high }, i) => ({ name, value: pose[i], unit, low, high }));
+  const target = targetOf(document, thing);
+  if (target) return [place("x", target.point[0]), place("y", target.point[1])];
   const obstacle = obstacleOf(document, thing);
   if (!obstacle) return [];
-  const named = (/** @type {string} */ name, /** @type {number} */ value) => ({ name, value, unit: "m", low: -Infinity, high: Infinity });
   const [x, y] = obstacle.type === "disc" ? obstacle.center : obstacle.vertices[vertex];
-  return [named("x", x), named("y", y), ...(obstacle.type === "disc" ? [named("radius", obstacle.radius)] : [])];
+  return [place("x", x), place("y", y), ...(obstacle.type === "disc" ? [place("radius", obstacle.radius)] : [])];
 }
 
 /** The document with one of these numbers changed. @param {ScenarioDocument} document @param {Thing} thing @param {number} vertex @param {number} index @param {number} value @returns {ScenarioDocument} */
 export function withField(document, thing, vertex, index, value) {
   const pose = poseOf(document, thing);
   if (pose) return withPose(document, thing, pose.with(index, value));
+  const target = targetOf(document, thing);
+  if (target) return withTarget(document, thing, { ...target, point: /** @type {Point} */ (target.point.with(index, value)) });
   const obstacle = obstacleOf(document, thing);
   if (!obstacle) return document;
   const point = (/** @type {Point} */ old) => /** @type {Point} */ (old.with(index, value));

@@ -1,5 +1,5 @@
 /** A small picture of a scenario: its obstacles, where the robot starts and where it should go. */
-import { drawGhost, drawObstacles } from "../stage/shapes.js";
+import { drawGhost, drawObstacles, drawTarget } from "../stage/shapes.js";
 import { View } from "../stage/view.js";
 
 /** @import { Look, Scenario } from "../types.js" */
@@ -15,10 +15,13 @@ export function drawThumbnail(scenario, side, { palette, ratio }) {
   const view = new View(scenario.extent(), side, side, MARGIN, false);
   const { world, queries } = scenario.document();
   drawObstacles(context, view, world.obstacles, { ...palette, "obstacle-edge": palette.obstacle });
+  const target = queries[0]?.target;
+  if (target) drawTarget(context, view.x(target.point[0]), view.y(target.point[1]), target.orientation, palette);
   if (queries.length > 0) {
     const style = { fill: 0.9, stroke: 1, dash: [], width: 1.6 };
     for (const end of /** @type {const} */ (["goal", "start"])) {
-      drawGhost(context, view, scenario.footprint(queries[0][end]), { ...style, colour: palette[end] });
+      const pose = queries[0][end];
+      if (pose) drawGhost(context, view, scenario.footprint(pose), { ...style, colour: palette[end] });
     }
   }
   return canvas.transferToImageBitmap();

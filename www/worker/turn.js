@@ -63,7 +63,7 @@ export class Turn {
   showTouching() {
     const { shown } = this.theatre;
     if (!shown) return;
-    for (const end of [shown.start, shown.goal]) {
+    for (const end of [shown.start, ...shown.goals]) {
       if (!end || end.length !== shown.scenario.dimension || shown.scenario.check(end).free) continue;
       this.hold(Float64Array.from(end));
       return;
@@ -102,7 +102,12 @@ export class Turn {
 
 /** Is a pose at the goal, as nearly as a hand can put it there? @param {Shown} shown @param {Float64Array} pose */
 function isAtGoal(shown, pose) {
-  const { scenario, goal, placed } = shown;
+  const { scenario, goal, target, placed } = shown;
+  if (target) {
+    const [x, y] = scenario.endEffector(pose);
+    const { min, max } = scenario.extent();
+    return Math.hypot(x - target.point[0], y - target.point[1]) <= 0.015 * Math.max(max[0] - min[0], max[1] - min[1]);
+  }
   if (!goal) return false;
   if (placed) return placed.isNear(pose, goal, shown);
   const { min, max } = scenario.extent();

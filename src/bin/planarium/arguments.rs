@@ -33,10 +33,14 @@ pub enum Command {
     Reach(Reach),
     /// Judge a result against its scenario, independently of the planners
     Verify(Verify),
-    /// List the planners with their parameters, the generators with their options, and the error codes
+    /// Find the configurations nearest to a target, among those of a list or drawn by seed
+    Nearest(Nearest),
+    /// List the planners and the indexes with their parameters, the generators with their options, and the error codes
     List(List),
     /// Generate a scenario by seed and print it
     Generate(Generate),
+    /// Add random trajectories of particles one by one, none of which crosses another, and print counts
+    Trajectories(Trajectories),
     /// Print the JSON Schema of scenarios
     #[cfg(feature = "schema")]
     Schema,
@@ -175,6 +179,60 @@ pub struct Verify {
 
 #[derive(Args)]
 #[command(after_help = "\
+Prints {\"indices\", \"distances\", \"visited\", \"build_seconds\", \"query_seconds\", ...}, nearest first, ties by number; of a
+forest also \"recall\", the part of the true nearest that it found. query_seconds is the middle of many repetitions.
+
+Examples:
+  planarium nearest arm.json --samples 100000 --target 3.14,0 --k 10
+  planarium nearest arm.json --configurations list.npy --target 3.14,0 --k 5 --index linear --metric naive
+  planarium nearest arm.json --samples 20000 --target 0,0 --k 20 --index forest --set trees=4")]
+pub struct Nearest {
+    /// The scenario, whose robot it is; a JSON file; - reads it from standard input
+    pub file: String,
+
+    /// The configurations: JSON, an array of arrays of numbers, or an array file of NumPy; - reads them from standard input
+    #[arg(long, value_name = "LIST", conflicts_with_all = ["samples", "seed", "free"])]
+    pub configurations: Option<String>,
+
+    /// Draw so many configurations uniformly [default: 1000]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub samples: Option<u64>,
+
+    /// The seed of the configurations drawn
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
+    pub seed: u64,
+
+    /// Keep only configurations that are free
+    #[arg(long)]
+    pub free: bool,
+
+    /// The configuration whose neighbours are wanted
+    #[arg(long, value_name = "Q1,Q2,...", required = true, allow_hyphen_values = true, value_delimiter = ',')]
+    pub target: Vec<f64>,
+
+    /// How many neighbours [default: 1]
+    #[arg(long, value_name = "K", allow_negative_numbers = true, conflicts_with = "within")]
+    pub k: Option<usize>,
+
+    /// All neighbours no farther than this, instead of so many
+    #[arg(long, value_name = "RADIUS", allow_negative_numbers = true)]
+    pub within: Option<f64>,
+
+    /// The index: linear, kd-tree or forest
+    #[arg(long, value_name = "ID", default_value = "kd-tree")]
+    pub index: String,
+
+    /// The metric of an arm: sum, euclidean or naive [default: sum]
+    #[arg(long, value_name = "NAME")]
+    pub metric: Option<String>,
+
+    /// Set a parameter of the index; may be repeated
+    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
+    pub set: Vec<(String, String)>,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
 Examples:
   planarium list
   planarium list --json")]
@@ -207,6 +265,29 @@ pub struct Generate {
     /// Write the scenario to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+`planarium list` shows the options. The CSV has a row for every accepted trajectory: x, y, theta, v, w,
+duration, how many were tried for it, the microseconds that took, and their moving average over 20.
+Exit codes: 0 as many are accepted as were asked for; 1 not; 2 the input is wrong.
+
+Examples:
+  planarium trajectories
+  planarium trajectories --set model=spiral --set count=500 --seed 3 --csv trajectories.csv")]
+pub struct Trajectories {
+    /// The seed: with the options it decides every bit of the result
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
+    pub seed: u64,
+
+    /// Set an option; may be repeated
+    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
+    pub set: Vec<(String, String)>,
+
+    /// Write a row for every accepted trajectory to this file
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<String>,
 }
 
 /// Reads KEY=VALUE.

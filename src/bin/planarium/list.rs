@@ -4,7 +4,9 @@ use crate::Answer;
 use crate::arguments::List;
 use crate::files;
 use planarium::error::Code;
+use planarium::fleet;
 use planarium::json::Node;
+use planarium::neighbours;
 use planarium::planner::{Fallback, Kind, ParameterInfo, catalogue, planners};
 use planarium::reach::{self, methods};
 use planarium::scenario::generate::{self, GENERATORS, OptionInfo, OptionKind};
@@ -24,7 +26,9 @@ fn as_json() -> String {
     let document = json!({
         "planners": table(catalogue()),
         "reach_methods": table(reach::catalogue()),
+        "indexes": table(neighbours::catalogue()),
         "generators": table(generate::catalogue()),
+        "trajectories": table(fleet::catalogue()),
         "errors": errors,
     });
     serde_json::to_string_pretty(&document).expect("tables of words and numbers are JSON")
@@ -58,6 +62,11 @@ fn as_tables() -> String {
         let _ = writeln!(text, "\n  {} ({}): {}", method.id, method.title, method.summary);
         method.parameters.iter().for_each(|parameter| push_parameter(&mut text, parameter));
     }
+    text.push_str("\nINDEXES\n");
+    for index in neighbours::indexes() {
+        let _ = writeln!(text, "\n  {} ({}): {}", index.id, index.title, index.summary);
+        index.parameters.iter().for_each(|parameter| push_parameter(&mut text, parameter));
+    }
     text.push_str("\nGENERATORS\n");
     for generator in GENERATORS {
         let _ = writeln!(text, "\n  {} ({}): {}", generator.id, generator.title, generator.summary);
@@ -65,6 +74,11 @@ fn as_tables() -> String {
             let _ = writeln!(text, "    {:<15} {}", option.name, option.meaning);
             let _ = writeln!(text, "    {:<15} {}", "", option_values(option));
         }
+    }
+    text.push_str("\nTRAJECTORIES\n\n");
+    for parameter in fleet::PARAMETERS {
+        let _ = writeln!(text, "    {:<18} {}", parameter.name, parameter.meaning);
+        let _ = writeln!(text, "    {:<18} {}", "", values(parameter));
     }
     let _ = write!(text, "\nERROR CODES\n");
     for code in Code::ALL {

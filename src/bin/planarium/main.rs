@@ -1,4 +1,4 @@
-//! The command line: plan, reach, verify, list, generate.
+//! The command line: plan, verify, nearest, list, generate, reach, trajectories.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
 //! solved or not valid, 2 that the input is wrong; then standard output holds `{"error": {"code", "message", "pointer"}}`.
@@ -8,10 +8,13 @@ mod arguments;
 mod files;
 mod generate;
 mod list;
+mod nearest;
+mod npy;
 mod plan;
 mod progress;
 mod reach;
 mod roadmap;
+mod trajectories;
 mod verify;
 
 use arguments::{Arguments, Command};
@@ -51,8 +54,10 @@ fn run(command: &Command) -> Answer {
         Command::Plan(arguments) => plan::plan(arguments),
         Command::Reach(arguments) => reach::reach(arguments),
         Command::Verify(arguments) => verify::verify(arguments),
+        Command::Nearest(arguments) => nearest::nearest(arguments),
         Command::List(arguments) => list::list(arguments),
         Command::Generate(arguments) => generate::generate(arguments),
+        Command::Trajectories(arguments) => trajectories::trajectories(arguments),
         #[cfg(feature = "schema")]
         Command::Schema => {
             let schema = serde_json::to_string_pretty(&planarium::scenario::schema()).expect("a schema is JSON");

@@ -1,16 +1,18 @@
 //! Best-first searches: A* (Hart, Nilsson and Raphael 1968, "A formal basis for the heuristic determination of minimum cost
 //! paths"), and Dijkstra's, which is A* with the heuristic 0 (Dijkstra 1959, "A note on two problems in connexion with graphs").
 
-use super::{Expansion, UNREACHED, View, Walker, to_root};
+use super::{Expansion, Goals, UNREACHED, View, Walker, to_root};
 use crate::graph::VertexId;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// A* from one vertex to another. A vertex is expanded again where a cheaper way to it turns up, so the path found is the
+/// A* from one vertex to the cheapest of others. A vertex is expanded again where a cheaper way to it turns up, so the path found is the
 /// cheapest for every admissible heuristic, consistent or not. O((v + e) log e) for a consistent one.
 #[derive(Debug, Clone)]
 pub struct BestFirst {
-    goal: VertexId,
+    goals: Goals,
+    /// The goal that was reached.
+    reached: Option<VertexId>,
     cost: Vec<f64>,
     parents: Vec<u32>,
     frontier: BinaryHeap<Open>,
@@ -25,13 +27,13 @@ struct Open {
 }
 
 impl BestFirst {
-    /// A search among `vertices` vertices from `start` to `goal`.
-    pub fn new(vertices: usize, start: VertexId, goal: VertexId) -> Self {
+    /// A search among `vertices` vertices from `start` to any of the goals.
+    pub fn new(vertices: usize, start: VertexId, goals: Goals) -> Self {
         let (mut cost, mut parents) = (vec![f64::INFINITY; vertices], vec![UNREACHED; vertices]);
         (cost[start.index()], parents[start.index()]) = (0.0, start.0);
         // Alone in the frontier, the start needs no estimate.
         let frontier = BinaryHeap::from([Open { estimate: 0.0, cost: 0.0, vertex: start }]);
-        Self { goal, cost, parents, frontier }
+        Self { goals, reached: None, cost, parents, frontier }
     }
 
     /// The cost of the cheapest way to the vertex found so far; infinite where it was not reached.
@@ -51,7 +53,8 @@ impl Walker for BestFirst {
                 Some(open) => break open,
             }
         };
-        if open.vertex == self.goal {
+        if self.goals.contains(&open.vertex) {
+            self.reached = Some(open.vertex);
             return Expansion::Goal;
         }
         for &next in view.adjacency.neighbours(open.vertex) {
@@ -66,7 +69,8 @@ impl Walker for BestFirst {
     }
 
     fn path(&self) -> Vec<VertexId> {
-        let mut path = to_root(&self.parents, self.goal);
+        let Some(goal) = self.reached else { return Vec::new() };
+        let mut path = to_root(&self.parents, goal);
         path.reverse();
         path
     }

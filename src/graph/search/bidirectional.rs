@@ -1,10 +1,10 @@
 //! Bidirectional breadth-first search, by whole levels (Pohl 1969, "Bi-directional and heuristic search in path problems").
 //!
-//! One search from the start and one from the goal; the one with the smaller frontier expands all of it before the other
+//! One search from the start and one from the goals; the one with the smaller frontier expands all of it before the other
 //! may go on. Where they meet, the level is finished and the shortest of the ways found is taken: until then the two sides
 //! share no edge, so no way can be shorter, and the path has as few edges as that of breadth-first search.
 
-use super::{Expansion, UNREACHED, View, Walker, to_root};
+use super::{Expansion, Goals, UNREACHED, View, Walker, to_root};
 use crate::graph::VertexId;
 
 /// Breadth-first search from both ends; costs and heuristic are not looked at. O(v + e).
@@ -31,18 +31,22 @@ struct Side {
 }
 
 impl Side {
-    fn new(vertices: usize, root: VertexId) -> Self {
+    fn new(vertices: usize, roots: Goals) -> Self {
         let (mut parents, depths) = (vec![UNREACHED; vertices], vec![0; vertices]);
-        parents[root.index()] = root.0;
-        Self { parents, depths, level: vec![root], done: 0, next_level: Vec::new() }
+        let level: Vec<VertexId> = (roots.start.0..roots.end.0).map(VertexId).collect();
+        for root in &level {
+            parents[root.index()] = root.0;
+        }
+        Self { parents, depths, level, done: 0, next_level: Vec::new() }
     }
 }
 
 impl Bidirectional {
-    /// A search among `vertices` vertices from `start` to `goal`.
-    pub fn new(vertices: usize, start: VertexId, goal: VertexId) -> Self {
-        let meeting = (start == goal).then_some((0, [start, goal]));
-        Self { sides: [start, goal].map(|root| Side::new(vertices, root)), turn: 0, meeting }
+    /// A search among `vertices` vertices from `start` to any of the goals.
+    pub fn new(vertices: usize, start: VertexId, goals: Goals) -> Self {
+        let meeting = goals.contains(&start).then_some((0, [start, start]));
+        let starts = start..VertexId(start.0 + 1);
+        Self { sides: [starts, goals].map(|roots| Side::new(vertices, roots)), turn: 0, meeting }
     }
 
     /// Takes up the next level, of the side whose frontier is smaller; the start's where they are equal.

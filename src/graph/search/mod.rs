@@ -42,6 +42,9 @@ pub trait Walker {
     fn path(&self) -> Vec<VertexId>;
 }
 
+/// The vertices that a search may end at: those from the first to before the last.
+pub type Goals = std::ops::Range<VertexId>;
+
 /// A vertex not reached yet, in a list of parents.
 const UNREACHED: u32 = u32::MAX;
 

@@ -120,10 +120,11 @@ impl<S: Space> KdTree<S> {
         })
     }
 
-    /// Offers the states that may be wanted, nearest boxes first.
-    fn search(&self, space: &S, from: &[f64], closest: &mut Closest) {
+    /// Offers the states that may be wanted, nearest boxes first. Answers how many those were.
+    fn search(&self, space: &S, from: &[f64], closest: &mut Closest) -> usize {
+        let mut visited = 0;
         if self.len == 0 {
-            return;
+            return visited;
         }
         let mut waiting = [(0.0, Node(0)); MAX_DEPTH];
         let mut waits = 0;
@@ -141,6 +142,7 @@ impl<S: Space> KdTree<S> {
                 node = children[near];
             }
             let leaf = &self.leaves[node.index()];
+            visited += leaf.len as usize;
             let packs = &leaf.packs[..(leaf.len as usize).div_ceil(LANES)];
             for (distances, &pack) in distances.iter_mut().zip(packs) {
                 *distances = self.packs.distances(space, from, pack as usize);
@@ -149,7 +151,7 @@ impl<S: Space> KdTree<S> {
             closest.offer(&distances[..packs.len()], vertex);
             node = loop {
                 if waits == 0 {
-                    return;
+                    return visited;
                 }
                 waits -= 1;
                 let (bound, node) = waiting[waits];
@@ -187,17 +189,17 @@ impl<S: Space> Nearest<S> for KdTree<S> {
         found.pop()
     }
 
-    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
+    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
         let mut closest = Closest::new(found, k, f64::INFINITY, k <= SORTED);
-        if k > 0 {
-            self.search(space, space.coordinates(state), &mut closest);
-        }
+        let visited = if k > 0 { self.search(space, space.coordinates(state), &mut closest) } else { 0 };
         closest.finish();
+        visited
     }
 
-    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
+    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
         let mut closest = Closest::within(found, radius);
-        self.search(space, space.coordinates(state), &mut closest);
+        let visited = self.search(space, space.coordinates(state), &mut closest);
         closest.finish();
+        visited
     }
 }

@@ -26,7 +26,8 @@ pub use body::Leg;
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Point, Polygon};
 use crate::result::ResultDocument;
-use crate::scenario::{GoalTolerance, Obstacle, Query, Robot, Scenario, World};
+use crate::robot::Target;
+use crate::scenario::{Goal, GoalTolerance, Obstacle, Query, Robot, Scenario, World};
 use crate::status::Status;
 use std::f64::consts::{PI, TAU};
 
@@ -154,7 +155,12 @@ fn check_numbers(dimension: usize, path: &[Vec<f64>]) -> Result<(), String> {
 
 /// Refuses a path that does not lead from the start to the goal of the query, or into its region.
 fn check_ends(robot: &Robot, query: &Query, path: &[Vec<f64>]) -> Result<(), String> {
-    for (what, waypoint, wanted) in [("start", &path[0], &query.start), ("goal", &path[path.len() - 1], &query.goal)] {
+    let last = &path[path.len() - 1];
+    if let Goal::Target(target) = &query.goal {
+        check_target(robot, target, last)?;
+    }
+    let ends = [("start", &path[0], Some(&query.start[..])), ("goal", last, query.configuration())];
+    for (what, waypoint, wanted) in ends.into_iter().filter_map(|(what, at, wanted)| Some((what, at, wanted?))) {
         let verb = if what == "start" { "starts" } else { "ends" };
         let gaps = difference(first_circle(robot), wanted, waypoint);
         if let (Some(GoalTolerance { translation, rotation }), "goal") = (query.goal_tolerance, what) {
@@ -166,6 +172,32 @@ fn check_ends(robot: &Robot, query: &Query, path: &[Vec<f64>]) -> Result<(), Str
             }
         } else if let Some(i) = gaps.into_iter().position(|gap| f64::abs(gap) > REACHED) {
             return Err(format!("the path {verb} at {waypoint:?}, not at the {what} {wanted:?} (coordinate {i})"));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses a last waypoint whose end effector is not at the target, by sums of its own.
+fn check_target(robot: &Robot, target: &Target, last: &[f64]) -> Result<(), String> {
+    let Robot::Arm(arm) = robot else { return Err("only an arm reaches for a target".into()) };
+    let (mut x, mut y, mut angle, mut reach) = (arm.base().x, arm.base().y, 0.0, 0.0);
+    for (length, joint) in arm.links().iter().zip(last) {
+        angle += joint;
+        reach += length;
+        let (sine, cosine) = libm::sincos(angle);
+        (x, y) = (x + length * cosine, y + length * sine);
+    }
+    let (to_x, to_y) = (target.point.x, target.point.y);
+    let left = ((x - to_x) * (x - to_x) + (y - to_y) * (y - to_y)).sqrt();
+    let scale = reach + to_x.abs().max(to_y.abs()).max(1.0);
+    if left > REACHED * scale {
+        return Err(format!("the path ends with the end effector at ({x}, {y}), {left} m from the target"));
+    }
+    if let Some(wanted) = target.orientation {
+        let turn = angle - wanted;
+        let off = turn - TAU * libm::rint(turn / TAU);
+        if off.abs() > REACHED * (1.0 + wanted.abs()) {
+            return Err(format!("the path ends with the last link at {angle} rad, not at {wanted}"));
         }
     }
     Ok(())

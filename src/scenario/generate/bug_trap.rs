@@ -13,7 +13,7 @@ use crate::geometry::{Aabb, Point, Vector};
 use crate::random::{Random, Stream};
 use crate::robot::DiscRobot;
 use crate::scenario::reader::Reader;
-use crate::scenario::{Node, Obstacle, Query, Robot, Scenario, World};
+use crate::scenario::{Goal, Node, Obstacle, Query, Robot, Scenario, World};
 use std::f64::consts::TAU;
 
 /// The thickness of the trap's wall, in metres.
@@ -146,7 +146,7 @@ pub fn bug_trap(options: &BugTrapOptions) -> Result<Scenario, Error> {
             obstacles: vec![Obstacle::Polygon(trap)],
         },
         robot: Robot::Disc(DiscRobot::new(radius)?),
-        queries: vec![Query { name: way.to_owned(), start, goal, goal_tolerance: None }],
+        queries: vec![Query { name: way.to_owned(), start, goal: Goal::Configuration(goal), goal_tolerance: None }],
     })
 }
 

@@ -14,7 +14,7 @@ use crate::geometry::{Point, Polygon};
 use crate::random::{Random, Stream};
 use crate::robot::Arm;
 use crate::scenario::reader::Reader;
-use crate::scenario::{Node, Obstacle, Query, Robot, Scenario, World};
+use crate::scenario::{Goal, Node, Obstacle, Query, Robot, Scenario, World};
 
 /// After so many draws the generator gives up.
 const DRAWS: u32 = 10_000;
@@ -84,7 +84,12 @@ pub fn forest(options: &ForestOptions) -> Result<Scenario, Error> {
         title: Some(format!("{links}R arm in a forest of {count} triangles, seed {seed}")),
         world: World { bounds: None, obstacles },
         robot: Robot::Arm(arm),
-        queries: vec![Query { name: "report".to_owned(), start, goal, goal_tolerance: None }],
+        queries: vec![Query {
+            name: "report".to_owned(),
+            start,
+            goal: Goal::Configuration(goal),
+            goal_tolerance: None,
+        }],
     })
 }
 

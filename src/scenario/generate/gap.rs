@@ -15,7 +15,7 @@ use crate::geometry::{Aabb, Point};
 use crate::random::{Random, Stream};
 use crate::robot::{Arm, DiscRobot};
 use crate::scenario::reader::Reader;
-use crate::scenario::{Node, Obstacle, Query, Robot, Scenario, World};
+use crate::scenario::{Goal, Node, Obstacle, Query, Robot, Scenario, World};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The sum of an arm's links, in metres.
@@ -156,7 +156,12 @@ pub fn gap(options: &GapOptions) -> Result<Scenario, Error> {
             obstacles: vec![wall(0.0, middle - width / 2.0), wall(middle + width / 2.0, SIDE)],
         },
         robot,
-        queries: vec![Query { name: "through".to_owned(), start, goal, goal_tolerance: choice.goal_tolerance() }],
+        queries: vec![Query {
+            name: "through".to_owned(),
+            start,
+            goal: Goal::Configuration(goal),
+            goal_tolerance: choice.goal_tolerance(),
+        }],
     })
 }
 

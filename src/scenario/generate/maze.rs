@@ -14,7 +14,7 @@ use crate::geometry::{Aabb, Point, Polygon};
 use crate::random::{Random, Stream};
 use crate::robot::DiscRobot;
 use crate::scenario::reader::Reader;
-use crate::scenario::{Node, Obstacle, Query, Robot, Scenario, World};
+use crate::scenario::{Goal, Node, Obstacle, Query, Robot, Scenario, World};
 
 /// The side of a cell, from the middle of one wall to the middle of the next, in metres.
 const CELL: f64 = 0.25;
@@ -143,7 +143,7 @@ pub fn maze(options: &MazeOptions) -> Result<Scenario, Error> {
         queries: vec![Query {
             name: "through".to_owned(),
             start: vec![first, first],
-            goal: vec![last, last],
+            goal: Goal::Configuration(vec![last, last]),
             goal_tolerance: None,
         }],
     })

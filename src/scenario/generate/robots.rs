@@ -7,7 +7,7 @@ use super::options::{Given, OptionInfo, OptionKind};
 use crate::error::{Code, Error};
 use crate::geometry::Point;
 use crate::robot::{Arm, Car, DiscRobot, MAX_LINKS, Part, RigidBody, Weights};
-use crate::scenario::{GoalTolerance, Query, Robot};
+use crate::scenario::{Goal, GoalTolerance, Query, Robot};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 /// The robot of a generated world.
@@ -168,11 +168,19 @@ impl RobotChoice {
                 (robot, vec![0.25, 0.25, 0.0], vec![SIDE - 0.25, SIDE - 0.25, turn])
             }
         };
-        Ok((robot, Query { name: "across".to_owned(), start, goal, goal_tolerance: self.goal_tolerance() }))
+        Ok((
+            robot,
+            Query {
+                name: "across".to_owned(),
+                start,
+                goal: Goal::Configuration(goal),
+                goal_tolerance: self.goal_tolerance(),
+            },
+        ))
     }
 }
 
 /// The parts of the robot at the start and at the goal, which obstacles keep clear of.
 pub(super) fn parts_at_ends(robot: &Robot, query: &Query) -> Vec<Part> {
-    [&query.start, &query.goal].map(|q| robot.footprint(q)).concat()
+    query.ends().flat_map(|q| robot.footprint(q)).collect()
 }

@@ -1,10 +1,12 @@
 //! The queries: names, starts and goals.
 
 use super::LARGEST;
+use super::world::read_point;
 use crate::error::{Code, Error, quoted};
 use crate::json::Names;
+use crate::robot::Target;
 use crate::scenario::reader::Reader;
-use crate::scenario::{GoalTolerance, Query, Robot};
+use crate::scenario::{Goal, GoalTolerance, Query, Robot};
 
 /// Reads `queries` for the robot.
 pub(super) fn read(queries: &Reader, robot: &Robot) -> Result<Vec<Query>, Error> {
@@ -12,16 +14,25 @@ pub(super) fn read(queries: &Reader, robot: &Robot) -> Result<Vec<Query>, Error>
     for item in queries.items()? {
         let fields = item.object()?;
         let is_placed = robot.placed_shape().is_some();
-        let known =
-            if is_placed { &["name", "start", "goal", "goal_tolerance"][..] } else { &["name", "start", "goal"] };
-        fields.only(known).map_err(|error| explain_tolerance(error, robot))?;
+        let known = match robot {
+            _ if is_placed => &["name", "start", "goal", "goal_tolerance"][..],
+            Robot::Arm(_) => &["name", "start", "goal", "target"],
+            _ => &["name", "start", "goal"],
+        };
+        fields.only(known).map_err(|error| explain(error, robot))?;
         let name = fields.required("name")?;
         if names.has(name.name()?, &|i| &read[i as usize].name) {
             let sentence = format!("another query is named {}, too", quoted(name.name()?));
             return Err(name.error(Code::DuplicateName, sentence));
         }
         let start = read_configuration(&fields.required("start")?, robot)?;
-        let goal = read_configuration(&fields.required("goal")?, robot)?;
+        let goal = match (fields.optional("goal"), fields.optional("target")) {
+            (_, None) => Goal::Configuration(read_configuration(&fields.required("goal")?, robot)?),
+            (None, Some(target)) => Goal::Target(read_target(&target)?),
+            (Some(_), Some(target)) => {
+                return Err(target.error(Code::UnknownField, "a query has a goal or a target, not both"));
+            }
+        };
         let goal_tolerance = fields.optional("goal_tolerance").map(|region| read_tolerance(&region)).transpose()?;
         read.push(Query { name: name.name()?.to_owned(), start, goal, goal_tolerance });
         names.add(&|i| &read[i as usize].name);
@@ -29,14 +40,26 @@ pub(super) fn read(queries: &Reader, robot: &Robot) -> Result<Vec<Query>, Error>
     Ok(read)
 }
 
-/// Says why a tolerance of the goal, which the contract has for other robots, is not known here.
-fn explain_tolerance(error: Error, robot: &Robot) -> Error {
-    if !error.pointer().ends_with("/goal_tolerance") {
+/// Says why a field that the contract has for other robots is not known here.
+fn explain(error: Error, robot: &Robot) -> Error {
+    let sentence = if error.pointer().ends_with("/goal_tolerance") {
+        let robot = if matches!(robot, Robot::Arm(_)) { "an arm" } else { "a disc" };
+        format!("goal_tolerance is for rigid bodies and cars; {robot} reaches its goal exactly")
+    } else if error.pointer().ends_with("/target") {
+        "a target is for the end effector of an arm; other robots have a goal".to_owned()
+    } else {
         return error;
-    }
-    let robot = if matches!(robot, Robot::Arm(_)) { "an arm" } else { "a disc" };
-    let sentence = format!("goal_tolerance is for rigid bodies and cars; {robot} reaches its goal exactly");
+    };
     Error::new(error.code(), error.pointer(), sentence)
+}
+
+/// Reads where the end effector is to be.
+fn read_target(target: &Reader) -> Result<Target, Error> {
+    let fields = target.object()?;
+    fields.only(&["point", "orientation"])?;
+    let point = read_point(&fields.required("point")?)?;
+    let angle = |angle: Reader| angle.number_within("an angle", -LARGEST, LARGEST);
+    Ok(Target { point, orientation: fields.optional("orientation").map(angle).transpose()? })
 }
 
 /// Reads a region about the goal.

@@ -1,0 +1,72 @@
+//! Many trajectories: microseconds per accepted one against how many are accepted, with the grid and without.
+//!
+//! `cargo bench --bench trajectories`; a run pinned to one core is quieter.
+
+use planarium::fleet::Trajectories;
+use planarium::parameters::Value;
+use planarium::status::Status;
+use std::time::Instant;
+
+/// Runs of one cell; the median is told.
+const RUNS: usize = 9;
+
+fn main() {
+    println!("1000 trajectories, defaults: milliseconds in all\n\n| motion | grid | none | tried |\n|---|---|---|---|");
+    for model in ["arc", "spiral"] {
+        let [with, without] = ["grid", "none"].map(|index| median(|| total(&options(model, index, 1000.0))));
+        let mut done = Trajectories::new(&options(model, "grid", 1000.0), 0).expect("options");
+        done.step(u64::MAX);
+        println!("| {model} | {with:.2} | {without:.2} | {} |", done.tally().iterations);
+    }
+    println!("\nMicroseconds per accepted trajectory, arcs, medians of {RUNS} runs; tries per accepted\n");
+    println!("| accepted | grid | none | tries |\n|---|---|---|---|");
+    let ends = [100, 250, 500, 1000, 1500, 2000];
+    let [with, without] = ["grid", "none"].map(|index| growth(index, &ends));
+    for (i, end) in ends.iter().enumerate() {
+        println!("| to {end} | {:.2} | {:.2} | {:.2} |", with[i].0, without[i].0, with[i].1);
+    }
+}
+
+fn options(model: &str, index: &str, count: f64) -> Vec<(String, Value)> {
+    let word = |name: &str, word: &str| (name.to_owned(), Value::Text(word.to_owned()));
+    vec![word("model", model), word("index", index), ("count".to_owned(), Value::Number(count))]
+}
+
+/// Milliseconds of a whole run.
+fn total(options: &[(String, Value)]) -> f64 {
+    let begun = Instant::now();
+    let mut trajectories = Trajectories::new(options, 0).expect("options");
+    assert_eq!(trajectories.step(u64::MAX), Status::Solved);
+    begun.elapsed().as_secs_f64() * 1e3
+}
+
+/// Microseconds and tries per accepted trajectory on the way to each of these counts.
+fn growth(index: &str, ends: &[usize]) -> Vec<(f64, f64)> {
+    let mut times = vec![Vec::new(); ends.len()];
+    let mut tries = vec![0.0; ends.len()];
+    for _ in 0..RUNS {
+        let most = *ends.last().expect("an end") as f64;
+        let mut trajectories = Trajectories::new(&options("arc", index, most), 0).expect("options");
+        let mut from = 0;
+        for (i, &end) in ends.iter().enumerate() {
+            let (begun, before) = (Instant::now(), trajectories.tally().iterations);
+            while trajectories.accepted_count() < end {
+                trajectories.step(1);
+            }
+            let accepted = (end - from) as f64;
+            times[i].push(begun.elapsed().as_secs_f64() * 1e6 / accepted);
+            tries[i] = (trajectories.tally().iterations - before) as f64 / accepted;
+            from = end;
+        }
+    }
+    times.into_iter().zip(tries).map(|(mut times, tries)| (middle(&mut times), tries)).collect()
+}
+
+fn median(mut measure: impl FnMut() -> f64) -> f64 {
+    middle(&mut (0..RUNS).map(|_| measure()).collect::<Vec<_>>())
+}
+
+fn middle(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}

@@ -1,0 +1,59 @@
+//! `planarium trajectories`: many trajectories that do not cross, with the time that each took.
+
+use crate::Answer;
+use crate::arguments;
+use crate::files;
+use planarium::Error;
+use planarium::fleet::Trajectories;
+use planarium::json::Node;
+use planarium::parameters::Value;
+use planarium::status::Status;
+use std::fmt::Write;
+use std::time::Instant;
+
+/// The moving average is taken over so many.
+const WINDOW: usize = 20;
+
+/// Tries trajectories until all are accepted or the iterations are spent, and prints counts and seconds.
+pub fn trajectories(arguments: &arguments::Trajectories) -> Answer {
+    let given: Vec<_> = arguments.set.iter().map(|(key, value)| (key.clone(), Value::from_text(value))).collect();
+    let mut trajectories = Trajectories::new(&given, arguments.seed)?;
+    let mut microseconds = Vec::new();
+    let begun = Instant::now();
+    let mut last = begun;
+    while trajectories.status() == Status::Running {
+        trajectories.step(1);
+        if trajectories.accepted_count() > microseconds.len() {
+            let now = Instant::now();
+            microseconds.push((now - last).as_secs_f64() * 1e6);
+            last = now;
+        }
+    }
+    let seconds = begun.elapsed().as_secs_f64();
+    if let Some(name) = &arguments.csv {
+        write_rows(&trajectories, &microseconds, name)?;
+    }
+    let mut result = trajectories.result();
+    if let Node::Object(fields) = &mut result {
+        fields.push(("seconds".to_owned(), Node::Number(seconds)));
+    }
+    files::print(&result.to_json())?;
+    Ok(trajectories.status() == Status::Solved)
+}
+
+/// Writes a row for every accepted trajectory; the average begins once there are as many as it is taken over.
+fn write_rows(trajectories: &Trajectories, microseconds: &[f64], name: &str) -> Result<(), Error> {
+    let mut text = String::from("x,y,theta,v,w,duration,tries,microseconds,average_of_20\n");
+    for (i, (particle, tries)) in trajectories.accepted_since(0).zip(trajectories.tries()).enumerate() {
+        for number in particle.numbers() {
+            let _ = write!(text, "{number},");
+        }
+        let _ = write!(text, "{tries},{:.3},", microseconds[i]);
+        if let Some(first) = (i + 1).checked_sub(WINDOW) {
+            let window = &microseconds[first..=i];
+            let _ = write!(text, "{:.3}", window.iter().sum::<f64>() / WINDOW as f64);
+        }
+        text.push('\n');
+    }
+    files::write_bytes(text.as_bytes(), name)
+}

@@ -1,0 +1,62 @@
+//! Nearest neighbours among the configurations of a scenario's robot: any index of [`crate::nearest`], in any of the robot's
+//! metrics, behind one object-safe face. For viewers and for measuring; planners hold an index of their own.
+
+mod factory;
+mod held;
+mod table;
+
+pub use crate::nearest::{Neighbour, recall};
+pub use factory::index;
+pub use table::{IndexInfo, catalogue, index_info, indexes};
+
+use crate::error::Error;
+
+/// The most configurations that an index holds.
+pub const MAX_CONFIGURATIONS: usize = 1_000_000;
+
+/// The most that a forest holds, times its trees.
+pub const MAX_PLACES: usize = 10_000_000;
+
+/// What a question comes to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// The neighbours, nearest first, ties by number.
+    pub neighbours: Vec<Neighbour>,
+    /// Of how many configurations the distance was computed.
+    pub visited: usize,
+}
+
+/// An index of configurations that grows. They are numbered from 0 in the order in which they were added. Where joints have
+/// limits, configurations lie within them; angles of others may have any number of turns.
+pub trait Neighbours {
+    /// How many numbers a configuration has.
+    fn dimension(&self) -> usize;
+
+    /// How many configurations there are.
+    fn len(&self) -> usize;
+
+    /// Whether there is none.
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Adds configurations, `dimension` numbers each; all of them, or where one is refused none. O(log n) each; O(1) in a scan.
+    ///
+    /// # Errors
+    /// `wrong-dimension` where the last row is not whole; `not-finite` or `out-of-range` with a pointer of row and number, such
+    /// as `/rows/2/0`; `too-large` beyond [`MAX_CONFIGURATIONS`], or [`MAX_PLACES`] in a forest.
+    fn add(&mut self, rows: &[f64]) -> Result<(), Error>;
+
+    /// The `k` configurations nearest to `q`; all, where there are fewer. O(n) by a scan, about O(log n + k) by a kd-tree in few
+    /// dimensions, O(candidates + trees log n) by a forest.
+    ///
+    /// # Errors
+    /// `wrong-dimension`, `not-finite` or `out-of-range`, with a pointer at or below `/q`.
+    fn k_nearest(&self, q: &[f64], k: usize) -> Result<Answer, Error>;
+
+    /// Those no farther from `q` than `radius`, in the unit of the metric; a forest finds those among its candidates.
+    ///
+    /// # Errors
+    /// Of `q` as above; `not-finite` or `out-of-range` with the pointer `/radius` for one that is negative.
+    fn within(&self, q: &[f64], radius: f64) -> Result<Answer, Error>;
+}

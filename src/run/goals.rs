@@ -1,0 +1,92 @@
+//! The configurations that a query is content with.
+
+use crate::decimal::Decimal;
+use crate::error::{Code, Error};
+use crate::parameters::Value;
+use crate::reach::{Reach, ReachOptions, Verdict};
+use crate::robot::Target;
+use crate::scenario::{Goal, Query, Robot, Scenario};
+use crate::validity::Contact;
+
+/// How many configurations that reach a target are goals at most: more than there are ways round for an arm of few joints.
+const MOST: f64 = 8.0;
+
+/// How many iterations of inverse kinematics are spent on them at most: some milliseconds.
+const ITERATIONS: f64 = 4000.0;
+
+/// The goal of the query; of a query with a target distinct free configurations that reach it, one at least: all there are
+/// where the arm has a closed form, else those that damped least squares find from the start and from starts that the seed decides.
+///
+/// # Errors
+/// `target-unreachable` where none was found, naming the nearest point; `goal-in-collision` where only such were found that
+/// touch something, naming what touches what at the first; `unsupported` for an orientation of an arm of one link. The pointer
+/// leads to the target of the query, whose number is `place`.
+pub(super) fn goals(scenario: &Scenario, query: &Query, place: usize, seed: u64) -> Result<Vec<Vec<f64>>, Error> {
+    let target = match &query.goal {
+        Goal::Configuration(goal) => return Ok(vec![goal.clone()]),
+        Goal::Target(target) => *target,
+    };
+    let pointer = format!("/queries/{place}/target");
+    let at_target = |error: Error| Error::new(error.code(), pointer.as_str(), error.message());
+    let mut reach = Reach::new(scenario, &options(scenario, query, target, seed)).map_err(at_target)?;
+    reach.step(u64::MAX);
+    let dimension = reach.dimension();
+    if !reach.solutions().is_empty() {
+        return Ok(reach.solutions().iter().map(|q| q[..dimension].to_vec()).collect());
+    }
+    let (code, sentence) = match reach.explain() {
+        Verdict::InCollision { contacts } => {
+            let contacts = contacts.iter().map(Contact::to_string).collect::<Vec<_>>().join(", ");
+            (
+                Code::GoalInCollision,
+                format!("wherever the end effector was found to reach the target the arm is in collision: {contacts}"),
+            )
+        }
+        Verdict::OutOfReach { nearest, .. } => {
+            let [x, y] = [target.point.x, target.point.y].map(Decimal);
+            let [nx, ny] = [nearest.point.x, nearest.point.y].map(readable);
+            let [distance, turn] = [nearest.distance, nearest.turn].map(readable);
+            let away = if nearest.turn > 0.0 {
+                format!("{distance} m and {turn} rad away")
+            } else {
+                format!("{distance} m away")
+            };
+            let sentence = format!(
+                "the end effector cannot reach ({x}, {y}): the nearest point that it can is ({nx}, {ny}), {away}"
+            );
+            (Code::TargetUnreachable, sentence)
+        }
+        _ => {
+            let starts = reach.restarts() + 1;
+            (
+                Code::TargetUnreachable,
+                format!("no configuration that reaches the target was found from {starts} starts"),
+            )
+        }
+    };
+    Err(Error::new(code, pointer, sentence))
+}
+
+/// A length or an angle to a millionth, for a sentence.
+fn readable(value: f64) -> Decimal {
+    Decimal(libm::rint(value * 1e6) / 1e6 + 0.0)
+}
+
+/// What inverse kinematics is asked.
+fn options(scenario: &Scenario, query: &Query, target: Target, seed: u64) -> ReachOptions {
+    let joints = if let Robot::Arm(arm) = scenario.robot() { arm.links().len() } else { 0 };
+    let has_closed_form = joints <= 2 + usize::from(target.orientation.is_some());
+    let method = if has_closed_form { "closed-form" } else { "damped-least-squares" };
+    let parameters = [
+        ("solutions", Value::Number(MOST)),
+        ("max_iterations", Value::Number(ITERATIONS)),
+        ("free_only", Value::Boolean(true)),
+    ];
+    ReachOptions {
+        target,
+        method: Some(method.to_owned()),
+        start: Some(query.start.clone()),
+        seed,
+        parameters: parameters.map(|(name, value)| (name.to_owned(), value)).to_vec(),
+    }
+}

@@ -1,0 +1,330 @@
+//! Neighbours of a scenario's robot behind one face: answers, counts, refusals, samples, and golden outcomes; on native, Node and
+//! Chrome alike. `PLANARIUM_BLESS=1 cargo test --test neighbours` writes the golden outcomes anew.
+
+use planarium::error::Code;
+use planarium::inspect::{Inspector, MAX_SAMPLES};
+use planarium::neighbours::{Answer, Neighbours, catalogue, index, indexes, recall};
+use planarium::run::{Options, Value, start};
+use planarium::scenario::Scenario;
+use serde_json::{Value as Json, json};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const GOLDEN: &str = include_str!("golden-neighbours.json");
+
+/// A scene of the page.
+fn scene(name: &str) -> Scenario {
+    let text = match name {
+        "corner" => include_str!("../www/scenes/corner.json"),
+        "firs" => include_str!("../www/scenes/firs.json"),
+        "locked" => include_str!("../www/scenes/locked.json"),
+        "rings" => include_str!("../www/scenes/rings.json"),
+        "shelf" => include_str!("../www/scenes/shelf.json"),
+        "tentacle" => include_str!("../www/scenes/tentacle.json"),
+        "thicket" => include_str!("../www/scenes/thicket.json"),
+        "turn" => include_str!("../www/scenes/turn.json"),
+        other => panic!("no scene {other}"),
+    };
+    Scenario::parse(text).expect("our own scenes are right")
+}
+
+const SCENES: [&str; 8] = ["corner", "firs", "locked", "rings", "shelf", "tentacle", "thicket", "turn"];
+
+fn text(word: &str) -> Value {
+    Value::Text(word.to_owned())
+}
+
+/// An index with what is set.
+fn made(scenario: &Scenario, id: &str, set: &[(&str, Value)]) -> Box<dyn Neighbours> {
+    let set: Vec<_> = set.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
+    index(scenario, Some(id), &set).expect("it can be made")
+}
+
+fn bits(answer: &Answer) -> Vec<(u32, u64)> {
+    answer.neighbours.iter().map(|neighbour| (neighbour.vertex.0, neighbour.distance.to_bits())).collect()
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn tree_and_scan_answer_alike_for_every_robot_and_metric_and_count_what_they_visit() {
+    for name in SCENES {
+        let scenario = scene(name);
+        let inspector = Inspector::new(&scenario);
+        let is_arm = scenario.robot().kind() == "arm";
+        let metrics: &[&str] = if is_arm { &["sum", "euclidean", "naive"] } else { &[""] };
+        for metric in metrics {
+            let set: Vec<_> = is_arm.then(|| ("metric", text(metric))).into_iter().collect();
+            let [mut scan, mut tree, mut forest] = ["linear", "kd-tree", "forest"].map(|id| made(&scenario, id, &set));
+            let rows = inspector.samples(1500, 1, false).expect("samples");
+            for index in [&mut scan, &mut tree, &mut forest] {
+                assert!(index.is_empty());
+                assert_eq!(index.k_nearest(&rows[..index.dimension()], 3).expect("none").neighbours, []);
+                index.add(&rows[..rows.len() / 2]).expect("rows");
+                index.add(&rows[rows.len() / 2..]).expect("more rows");
+                assert_eq!((index.len(), index.dimension()), (1500, inspector.dimension()));
+            }
+            let (mut found, mut visited) = (0.0, 0);
+            let targets = inspector.samples(40, 2, false).expect("targets");
+            for q in targets.chunks_exact(inspector.dimension()) {
+                for k in [0, 1, 5, 20, 1500, usize::MAX] {
+                    let [a, b] = [&scan, &tree].map(|index| index.k_nearest(q, k).expect("an answer"));
+                    assert_eq!((bits(&a), a.neighbours.len()), (bits(&b), k.min(1500)), "{name} {metric} {k}");
+                    assert_eq!(a.visited, if k == 0 { 0 } else { 1500 }, "a scan visits all");
+                    assert!((k.min(1500)..=1500).contains(&b.visited));
+                }
+                let exact = scan.k_nearest(q, 10).expect("an answer");
+                visited += tree.k_nearest(q, 10).expect("an answer").visited;
+                let near = forest.k_nearest(q, 10).expect("an answer");
+                assert!((400..1500).contains(&near.visited), "{} visited", near.visited);
+                found += recall(&near.neighbours, &exact.neighbours);
+                let radius = exact.neighbours[9].distance;
+                let [a, b] = [&scan, &tree].map(|index| index.within(q, radius).expect("an answer"));
+                assert_eq!(bits(&a), bits(&b));
+                assert_eq!(bits(&a), bits(&exact), "none of them is on the rim but the tenth");
+                assert_eq!(tree.within(q, 0.0).expect("an answer").neighbours, []);
+            }
+            assert!(found / 40.0 > 0.8, "{name} {metric}: the forest finds {} of 40", found);
+            assert!(
+                inspector.dimension() > 4 || visited < 40 * 700,
+                "{name} {metric}: the tree visits {visited} in all"
+            );
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_naive_metric_sees_two_angles_at_the_seam_far_apart() {
+    let scenario = scene("firs");
+    let rows = [3.1, 0.0, -3.1, 0.0, 0.1, 0.0, -0.1, 0.0];
+    let nearest = |metric: &str, q: [f64; 2]| {
+        let mut tree = made(&scenario, "kd-tree", &[("metric", text(metric))]);
+        tree.add(&rows).expect("rows");
+        let answer = tree.k_nearest(&q, 4).expect("an answer");
+        answer.neighbours.iter().map(|neighbour| neighbour.vertex.0).collect::<Vec<_>>()
+    };
+    assert_eq!(nearest("sum", [-3.14, 0.0]), [1, 0, 3, 2]);
+    assert_eq!(nearest("euclidean", [0.05, 0.0])[..2], [2, 3]);
+    assert_eq!(nearest("naive", [0.05, 0.0]), [2, 0, 1, 3], "-0.1 is read as 6.18, a whole turn away");
+    assert_eq!(nearest("sum", [-3.14 + 4.0 * std::f64::consts::PI, 0.0]), [1, 0, 3, 2], "any number of turns");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_same_seed_draws_the_same_forest_and_another_another() {
+    let scenario = scene("tentacle");
+    let rows = Inspector::new(&scenario).samples(3000, 5, false).expect("samples");
+    let found = |seed: f64| {
+        let small = [("trees", Value::Number(2.0)), ("candidates", Value::Number(50.0)), ("seed", Value::Number(seed))];
+        let mut forest = made(&scenario, "forest", &small);
+        forest.add(&rows).expect("rows");
+        bits(&forest.k_nearest(&[0.0; 6], 30).expect("an answer"))
+    };
+    assert_eq!(found(3.0), found(3.0));
+    assert_ne!(found(3.0), found(4.0));
+}
+
+/// The code and the pointer of a refusal.
+fn refusal<T>(answer: Result<T, planarium::Error>) -> (Code, String) {
+    let error = answer.err().expect("it is refused");
+    assert!(error.message().len() > 15, "{error}");
+    (error.code(), error.pointer().to_owned())
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_makes_no_sense_is_refused_and_leaves_the_index_as_it_was() {
+    let arm = scene("locked");
+    let ask = |id: Option<&str>, name: &str, value: Value| refusal(index(&arm, id, &[(name.to_owned(), value)]));
+    assert_eq!(refusal(index(&arm, Some("ball-tree"), &[])), (Code::OutOfRange, "/index".to_owned()));
+    assert_eq!(
+        ask(None, "trees", Value::Number(4.0)),
+        (Code::UnknownParameter, "/trees".to_owned()),
+        "not of a kd-tree"
+    );
+    assert_eq!(ask(Some("forest"), "trees", Value::Number(0.0)), (Code::OutOfRange, "/trees".to_owned()));
+    assert_eq!(ask(Some("forest"), "leaf", Value::Number(32.5)), (Code::OutOfRange, "/leaf".to_owned()));
+    assert_eq!(ask(Some("forest"), "seed", Value::Number(f64::NAN)), (Code::NotFinite, "/seed".to_owned()));
+    assert_eq!(ask(Some("linear"), "metric", Value::Number(1.0)), (Code::WrongType, "/metric".to_owned()));
+    assert_eq!(ask(Some("linear"), "metric", text("taxi")), (Code::OutOfRange, "/metric".to_owned()));
+    for name in ["corner", "turn", "rings"] {
+        let naive = [("metric".to_owned(), text("naive"))];
+        assert_eq!(refusal(index(&scene(name), None, &naive)), (Code::OutOfRange, "/metric".to_owned()), "{name}");
+    }
+    assert!(index(&scene("rings"), None, &[("metric".to_owned(), text("euclidean"))]).is_ok());
+
+    for info in indexes() {
+        let mut index = made(&arm, info.id, &[]);
+        index.add(&[0.1, 0.2]).expect("a row");
+        for (rows, code, pointer) in [
+            (&[0.0, 0.0, 0.0][..], Code::WrongDimension, "/rows"),
+            (&[0.0, 0.0, 0.0, f64::NAN], Code::NotFinite, "/rows/1/1"),
+            (&[0.0, 0.0, 1e7, 0.0], Code::OutOfRange, "/rows/1/0"),
+            (&[0.0, 0.0, 100.0, 0.0], Code::OutOfRange, "/rows/1/0"),
+        ] {
+            assert_eq!(refusal(index.add(rows)), (code, pointer.to_owned()), "{}", info.id);
+            assert_eq!(index.len(), 1, "none of them was added");
+        }
+        let ask = |q: &[f64]| refusal(index.k_nearest(q, 1));
+        assert_eq!(ask(&[0.0]), (Code::WrongDimension, "/q".to_owned()));
+        assert_eq!(ask(&[0.0, f64::INFINITY]), (Code::NotFinite, "/q/1".to_owned()));
+        assert_eq!(ask(&[100.0, 0.0]), (Code::OutOfRange, "/q/0".to_owned()));
+        assert_eq!(refusal(index.within(&[0.0, 0.0], -1.0)), (Code::OutOfRange, "/radius".to_owned()));
+        assert_eq!(refusal(index.within(&[0.0, 0.0], f64::NAN)), (Code::NotFinite, "/radius".to_owned()));
+    }
+    let rows = vec![0.0; 2 * 156_251];
+    let mut forest = made(&arm, "forest", &[("trees", Value::Number(64.0))]);
+    assert_eq!(refusal(forest.add(&rows)), (Code::TooLarge, "/rows".to_owned()), "10,000,000 / 64");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn samples_are_those_of_a_planner_of_the_same_seed() {
+    for name in ["firs", "rings", "corner", "locked"] {
+        let scenario = scene(name);
+        let inspector = Inspector::new(&scenario);
+        let options = Options {
+            planner: Some("prm".to_owned()),
+            query: None,
+            seed: 11,
+            parameters: vec![("samples".to_owned(), Value::Number(100.0))],
+        };
+        let mut run = start(&scenario, &options).expect("it starts");
+        run.step(100_000);
+        let vertices = run.vertices_since(0);
+        let free = inspector.samples(100, 11, true).expect("samples");
+        // Start and goal stand among the vertices.
+        let dimension = inspector.dimension();
+        let kept: Vec<_> = vertices.chunks_exact(dimension).collect();
+        let is_kept = |q: &&[f64]| kept.contains(q);
+        assert_eq!((free.len(), kept.len()), (100 * dimension, 102), "{name}");
+        assert!(free.chunks_exact(dimension).all(|q| is_kept(&q)), "{name}");
+        assert!(free.chunks_exact(dimension).all(|q| inspector.check(q).expect("a configuration").is_empty()));
+        let all = inspector.samples(2000, 11, false).expect("samples");
+        let some_free = all.chunks_exact(dimension).filter(|q| inspector.check(q).expect("a configuration").is_empty());
+        assert_eq!(some_free.take(100).collect::<Vec<_>>().concat(), free, "{name}: those of all that are free");
+        assert_ne!(inspector.samples(100, 12, true).expect("samples"), free);
+    }
+    let inspector = Inspector::new(&scene("firs"));
+    assert_eq!(inspector.samples(0, 0, true), Ok(Vec::new()));
+    assert_eq!(refusal(inspector.samples(MAX_SAMPLES + 1, 0, false)), (Code::OutOfRange, "/n".to_owned()));
+    assert_eq!(refusal(inspector.samples(1, 1 << 53, false)), (Code::OutOfRange, "/seed".to_owned()));
+    let full = r#"{"format": "planarium-scenario-1", "name": "full", "world": {"bounds": {"min": [0, 0], "max": [1, 1]},
+        "obstacles": [{"type": "disc", "center": [0.5, 0.5], "radius": 2}]}, "robot": {"type": "disc", "radius": 0}, "queries": []}"#;
+    let inspector = Inspector::new(&Scenario::parse(full).expect("a scenario"));
+    assert_eq!(refusal(inspector.samples(1, 0, true)), (Code::Unsupported, "/free".to_owned()));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_table_tells_what_can_be_set() {
+    let table: Json = serde_json::from_str(&catalogue().to_json()).expect("JSON");
+    let ids: Vec<_> = table.as_array().expect("rows").iter().map(|row| row["id"].as_str().expect("an id")).collect();
+    assert_eq!(ids, ["linear", "kd-tree", "forest"]);
+    for (row, info) in table.as_array().expect("rows").iter().zip(indexes()) {
+        assert_eq!(row["exact"], json!(info.id != "forest"));
+        for parameter in row["parameters"].as_array().expect("parameters") {
+            let name = parameter["name"].as_str().expect("a name");
+            assert!(parameter["meaning"].as_str().expect("a meaning").ends_with('.'));
+            // The ends of its range are taken, and what lies beyond is not.
+            let Some(max) = parameter["max"].as_f64() else { continue };
+            let given = |value: f64| index(&scene("firs"), Some(info.id), &[(name.to_owned(), Value::Number(value))]);
+            assert!(given(max).is_ok() && given(parameter["min"].as_f64().expect("a range")).is_ok(), "{name}");
+            assert!(given(max + 1.0).is_err(), "{name}");
+        }
+    }
+}
+
+/// What a golden case comes to.
+fn outcome(case: &Json) -> Json {
+    let scenario = scene(case["scene"].as_str().expect("a scene"));
+    let number = |name: &str| case[name].as_u64().expect("a count");
+    let value = |value: &Json| value.as_f64().map_or_else(|| text(value.as_str().expect("a word")), Value::Number);
+    let parameters = case["parameters"].as_object().expect("parameters");
+    let parameters: Vec<_> = parameters.iter().map(|(name, given)| (name.clone(), value(given))).collect();
+    let id = case["index"].as_str();
+    let mut index = index(&scenario, id, &parameters).expect("an index");
+    let is_free = case["free"] == true;
+    index
+        .add(&Inspector::new(&scenario).samples(number("samples"), number("seed"), is_free).expect("samples"))
+        .expect("rows");
+    let q: Vec<f64> =
+        case["target"].as_array().expect("a target").iter().map(|x| x.as_f64().expect("a number")).collect();
+    let answer = match case["radius"].as_f64() {
+        Some(radius) => index.within(&q, radius),
+        None => index.k_nearest(&q, number("k") as usize),
+    };
+    let answer = answer.expect("an answer");
+    let indices: Vec<_> = answer.neighbours.iter().map(|neighbour| neighbour.vertex.0).collect();
+    let distances: Vec<_> = answer.neighbours.iter().map(|neighbour| neighbour.distance).collect();
+    // A tree's shape, and so what it visits, is the platform's own.
+    let visited = if id == Some("kd-tree") { Json::Null } else { json!(answer.visited) };
+    json!({ "indices": indices, "distances": distances, "visited": visited })
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_case_has_its_golden_neighbours() {
+    let cases: Vec<Json> = serde_json::from_str(GOLDEN).expect("the golden file is JSON");
+    assert!(cases.len() >= 24, "every index, metric and robot");
+    #[cfg(not(target_arch = "wasm32"))]
+    if std::env::var_os("PLANARIUM_BLESS").is_some() {
+        let bless = |case: &Json| {
+            let mut case = case.clone();
+            case["outcome"] = outcome(&case);
+            case
+        };
+        let blessed: Vec<Json> = cases.iter().map(bless).collect();
+        let text = serde_json::to_string_pretty(&blessed).expect("JSON") + "\n";
+        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden-neighbours.json"), text).expect("written");
+        return;
+    }
+    for case in &cases {
+        assert_eq!(outcome(case), case["outcome"], "{case}");
+    }
+}
+
+/// The targets and counts of the course reports, on the lists of configurations of the folder `PLANARIUM_SCENARIOS`, where there
+/// is one.
+#[cfg(not(target_arch = "wasm32"))]
+#[test]
+fn the_reports_targets_on_the_reports_lists() {
+    let Some(folder) = std::env::var_os("PLANARIUM_SCENARIOS").filter(|folder| !folder.is_empty()) else {
+        eprintln!("PLANARIUM_SCENARIOS is not set: the reports' lists are not looked at");
+        return;
+    };
+    let read = |name: &str| -> Vec<Vec<f64>> {
+        let text = std::fs::read_to_string(std::path::Path::new(&folder).join(name)).expect("a list");
+        serde_json::from_str(&text).expect("an array of arrays of numbers")
+    };
+    let arm = scene("firs");
+    let body = scene("corner");
+    let asked: [(&Scenario, &str, &[(&[f64], usize)]); 2] = [
+        (
+            &arm,
+            "arm_configs.json",
+            &[(&[0.0, 0.0], 3), (&[3.14, 1.5], 6), (&[4.0, 5.2], 4), (&[1.5, 1.1], 10), (&[5.8, -1.5], 5)],
+        ),
+        (
+            &body,
+            "rigid_configs.json",
+            &[
+                (&[1.0, 1.0, 0.0], 3),
+                (&[0.5, 0.5, 0.0], 4),
+                (&[0.75, 0.5, 0.2], 4),
+                (&[1.0, 1.5, -0.2], 4),
+                (&[0.4, 0.5, -0.3], 5),
+                (&[0.5, 0.5, 1.0], 4),
+                (&[1.75, 1.75, 0.0], 20),
+            ],
+        ),
+    ];
+    for (scenario, name, targets) in asked {
+        let list = read(name);
+        assert!(list.len() >= 100, "{name} has {}", list.len());
+        let inspector = Inspector::new(scenario);
+        let [mut scan, mut tree] = ["linear", "kd-tree"].map(|id| made(scenario, id, &[]));
+        scan.add(&list.concat()).expect("rows");
+        tree.add(&list.concat()).expect("rows");
+        for (q, k) in targets {
+            let mut all: Vec<_> =
+                (0u32..).zip(&list).map(|(i, row)| (inspector.distance(row, q).expect("a distance"), i)).collect();
+            all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            let expected: Vec<_> = all[..*k].iter().map(|(distance, i)| (*i, distance.to_bits())).collect();
+            assert_eq!(bits(&scan.k_nearest(q, *k).expect("an answer")), expected, "{name} {q:?}");
+            assert_eq!(bits(&tree.k_nearest(q, *k).expect("an answer")), expected, "{name} {q:?}");
+        }
+    }
+}

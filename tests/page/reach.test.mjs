@@ -1,0 +1,714 @@
+/** The page of the arm: dragged, turned, stopped, solved, linked and taken away, on a desk and on a phone. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, describe, test } from "node:test";
+import { Scenario } from "planarium";
+import { decodeLink } from "../../www/exchange/link.js";
+import { documentOf } from "../../www/reach/bench.js";
+import { ellipseOf } from "../../www/reach/jacobian.js";
+import { SCENES } from "../../www/reach/scenes.js";
+import { Way } from "../../www/reach/way.js";
+import { Arm } from "../../www/reach/arm.js";
+import * as library from "planarium";
+import { allOf, readXml } from "./xml.mjs";
+import { onPage, pixelsOf, start, stop, tasks, violations } from "./browser.mjs";
+
+/** @import { Options, Page } from "./browser.mjs" */
+
+before(start);
+after(stop);
+
+const DESK = { viewport: { width: 1280, height: 860 } };
+const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
+
+/** @param {string} id */
+const entryOf = (id) => SCENES.find((scene) => scene.id === id) ?? assert.fail(id);
+
+/** @param {string} id */
+const scenarioOf = (id) => Scenario.parse(documentOf(entryOf(id)));
+
+/** The page of the arm, at rest. @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {{ path?: string, expectErrors?: boolean, before?: (page: Page) => Promise<void> }} [more] */
+async function onReach(test, options = DESK, more = {}) {
+  await onPage({ reducedMotion: "reduce", ...options }, async (page, url) => {
+    await page.waitForSelector("body[data-state=ready][data-settled=true]");
+    await test(page, url);
+  }, { path: "reach.html", ...more });
+}
+
+/** Waits until all is drawn. @param {Page} page */
+async function rest(page) {
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)));
+  await page.waitForSelector("body[data-settled=true]");
+}
+
+/** @param {Page} page @param {string} id */
+async function choose(page, id) {
+  await page.locator(`input[name=scene][value=${id}]`).check({ force: true });
+  await page.waitForSelector(`body[data-scene=${id}]`);
+  await rest(page);
+}
+
+/** The pose. @param {Page} page */
+const poseOf = async (page) => ((await page.getAttribute("body", "data-q")) ?? "").split(",").map(Number);
+
+/** Puts a number into a field. @param {Page} page @param {string} id @param {string} value */
+async function put(page, id, value) {
+  await page.fill(`#${id}`, value);
+  await page.locator(`#${id}`).blur();
+  await rest(page);
+}
+
+/** Where a point of the world is, in pixels of the window; the view is that of `stage/view.js`. @param {Page} page @param {string} id  of the scene @param {[number, number]} point */
+async function windowOf(page, id, [x, y]) {
+  const canvas = page.locator("#workspace canvas[data-layer=top]");
+  await canvas.scrollIntoViewIfNeeded();
+  const box = await canvas.boundingBox() ?? assert.fail("no canvas");
+  const { min, max } = scenarioOf(id).extent();
+  const scale = Math.min((box.width - 28) / (max[0] - min[0]), (box.height - 28) / (max[1] - min[1]));
+  return [box.x + box.width / 2 + scale * (x - (min[0] + max[0]) / 2), box.y + box.height / 2 - scale * (y - (min[1] + max[1]) / 2), scale];
+}
+
+describe("the pages", () => {
+  test("link each other, and say which of them one is on", async () => {
+    await onReach(async (page, url) => {
+      assert.equal(await page.locator(".rooms [aria-current=page]").innerText(), "Reach");
+      const addresses = await page.locator(".rooms a").evaluateAll((links) => links.map((link) => /** @type {HTMLAnchorElement} */ (link).href));
+      for (const address of addresses) assert.equal((await page.request.get(address)).status(), 200, address);
+      await page.click(".rooms a >> text=Plan");
+      await page.waitForSelector("#counters[data-settled=true]", { state: "attached" });
+      assert.equal(page.url(), url);
+      assert.equal(await page.locator(".rooms [aria-current=page]").innerText(), "Plan");
+      await page.click(".rooms a >> text=Reach");
+      await page.waitForSelector("body[data-state=ready]");
+    });
+  });
+
+  test("share their colours", async () => {
+    await onReach(async (page, url) => {
+      await page.click("#theme");
+      assert.equal(await page.getAttribute("html", "data-theme"), "dark");
+      await page.goto(url);
+      await page.waitForSelector("html[data-theme=dark]");
+    }, { ...DESK, colorScheme: "light" });
+  });
+
+  test("after its core was lost it says so, and goes on", async () => {
+    await onReach(async (page) => {
+      const before = await poseOf(page);
+      await page.evaluate(() => { /** @type {any} */ (window).trap = "rawscenario_follow"; });
+      await page.focus("#stage");
+      await page.keyboard.press("ArrowUp");
+      await page.waitForSelector("#notice[data-code=internal]");
+      await rest(page);
+      assert.deepEqual(await poseOf(page), before);
+      await page.keyboard.press("ArrowUp");
+      await page.waitForFunction((q) => document.body.dataset.q !== q, before.join());
+      assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
+    }, DESK, { before: async (page) => void await page.addInitScript(() => {
+      const { Instance } = WebAssembly;
+      WebAssembly.Instance = /** @type {any} */ (function (/** @type {WebAssembly.Module} */ module, /** @type {WebAssembly.Imports} */ imports) {
+        const { exports } = new Instance(module, imports);
+        return { exports: Object.fromEntries(Object.entries(exports).map(([name, one]) => [name, typeof one !== "function" ? one : (/** @type {unknown[]} */ ...args) => {
+          if (name !== /** @type {any} */ (window).trap) return one(...args);
+          /** @type {any} */ (window).trap = "";
+          throw new WebAssembly.RuntimeError("unreachable");
+        }])) };
+      });
+    }) });
+  });
+
+  test("without its WebAssembly it says so and stays a page", async () => {
+    await onPage(DESK, async (page) => {
+      await page.waitForSelector("body[data-state=failed]");
+      assert.match(await page.innerText("#notice"), /WebAssembly/);
+      assert.equal(await page.locator(".rooms a").count() > 1, true);
+    }, { path: "reach.html", expectErrors: true, before: async (page) => { await page.route(/\.wasm$/, (route) => route.abort()); } });
+  });
+});
+
+for (const [name, options] of /** @type {[string, Options][]} */ ([["on a desk", DESK], ["on a phone", PHONE]])) {
+  describe(`the arm ${name}`, () => {
+    test("a joint is turned by its number and by its slider, and a number out of range is refused", async () => {
+      await onReach(async (page) => {
+        const scenario = scenarioOf("islands");
+        await put(page, "joint-1-number", "0.75");
+        const q = await poseOf(page);
+        assert.equal(q[1], 0.75);
+        const [x, y] = scenario.endEffector(q);
+        assert.equal(await page.innerText("#fact-tip"), `(${x.toFixed(2)}, ${y.toFixed(2)}) m`.replaceAll("-", "\u2212"));
+        await page.focus("#joint-1");
+        await page.keyboard.press("ArrowRight");
+        await rest(page);
+        assert.ok((await poseOf(page))[1] > 0.75);
+        const kept = await poseOf(page);
+        await put(page, "joint-0-number", "9");
+        assert.match(await page.innerText("#joint-0-reason"), /9 is above/);
+        assert.deepEqual(await poseOf(page), kept);
+      }, options);
+    });
+
+    test("arrow keys lead the tip exactly where the core follows", async () => {
+      await onReach(async (page) => {
+        await choose(page, "tentacle");
+        const scenario = scenarioOf("tentacle");
+        let q = Float64Array.from(await poseOf(page));
+        const step = entryOf("tentacle").robot.links.reduce((a, b) => a + b, 0) * 0.01;
+        await page.focus("#stage");
+        for (const [key, dx, dy] of /** @type {[string, number, number][]} */ ([["ArrowUp", 0, step], ["ArrowLeft", -step, 0], ["Shift+ArrowDown", 0, -10 * step]])) {
+          const [x, y] = scenario.endEffector(q);
+          const followed = scenario.follow(q, [x + dx, y + dy]);
+          assert.ok(followed.reached);
+          await page.keyboard.press(key);
+          await rest(page);
+          assert.deepEqual(await poseOf(page), [...followed.configuration]);
+          q = Float64Array.from(followed.configuration);
+        }
+      }, options);
+    });
+
+    test("out of reach, the nearest point is shown and said", async () => {
+      await onReach(async (page) => {
+        const scenario = scenarioOf("islands");
+        await put(page, "joint-0-number", "0");
+        await put(page, "joint-1-number", "0.02");
+        const [x, y] = scenario.endEffector([0, 0.02]);
+        await page.focus("#stage");
+        await page.keyboard.press("Shift+ArrowRight");
+        await rest(page);
+        assert.equal(await page.getAttribute("#stage", "data-reached"), "false");
+        const nearest = scenario.nearestReachable([x + 0.1 * 1.12, y]);
+        assert.ok(nearest.distance > 0.05);
+        assert.ok((await page.innerText("#story")).includes(`${nearest.distance.toFixed(2)} m away`), await page.innerText("#story"));
+        await page.keyboard.press("Shift+ArrowLeft");
+        await page.keyboard.press("Shift+ArrowLeft");
+        await page.waitForSelector("#stage[data-reached=true]");
+      }, options);
+    });
+
+    test("what touches is red, hatched and named; a straight arm is nearly singular", async () => {
+      await onReach(async (page) => {
+        const before = await pixelsOf(page, "workspace", "top", "collision");
+        assert.equal(before, 0);
+        await put(page, "joint-0-number", "0.78");
+        await put(page, "joint-1-number", "0");
+        assert.equal(await page.getAttribute("#stage", "data-free"), "false");
+        const { touching } = scenarioOf("islands").check([0.78, 0]);
+        for (const { part, obstacle } of touching) assert.match(await page.innerText("#fact-touching"), new RegExp(`link ${part} touches obstacle ${obstacle}`, "i"));
+        assert.ok(await pixelsOf(page, "workspace", "top", "collision") > 200);
+        assert.equal(await page.getAttribute("#stage", "data-singular"), "true");
+        assert.equal(await page.innerText("#fact-roundness"), "0.00");
+        await put(page, "joint-0-number", "-0.8");
+        assert.match(await page.innerText("#story"), /Nearly singular/);
+      }, options);
+    });
+
+    test("from A to B the short way and the long way: where it touches is said, and it is what the core says", async () => {
+      await onReach(async (page) => {
+        await page.click("#mode-between");
+        await rest(page);
+        const { a, b } = entryOf("islands");
+        const wayOf = (/** @type {import("../../www/reach/way.js").Round} */ round) => new Way(new Arm(library, documentOf(entryOf("islands")), a), a, b, [round, round]);
+        assert.equal(await page.getAttribute("#between", "data-hit"), String(wayOf("short").hit ?? "none"));
+        assert.deepEqual(await poseOf(page), a);
+        await page.click("#all-long");
+        await rest(page);
+        assert.equal(await page.getAttribute("#between", "data-hit"), String(wayOf("long").hit ?? "none"));
+        assert.match(await page.innerText("#story"), /long way round/);
+        for (let i = 0; i < 3; i++) await page.click("#between-step-10");
+        await rest(page);
+        assert.equal(await page.inputValue("#along"), "0.3");
+        assert.ok(await pixelsOf(page, "workspace", "top", "path") > 100);
+        await page.click("#between-play");
+        await page.waitForFunction(() => /** @type {HTMLInputElement} */ (document.getElementById("along")).value === "1");
+        await rest(page);
+        const wrapped = (await poseOf(page)).map((angle, i) => Math.abs(Math.sin((angle - b[i]) / 2)));
+        assert.ok(wrapped.every((off) => off < 1e-9), `it ends at B: ${wrapped}`);
+        assert.equal(await page.getAttribute("#between-play", "data-playing"), "false");
+      }, options);
+    });
+
+    test("inverse kinematics step by step: the same run as the core's, its solutions counted and looked at", async () => {
+      await onReach(async (page) => {
+        await page.click("#mode-solve");
+        await rest(page);
+        const { q, target } = entryOf("islands");
+        const run = scenarioOf("islands").reach({ target, start: q, method: "damped-least-squares", solutions: 8, restarts: 40, seed: 0 });
+        await page.click("#solve-step-1");
+        await rest(page);
+        assert.equal(await page.getAttribute("#solve", "data-iterations"), "1");
+        run.step(1);
+        assert.deepEqual(await poseOf(page), [...run.configuration()]);
+        assert.ok(await pixelsOf(page, "workspace", "top", "goal") > 30, "the target is a cross");
+        await page.click("#solve-finish");
+        await page.waitForSelector("#solve:not([data-status=running])", { state: "attached" });
+        await rest(page);
+        while (run.step(100) === "running");
+        assert.equal(await page.getAttribute("#solve", "data-fingerprint"), run.fingerprint());
+        assert.equal(await page.getAttribute("#solve", "data-solutions"), String(run.solutionCount));
+        assert.equal(run.solutionCount, 2, "an elbow on either side");
+        assert.equal(await page.locator("#solutions button").count(), 2);
+        await page.click("#solutions button >> nth=1");
+        await rest(page);
+        assert.deepEqual(await poseOf(page), [...run.solutionsSince(1)].slice(0, 2));
+        assert.ok(await page.locator("#charts .line").count() >= 1);
+        assert.match(await page.locator("#charts svg").getAttribute("aria-label") ?? "", /iterations/);
+      }, options);
+    });
+  });
+}
+
+test("a way is the core's own where joints go the short way, and is free as far as the core says", () => {
+  for (const { id, a, b, q } of SCENES) {
+    for (const pose of [a, b, q]) assert.ok(scenarioOf(id).check(pose).free, `${id}: ${pose}`);
+    const arm = new Arm(library, documentOf(entryOf(id)), a);
+    const short = new Way(arm, a, b, a.map(() => "short"));
+    const hit = arm.scenario.firstHit(a, b);
+    assert.equal(short.hit === null, hit === null, id);
+    if (hit !== null) assert.ok(Math.abs((short.hit ?? 1) - hit) < 1e-2, `${id}: ${short.hit} ${hit}`);
+    const long = new Way(arm, a, b, a.map(() => "long"));
+    for (const way of [short, long]) {
+      const free = way.hit ?? 1;
+      for (let i = 0; i <= 400; i++) if (i / 400 < free - 1e-9) assert.ok(arm.isFree(arm.fitted(way.at(i / 400))), `${id} at ${i / 400}`);
+      const end = arm.fitted(way.at(1));
+      b.forEach((value, i) => assert.ok(Math.abs(Math.sin((end[i] - value) / 2)) < 1e-9));
+    }
+    long.turns.forEach((turn, i) => {
+      // Where a joint need not turn, it does not.
+      if (!arm.joints[i].isCircle || short.turns[i] === 0) assert.equal(turn, short.turns[i]);
+      else assert.ok(Math.abs(Math.abs(turn - short.turns[i]) - 2 * Math.PI) < 1e-9);
+    });
+  }
+});
+
+describe("in the hand", () => {
+  test("the tip follows the mouse; a link turns its own joint alone", async () => {
+    await onReach(async (page) => {
+      const scenario = scenarioOf("islands");
+      const before = await poseOf(page);
+      const [x0, y0] = await windowOf(page, "islands", scenario.endEffector(before));
+      const [x1, y1] = await windowOf(page, "islands", [0.3, -0.6]);
+      await page.mouse.move(x0, y0);
+      await page.mouse.down();
+      for (let i = 1; i <= 8; i++) {
+        await page.mouse.move(x0 + ((x1 - x0) * i) / 8, y0 + ((y1 - y0) * i) / 8);
+        await rest(page);
+      }
+      await page.mouse.up();
+      await rest(page);
+      const q = await poseOf(page);
+      const [tx, ty] = scenario.endEffector(q);
+      assert.ok(Math.hypot(tx - 0.3, ty + 0.6) < 0.02, `${tx} ${ty}`);
+      const elbow = scenario.footprint(q)[1];
+      assert.equal(elbow.type, "capsule");
+      if (elbow.type !== "capsule") return;
+      const middle = /** @type {[number, number]} */ ([(elbow.a[0] + elbow.b[0]) / 2, (elbow.a[1] + elbow.b[1]) / 2]);
+      const [mx, my] = await windowOf(page, "islands", middle);
+      await page.mouse.move(mx, my);
+      await page.mouse.down();
+      await page.mouse.move(mx + 25, my + 25, { steps: 4 });
+      await page.mouse.up();
+      await rest(page);
+      const turned = await poseOf(page);
+      assert.equal(turned[0], q[0]);
+      assert.ok(Math.abs(turned[1] - q[1]) > 0.05);
+    });
+  });
+
+  test("a finger at the tip drags it, and elsewhere leaves the page to be scrolled", async () => {
+    await onReach(async (page) => {
+      const before = await poseOf(page);
+      const scenario = scenarioOf("islands");
+      const [x, y] = await windowOf(page, "islands", scenario.endEffector(before));
+      const [fx, fy] = await windowOf(page, "islands", [-0.2, -0.9]);
+      const prevented = await page.locator("#workspace canvas[data-layer=top]").evaluate((canvas, places) => places.map(([clientX, clientY]) => {
+        const touch = new Touch({ identifier: 1, target: canvas, clientX, clientY });
+        return !canvas.dispatchEvent(new TouchEvent("touchstart", { touches: [touch], cancelable: true, bubbles: true }));
+      }), [[x, y], [fx, fy]]);
+      assert.deepEqual(prevented, [true, false]);
+      await page.locator("#workspace canvas[data-layer=top]").evaluate((canvas, [px, py]) => {
+        const at = (/** @type {string} */ type, /** @type {number} */ dx, /** @type {number} */ dy) => canvas.dispatchEvent(new PointerEvent(type, {
+          pointerId: 7, pointerType: "touch", isPrimary: true, button: 0, bubbles: true, clientX: px + dx, clientY: py + dy,
+        }));
+        Object.assign(canvas, { setPointerCapture() {} });
+        at("pointerdown", 0, 0);
+        at("pointermove", -20, 30);
+        at("pointerup", -20, 30);
+      }, [x, y]);
+      await rest(page);
+      assert.notDeepEqual(await poseOf(page), before);
+    }, PHONE);
+  });
+
+  test("the last link keeps its direction while the tip goes, where there are joints for it", async () => {
+    await onReach(async (page) => {
+      assert.equal(await page.isDisabled("#keep"), true);
+      assert.match(await page.innerText("#keep-hint"), /third/);
+      await choose(page, "corner");
+      await page.check("#keep");
+      await rest(page);
+      const sum = (/** @type {number[]} */ q) => q.reduce((a, b) => a + b, 0);
+      const kept = sum(await poseOf(page));
+      await page.focus("#stage");
+      for (const key of ["ArrowUp", "ArrowRight", "Shift+ArrowDown"]) await page.keyboard.press(key);
+      await rest(page);
+      assert.ok(Math.abs(Math.sin((sum(await poseOf(page)) - kept) / 2)) < 1e-6);
+      assert.ok(await page.isVisible("#direction"));
+      await put(page, "direction-number", "1");
+      assert.ok(Math.abs(Math.sin((sum(await poseOf(page)) - 1) / 2)) < 1e-6);
+    });
+  });
+
+  test("its ellipse is the core's manipulability, and what the tip does when the joints turn a little", () => {
+    for (const { id, q } of SCENES) {
+      const scenario = scenarioOf(id);
+      const { major, minor, angle, manipulability } = ellipseOf(scenario.footprint(q));
+      const tip = scenario.endEffector(q);
+      const { manipulability: wanted } = scenario.follow(q, tip);
+      assert.ok(Math.abs(manipulability - wanted) < 1e-9 * (1 + wanted), `${id}: ${manipulability} ${wanted}`);
+      assert.ok(Math.abs(major * minor - manipulability) < 1e-12);
+      // Along the major axis goes the farthest of many small turns of length 1.
+      let most = 0;
+      for (let k = 0; k < 4000; k++) {
+        const turn = q.map((_, i) => Math.sin(1 + 7.13 * k * (i + 1)));
+        const length = Math.hypot(...turn);
+        const [x, y] = scenario.endEffector(q.map((value, i) => value + (1e-6 * turn[i]) / length));
+        most = Math.max(most, Math.abs((x - tip[0]) * Math.cos(angle) + (y - tip[1]) * Math.sin(angle)) / 1e-6);
+      }
+      assert.ok(most <= major * (1 + 1e-4), `${id}: ${most} ${major}`);
+      if (q.length <= 3) assert.ok(most > 0.97 * major, `${id}: ${most} ${major}`);
+    }
+  });
+});
+
+describe("the pose as a point", () => {
+  test("two joints: a square with the core's obstacles, its border comes round, and a drag in it is a pose", async () => {
+    await onReach(async (page) => {
+      await page.waitForSelector("#stage[data-cells=true]");
+      await rest(page);
+      const share = await pixelsOf(page, "cspace", "ground", "obstacle");
+      assert.ok(share > 2000, `${share}`);
+      const box = await page.locator("#cspace canvas[data-layer=top]").boundingBox() ?? assert.fail();
+      await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+      await page.mouse.down();
+      await page.mouse.move(box.x + box.width / 2 + 40, box.y + box.height / 2 - 30, { steps: 3 });
+      await page.mouse.up();
+      await rest(page);
+      const [a, b] = await poseOf(page);
+      assert.ok(a > 0.2 && b > 0.1, `${a} ${b}`);
+      // Beside the border there is a twin on the other side.
+      await put(page, "joint-0-number", "3.1");
+      await put(page, "joint-1-number", "-2");
+      const { free } = scenarioOf("islands").check([3.1, -2]);
+      assert.ok(free);
+      const covered = await page.locator("#cspace canvas[data-layer=top]").evaluate((canvas) => {
+        const { width, height } = /** @type {HTMLCanvasElement} */ (canvas);
+        const { data } = /** @type {HTMLCanvasElement} */ (canvas).getContext("2d")?.getImageData(0, 0, width, height) ?? assert.fail();
+        const sides = [0, 0];
+        for (let i = 3; i < data.length; i += 4) if (data[i] > 40) sides[((i - 3) / 4) % width < width / 2 ? 0 : 1]++;
+        return sides;
+      });
+      assert.ok(covered[0] > 20 && covered[1] > 20, `${covered}`);
+    });
+  });
+
+  test("more joints: an axis for each; a drag along one turns that joint alone; stops are bars", async () => {
+    await onReach(async (page) => {
+      await choose(page, "limits");
+      assert.equal(await page.isVisible("#cspace"), false);
+      const before = await poseOf(page);
+      const box = await page.locator("#axes canvas[data-layer=top]").boundingBox() ?? assert.fail();
+      const x = box.x + box.width - 24;
+      await page.mouse.move(x, box.y + box.height / 2);
+      await page.mouse.down();
+      await page.mouse.move(x, box.y + box.height * 0.7, { steps: 3 });
+      await page.mouse.up();
+      await rest(page);
+      const q = await poseOf(page);
+      assert.deepEqual(q.slice(0, 2), before.slice(0, 2));
+      assert.ok(q[2] < -0.3 && q[2] >= -1.6, `${q[2]}`);
+      await page.mouse.move(x, box.y + 10);
+      await page.mouse.down();
+      await page.mouse.move(x, box.y - 40);
+      await page.mouse.up();
+      await rest(page);
+      assert.equal((await poseOf(page))[2], 1.6, "it ends at its stop");
+    });
+  });
+});
+
+describe("the arm is made", () => {
+  test("of 1 to 8 links, longer and shorter, thick and thin, with stops and without", async () => {
+    await onReach(async (page) => {
+      for (const count of [8, 1, 3]) {
+        await put(page, "links-number", String(count));
+        assert.equal((await poseOf(page)).length, count);
+        assert.equal(await page.locator("#joints input[type=range]").count(), count);
+      }
+      await put(page, "link-2-number", "0.9");
+      await put(page, "radius-number", "0.08");
+      await page.click("label[for=stops]");
+      await rest(page);
+      assert.equal(await page.locator("#intervals input").count(), 6);
+      await put(page, "stop-0-0", "0.5");
+      assert.ok((await poseOf(page))[0] >= 0.5, "what was beyond a stop is at it");
+      await put(page, "stop-0-1", "0.1");
+      assert.match(await page.innerText("#arm-reason"), /stops of joint 0/);
+      await put(page, "stop-0-1", "2");
+      assert.equal(await page.isHidden("#arm-reason"), true);
+      await page.click("label[for=stops]");
+      await rest(page);
+      assert.equal(await page.locator("#intervals input").count(), 0);
+    });
+  });
+
+  test("on top of an obstacle it is refused in the core's words, and stays as it was", async () => {
+    await onReach(async (page) => {
+      const text = JSON.stringify({ ...documentOf(entryOf("islands")), robot: { type: "arm", base: [0.62, 0.62], links: [1] }, queries: [] });
+      const kept = await poseOf(page);
+      await page.setInputFiles("#file", { name: "bad.json", mimeType: "application/json", buffer: Buffer.from(text) });
+      await page.waitForSelector("#notice[data-code=base-in-collision]");
+      assert.deepEqual(await poseOf(page), kept);
+    });
+  });
+
+  test("from a scenario of the reader's own; one without an arm is refused", async () => {
+    await onReach(async (page) => {
+      const give = (/** @type {string} */ name) => page.setInputFiles("#file", { name, mimeType: "application/json", buffer: readFileSync(new URL(`../../www/scenes/${name}`, import.meta.url)) });
+      await give("shelf.json");
+      await page.waitForSelector("body[data-scene=file]");
+      await rest(page);
+      assert.deepEqual(await poseOf(page), [1.42, -1.2, -0.22]);
+      await give("museum.json");
+      await page.waitForSelector("#notice[data-code=unsupported]");
+      assert.match(await page.innerText("#notice"), /is about arms/);
+    });
+  });
+});
+
+describe("inverse kinematics", () => {
+  test("a target out of reach is said to be, with the nearest point; one in collision too", async () => {
+    await onReach(async (page) => {
+      await page.click("#mode-solve");
+      await page.focus("#stage");
+      for (let i = 0; i < 12; i++) await page.keyboard.press("Shift+ArrowRight");
+      await page.click("#solve-finish");
+      await page.waitForSelector("#solve[data-verdict=out-of-reach]", { state: "attached" });
+      await rest(page);
+      assert.match(await page.innerText("#story"), /too far away.*nearest point/);
+    });
+    await onReach(async (page) => {
+      await page.click("#mode-solve");
+      await page.check("#solve-free_only");
+      // Into the disc at (0.62, 0.62).
+      const [x, y] = await windowOf(page, "islands", [0.55, 0.6]);
+      await page.mouse.click(x, y);
+      await rest(page);
+      await page.click("#solve-finish");
+      await page.waitForSelector("#solve[data-verdict=in-collision]", { state: "attached" });
+      await rest(page);
+      assert.match(await page.innerText("#story"), /touches (something|obstacle)/);
+    });
+  });
+
+  test("every method goes down to the target; the closed form is not for many joints, and says so", async () => {
+    await onReach(async (page) => {
+      await page.click("#mode-solve");
+      for (const { id } of library.reachMethods()) {
+        await page.selectOption("#method", id);
+        await rest(page);
+        await page.click("#solve-finish");
+        await page.waitForSelector("#solve:not([data-status=running])", { state: "attached", timeout: 60_000 });
+        await rest(page);
+        assert.ok(Number(await page.getAttribute("#solve", "data-solutions")) >= 1, id);
+      }
+      await choose(page, "tentacle");
+      await page.selectOption("#method", "closed-form");
+      await page.waitForSelector("#solve[data-status=refused]", { state: "attached" });
+      assert.match(await page.innerText("#notice"), /closed form for 1 or 2 links/);
+      await page.selectOption("#method", "newton");
+      await page.waitForSelector("#solve[data-status=running]", { state: "attached" });
+      assert.equal(await page.isHidden("#notice"), true);
+    });
+  });
+
+  test("the planner's page is handed the arm and the target", async () => {
+    await onReach(async (page) => {
+      await page.click("#mode-solve");
+      await rest(page);
+      await page.waitForFunction(() => (document.getElementById("plan")?.getAttribute("href") ?? "").length > 20);
+      const { experiment } = await decodeLink((await page.getAttribute("#plan", "href") ?? "").slice(2));
+      const { queries, robot } = /** @type {any} */ (experiment?.document);
+      assert.deepEqual(queries, [{ name: "reach", start: entryOf("islands").q, target: { point: entryOf("islands").target } }]);
+      assert.deepEqual(robot.links, entryOf("islands").robot.links);
+    });
+  });
+});
+
+describe("links and files", () => {
+  test("a link shows the same again: arm, pose, way and run", async () => {
+    await onReach(async (page) => {
+      await choose(page, "window");
+      await put(page, "link-1-number", "0.5");
+      // A pose of many digits.
+      await page.focus("#stage");
+      await page.keyboard.press("ArrowUp");
+      await rest(page);
+      await page.click("#mode-solve");
+      await page.fill("#solve-seed", "5");
+      await page.locator("#solve-seed").blur();
+      await page.click("#solve-step-10");
+      await rest(page);
+      await page.click("#link");
+      await page.waitForFunction(() => location.hash.length > 2);
+      const fragment = await page.evaluate(() => location.hash);
+      assert.ok(fragment.length <= 2049);
+      const [q, fingerprint] = [await poseOf(page), await page.getAttribute("#solve", "data-fingerprint")];
+      assert.match(fingerprint ?? "", /^[0-9a-f]{16}$/);
+      await onReach(async (other) => {
+        assert.equal(await other.getAttribute("body", "data-scene"), "window");
+        assert.equal(await other.getAttribute("body", "data-mode"), "solve");
+        assert.deepEqual(await poseOf(other), q);
+        assert.equal(await other.getAttribute("#solve", "data-iterations"), "10");
+        assert.equal(await other.getAttribute("#solve", "data-fingerprint"), fingerprint);
+        assert.equal(await other.inputValue("#link-1-number"), "0.500");
+        assert.equal(await other.inputValue("#solve-seed"), "5");
+      }, DESK, { path: `reach.html${fragment}` });
+    }, { ...DESK, permissions: ["clipboard-read", "clipboard-write"] });
+  });
+
+  test("one that does not work is said not to, and the page opens all the same", async () => {
+    for (const fragment of ["#1abc", "#2abc", `#1${"a".repeat(3000)}`, "#nothing"]) {
+      await onReach(async (page) => {
+        assert.match(await page.innerText("#notice"), /This link does not work/);
+        assert.equal(await page.getAttribute("body", "data-scene"), "islands");
+      }, DESK, { path: `reach.html${fragment}` });
+    }
+  });
+
+  test("the stage as PNG and SVG, the scenario as JSON", async () => {
+    await onReach(async (page) => {
+      await page.waitForSelector("#stage[data-cells=true]");
+      await page.click("#mode-between");
+      await page.click("#take-fold > summary");
+      /** @param {string} id */
+      const taken = async (id) => {
+        const [download] = await Promise.all([page.waitForEvent("download"), page.click(id)]);
+        return readFileSync(await download.path());
+      };
+      const png = await taken("#take-png");
+      assert.equal(png.subarray(1, 4).toString(), "PNG");
+      const svg = (await taken("#take-svg")).toString();
+      assert.match(svg, /^<svg[\s\S]+<\/svg>\s*$/);
+      assert.match(svg, /data:image\/png/);
+      assert.ok(allOf(readXml(svg), "path").length > 20);
+      Scenario.parse((await taken("#take-scenario")).toString()).free();
+    });
+  });
+
+  test("it is kept for later with the rest: it opens without a network", async () => {
+    await onReach(async (page, url) => {
+      await page.waitForFunction(async () => (await navigator.serviceWorker.ready).active?.state === "activated");
+      await page.context().setOffline(true);
+      await page.goto("about:blank");
+      await page.goto(`${url}reach.html`);
+      await page.waitForSelector("body[data-state=ready][data-settled=true]");
+      await page.waitForSelector("#stage[data-cells=true]");
+    }, { ...DESK, serviceWorkers: "allow" }, { expectErrors: true });
+  });
+});
+
+describe("for everyone", () => {
+  /** @type {Record<string, (page: Page) => Promise<void>>} */
+  const STATES = {
+    "by hand": async () => {},
+    "touching": async (page) => {
+      await put(page, "joint-0-number", "0.78");
+      await put(page, "joint-1-number", "0");
+    },
+    "from A to B": async (page) => { await page.click("#mode-between"); },
+    "solved": async (page) => {
+      await choose(page, "corner");
+      await page.click("#mode-solve");
+      await page.click("#solve-finish");
+      await page.waitForSelector("#solve:not([data-status=running])", { state: "attached" });
+    },
+    "with stops": async (page) => {
+      await choose(page, "limits");
+      await page.click("#take-fold > summary");
+    },
+  };
+
+  test("axe finds nothing in any state, in light and dark, on a desk and on a phone", async () => {
+    for (const [state, reachIt] of Object.entries(STATES)) {
+      for (const [colorScheme, width] of /** @type {["light" | "dark", number][]} */ ([["light", 1280], ["dark", 1280], ["light", 320], ["dark", 390]])) {
+        await onReach(async (page) => {
+          await reachIt(page);
+          await rest(page);
+          assert.deepEqual(await violations(page), [], `${state}, ${colorScheme}, ${width}`);
+        }, { colorScheme, viewport: { width, height: 860 } });
+      }
+    }
+  });
+
+  test("from 320 to 2560 pixels nothing is cut off, and figures are large enough", async () => {
+    for (const width of [320, 390, 768, 1024, 1280, 1920, 2560]) {
+      await onReach(async (page) => {
+        for (const reachIt of Object.values(STATES)) {
+          await reachIt(page);
+          await rest(page);
+          const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+          assert.equal(over, 0, `${width}`);
+          for (const sheet of await page.locator(".pane:not([hidden]) .sheet").all()) {
+            const box = await sheet.boundingBox();
+            assert.ok(box && box.width >= 200 && box.height >= 200, `${width}: ${JSON.stringify(box)}`);
+          }
+        }
+        const small = await page.evaluate(() => [...document.querySelectorAll("button, select, a, input:not([type=file], [name=scene]), summary")]
+          .filter((element) => element.checkVisibility() && !element.closest(".visually-hidden, .card"))
+          .map((element) => ({ name: element.id || element.textContent || element.className, box: (element.closest("label") ?? element).getBoundingClientRect() }))
+          .filter(({ box }) => box.height < 24 || box.width < 24).map(({ name, box }) => `${name} ${box.width}x${box.height}`));
+        assert.deepEqual(small, [], `${width}`);
+      }, { viewport: { width, height: 900 } });
+    }
+  });
+
+  test("forced colours are honoured", async () => {
+    await onReach(async (page) => {
+      const same = await page.evaluate(() => {
+        const probe = document.createElement("span");
+        probe.style.forcedColorAdjust = "none";
+        document.body.append(probe);
+        const resolved = (/** @type {string} */ colour) => {
+          probe.style.color = colour;
+          return getComputedStyle(probe).color;
+        };
+        return resolved("var(--robot)") === resolved("CanvasText");
+      });
+      assert.ok(same);
+      assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
+    }, { ...DESK, forcedColors: "active" });
+  });
+
+  test("while the tip is dragged and a run is played the page is never blocked for 50 ms", async (context) => {
+    await onReach(async (page) => {
+      const [x, y] = await windowOf(page, "islands", scenarioOf("islands").endEffector(await poseOf(page)));
+      const worked = await tasks(page, async () => {
+        await page.mouse.move(x, y);
+        await page.mouse.down();
+        for (let i = 0; i < 60; i++) await page.mouse.move(x - 2 * i, y + 60 * Math.sin(i / 6));
+        await page.mouse.up();
+        await rest(page);
+        await page.locator("#link-0").focus();
+        for (let i = 0; i < 10; i++) await page.keyboard.press("ArrowRight");
+        await page.waitForSelector("#stage[data-cells=true]");
+        await page.click("#mode-solve");
+        await page.click("#solve-finish");
+        await page.waitForSelector("#solve:not([data-status=running])", { state: "attached" });
+        await rest(page);
+      });
+      const most = worked.page.reduce((a, b) => Math.max(a, b), 0);
+      context.diagnostic(`${worked.page.length} tasks, most ${most.toFixed(1)} ms`);
+      assert.ok(worked.page.length > 30 && most < 50, `${most} ms`);
+    }, { ...DESK, deviceScaleFactor: 2 });
+  });
+});

@@ -1,0 +1,117 @@
+/**
+ * How long questions take: scan, tree and forest on ever more configurations of this robot, measured by the worker, as a table and
+ * a chart. It stops within two seconds; what there was no time for is left out.
+ *
+ * What tests may rely on: `#timing` carries `data-timing` ("none", "running", "done") and `data-seconds`.
+ */
+import { grouped } from "../controls/counters.js";
+import { byId, make } from "../controls/dom.js";
+import { Plot } from "../room/plot.js";
+
+/** @import { IndexInfo } from "planarium" */
+/** @import { Desk } from "./desk.js" */
+/** @import { Measured } from "./types.js" */
+
+/** Those of the reports, and more. */
+const SIZES = [100, 500, 1000, 2000, 5000, 10_000, 20_000, 50_000, 100_000];
+/** Milliseconds that all of it may take; a measurement begun may go on a little beyond. */
+const MOST = 1700;
+
+export class Timing {
+  /** @param {Desk} desk @param {IndexInfo[]} table */
+  constructor(desk, table) {
+    this.desk = desk;
+    /** @type {Record<string, string>} */
+    this.titles = Object.fromEntries(table.map(({ id, title }) => [id, title]));
+    /** @type {Measured[]} */
+    this.measured = [];
+    /** What was measured: other settings are another measurement. */
+    this.what = "";
+    this.element = byId("timing", HTMLElement);
+    this.button = make("button", { type: "button", id: "measure", className: "primary" }, "Measure");
+    this.told = make("p", { className: "hint", id: "measured" });
+    this.table = make("tbody", {});
+    const columns = ["n", "Index", "Build", "A question", "Visited", "Recall"];
+    this.scroll = make("div", { className: "scroll", tabIndex: 0, hidden: true }, make("table", { className: "standings", id: "timings" },
+      make("caption", {}, "Build time, time for a question, configurations visited, and the part of the true nearest found"),
+      make("thead", {}, make("tr", {}, ...columns.map((title) => make("th", { scope: "col" }, title)))), this.table));
+    this.scroll.setAttribute("role", "region");
+    this.scroll.setAttribute("aria-label", "Timings");
+    this.plot = new Plot("timings", "Time for a question");
+    this.plot.element.hidden = true;
+    this.element.append(make("div", { className: "row" }, this.told, this.button), make("div", { className: "charts" }, this.plot.element), this.scroll);
+    this.button.addEventListener("click", () => void this.run());
+    this.desk.onChange((change) => { if (change !== "answer" && change !== "list") this.tell(); });
+    this.put("none");
+  }
+
+  /** @param {"none" | "running" | "done"} state */
+  put(state) {
+    this.element.dataset.timing = state;
+    this.button.disabled = state === "running";
+    this.tell();
+  }
+
+  get key() { return JSON.stringify([this.desk.entry.id, this.desk.k, this.desk.given]); }
+
+  /** What is measured, or was. */
+  tell() {
+    const { desk } = this;
+    const { metric } = desk.given;
+    const what = `${desk.entry.title.toLowerCase()}, k = ${desk.k}${metric ? `, ${metric} metric` : ""}`;
+    this.told.textContent = this.measured.length > 0 && this.what !== this.key
+      ? `What stands here was measured with other settings; measure again for ${what}.`
+      : `Up to 100,000 configurations drawn for this: ${what}. Each time is the middle of several batches, the call from JavaScript included.`;
+  }
+
+  async run() {
+    const { desk } = this;
+    const { room, asker } = desk;
+    this.measured = [];
+    this.what = this.key;
+    this.put("running");
+    const began = performance.now();
+    await room.await(asker.ask("begin", desk.document, desk.k, desk.given));
+    for (const n of SIZES) {
+      const left = MOST - (performance.now() - began);
+      if (left <= 0) break;
+      const some = await room.await(asker.ask("measure", n, left));
+      if (!some || some.length === 0) break;
+      this.measured.push(...some);
+      this.show();
+    }
+    await room.await(asker.ask("end"));
+    this.element.dataset.seconds = ((performance.now() - began) / 1000).toFixed(3);
+    this.put("done");
+    room.announcer.say(this.summary);
+  }
+
+  show() {
+    this.table.replaceChildren(...this.measured.map(({ index, n, build, query, visited, recall }) => {
+      const row = make("tr", {}, make("th", { scope: "row" }, grouped(n)),
+        ...[this.titles[index], duration(build), duration(query), grouped(Math.round(visited)), `${(100 * recall).toFixed(recall === 1 ? 0 : 1)} %`].map((text) => make("td", {}, text)));
+      Object.assign(row.dataset, { index, n: String(n), query: String(query), build: String(build), visited: String(visited), recall: String(recall) });
+      return row;
+    }));
+    this.scroll.hidden = false;
+    this.plot.element.hidden = false;
+    const ids = [...new Set(this.measured.map(({ index }) => index))];
+    this.plot.draw(ids.map((id) => ({
+      label: id, className: id, points: this.measured.filter(({ index }) => index === id).map(({ n, query }) => /** @type {[number, number]} */ ([n, 1e6 * query])),
+    })), { title: "configurations", isLog: true }, { title: "microseconds", isLog: true }, this.summary);
+  }
+
+  /** The largest measurement in words. */
+  get summary() {
+    const last = this.measured.at(-1)?.n;
+    const words = this.measured.filter(({ n }) => n === last).map(({ index, query }) => `${this.titles[index]} ${duration(query)}`);
+    return words.length === 0 ? "Nothing was measured." : `Time for a question among ${grouped(last ?? 0)}: ${words.join(", ")}.`;
+  }
+}
+
+/** @param {number} seconds */
+function duration(seconds) {
+  if (seconds >= 1) return `${seconds.toFixed(2)} s`;
+  if (seconds >= 1e-3) return `${(1e3 * seconds).toPrecision(3)} ms`;
+  return `${(1e6 * seconds).toPrecision(3)} \u00b5s`;
+}

@@ -335,6 +335,55 @@ fn trajectories_prints_counts_and_writes_a_row_for_each() {
 }
 
 #[test]
+fn reach_prints_solutions_or_how_near_the_arm_can_come() {
+    let arm = r#"{ "format": "planarium-scenario-1", "name": "arm", "world": { "obstacles": [] },
+        "robot": { "type": "arm", "base": [0, 0], "links": [1, 0.8], "joint_limits": [[-3, 3], [-2, 2]] }, "queries": [] }"#;
+    let arm = file("reach.json", arm);
+    let reached =
+        planarium(&["reach", &arm, "--target", "1,-0.5", "--solutions", "2", "--seed", "3", "--start", "0.5,-1e-1"]);
+    let result = reached.json();
+    assert_eq!(
+        (reached.code, result["status"].as_str(), result["seed"].as_u64()),
+        (0, Some("solved"), Some(3)),
+        "{result}"
+    );
+    assert_eq!(result["solutions"].as_array().map(Vec::len), Some(2));
+    assert!(reached.stderr.starts_with("reached: 2 solutions"), "{}", reached.stderr);
+    let by_name = |method: &str| {
+        planarium(&[
+            "reach",
+            &arm,
+            "--target=-1,0.5",
+            "--orientation",
+            "2.5",
+            "--method",
+            method,
+            "--set",
+            "restarts=3",
+        ])
+    };
+    let far = by_name("newton");
+    assert_eq!((far.code, far.json()["verdict"]["verdict"].as_str()), (1, Some("out-of-reach")));
+    assert!(far.json()["verdict"]["nearest"]["distance"].as_f64().is_some_and(|distance| distance > 0.0));
+    let error = |code: &str, pointer: &str| (code.to_owned(), pointer.to_owned());
+    assert_eq!(by_name("magic").error(), error("out-of-range", "/method"));
+    let refused = |arguments: &[&str]| planarium(&[&["reach", &arm], arguments].concat()).error();
+    assert_eq!(refused(&["--target", "1,nan"]), error("not-finite", "/target/1"));
+    assert_eq!(refused(&["--target", "1"]), error("usage", ""));
+    assert_eq!(refused(&[]), error("usage", ""));
+    assert_eq!(refused(&["--target", "1,0", "--start", "0"]), error("wrong-dimension", "/start"));
+    assert_eq!(refused(&["--target", "1,0", "--start", "0,2.5"]), error("out-of-range", "/start/1"));
+    assert_eq!(refused(&["--target", "1,0", "--set", "speed=1"]), error("unknown-parameter", "/speed"));
+    let disc = planarium_with(&["reach", "-", "--target", "1,0"], ROOM);
+    assert_eq!(disc.error(), error("unsupported", ""));
+    let tables = planarium(&["list"]);
+    for method in planarium(&["list", "--json"]).json()["reach_methods"].as_array().expect("methods") {
+        assert!(tables.stdout.contains(method["id"].as_str().expect("an id")));
+        assert!(tables.stdout.contains(method["summary"].as_str().expect("a summary")));
+    }
+}
+
+#[test]
 fn list_tells_planners_parameters_and_error_codes() {
     let tables = planarium(&["list"]);
     let listed = planarium(&["list", "--json"]).json();

@@ -61,8 +61,11 @@ fn value(name: &str, given: Node) -> Result<Value, Error> {
     }
 }
 
-/// The id of an index, if any, and its parameters from JSON text.
-pub(super) fn index_options(text: &str) -> Result<(Option<String>, Vec<(String, Value)>), Error> {
+/// The id of an index, if any, and its parameters.
+type IndexOptions = (Option<String>, Vec<(String, Value)>);
+
+/// What index is wanted, from JSON text.
+pub(super) fn index_options(text: &str) -> Result<IndexOptions, Error> {
     let (mut id, mut parameters) = (None, Vec::new());
     for (name, given) in fields(text)? {
         match (name.as_str(), given) {

@@ -50,8 +50,8 @@ enum Node {
     Leaf(Vec<u32>),
 }
 
-/// A forest that grows. Insertion costs O(trees log n), a query O(candidates + trees log n). The states and about
-/// trees (4 + 8 embedded dimension / leaf) bytes each.
+/// A forest that grows. Insertion costs O(trees log n), a query O(candidates + trees log n). The states, and for each its
+/// embedding and about trees (4 + 8 embedded dimension / leaf) bytes.
 #[derive(Debug, Clone)]
 pub struct Forest<S: Space> {
     parameters: ForestParameters,
@@ -60,6 +60,8 @@ pub struct Forest<S: Space> {
     draws: u64,
     vertices: Vec<VertexId>,
     states: Vec<S::State>,
+    /// The embedded states, one after the other, so that each is embedded once.
+    points: Vec<f64>,
     /// The first node of each is its root.
     trees: Vec<Vec<Node>>,
 }
@@ -71,9 +73,9 @@ impl<S: Space> Forest<S> {
     /// # Panics
     /// Where there is no tree, or leaves of fewer than two.
     pub fn new(parameters: ForestParameters, key: u64) -> Self {
-        assert!(parameters.trees >= 1 && parameters.leaf >= 2, "a forest of {parameters:?} cannot be");
+        assert!(parameters.trees >= 1 && parameters.leaf >= 2, "a forest has a tree, and leaves of two, at least");
         let trees = vec![vec![Node::Leaf(Vec::new())]; parameters.trees];
-        Self { parameters, key, draws: 0, vertices: Vec::new(), states: Vec::new(), trees }
+        Self { parameters, key, draws: 0, vertices: Vec::new(), states: Vec::new(), points: Vec::new(), trees }
     }
 
     /// A number below `n`: the next of the sequence SplitMix64 (Steele, Lea and Flood 2014, "Fast splittable pseudorandom
@@ -87,16 +89,24 @@ impl<S: Space> Forest<S> {
         ((u128::from(z) * n as u128) >> 64) as usize
     }
 
+    /// The embedded state at a place.
+    fn point(&self, member: u32) -> &[f64] {
+        let width = self.points.len() / self.states.len();
+        &self.points[member as usize * width..][..width]
+    }
+
     /// Halves a leaf of one tree.
-    fn split(&mut self, space: &S, tree: usize, node: usize, mut members: Vec<u32>) {
+    fn split(&mut self, tree: usize, node: usize, mut members: Vec<u32>) {
         let pair = [0; 2].map(|_| members[self.draw(members.len())]);
-        let [a, b] = pair.map(|member| embedded(space, &self.states[member as usize]));
-        let direction: Vec<f64> = a.iter().zip(&b).map(|(a, b)| b - a).collect();
-        let along = |member: u32| projection(&direction, &embedded(space, &self.states[member as usize]));
-        let projections: Vec<f64> = members.iter().map(|&member| along(member)).collect();
+        let [a, b] = pair.map(|member| self.point(member));
+        let direction: Vec<f64> = a.iter().zip(b).map(|(a, b)| b - a).collect();
+        let along = |&member: &u32| projection(&direction, self.point(member));
+        let projections: Vec<f64> = members.iter().map(along).collect();
         let mut order: Vec<u32> = (0..members.len() as u32).collect();
-        // Members stand in the order in which they came: a tie by place is one by number.
-        sort(&mut order, &|a, b| projections[a as usize].total_cmp(&projections[b as usize]).then(a.cmp(&b)));
+        sort(&mut order, &|a, b| {
+            let (a, b) = (a as usize, b as usize);
+            projections[a].total_cmp(&projections[b]).then(members[a].cmp(&members[b]))
+        });
         let middle = order.len() / 2;
         let threshold = projections[order[middle] as usize];
         members = order.iter().map(|&at| members[at as usize]).collect();
@@ -160,6 +170,7 @@ impl<S: Space> Nearest<S> for Forest<S> {
         self.vertices.push(vertex);
         self.states.push(state);
         let point = embedded(space, &state);
+        self.points.extend_from_slice(&point);
         for tree in 0..self.trees.len() {
             let nodes = &mut self.trees[tree];
             let mut node = 0;
@@ -170,7 +181,7 @@ impl<S: Space> Nearest<S> for Forest<S> {
                 members.push(place);
                 if members.len() > self.parameters.leaf {
                     let members = std::mem::take(members);
-                    self.split(space, tree, node, members);
+                    self.split(tree, node, members);
                 }
             }
         }

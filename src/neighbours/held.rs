@@ -37,21 +37,8 @@ impl<S: Space, I: Nearest<S>> Neighbours for Held<S, I> {
     }
 
     fn add(&mut self, rows: &[f64]) -> Result<(), Error> {
-        let dimension = self.dimension();
-        if !rows.len().is_multiple_of(dimension) {
-            let sentence = format!("rows have {dimension} numbers each; {} numbers are not whole rows", rows.len());
-            return Err(Error::new(Code::WrongDimension, "/rows", sentence));
-        }
-        if rows.len() / dimension > self.most - self.len() {
-            let (most, wanted) = (self.most, self.len() + rows.len() / dimension);
-            let kind = if most < MAX_CONFIGURATIONS { " of so many trees" } else { "" };
-            let sentence = format!("an index{kind} holds {most} configurations at most, not {wanted}");
-            return Err(Error::new(Code::TooLarge, "/rows", sentence));
-        }
-        for (row, q) in rows.chunks_exact(dimension).enumerate() {
-            self.configurations.refuse_outside(q, "").map_err(|error| error.under(&format!("/rows/{row}")))?;
-        }
-        for q in rows.chunks_exact(dimension) {
+        refuse(&self.configurations, rows, self.len(), self.most)?;
+        for q in rows.chunks_exact(self.dimension()) {
             let vertex = VertexId(self.len() as u32);
             self.index.insert(&self.space, vertex, self.space.state(q));
         }
@@ -71,4 +58,23 @@ impl<S: Space, I: Nearest<S>> Neighbours for Held<S, I> {
         }
         self.ask(q, |state, found| self.index.within(&self.space, state, radius, found))
     }
+}
+
+/// Refuses rows that cannot be added to so many; the same code for every index.
+fn refuse(configurations: &Configurations, rows: &[f64], held: usize, most: usize) -> Result<(), Error> {
+    let dimension = configurations.dimension();
+    if !rows.len().is_multiple_of(dimension) {
+        let sentence = format!("rows have {dimension} numbers each; {} numbers are not whole rows", rows.len());
+        return Err(Error::new(Code::WrongDimension, "/rows", sentence));
+    }
+    let wanted = held + rows.len() / dimension;
+    if wanted > most {
+        let kind = if most < MAX_CONFIGURATIONS { " of so many trees" } else { "" };
+        let sentence = format!("an index{kind} holds {most} configurations at most, not {wanted}");
+        return Err(Error::new(Code::TooLarge, "/rows", sentence));
+    }
+    for (row, q) in rows.chunks_exact(dimension).enumerate() {
+        configurations.refuse_outside(q, "").map_err(|error| error.under(&format!("/rows/{row}")))?;
+    }
+    Ok(())
 }

@@ -1,7 +1,7 @@
 /** A hundred thousand random calls with hostile arguments: every one returns or throws a PlanariumError, and the core survives. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Drive, PlanariumError, Planner, Scenario } from "planarium";
+import { Drive, Neighbours, PlanariumError, Planner, Scenario } from "planarium";
 import { arm, body, car, disc, finish } from "./scenes.mjs";
 
 /** Calls for each seed. */
@@ -33,7 +33,7 @@ for (const seed of [1, 2, 3]) {
         case 0: return undefined;
         case 1: return null;
         case 2: case 3: return number();
-        case 4: return pick(["", "prm", "rrt-connect", "over", "across", "forest", "clutter", "sum", "rrt-control", "sst", "dubins", "reeds-shepp", "euler", "through", "home", "\u0000", "\ud800", "x".repeat(below(2000)), "{}", "[[[[1]]]]", "faster", "left"]);
+        case 4: return pick(["", "prm", "rrt-connect", "over", "across", "forest", "clutter", "sum", "rrt-control", "sst", "dubins", "reeds-shepp", "euler", "through", "home", "\u0000", "\ud800", "x".repeat(below(2000)), "{}", "[[[[1]]]]", "faster", "left", "linear", "forest", "naive"]);
         case 5: return pick([true, false, 10n, Symbol.iterator, () => 1]);
         case 6: return Float64Array.from({ length: below(5) }, number);
         case 7: return [number(), number()];
@@ -42,7 +42,7 @@ for (const seed of [1, 2, 3]) {
         case 10: return { length: number(), 0: 1, 1: 1 };
         case 11: return new Proxy([0, 0], { get() { throw pick([new Error("trap"), "text", undefined]); } });
         case 12: return Object.fromEntries(Array.from({ length: below(5) }, () => [
-          pick(["algorithm", "query", "seed", "samples", "k", "step", "shortcut", "metric", "steering", "blossom", "duration_steps", "integration", "pruning_radius", "robot", "max_iterations", "tolerance", "width", "height", "links", "format", "__proto__", "toJSON", "a"]),
+          pick(["algorithm", "query", "seed", "samples", "k", "step", "shortcut", "metric", "steering", "blossom", "duration_steps", "integration", "pruning_radius", "robot", "max_iterations", "tolerance", "width", "height", "links", "format", "__proto__", "toJSON", "a", "index", "trees", "leaf", "candidates", "free", "n"]),
           anything(depth + 1),
         ]));
         default: return mutated();
@@ -64,7 +64,7 @@ for (const seed of [1, 2, 3]) {
 
     const scenario = Scenario.parse(arm);
     /** @type {any[]} */
-    let handles = [scenario, Scenario.parse(disc), Scenario.parse(body), Scenario.parse(car), Scenario.parse(car).drive(), scenario.planner(), scenario.planner({ algorithm: "prm", samples: 20 }),
+    let handles = [scenario, Scenario.parse(disc), Scenario.parse(body), Scenario.parse(car), Scenario.parse(car).drive(), Scenario.parse(arm).neighbours(), Scenario.parse(body).neighbours({ index: "forest", trees: 2 }), Scenario.parse(disc).neighbours({ index: "linear" }), scenario.planner(), scenario.planner({ algorithm: "prm", samples: 20 }),
       Scenario.parse(body).planner(), Scenario.parse(car).planner(), Scenario.parse(car).planner({ algorithm: "sst", improve_iterations: 100 }), Scenario.parse(car).planner({ algorithm: "prm", samples: 20, steering: "dubins" })];
     const standing = handles.length;
     /** @type {Map<string, number>} */
@@ -77,13 +77,14 @@ for (const seed of [1, 2, 3]) {
       if (name === "free" && draw() < 0.9) continue;
       const args = Array.from({ length: below(4) }, () => anything());
       // A run may not be made longer than the test can wait.
+      if (name === "sampleConfigurations" && draw() < 0.9) args[0] = below(300);
       if (name === "tick" || name === "replay") args[Number(name === "replay")] = below(40);
       if (name === "step" || name === "stepFor") args[0] = draw() < 0.7 ? below(30) : Math.min(Number(typeof args[0] === "number" ? args[0] : NaN), 50);
       try {
         const descriptor = Object.getOwnPropertyDescriptor(target === Scenario ? Scenario : Object.getPrototypeOf(target), name);
         const made = descriptor?.get ? descriptor.get.call(target) : target[name](...args);
         returned += 1;
-        if (made instanceof Scenario || made instanceof Planner || made instanceof Drive) {
+        if (made instanceof Scenario || made instanceof Planner || made instanceof Drive || made instanceof Neighbours) {
           if (handles.length > standing + 8) handles.splice(standing + below(8), 1)[0].free();
           handles.push(made);
         }

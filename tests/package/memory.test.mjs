@@ -70,6 +70,25 @@ test("nor do cars that are driven, by a planner, along curves or by hand", () =>
   assert.equal(pages(), before);
 });
 
+test("nor do indexes of configurations", () => {
+  const scenario = Scenario.parse(arm);
+  const rows = scenario.sampleConfigurations(300, { seed: 1 });
+  const cycle = () => {
+    for (const index of /** @type {const} */ (["linear", "kd-tree", "forest"])) {
+      const held = scenario.neighbours({ index });
+      held.add(rows);
+      held.nearest([1, 2], 20);
+      held.within([1, 2], 0.5);
+      assert.throws(() => held.add([[0, NaN]]));
+      held.free();
+    }
+  };
+  for (let i = 0; i < 50; i += 1) cycle();
+  const before = pages();
+  for (let i = 0; i < 500; i += 1) cycle();
+  assert.equal(pages(), before);
+});
+
 test("errors leak nothing either", () => {
   const scenario = Scenario.parse(arm);
   const cycle = () => {

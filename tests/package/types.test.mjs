@@ -9,11 +9,12 @@ import { addFiles, install, pack } from "./packed.mjs";
 
 const consumer = `
 import init, {
-  initSync, planners, generators, phases, freshSeed, version, Drive, PlanariumError, Planner, Scenario,
-  type Approximate, type Box, type Check, type Configuration, type CspaceOptions, type DriveKey, type DriveState, type GenerateOptions, type GeneratorInfo, type InitInput, type InitSyncInput, type KeyPress, type Motion, type Obstacle, type Obstructed,
+  initSync, planners, generators, phases, freshSeed, neighbourIndexes, version, Drive, Neighbours, PlanariumError, Planner, Scenario,
+  type Approximate, type Box, type Check, type Configuration, type CspaceOptions, type DriveKey, type DriveState, type GenerateOptions, type GeneratorInfo, type IndexInfo, type NeighboursFound, type NeighboursOptions, type SampleOptions, type InitInput, type InitSyncInput, type KeyPress, type Motion, type Obstacle, type Obstructed,
   type OptionInfo, type ParameterInfo, type Part, type Phase, type PlannerInfo, type PlannerOptions, type Point, type PresetInfo, type PseudocodeLine,
   type PseudocodeMark, type Query, type ResultDocument, type Robot, type Rollout, type ScenarioDocument, type Shape, type Stats, type Status, type Touching, type Weights, type World,
 } from "planarium";
+import { Trajectories, particlePoints, trajectoryOptions, type ParticleModel, type ParticleMotion, type TrajectoriesResult, type TrajectoryOptions } from "planarium";
 
 type IsAny<T> = 0 extends 1 & T ? true : false;
 /** Members that are any, take any or give any back. */
@@ -27,12 +28,29 @@ export type Proofs = [
   None<AnyMembers<Motion>>, None<AnyMembers<PresetInfo>>, No<IsAny<PresetInfo["settings"]["whatever"]>>, No<IsAny<Motion["control"][0]>>, None<AnyMembers<Approximate>>,
   None<AnyMembers<Extract<Robot, { type: "car" }>>>, None<AnyMembers<Extract<Robot, { type: "rigid_body" }>>>, None<AnyMembers<Weights>>, No<IsAny<Shape["vertices"]>>,
   None<AnyMembers<PlannerInfo>>, None<AnyMembers<ParameterInfo>>, None<AnyMembers<ScenarioDocument>>, None<AnyMembers<World>>, None<AnyMembers<Query>>,
+  None<AnyMembers<Neighbours>>, None<AnyMembers<NeighboursFound>>, None<AnyMembers<NeighboursOptions>>, None<AnyMembers<SampleOptions>>, None<AnyMembers<IndexInfo>>,
   None<AnyMembers<GeneratorInfo>>, None<AnyMembers<OptionInfo>>, No<IsAny<(typeof phases)[number]>>,
   No<IsAny<Parameters<typeof init>[0]>>, No<IsAny<Parameters<typeof initSync>[0]>>, No<IsAny<InitInput>>, No<IsAny<InitSyncInput>>,
   No<IsAny<ReturnType<typeof planners>>>, No<IsAny<Configuration>>, No<IsAny<PlannerOptions["whatever"]>>, No<IsAny<GenerateOptions["whatever"]>>,
 ];
+export type OfTrajectories = [None<AnyMembers<Trajectories>>, None<AnyMembers<TrajectoriesResult>>, None<AnyMembers<TrajectoryOptions>>, None<AnyMembers<ParticleMotion>>];
 // @ts-expect-error: the proof can fail
 export type Disproof = None<AnyMembers<{ loose(value: any): void }>>;
+
+export function manyTrajectories(): string {
+  const model: ParticleModel = trajectoryOptions().length > 0 ? "arc" : "spiral";
+  const wanted: TrajectoryOptions = { model, seed: 1, count: 5, index: "none" };
+  const trajectories: Trajectories = new Trajectories(wanted);
+  const now: Status = trajectories.step(5);
+  const rows: Float64Array = trajectories.acceptedSince(0);
+  const tries: Uint32Array = trajectories.tries();
+  const came: TrajectoriesResult = trajectories.result();
+  const motion: ParticleMotion = { v: 1, w: 0 };
+  // @ts-expect-error: not a model
+  new Trajectories({ model: "line" });
+  trajectories[Symbol.dispose]();
+  return JSON.stringify([now, rows, tries, came, particlePoints(motion, [0, 1]), new Trajectories().fingerprint]);
+}
 
 export async function program(bytes: ArrayBuffer): Promise<string> {
   await init();
@@ -67,6 +85,17 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
     queries: [{ name: "q", start: [1, 1, 0], goal: [1.5, 1, 0], goal_tolerance: { translation: 0.1, rotation: 0.5 } }],
   };
   const drive: Drive = scenario.drive(q);
+  const wanted: NeighboursOptions = { index: "forest", metric: "naive", trees: 4, leaf: 16, candidates: 100, seed: 3 };
+  const index: Neighbours = scenario.neighbours(wanted);
+  const drawn: SampleOptions = { seed: 1, free: true };
+  index.add(scenario.sampleConfigurations(10, drawn));
+  index.add([[0, 0], [1, 1]]);
+  const found: NeighboursFound = index.nearest(q, 3);
+  const near: number[] = [...index.within(q, 1).distances, ...found.distances, ...found.indices, found.visited, index.size];
+  index[Symbol.dispose]();
+  const indexes: IndexInfo[] = neighbourIndexes();
+  // @ts-expect-error: not an index
+  scenario.neighbours({ index: "ball-tree" });
   const key: DriveKey = "faster";
   drive.press(key);
   const { blocked }: DriveState = drive.tick(1);
@@ -138,7 +167,7 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   drive.press("jump");
   // @ts-expect-error: a car has a wheelbase
   Scenario.parse({ ...car, robot: { type: "car", shape } } satisfies ScenarioDocument);
-  return JSON.stringify([free, names, stopped, driven, rolled, radii, box, tip, tips, hit, cells, low, circles, kind, obstacle, robot, status, phase, counts, vertices, edges,
+  return JSON.stringify([free, near, indexes, names, stopped, driven, rolled, radii, box, tip, tips, hit, cells, low, circles, kind, obstacle, robot, status, phase, counts, vertices, edges,
     events, motions, traces, path, stats, result, speeds, far, settled.length, fit, marks, choices, reached, raw, hits, version, scenario.name, scenario.title, scenario.distance(q, half), planner.fingerprint()]);
 }
 `;

@@ -144,6 +144,13 @@ export class Desk {
     void this.ask();
   }
 
+  /** The parameters that are for the index: what only a forest takes is kept for when it comes back. @returns {Settings} */
+  get parameters() {
+    const { given, index } = this;
+    if (index === "forest") return given;
+    return given.metric === undefined ? {} : { metric: given.metric };
+  }
+
   /** Asks for the neighbours. While an answer is on its way only the newest question waits. */
   async ask() {
     if (this.isAsking) {
@@ -152,8 +159,8 @@ export class Desk {
     }
     if (this.list.version < 1) return;
     this.isAsking = true;
-    const { list: { version }, q, k, index, given } = this;
-    const reply = await this.room.await(this.asker.ask("ask", { version, q, k, index, given }));
+    const { list: { version }, q, k, index, parameters } = this;
+    const reply = await this.room.await(this.asker.ask("ask", { version, q, k, index, given: parameters }));
     this.isAsking = false;
     if (reply && version === this.list.version) {
       ({ found: this.found, exact: this.exact } = reply);

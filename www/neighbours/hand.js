@@ -22,11 +22,14 @@ export class Hand {
     this.grip = null;
     /** The newest move, not yet obeyed. @type {[number, number] | null} */
     this.pending = null;
-    desk.room.onFrame(() => {
-      const { pending, grip } = this;
-      this.pending = null;
-      if (pending && grip) grip(...pending);
-    });
+    desk.room.onFrame(() => this.obey());
+  }
+
+  /** Obeys the newest move. */
+  obey() {
+    const { pending, grip } = this;
+    this.pending = null;
+    if (pending && grip) grip(...pending);
   }
 
   /** Hears pointers on a sheet. @param {Sheet} sheet @param {(x: number, y: number, reach: number) => Grip | null} take   what is held there */
@@ -49,7 +52,11 @@ export class Hand {
       this.pending = [event.offsetX, event.offsetY];
       this.desk.room.wake();
     });
-    const release = () => { this.grip = null; };
+    const release = () => {
+      // A press may be over before there was a frame.
+      this.obey();
+      this.grip = null;
+    };
     canvas.addEventListener("pointerup", release);
     canvas.addEventListener("pointercancel", release);
     // A finger that holds something does not scroll the page.
@@ -92,7 +99,7 @@ export class Hand {
     return () => {
       const { view } = square;
       return view && ((/** @type {number} */ x, /** @type {number} */ y) => {
-        this.desk.aim(view.toPlane(x, y).map((angle) => Math.min(Math.PI, Math.max(-Math.PI, angle))));
+        this.desk.aim(view.toPlane(x, y));
       });
     };
   }

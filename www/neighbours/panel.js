@@ -17,14 +17,14 @@ export class Panel {
     this.desk = desk;
     this.table = table;
     const { draw } = desk;
-    this.count = new Count({ name: "count", title: "How many", min: 100, max: 100_000 }, draw.n, (n) => void desk.fill({ n }));
+    this.count = new Count({ name: "count", title: "Count", min: 100, max: 100_000 }, draw.n, (n) => void desk.fill({ n }));
     this.seed = new Slider({ name: "seed", title: "Seed", unit: "", min: 0, max: 999, kind: "integer" }, draw.seed, (seed) => void desk.fill({ seed }));
     this.free = make("input", { type: "checkbox", id: "free", checked: draw.free });
     this.free.setAttribute("role", "switch");
     this.free.addEventListener("change", () => void desk.fill({ free: this.free.checked }));
     byId("list-settings", HTMLElement).append(this.count.element, this.seed.element,
       make("label", { className: "row", htmlFor: "free" }, make("span", { className: "name" }, "Only free ones"), this.free));
-    this.preset = make("select", { id: "preset", ariaLabel: "A question of the reports" });
+    this.preset = make("select", { id: "preset", ariaLabel: "Preset" });
     this.preset.addEventListener("change", () => {
       const preset = desk.entry.presets[Number(this.preset.value)];
       if (preset && this.preset.value !== "") {
@@ -75,7 +75,7 @@ export class Panel {
       const values = (/** @type {number[]} */ q) => q.map((value) => String(value).replace("-", "\u2212")).join(", ");
       this.preset.replaceChildren(make("option", { value: "" }, "\u2013"), ...desk.entry.presets.map(({ q, k }, i) => make("option", { value: String(i) }, `(${values(q)}), k = ${k}`)));
       this.sliders = desk.coordinates.map(({ name, low, high, unit }, i) => new Slider({ name: `q${i}`, title: name, unit, min: low, max: high }, desk.q[i], (value) => desk.turn(i, value)));
-      this.targets.replaceChildren(make("label", { className: "row", htmlFor: "preset" }, make("span", { className: "name" }, "Reports\u2019"), this.preset), ...this.sliders.map(({ element }) => element));
+      this.targets.replaceChildren(make("label", { className: "row", htmlFor: "preset" }, make("span", { className: "name" }, "Preset"), this.preset), ...this.sliders.map(({ element }) => element));
       this.build();
     }
     if (change === "list" && typeof desk.source !== "string") {

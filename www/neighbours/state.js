@@ -2,6 +2,7 @@
 import { flag, list, name, number, record, rule, settings, whole } from "../exchange/rules.js";
 import { ROBOTS } from "./robots.js";
 
+/** @import { NeighboursOptions } from "planarium" */
 /** @import { Rule } from "../exchange/rules.js" */
 /** @import { Desk } from "./desk.js" */
 /** @import { Draw, IndexId, Settings } from "./types.js" */
@@ -25,6 +26,13 @@ export function stateOf({ entry, draw, q, k, index, given }) {
 export async function putState(desk, { robot, draw, q, k, index, given }, indexes) {
   const entry = ROBOTS.find(({ id }) => id === robot);
   if (!entry || !indexes.includes(index)) throw new Error("It asks for what is not there.");
+  // The core judges what the index is to take, before anything is changed.
+  const scenario = desk.library.Scenario.parse(entry.document);
+  try {
+    scenario.neighbours(/** @type {NeighboursOptions} */ ({ index: "forest", ...given })).free();
+  } finally {
+    scenario.free();
+  }
   Object.assign(desk, { draw: { ...desk.draw, ...draw }, index, given: { ...given } });
   await desk.open(entry, { q, k });
 }

@@ -10,12 +10,23 @@ import { Plot } from "../room/plot.js";
 
 /** @import { IndexInfo } from "planarium" */
 /** @import { Desk } from "./desk.js" */
-/** @import { Measured } from "./types.js" */
+/** @import { IndexId, Measured } from "./types.js" */
 
 /** Those of the reports, and more. */
 const SIZES = [100, 500, 1000, 2000, 5000, 10_000, 20_000, 50_000, 100_000];
 /** Milliseconds that all of it may take; a measurement begun may go on a little beyond. */
-const MOST = 1700;
+const MOST = 1500;
+
+/** @type {Record<IndexId, string>} */
+const SHORT = { linear: "scan", "kd-tree": "kd-tree", forest: "forest" };
+
+/** @type {{ id: "query" | "build" | "visited" | "recall", title: string, kinds: IndexId[], text: (one: Measured) => string }[]} */
+const COLUMNS = [
+  { id: "query", title: "A question", kinds: ["linear", "kd-tree", "forest"], text: ({ query }) => duration(query) },
+  { id: "build", title: "Build", kinds: ["linear", "kd-tree", "forest"], text: ({ build }) => duration(build) },
+  { id: "visited", title: "Visited", kinds: ["kd-tree", "forest"], text: ({ visited }) => grouped(Math.round(visited)) },
+  { id: "recall", title: "Recall", kinds: ["forest"], text: ({ recall }) => `${(100 * recall).toFixed(recall === 1 ? 0 : 1)} %` },
+];
 
 export class Timing {
   /** @param {Desk} desk @param {IndexInfo[]} table */
@@ -31,13 +42,14 @@ export class Timing {
     this.button = make("button", { type: "button", id: "measure", className: "primary" }, "Measure");
     this.told = make("p", { className: "hint", id: "measured" });
     this.table = make("tbody", {});
-    const columns = ["n", "Index", "Build", "A question", "Visited", "Recall"];
+    const groups = COLUMNS.map(({ title, kinds }) => make("th", { scope: "colgroup", colSpan: kinds.length }, title));
+    const kinds = COLUMNS.flatMap(({ kinds: some }) => some.map((kind) => make("th", { scope: "col" }, SHORT[kind])));
     this.scroll = make("div", { className: "scroll", tabIndex: 0, hidden: true }, make("table", { className: "standings", id: "timings" },
-      make("caption", {}, "Build time, time for a question, configurations visited, and the part of the true nearest found"),
-      make("thead", {}, make("tr", {}, ...columns.map((title) => make("th", { scope: "col" }, title)))), this.table));
+      make("caption", {}, "Time for a question, build time, configurations visited, and the part of the true nearest found"),
+      make("thead", {}, make("tr", {}, make("th", { scope: "col", rowSpan: 2 }, "n"), ...groups), make("tr", {}, ...kinds)), this.table));
     this.scroll.setAttribute("role", "region");
     this.scroll.setAttribute("aria-label", "Timings");
-    this.plot = new Plot("timings", "Time for a question");
+    this.plot = new Plot("timings", "Time for a question, microseconds");
     this.plot.element.hidden = true;
     this.element.append(make("div", { className: "row" }, this.told, this.button), make("div", { className: "charts" }, this.plot.element), this.scroll);
     this.button.addEventListener("click", () => void this.run());
@@ -87,10 +99,16 @@ export class Timing {
   }
 
   show() {
-    this.table.replaceChildren(...this.measured.map(({ index, n, build, query, visited, recall }) => {
-      const row = make("tr", {}, make("th", { scope: "row" }, grouped(n)),
-        ...[this.titles[index], duration(build), duration(query), grouped(Math.round(visited)), `${(100 * recall).toFixed(recall === 1 ? 0 : 1)} %`].map((text) => make("td", {}, text)));
-      Object.assign(row.dataset, { index, n: String(n), query: String(query), build: String(build), visited: String(visited), recall: String(recall) });
+    const sizes = [...new Set(this.measured.map(({ n }) => n))];
+    this.table.replaceChildren(...sizes.map((n) => {
+      const cells = COLUMNS.flatMap(({ id, kinds, text }) => kinds.map((kind) => {
+        const one = this.measured.find(({ index, n: other }) => index === kind && other === n);
+        const cell = make("td", {}, one ? text(one) : "\u2013");
+        Object.assign(cell.dataset, { index: kind, of: id, value: one ? String(one[id]) : "" });
+        return cell;
+      }));
+      const row = make("tr", {}, make("th", { scope: "row" }, grouped(n)), ...cells);
+      row.dataset.n = String(n);
       return row;
     }));
     this.scroll.hidden = false;

@@ -232,6 +232,12 @@ describe("for everyone", () => {
         return resolved("var(--robot)") === resolved("CanvasText");
       });
       assert.ok(same);
+      const { color, backgroundColor, adjust } = await page.locator("#mode-hand").evaluate((button) => {
+        const style = getComputedStyle(button);
+        return { color: style.color, backgroundColor: style.backgroundColor, adjust: style.forcedColorAdjust };
+      });
+      assert.equal(adjust, "none", "no plate under the word of what is chosen");
+      assert.notEqual(color, backgroundColor);
       assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
     }, { ...DESK, forcedColors: "active" });
   });

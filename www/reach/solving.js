@@ -43,6 +43,8 @@ export class Solving {
     this.given = { ...GIVEN };
     /** The arm that there was a run for, or would have been but for a refusal. @type {import("./arm.js").Arm | null} */
     this.of = null;
+    /** What the link to the planner's page was made for. */
+    this.linked = "";
     /** Does the notice say why there is no run? */
     this.isRefused = false;
     /** Its own poses are not taken for the reader's. */
@@ -211,7 +213,19 @@ export class Solving {
       this.chart();
     }
     bench.tell("rest");
-    void planLink(bench, this.start).then((href) => { this.plan.href = href; });
+    void this.link();
+  }
+
+  /** Where the planner's page plans to this; a world that is too large for an address has no such link. */
+  async link() {
+    const { bench, start, plan } = this;
+    const key = [bench.arm.version, start.join(), bench.target.join(), bench.lock].join(" ");
+    if (this.linked === key) return;
+    this.linked = key;
+    const href = await planLink(bench, start).catch(() => "");
+    if (this.linked !== key) return;
+    plan.hidden = href === "";
+    plan.href = href;
   }
 
   /** A button for each solution. */

@@ -9,6 +9,9 @@ const WIDEST: usize = 128;
 /// A trajectory is entered by at most this many stretches for every column.
 const STRETCHES: f64 = 4.0;
 
+/// What is done with a cell, the last questions that met each trajectory, and the question at hand.
+type Visit<'a> = &'a mut dyn FnMut(&mut Vec<u32>, &mut [u32], u32);
+
 /// A square of cells about the origin. What lies outside belongs to the cells of the border, so nothing is lost however far
 /// trajectories reach; there the grid is only coarser.
 #[derive(Debug, Clone)]
@@ -57,7 +60,7 @@ impl Grid {
         });
     }
 
-    fn visit(&mut self, track: &Track, each: &mut dyn FnMut(&mut Vec<u32>, &mut [u32], u32)) {
+    fn visit(&mut self, track: &Track, each: Visit) {
         let Self { half_side, width, cells, met, question, margin } = self;
         let per_metre = *width as f64 / (2.0 * *half_side);
         let last = (*width - 1) as f64;

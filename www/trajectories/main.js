@@ -32,6 +32,9 @@ const SEED = { name: "seed", title: "Seed", kind: "integer", unit: "", min: 0, m
 /** What stands at the top; the rest is folded away. */
 const FIRST = ["seed", "model", "count", "fastest", "greatest_turn_rate", "least_turn_rate"];
 
+/** Tries asked for at once on the way to the end. */
+const AT_ONCE = 5000;
+
 const room = new Room();
 /** When the frame at hand began. */
 let begun = 0;
@@ -59,11 +62,9 @@ await room.open(async () => {
   });
   const transport = new Transport(room, byId("course", HTMLElement), {
     name: "course", label: "Playing", unit: "tries", steps: [1, 10, 100], slowest: 1, fastest: 20_000, pace: 120,
-    advance: (count) => growth.advance(count, news),
-    reset: () => void restart(),
+    advance: (count) => growth.advance(transport.isFinishing ? Math.max(count, AT_ONCE) : count, news),
+    reset: () => void restart(), canFinish: true,
   }, [stage]);
-  const finish = make("button", { type: "button", id: "course-finish" }, "To the end");
-  finish.addEventListener("click", () => void toEnd());
   const move = make("button", { type: "button", id: "course-move", className: "quiet" }, "Let them move");
   move.setAttribute("aria-pressed", "false");
   move.addEventListener("click", () => {
@@ -72,14 +73,13 @@ await room.open(async () => {
     move.setAttribute("aria-pressed", String(plane.moment !== null));
     sheet.refresh();
   });
-  transport.reset.before(finish);
   transport.bar.append(move);
   /** When the particles set out. */
   let started = 0;
 
   room.onFrame((now) => {
     if (plane.moment !== null) plane.moment = (Math.max(0, now - started) / 1000) % plane.round;
-    plane.isStill = room.calm || !transport.isPlaying && !isFinishing;
+    plane.isStill = room.calm || !transport.isPlaying;
     const isMoving = plane.isMoving(now);
     if (isMoving || wasMoving) sheet.refresh();
     wasMoving = isMoving;
@@ -89,13 +89,12 @@ await room.open(async () => {
     // Those that have come since are drawn on top of the others; Sheet draws all anew only where it must.
     const { palette, layers: { ground } } = sheet;
     if (palette && !sheet.stale.has("ground") && sheet.width > 0) plane.append({ context: ground.context, palette });
-    const isAtRest = !transport.isPlaying && !isFinishing && room.waiting === 0;
+    const isAtRest = !transport.isPlaying && room.waiting === 0;
     charts.draw(performance.now(), isAtRest);
     tell();
     performance.measure("trajectories-frame", { start: begun });
   });
   let wasMoving = false;
-  let isFinishing = false;
 
   showTake(room, growth, sheet, WINDOW);
   byId("new-seed", HTMLButtonElement).disabled = false;
@@ -123,7 +122,6 @@ await room.open(async () => {
   /** Begins anew with what the panel says. @returns {Promise<boolean>} */
   async function restart() {
     transport.pause();
-    isFinishing = false;
     const { settings } = options;
     if (!settings) return refuse();
     room.notice.hide();
@@ -133,7 +131,6 @@ await room.open(async () => {
     }));
     if (!isBegun) return false;
     transport.enable(true);
-    finish.disabled = false;
     plane.fit();
     started = performance.now();
     Object.assign(stage.dataset, { status: "running", begun: String(growth.epoch) });
@@ -145,18 +142,8 @@ await room.open(async () => {
   function refuse() {
     growth.epoch++;
     transport.enable(false);
-    finish.disabled = true;
     stage.dataset.status = "refused";
     return false;
-  }
-
-  async function toEnd() {
-    transport.pause();
-    isFinishing = true;
-    room.wake();
-    await room.await(growth.advance(Infinity, news));
-    isFinishing = false;
-    room.wake();
   }
 
   /** @returns {State} */
@@ -195,7 +182,7 @@ await room.open(async () => {
     write(byId("fact-tries", HTMLElement), tries.length === 0 ? "\u2013" : mean(tries).toFixed(1));
     write(byId("fact-time", HTMLElement), milliseconds.length === 0 ? "\u2013" : mean(milliseconds) === 0 ? "too short" : `${(1000 * mean(milliseconds)).toFixed(0)} \u00b5s`);
     write(byId("fact-pairs", HTMLElement), grouped(result.pairs));
-    write(byId("fact-fingerprint", HTMLElement), transport.isPlaying || isFinishing ? "\u2013" : result.fingerprint);
+    write(byId("fact-fingerprint", HTMLElement), transport.isPlaying ? "\u2013" : result.fingerprint);
     write(byId("where", HTMLElement), `${growth.options.model === "spiral" ? "Spirals" : "Arcs"} \u00b7 seed ${growth.options.seed ?? 0}`);
     write(byId("story", HTMLElement), sentence(last));
     sheet.describe(`${lines.length} trajectories of which no two cross, after ${result.iterations} tries.`);

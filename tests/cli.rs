@@ -1,7 +1,7 @@
 //! The command line as a person or a script meets it: the real program, its output, its exit codes.
 #![cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
 
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
@@ -311,6 +311,79 @@ fn a_pipeline_of_generate_plan_and_verify_holds_together() {
 }
 
 #[test]
+fn trajectories_prints_counts_and_writes_a_row_for_each() {
+    let table = file("tracks.csv", "");
+    let done = planarium(&["trajectories", "--set", "count=120", "--seed", "5", "--csv", &table]);
+    assert_eq!((done.code, done.stderr.as_str()), (0, ""));
+    let result = done.json();
+    assert_eq!((&result["status"], &result["accepted"], &result["seed"]), (&json!("solved"), &json!(120), &json!(5)));
+    assert!(result["seconds"].as_f64().expect("seconds") > 0.0);
+    let text = std::fs::read_to_string(&table).expect("written");
+    let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows[0], "x,y,theta,v,w,duration,tries,microseconds,average_of_20".split(',').collect::<Vec<_>>());
+    assert_eq!(rows.len(), 121);
+    let number = |row: usize, column: usize| rows[row][column].parse::<f64>().expect("a number");
+    let tries: f64 = (1..=120).map(|row| number(row, 6)).sum();
+    assert_eq!(Some(tries), result["iterations"].as_f64(), "every try belongs to one that was accepted");
+    let mean = (1..=20).map(|row| number(row, 7)).sum::<f64>() / 20.0;
+    assert!((number(20, 8) - mean).abs() < 0.01 && rows[19][8].is_empty(), "the mean begins with the twentieth");
+    // The same seed, the same rows; and a square too small for so many.
+    let again = planarium(&["trajectories", "--set", "count=120", "--seed", "5"]).json();
+    assert_eq!(again["fingerprint"], result["fingerprint"]);
+    let crowded = planarium(&["trajectories", "--set", "half_side=0.1", "--set", "max_iterations=500"]);
+    assert_eq!((crowded.code, &crowded.json()["status"]), (1, &json!("exhausted")));
+}
+
+#[test]
+fn reach_prints_solutions_or_how_near_the_arm_can_come() {
+    let arm = r#"{ "format": "planarium-scenario-1", "name": "arm", "world": { "obstacles": [] },
+        "robot": { "type": "arm", "base": [0, 0], "links": [1, 0.8], "joint_limits": [[-3, 3], [-2, 2]] }, "queries": [] }"#;
+    let arm = file("reach.json", arm);
+    let reached =
+        planarium(&["reach", &arm, "--target", "1,-0.5", "--solutions", "2", "--seed", "3", "--start", "0.5,-1e-1"]);
+    let result = reached.json();
+    assert_eq!(
+        (reached.code, result["status"].as_str(), result["seed"].as_u64()),
+        (0, Some("solved"), Some(3)),
+        "{result}"
+    );
+    assert_eq!(result["solutions"].as_array().map(Vec::len), Some(2));
+    assert!(reached.stderr.starts_with("reached: 2 solutions"), "{}", reached.stderr);
+    let by_name = |method: &str| {
+        planarium(&[
+            "reach",
+            &arm,
+            "--target=-1,0.5",
+            "--orientation",
+            "2.5",
+            "--method",
+            method,
+            "--set",
+            "restarts=3",
+        ])
+    };
+    let far = by_name("newton");
+    assert_eq!((far.code, far.json()["verdict"]["verdict"].as_str()), (1, Some("out-of-reach")));
+    assert!(far.json()["verdict"]["nearest"]["distance"].as_f64().is_some_and(|distance| distance > 0.0));
+    let error = |code: &str, pointer: &str| (code.to_owned(), pointer.to_owned());
+    assert_eq!(by_name("magic").error(), error("out-of-range", "/method"));
+    let refused = |arguments: &[&str]| planarium(&[&["reach", &arm], arguments].concat()).error();
+    assert_eq!(refused(&["--target", "1,nan"]), error("not-finite", "/target/1"));
+    assert_eq!(refused(&["--target", "1"]), error("usage", ""));
+    assert_eq!(refused(&[]), error("usage", ""));
+    assert_eq!(refused(&["--target", "1,0", "--start", "0"]), error("wrong-dimension", "/start"));
+    assert_eq!(refused(&["--target", "1,0", "--start", "0,2.5"]), error("out-of-range", "/start/1"));
+    assert_eq!(refused(&["--target", "1,0", "--set", "speed=1"]), error("unknown-parameter", "/speed"));
+    let disc = planarium_with(&["reach", "-", "--target", "1,0"], ROOM);
+    assert_eq!(disc.error(), error("unsupported", ""));
+    let tables = planarium(&["list"]);
+    for method in planarium(&["list", "--json"]).json()["reach_methods"].as_array().expect("methods") {
+        assert!(tables.stdout.contains(method["id"].as_str().expect("an id")));
+        assert!(tables.stdout.contains(method["summary"].as_str().expect("a summary")));
+    }
+}
+
+#[test]
 fn list_tells_planners_parameters_and_error_codes() {
     let tables = planarium(&["list"]);
     let listed = planarium(&["list", "--json"]).json();
@@ -399,6 +472,10 @@ fn wrong_input_exits_2_with_code_and_pointer() {
         (&["generate", "bug-trap", "--set", "mouth=nan"], "not-finite", "/mouth"),
         (&["generate", "discs", "--set", "count=200", "--set", "gap=0.2"], "out-of-range", "/count"),
         (&["generate", "forest", "--set", "seed=1"], "duplicate-field", "/seed"),
+        (&["trajectories", "--set", "count=0"], "out-of-range", "/count"),
+        (&["trajectories", "--set", "colour=red"], "unknown-parameter", "/colour"),
+        (&["trajectories", "--set", "slowest=2"], "out-of-range", "/slowest"),
+        (&["trajectories", "--set", "count=5", "--csv", "/no/such/folder/tracks.csv"], "file", ""),
     ];
     for (arguments, code, pointer) in cases {
         let finished = planarium(arguments);
@@ -444,8 +521,15 @@ fn a_collision_is_told_by_name() {
 fn help_is_there_for_every_command() {
     let version = planarium(&["--version"]);
     assert_eq!((version.code, version.stdout.trim()), (0, concat!("planarium ", env!("CARGO_PKG_VERSION"))));
-    let commands: [&[&str]; 6] =
-        [&["--help"], &["plan", "--help"], &["verify", "-h"], &["list", "-h"], &["generate", "-h"], &["help"]];
+    let commands: [&[&str]; 7] = [
+        &["--help"],
+        &["plan", "--help"],
+        &["verify", "-h"],
+        &["list", "-h"],
+        &["generate", "-h"],
+        &["trajectories", "-h"],
+        &["help"],
+    ];
     for arguments in commands {
         let help = planarium(arguments);
         assert_eq!((help.code, help.stderr.as_str()), (0, ""), "{arguments:?}");

@@ -17,6 +17,7 @@ fn scenario(case: &Json) -> Scenario {
     let text = match case["scene"].as_str().expect("a scene or a generator") {
         "firs" => include_str!("../www/scenes/firs.json"),
         "locked" => include_str!("../www/scenes/locked.json"),
+        "pick" => include_str!("../www/scenes/pick.json"),
         "rings" => include_str!("../www/scenes/rings.json"),
         "shelf" => include_str!("../www/scenes/shelf.json"),
         "stones" => include_str!("../www/scenes/stones.json"),
@@ -56,7 +57,7 @@ fn outcome(case: &Json) -> Json {
 #[wasm_bindgen_test(unsupported = test)]
 fn every_case_has_its_golden_outcome() {
     let cases: Vec<Json> = serde_json::from_str(GOLDEN).expect("the golden file is JSON");
-    assert!(cases.len() >= 110, "every planner with every sampler, bodies, cars by controls and by curves");
+    assert!(cases.len() >= 120, "every planner with every sampler, bodies, cars by controls and by curves, targets");
     #[cfg(not(target_arch = "wasm32"))]
     if std::env::var_os("PLANARIUM_BLESS").is_some() {
         let blessed: Vec<Json> = cases

@@ -7,7 +7,7 @@ use planarium::status::Status;
 use serde_json::{Value as Json, json};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-const GOLDEN: &str = include_str!("trajectories.json");
+const GOLDEN: &str = include_str!("golden-trajectories.json");
 
 fn given(options: &str) -> Vec<(String, Value)> {
     let setting = |setting: &str| {
@@ -50,7 +50,7 @@ fn every_case_has_its_golden_outcome() {
         let bless = |case: &Json| json!({ "options": case["options"], "seed": case["seed"], "outcome": outcome(case) });
         let blessed: Vec<Json> = cases.iter().map(bless).collect();
         let text = serde_json::to_string_pretty(&blessed).expect("JSON") + "\n";
-        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/trajectories.json"), text).expect("written");
+        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden-trajectories.json"), text).expect("written");
         return;
     }
     for case in &cases {

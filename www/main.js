@@ -28,7 +28,6 @@ import { Panel } from "./controls/panel.js";
 import { Pose } from "./controls/pose.js";
 import { Projector } from "./controls/projector.js";
 import { showPseudocode } from "./controls/pseudocode.js";
-import { showSceneOptions } from "./controls/scene-options.js";
 import { watchTheme } from "./controls/theme.js";
 import { watchReadout } from "./controls/readout.js";
 import { Transport } from "./controls/transport.js";
@@ -84,7 +83,8 @@ async function start() {
   watchTheme(() => page.dress());
   watchAnnouncements(page);
   showPseudocode(page);
-  showSceneOptions(page, generators);
+  const options = new Part(notice, async () => (await import("./controls/scene-options.js")).showSceneOptions(page, generators)).inFold("make-fold");
+  page.onOpen((_, entry) => { if (entry?.sliders) options.use(); });
   watchReadout(page);
   const projector = new Projector(page);
 

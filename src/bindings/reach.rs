@@ -3,7 +3,6 @@
 use super::convert::{count, cursor, throw};
 use crate::geometry::Point;
 use crate::reach::{Followed, Nearest, Reach, Target};
-use crate::status::Status;
 use wasm_bindgen::prelude::*;
 
 /// A run of inverse kinematics. Arrays handed out are copies and stay valid.
@@ -29,11 +28,7 @@ impl RawReach {
 
     /// 0 where the run goes on, 1 where it is solved, 2 where it is exhausted.
     pub fn status(&self) -> u8 {
-        match self.reach.status() {
-            Status::Running => 0,
-            Status::Solved => 1,
-            Status::Exhausted => 2,
-        }
+        self.reach.status() as u8
     }
 
     /// How things stand: error, manipulability, iterations, restarts, rows of iterates, of solutions, of those rejected.

@@ -5,9 +5,16 @@
 //! departs more is halved; every halving takes the departure to a quarter. Pairs whose departures together are below the
 //! slack and that are still not proven apart are too close to call: they count as crossing. So apart is proven, and refused
 //! without a crossing are only trajectories within two slacks of each other, or pairs that exceed the budget.
+//!
+//! Most crossings are known earlier: where the ends of each chord lie on different sides of the other's line, farther from it than
+//! the other departs, each stretch leads through the strip about the other chord from side to side. In the parallelogram that
+//! the strips have in common the two then join opposite sides, and so they cross.
 
 use super::particle::Particle;
 use crate::geometry::{Point, Segment, distance_point_segment, distance_segment_segment};
+
+/// A crossing is looked for more closely until its place is known to so many slacks.
+const NEAR: f64 = 1e6;
 
 /// What halving came to.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,7 +68,8 @@ pub fn halve(a: &Particle, b: &Particle, eta: f64, budget: u64) -> Halving {
         if distance_segment_segment(&s.chord, &t.chord) > departures + eta {
             continue;
         }
-        if departures <= eta || pairs >= budget {
+        let is_found = departures <= NEAR * eta && is_crossed(&s, &t) && is_crossed(&t, &s);
+        if is_found || departures <= eta || pairs >= budget {
             return Halving { meeting: Some(nearest_place(&s.chord, &t.chord)), pairs };
         }
         if s.departure >= t.departure {
@@ -73,6 +81,15 @@ pub fn halve(a: &Particle, b: &Particle, eta: f64, budget: u64) -> Halving {
         }
     }
     Halving { meeting: None, pairs }
+}
+
+/// Whether the first stretch leads from one side of the strip about the second's chord to the other.
+fn is_crossed(s: &Stretch, t: &Stretch) -> bool {
+    let along = t.chord.b - t.chord.a;
+    let (from, to) = (along.perp(&(s.chord.a - t.chord.a)), along.perp(&(s.chord.b - t.chord.a)));
+    // Twice the departure: far more than rounding takes away.
+    let strip = 2.0 * t.departure * along.norm();
+    (from > strip && to < -strip) || (from < -strip && to > strip)
 }
 
 /// Where the first segment crosses the second, or the end of one that is nearest to the other.

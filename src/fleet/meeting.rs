@@ -52,6 +52,7 @@ pub fn crossing(first: &Particle, second: &Particle) -> Result<Option<Point>, cr
 }
 
 /// The same for trajectories made ready in one world with that slack; counts what was looked at.
+#[inline(never)]
 pub(super) fn meeting(a: &Track, b: &Track, eta: f64, tally: &mut Tally) -> Option<Point> {
     tally.boxes += 1;
     if !a.around.grown(2.0 * eta).intersects(&b.around) {

@@ -49,14 +49,14 @@ pub const PARAMETERS: &[ParameterInfo] = &[
     ),
     number("half_side", "Half side", [0.01, 10_000.0, 3.0], "m", "Starts lie in a square from minus this to this."),
     number("spread", "Spread", [0.0, PI, PI], "rad", "First headings lie between minus this and this."),
-    number("slowest", "Slowest", [0.0, 1000.0, 0.0], "m/s", "The least speed, at most `fastest`."),
+    number("slowest", "Slowest", [0.0, 1000.0, 0.0], "m/s", "The least speed, at most the greatest."),
     number("fastest", "Fastest", [0.0, 1000.0, 1.0], "m/s", "The greatest speed."),
     number(
         "least_turn_rate",
         "Least turn rate",
         [-1000.0, 1000.0, -PI],
         "rad/s",
-        "The least turn rate, at most `greatest_turn_rate`; negative turns right.",
+        "The least turn rate, at most the greatest; negative turns right.",
     ),
     number("greatest_turn_rate", "Greatest turn rate", [-1000.0, 1000.0, PI], "rad/s", "The greatest turn rate."),
     number(

@@ -90,6 +90,7 @@ impl Particle {
 
     /// Where it is at `time` seconds. Exact but for rounding: the arc is a chord, written so that nothing cancels where the
     /// turn is small.
+    #[inline(never)]
     pub fn place(&self, time: f64) -> Point {
         let Self { start, theta, speed, turn_rate, .. } = *self;
         match self.model {

@@ -30,6 +30,7 @@ pub(super) struct Track {
 
 impl Track {
     /// Makes ready a trajectory in a world of that scale, in metres.
+    #[inline(never)]
     pub fn new(particle: Particle, scale: f64) -> Self {
         let shape = if particle.is_straight() {
             let (sin, cos) = libm::sincos(particle.theta);
@@ -43,12 +44,12 @@ impl Track {
         let mut around = Aabb::of(particle.start, particle.start);
         let track = Self { particle, shape, around };
         // Eight stretches hold a turn closely.
-        track.stretches(8, |stretch| around = around.union(&stretch));
+        track.stretches(8, &mut |stretch| around = around.union(&stretch));
         Self { around, ..track }
     }
 
     /// Boxes that together hold the trajectory, one for each of so many stretches of equal duration. Rounding is not covered.
-    pub fn stretches(&self, count: u32, mut each: impl FnMut(Aabb)) {
+    pub fn stretches(&self, count: u32, each: &mut dyn FnMut(Aabb)) {
         let particle = &self.particle;
         let count = if particle.travel() == 0.0 { 1 } else { count };
         let length = particle.duration / f64::from(count);

@@ -39,7 +39,7 @@ impl Method for DampedLeastSquares {
             let next = turned(task, q, model.clone(), LARGEST_TURN, &|model| {
                 // Where there is neither damping nor movement, nothing is turned: 0 / infinity.
                 let divisor = |square: f64| if square + damping > 0.0 { square + damping } else { f64::INFINITY };
-                Singular::of(model).solve(&model.vector, divisor)
+                Singular::of(model).solve(&model.vector, &divisor)
             });
             if task.deviation(&next).square() < before {
                 self.damping = (self.damping / DAMPING[2]).max(DAMPING[1]);

@@ -1,6 +1,7 @@
 //! An arm that follows a hand: from where it is, smoothly to a configuration whose tip is at the target, or as near as it can be.
 
 use super::damped_least_squares::DampedLeastSquares;
+use super::gradient_descent::GradientDescent;
 use super::kinematics::manipulability;
 use super::method::Method;
 use super::target::{Target, configuration};
@@ -9,7 +10,7 @@ use crate::error::Error;
 use crate::geometry::Point;
 use crate::robot::{Arm, MAX_LINKS};
 
-/// The most updates of one call.
+/// The most updates of one way down.
 const UPDATES: usize = 80;
 
 /// An error that falls by less than this part has settled.
@@ -17,6 +18,9 @@ const SETTLED: f64 = 1e-7;
 
 /// A target counts as reached within this part of the reach, and no nearer than rounding allows.
 const NEAR: f64 = 1e-9;
+
+/// Bending an arm helps where the squared error becomes less than this part of what it was.
+const HELPS: f64 = 0.99;
 
 /// How far a straight arm is bent to get it going, as a part of what the target asks for.
 const BEND: f64 = 0.3;
@@ -40,33 +44,23 @@ pub struct Followed {
 
 /// Moves the arm from `q` towards the target by damped least squares, within its limits. Small changes of the target make small
 /// changes of the joints, wherever that is possible; beyond the arm's reach it stretches towards the target. Limits can hold it
-/// back where another way of reaching would be nearer: then it stays on its own way. At most 80 updates, each O(links).
+/// back where another way of reaching would be nearer: then it stays on its own way. At most 320 updates, each O(links).
 ///
 /// # Errors
 /// `wrong-dimension`, `not-finite`, `out-of-range` of the configuration, pointers below `/q`; of the target as in
 /// [`nearest_reachable`](super::nearest_reachable).
 pub fn follow(arm: &Arm, q: &[f64], target: Target) -> Result<Followed, Error> {
-    let mut at = configuration(arm, q, "/q")?;
+    let q = configuration(arm, q, "/q")?;
     let wanted = Task::new(arm, &target.checked(arm)?);
     let task = drawn_in(&wanted);
     let enough = task.finest.max(1e-3 * NEAR * task.reach);
-    let mut method = DampedLeastSquares::new();
-    let mut is_bent = false;
-    for _ in 0..UPDATES {
-        let before = task.deviation(&at);
-        if before.error() <= enough {
-            break;
-        }
-        let next = method.update(&task, &at);
-        let after = next.map_or(before.square(), |next| task.deviation(&next).square());
-        at = next.unwrap_or(at);
-        if after > before.square() * (1.0 - SETTLED) {
-            // A straight arm that is to be drawn in has no direction to go by the linear model: it has to be bent first.
-            if is_bent {
-                break;
-            }
-            is_bent = true;
-            at = bent(&task, &at);
+    let mut at = settled(&task, approached(&task, q, enough), enough);
+    if task.deviation(&at).error() > enough {
+        // A straight arm that is to be drawn in has no direction to go by the linear model: it has to be bent first. Where that
+        // does not help, it stays as it was.
+        let other = settled(&task, approached(&task, bent(&task, &at), enough), enough);
+        if task.deviation(&other).square() < HELPS * task.deviation(&at).square() {
+            at = other;
         }
     }
     let end = wanted.deviation(&at);
@@ -79,6 +73,46 @@ pub fn follow(arm: &Arm, q: &[f64], target: Target) -> Result<Followed, Error> {
         is_reached: end.distance <= near && end.turn <= NEAR,
         manipulability: manipulability(arm, &at[..task.joints.count]),
     })
+}
+
+/// Damped least squares from `q`, until the error has settled.
+fn approached(task: &Task, q: [f64; MAX_LINKS], enough: f64) -> [f64; MAX_LINKS] {
+    let (mut at, mut method) = (q, DampedLeastSquares::new());
+    for _ in 0..UPDATES {
+        let before = task.deviation(&at);
+        if before.error() <= enough {
+            break;
+        }
+        let Some(next) = method.update(task, &at) else {
+            break;
+        };
+        at = next;
+        if task.deviation(&at).square() > before.square() * (1.0 - SETTLED) {
+            break;
+        }
+    }
+    at
+}
+
+/// The nearest place to a target that limits keep out of reach, where damped least squares only creep: gradient descent from
+/// where they have led, and of that the best.
+fn settled(task: &Task, q: [f64; MAX_LINKS], enough: f64) -> [f64; MAX_LINKS] {
+    let (mut best, mut least, mut at) = (q, task.deviation(&q).square(), q);
+    let mut method = GradientDescent::default();
+    for _ in 0..UPDATES {
+        if task.deviation(&at).error() <= enough {
+            break;
+        }
+        let Some(next) = method.update(task, &at) else {
+            break;
+        };
+        at = next;
+        let square = task.deviation(&at).square();
+        if square < least {
+            (best, least) = (at, square);
+        }
+    }
+    best
 }
 
 /// The task with its target drawn to the ring that the arm could reach without limits.
@@ -94,16 +128,16 @@ fn drawn_in(task: &Task) -> Task {
     task
 }
 
-/// The configuration with every joint but the first bent a little, the less the nearer the target is.
+/// The configuration with every joint but the first bent a little to the side where its limits leave more room, the less the
+/// nearer the target is.
 fn bent(task: &Task, q: &[f64; MAX_LINKS]) -> [f64; MAX_LINKS] {
     let joints = &task.joints;
     let angle = BEND * (task.deviation(q).distance / task.reach).min(1.0).sqrt();
     let mut bent = *q;
     for i in 1..joints.count {
-        bent[i] = joints.hold(i, q[i] + angle);
-        if bent[i] == q[i] {
-            bent[i] = joints.hold(i, q[i] - angle);
-        }
+        let [low, high] = joints.range(i);
+        let side = if !joints.is_circle() && high - q[i] < q[i] - low { -angle } else { angle };
+        bent[i] = joints.hold(i, q[i] + side);
     }
     bent
 }

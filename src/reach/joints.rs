@@ -46,6 +46,7 @@ impl Joints {
 
     /// The angle that differs from the given one by whole turns, lies within the limits, and among those next to `near`;
     /// `None` where there is none. On circles it is the one in (-pi, pi]. Up to 1e-7 outside counts as the limit itself.
+    #[inline(never)]
     pub fn fit(&self, i: usize, angle: f64, near: f64) -> Option<f64> {
         if self.are_circles {
             return Some(wrap(angle));
@@ -66,6 +67,7 @@ impl Joints {
     }
 
     /// The angle within the limits that is nearest to the given one; on a circle the same one in (-pi, pi].
+    #[inline(never)]
     pub fn hold(&self, i: usize, angle: f64) -> f64 {
         if self.are_circles {
             return wrap(angle);
@@ -74,7 +76,13 @@ impl Joints {
         angle.max(self.low[i]).min(self.high[i]) + 0.0
     }
 
+    /// The turn of the joint from one angle to another: the short way round on circles.
+    pub fn turn(&self, from: f64, to: f64) -> f64 {
+        if self.are_circles { wrap(to - from) } else { to - from }
+    }
+
     /// The configuration nearest to `q` within the limits, in canonical form.
+    #[inline(never)]
     pub fn hold_all(&self, q: &[f64; MAX_LINKS]) -> [f64; MAX_LINKS] {
         let mut held = [0.0; MAX_LINKS];
         for i in 0..self.count {

@@ -24,6 +24,7 @@ pub(super) trait Method {
 ///
 /// Source: the clamping of joints in Baerlocher and Boulic 2004, "An inverse kinematics architecture enforcing an arbitrary
 /// number of strict priority levels".
+#[inline(never)]
 pub(super) fn turned(
     task: &Task,
     q: &[f64; MAX_LINKS],
@@ -35,7 +36,7 @@ pub(super) fn turned(
     let (mut next, mut is_fixed) = (*q, [false; MAX_LINKS]);
     for _ in 0..joints.count {
         let mut turn = solve(&model);
-        let widest = turn.iter().fold(0.0, |most: f64, angle| most.max(angle.abs()));
+        let widest = widest(&turn);
         if widest > largest {
             turn.iter_mut().for_each(|angle| *angle *= largest / widest);
         }
@@ -62,4 +63,10 @@ pub(super) fn turned(
         }
     }
     next
+}
+
+/// The largest turn of a joint, in radians.
+#[inline(never)]
+pub(super) fn widest(turn: &[f64; MAX_LINKS]) -> f64 {
+    turn.iter().fold(0.0, |most: f64, angle| most.max(angle.abs()))
 }

@@ -24,7 +24,7 @@ impl Method for Newton {
         let least = SINGULAR * task.reach;
         let next = turned(task, q, task.linear(q), LARGEST_TURN, &|model| {
             Singular::of(model)
-                .solve(&model.vector, |square| if square > least * least { square } else { f64::INFINITY })
+                .solve(&model.vector, &|square| if square > least * least { square } else { f64::INFINITY })
         });
         (next != *q).then_some(next)
     }

@@ -27,6 +27,7 @@ pub(super) struct Singular {
 
 impl Singular {
     /// Decomposes the matrix of a linear model. O(links) a round.
+    #[inline(never)]
     pub fn of(model: &Linear) -> Self {
         let (mut rows, count) = (model.jacobian, model.rows);
         let mut left = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -56,7 +57,8 @@ impl Singular {
 
     /// The turn that best brings about the change `vector`: the sum over k of v_k (u_k . vector) / weigh(s_k^2) s_k, where
     /// `weigh` is given the square of each singular value and answers what to divide by; infinity leaves the direction out.
-    pub fn solve(&self, vector: &[f64; 3], weigh: impl Fn(f64) -> f64) -> [f64; MAX_LINKS] {
+    #[inline(never)]
+    pub fn solve(&self, vector: &[f64; 3], weigh: &dyn Fn(f64) -> f64) -> [f64; MAX_LINKS] {
         let mut turn = [0.0; MAX_LINKS];
         for k in 0..self.count {
             let along: f64 = (0..self.count).map(|row| self.left[k][row] * vector[row]).sum();
@@ -82,6 +84,7 @@ impl Singular {
     }
 }
 
+#[inline(never)]
 fn dot(a: &[f64; MAX_LINKS], b: &[f64; MAX_LINKS]) -> f64 {
     let mut sum = 0.0;
     for i in 0..MAX_LINKS {

@@ -8,6 +8,9 @@ use crate::space::wrap;
 /// Errors below this fraction of the reach and the coordinates are rounding.
 const FINEST: f64 = 1e-12;
 
+/// What a radian of the orientation counts against a metre of the tip, as a part of the reach.
+const LEVER: f64 = 0.3;
+
 /// An arm with its base moved to the origin, and a target.
 #[derive(Debug, Clone)]
 pub(super) struct Task {
@@ -17,6 +20,8 @@ pub(super) struct Task {
     pub joints: Joints,
     /// The sum of the lengths, in metres.
     pub reach: f64,
+    /// What a radian of the orientation counts, in metres.
+    pub lever: f64,
     /// The target from the base, in metres.
     pub point: [f64; 2],
     /// The wanted absolute angle of the last link, in (-pi, pi].
@@ -28,7 +33,7 @@ pub(super) struct Task {
 /// How far a configuration is from the target.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Deviation {
-    /// From the tip to the target in metres, and where an orientation is wanted the turn to it times the reach; else 0.
+    /// From the tip to the target in metres, and where an orientation is wanted the turn to it times the lever; else 0.
     pub vector: [f64; 3],
     /// How far the tip is from the point, in metres.
     pub distance: f64,
@@ -54,7 +59,7 @@ impl Deviation {
 pub(super) struct Linear {
     /// What is missing: see [`Deviation`].
     pub vector: [f64; 3],
-    /// How the tip (metres) and the last link (radians times the reach) move with each joint (radians).
+    /// How the tip (metres) and the last link (radians times the lever) move with each joint (radians).
     pub jacobian: [[f64; MAX_LINKS]; 3],
     /// 2, or 3 with an orientation.
     pub rows: usize,
@@ -68,10 +73,19 @@ impl Task {
         let (base, reach) = (arm.base(), arm.reach());
         let point = [target.point.x - base.x, target.point.y - base.y];
         let finest = FINEST * (reach + base.x.abs().max(base.y.abs()));
-        Self { links, joints: Joints::of(arm), reach, point, orientation: target.orientation, finest }
+        Self {
+            links,
+            joints: Joints::of(arm),
+            reach,
+            lever: LEVER * reach,
+            point,
+            orientation: target.orientation,
+            finest,
+        }
     }
 
     /// The places of the joints from the base, and of the tip.
+    #[inline(never)]
     pub fn places(&self, q: &[f64; MAX_LINKS]) -> [[f64; 2]; MAX_LINKS + 1] {
         let mut places = [[0.0; 2]; MAX_LINKS + 1];
         let mut angle = 0.0;
@@ -84,6 +98,7 @@ impl Task {
     }
 
     /// How far the configuration is from the target. O(links).
+    #[inline(never)]
     pub fn deviation(&self, q: &[f64; MAX_LINKS]) -> Deviation {
         self.deviation_at(q, &self.places(q))
     }
@@ -92,7 +107,7 @@ impl Task {
         let tip = places[self.joints.count];
         let [x, y] = [self.point[0] - tip[0], self.point[1] - tip[1]];
         let turn = self.orientation.map_or(0.0, |wanted| wrap(wanted - q.iter().sum::<f64>()));
-        Deviation { vector: [x, y, self.reach * turn], distance: (x * x + y * y).sqrt(), turn: turn.abs() }
+        Deviation { vector: [x, y, self.lever * turn], distance: (x * x + y * y).sqrt(), turn: turn.abs() }
     }
 
     /// The linear model at the configuration. O(links).
@@ -104,7 +119,7 @@ impl Task {
             jacobian[0][i] = places[i][1] - tip[1];
             jacobian[1][i] = tip[0] - places[i][0];
             if self.orientation.is_some() {
-                jacobian[2][i] = self.reach;
+                jacobian[2][i] = self.lever;
             }
         }
         let rows = if self.orientation.is_some() { 3 } else { 2 };
@@ -114,8 +129,11 @@ impl Task {
     /// The nearest and the farthest that the tip of the first `count` links can be from the base where nothing limits the
     /// joints, in metres: a ring.
     pub fn ring(&self, count: usize) -> [f64; 2] {
-        let sum: f64 = self.links[..count].iter().sum();
-        let longest = self.links[..count].iter().fold(0.0, |most: f64, &link| most.max(link));
+        let (mut sum, mut longest) = (0.0, 0.0);
+        for &link in &self.links[..count] {
+            sum += link;
+            longest = f64::max(longest, link);
+        }
         [(longest - (sum - longest)).max(0.0), sum]
     }
 

@@ -28,3 +28,69 @@ export function outcomes({ Scenario }, cases, scenes) {
     return { status, fingerprint, length, waypoints: path.length, clearance_evaluations: stats.clearance_evaluations };
   });
 }
+
+/**
+ * @typedef {object} TrajectoryCase
+ * @property {import("planarium").TrajectoryOptions} options
+ * @property {number} seed
+ * @property {import("planarium").TrajectoriesResult} outcome
+ */
+
+/**
+ * The same of many trajectories.
+ * @param {Pick<typeof import("planarium"), "Trajectories">} planarium
+ * @param {TrajectoryCase[]} cases
+ */
+export function trajectoryOutcomes({ Trajectories }, cases) {
+  return cases.map(({ options, seed }) => {
+    const trajectories = new Trajectories({ ...options, seed });
+    while (trajectories.step(100) === "running");
+    const result = trajectories.result();
+    trajectories.free();
+    return result;
+  });
+}
+
+/** How many times the hand moves on its way to the target. */
+const MOVES = 20;
+
+/**
+ * @typedef {object} ReachCase
+ * @property {object} [scenario]  its document
+ * @property {import("planarium").GeneratorId} [generate]
+ * @property {Record<string, number | string>} [options]  of the generator
+ * @property {import("planarium").ReachOptions} reach
+ * @property {object} outcome
+ */
+
+/**
+ * What each case of inverse kinematics comes to: the run, how near the arm can come, and where it is when it has followed a hand.
+ * @param {Pick<typeof import("planarium"), "Scenario">} planarium
+ * @param {ReachCase[]} cases
+ */
+export function reachOutcomes({ Scenario }, cases) {
+  return cases.map(({ scenario: document = {}, generate, options, reach }) => {
+    const scenario = generate === undefined ? Scenario.parse(document) : Scenario.generate(generate, options);
+    const { target: [x, y], orientation } = reach;
+    const run = scenario.reach(reach);
+    let q = run.configuration();
+    while (run.step(100) === "running");
+    const { status, verdict: { verdict }, stats: { iterations }, solutions, rejected, fingerprint } = run.result();
+    const nearest = scenario.nearestReachable([x, y], orientation);
+    const from = scenario.endEffector(q);
+    let distance = 0;
+    for (let step = 1; step <= MOVES; step += 1) {
+      const part = step / MOVES;
+      const moved = scenario.follow(q, [from[0] + (x - from[0]) * part, from[1] + (y - from[1]) * part], orientation);
+      q = moved.configuration;
+      distance = moved.distance;
+    }
+    run.free();
+    scenario.free();
+    return {
+      status, verdict, iterations, solutions: solutions.length, rejected: rejected.length, fingerprint,
+      nearest: { configuration: [...nearest.configuration], distance: nearest.distance },
+      followed: { configuration: [...q], distance },
+    };
+  });
+}

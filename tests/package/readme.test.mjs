@@ -20,14 +20,17 @@ function blocks(language, count) {
   return found;
 }
 
-test("the quick starts of npm plan paths, of an arm and of a car", () => {
+test("the quick starts of npm plan paths, find neighbours, reach, and add trajectories", () => {
   const folder = install(pack());
-  const printed = blocks("js", 2).map((code, i) => {
+  const printed = blocks("js", 5).map((code, i) => {
     addFiles(folder, { [`quick-start-${i}.mjs`]: code });
     return execFileSync(process.execPath, [`quick-start-${i}.mjs`], { cwd: folder, encoding: "utf8" });
   });
   assert.match(printed[0], /^solved \d+\.\d+\n$/);
   assert.match(printed[1], /^(?:solved [1-9]\d* motions\n){2}3\n$/);
+  assert.match(printed[2], /^\d+ of 10 by the forest; the tree looked at \d+ of 20000, as far as \d\.\d\d\n$/);
+  assert.match(printed[3], /^reached true [1-4]\ntrue \[ [\d.]+, [-\d.e]+ \]\n$/);
+  assert.match(printed[4], /^solved 500 \d+\nFloat64Array\(2\) \[ 0\.0996917333733128, 0\.007845909572784495 \]\n$/);
 });
 
 test("the quick start of the command line plans a path that is valid", () => {

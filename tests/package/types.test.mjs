@@ -14,6 +14,7 @@ import init, {
   type OptionInfo, type ParameterInfo, type Part, type Phase, type PlannerInfo, type PlannerOptions, type Point, type PresetInfo, type PseudocodeLine,
   type PseudocodeMark, type Query, type ResultDocument, type Robot, type Rollout, type ScenarioDocument, type Shape, type Stats, type Status, type Touching, type Weights, type World,
 } from "planarium";
+import { Trajectories, particlePoints, trajectoryOptions, type ParticleModel, type ParticleMotion, type TrajectoriesResult, type TrajectoryOptions } from "planarium";
 
 type IsAny<T> = 0 extends 1 & T ? true : false;
 /** Members that are any, take any or give any back. */
@@ -32,8 +33,24 @@ export type Proofs = [
   No<IsAny<Parameters<typeof init>[0]>>, No<IsAny<Parameters<typeof initSync>[0]>>, No<IsAny<InitInput>>, No<IsAny<InitSyncInput>>,
   No<IsAny<ReturnType<typeof planners>>>, No<IsAny<Configuration>>, No<IsAny<PlannerOptions["whatever"]>>, No<IsAny<GenerateOptions["whatever"]>>,
 ];
+export type OfTrajectories = [None<AnyMembers<Trajectories>>, None<AnyMembers<TrajectoriesResult>>, None<AnyMembers<TrajectoryOptions>>, None<AnyMembers<ParticleMotion>>];
 // @ts-expect-error: the proof can fail
 export type Disproof = None<AnyMembers<{ loose(value: any): void }>>;
+
+export function manyTrajectories(): string {
+  const model: ParticleModel = trajectoryOptions().length > 0 ? "arc" : "spiral";
+  const wanted: TrajectoryOptions = { model, seed: 1, count: 5, index: "none" };
+  const trajectories: Trajectories = new Trajectories(wanted);
+  const now: Status = trajectories.step(5);
+  const rows: Float64Array = trajectories.acceptedSince(0);
+  const tries: Uint32Array = trajectories.tries();
+  const came: TrajectoriesResult = trajectories.result();
+  const motion: ParticleMotion = { v: 1, w: 0 };
+  // @ts-expect-error: not a model
+  new Trajectories({ model: "line" });
+  trajectories[Symbol.dispose]();
+  return JSON.stringify([now, rows, tries, came, particlePoints(motion, [0, 1]), new Trajectories().fingerprint]);
+}
 
 export async function program(bytes: ArrayBuffer): Promise<string> {
   await init();

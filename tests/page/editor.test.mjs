@@ -4,6 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { atRest, chooseScene, counters, finish, onPage, onPausedPage, pickFile, pixelsOf, root, start, stop, violations } from "./browser.mjs";
+import { drag, near, openEditor, plane, saved, swipe, told, until } from "./editing.mjs";
 import { endsOf } from "./library.mjs";
 import { Edits } from "../../www/worker/edits.js";
 import { documentText } from "../../www/exchange/document.js";
@@ -28,57 +29,7 @@ const PLAIN = {
 };
 
 /** Opens the editor on a scenario. @param {Page} page @param {ScenarioDocument | null} [document] */
-async function edit(page, document = PLAIN) {
-  if (document) {
-    await pickFile(page, "plain.json", JSON.stringify(document));
-    await page.waitForSelector("body[data-scene=file]");
-    await atRest(page);
-  }
-  await page.click("#edit");
-  await page.waitForSelector("#editor[data-tool=select]", { state: "attached" });
-}
-
-/** What the editor tells of itself. @param {Page} page */
-const told = (page) => page.locator("#editor").evaluate((element) => ({ .../** @type {HTMLElement} */ (element).dataset }));
-
-/** Waits until the editor tells a value. @param {Page} page @param {string} name @param {string | number} value */
-async function until(page, name, value) {
-  await page.waitForFunction(([key, wanted]) => document.getElementById("editor")?.dataset[key] === wanted, [name, String(value)]);
-}
-
-/** Pixels of the window for points of the plane, once the stage stands still. @param {Page} page @param {number} half  of the world's side */
-async function plane(page, half) {
-  const canvas = page.locator("#workspace canvas[data-layer=top]");
-  await canvas.evaluate((element) => element.scrollIntoView({ block: "center" }));
-  const box = await canvas.boundingBox();
-  assert.ok(box);
-  const scale = (Math.min(box.width, box.height) - 28) / (2 * half);
-  return (/** @type {number} */ x, /** @type {number} */ y) => /** @type {[number, number]} */ ([box.x + box.width / 2 + scale * x, box.y + box.height / 2 - scale * y]);
-}
-
-/** A drag with the mouse along points in pixels. @param {Page} page @param {[number, number][]} points */
-async function drag(page, points) {
-  await page.mouse.move(...points[0]);
-  await page.mouse.down();
-  for (const point of points.slice(1)) await page.mouse.move(...point, { steps: 4 });
-  await page.mouse.up();
-}
-
-/** The same with a finger. @param {Page} page @param {[number, number][]} points */
-async function swipe(page, points) {
-  const session = await page.context().newCDPSession(page);
-  const send = (/** @type {"touchStart" | "touchMove" | "touchEnd"} */ type, /** @type {[number, number][]} */ at) =>
-    session.send("Input.dispatchTouchEvent", { type, touchPoints: at.map(([x, y]) => ({ x, y })) });
-  await send("touchStart", [points[0]]);
-  for (const [i, [x, y]] of points.slice(1).entries()) {
-    const [bx, by] = points[i];
-    for (let k = 1; k <= 4; k++) await send("touchMove", [[bx + ((x - bx) * k) / 4, by + ((y - by) * k) / 4]]);
-  }
-  await send("touchEnd", []);
-  await session.detach();
-  // Chromium takes a tap right after a swipe for a part of it.
-  await page.waitForTimeout(400);
-}
+const edit = (page, document = PLAIN) => openEditor(page, document);
 
 /** Does the picture of the configuration space show an obstacle at two angles? @param {Page} page @param {number} across @param {number} up */
 async function isBlocked(page, across, up) {
@@ -93,16 +44,6 @@ async function isBlocked(page, across, up) {
     return context.getImageData(Math.round(x * ratio), Math.round(y * ratio), 1, 1).data[3] > 128;
   }, [across, up]);
 }
-
-/** The document as it is saved. @param {Page} page @returns {Promise<{ text: string, document: ScenarioDocument, name: string }>} */
-async function saved(page) {
-  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#edit-save")]);
-  const text = readFileSync(await download.path(), "utf8");
-  return { text, document: JSON.parse(text), name: download.suggestedFilename() };
-}
-
-/** @param {number} value @param {number} wanted @param {number} [within] */
-const near = (value, wanted, within = 0.012) => assert.ok(Math.abs(value - wanted) <= within, `${value} is not ${wanted}`);
 
 describe("history", () => {
   test("goes back and on, forgets what was undone, and keeps two hundred edits", () => {
@@ -501,6 +442,8 @@ describe("by keyboard alone", () => {
       await edit(page, null);
       await page.focus("#stage");
       await page.keyboard.press("]");
+      await page.keyboard.press("PageUp");
+      await until(page, "title", "Start, end effector");
       await page.keyboard.press("PageUp");
       await until(page, "title", "Start, joint 1");
       const before = Number(await page.inputValue("#edit-joint-1"));

@@ -42,6 +42,10 @@ function picturesNow(page) {
 /** Everything that a link is to bring back. @param {Page} page */
 async function shown(page) {
   const numbers = await atRest(page);
+  // The sliders of a scene are loaded when it is first opened.
+  const scene = await page.evaluate(() => document.body.dataset.scene);
+  const sliders = SCENES.find(({ id }) => id === scene)?.sliders?.length ?? 0;
+  await page.waitForFunction((count) => document.querySelectorAll(".sliders input").length === count, sliders);
   const words = await page.evaluate(() => ({
     scene: document.body.dataset.scene, sentence: document.getElementById("story")?.textContent, head: /** @type {HTMLInputElement} */ (document.getElementById("time")).value,
     playing: document.getElementById("play")?.dataset.playing,

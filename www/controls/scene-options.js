@@ -13,8 +13,8 @@ import { optionsAt } from "../scenes.js";
 /** @param {Page} page @param {GeneratorInfo[]} generators */
 export function showSceneOptions(page, generators) {
   const sliders = make("div", { className: "sliders" });
-  const fold = make("details", { id: "make-fold" }, make("summary", {}, "Make a scene"));
-  byId("scene-options", HTMLElement).append(sliders, fold);
+  const fold = byId("make-fold", HTMLDetailsElement);
+  fold.before(sliders);
   new Part(page.notice, async () => {
     const { makeForm } = await import("./make-scene.js");
     fold.append(makeForm(generators, (kind, options) => wish({ generate: { kind, options } })));
@@ -27,7 +27,11 @@ export function showSceneOptions(page, generators) {
   let next = null;
   let busy = false;
 
-  page.onOpen((_, entry) => {
+  page.onOpen((_, entry) => adopt(entry));
+  adopt(page.entry);
+
+  /** Another scene is on the stage, or the same with other options. @param {SceneEntry | null} entry */
+  function adopt(entry) {
     const { source } = page;
     const generate = source && "generate" in source ? source.generate : null;
     const offers = entry?.generate && generate ? entry.sliders ?? [] : [];
@@ -36,7 +40,7 @@ export function showSceneOptions(page, generators) {
     if (entry !== shown) sliders.replaceChildren(...offers.map(row));
     shown = entry;
     for (const slider of offers) show(slider);
-  });
+  }
 
   /** @param {Slider} slider */
   function row(slider) {

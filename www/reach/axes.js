@@ -9,7 +9,7 @@ import { folded } from "../stage/trace.js";
 /** @import { Brush, Painting } from "../room/sheet.js" */
 /** @import { Bench } from "./bench.js" */
 
-const MARGIN = { left: 34, right: 24, top: 26, bottom: 30 };
+const MARGIN = { left: 34, right: 24, top: 26, bottom: 44 };
 /** Poses tested along each axis. */
 const TESTS = 72;
 /** Half the width of an axis' stretch that touches. */
@@ -84,7 +84,7 @@ export class Axes {
       context.stroke();
       context.textAlign = "center";
       context.textBaseline = "alphabetic";
-      context.fillText(isTight ? String(i) : joint.name, x, this.height - 8);
+      context.fillText(isTight ? String(i) : joint.name, x, this.height - 10);
       if (!joint.isCircle) {
         context.textBaseline = "alphabetic";
         context.fillText(joint.high.toFixed(1).replace("-", "\u2212"), x, top - 5);

@@ -80,13 +80,14 @@ export class Bench {
   openDocument(document) {
     this.put(document, [], null);
     const { arm } = this;
-    const [query] = arm.document.queries;
-    const start = "start" in (query ?? {}) ? query.start : arm.joints.map(({ low, high }) => (low + high) / 2);
+    const middle = arm.joints.map(({ low, high }) => (low + high) / 2);
+    const [{ start = middle, goal, target } = { start: middle }] = /** @type {Partial<import("planarium").Query>[]} */ (arm.document.queries);
     arm.turn(start);
     this.a = Float64Array.from(arm.q);
-    this.b = arm.fitted(Array.isArray(query?.goal) ? query.goal : arm.joints.map(({ low, high }, i) => (i === 0 ? high : (low + high) / 2)));
-    this.target = query && Array.isArray(query.goal) ? arm.scenario.endEffector(this.b) : [arm.base[0] + 0.6 * arm.reach, arm.base[1] + 0.2 * arm.reach];
+    this.target = target?.point ?? (goal ? arm.scenario.endEffector(goal) : [arm.base[0] + 0.6 * arm.reach, arm.base[1] + 0.2 * arm.reach]);
+    this.b = arm.fitted(goal ?? arm.scenario.nearestReachable(this.target, target?.orientation).configuration);
     this.renew();
+    if (arm.dimension > 2) this.lock = target?.orientation ?? null;
     this.tell("arm");
   }
 

@@ -26,6 +26,7 @@ import { isNearlySingular } from "./jacobian.js";
 import { showLock } from "./lock.js";
 import { ArmPanel } from "./panel.js";
 import { SCENES } from "./scenes.js";
+import { SolvingPicture } from "./solving-picture.js";
 import { Solving } from "./solving.js";
 import { Square } from "./square.js";
 import { putState, stateOf, stateRule } from "./state.js";
@@ -72,9 +73,10 @@ await room.open(async () => {
   new ArmPanel(bench);
   new Between(bench, stage);
   const solving = new Solving(bench, library);
-  workspace.overlay = solving;
-  square.overlay = (brush, on) => solving.onSquare(brush, on);
-  axes.overlay = (brush, on) => solving.onAxes(brush, on);
+  const picture = new SolvingPicture(solving);
+  workspace.overlay = picture;
+  square.overlay = (brush, on) => picture.onSquare(brush, on);
+  axes.overlay = (brush, on) => picture.onAxes(brush, on);
   showLock(bench, () => {
     if (bench.mode === "solve") solving.begin();
     else pull(bench.arm.tip);

@@ -5,9 +5,13 @@ import { encodeLink } from "../exchange/link.js";
 
 const ALGORITHM = "rrt-connect";
 
-/** Address of the planner's page where an arm plans from a pose to the target. @param {Bench} bench @param {ArrayLike<number>} start @returns {Promise<string>} */
-export async function planLink({ arm, target, lock }, start) {
-  const goal = { point: target, ...(lock === null ? {} : { orientation: lock }) };
-  const document = { ...arm.document, queries: [{ name: "reach", start: Array.from(start), target: goal }] };
+/** What is to be planned: from a pose to wherever the tip is at the target. @param {Bench} bench @param {ArrayLike<number>} start @returns {import("planarium").Query} */
+export function targetQuery({ target: point, lock }, start) {
+  return { name: "reach", start: Array.from(start), target: { point, ...(lock === null ? {} : { orientation: lock }) } };
+}
+
+/** Address of the planner's page where that is planned. @param {Bench} bench @param {ArrayLike<number>} start @returns {Promise<string>} */
+export async function planLink(bench, start) {
+  const document = { ...bench.arm.document, queries: [targetQuery(bench, start)] };
   return `./#${await encodeLink({ version: 1, document, lanes: [{ algorithm: ALGORITHM, settings: {} }], iteration: 0, view: {} })}`;
 }

@@ -10,25 +10,15 @@ import { withSeed } from "../controls/panel.js";
 import { Options } from "../room/options.js";
 import { Plot } from "../room/plot.js";
 import { Transport } from "../room/transport.js";
-import { drawGhost, drawLabel, isThin } from "../stage/shapes.js";
-import { disc } from "../stage/marks.js";
 import { Search } from "./search.js";
 import { planLink } from "./plan-link.js";
-import { drawCross } from "./workspace.js";
-import { capital, num, pointText } from "./words.js";
-import { touchingSentence } from "../worker/names.js";
+import { MOST } from "./solving-picture.js";
+import { small, solvingSentence } from "./solving-words.js";
 
 /** @import { Library, ParameterInfo } from "../types.js" */
-/** @import { Brush } from "../room/sheet.js" */
-/** @import { View } from "../stage/view.js" */
-/** @import { Axes } from "./axes.js" */
 /** @import { Bench, Change } from "./bench.js" */
 /** @import { Settings } from "./search.js" */
-/** @import { Square } from "./square.js" */
 
-/** Faint arms at most, and solutions drawn. */
-const FAINT = 40;
-const GHOSTS = 24;
 /** Starts drawn in the chart at most: the first ones and the last. */
 const CURVES = 40;
 /** Points of each, about. */
@@ -53,6 +43,8 @@ export class Solving {
     this.given = { ...GIVEN };
     /** The arm that there was a run for, or would have been but for a refusal. @type {import("./arm.js").Arm | null} */
     this.of = null;
+    /** What the link to the planner's page was made for. */
+    this.linked = "";
     /** Does the notice say why there is no run? */
     this.isRefused = false;
     /** Its own poses are not taken for the reader's. */
@@ -76,7 +68,7 @@ export class Solving {
     this.listed.setAttribute("role", "group");
     this.listed.setAttribute("aria-label", "Solutions");
     this.plan = make("a", { className: "plan-link", id: "plan", href: "./" }, "Plan to this target");
-    byId("solve-settings", HTMLElement).append(this.method, this.summary, this.fields, this.listed, make("p", {}, this.plan));
+    byId("solve-settings", HTMLElement).append(this.method, this.summary, this.listed, make("p", {}, this.plan), this.fields);
     this.transport = new Transport(bench.room, this.host, {
       name: "solve", label: "Inverse kinematics", unit: "iterations", steps: [1, 10], slowest: 1, fastest: 2000, pace: 12,
       advance: (count) => this.advance(count), reset: () => this.begin(), canFinish: true,
@@ -204,7 +196,9 @@ export class Solving {
     write(this.cells.error, search ? small(search.last.error) : "\u2013");
     write(this.cells.solutions, count === 0 ? "none" : `${count}, ${free} free`);
     const verdict = search && (!isRunning || count > 0) ? search.run.verdict() : null;
-    this.said = search ? this.sentence(verdict) : null;
+    this.said = search ? solvingSentence(bench, search, verdict, {
+      title: this.methods.find(({ id }) => id === this.method.value)?.title ?? "", wanted: Number(this.options?.settings?.solutions ?? count),
+    }) : null;
     this.nearest = verdict?.nearest ?? null;
     Object.assign(dataset, {
       status: search?.status ?? "refused", iterations: String(iterations), restarts: String(search?.run.restarts ?? 0), solutions: String(count),
@@ -219,42 +213,25 @@ export class Solving {
       this.chart();
     }
     bench.tell("rest");
-    void planLink(bench, this.start).then((href) => { this.plan.href = href; });
+    void this.link();
   }
 
-  /** @param {import("planarium").ReachVerdict | null} verdict */
-  sentence(verdict) {
-    const { search, bench } = this;
-    if (!search) return { text: "", isBad: false };
-    const { target, arm } = bench;
-    const title = this.methods.find(({ id }) => id === this.method.value)?.title ?? "";
-    if (search.status === "running") {
-      if (search.run.iterations === 0) return { text: `Drag the target, then play: ${title} turns the joints until the tip is there.`, isBad: false };
-      const start = search.run.restarts === 0 ? "from where the arm was" : `from start ${search.run.restarts + 1}`;
-      return { text: `${title}, ${start}: the tip is ${small(search.last.error)} ${bench.lock === null ? "m" : "m or rad"} off.`, isBad: false };
-    }
-    const found = search.solutions.length;
-    const free = search.solutions.filter(({ isFree }) => isFree).length;
-    switch (verdict?.verdict) {
-      case "out-of-reach": {
-        const why = { "too-far": "it is too far away", "too-near": "it is too near to the base", limits: "the stops keep the tip away", orientation: "the stops do not allow this direction" }[verdict.reason ?? "too-far"];
-        const near = verdict.nearest;
-        return { text: `${pointText(target)} is out of reach: ${why}.${near ? ` The nearest point is ${pointText(near.point)}, ${num(near.distance)} m away.` : ""}`, isBad: false };
-      }
-      case "in-collision": return { text: capital(`every pose found that reaches the target touches something${verdict.touching ? `: ${touchingSentence(arm.scenario, { free: false, touching: verdict.touching })}` : ""}.`), isBad: true };
-      case "not-found": return { text: `The target can be reached, and ${title} did not find how.`, isBad: false };
-      default: {
-        const wanted = Number(this.options?.settings?.solutions ?? found);
-        const rest = found < wanted ? ", and no more within its budget" : "";
-        return { text: `${found === 1 ? "One pose reaches" : `${found} poses reach`} the target${rest}: ${free === found ? "none touches anything" : free === 0 ? "all of them touch something" : `${free} of them ${free === 1 ? "is" : "are"} free`}.`, isBad: free === 0 };
-      }
-    }
+  /** Where the planner's page plans to this; a world that is too large for an address has no such link. */
+  async link() {
+    const { bench, start, plan } = this;
+    const key = [bench.arm.version, start.join(), bench.target.join(), bench.lock].join(" ");
+    if (this.linked === key) return;
+    this.linked = key;
+    const href = await planLink(bench, start).catch(() => "");
+    if (this.linked !== key) return;
+    plan.hidden = href === "";
+    plan.href = href;
   }
 
   /** A button for each solution. */
   list() {
     const { search } = this;
-    const solutions = search?.solutions.slice(0, GHOSTS) ?? [];
+    const solutions = search?.solutions.slice(0, MOST) ?? [];
     while (this.listed.children.length > solutions.length) this.listed.lastElementChild?.remove();
     solutions.forEach(({ isFree }, i) => {
       let button = this.listed.children[i];
@@ -287,109 +264,10 @@ export class Solving {
     const summary = search ? `Error against iterations, logarithmic: ${grouped(search.iterates.length - 1)} iterations from ${all.length} ${all.length === 1 ? "start" : "starts"}; the last error is ${small(search.last.error)}.` : "No run.";
     plot.draw(curves, { title: "iterations", low: 0, high: 10 }, { title: "error", isLog: true, low: 1e-3, high: 1 }, summary);
   }
-
-  /** Beneath the arm: iterates, fainter the older, and the solutions. @param {Brush} brush @param {View} view */
-  under({ context, palette }, view) {
-    const { search, bench } = this;
-    const { arm } = bench;
-    if (!search) return;
-    if (this.nearest) {
-      const parts = arm.scenario.footprint(Float64Array.from(this.nearest.configuration));
-      drawGhost(context, view, parts, { colour: palette.quiet, fill: 0.08, stroke: 0.8, dash: [3, 4], width: 1.2 });
-    }
-    const recent = search.recent(FAINT);
-    context.save();
-    context.strokeStyle = context.fillStyle = palette.growth;
-    context.lineWidth = 1.2;
-    context.lineJoin = "round";
-    recent.forEach(({ q }, i) => {
-      context.globalAlpha = 0.12 + 0.5 * ((i + 1) / recent.length) ** 2;
-      const parts = arm.scenario.footprint(q);
-      context.beginPath();
-      context.moveTo(view.x(arm.base[0]), view.y(arm.base[1]));
-      for (const part of parts) if (part.type === "capsule") context.lineTo(view.x(part.b[0]), view.y(part.b[1]));
-      context.stroke();
-      const end = parts[parts.length - 1];
-      if (end?.type === "capsule") disc(context, view.x(end.b[0]), view.y(end.b[1]), 2);
-    });
-    context.restore();
-    search.solutions.slice(0, GHOSTS).forEach(({ q, isFree }, i) => {
-      if (i === this.chosen) return;
-      const parts = arm.scenario.footprint(q);
-      const thin = isThin(view, parts[0]);
-      drawGhost(context, view, parts, isFree
-        ? { colour: palette.path, fill: 0.16, stroke: 0.85, dash: [], width: thin ? 2 : 1.5 }
-        : { colour: palette.collision, fill: 0.05, stroke: 0.6, dash: [2, 4], width: thin ? 2 : 1.5 });
-    });
-  }
-
-  /** Above it: the target, and how many reach it. @param {Brush} brush @param {View} view */
-  over({ context, palette }, view) {
-    const { target, lock } = this.bench;
-    const [x, y] = [view.x(target[0]), view.y(target[1])];
-    drawCross(context, x, y, palette.goal, palette.stage, 13);
-    if (lock !== null) {
-      context.save();
-      context.strokeStyle = palette.goal;
-      context.lineWidth = 2;
-      context.setLineDash([4, 3]);
-      context.beginPath();
-      context.moveTo(x - 46 * Math.cos(lock), y + 46 * Math.sin(lock));
-      context.lineTo(x, y);
-      context.stroke();
-      context.restore();
-    }
-    if (this.nearest) drawLabel(context, "nearest", view.x(this.nearest.point[0]), view.y(this.nearest.point[1]) - 18, palette.quiet, palette);
-  }
-
-  /** On the configuration square: iterates as dots, solutions as rings. @param {Brush} brush @param {Square} square */
-  onSquare({ context, palette }, square) {
-    const { search } = this;
-    if (!search) return;
-    context.fillStyle = palette.growth;
-    const recent = search.recent(4 * FAINT);
-    recent.forEach(({ q }, i) => {
-      context.globalAlpha = 0.2 + 0.7 * ((i + 1) / recent.length);
-      const [x, y] = square.place(q);
-      disc(context, x, y, 2.2);
-    });
-    context.globalAlpha = 1;
-    search.solutions.slice(0, GHOSTS).forEach(({ q, isFree }) => square.eachPlace(q, (x, y) => {
-      context.lineWidth = 2.4;
-      context.strokeStyle = isFree ? palette.path : palette.collision;
-      context.setLineDash(isFree ? [] : [2, 3]);
-      context.beginPath();
-      context.arc(x, y, 8.5, 0, 2 * Math.PI);
-      context.stroke();
-      context.setLineDash([]);
-    }));
-  }
-
-  /** On the axes: a line for each. @param {Brush} brush @param {Axes} axes */
-  onAxes({ context, palette }, axes) {
-    const { search } = this;
-    if (!search) return;
-    const recent = search.recent(FAINT);
-    recent.forEach(({ q }, i) => {
-      context.globalAlpha = 0.1 + 0.4 * ((i + 1) / recent.length) ** 2;
-      axes.line(context, q, palette.growth, 1, []);
-    });
-    search.solutions.slice(0, GHOSTS).forEach(({ q, isFree }) => {
-      context.globalAlpha = 0.9;
-      axes.line(context, q, isFree ? palette.path : palette.collision, 1.8, isFree ? [] : [2, 4]);
-    });
-    context.globalAlpha = 1;
-  }
 }
 
 /** Some of many points, the last among them. @param {[number, number][]} points */
 function thinned(points) {
   const each = Math.ceil(points.length / POINTS);
   return points.filter((_, i) => i % each === 0 || i === points.length - 1);
-}
-
-/** An error in few characters. @param {number} value */
-function small(value) {
-  if (value === 0) return "0";
-  return value >= 0.001 ? num(value, 3) : value.toExponential(1).replace("e-", "\u00b710\u207b").replace(/\u207b(\d+)$/, (_, digits) => `\u207b${[...digits].map((d) => "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[Number(d)]).join("")}`);
 }

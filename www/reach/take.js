@@ -2,6 +2,7 @@
 import { byId, make } from "../controls/dom.js";
 import { drawingOf, pictureOf } from "../room/take.js";
 import { json, save } from "../take/files.js";
+import { targetQuery } from "./plan-link.js";
 
 /** @import { Room } from "../room/room.js" */
 /** @import { Sheet } from "../room/sheet.js" */
@@ -16,9 +17,9 @@ export function showTake(room, bench, sheets) {
   byId("take", HTMLElement).append(
     offer("png", "Picture", "PNG", "The stage as it is now.", async () => save(await pictureOf(sheets, SCALE), `${name()}.png`)),
     offer("svg", "Drawing", "SVG", "Lines that stay sharp at any size.", async () => save(await drawingOf(sheets, bench.arm.document.title ?? name()), `${name()}.svg`)),
-    offer("scenario", "Scene", "JSON", "The arm and its world, A to B as its query.", async () => {
+    offer("scenario", "Scene", "JSON", "The arm and its world; its queries are A to B, and the target.", async () => {
       const { arm, a, b } = bench;
-      save(json({ ...arm.document, queries: [{ name: "a-to-b", start: [...a], goal: [...b] }] }), `${name()}.json`);
+      save(json({ ...arm.document, queries: [{ name: "a-to-b", start: [...a], goal: [...b] }, targetQuery(bench, arm.q)] }), `${name()}.json`);
     }),
   );
 

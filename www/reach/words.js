@@ -24,11 +24,11 @@ export function sentenceOf(bench) {
   if (bench.mode === "between") return betweenSentence(bench);
   const { pull, arm } = bench;
   if (pull?.isStuck) {
-    return { text: `From this pose the tip comes no nearer to ${pointText(pull.wanted)} than ${num(pull.distance)} m; another pose would.${touching ? ` ${touching}` : ""}`, isBad: touching !== "" };
+    return { text: `From this pose the tip comes no nearer to ${pointText(pull.wanted)} than ${num(pull.distance)} m; another pose would.`, isBad: touching !== "" };
   }
   if (pull && !pull.reached) {
     const where = `the nearest point that it reaches is ${pointText(pull.point)}, ${num(pull.distance)} m away`;
-    return { text: `${pointText(pull.wanted)} is out of reach${bench.lock === null ? "" : " in this direction"}: ${where}.${touching ? ` ${touching}` : ""}`, isBad: touching !== "" };
+    return { text: `${pointText(pull.wanted)} is out of reach${bench.lock === null ? "" : " in this direction"}: ${where}.`, isBad: touching !== "" };
   }
   if (touching) return { text: touching, isBad: true };
   if (isNearlySingular(arm.ellipse)) return { text: singularText(bench), isBad: false };

@@ -40,8 +40,14 @@ export class Room {
     this.waiting = 0;
     // Whatever an event brings down is said, like what a frame does.
     addEventListener("error", (event) => {
+      // Without an error it is a remark of the browser's, such as on sizes that change while they are told.
+      if (!event.error) return;
       event.preventDefault();
-      this.fail(event.error ?? event.message);
+      this.fail(event.error);
+    });
+    addEventListener("unhandledrejection", (event) => {
+      event.preventDefault();
+      this.fail(event.reason);
     });
     watchTheme(() => this.dress());
     matchMedia("(forced-colors: active)").addEventListener("change", () => this.dress());

@@ -51,7 +51,7 @@ export class Slider {
 
   write() {
     const { kind, digits = kind === "integer" ? 0 : 3 } = this.info;
-    const text = this.current.toFixed(digits);
+    const text = this.current.toFixed(digits).replace(/^-(0(\.0*)?)$/, "$1");
     if (document.activeElement !== this.number && this.number.value !== text) this.number.value = text;
   }
 

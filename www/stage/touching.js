@@ -8,6 +8,9 @@ import { contains, drawLabel, drawTouchingParts, obstacleMiddle, obstaclePath } 
 /** @typedef {{ context: CanvasRenderingContext2D, view: View, palette: Palette, onPart: CanvasPattern | null, onObstacle: CanvasPattern | null }} Brush   with hatches for parts and for obstacles */
 /** @typedef {ScenarioDocument["world"]} World */
 
+/** Parts named one by one, at most. */
+const MOST_NAMES = 3;
+
 /** @param {Brush} brush @param {{ scenario: Scenario, world: World, parts: Part[], touching: Check["touching"] }} shown @param {() => void} draw  the robot */
 export function drawTouching(brush, { scenario, world, parts, touching }, draw) {
   const { context, view, palette, onPart } = brush;
@@ -15,7 +18,8 @@ export function drawTouching(brush, { scenario, world, parts, touching }, draw) 
   draw();
   const hit = new Set(touching.map(({ part }) => part));
   drawTouchingParts(context, view, parts.filter((_, i) => hit.has(i)), palette, onPart);
-  for (const index of hit) {
+  // Many links in a row would be named on top of each other: the first and the last stand for those between.
+  for (const index of hit.size > MOST_NAMES ? [Math.min(...hit), Math.max(...hit)] : hit) {
     const [x, y] = labelPlace(view, parts[index]);
     drawLabel(context, partName(scenario, index), x, y, palette.collision, palette);
   }

@@ -70,7 +70,7 @@ export class Workspace extends Pane {
     if (goal) shown.placed?.drawRegion(context, view, goal, shown, palette.goal);
     for (const [pose, colour, fill, dash] of /** @type {[Configuration | null, string, number, number[]][]} */ ([...goals.map((pose) => [pose, palette.goal, 0.14 / goals.length, [5, 4]]), [start, palette.start, 0.16, []]])) {
       if (!pose) continue;
-      drawGhost(context, view, scenario.footprint(pose), { colour, fill, stroke: 0.95, dash, width });
+      drawGhost(context, view, scenario.footprint(pose), { colour, fill, stroke: dash.length > 0 && goals.length > 1 ? 0.5 : 0.95, dash, width });
       shown.placed?.drawMarks(context, view, pose, 0, colour);
     }
     if (robot.type === "arm") drawBase(context, view, robot.base, palette);

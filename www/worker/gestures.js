@@ -7,7 +7,7 @@ import { isTip, leads } from "./reaching.js";
 import { moved, obstacleOf, rectangle, rounded, targetOf, withObstacle, withPose, withTarget, withVertex } from "./things.js";
 
 /** @import { CSpace } from "../stage/cspace.js" */
-/** @import { Obstacle, ScenarioDocument } from "../types.js" */
+/** @import { Obstacle, Scenario, ScenarioDocument } from "../types.js" */
 /** @import { Shown } from "./lane.js" */
 /** @import { Hit } from "./handles.js" */
 /** @import { Point, Thing } from "./things.js" */
@@ -42,8 +42,8 @@ export function pointFrom(scale, from, x, y, shift) {
   return pointAt(scale, from[0] + along * Math.cos(angle), from[1] + along * Math.sin(angle), false);
 }
 
-/** Takes hold of what lies beneath the pointer. @param {Shown} shown @param {Hit} hit @param {Scale} scale @param {CSpace | null} square @param {Point} from @returns {Gesture} */
-export function holds(shown, { thing, part, handle }, scale, square, [x0, y0]) {
+/** Takes hold of what lies beneath the pointer. @param {Shown} shown @param {Hit} hit @param {Scale} scale @param {CSpace | null} square @param {Point} from @param {() => Scenario} arm   the arm at the time @returns {Gesture} */
+export function holds(shown, { thing, part, handle }, scale, square, [x0, y0], arm) {
   const { document, scenario, start, goal, placed } = shown;
   const obstacle = obstacleOf(document, thing);
   if (obstacle) return reshapes(document, obstacle, thing, handle, scale, x0, y0);
@@ -72,7 +72,7 @@ export function holds(shown, { thing, part, handle }, scale, square, [x0, y0]) {
   if (placed) return (x, y, shift) => put([...pointAt(scale, pose[0] + x - x0, pose[1] + y - y0, shift), pose[2]]);
   if (scenario.robot === "disc") return (x, y, shift) => put(pointAt(scale, pose[0] + x - x0, pose[1] + y - y0, shift));
   if (isTip(scenario, thing, part)) {
-    const lead = leads(shown, thing, pose);
+    const lead = leads(shown, thing, pose, arm);
     return (x, y, shift) => lead(pointAt(scale, x, y, shift));
   }
   const joint = part ?? 0;

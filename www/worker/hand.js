@@ -98,7 +98,7 @@ export class Hand {
     } else {
       const hit = hitAt(pane, square !== null, shown, editor.theatre.query, editor.selected, pointer.x, pointer.y, reach);
       editor.choose(hit?.thing ?? null, hit?.handle?.kind === "middle" ? null : hit?.part ?? null);
-      if (hit) this.drag = { change: holds(shown, hit, scale, square, [x, y]), from: pointer, drawn: null, moved: false };
+      if (hit) this.drag = { change: holds(shown, hit, scale, square, [x, y], () => editor.shown.scenario), from: pointer, drawn: null, moved: false };
     }
   }
 

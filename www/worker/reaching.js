@@ -19,11 +19,16 @@ export function isTip({ robot, dimension }, thing, part) {
 /** Where the end effector is. @param {Scenario} scenario @param {ArrayLike<number>} pose @returns {Point} */
 export function tipOf(scenario, pose) { return scenario.endEffector(Float64Array.from(pose)); }
 
-/** Leads a start or goal by its end effector, from one place to the next without a jump. @param {Shown} shown @param {Thing} thing @param {ArrayLike<number>} pose @returns {(point: Point) => ScenarioDocument} */
-export function leads({ document, scenario }, thing, pose) {
+/**
+ * Leads a start or goal by its end effector, from one place to the next without a jump.
+ * @param {Shown} shown @param {Thing} thing @param {ArrayLike<number>} pose
+ * @param {() => Scenario} [arm]   the arm at the time: each change puts another scenario on the stage, and frees the one before
+ * @returns {(point: Point) => ScenarioDocument}
+ */
+export function leads({ document, scenario }, thing, pose, arm = () => scenario) {
   let now = Float64Array.from(pose);
   return (point) => {
-    now = Float64Array.from(scenario.follow(now, point).configuration);
+    now = Float64Array.from(arm().follow(now, point).configuration);
     return withPose(document, thing, now.map((angle) => rounded(angle, FINE)));
   };
 }

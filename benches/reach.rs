@@ -1,0 +1,88 @@
+//! Inverse kinematics: microseconds to a target, by method and links; the nearest point; following a hand.
+//!
+//! `cargo bench --bench reach` prints a table. A run pinned to one core is quieter.
+
+#[path = "../tests/common/arms.rs"]
+mod arms;
+
+use planarium::geometry::Vector;
+use planarium::random::{Random, Stream};
+use planarium::reach::{Reach, ReachOptions, Target, follow, nearest_reachable};
+use planarium::robot::Arm;
+use planarium::run::Status;
+use planarium::scenario::Scenario;
+use std::time::Instant;
+
+/// Targets a cell.
+const TARGETS: usize = 2000;
+
+/// Arms of one kind, each with a configuration, a target within reach and its world.
+struct Cell {
+    cases: Vec<(Arm, Scenario, Vec<f64>, Target)>,
+}
+
+impl Cell {
+    fn new(links: usize, has_limits: bool) -> Self {
+        let mut random = Random::new(1, Stream::Samples);
+        let mut case = || {
+            let arm = arms::arm(&mut random, links, has_limits);
+            let (q, target) = (arms::configuration(&mut random, &arm), arms::reachable(&mut random, &arm, false));
+            (arm.clone(), arms::scenario(&arm, ""), q, target)
+        };
+        Self { cases: (0..TARGETS).map(|_| case()).collect() }
+    }
+
+    /// Median and 99th percentile in microseconds of doing it for each case.
+    fn time(&self, mut work: impl FnMut(&Arm, &Scenario, &[f64], Target)) -> String {
+        let mut times: Vec<f64> = Vec::with_capacity(self.cases.len());
+        for (arm, scenario, q, target) in &self.cases {
+            let began = Instant::now();
+            work(arm, scenario, q, *target);
+            times.push(began.elapsed().as_secs_f64() * 1e6);
+        }
+        times.sort_by(f64::total_cmp);
+        format!("{:.1} / {:.0}", times[TARGETS / 2], times[TARGETS * 99 / 100])
+    }
+
+    /// The same of a method, with the share of targets reached where that is not all.
+    fn method(&self, id: &str) -> String {
+        let mut missed = 0;
+        let time = self.time(|_, scenario, q, target| {
+            let options =
+                ReachOptions { method: Some(id.to_owned()), start: Some(q.to_vec()), ..ReachOptions::to(target) };
+            let mut run = Reach::new(scenario, &options).expect("a run");
+            missed += usize::from(run.step(u64::MAX) != Status::Solved);
+        });
+        if missed == 0 { time } else { format!("{time} ({missed} missed)") }
+    }
+}
+
+fn main() {
+    println!(
+        "Microseconds, median / 99 %: targets within reach; the nearest point to targets up to 1.5 times as far; follow to"
+    );
+    println!("such a target from anywhere, and along a hundredth of the reach.");
+    println!("| links | limits | closed form | newton | damped | gradient | nearest | follow, far | follow, near |");
+    println!("|---|---|---|---|---|---|---|---|---|");
+    for links in [1, 2, 3, 4, 6, 8] {
+        for has_limits in [false, true] {
+            let cell = Cell::new(links, has_limits);
+            let far =
+                |arm: &Arm, target: Target| Target { point: arm.base() + (target.point - arm.base()) * 1.5, ..target };
+            let closed = if links <= 2 { cell.method("closed-form") } else { String::new() };
+            let [newton, damped, gradient] =
+                ["newton", "damped-least-squares", "gradient-descent"].map(|id| cell.method(id));
+            let nearest =
+                cell.time(|arm, _, _, target| drop(nearest_reachable(arm, far(arm, target)).expect("a target")));
+            let apart = cell.time(|arm, _, q, target| drop(follow(arm, q, far(arm, target)).expect("it follows")));
+            let near = cell.time(|arm, _, q, target| {
+                let point = arm.end_effector(q) + Vector::new(0.01 * arm.reach(), 0.0);
+                drop(follow(arm, q, Target { point, ..target }).expect("it follows"));
+            });
+            let limits = if has_limits { "yes" } else { "no" };
+            println!(
+                "| {links} | {limits} | {closed} | {newton} | {damped} | {gradient} | {nearest} | {apart} | {near} |"
+            );
+        }
+    }
+}

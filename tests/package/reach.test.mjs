@@ -1,0 +1,122 @@
+/** Inverse kinematics, as the package has it. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { PlanariumError, Reach, Scenario, reachMethods } from "planarium";
+import { arm, car } from "./scenes.mjs";
+
+/** @param {() => unknown} work @param {string} code @param {string} [pointer] */
+function fails(work, code, pointer) {
+  assert.throws(work, (error) => {
+    assert.ok(error instanceof PlanariumError, String(error));
+    assert.deepEqual([error.code, pointer === undefined ? "" : error.pointer], [code, pointer ?? ""], error.message);
+    return true;
+  });
+}
+
+/** @param {number[]} links @param {[number, number][]} [limits] @param {object[]} [obstacles] */
+const armOf = (links, limits, obstacles = []) => Scenario.parse({
+  format: "planarium-scenario-1", name: "arm", world: { obstacles }, queries: [],
+  robot: { type: "arm", base: [0, 0], links, ...(limits ? { joint_limits: limits } : {}) },
+});
+
+/** @param {Scenario} scenario @param {import("planarium").ReachOptions} options */
+function ended(scenario, options) {
+  const run = scenario.reach(options);
+  while (run.step(10) === "running");
+  return run;
+}
+
+test("each method reaches a target, and iterates and solutions come by cursors", () => {
+  const scenario = armOf([1, 0.8, 0.5]);
+  for (const { id } of reachMethods()) {
+    const run = scenario.reach({ target: [1, 0.7], orientation: 0.3, method: id, solutions: 2, seed: 1 });
+    /** @type {number[]} */
+    const seen = [];
+    while (run.step(3) === "running") seen.push(...run.iteratesSince(seen.length / 5));
+    seen.push(...run.iteratesSince(seen.length / 5));
+    assert.deepEqual(seen, [...run.iteratesSince(0)]);
+    assert.equal(seen.length, 5 * run.iterateCount);
+    assert.deepEqual([run.status, run.solutionCount, run.solutionsSince(2).length, run.rejectedCount], ["solved", 2, 0, 0], id);
+    const rows = run.solutionsSince(0);
+    for (const q of [rows.slice(0, 3), rows.slice(3)]) {
+      const [x, y] = scenario.endEffector(q);
+      const tolerance = id === "gradient-descent" ? 1e-4 : 1e-9;
+      assert.ok(Math.hypot(x - 1, y - 0.7) <= tolerance + 1e-15, id);
+      assert.ok(Math.abs(Math.sin((q[0] + q[1] + q[2] - 0.3) / 2)) <= tolerance, id);
+    }
+    assert.deepEqual([...run.configuration()], seen.slice(-3));
+    assert.equal(run.error, seen.at(-4));
+    assert.ok(run.manipulability > 0 && run.restarts >= 1);
+    const result = run.result();
+    assert.deepEqual(result.solutions.flat(), [...rows]);
+    assert.deepEqual([result.method, result.target, result.orientation, result.stats.iterations], [id, [1, 0.7], 0.3, run.iterations]);
+    assert.deepEqual(result.verdict, { verdict: "reached", reason: null, nearest: null, touching: null });
+    assert.match(run.fingerprint(), /^[0-9a-f]{16}$/);
+    assert.equal(result.fingerprint, run.fingerprint());
+    const again = scenario.reach({ target: [1, 0.7], orientation: 0.3, method: id, solutions: 2, seed: 1 });
+    again.step(1e6);
+    assert.equal(again.fingerprint(), run.fingerprint());
+  }
+});
+
+test("a target out of reach says why, and what is nearest", () => {
+  const far = ended(armOf([1, 0.5]), { target: [3, 0] });
+  assert.equal(far.status, "exhausted");
+  const { verdict, reason, nearest } = far.verdict();
+  assert.deepEqual([verdict, reason, nearest], ["out-of-reach", "too-far", { configuration: [0, 0], point: [1.5, 0], distance: 1.5, turn: 0 }]);
+  assert.equal(ended(armOf([1, 0.5]), { target: [0, 0.1] }).verdict().reason, "too-near");
+  assert.equal(ended(armOf([1, 1], [[-1, 1], [-1, 1]]), { target: [-1, 0] }).verdict().reason, "limits");
+  assert.equal(ended(armOf([1, 1], [[-1, 1], [-1, 1]]), { target: [1, 0], orientation: 3 }).verdict().reason, "orientation");
+  const blocked = armOf([1], undefined, [{ type: "disc", center: [0, 1], radius: 0.2 }]);
+  const touching = ended(blocked, { target: [0, 1], free_only: true }).verdict();
+  assert.deepEqual([touching.verdict, touching.touching], ["in-collision", [{ part: 0, obstacle: 0 }]]);
+  assert.equal(ended(blocked, { target: [0, 1] }).verdict().verdict, "reached");
+});
+
+test("an arm follows a point, and stretches towards one that it cannot reach", () => {
+  const scenario = armOf([1, 0.8, 0.5]);
+  const near = scenario.follow([0.1, 0.2, 0.3], [1.2, 0.9]);
+  assert.ok(near.reached && near.distance < 1e-9 && near.manipulability > 0.1);
+  assert.deepEqual(scenario.endEffector(near.configuration), near.point);
+  const far = scenario.follow(near.configuration, [4, 3]);
+  assert.ok(!far.reached && Math.abs(far.distance - 2.7) < 1e-6 && far.manipulability < 1e-3);
+  assert.ok(scenario.follow([0, 0, 0], [1.5, 0]).reached, "out of a straight line");
+  const nearest = scenario.nearestReachable([4, 3]);
+  assert.ok(Math.abs(nearest.distance - 2.7) < 1e-12 && nearest.turn === 0);
+  assert.ok(Math.abs(scenario.nearestReachable([1, 0.2], 2).distance) < 1e-12);
+});
+
+test("what is wrong is refused by name", () => {
+  const scenario = armOf([1, 1], [[-1, 1], [0, 2]]);
+  const reach = (/** @type {object} */ options) => () => scenario.reach(/** @type {import("planarium").ReachOptions} */ (options));
+  fails(reach({}), "missing-field", "/target");
+  fails(() => scenario.reach(/** @type {never} */ (undefined)), "missing-field", "/target");
+  fails(reach({ target: [1] }), "wrong-dimension", "/target");
+  fails(reach({ target: 1 }), "wrong-type", "/target");
+  fails(reach({ target: [1, "0"] }), "wrong-type", "/target/1");
+  fails(reach({ target: [1, NaN] }), "not-finite", "/target/1");
+  fails(reach({ target: [1, 0], orientation: "up" }), "wrong-type", "/orientation");
+  fails(reach({ target: [1, 0], start: [0] }), "wrong-dimension", "/start");
+  fails(reach({ target: [1, 0], start: [0, -1] }), "out-of-range", "/start/1");
+  fails(reach({ target: [1, 0], method: "magic" }), "out-of-range", "/method");
+  fails(reach({ target: [1, 0], seed: -1 }), "out-of-range", "/seed");
+  fails(reach({ target: [1, 0], speed: 1 }), "unknown-parameter", "/speed");
+  fails(() => armOf([1, 1, 1]).reach({ target: [1, 0], method: "closed-form" }), "unsupported", "/method");
+  fails(() => armOf([1]).reach({ target: [1, 0], orientation: 0 }), "unsupported", "/orientation");
+  fails(() => Scenario.parse(car).reach({ target: [1, 0] }), "unsupported");
+  fails(() => Scenario.parse(car).follow([0.5, 0.5, 0], [1, 0]), "unsupported");
+  fails(() => Scenario.parse(car).nearestReachable([1, 0]), "unsupported");
+  fails(() => scenario.follow([0], [1, 0]), "wrong-dimension", "/q");
+  fails(() => scenario.follow([0, -1], [1, 0]), "out-of-range", "/q/1");
+  fails(() => scenario.follow([0, 1], /** @type {never} */ ([1])), "wrong-dimension", "/target");
+  fails(() => scenario.nearestReachable([1, Infinity]), "not-finite", "/target/1");
+  fails(() => scenario.nearestReachable([1, 0], NaN), "not-finite", "/orientation");
+  fails(() => new /** @type {new () => unknown} */ (/** @type {unknown} */ (Reach))(), "illegal-constructor");
+  const run = Scenario.parse(arm).reach({ target: [0.1, 0.1] });
+  fails(() => run.step(-1), "out-of-range", "/n");
+  fails(() => run.iteratesSince(2), "out-of-range", "/row");
+  fails(() => run.solutionsSince(1), "out-of-range", "/row");
+  run.free();
+  run.free();
+  for (const use of [() => run.step(1), () => run.status, () => run.verdict(), () => run.iteratesSince(0)]) fails(use, "freed");
+});

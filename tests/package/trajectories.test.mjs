@@ -1,0 +1,117 @@
+/** Many trajectories through the package: what it takes, gives and refuses. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { PlanariumError, Trajectories, particlePoints, trajectoryOptions } from "planarium";
+
+/** @param {() => unknown} act @param {string} code @param {string} [pointer] */
+function refused(act, code, pointer = "") {
+  assert.throws(act, (error) => {
+    assert.ok(error instanceof PlanariumError, String(error));
+    assert.deepEqual([error.code, error.pointer], [code, pointer], error.message);
+    assert.ok(error.message.length > 10);
+    return true;
+  });
+}
+
+test("trajectories are accepted one by one, and read by cursors", () => {
+  const trajectories = new Trajectories({ seed: 3, count: 200 });
+  assert.equal(trajectories.status, "running");
+  assert.equal(trajectories.step(1), "running");
+  assert.equal(trajectories.acceptedCount, 1, "the first one crosses nothing");
+  assert.equal(trajectories.acceptedSince(0).length, 6);
+  while (trajectories.step(37) === "running");
+  assert.deepEqual([trajectories.status, trajectories.acceptedCount], ["solved", 200]);
+  assert.equal(trajectories.step(100), "solved");
+  const { iterations, refusedCount } = trajectories;
+  assert.equal(iterations, 200 + refusedCount);
+  const tries = trajectories.tries();
+  assert.ok(tries instanceof Uint32Array && tries.length === 200);
+  assert.equal(tries.reduce((sum, count) => sum + count, 0), iterations);
+  const rows = trajectories.acceptedSince(0);
+  assert.deepEqual(trajectories.acceptedSince(150), rows.slice(900));
+  for (let i = 0; i < rows.length; i += 6) {
+    const [x, y, theta, v, w, duration] = rows.subarray(i, i + 6);
+    assert.ok(Math.abs(x) <= 3 && Math.abs(y) <= 3 && Math.abs(theta) <= Math.PI && v >= 0 && v <= 1 && Math.abs(w) <= Math.PI && duration === 1);
+  }
+  const refusals = trajectories.refusedSince(0);
+  assert.equal(refusals.length, 9 * refusedCount);
+  for (let i = 0; i < refusals.length; i += 9) assert.ok(refusals[i + 6] < 200 && Number.isInteger(refusals[i + 6]));
+  const result = trajectories.result();
+  assert.deepEqual([result.accepted, result.refused, result.status, result.seed, result.model], [200, refusedCount, "solved", 3, "arc"]);
+  assert.match(trajectories.fingerprint, /^[0-9a-f]{16}$/);
+  assert.equal(trajectories.fingerprint, result.fingerprint);
+  trajectories[Symbol.dispose]();
+  refused(() => trajectories.result(), "freed");
+});
+
+test("slices and the index change nothing, the seed does", () => {
+  const fingerprint = (/** @type {object} */ options, /** @type {number} */ slice) => {
+    const trajectories = new Trajectories({ count: 150, ...options });
+    while (trajectories.step(slice) === "running");
+    const told = trajectories.fingerprint;
+    trajectories.free();
+    return told;
+  };
+  const once = fingerprint({}, 1e6);
+  assert.equal(fingerprint({}, 1), once);
+  assert.equal(fingerprint({ index: "none" }, 13), once);
+  assert.notEqual(fingerprint({ seed: 1 }, 1e6), once);
+  assert.notEqual(fingerprint({ model: "spiral" }, 1e6), once);
+});
+
+test("bad options, cursors and counts are errors with code and pointer", () => {
+  const bad = /** @type {(options: unknown) => () => unknown} */ ((options) => () => new Trajectories(/** @type {any} */ (options)));
+  refused(bad({ count: 0 }), "out-of-range", "/count");
+  refused(bad({ count: NaN }), "not-finite", "/count");
+  refused(bad({ count: "many" }), "wrong-type", "/count");
+  refused(bad({ count: [] }), "wrong-type", "/count");
+  refused(bad({ colour: 1 }), "unknown-parameter", "/colour");
+  refused(bad({ seed: -1 }), "out-of-range", "/seed");
+  refused(bad({ seed: 2 ** 53 }), "out-of-range", "/seed");
+  refused(bad({ seed: "1" }), "wrong-type", "/seed");
+  refused(bad({ model: "line" }), "out-of-range", "/model");
+  refused(bad({ slowest: 0.9, fastest: 0.2 }), "out-of-range", "/slowest");
+  refused(bad({ duration: 900 }), "out-of-range", "/duration");
+  refused(bad(7), "wrong-type");
+  const trajectories = new Trajectories();
+  refused(() => trajectories.step(-1), "out-of-range", "/n");
+  refused(() => trajectories.step(NaN), "not-finite", "/n");
+  refused(() => trajectories.acceptedSince(1), "out-of-range", "/row");
+  refused(() => trajectories.refusedSince(0.5), "out-of-range", "/row");
+  trajectories.free();
+  trajectories.free();
+  refused(() => trajectories.step(1), "freed");
+  refused(() => trajectories.fingerprint, "freed");
+});
+
+test("the table tells every option, and each default and end is taken", () => {
+  const table = trajectoryOptions();
+  assert.deepEqual(table.map(({ name }) => name), ["model", "count", "half_side", "spread", "slowest", "fastest", "least_turn_rate", "greatest_turn_rate", "duration", "index", "max_iterations"]);
+  for (const { name, title, meaning, min, max, default: given, choices } of table) {
+    assert.ok(title && meaning.endsWith("."), name);
+    // Turns are bounded, so the ends of rates and durations do not go together with the rest.
+    const values = [given, ...(choices ?? []), ...(/turn_rate|duration/.test(name) ? [] : [min, max].filter((end) => end !== null))];
+    for (const value of values) {
+      if (name === "slowest" && value === max) continue;
+      const trajectories = new Trajectories({ [name]: value });
+      trajectories.step(3);
+      trajectories.free();
+    }
+  }
+});
+
+test("points of one particle: the spiral as it is printed, the arc by its radius", () => {
+  const spiral = particlePoints({ model: "spiral", v: 1, w: Math.PI / 4 }, [0, 0.1, 0.2]);
+  assert.deepEqual([...spiral.slice(0, 2)], [0, 0]);
+  assert.ok(Math.abs(spiral[2] - 0.0996917333733128) < 1e-15 && Math.abs(spiral[3] - 0.007845909572784495) < 1e-15);
+  assert.ok(Math.abs(spiral[4] - 0.19753766811902757) < 1e-15);
+  const [x, y] = particlePoints({ x: 1, y: 2, theta: 0, v: Math.PI, w: Math.PI }, new Float64Array([1]));
+  assert.ok(Math.hypot(x - 1, y - 4) < 1e-15);
+  assert.equal(particlePoints({}, []).length, 0);
+  refused(() => particlePoints({ v: -1 }, [0]), "out-of-range", "/v");
+  refused(() => particlePoints({ x: Infinity }, [0]), "not-finite", "/x");
+  refused(() => particlePoints({}, [0, -1]), "out-of-range", "/times/1");
+  refused(() => particlePoints({}, [NaN]), "not-finite", "/times/0");
+  refused(() => particlePoints(/** @type {any} */ ({ speed: 1 }), [0]), "unknown-parameter", "/speed");
+  refused(() => particlePoints({}, /** @type {any} */ ("now")), "wrong-type", "/times");
+});

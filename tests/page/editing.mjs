@@ -1,0 +1,70 @@
+/** What tests of the editor share: opening it, pointer and finger, what it tells and saves. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { atRest, pickFile } from "./browser.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+/** @typedef {import("../../www/types.js").ScenarioDocument} ScenarioDocument */
+
+/** Opens the editor on a scenario. @param {Page} page @param {ScenarioDocument | null} document   null: on what is there */
+export async function openEditor(page, document) {
+  if (document) {
+    await pickFile(page, "scenario.json", JSON.stringify(document));
+    await page.waitForSelector("body[data-scene=file]");
+    await atRest(page);
+  }
+  await page.click("#edit");
+  await page.waitForSelector("#editor[data-tool=select]", { state: "attached" });
+}
+
+/** What the editor tells of itself. @param {Page} page */
+export const told = (page) => page.locator("#editor").evaluate((element) => ({ .../** @type {HTMLElement} */ (element).dataset }));
+
+/** Waits until the editor tells a value. @param {Page} page @param {string} name @param {string | number} value */
+export async function until(page, name, value) {
+  await page.waitForFunction(([key, wanted]) => document.getElementById("editor")?.dataset[key] === wanted, [name, String(value)]);
+}
+
+/** Pixels of the window for points of the plane, once the stage stands still. @param {Page} page @param {number} half  of the world's side */
+export async function plane(page, half) {
+  const canvas = page.locator("#workspace canvas[data-layer=top]");
+  await canvas.evaluate((element) => element.scrollIntoView({ block: "center" }));
+  const box = await canvas.boundingBox();
+  assert.ok(box);
+  const scale = (Math.min(box.width, box.height) - 28) / (2 * half);
+  return (/** @type {number} */ x, /** @type {number} */ y) => /** @type {[number, number]} */ ([box.x + box.width / 2 + scale * x, box.y + box.height / 2 - scale * y]);
+}
+
+/** A drag with the mouse along points in pixels. @param {Page} page @param {[number, number][]} points */
+export async function drag(page, points) {
+  await page.mouse.move(...points[0]);
+  await page.mouse.down();
+  for (const point of points.slice(1)) await page.mouse.move(...point, { steps: 4 });
+  await page.mouse.up();
+}
+
+/** The same with a finger. @param {Page} page @param {[number, number][]} points */
+export async function swipe(page, points) {
+  const session = await page.context().newCDPSession(page);
+  const send = (/** @type {"touchStart" | "touchMove" | "touchEnd"} */ type, /** @type {[number, number][]} */ at) =>
+    session.send("Input.dispatchTouchEvent", { type, touchPoints: at.map(([x, y]) => ({ x, y })) });
+  await send("touchStart", [points[0]]);
+  for (const [i, [x, y]] of points.slice(1).entries()) {
+    const [bx, by] = points[i];
+    for (let k = 1; k <= 4; k++) await send("touchMove", [[bx + ((x - bx) * k) / 4, by + ((y - by) * k) / 4]]);
+  }
+  await send("touchEnd", []);
+  await session.detach();
+  // Chromium takes a tap right after a swipe for a part of it.
+  await page.waitForTimeout(400);
+}
+
+/** The document as it is saved. @param {Page} page @returns {Promise<{ text: string, document: ScenarioDocument, name: string }>} */
+export async function saved(page) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#edit-save")]);
+  const text = readFileSync(await download.path(), "utf8");
+  return { text, document: JSON.parse(text), name: download.suggestedFilename() };
+}
+
+/** @param {number} value @param {number} wanted @param {number} [within] */
+export const near = (value, wanted, within = 0.012) => assert.ok(Math.abs(value - wanted) <= within, `${value} is not ${wanted}`);

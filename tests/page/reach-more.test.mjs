@@ -1,0 +1,267 @@
+/** The page of the arm: inverse kinematics to watch, links and files, and for whom it is. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, describe, test } from "node:test";
+import { Scenario, reachMethods } from "planarium";
+import { decodeLink } from "../../www/exchange/link.js";
+import { pixelsOf, start, stop, tasks, violations } from "./browser.mjs";
+import { DESK, choose, entryOf, onReach, poseOf, put, rest, scenarioOf, windowOf } from "./reach.mjs";
+import { allOf, readXml } from "./xml.mjs";
+
+/** @import { Page } from "./browser.mjs" */
+
+before(start);
+after(stop);
+
+describe("inverse kinematics", () => {
+  test("a scenario with a target brings it along", async () => {
+    await onReach(async (page) => {
+      await page.setInputFiles("#file", { name: "pick.json", mimeType: "application/json", buffer: readFileSync(new URL("../../www/scenes/pick.json", import.meta.url)) });
+      await page.waitForSelector("body[data-scene=file]");
+      await page.click("#mode-solve");
+      await rest(page);
+      await page.click("#solve-finish");
+      await page.waitForSelector("#solve:not([data-status=running])", { state: "attached" });
+      await rest(page);
+      const [x, y] = Scenario.parse(readFileSync(new URL("../../www/scenes/pick.json", import.meta.url), "utf8")).endEffector(await poseOf(page));
+      assert.ok(Math.hypot(x - 1.55, y - 0.6) < 1e-8, `${x} ${y}`);
+    });
+  });
+
+  test("a target out of reach is said to be, with the nearest point; one in collision too", async () => {
+    await onReach(async (page) => {
+      await page.click("#mode-solve");
+      await page.focus("#stage");
+      for (let i = 0; i < 12; i++) await page.keyboard.press("Shift+ArrowRight");
+      await page.click("#solve-finish");
+      await page.waitForSelector("#solve[data-verdict=out-of-reach]", { state: "attached" });
+      await rest(page);
+      assert.match(await page.innerText("#story"), /too far away.*nearest point/);
+    });
+    await onReach(async (page) => {
+      await page.click("#mode-solve");
+      await page.check("#solve-free_only");
+      // Into the disc at (0.62, 0.62).
+      const [x, y] = await windowOf(page, "islands", [0.55, 0.6]);
+      await page.mouse.click(x, y);
+      await rest(page);
+      await page.click("#solve-finish");
+      await page.waitForSelector("#solve[data-verdict=in-collision]", { state: "attached" });
+      await rest(page);
+      assert.match(await page.innerText("#story"), /touches (something|obstacle)/);
+    });
+  });
+
+  test("every method goes down to the target; the closed form is not for many joints, and says so", async () => {
+    await onReach(async (page) => {
+      await page.click("#mode-solve");
+      for (const { id } of reachMethods()) {
+        await page.selectOption("#method", id);
+        await rest(page);
+        await page.click("#solve-finish");
+        await page.waitForSelector("#solve:not([data-status=running])", { state: "attached", timeout: 60_000 });
+        await rest(page);
+        assert.ok(Number(await page.getAttribute("#solve", "data-solutions")) >= 1, id);
+      }
+      await choose(page, "tentacle");
+      await page.selectOption("#method", "closed-form");
+      await page.waitForSelector("#solve[data-status=refused]", { state: "attached" });
+      assert.match(await page.innerText("#notice"), /closed form for 1 or 2 links/);
+      await page.selectOption("#method", "newton");
+      await page.waitForSelector("#solve[data-status=running]", { state: "attached" });
+      assert.equal(await page.isHidden("#notice"), true);
+    });
+  });
+
+  test("the planner's page is handed the arm and the target", async () => {
+    await onReach(async (page) => {
+      await page.click("#mode-solve");
+      await rest(page);
+      await page.waitForFunction(() => (document.getElementById("plan")?.getAttribute("href") ?? "").length > 20);
+      const { experiment } = await decodeLink((await page.getAttribute("#plan", "href") ?? "").slice(2));
+      const { queries, robot } = /** @type {any} */ (experiment?.document);
+      assert.deepEqual(queries, [{ name: "reach", start: entryOf("islands").q, target: { point: entryOf("islands").target } }]);
+      assert.deepEqual(robot.links, entryOf("islands").robot.links);
+      await page.click("#plan");
+      await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
+      await page.click("#finish");
+      await page.waitForSelector("#counters[data-settled=true][data-status=solved]", { state: "attached", timeout: 60_000 });
+      assert.equal(await page.isHidden("#notice"), true);
+    });
+  });
+});
+
+describe("links and files", () => {
+  test("a link shows the same again: arm, pose, way and run", async () => {
+    await onReach(async (page) => {
+      await choose(page, "window");
+      await put(page, "link-1-number", "0.5");
+      // A pose of many digits.
+      await page.focus("#stage");
+      await page.keyboard.press("ArrowUp");
+      await rest(page);
+      await page.click("#mode-solve");
+      await page.fill("#solve-seed", "5");
+      await page.locator("#solve-seed").blur();
+      await page.click("#solve-step-10");
+      await rest(page);
+      await page.click("#link");
+      await page.waitForFunction(() => location.hash.length > 2);
+      const fragment = await page.evaluate(() => location.hash);
+      assert.ok(fragment.length <= 2049);
+      const [q, fingerprint] = [await poseOf(page), await page.getAttribute("#solve", "data-fingerprint")];
+      assert.match(fingerprint ?? "", /^[0-9a-f]{16}$/);
+      await onReach(async (other) => {
+        assert.equal(await other.getAttribute("body", "data-scene"), "window");
+        assert.equal(await other.getAttribute("body", "data-mode"), "solve");
+        assert.deepEqual(await poseOf(other), q);
+        assert.equal(await other.getAttribute("#solve", "data-iterations"), "10");
+        assert.equal(await other.getAttribute("#solve", "data-fingerprint"), fingerprint);
+        assert.equal(await other.inputValue("#link-1-number"), "0.500");
+        assert.equal(await other.inputValue("#solve-seed"), "5");
+      }, DESK, { path: `reach.html${fragment}` });
+    }, { ...DESK, permissions: ["clipboard-read", "clipboard-write"] });
+  });
+
+  test("one that does not work is said not to, and the page opens all the same", async () => {
+    for (const fragment of ["#1abc", "#2abc", `#1${"a".repeat(3000)}`, "#nothing"]) {
+      await onReach(async (page) => {
+        assert.match(await page.innerText("#notice"), /This link does not work/);
+        assert.equal(await page.getAttribute("body", "data-scene"), "islands");
+      }, DESK, { path: `reach.html${fragment}` });
+    }
+  });
+
+  test("the stage as PNG and SVG, the scenario as JSON", async () => {
+    await onReach(async (page) => {
+      await page.waitForSelector("#stage[data-cells=true]");
+      await page.click("#mode-between");
+      await page.click("#take-fold > summary");
+      /** @param {string} id */
+      const taken = async (id) => {
+        const [download] = await Promise.all([page.waitForEvent("download"), page.click(id)]);
+        return readFileSync(await download.path());
+      };
+      const png = await taken("#take-png");
+      assert.equal(png.subarray(1, 4).toString(), "PNG");
+      const svg = (await taken("#take-svg")).toString();
+      assert.match(svg, /^<svg[\s\S]+<\/svg>\s*$/);
+      assert.match(svg, /data:image\/png/);
+      assert.ok(allOf(readXml(svg), "path").length > 20);
+      Scenario.parse((await taken("#take-scenario")).toString()).free();
+    });
+  });
+
+  test("it is kept for later with the rest: it opens without a network", async () => {
+    await onReach(async (page, url) => {
+      await page.waitForFunction(async () => (await navigator.serviceWorker.ready).active?.state === "activated");
+      await page.context().setOffline(true);
+      await page.goto("about:blank");
+      await page.goto(`${url}reach.html`);
+      await page.waitForSelector("body[data-state=ready][data-settled=true]");
+      await page.waitForSelector("#stage[data-cells=true]");
+    }, { ...DESK, serviceWorkers: "allow" }, { expectErrors: true });
+  });
+});
+
+describe("for everyone", () => {
+  /** @type {Record<string, (page: Page) => Promise<void>>} */
+  const STATES = {
+    "by hand": async () => {},
+    "touching": async (page) => {
+      await put(page, "joint-0-number", "0.78");
+      await put(page, "joint-1-number", "0");
+    },
+    "from A to B": async (page) => { await page.click("#mode-between"); },
+    "solved": async (page) => {
+      await choose(page, "corner");
+      await page.click("#mode-solve");
+      await page.click("#solve-finish");
+      await page.waitForSelector("#solve:not([data-status=running])", { state: "attached" });
+    },
+    "with stops": async (page) => {
+      await choose(page, "limits");
+      await page.click("#take-fold > summary");
+    },
+  };
+
+  test("axe finds nothing in any state, in light and dark, on a desk and on a phone", async () => {
+    for (const [state, reachIt] of Object.entries(STATES)) {
+      for (const [colorScheme, width] of /** @type {["light" | "dark", number][]} */ ([["light", 1280], ["dark", 1280], ["light", 320], ["dark", 390]])) {
+        await onReach(async (page) => {
+          await reachIt(page);
+          await rest(page);
+          assert.deepEqual(await violations(page), [], `${state}, ${colorScheme}, ${width}`);
+        }, { colorScheme, viewport: { width, height: 860 } });
+      }
+    }
+  });
+
+  test("from 320 to 2560 pixels nothing is cut off, and figures are large enough", async () => {
+    for (const width of [320, 390, 768, 1024, 1280, 1920, 2560]) {
+      await onReach(async (page) => {
+        for (const reachIt of Object.values(STATES)) {
+          await reachIt(page);
+          await rest(page);
+          const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+          assert.equal(over, 0, `${width}`);
+          for (const sheet of await page.locator(".pane:not([hidden]) .sheet").all()) {
+            const box = await sheet.boundingBox();
+            assert.ok(box && box.width >= 200 && box.height >= 200, `${width}: ${JSON.stringify(box)}`);
+          }
+        }
+        const small = await page.evaluate(() => [...document.querySelectorAll("button, select, a, input:not([type=file], [name=scene]), summary")]
+          .filter((element) => element.checkVisibility() && !element.closest(".visually-hidden, .card"))
+          .map((element) => ({ name: element.id || element.textContent || element.className, box: (element.closest("label") ?? element).getBoundingClientRect() }))
+          .filter(({ box }) => box.height < 24 || box.width < 24).map(({ name, box }) => `${name} ${box.width}x${box.height}`));
+        assert.deepEqual(small, [], `${width}`);
+      }, { viewport: { width, height: 900 } });
+    }
+  });
+
+  test("forced colours are honoured", async () => {
+    await onReach(async (page) => {
+      const same = await page.evaluate(() => {
+        const probe = document.createElement("span");
+        probe.style.forcedColorAdjust = "none";
+        document.body.append(probe);
+        const resolved = (/** @type {string} */ colour) => {
+          probe.style.color = colour;
+          return getComputedStyle(probe).color;
+        };
+        return resolved("var(--robot)") === resolved("CanvasText");
+      });
+      assert.ok(same);
+      const { color, backgroundColor, adjust } = await page.locator("#mode-hand").evaluate((button) => {
+        const style = getComputedStyle(button);
+        return { color: style.color, backgroundColor: style.backgroundColor, adjust: style.forcedColorAdjust };
+      });
+      assert.equal(adjust, "none", "no plate under the word of what is chosen");
+      assert.notEqual(color, backgroundColor);
+      assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
+    }, { ...DESK, forcedColors: "active" });
+  });
+
+  test("while the tip is dragged and a run is played the page is never blocked for 50 ms", async (context) => {
+    await onReach(async (page) => {
+      const [x, y] = await windowOf(page, "islands", scenarioOf("islands").endEffector(await poseOf(page)));
+      const worked = await tasks(page, async () => {
+        await page.mouse.move(x, y);
+        await page.mouse.down();
+        for (let i = 0; i < 60; i++) await page.mouse.move(x - 2 * i, y + 60 * Math.sin(i / 6));
+        await page.mouse.up();
+        await rest(page);
+        await page.locator("#link-0").focus();
+        for (let i = 0; i < 10; i++) await page.keyboard.press("ArrowRight");
+        await page.waitForSelector("#stage[data-cells=true]");
+        await page.click("#mode-solve");
+        await page.click("#solve-finish");
+        await page.waitForSelector("#solve:not([data-status=running])", { state: "attached" });
+        await rest(page);
+      });
+      const most = worked.page.reduce((a, b) => Math.max(a, b), 0);
+      context.diagnostic(`${worked.page.length} tasks, most ${most.toFixed(1)} ms`);
+      assert.ok(worked.page.length > 30 && most < 50, `${most} ms`);
+    }, { ...DESK, deviceScaleFactor: 2 });
+  });
+});

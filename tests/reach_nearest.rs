@@ -263,4 +263,16 @@ fn a_run_tells_why_a_target_is_out_of_reach() {
     let (reason, nearest) = why(&limited(&[1.0, 1.0], &[[-0.5, 0.5], [-0.5, 0.5]]), target(1.5, 0.5, Some(2.0)));
     assert!(reason == Reason::Orientation && (nearest.turn - 1.0).abs() < 1e-15);
     assert_eq!(nearest.configuration[..2], [0.5, 0.5]);
+    // Beyond the limits by next to nothing is beyond them.
+    let stiff = limited(&[1.0, 1.0], &[[-0.5, 0.5], [-0.5, 0.5]]);
+    let tip = stiff.end_effector(&[0.5, 0.5]);
+    let (reason, nearest) = why(&stiff, target(tip.x, tip.y, Some(1.0 + 5e-8)));
+    assert!(reason == Reason::Orientation && (nearest.turn - 5e-8).abs() < 1e-15 && nearest.distance < 1e-15);
+    assert_eq!(nearest_reachable(&stiff, target(tip.x, tip.y, Some(1.0))).map(|nearest| nearest.turn), Ok(0.0));
+    let other = limited(&[1.0, 1.0, 1.0], &[[-0.5, 0.5], [0.2, 0.5], [-0.1, 0.3]]);
+    assert!(
+        closed(&other, Target { point: other.end_effector(&[0.5, 0.4, 0.3]), orientation: Some(1.2 + 5e-8) })
+            .is_empty()
+    );
+    assert_eq!(closed(&other, Target { point: other.end_effector(&[0.5, 0.4, 0.3]), orientation: Some(1.2) }).len(), 1);
 }

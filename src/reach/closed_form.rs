@@ -1,11 +1,14 @@
 //! The joint angles of simple arms in closed form: one joint, two joints, three joints with an orientation.
 
-use super::task::Task;
+use super::task::{Deviation, Task};
 use crate::error::{Code, Error};
 use crate::robot::MAX_LINKS;
 
 /// Two solutions whose elbows are no farther apart than this, in radians, are one: the arm is straight or folded.
 const MERGED: f64 = 1e-7;
+
+/// An orientation that is off by no more than this, in radians, is off by rounding.
+const TURNED: f64 = 1e-12;
 
 /// Every configuration that reaches the target, within the limits, as near to `near` as whole turns bring it: none where it is
 /// out of reach, two where the elbow can be on either side (first bent counter-clockwise), one where the arm is straight or
@@ -36,7 +39,8 @@ pub(super) fn closed_form(task: &Task, near: &[f64; MAX_LINKS]) -> Result<Vec<[f
             let last = wanted - q[..count].iter().sum::<f64>();
             q[count] = task.joints.fit(count, last, near[count])?;
         }
-        (task.deviation(&q).error() <= task.finest.max(1e-12 * task.reach)).then_some(q)
+        let Deviation { distance, turn, .. } = task.deviation(&q);
+        (distance <= task.finest && turn <= TURNED).then_some(q)
     };
     Ok(found.iter().filter_map(complete).collect())
 }

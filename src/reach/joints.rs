@@ -99,9 +99,9 @@ impl Joints {
     /// A configuration drawn uniformly: one number a joint.
     pub fn draw(&self, random: &mut Random) -> [f64; MAX_LINKS] {
         let mut q = [0.0; MAX_LINKS];
-        for i in 0..self.count {
+        for (i, angle) in q.iter_mut().enumerate().take(self.count) {
             let [low, high] = self.range(i);
-            q[i] = self.hold(i, low + (high - low) * random.uniform());
+            *angle = self.hold(i, low + (high - low) * random.uniform());
         }
         q
     }

@@ -16,11 +16,14 @@
 //! manipulator"; limits in Haug, Luh, Adkins and Wang 1996, "Numerical algorithms for mapping boundaries of manipulator workspaces".
 
 use super::target::Target;
-use super::task::Task;
+use super::task::{Deviation, Task};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::robot::{Arm, MAX_LINKS};
 use std::f64::consts::PI;
+
+/// An orientation that is off by no more than this, in radians, is off by rounding.
+const TURNED: f64 = 1e-12;
 
 /// How near an arm can come to a target.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,8 +58,7 @@ pub(super) fn nearest(arm: &Arm, task: &Task) -> Nearest {
         None => farthest_turned(task),
     };
     let deviation = task.deviation(&q);
-    let point = arm.end_effector(&q);
-    Nearest { configuration: q, point, distance: deviation.distance, turn: if turn > 0.0 { turn } else { 0.0 } }
+    Nearest { configuration: q, point: arm.end_effector(&q), distance: deviation.distance, turn }
 }
 
 /// Where no configuration has the wanted orientation: all joints at their low limits, or all at their high ones, whichever
@@ -64,8 +66,8 @@ pub(super) fn nearest(arm: &Arm, task: &Task) -> Nearest {
 fn farthest_turned(task: &Task) -> ([f64; MAX_LINKS], f64) {
     let ends = [0, 1].map(|end| {
         let mut q = [0.0; MAX_LINKS];
-        for i in 0..task.joints.count {
-            q[i] = task.joints.range(i)[end] + 0.0;
+        for (i, angle) in q.iter_mut().enumerate().take(task.joints.count) {
+            *angle = task.joints.range(i)[end] + 0.0;
         }
         (q, task.deviation(&q).turn)
     });
@@ -288,8 +290,9 @@ impl<'a> Search<'a> {
             }
         }
         let q = self.task.joints.hold_all(&q);
-        let distance = self.task.deviation(&q).distance;
-        if self.best.is_none_or(|best| distance < best) {
+        let Deviation { distance, turn, .. } = self.task.deviation(&q);
+        // A limit stands for angles a little beyond it, but not where the orientation shows the difference.
+        if turn <= TURNED && self.best.is_none_or(|best| distance < best) {
             (self.best, self.best_q) = (Some(distance), q);
             self.is_done = distance <= self.task.finest;
         }

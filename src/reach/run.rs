@@ -103,7 +103,7 @@ impl Reach {
         let way = match info.id {
             "closed-form" => Way::Listed { solutions: closed_form(&task, &start)?, next: 0 },
             "newton" => iterative(Box::new(Newton)),
-            "gradient-descent" => iterative(Box::new(GradientDescent::default())),
+            "gradient-descent" => iterative(Box::<GradientDescent>::default()),
             _ => iterative(Box::new(DampedLeastSquares::new())),
         };
         let needed = if target.orientation.is_some() { 3 } else { 2 };

@@ -93,10 +93,10 @@ fn dot(a: &[f64; MAX_LINKS], b: &[f64; MAX_LINKS]) -> f64 {
     sum
 }
 
+/// Turns row `a` against row `b`, which comes later.
 fn turn<const N: usize>(rows: &mut [[f64; N]; 3], a: usize, b: usize, cosine: f64, sine: f64) {
-    for i in 0..N {
-        let (x, y) = (rows[a][i], rows[b][i]);
-        rows[a][i] = cosine * x - sine * y;
-        rows[b][i] = sine * x + cosine * y;
+    let (before, after) = rows.split_at_mut(b);
+    for (x, y) in before[a].iter_mut().zip(&mut after[0]) {
+        (*x, *y) = (cosine * *x - sine * *y, sine * *x + cosine * *y);
     }
 }

@@ -106,7 +106,7 @@ await room.open(async () => {
   const link = new Link(room, stateRule, stateOf, show, "these settings, the seed, and how far it has come");
   room.recover = () => void library.default().then(() => restart()).catch((error) => room.fail(error));
   room.onDress(() => { charts.epoch = -1; });
-  await link.obey();
+  await room.await(link.obey());
 
   /** What is new has come. */
   function news() {

@@ -163,7 +163,8 @@ fn draws_lie_in_their_ranges_and_changing_one_range_leaves_the_others_alone() {
     }
     // The first draw never crosses anything.
     let (mut one, mut other) = (begin("", 4), begin("fastest=0.5 spread=0", 4));
-    (one.step(1), other.step(1));
+    one.step(1);
+    other.step(1);
     let (one, other) = (particles(&one)[0], particles(&other)[0]);
     assert_eq!((one.start, one.turn_rate), (other.start, other.turn_rate));
     assert_eq!((one.speed, other.theta), (2.0 * other.speed, 0.0));

@@ -72,12 +72,15 @@ fn main() {
             let closed = if links <= 2 { cell.method("closed-form") } else { String::new() };
             let [newton, damped, gradient] =
                 ["newton", "damped-least-squares", "gradient-descent"].map(|id| cell.method(id));
-            let nearest =
-                cell.time(|arm, _, _, target| drop(nearest_reachable(arm, far(arm, target)).expect("a target")));
-            let apart = cell.time(|arm, _, q, target| drop(follow(arm, q, far(arm, target)).expect("it follows")));
+            let nearest = cell.time(|arm, _, _, target| {
+                nearest_reachable(arm, far(arm, target)).expect("a target");
+            });
+            let apart = cell.time(|arm, _, q, target| {
+                follow(arm, q, far(arm, target)).expect("it follows");
+            });
             let near = cell.time(|arm, _, q, target| {
                 let point = arm.end_effector(q) + Vector::new(0.01 * arm.reach(), 0.0);
-                drop(follow(arm, q, Target { point, ..target }).expect("it follows"));
+                follow(arm, q, Target { point, ..target }).expect("it follows");
             });
             let limits = if has_limits { "yes" } else { "no" };
             println!(

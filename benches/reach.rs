@@ -11,6 +11,7 @@ use planarium::reach::{Reach, ReachOptions, Target, follow, nearest_reachable};
 use planarium::robot::Arm;
 use planarium::run::Status;
 use planarium::scenario::Scenario;
+use std::hint::black_box;
 use std::time::Instant;
 
 /// Targets a cell.
@@ -33,11 +34,11 @@ impl Cell {
     }
 
     /// Median and 99th percentile in microseconds of doing it for each case.
-    fn time(&self, mut work: impl FnMut(&Arm, &Scenario, &[f64], Target)) -> String {
+    fn time(&self, mut work: impl FnMut(&Arm, &Scenario, &[f64], Target) -> f64) -> String {
         let mut times: Vec<f64> = Vec::with_capacity(self.cases.len());
         for (arm, scenario, q, target) in &self.cases {
             let began = Instant::now();
-            work(arm, scenario, q, *target);
+            black_box(work(arm, scenario, q, *target));
             times.push(began.elapsed().as_secs_f64() * 1e6);
         }
         times.sort_by(f64::total_cmp);
@@ -52,6 +53,7 @@ impl Cell {
                 ReachOptions { method: Some(id.to_owned()), start: Some(q.to_vec()), ..ReachOptions::to(target) };
             let mut run = Reach::new(scenario, &options).expect("a run");
             missed += usize::from(run.step(u64::MAX) != Status::Solved);
+            run.error()
         });
         if missed == 0 { time } else { format!("{time} ({missed} missed)") }
     }
@@ -72,15 +74,12 @@ fn main() {
             let closed = if links <= 2 { cell.method("closed-form") } else { String::new() };
             let [newton, damped, gradient] =
                 ["newton", "damped-least-squares", "gradient-descent"].map(|id| cell.method(id));
-            let nearest = cell.time(|arm, _, _, target| {
-                nearest_reachable(arm, far(arm, target)).expect("a target");
-            });
-            let apart = cell.time(|arm, _, q, target| {
-                follow(arm, q, far(arm, target)).expect("it follows");
-            });
+            let nearest =
+                cell.time(|arm, _, _, target| nearest_reachable(arm, far(arm, target)).expect("a target").distance);
+            let apart = cell.time(|arm, _, q, target| follow(arm, q, far(arm, target)).expect("it follows").distance);
             let near = cell.time(|arm, _, q, target| {
                 let point = arm.end_effector(q) + Vector::new(0.01 * arm.reach(), 0.0);
-                follow(arm, q, Target { point, ..target }).expect("it follows");
+                follow(arm, q, Target { point, ..target }).expect("it follows").distance
             });
             let limits = if has_limits { "yes" } else { "no" };
             println!(

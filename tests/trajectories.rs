@@ -4,7 +4,7 @@ use planarium::fleet::{Model, PARAMETERS, Particle, Trajectories, TrajectoryOpti
 use planarium::json::Node;
 use planarium::parameters::{Fallback, Kind, Value};
 use planarium::status::Status;
-use serde_json::{Value as Json, json};
+use serde_json::Value as Json;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const GOLDEN: &str = include_str!("golden-trajectories.json");
@@ -47,7 +47,7 @@ fn every_case_has_its_golden_outcome() {
     assert!(cases.len() >= 10, "both models, with and without the index, crowded and solved");
     #[cfg(not(target_arch = "wasm32"))]
     if std::env::var_os("PLANARIUM_BLESS").is_some() {
-        let bless = |case: &Json| json!({ "options": case["options"], "seed": case["seed"], "outcome": outcome(case) });
+        let bless = |case: &Json| serde_json::json!({ "options": case["options"], "seed": case["seed"], "outcome": outcome(case) });
         let blessed: Vec<Json> = cases.iter().map(bless).collect();
         let text = serde_json::to_string_pretty(&blessed).expect("JSON") + "\n";
         std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden-trajectories.json"), text).expect("written");

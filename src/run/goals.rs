@@ -43,7 +43,7 @@ pub(super) fn goals(scenario: &Scenario, query: &Query, place: usize, seed: u64)
             )
         }
         Verdict::OutOfReach { nearest, .. } => {
-            let [x, y] = [target.point.x, target.point.y].map(Decimal);
+            let [x, y] = [target.point.x, target.point.y].map(readable);
             let [nx, ny] = [nearest.point.x, nearest.point.y].map(readable);
             let [distance, turn] = [nearest.distance, nearest.turn].map(readable);
             let away = if nearest.turn > 0.0 {

@@ -98,7 +98,8 @@ export class Lessons {
       const rest = iteration ?? (page.calm ? Infinity : undefined);
       if (!this.isThere(entry, plans)) await page.openScene(entry, { plans, iteration: rest, play: rest === undefined });
       else if (rest !== undefined) page.studio.tell("seek", rest);
-      else page.studio.tell("play");
+      // Beside an open editor a scene would wait.
+      if (rest === undefined) page.studio.tell("play");
     } catch (error) {
       if (!page.facts) await page.openScene(scenes[0]);
       page.notice.show("What this step speaks of cannot be shown.", error);

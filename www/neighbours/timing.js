@@ -38,6 +38,8 @@ export class Timing {
     this.measured = [];
     /** What was measured: other settings are another measurement. */
     this.what = "";
+    /** Was there no time for all of it? */
+    this.isCut = false;
     this.element = byId("timing", HTMLElement);
     this.button = make("button", { type: "button", id: "measure", className: "primary" }, "Measure");
     this.told = make("p", { className: "hint", id: "measured" });
@@ -71,7 +73,11 @@ export class Timing {
     const { desk } = this;
     const { metric } = desk.given;
     const what = `${desk.entry.title.toLowerCase()}, k = ${desk.k}${metric ? `, ${metric} metric` : ""}`;
-    this.told.textContent = this.measured.length > 0 && this.what !== this.key
+    const goesOn = this.isCut && this.what === this.key;
+    this.button.textContent = goesOn ? "Measure the rest" : "Measure";
+    const last = this.measured.at(-1)?.n ?? 0;
+    if (goesOn) this.told.textContent = `Stopped after ${MOST / 1000} s, at ${grouped(last)} configurations: this machine is slow, or has other things to do. The rest takes as long as it takes.`;
+    else this.told.textContent = this.measured.length > 0 && this.what !== this.key
       ? `What stands here was measured with other settings; measure again for ${what}.`
       : `Up to 100,000 configurations drawn for this: ${what}. Each time is the middle of several batches, the call from JavaScript included.`;
   }
@@ -79,15 +85,19 @@ export class Timing {
   async run() {
     const { desk } = this;
     const { room, asker } = desk;
-    this.measured = [];
+    const most = this.isCut && this.what === this.key ? Infinity : MOST;
+    const kinds = Object.keys(SHORT).length;
+    const isWhole = (/** @type {number} */ n) => this.measured.filter((one) => one.n === n).length === kinds;
+    this.measured = most === MOST ? [] : this.measured.filter(({ n }) => isWhole(n));
     this.what = this.key;
+    this.isCut = false;
     this.put("running");
     const began = performance.now();
     await room.await(asker.ask("begin", desk.document, desk.k, desk.given));
-    for (const n of SIZES) {
-      const left = MOST - (performance.now() - began);
-      if (left <= 0) break;
-      const some = await room.await(asker.ask("measure", n, left));
+    for (const n of SIZES.filter((size) => !isWhole(size))) {
+      const left = most - (performance.now() - began);
+      const some = left > 0 ? await room.await(asker.ask("measure", n, left)) : null;
+      this.isCut = !some || some.length < kinds;
       if (!some || some.length === 0) break;
       this.measured.push(...some);
       this.show();
@@ -131,5 +141,6 @@ export class Timing {
 function duration(seconds) {
   if (seconds >= 1) return `${seconds.toFixed(2)} s`;
   if (seconds >= 1e-3) return `${(1e3 * seconds).toPrecision(3)} ms`;
-  return `${(1e6 * seconds).toPrecision(3)} \u00b5s`;
+  const micro = 1e6 * seconds;
+  return `${micro === 0 || micro >= 99.95 ? Math.round(micro) : micro.toPrecision(3)} \u00b5s`;
 }

@@ -25,8 +25,9 @@ export function solvingSentence(bench, search, verdict, { title, wanted }) {
   switch (verdict?.verdict) {
     case "out-of-reach": {
       const { reason, nearest } = verdict;
-      const near = nearest ? ` The nearest point is ${pointText(nearest.point)}, ${num(nearest.distance)} m away.` : "";
-      return { text: `${pointText(bench.target)} is out of reach: ${REASONS[reason ?? "too-far"]}.${near}`, isBad: false };
+      const digits = nearest && nearest.distance < 0.005 ? 6 : 2;
+      const near = nearest ? ` The nearest point is ${pointText(nearest.point, digits)}, ${num(nearest.distance, digits)} m away.` : "";
+      return { text: `${pointText(bench.target, digits)} is out of reach: ${REASONS[reason ?? "too-far"]}.${near}`, isBad: false };
     }
     case "in-collision": {
       const { touching } = verdict;

@@ -11,7 +11,7 @@ export function num(value, digits = 2) {
 }
 
 /** @param {ArrayLike<number>} point */
-export function pointText(point) { return `(${num(point[0])}, ${num(point[1])})`; }
+export function pointText(point, digits = 2) { return `(${num(point[0], digits)}, ${num(point[1], digits)})`; }
 
 /** What touches what, or nothing. @param {Bench} bench */
 export function touchingText({ arm: { scenario, check } }) {

@@ -391,6 +391,7 @@ export class Editor {
     if (!this.on) return "";
     if (this.reason) return this.reason;
     if (clock.now > 0 || clock.playing) return "";
+    if (touching && this.shown.target) return touching;
     return touching ? `${touching} Move it free to plan.` : HINTS[this.tool];
   }
 

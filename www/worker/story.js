@@ -21,7 +21,7 @@ const OPENING = 60;
 export function going(run, scene) {
   const { phase } = run;
   const free = run.isProven ? "proven free" : "free in the places looked at";
-  const sought = `The ${robotName(run.scenario.robot)} seeks a way from start to goal`;
+  const sought = `The ${robotName(run.scenario.robot)} seeks a way from start to ${run.goals.length > 1 ? "any pose at the crosshair" : "goal"}`;
   const begins = run.shown < OPENING;
   if (phase === "improving") return `A path is found; now it is made shorter, by motions ${free}.`;
   if (phase === "sampling") return `${sought}: each point is a pose that touches nothing.`;

@@ -295,6 +295,32 @@ fn the_approximate_index_finds_most_of_the_nearest_and_more_if_it_looks_at_more(
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn a_forest_stays_flat_whatever_order_states_come_in() {
+    let space = MotionSpace::new(Torus::<4>::of_box(&[0.0, 0.0], &[1.0, 1.0]));
+    let n = native(20_000);
+    let parameters = ForestParameters { trees: 2, leaf: 8, candidates: n };
+    let line = |i: usize| [i as f64 / n as f64, 0.5];
+    let orders: [(&str, &dyn Fn(usize) -> [f64; 2]); 4] = [
+        ("on a line", &line),
+        ("on a line, backwards", &|i| line(n - 1 - i)),
+        ("a lattice, row by row", &|i| [(i / 128) as f64 / 160.0, (i % 128) as f64 / 128.0]),
+        ("the same, but for a few", &|i| if i % 97 == 0 { line(i) } else { [0.25, 0.25] }),
+    ];
+    for (what, place) in orders {
+        let mut forest = Forest::new(parameters, 3);
+        let states: Vec<_> = (0..n).map(|i| space.state(&place(i))).collect();
+        (0..).zip(&states).for_each(|(i, &state)| forest.insert(&space, VertexId(i), state));
+        // Twice as deep as it has to be, and a few.
+        let most = 18.0 + 2.0 * libm::log2(n as f64 / 8.0);
+        assert!(forest.depth() as f64 <= most, "{what}: {} of {most}", forest.depth());
+        // All of them are still there.
+        let (from, mut found) = (space.state(&[0.3, 0.4]), Vec::new());
+        assert_eq!(forest.k_nearest(&space, &from, n, &mut found), n, "{what}");
+        same(&found, &truth(&space, &states, &from), what);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn a_forest_of_equal_states_grows_and_the_same_key_grows_the_same_forest() {
     let space = Torus::<4>::new(&[Joint::Circle; 4], Metric::Sum);
     let parameters = ForestParameters { trees: 3, leaf: 2, candidates: 50 };

@@ -244,6 +244,50 @@ fn what_a_configuration_reaches_is_never_out_of_reach() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn closed_forms_find_what_folded_arms_and_bounds_allow() {
+    let reaches = |arm: &Arm, q: &[f64], is_oriented: bool| {
+        let goal = Target { point: arm.end_effector(q), orientation: is_oriented.then(|| orientation(q)) };
+        let found = closed(arm, goal);
+        let q = found.first().unwrap_or_else(|| panic!("{arm:?} {goal:?}"));
+        let [distance, turn] = deviation(arm, q, &goal);
+        assert!(distance <= 1e-9 && turn <= 1e-9, "{distance:e}, {turn:e}");
+        assert!(arm.joint_limits().is_none_or(|limits| limits.iter().zip(q).all(|([a, b], q)| a <= q && q <= b)));
+    };
+    // Two links folded back to the base, up to rounding: any first angle brings the wrist there, few bring the last link along.
+    reaches(&limited(&[1.0; 3], &[[1.0, 8.0], [PI / 2.0, PI], [PI / 2.0, PI]]), &[0.75 * PI, PI, PI], true);
+    reaches(&limited(&[0.5, 0.5, 2.0], &[[1.0, 8.0], [PI, 3.2], [0.5, 1.0]]), &[1.3, PI, 0.25 * PI], true);
+    reaches(&limited(&[1.0, 1.0], &[[-1.0, 0.5], [-PI, PI]]), &[0.5, PI], false);
+    // Off by a little where the last joint is held at its limit, exact where the first stands differently.
+    let narrow = limited(&[1.1; 3], &[[-7.0, -6.0], [-1e-9, 1e-9], [-3.2, -PI]]);
+    reaches(&narrow, &[-6.0, 1e-9, -PI], true);
+    reaches(&narrow, &[-6.0, -1e-9, -PI], true);
+    // Nearly one length.
+    reaches(&free(&[1.0, 1.0 + 1e-13]), &[0.3, PI], false);
+    // Rounding of coordinates far from the origin is no reason to give up.
+    let far =
+        |links: &[f64]| Arm::new(Point::new(-1e5, 7.7), links.to_vec(), 0.0, Some(vec![[-0.1, 0.1]; links.len()]));
+    reaches(&far(&[1e-6]).expect("an arm"), &[-0.1], false);
+    reaches(&far(&[1.0, 1.0]).expect("an arm"), &[0.1, -0.0], false);
+    // Within the tolerance, on the outer side of the rim.
+    let goal = target(1.4142135624, 1.4142135624, None);
+    assert_eq!(closed(&free(&[1.0, 1.0]), goal).len(), 1);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn an_orientation_just_beyond_the_limits_is_out_of_reach() {
+    let arm = limited(&[1.0, 1.0], &[[0.0, 0.1]; 2]);
+    for beyond in [1e-6, 5e-8, 2e-9] {
+        let goal = Target { point: arm.end_effector(&[0.1, 0.1]), orientation: Some(0.2 + beyond) };
+        let nearest = nearest_reachable(&arm, goal).expect("a target");
+        assert!((nearest.turn - beyond).abs() < 1e-11, "{beyond}: {nearest:?}");
+        let mut run = Reach::new(&scenario(&arm, ""), &ReachOptions::to(goal)).expect("a run");
+        run.step(u64::MAX);
+        let verdict = run.explain();
+        assert!(matches!(verdict, Verdict::OutOfReach { reason: Reason::Orientation, .. }), "{beyond}: {verdict:?}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn a_run_tells_why_a_target_is_out_of_reach() {
     let why = |arm: &Arm, goal: Target| {
         let mut run = Reach::new(&scenario(arm, ""), &ReachOptions::to(goal)).expect("a run");

@@ -182,3 +182,55 @@ fn a_kept_roadmap_is_asked_for_a_target() {
         assert!(is_valid(&world, again.as_ref()));
     }
 }
+
+/// Whether the path of a world's solved run is accepted where its target is another one.
+fn is_accepted_for(world: &Scenario, target: &str) -> bool {
+    let run = finish(begin_with(world, "rrt-connect", 1, ""));
+    assert!(is_valid(world, run.as_ref()), "{:?}", verify(world, &run.result()));
+    let text = world.to_json_string();
+    let from = text.find(r#""target":"#).expect("a target");
+    let to = from + text[from..].find('}').expect("its end") + 1;
+    is_valid(&parse(&format!("{}\"target\":{target}{}", &text[..from], &text[to..])), run.as_ref())
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_end_of_a_path_is_judged_by_the_size_of_the_arm() {
+    let arm = |base: f64, links: &str, target: &str| {
+        parse(&format!(
+            r#"{{ "format": "planarium-scenario-1", "name": "small", "world": {{ "obstacles": [] }},
+                "robot": {{ "type": "arm", "base": [{base:?}, 0], "links": {links} }},
+                "queries": [ {{ "name": "q", "start": [0.1, 0.1, 0.1], "target": {target} }} ] }}"#
+        ))
+    };
+    // An arm of a third of a micrometre.
+    let links = "[1e-7, 1e-7, 1e-7]";
+    let small = arm(0.0, links, r#"{"point": [0.0, 2e-7]}"#);
+    assert!(!is_accepted_for(&small, r#"{"point": [0.0, 2.01e-7]}"#), "a nanometre is much for it");
+    let error = start(&arm(0.0, links, r#"{"point": [0.0, 3.005e-7]}"#), &options("rrt-connect", 1, ""));
+    assert_eq!(error.err().map(|error| error.code().as_str()), Some("target-unreachable"));
+    // Far from the origin a millionth of a metre is rounding, a ten thousandth is not.
+    let far = arm(1e6 - 8.0, "[1, 1, 1]", r#"{"point": [999994, 0.5]}"#);
+    assert!(!is_accepted_for(&far, r#"{"point": [999994, 0.5001]}"#));
+    // Whole turns of an orientation are nothing, a ten thousandth of a radian on top of many is something.
+    let turned = |more: f64| format!(r#"{{"point": [1.5, 0.5], "orientation": {:?}}}"#, 0.25 + more);
+    let wound = arm(0.0, "[1, 1, 1]", &turned(150_000.0 * std::f64::consts::TAU));
+    assert!(is_accepted_for(&wound, &turned(-7.0 * std::f64::consts::TAU)));
+    assert!(!is_accepted_for(&wound, &turned(150_000.0 * std::f64::consts::TAU + 1e-4)));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn joints_that_can_hardly_move_keep_no_target_out_of_reach() {
+    // The third joint has a range of two billionths of a radian: random starts led nowhere.
+    let world = parse(
+        r#"{ "format": "planarium-scenario-1", "name": "stiff", "world": { "obstacles": [] },
+            "robot": { "type": "arm", "base": [0, 0], "links": [1, 0.5, 1, 2],
+                "joint_limits": [[-1.0471975511965976, 0.5235987755982988], [0.5, 1], [-1e-9, 1e-9], [0, 9.42477796076938]] },
+            "queries": [ { "name": "q", "start": [0, 0.75, 0, 1], "goal": [0.5235987755982988, 1, 1e-9, 7.592182246175334] } ] }"#,
+    );
+    let tip = Inspector::new(&world).end_effector(world.queries()[0].configuration().unwrap()).unwrap();
+    let world = reaching(&world, &format!(r#"{{"point": [{:?}, {:?}]}}"#, tip.x, tip.y));
+    for seed in 0..seeds(10) {
+        let run = finish(begin_with(&world, "rrt-connect", seed, ""));
+        assert!(is_valid(&world, run.as_ref()), "seed {seed}");
+    }
+}

@@ -16,6 +16,9 @@ use crate::space::Space;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+/// So much deeper than twice the least depth a tree may be before it is evened out. Random states are far from that.
+const SPARE_DEPTH: usize = 16;
+
 /// How a forest is made and asked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ForestParameters {
@@ -50,7 +53,9 @@ enum Node {
     Leaf(Vec<u32>),
 }
 
-/// A forest that grows. Insertion costs O(trees log n), a query O(candidates + trees log n). The states, and for each its
+/// A forest that grows. Insertion mostly costs O(trees log n), a query O(candidates + trees log n). States that come in order, or the same
+/// again and again, would make a tree deep and slow: a subtree too deep for what it holds is built anew (Galperin and Rivest 1993,
+/// "Scapegoat trees"), which costs O(trees log^2 n) an insertion on average. The states, and for each its
 /// embedding and about trees (4 + 8 embedded dimension / leaf) bytes.
 #[derive(Debug, Clone)]
 pub struct Forest<S: Space> {
@@ -64,6 +69,8 @@ pub struct Forest<S: Space> {
     points: Vec<f64>,
     /// The first node of each is its root.
     trees: Vec<Vec<Node>>,
+    /// Of each tree the nodes that are out of use.
+    spare: Vec<Vec<u32>>,
 }
 
 impl<S: Space> Forest<S> {
@@ -75,7 +82,8 @@ impl<S: Space> Forest<S> {
     pub fn new(parameters: ForestParameters, key: u64) -> Self {
         assert!(parameters.trees >= 1 && parameters.leaf >= 2, "a forest has a tree, and leaves of two, at least");
         let trees = vec![vec![Node::Leaf(Vec::new())]; parameters.trees];
-        Self { parameters, key, draws: 0, vertices: Vec::new(), states: Vec::new(), points: Vec::new(), trees }
+        let spare = vec![Vec::new(); parameters.trees];
+        Self { parameters, key, draws: 0, vertices: Vec::new(), states: Vec::new(), points: Vec::new(), trees, spare }
     }
 
     /// A number below `n`: the next of the sequence SplitMix64 (Steele, Lea and Flood 2014, "Fast splittable pseudorandom
@@ -95,8 +103,8 @@ impl<S: Space> Forest<S> {
         &self.points[member as usize * width..][..width]
     }
 
-    /// Halves a leaf of one tree.
-    fn split(&mut self, tree: usize, node: usize, mut members: Vec<u32>) {
+    /// Halves a leaf of one tree; answers its children.
+    fn split(&mut self, tree: usize, node: usize, mut members: Vec<u32>) -> [u32; 2] {
         let pair = [0; 2].map(|_| members[self.draw(members.len())]);
         let [a, b] = pair.map(|member| self.point(member));
         let direction: Vec<f64> = a.iter().zip(b).map(|(a, b)| b - a).collect();
@@ -111,10 +119,81 @@ impl<S: Space> Forest<S> {
         let threshold = projections[order[middle] as usize];
         members = order.iter().map(|&at| members[at as usize]).collect();
         let second = members.split_off(middle);
+        let children = [members, second].map(|members| self.leaf(tree, members));
+        self.trees[tree][node] = Node::Branch { direction, threshold, children };
+        children
+    }
+
+    /// A new leaf of one tree.
+    fn leaf(&mut self, tree: usize, members: Vec<u32>) -> u32 {
         let nodes = &mut self.trees[tree];
-        let children = [nodes.len() as u32, nodes.len() as u32 + 1];
-        nodes[node] = Node::Branch { direction, threshold, children };
-        nodes.extend([Node::Leaf(members), Node::Leaf(second)]);
+        if let Some(node) = self.spare[tree].pop() {
+            nodes[node as usize] = Node::Leaf(members);
+            return node;
+        }
+        nodes.push(Node::Leaf(members));
+        nodes.len() as u32 - 1
+    }
+
+    /// How many nodes may lie one above the other where there are so many states: more than twice as many as there need to be.
+    fn deepest(&self, states: usize) -> usize {
+        let leaves = states as f64 / self.parameters.leaf as f64;
+        SPARE_DEPTH + libm::ceil(2.0 * libm::log2(leaves.max(1.0))) as usize
+    }
+
+    /// Builds anew the lowest subtree on the way from the root to a leaf that is deeper than it may be. The whole way is.
+    fn even_out(&mut self, tree: usize, way: &[u32]) {
+        let (mut members, mut free) = (Vec::new(), Vec::new());
+        for (depth, &top) in (1..).zip(way.iter().rev()) {
+            let mut open = vec![top];
+            while let Some(node) = open.pop() {
+                // The subtree before, further down, is empty by now.
+                match std::mem::replace(&mut self.trees[tree][node as usize], Node::Leaf(Vec::new())) {
+                    Node::Leaf(mut some) => members.append(&mut some),
+                    Node::Branch { children, .. } => open.extend(children),
+                }
+                if node != top {
+                    free.push(node);
+                }
+            }
+            if depth > self.deepest(members.len()) {
+                self.spare[tree].append(&mut free);
+                sort(&mut members, &|a, b| a.cmp(&b));
+                return self.build(tree, top, members);
+            }
+        }
+    }
+
+    /// Halves a leaf of these members again and again.
+    fn build(&mut self, tree: usize, leaf: u32, members: Vec<u32>) {
+        let mut open = vec![(leaf, members)];
+        while let Some((leaf, members)) = open.pop() {
+            if members.len() <= self.parameters.leaf {
+                self.trees[tree][leaf as usize] = Node::Leaf(members);
+                continue;
+            }
+            for child in self.split(tree, leaf as usize, members) {
+                if let Node::Leaf(members) = &mut self.trees[tree][child as usize] {
+                    open.push((child, std::mem::take(members)));
+                }
+            }
+        }
+    }
+
+    /// How many nodes lie one above the other at most, the leaf included: O(log n), in whatever order states come and however
+    /// many of them are the same. Takes O(nodes).
+    pub fn depth(&self) -> usize {
+        let mut deepest = 0;
+        for nodes in &self.trees {
+            let mut open = vec![(0, 1)];
+            while let Some((node, depth)) = open.pop() {
+                deepest = deepest.max(depth);
+                if let Node::Branch { children, .. } = &nodes[node as usize] {
+                    open.extend(children.map(|child| (child, depth + 1)));
+                }
+            }
+        }
+        deepest
     }
 
     /// Offers the states of leaves, nearest planes first, until there were `enough`. Answers how many there were.
@@ -171,11 +250,16 @@ impl<S: Space> Nearest<S> for Forest<S> {
         self.states.push(state);
         let point = embedded(space, &state);
         self.points.extend_from_slice(&point);
+        let mut way = Vec::new();
         for tree in 0..self.trees.len() {
             let nodes = &mut self.trees[tree];
             let mut node = 0;
+            way.clear();
+            way.push(0);
             while let Node::Branch { direction, threshold, children } = &nodes[node] {
-                node = children[usize::from(projection(direction, &point) >= *threshold)] as usize;
+                let child = children[usize::from(projection(direction, &point) >= *threshold)];
+                way.push(child);
+                node = child as usize;
             }
             if let Node::Leaf(members) = &mut nodes[node] {
                 members.push(place);
@@ -183,6 +267,9 @@ impl<S: Space> Nearest<S> for Forest<S> {
                     let members = std::mem::take(members);
                     self.split(tree, node, members);
                 }
+            }
+            if way.len() > self.deepest(self.states.len()) {
+                self.even_out(tree, &way);
             }
         }
     }

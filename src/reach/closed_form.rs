@@ -1,24 +1,28 @@
 //! The joint angles of simple arms in closed form: one joint, two joints, three joints with an orientation.
 
-use super::task::{Deviation, Task};
+use super::nearest::nearest_configuration;
+use super::task::Task;
 use crate::error::{Code, Error};
 use crate::robot::MAX_LINKS;
 
 /// Two solutions whose elbows are no farther apart than this, in radians, are one: the arm is straight or folded.
 const MERGED: f64 = 1e-7;
 
-/// An orientation that is off by no more than this, in radians, is off by rounding.
-const TURNED: f64 = 1e-12;
-
 /// Every configuration that reaches the target, within the limits, as near to `near` as whole turns bring it: none where it is
 /// out of reach, two where the elbow can be on either side (first bent counter-clockwise), one where the arm is straight or
 /// folded. Where two links of one length fold back to the base, any first angle does, and that of `near` is taken. With an
-/// orientation the last link is where it must be, and the others reach for its joint. The error is below 1e-12 of the reach
-/// and the base's coordinates. O(1).
+/// orientation the last link is where it must be, and the others reach for its joint. No error is above `tolerance`, in metres and
+/// radians; of targets that can be reached exactly it is below 1e-12 of the reach and the base's coordinates. Where the limits
+/// leave none of these, the exact search has the last word: near folded arms the first angle follows from rounding alone, and
+/// another one may do. O(1).
 ///
 /// # Errors
 /// `unsupported`, pointer `/method`, for arms of more joints than that.
-pub(super) fn closed_form(task: &Task, near: &[f64; MAX_LINKS]) -> Result<Vec<[f64; MAX_LINKS]>, Error> {
+pub(super) fn closed_form(
+    task: &Task,
+    near: &[f64; MAX_LINKS],
+    tolerance: f64,
+) -> Result<Vec<[f64; MAX_LINKS]>, Error> {
     let (wrist, count) = task.wrist();
     let mut found = Vec::new();
     match count {
@@ -39,10 +43,19 @@ pub(super) fn closed_form(task: &Task, near: &[f64; MAX_LINKS]) -> Result<Vec<[f
             let last = wanted - q[..count].iter().sum::<f64>();
             q[count] = task.joints.fit(count, last, near[count])?;
         }
-        let Deviation { distance, turn, .. } = task.deviation(&q);
-        (distance <= task.finest && turn <= TURNED).then_some(q)
+        (task.deviation(&q).error() <= tolerance).then_some(q)
     };
-    Ok(found.iter().filter_map(complete).collect())
+    let mut solutions: Vec<_> = found.iter().filter_map(complete).collect();
+    if solutions.is_empty() {
+        let mut q = nearest_configuration(task);
+        if task.deviation(&q).error() <= tolerance {
+            for i in 0..task.joints.count {
+                q[i] = task.joints.fit(i, q[i], near[i]).unwrap_or(q[i]);
+            }
+            solutions.push(q);
+        }
+    }
+    Ok(solutions)
 }
 
 /// Both pairs of angles of two links that reach for a point at the distance r, by Heron's formula in factors: nothing cancels

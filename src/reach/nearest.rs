@@ -16,14 +16,14 @@
 //! manipulator"; limits in Haug, Luh, Adkins and Wang 1996, "Numerical algorithms for mapping boundaries of manipulator workspaces".
 
 use super::target::Target;
-use super::task::{Deviation, Task};
+use super::task::Task;
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::robot::{Arm, MAX_LINKS};
 use std::f64::consts::PI;
 
-/// An orientation that is off by no more than this, in radians, is off by rounding.
-const TURNED: f64 = 1e-12;
+/// Turns of the last link up to this, in radians, are rounding: of sums of eight angles up to 100.
+const SAME: f64 = 1e-11;
 
 /// How near an arm can come to a target.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,19 +51,22 @@ pub fn nearest_reachable(arm: &Arm, target: Target) -> Result<Nearest, Error> {
 
 /// The same for a task of that arm.
 pub(super) fn nearest(arm: &Arm, task: &Task) -> Nearest {
-    let mut search = Search::new(task);
-    search.all();
-    let (q, turn) = match search.best {
-        Some(_) => (search.best_q, 0.0),
-        None => farthest_turned(task),
-    };
+    let q = nearest_configuration(task);
     let deviation = task.deviation(&q);
+    let turn = if deviation.turn > SAME { deviation.turn } else { 0.0 };
     Nearest { configuration: q, point: arm.end_effector(&q), distance: deviation.distance, turn }
 }
 
+/// The configuration alone.
+pub(super) fn nearest_configuration(task: &Task) -> [f64; MAX_LINKS] {
+    let mut search = Search::new(task);
+    search.all();
+    if search.best.is_some() { search.best_q } else { farthest_turned(task) }
+}
+
 /// Where no configuration has the wanted orientation: all joints at their low limits, or all at their high ones, whichever
-/// turns the last link nearer to it; and how far it then is from it.
-fn farthest_turned(task: &Task) -> ([f64; MAX_LINKS], f64) {
+/// turns the last link nearer to it.
+fn farthest_turned(task: &Task) -> [f64; MAX_LINKS] {
     let ends = [0, 1].map(|end| {
         let mut q = [0.0; MAX_LINKS];
         for (i, angle) in q.iter_mut().enumerate().take(task.joints.count) {
@@ -71,7 +74,7 @@ fn farthest_turned(task: &Task) -> ([f64; MAX_LINKS], f64) {
         }
         (q, task.deviation(&q).turn)
     });
-    if ends[1].1 < ends[0].1 { ends[1] } else { ends[0] }
+    if ends[1].1 < ends[0].1 { ends[1].0 } else { ends[0].0 }
 }
 
 /// What is done with a line of joints once it reaches the tip.
@@ -106,6 +109,7 @@ struct Search<'a> {
     point: [f64; 2],
     /// The joint after the first `count`, and the absolute angle that its link must have.
     last: Option<(usize, f64)>,
+    /// How far the best is off: metres, and radians times the reach.
     best: Option<f64>,
     best_q: [f64; MAX_LINKS],
     is_done: bool,
@@ -290,11 +294,13 @@ impl<'a> Search<'a> {
             }
         }
         let q = self.task.joints.hold_all(&q);
-        let Deviation { distance, turn, .. } = self.task.deviation(&q);
-        // A limit stands for angles a little beyond it, but not where the orientation shows the difference.
-        if turn <= TURNED && self.best.is_none_or(|best| distance < best) {
-            (self.best, self.best_q) = (Some(distance), q);
-            self.is_done = distance <= self.task.finest;
+        // An angle held at its limit may be off by a little: so configurations of the very orientation come first.
+        let deviation = self.task.deviation(&q);
+        let turn = if deviation.turn > SAME { deviation.turn } else { 0.0 };
+        let error = deviation.distance + self.task.reach * turn;
+        if self.best.is_none_or(|best| error < best) {
+            (self.best, self.best_q) = (Some(error), q);
+            self.is_done = error <= self.task.finest;
         }
     }
 }

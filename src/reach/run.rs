@@ -100,8 +100,9 @@ impl Reach {
         };
         let iterative =
             |method: Box<dyn Method>| Way::Iterative { method, random: Random::new(options.seed, Stream::Starts) };
+        let tolerance = parameters.number("tolerance").unwrap_or_default().max(task.finest);
         let way = match info.id {
-            "closed-form" => Way::Listed { solutions: closed_form(&task, &start)?, next: 0 },
+            "closed-form" => Way::Listed { solutions: closed_form(&task, &start, tolerance)?, next: 0 },
             "newton" => iterative(Box::new(Newton)),
             "gradient-descent" => iterative(Box::<GradientDescent>::default()),
             _ => iterative(Box::new(DampedLeastSquares::new())),
@@ -121,7 +122,7 @@ impl Reach {
             seed: options.seed,
             way,
             validity,
-            tolerance: number("tolerance").unwrap_or_default().max(task.finest),
+            tolerance,
             separation: number("separation").unwrap_or(separation),
             max_iterations: parameters.integer("max_iterations"),
             max_restarts: if parameters.has("restarts") { parameters.integer("restarts") } else { 0 },

@@ -3,7 +3,7 @@
 use crate::decimal::Decimal;
 use crate::error::{Code, Error};
 use crate::parameters::Value;
-use crate::reach::{Reach, ReachOptions, Verdict};
+use crate::reach::{Reach, ReachOptions, Verdict, arm_of, nearest_reachable};
 use crate::robot::Target;
 use crate::scenario::{Goal, Query, Robot, Scenario};
 use crate::validity::Contact;
@@ -11,11 +11,16 @@ use crate::validity::Contact;
 /// How many configurations that reach a target are goals at most: more than there are ways round for an arm of few joints.
 const MOST: f64 = 8.0;
 
+/// How far the end effector may be from the target in the end: a billionth of a metre, or less for an arm of less than a
+/// millimetre, a millionth of its reach, but nothing finer than the first number.
+const TOLERANCE: [f64; 3] = [1e-12, 1e-9, 1e-6];
+
 /// How many iterations of inverse kinematics are spent on them at most: some milliseconds.
 const ITERATIONS: f64 = 4000.0;
 
 /// The goal of the query; of a query with a target distinct free configurations that reach it, one at least: all there are
-/// where the arm has a closed form, else those that damped least squares find from the start and from starts that the seed decides.
+/// where the arm has a closed form, else those that damped least squares find from the start and from starts that the seed decides;
+/// where they find none, the one that the exact search for the nearest point knows.
 ///
 /// # Errors
 /// `target-unreachable` where none was found, naming the nearest point; `goal-in-collision` where only such were found that
@@ -28,8 +33,16 @@ pub(super) fn goals(scenario: &Scenario, query: &Query, place: usize, seed: u64)
     };
     let pointer = format!("/queries/{place}/target");
     let at_target = |error: Error| Error::new(error.code(), pointer.as_str(), error.message());
-    let mut reach = Reach::new(scenario, &options(scenario, query, target, seed)).map_err(at_target)?;
+    let mut wanted = options(scenario, query, target, seed);
+    let mut reach = Reach::new(scenario, &wanted).map_err(at_target)?;
     reach.step(u64::MAX);
+    if reach.explain() == Verdict::NotFound {
+        // Joints that can hardly move are hard to search, but the exact search knows a configuration.
+        let nearest = nearest_reachable(arm_of(scenario)?, target).map_err(at_target)?;
+        wanted.start = Some(nearest.configuration[..reach.dimension()].to_vec());
+        reach = Reach::new(scenario, &wanted).map_err(at_target)?;
+        reach.step(u64::MAX);
+    }
     let dimension = reach.dimension();
     if !reach.solutions().is_empty() {
         return Ok(reach.solutions().iter().map(|q| q[..dimension].to_vec()).collect());
@@ -74,10 +87,13 @@ fn readable(value: f64) -> Decimal {
 
 /// What inverse kinematics is asked.
 fn options(scenario: &Scenario, query: &Query, target: Target, seed: u64) -> ReachOptions {
-    let joints = if let Robot::Arm(arm) = scenario.robot() { arm.links().len() } else { 0 };
+    let (joints, reach) =
+        if let Robot::Arm(arm) = scenario.robot() { (arm.links().len(), arm.reach()) } else { (0, 1.0) };
     let has_closed_form = joints <= 2 + usize::from(target.orientation.is_some());
     let method = if has_closed_form { "closed-form" } else { "damped-least-squares" };
+    let [finest, tolerance, part] = TOLERANCE;
     let parameters = [
+        ("tolerance", Value::Number(tolerance.min(part * reach).max(finest))),
         ("solutions", Value::Number(MOST)),
         ("max_iterations", Value::Number(ITERATIONS)),
         ("free_only", Value::Boolean(true)),

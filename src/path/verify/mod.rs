@@ -34,6 +34,12 @@ use std::f64::consts::{PI, TAU};
 /// How near the first and the last waypoint must be to the start and the goal, in radians or metres a coordinate.
 const REACHED: f64 = 1e-9;
 
+/// How near the end effector must be to its target, as a part of the arm's reach, where that is less than [`REACHED`]; and what
+/// rounding takes of that at most, as a part of all lengths, and of many turns of a wanted orientation.
+const AIMED: f64 = 1e-6;
+const ROUNDED: f64 = 2e-12;
+const TURNED: f64 = 1e-15;
+
 /// How far from half a turn a step of a circle joint must stay, in radians: nearer, the short way round is ambiguous.
 const AMBIGUOUS: f64 = 1e-9;
 
@@ -189,14 +195,16 @@ fn check_target(robot: &Robot, target: &Target, last: &[f64]) -> Result<(), Stri
     }
     let (to_x, to_y) = (target.point.x, target.point.y);
     let left = ((x - to_x) * (x - to_x) + (y - to_y) * (y - to_y)).sqrt();
-    let scale = reach + to_x.abs().max(to_y.abs()).max(1.0);
-    if left > REACHED * scale {
+    let scale = reach + to_x.abs().max(to_y.abs());
+    // A small arm, or one far from the origin, has to be as near for its size as others are.
+    let allowed = (REACHED * scale.max(1.0)).min(AIMED * reach).max(ROUNDED * scale.max(1.0));
+    if left > allowed {
         return Err(format!("the path ends with the end effector at ({x}, {y}), {left} m from the target"));
     }
     if let Some(wanted) = target.orientation {
         let turn = angle - wanted;
         let off = turn - TAU * libm::rint(turn / TAU);
-        if off.abs() > REACHED * (1.0 + wanted.abs()) {
+        if off.abs() > REACHED + TURNED * wanted.abs() {
             return Err(format!("the path ends with the last link at {angle} rad, not at {wanted}"));
         }
     }

@@ -261,6 +261,7 @@ fn closed_forms_find_what_folded_arms_and_bounds_allow() {
     let narrow = limited(&[1.1; 3], &[[-7.0, -6.0], [-1e-9, 1e-9], [-3.2, -PI]]);
     reaches(&narrow, &[-6.0, 1e-9, -PI], true);
     reaches(&narrow, &[-6.0, -1e-9, -PI], true);
+    reaches(&limited(&[1e-6; 3], &[[3.1, PI], [-1e-9, 1e-9], [PI / 2.0, PI]]), &[PI, 1e-9, PI], true);
     // Nearly one length.
     reaches(&free(&[1.0, 1.0 + 1e-13]), &[0.3, PI], false);
     // Rounding of coordinates far from the origin is no reason to give up.
@@ -276,6 +277,12 @@ fn closed_forms_find_what_folded_arms_and_bounds_allow() {
 #[wasm_bindgen_test(unsupported = test)]
 fn an_orientation_just_beyond_the_limits_is_out_of_reach() {
     let arm = limited(&[1.0, 1.0], &[[0.0, 0.1]; 2]);
+    // What coordinates far from the origin are rounded by is none of the limits' business.
+    let far =
+        Arm::new(Point::new(1e6, -1e6), vec![2.0, 0.5], 0.0, Some(vec![[3.1, PI], [0.0, 1e-12]])).expect("an arm");
+    let q = [3.1100232458877284, 1e-12];
+    let goal = Target { point: far.end_effector(&q), orientation: Some(orientation(&q)) };
+    assert_eq!(nearest_reachable(&far, goal).expect("a target").turn, 0.0);
     for beyond in [1e-6, 5e-8, 2e-9] {
         let goal = Target { point: arm.end_effector(&[0.1, 0.1]), orientation: Some(0.2 + beyond) };
         let nearest = nearest_reachable(&arm, goal).expect("a target");

@@ -16,14 +16,15 @@
 //! manipulator"; limits in Haug, Luh, Adkins and Wang 1996, "Numerical algorithms for mapping boundaries of manipulator workspaces".
 
 use super::target::Target;
-use super::task::Task;
+use super::task::{Deviation, Task};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::robot::{Arm, MAX_LINKS};
 use std::f64::consts::PI;
 
-/// Turns of the last link up to this, in radians, are rounding: of sums of eight angles up to 100.
-const SAME: f64 = 1e-11;
+/// Turns of the last link up to the first, in radians, are rounding: of sums of eight angles up to 100. Far from the origin that of
+/// coordinates turns it more, up to the second.
+const SAME: [f64; 2] = [1e-11, 1e-6];
 
 /// How near an arm can come to a target.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,8 +54,14 @@ pub fn nearest_reachable(arm: &Arm, target: Target) -> Result<Nearest, Error> {
 pub(super) fn nearest(arm: &Arm, task: &Task) -> Nearest {
     let q = nearest_configuration(task);
     let deviation = task.deviation(&q);
-    let turn = if deviation.turn > SAME { deviation.turn } else { 0.0 };
+    let turn = told_turn(task, &deviation);
     Nearest { configuration: q, point: arm.end_effector(&q), distance: deviation.distance, turn }
+}
+
+/// How far the last link is from the wanted orientation, 0 where that is rounding.
+fn told_turn(task: &Task, deviation: &Deviation) -> f64 {
+    let [least, most] = SAME;
+    if deviation.turn > (task.finest / task.reach).max(least).min(most) { deviation.turn } else { 0.0 }
 }
 
 /// The configuration alone.
@@ -296,11 +303,11 @@ impl<'a> Search<'a> {
         let q = self.task.joints.hold_all(&q);
         // An angle held at its limit may be off by a little: so configurations of the very orientation come first.
         let deviation = self.task.deviation(&q);
-        let turn = if deviation.turn > SAME { deviation.turn } else { 0.0 };
+        let turn = told_turn(self.task, &deviation);
         let error = deviation.distance + self.task.reach * turn;
         if self.best.is_none_or(|best| error < best) {
             (self.best, self.best_q) = (Some(error), q);
-            self.is_done = error <= self.task.finest;
+            self.is_done = error <= self.task.finest && turn == 0.0;
         }
     }
 }

@@ -15,8 +15,8 @@ use crate::validity::Validity;
 /// The parameters that do not say how a roadmap is built but what is done with it.
 const SEARCHING: &[&str] = &["search", "cost", "heuristic", "reduce", "shortcut", "partial_shortcut", "max_iterations"];
 
-/// Begins a run of the planner that built the roadmap, with the roadmap as it was kept: start and goal of the query are its
-/// vertices 0 and 1, joined to their neighbours unless the roadmap has them already, and it is searched. Nothing grows any
+/// Begins a run of the planner that built the roadmap, with the roadmap as it was kept: start and goals of the query are its
+/// first vertices, joined to their neighbours unless the roadmap has them already, and it is searched. Nothing grows any
 /// more, whatever was left to build. Every vertex is looked at and every edge proven again before; a roadmap whose edges were
 /// sampled is sampled again, and stays named as such.
 ///

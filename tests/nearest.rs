@@ -300,7 +300,8 @@ fn a_forest_stays_flat_whatever_order_states_come_in() {
     let n = native(20_000);
     let parameters = ForestParameters { trees: 2, leaf: 8, candidates: n };
     let line = |i: usize| [i as f64 / n as f64, 0.5];
-    let orders: [(&str, &dyn Fn(usize) -> [f64; 2]); 4] = [
+    type Place<'a> = &'a dyn Fn(usize) -> [f64; 2];
+    let orders: [(&str, Place); 4] = [
         ("on a line", &line),
         ("on a line, backwards", &|i| line(n - 1 - i)),
         ("a lattice, row by row", &|i| [(i / 128) as f64 / 160.0, (i % 128) as f64 / 128.0]),

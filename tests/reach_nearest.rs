@@ -10,7 +10,7 @@ use planarium::reach::{Reach, ReachOptions, Reason, Target, Verdict, nearest_rea
 use planarium::robot::Arm;
 use planarium::run::{Status, Value};
 use planarium::space::angular_distance;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::{PI, SQRT_2, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// So many cases natively, a twentieth in WebAssembly.
@@ -270,7 +270,7 @@ fn closed_forms_find_what_folded_arms_and_bounds_allow() {
     reaches(&far(&[1e-6]).expect("an arm"), &[-0.1], false);
     reaches(&far(&[1.0, 1.0]).expect("an arm"), &[0.1, -0.0], false);
     // Within the tolerance, on the outer side of the rim.
-    let goal = target(1.4142135624, 1.4142135624, None);
+    let goal = target(SQRT_2 + 3e-11, SQRT_2 + 3e-11, None);
     assert_eq!(closed(&free(&[1.0, 1.0]), goal).len(), 1);
 }
 

@@ -161,5 +161,7 @@ async function start() {
       const picture = await studio.ask("thumbnail", [await page.sourceOf(entry), SIDE, page.look]);
       gallery.draw(entry.id, picture);
     }
+    // By then the page has opened; without a network it could not be fetched.
+    setTimeout(() => options.get().catch(() => {}), 3000);
   }
 }

@@ -20,8 +20,8 @@ before(() => {
 
 test("the tarball holds exactly the files of the package", () => {
   const names = [...files.keys()].map((name) => name.replace(/^package\//, "")).sort();
-  const modules = ["arguments", "drive", "error", "functions", "graphml", "handle", "neighbours", "node", "planarium", "planarium_glue", "planner", "reach", "runtime", "scenario", "version"];
-  const declarations = ["drive", "error", "functions", "neighbours", "planarium", "planner", "reach", "scenario", "types", "version"];
+  const modules = ["arguments", "drive", "error", "functions", "graphml", "handle", "neighbours", "node", "planarium", "planarium_glue", "planner", "reach", "runtime", "scenario", "trajectories", "version"];
+  const declarations = ["drive", "error", "functions", "neighbours", "planarium", "planner", "reach", "scenario", "trajectories", "types", "version"];
   assert.deepEqual(names, [
     "CHANGELOG.md",
     "LICENSE",

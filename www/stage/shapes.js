@@ -230,12 +230,8 @@ export function drawTarget(context, x, y, orientation, palette) {
       context.lineTo(x + 17 * dx, y + 17 * dy);
     }
     if (orientation !== undefined) {
-      const [dx, dy] = [Math.cos(orientation), -Math.sin(orientation)];
       context.moveTo(x, y);
-      context.lineTo(x + 30 * dx, y + 30 * dy);
-      context.moveTo(x + 24 * dx - 5 * dy, y + 24 * dy + 5 * dx);
-      context.lineTo(x + 30 * dx, y + 30 * dy);
-      context.lineTo(x + 24 * dx + 5 * dy, y + 24 * dy - 5 * dx);
+      context.lineTo(x + 32 * Math.cos(orientation), y - 32 * Math.sin(orientation));
     }
     context.stroke();
   }

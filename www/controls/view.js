@@ -56,12 +56,13 @@ export function watchView(page) {
   }
 
   /** @param {State} state */
-  function reflect({ view, lanes: [{ raw: found, length, unit, vertices }] }) {
+  function reflect({ heard, view, lanes: [{ raw: found, length, unit, vertices }] }) {
     number.max = String(Math.max(0, vertices - 1));
-    for (const option of /** @type {const} */ (["refused", "strobe", "raw", "slice"])) switches[option].checked = view[option];
-    if (document.activeElement !== poses) poses.value = String(view.poses);
-    if (!plane.hidden) {
-      selects.forEach((select, i) => { select.value = String(view.axes[i]); });
+    // A state from before the newest order would turn back what was just switched.
+    if (heard >= page.studio.ordered) {
+      for (const option of /** @type {const} */ (["refused", "strobe", "raw", "slice"])) switches[option].checked = view[option];
+      if (document.activeElement !== poses) poses.value = String(view.poses);
+      if (!plane.hidden) selects.forEach((select, i) => { select.value = String(view.axes[i]); });
     }
     write(lengths, found !== null && length !== null
       ? `${found.toFixed(2)} ${unit} as found, ${length.toFixed(2)} ${unit} shortened.`.replaceAll("  ", " ")

@@ -96,10 +96,12 @@ export class Lessons {
       const plans = [page.panel.reads(algorithm, settings)];
       // Where it does not rest it runs to its end, at once before those who ask for less motion.
       const rest = iteration ?? (page.calm ? Infinity : undefined);
-      if (!this.isThere(entry, plans)) await page.openScene(entry, { plans, iteration: rest, play: rest === undefined });
-      else if (rest !== undefined) page.studio.tell("seek", rest);
+      const isThere = this.isThere(entry, plans);
+      // Whoever goes on meanwhile wants another step: this one moves nothing any more.
+      if (!isThere && !await page.openScene(entry, { plans, iteration: rest, play: rest === undefined })) return;
       // Beside an open editor a scene would wait.
       if (rest === undefined) page.studio.tell("play");
+      else if (isThere) page.studio.tell("seek", rest);
     } catch (error) {
       if (!page.facts) await page.openScene(scenes[0]);
       page.notice.show("What this step speaks of cannot be shown.", error);

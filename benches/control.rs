@@ -3,9 +3,9 @@
 //! `cargo bench --bench control` prints a table for the defaults and the presets; `-- "rrt-control blossom=3" "sst"` one for these
 //! settings; `-- --scenarios FILE...` before them takes other worlds. A run pinned to one core is quieter.
 
-use planarium::planner::planner_info;
+use planarium::planner::{Method, RrtControlOptions};
 use planarium::run::{Options, Status, Value, start};
-use planarium::scenario::{Node, Scenario};
+use planarium::scenario::Scenario;
 use std::time::Instant;
 
 /// Seeds a world.
@@ -32,7 +32,7 @@ fn main() {
     }
     if arguments.is_empty() {
         arguments = ["rrt-control", "sst"].map(str::to_owned).to_vec();
-        for preset in planner_info("rrt-control").expect("it is there").presets {
+        for preset in RrtControlOptions::PRESETS {
             let settings = preset.settings.iter().map(|(name, value)| format!(" {name}={value}"));
             arguments.push(format!("rrt-control{}", settings.collect::<String>()));
         }
@@ -83,6 +83,5 @@ fn options(line: &str, query: &str, seed: u64) -> Options {
 
 fn world(kind: &str, seed: u64) -> Scenario {
     let options = serde_json::json!({ "robot": "car", "seed": seed });
-    let node = Node::parse(&options.to_string()).expect("a JSON value is a node");
-    planarium::scenario::generate::generate(kind, &node).expect("a world can be generated")
+    planarium::scenario::generate::generate(kind, &options).expect("a world can be generated")
 }

@@ -5,7 +5,7 @@
 use planarium::graph::VertexId;
 use planarium::nearest::{Forest, ForestParameters, Index, KdTree, LinearScan, Nearest, Neighbour, recall};
 use planarium::random::{Random, Stream};
-use planarium::space::{Joint, Metric, Space, Torus};
+use planarium::space::{Coordinate, Metric, ProductSpace, Space};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -34,7 +34,7 @@ fn main() {
 
 /// How long a kd-tree takes to grow, in the order of the samples and in that of a coordinate, the worst for its balance.
 fn building() {
-    let space = Torus::<4>::new(&[Joint::Circle; 4], Metric::Sum);
+    let space = ProductSpace::<4>::new(&[Coordinate::Circle; 4], Metric::Sum);
     println!("\nThe kd-tree of the 4-torus built by insertion, ms\n\n| n | random | increasing |\n|---|---|---|");
     for n in [10_000, 100_000, 1_000_000] {
         let mut random = Random::new(3, Stream::Samples);
@@ -48,7 +48,7 @@ fn building() {
 
 /// The least n, in steps of a quarter, from which on the kd-tree is faster up to three times as many states.
 fn crossovers<const N: usize>() {
-    let space = Torus::<N>::new(&[Joint::Circle; N], Metric::Sum);
+    let space = ProductSpace::<N>::new(&[Coordinate::Circle; N], Metric::Sum);
     let mut random = Random::new(2, Stream::Samples);
     let asked: Vec<_> = (0..400).map(|_| space.sample(&mut random)).collect();
     let mut row = format!("| {N} |");
@@ -69,7 +69,7 @@ fn crossovers<const N: usize>() {
 }
 
 fn rows<const N: usize>() {
-    let space = Torus::<N>::new(&[Joint::Circle; N], Metric::Sum);
+    let space = ProductSpace::<N>::new(&[Coordinate::Circle; N], Metric::Sum);
     for n in [1_000, 10_000, 100_000] {
         let mut random = Random::new(1, Stream::Samples);
         let states: Vec<_> = (0..n).map(|_| space.sample(&mut random)).collect();

@@ -4,11 +4,12 @@
 //!
 //! `cargo bench --bench proof`; a run pinned to one core is quieter. `-- forests`, `-- many` run one table alone.
 
-use planarium::collision::{ArmValidity, Sampled, joint_space};
+use planarium::collision::{ArmValidity, Sampled};
 use planarium::random::{Random, Stream};
 use planarium::robot::Arm;
-use planarium::scenario::{Node, Robot, Scenario, World};
-use planarium::space::{Metric, Space, Torus};
+use planarium::robot::joint_space;
+use planarium::scenario::{Robot, Scenario, World};
+use planarium::space::{Metric, ProductSpace, Space};
 use planarium::validity::Validity;
 use std::hint::black_box;
 use std::time::Instant;
@@ -92,7 +93,12 @@ fn nanoseconds<const N: usize>(edges: &[Edge<N>], check: impl Fn(&[f64; N], &[f6
 }
 
 /// The pairs of free samples that a k-PRM tries, in its order.
-fn edges<const N: usize>(space: &Torus<N>, validity: &ArmValidity<N>, samples: usize, seed: u64) -> Vec<Edge<N>> {
+fn edges<const N: usize>(
+    space: &ProductSpace<N>,
+    validity: &ArmValidity<N>,
+    samples: usize,
+    seed: u64,
+) -> Vec<Edge<N>> {
     let mut random = Random::new(seed, Stream::Samples);
     let mut states = Vec::new();
     for _ in 0..1_000_000 {
@@ -122,8 +128,7 @@ fn edges<const N: usize>(space: &Torus<N>, validity: &ArmValidity<N>, samples: u
 /// A forest whose arm has links of the given radius.
 fn forest(links: usize, seed: u64, radius: f64) -> Scenario {
     let options = serde_json::json!({ "links": links, "seed": seed });
-    let node = Node::parse(&options.to_string()).expect("a JSON value is a node");
-    let forest = planarium::scenario::generate::generate("forest", &node).expect("a forest can be generated");
+    let forest = planarium::scenario::generate::generate("forest", &options).expect("a forest can be generated");
     with_radius(&forest, radius)
 }
 

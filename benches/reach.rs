@@ -2,6 +2,7 @@
 //!
 //! `cargo bench --bench reach` prints a table. A run pinned to one core is quieter.
 
+#[allow(dead_code, reason = "tests use more of it")]
 #[path = "../tests/common/arms.rs"]
 mod arms;
 

@@ -3,7 +3,7 @@
 //! `cargo bench --bench reports` prints a table; `-- --json` the same as JSON. A run pinned to one core is quieter.
 
 use planarium::run::{Options, Run, Status, Value, start};
-use planarium::scenario::{Node, Scenario};
+use planarium::scenario::Scenario;
 use std::time::Instant;
 
 /// Forests a size of arm.
@@ -70,6 +70,5 @@ fn row(planner: &str, links: u64, runs: Vec<Timing>) {
 
 fn forest(links: u64, seed: u64) -> Scenario {
     let options = serde_json::json!({ "links": links, "seed": seed });
-    let node = Node::parse(&options.to_string()).expect("a JSON value is a node");
-    planarium::scenario::generate::generate("forest", &node).expect("a forest can be generated")
+    planarium::scenario::generate::generate("forest", &options).expect("a forest can be generated")
 }

@@ -17,10 +17,10 @@ type Arm = (String, &'static str, Vec<(String, Value)>);
 /// Every planner that applies to the robot, with its defaults; where it steers along curves, with both kinds; then the presets of
 /// the course reports.
 fn arms(robot: &Robot) -> Vec<Arm> {
-    let fitting = planners().iter().filter(|info| info.robots.contains(&robot.kind()));
+    let fitting = planners().into_iter().filter(|info| info.robots.contains(&robot.kind()));
     let mut arms = Vec::new();
     for info in fitting {
-        let is_steered = info.parameters.iter().any(|parameter| parameter.name == "steering");
+        let is_steered = !info.is_driven;
         if !matches!(robot, Robot::Car(_)) || !is_steered {
             arms.push((info.title.to_owned(), info.id, Vec::new()));
             let presets = info

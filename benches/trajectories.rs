@@ -4,7 +4,7 @@
 //! `cargo bench --bench trajectories`; a run pinned to one core is quieter.
 
 use planarium::fleet::Trajectories;
-use planarium::parameters::Value;
+use planarium::options::Value;
 use planarium::status::Status;
 use std::time::Instant;
 

@@ -2,7 +2,7 @@
  * What callers hand over, made safe before it reaches the core: right type, right length, finite.
  * Each function returns a fresh value, so nothing a caller holds is ever shared with the core.
  */
-import { PlanariumError } from "./error.js";
+import { PlanariumError, isOwn, reasonOf } from "./error.js";
 
 /** Longest scenario text that is read, in characters. */
 const LONGEST_TEXT = 32 * 1024 * 1024;
@@ -98,19 +98,18 @@ export function rows(value, dimension, name, place) {
  * @returns {Float64Array}
  */
 export function matrix(value, dimension, name) {
-  const count = guarded(name, () => (Array.isArray(value) && value[0] instanceof Object ? value.length : null));
-  if (count === null) {
-    return rows(value, dimension, name, (i) => `${Math.floor(i / dimension)}/${i % dimension}`);
-  }
-  if (count > MOST_ROWS) {
-    throw new PlanariumError("too-large", `\`${name}\` has ${count} rows; ${MOST_ROWS} are read at most.`, `/${name}`);
-  }
-  const copy = new Float64Array(count * dimension);
-  for (let row = 0; row < count; row += 1) {
-    const given = guarded(name, () => /** @type {unknown[]} */ (value)[row]);
-    copy.set(configuration(given, dimension, `${name}/${row}`), row * dimension);
-  }
-  return copy;
+  return guarded(name, () => {
+    if (!Array.isArray(value) || !(value[0] instanceof Object)) {
+      return rows(value, dimension, name, (i) => `${Math.floor(i / dimension)}/${i % dimension}`);
+    }
+    const count = value.length;
+    if (count > MOST_ROWS) {
+      throw new PlanariumError("too-large", `\`${name}\` has ${count} rows; ${MOST_ROWS} are read at most.`, `/${name}`);
+    }
+    const copy = new Float64Array(count * dimension);
+    for (let row = 0; row < count; row += 1) copy.set(configuration(value[row], dimension, `${name}/${row}`), row * dimension);
+    return copy;
+  });
 }
 
 /**
@@ -171,36 +170,31 @@ export function documentText(value) {
  * @returns {Uint8Array}
  */
 export function textOrBytes(value, name) {
-  if (typeof value !== "string" && !(value instanceof Uint8Array)) {
-    throw new PlanariumError("wrong-type", `\`${name}\` must be a string or a Uint8Array, not ${show(value)}.`, `/${name}`);
-  }
-  if (value.length > LONGEST_FILE) {
-    throw new PlanariumError("too-large", `\`${name}\` is ${value.length} long; ${LONGEST_FILE} are read at most.`, `/${name}`);
-  }
-  return typeof value === "string" ? new TextEncoder().encode(value) : new Uint8Array(value);
+  return guarded(name, () => {
+    if (typeof value !== "string" && !(value instanceof Uint8Array)) {
+      throw new PlanariumError("wrong-type", `\`${name}\` must be a string or a Uint8Array, not ${show(value)}.`, `/${name}`);
+    }
+    if (value.length > LONGEST_FILE) {
+      throw new PlanariumError("too-large", `\`${name}\` is ${value.length} long; ${LONGEST_FILE} are read at most.`, `/${name}`);
+    }
+    // A detached array cannot be copied, which throws.
+    return typeof value === "string" ? new TextEncoder().encode(value) : new Uint8Array(value);
+  });
 }
 
 /**
- * Options: a plain copy of an object of JSON values; nothing at all means none.
+ * Options: a plain copy of an object of JSON values, so that nothing of the caller's own runs while the core reads it; nothing at
+ * all means none.
  * @param {unknown} value
  * @returns {Record<string, unknown>}
  */
 export function options(value) {
-  return JSON.parse(optionsText(value));
-}
-
-/**
- * Options as JSON text.
- * @param {unknown} value
- * @returns {string}
- */
-export function optionsText(value) {
-  if (value === undefined) return "{}";
+  if (value === undefined) return {};
   const written = json(value);
   if (!written.startsWith("{")) {
     throw new PlanariumError("wrong-type", `Options are an object, not ${show(value)}.`);
   }
-  return written;
+  return JSON.parse(written);
 }
 
 /**
@@ -216,9 +210,8 @@ function json(value) {
     // Every number that is not finite has become a null; look for them only where there is one.
     if (written?.includes("null")) refuseNonFinite(value, "");
   } catch (error) {
-    if (error instanceof PlanariumError) throw error;
-    const reason = error instanceof Error ? error.message : String(error);
-    throw new PlanariumError("invalid-json", `This object cannot be written as JSON: ${reason}`, "", { cause: error });
+    if (isOwn(error)) throw error;
+    throw new PlanariumError("invalid-json", `This object cannot be written as JSON: ${reasonOf(error)}`, "", { cause: error });
   }
   if (written === undefined) {
     throw new PlanariumError("wrong-type", `An object is wanted, not ${show(value)}.`);
@@ -253,8 +246,9 @@ function numbers(value, name, checkLength, place = (i) => i) {
       throw new PlanariumError("wrong-type", `\`${name}\` must be an array of numbers, not ${show(value)}.`, `/${name}`);
     }
     const list = /** @type {ArrayLike<unknown>} */ (/** @type {unknown} */ (value));
-    checkLength(list.length);
-    const copy = new Float64Array(list.length);
+    const { length } = list;
+    checkLength(length);
+    const copy = new Float64Array(length);
     for (let i = 0; i < copy.length; i += 1) {
       const number = list[i];
       // The pointer costs more than the number: it is made where it is needed.
@@ -275,9 +269,8 @@ function guarded(name, read) {
   try {
     return read();
   } catch (error) {
-    if (error instanceof PlanariumError) throw error;
-    const reason = error instanceof Error ? error.message : String(error);
-    throw new PlanariumError("wrong-type", `\`${name}\` cannot be read: ${reason}`, `/${name}`, { cause: error });
+    if (isOwn(error)) throw error;
+    throw new PlanariumError("wrong-type", `\`${name}\` cannot be read: ${reasonOf(error)}`, `/${name}`, { cause: error });
   }
 }
 

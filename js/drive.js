@@ -60,7 +60,7 @@ export class Drive {
    * @throws {PlanariumError} `out-of-range` for another word; `too-large` after a million keys
    */
   press(name) {
-    this.#handle.call((raw) => raw.press(numberOf(name, "/key")));
+    this.#handle.callWith(() => [numberOf(name, "/key")], (raw, number) => raw.press(number));
   }
 
   /**
@@ -70,8 +70,8 @@ export class Drive {
    * @throws {PlanariumError} `out-of-range`; `too-large` after a million steps in motion: begin another drive
    */
   tick(n) {
-    return this.#handle.call((raw) => {
-      raw.tick(argument.count(n, "n"));
+    return this.#handle.callWith(() => [argument.count(n, "n")], (raw, count) => {
+      raw.tick(count);
       return stateOf(raw);
     });
   }
@@ -110,8 +110,8 @@ export class Drive {
    * @throws {PlanariumError} `wrong-type`, `out-of-range` with a pointer below `/record`, or of `steps`
    */
   replay(record, steps) {
-    return this.#handle.call((raw) => {
-      raw.replay(rowsOf(record), argument.count(steps, "steps"));
+    return this.#handle.callWith(() => [rowsOf(record), argument.count(steps, "steps")], (raw, rows, count) => {
+      raw.replay(rows, count);
       return stateOf(raw);
     });
   }

@@ -27,6 +27,35 @@ export class PlanariumError extends Error {
 }
 
 /**
+ * Whether a value is an error of the package. Never runs the caller's own code into an error of its own: a revoked proxy can be
+ * thrown too.
+ * @param {unknown} value
+ * @returns {value is PlanariumError}
+ * @internal
+ */
+export function isOwn(value) {
+  try {
+    return value instanceof PlanariumError;
+  } catch {
+    return false;
+  }
+}
+
+/**
+ * What a thrown value says, of whatever kind it is: some have no string form.
+ * @param {unknown} thrown
+ * @returns {string}
+ * @internal
+ */
+export function reasonOf(thrown) {
+  try {
+    return String(thrown instanceof Error ? thrown.message : thrown);
+  } catch {
+    return "a value without a string form was thrown";
+  }
+}
+
+/**
  * Whether an error came from the core, which marks its own with a code and a pointer.
  * @param {unknown} error
  * @returns {error is { code: string, pointer: string, message: string }}

@@ -1,4 +1,5 @@
 /** What stands on its own: the lists of planners, of generators, of methods, of indexes and of phases, and a fresh seed. */
+import catalogue from "./catalogue.js";
 import { call } from "./runtime.js";
 
 /** @import { GeneratorInfo, IndexInfo, Phase, PlannerInfo, ReachMethodInfo } from "./types.js" */
@@ -14,7 +15,7 @@ export const phases = Object.freeze(["sampling", "connecting", "guarding", "sear
  * @returns {PlannerInfo[]}
  */
 export function planners() {
-  return JSON.parse(call((core) => core.planners()));
+  return call(() => catalogue().planners);
 }
 
 /**
@@ -23,7 +24,7 @@ export function planners() {
  * @returns {GeneratorInfo[]}
  */
 export function generators() {
-  return JSON.parse(call((core) => core.generators()));
+  return call(() => catalogue().generators);
 }
 
 /**
@@ -31,7 +32,7 @@ export function generators() {
  * @returns {ReachMethodInfo[]}
  */
 export function reachMethods() {
-  return JSON.parse(call((core) => core.reach_methods()));
+  return call(() => catalogue().reach_methods);
 }
 
 /**
@@ -40,16 +41,13 @@ export function reachMethods() {
  * @returns {IndexInfo[]}
  */
 export function neighbourIndexes() {
-  return JSON.parse(call((core) => core.neighbour_indexes()));
+  return call(() => catalogue().indexes);
 }
 
 /**
- * A seed from the platform's entropy: an integer from 0 to 2^53 - 1.
+ * A fresh seed, from the entropy of the platform: an integer from 0 to 2^53 - 1.
  * @returns {number}
  */
-export function freshSeed() {
-  return call(() => {
-    const [high, low] = crypto.getRandomValues(new Uint32Array(2));
-    return (high >>> 11) * 2 ** 32 + low;
-  });
+export function randomSeed() {
+  return call((core) => core.random_seed());
 }

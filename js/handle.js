@@ -31,16 +31,30 @@ export class Handle {
    * @returns {T}
    */
   call(operation) {
-    const raw = this.#raw;
-    return call(() => {
-      if (raw === undefined) {
-        throw new PlanariumError("freed", `This ${this.#name} has been freed.`);
-      }
-      if (this.#instance !== currentInstance()) {
-        throw new PlanariumError("freed", `This ${this.#name} was lost when Planarium's core stopped; make a new one.`);
-      }
-      return operation(raw);
-    });
+    return call(() => operation(this.#alive()));
+  }
+
+  /**
+   * Reads arguments, and then calls the core with the object. Reading may run the caller's own code (getters, proxies, `toJSON`),
+   * which may free the object or stop the core: so the core is entered only afterwards.
+   * @template {unknown[]} A
+   * @template T
+   * @param {() => [...A]} read
+   * @param {(raw: R, ...given: A) => T} operation
+   * @returns {T}
+   */
+  callWith(read, operation) {
+    call(() => this.#alive());
+    const given = read();
+    return this.call((raw) => operation(raw, ...given));
+  }
+
+  #alive() {
+    if (this.#raw === undefined) throw new PlanariumError("freed", `This ${this.#name} has been freed.`);
+    if (this.#instance !== currentInstance()) {
+      throw new PlanariumError("freed", `This ${this.#name} was lost when Planarium's core stopped; make a new one.`);
+    }
+    return this.#raw;
   }
 
   /** Frees the object. Freeing twice, or after its instance was lost, does nothing. */

@@ -51,7 +51,7 @@ export class Neighbours {
    *   number, such as `/rows/2/0`; `too-large` beyond 1,000,000 configurations, or in a forest 10,000,000 divided by its trees
    */
   add(rows) {
-    this.#handle.call((raw) => raw.add(argument.matrix(rows, this.#dimension, "rows")));
+    this.#handle.callWith(() => [argument.matrix(rows, this.#dimension, "rows")], (raw, given) => raw.add(given));
   }
 
   /** How many configurations there are. @returns {number} */
@@ -67,8 +67,9 @@ export class Neighbours {
    * @throws {PlanariumError} `wrong-dimension`, `not-finite`, `out-of-range`
    */
   nearest(q, k) {
-    return this.#handle.call((raw) =>
-      foundIn(raw.nearest(argument.configuration(q, this.#dimension, "q"), argument.count(k, "k"))));
+    return this.#handle.callWith(
+      () => [argument.configuration(q, this.#dimension, "q"), argument.count(k, "k")],
+      (raw, at, count) => foundIn(raw.nearest(at, count)));
   }
 
   /**
@@ -79,8 +80,9 @@ export class Neighbours {
    * @throws {PlanariumError} `wrong-dimension`, `not-finite`, `out-of-range`
    */
   within(q, radius) {
-    return this.#handle.call((raw) =>
-      foundIn(raw.within(argument.configuration(q, this.#dimension, "q"), argument.finite(radius, "/radius"))));
+    return this.#handle.callWith(
+      () => [argument.configuration(q, this.#dimension, "q"), argument.finite(radius, "/radius")],
+      (raw, at, within) => foundIn(raw.within(at, within)));
   }
 
   /** Gives the memory back. Any use afterwards throws `freed`; freeing twice does nothing. @returns {void} */

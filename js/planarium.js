@@ -6,7 +6,7 @@ import { load, loadSync } from "./runtime.js";
 
 export { Drive } from "./drive.js";
 export { PlanariumError } from "./error.js";
-export { freshSeed, generators, neighbourIndexes, phases, planners, reachMethods } from "./functions.js";
+export { generators, neighbourIndexes, phases, planners, randomSeed, reachMethods } from "./functions.js";
 export { Neighbours } from "./neighbours.js";
 export { Planner } from "./planner.js";
 export { Reach } from "./reach.js";
@@ -22,6 +22,7 @@ export { version } from "./version.js";
 /** @typedef {import("./types.js").Part} Part */
 /** @typedef {import("./types.js").Touching} Touching */
 /** @typedef {import("./types.js").Check} Check */
+/** @typedef {import("./types.js").Clearance} Clearance */
 /** @typedef {import("./types.js").Obstacle} Obstacle */
 /** @typedef {import("./types.js").World} World */
 /** @typedef {import("./types.js").Robot} Robot */

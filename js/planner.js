@@ -3,20 +3,13 @@
 import * as argument from "./arguments.js";
 import { PlanariumError } from "./error.js";
 import { phases } from "./functions.js";
-import { graphml } from "./graphml.js";
 import { Handle, key } from "./handle.js";
 
 /** @import { RawPlanner } from "./planarium_glue.js" */
 /** @import { Configuration, Phase, QueryOptions, ResultDocument, RoadmapFormat, Stats, Status } from "./types.js" */
 
-/** Iterations in one call of the core at most: cheap iterations still outweigh the call, dear ones do not stall. */
-const LONGEST_SLICE = 64;
-
 /** The core counts them. @type {readonly Status[]} */
 const STATUSES = ["running", "solved", "exhausted"];
-
-/** Phases whose time counts as search, by their places in `phases`; all others build. */
-const SEARCHING = new Set([phases.indexOf("searching"), phases.indexOf("improving")]);
 
 /**
  * Makes the handle of a run.
@@ -42,8 +35,6 @@ export function makePlanner(raw) {
 export class Planner {
   /** @type {Handle<RawPlanner>} */
   #handle;
-  #buildMilliseconds = 0;
-  #searchMilliseconds = 0;
 
   /**
    * @param {symbol} secret
@@ -63,7 +54,7 @@ export class Planner {
    * @returns {Status}
    */
   step(n) {
-    return this.#handle.call((raw) => this.#advance(raw, argument.count(n, "n"), Infinity));
+    return STATUSES[this.#handle.call((raw) => raw.step(argument.count(n, "n")))];
   }
 
   /**
@@ -73,12 +64,12 @@ export class Planner {
    * @returns {Status}
    */
   stepFor(ms) {
-    return this.#handle.call((raw) => {
+    return STATUSES[this.#handle.call((raw) => {
       if (argument.finite(ms, "/ms") < 0) {
         throw new PlanariumError("out-of-range", `\`ms\` must be 0 or more, not ${ms}.`, "/ms");
       }
-      return this.#advance(raw, Infinity, ms);
-    });
+      return raw.step_for(ms);
+    })];
   }
 
   /**
@@ -131,14 +122,16 @@ export class Planner {
    *   `wrong-dimension`, `not-finite`, `out-of-range`
    */
   query(start, goal, options = {}) {
-    return this.#handle.call((raw) => {
+    /** @returns {[Float64Array, Float64Array, boolean]} */
+    const read = () => {
       const { keep = false, ...rest } = argument.options(options);
       const [unknown] = Object.keys(rest);
       if (unknown !== undefined) throw new PlanariumError("unknown-field", `There is no option \`${unknown}\`; there is keep.`, `/${unknown}`);
       if (typeof keep !== "boolean") throw new PlanariumError("wrong-type", "`keep` must be true or false.", "/keep");
-      const [from, to] = [argument.configuration(start, raw.dimension(), "start"), argument.configuration(goal, raw.dimension(), "goal")];
-      return JSON.parse(raw.query(from, to, keep));
-    });
+      const { dimension } = this;
+      return [argument.configuration(start, dimension, "start"), argument.configuration(goal, dimension, "goal"), keep];
+    };
+    return this.#handle.callWith(read, (raw, from, to, isKept) => raw.query(from, to, isKept));
   }
 
   /**
@@ -154,7 +147,7 @@ export class Planner {
       const wanted = argument.text(format, "format");
       if (wanted === "binary") return raw.roadmap_bytes();
       if (wanted === "json") return raw.roadmap_text();
-      if (wanted === "graphml") return graphml(JSON.parse(raw.roadmap_text()), raw.roadmap_lengths(), raw.is_roadmap_directed());
+      if (wanted === "graphml") return raw.roadmap_graphml();
       throw new PlanariumError("out-of-range", "`format` must be \"json\", \"binary\" or \"graphml\".", "/format");
     });
     return /** @type {F extends "binary" ? Uint8Array : string} */ (kept);
@@ -293,9 +286,8 @@ export class Planner {
    * @throws {PlanariumError} `wrong-dimension`, `wrong-type`, `not-finite`; `out-of-range` outside the limits
    */
   firstHits(ends) {
-    return this.#handle.call((raw) => {
-      const width = 2 * raw.dimension();
-      const given = argument.rows(ends, width, "ends");
+    const width = 2 * this.dimension;
+    return this.#handle.callWith(() => [argument.rows(ends, width, "ends")], (raw, given) => {
       const hits = new Float64Array(given.length / width);
       argument.blocks(given, width, (block, row) => hits.set(raw.first_hits(block), row));
       return hits;
@@ -307,7 +299,7 @@ export class Planner {
    * @returns {Stats}
    */
   stats() {
-    return this.#timed(JSON.parse(this.#handle.call((raw) => raw.stats())));
+    return this.#handle.call((raw) => raw.stats());
   }
 
   /**
@@ -315,9 +307,7 @@ export class Planner {
    * @returns {ResultDocument}
    */
   result() {
-    /** @type {ResultDocument} */
-    const result = JSON.parse(this.#handle.call((raw) => raw.result()));
-    return { ...result, stats: this.#timed(result.stats) };
+    return this.#handle.call((raw) => raw.result());
   }
 
   /**
@@ -337,45 +327,5 @@ export class Planner {
   /** The same as `free`, for `using`. @returns {void} */
   [Symbol.dispose]() {
     this.#handle.free();
-  }
-
-  /**
-   * Steps in slices. The core reads no clock, so time is taken here, and booked on the phase a slice began in.
-   * A slice doubles while two of it would fit a quarter of the budget, halves when it outgrew that, and starts from
-   * one iteration in each phase, since the phases differ a hundredfold.
-   * @param {RawPlanner} raw
-   * @param {number} iterations
-   * @param {number} budget  milliseconds
-   * @returns {Status}
-   */
-  #advance(raw, iterations, budget) {
-    const began = performance.now();
-    let now = began;
-    let left = iterations;
-    let slice = 1;
-    let phase = raw.phase();
-    while (left > 0) {
-      const asked = Math.min(slice, left);
-      const made = raw.advance(asked);
-      const spent = performance.now() - now;
-      now += spent;
-      if (SEARCHING.has(phase)) this.#searchMilliseconds += spent;
-      else this.#buildMilliseconds += spent;
-      left -= made;
-      const room = Math.min(budget / 4, budget - (now - began));
-      // A run that did less than it was asked is over.
-      if (made < asked || room <= 0) break;
-      const reached = raw.phase();
-      if (reached !== phase) slice = 1;
-      else if (spent > room) slice = Math.max(1, slice >> 1);
-      else if (2 * spent <= room) slice = Math.min(LONGEST_SLICE, 2 * slice);
-      phase = reached;
-    }
-    return STATUSES[raw.status()];
-  }
-
-  /** @param {Stats} stats @returns {Stats} */
-  #timed(stats) {
-    return { ...stats, build_seconds: this.#buildMilliseconds / 1000, search_seconds: this.#searchMilliseconds / 1000 };
   }
 }

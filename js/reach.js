@@ -153,12 +153,12 @@ export class Reach {
    * @returns {ReachVerdict}
    */
   verdict() {
-    return JSON.parse(this.#handle.call((raw) => raw.verdict()));
+    return this.#handle.call((raw) => raw.verdict());
   }
 
   /** The result document, the same as the command line prints. @returns {ReachResult} */
   result() {
-    return JSON.parse(this.#handle.call((raw) => raw.result()));
+    return this.#handle.call((raw) => raw.result());
   }
 
   /** 16 hexadecimal digits over every iterate and solution. @returns {string} */

@@ -5,7 +5,7 @@
  * fails with the code `internal` until `init` or `initSync` makes a fresh one, and handles of the lost one stay dead.
  */
 import * as glue from "./planarium_glue.js";
-import { PlanariumError, isFromCore } from "./error.js";
+import { PlanariumError, isFromCore, isOwn, reasonOf } from "./error.js";
 
 /** Number of the instance in use, from 1; 0 before the first. Handles remember theirs. */
 let instance = 0;
@@ -25,7 +25,8 @@ export function isSound() {
 }
 
 /**
- * Calls the core. Its errors, and only they, come out as `PlanariumError`.
+ * Calls the core. Everything thrown comes out as `PlanariumError`. Arguments are read before: nothing of the caller's own may run
+ * in here.
  * @template T
  * @param {(core: typeof glue) => T} operation
  * @returns {T}
@@ -38,16 +39,44 @@ export function call(operation) {
   try {
     return operation(glue);
   } catch (error) {
-    if (error instanceof PlanariumError) throw error;
+    if (isOwn(error)) throw error;
     if (isFromCore(error)) throw new PlanariumError(error.code, error.message, error.pointer);
-    fault = error ?? new Error("thrown without a value");
-    throw lost();
+    if (isTrap(error)) {
+      fault = error;
+      throw lost();
+    }
+    throw new PlanariumError("internal", `Planarium could not finish this call: ${reasonOf(error)}`, "", { cause: error });
   }
+}
+
+/**
+ * Reads arguments, and then calls the core with them: reading may run the caller's own code, and nothing of that may happen while
+ * the core works.
+ * @template {unknown[]} A
+ * @template T
+ * @param {() => [...A]} read
+ * @param {(core: typeof glue, ...given: A) => T} operation
+ * @returns {T}
+ */
+export function callWith(read, operation) {
+  call(() => {});
+  const given = read();
+  return call((core) => operation(core, ...given));
+}
+
+/**
+ * Whether an error stopped the core in the middle of its work: a trap, or the end of the stack, which engines tell in different
+ * words.
+ * @param {unknown} error
+ */
+function isTrap(error) {
+  return error instanceof WebAssembly.RuntimeError
+    || (error instanceof Error && /call stack|too much recursion|stack overflow/i.test(error.message));
 }
 
 /** The error of every call after a trap. */
 function lost() {
-  const reason = fault instanceof Error ? fault.message : String(fault);
+  const reason = reasonOf(fault);
   return new PlanariumError(
     "internal",
     `Planarium's core stopped on a fault of its own (${reason}). Call init() for a fresh one; earlier handles are lost.`,
@@ -185,7 +214,7 @@ function describe(value) {
 
 /** @param {string} what @param {unknown} cause */
 function failed(what, cause) {
-  if (cause instanceof PlanariumError) return cause;
-  const reason = cause instanceof Error ? cause.message : String(cause);
+  if (isOwn(cause)) return cause;
+  const reason = reasonOf(cause);
   return new PlanariumError("init-failed", `Planarium did not start: ${what}: ${reason}`, "", { cause });
 }

@@ -8,10 +8,10 @@ import { Handle, key } from "./handle.js";
 import { Neighbours, makeNeighbours } from "./neighbours.js";
 import { Planner, makePlanner } from "./planner.js";
 import { Reach, followedOf, makeReach, nearestOf } from "./reach.js";
-import { call } from "./runtime.js";
+import { callWith } from "./runtime.js";
 
 /** @import { Drive } from "./drive.js" */
-/** @import { Box, Check, Configuration, CspaceOptions, Followed, GenerateOptions, GeneratorId, NearestPoint, NeighboursOptions, Part, PlannerOptions, Point, ReachOptions, Robot, Rollout, SampleOptions, ScenarioDocument, Touching } from "./types.js" */
+/** @import { Box, Check, Clearance, Configuration, CspaceOptions, Followed, GenerateOptions, GeneratorId, NearestPoint, NeighboursOptions, Part, PlannerOptions, Point, ReachOptions, Robot, Rollout, SampleOptions, ScenarioDocument, Touching } from "./types.js" */
 
 /**
  * A parsed, checked scenario: it answers questions about configurations and motions, and makes planners.
@@ -44,7 +44,7 @@ export class Scenario {
    *   `missing-field`, `wrong-type`, `out-of-range`, `degenerate-polygon`, `base-in-collision`, ...
    */
   static parse(input) {
-    return call((core) => new Scenario(key, core.RawScenario.parse(argument.documentText(input))));
+    return callWith(() => [argument.documentText(input)], (core, text) => new Scenario(key, core.RawScenario.parse(text)));
   }
 
   /**
@@ -61,7 +61,10 @@ export class Scenario {
    * @throws {PlanariumError} `unknown-generator`, `unknown-field`, `out-of-range`, `wrong-type`, `unknown-type`, `not-finite`
    */
   static generate(kind, options) {
-    return call((core) => new Scenario(key, core.RawScenario.generate(argument.text(kind, "kind"), argument.optionsText(options))));
+    return callWith(
+      () => [argument.text(kind, "kind"), argument.options(options)],
+      (core, name, text) => new Scenario(key, core.RawScenario.generate(name, text)),
+    );
   }
 
   /** Name of the scenario. @returns {string} */
@@ -89,7 +92,7 @@ export class Scenario {
    * @returns {ScenarioDocument}
    */
   document() {
-    return JSON.parse(this.#handle.call((raw) => raw.document()));
+    return this.#handle.call((raw) => raw.document());
   }
 
   /**
@@ -115,11 +118,23 @@ export class Scenario {
    * @returns {Check}
    */
   check(q) {
-    const pairs = this.#handle.call((raw) => raw.check(this.#configuration(q, "q")));
+    const pairs = this.#handle.callWith(() => [this.#configuration(q, "q")], (raw, at) => raw.check(at));
     /** @type {Touching[]} */
     const touching = [];
     for (let i = 0; i < pairs.length; i += 2) touching.push({ part: pairs[i], obstacle: pairs[i + 1] < 0 ? "bounds" : pairs[i + 1] });
     return { free: touching.length === 0, touching };
+  }
+
+  /**
+   * How near the robot is to the nearest obstacle, for viewers. The bounds do not count.
+   * @param {Configuration} q
+   * @returns {Clearance | null} null if the robot touches something, or if there are no obstacles
+   */
+  clearance(q) {
+    const numbers = this.#handle.call((raw) => raw.clearance(this.#configuration(q, "q")));
+    if (numbers.length === 0) return null;
+    const [distance, part, obstacle, ax, ay, bx, by] = numbers;
+    return { distance, part, obstacle, points: [[ax, ay], [bx, by]] };
   }
 
   /**
@@ -128,7 +143,7 @@ export class Scenario {
    * @returns {Part[]}
    */
   footprint(q) {
-    const numbers = this.#handle.call((raw) => raw.footprint(this.#configuration(q, "q")));
+    const numbers = this.#handle.callWith(() => [this.#configuration(q, "q")], (raw, at) => raw.footprint(at));
     if (this.robot === "disc") return [{ type: "disc", center: [numbers[0], numbers[1]], radius: numbers[2] }];
     if (this.robot !== "arm") {
       const vertices = Array.from({ length: numbers.length / 2 }, (_, i) => /** @type {[number, number]} */ ([numbers[2 * i], numbers[2 * i + 1]]));
@@ -149,7 +164,7 @@ export class Scenario {
    * @returns {[number, number]}
    */
   endEffector(q) {
-    const [x, y] = this.#handle.call((raw) => raw.end_effector(this.#configuration(q, "q")));
+    const [x, y] = this.#handle.callWith(() => [this.#configuration(q, "q")], (raw, at) => raw.end_effector(at));
     return [x, y];
   }
 
@@ -159,9 +174,8 @@ export class Scenario {
    * @returns {Float64Array} rows of two numbers, x and y
    */
   endEffectors(vertices) {
-    return this.#handle.call((raw) => {
-      const dimension = this.#dimension;
-      const given = argument.rows(vertices, dimension, "vertices");
+    const dimension = this.#dimension;
+    return this.#handle.callWith(() => [argument.rows(vertices, dimension, "vertices")], (raw, given) => {
       const points = new Float64Array((given.length / dimension) * 2);
       argument.blocks(given, dimension, (block, row) => points.set(raw.end_effectors(block), row * 2));
       return points;
@@ -176,8 +190,9 @@ export class Scenario {
    * @returns {Float64Array}
    */
   interpolate(a, b, t) {
-    return this.#handle.call((raw) =>
-      raw.interpolate(this.#configuration(a, "a"), this.#configuration(b, "b"), argument.finite(t, "/t")));
+    return this.#handle.callWith(
+      () => [this.#configuration(a, "a"), this.#configuration(b, "b"), argument.finite(t, "/t")],
+      (raw, from, to, along) => raw.interpolate(from, to, along));
   }
 
   /**
@@ -187,7 +202,7 @@ export class Scenario {
    * @returns {number}
    */
   distance(a, b) {
-    return this.#handle.call((raw) => raw.distance(this.#configuration(a, "a"), this.#configuration(b, "b")));
+    return this.#handle.callWith(() => this.#ends(a, b), (raw, from, to) => raw.distance(from, to));
   }
 
   /**
@@ -198,7 +213,7 @@ export class Scenario {
    * @returns {number | null}
    */
   firstHit(a, b) {
-    return this.#handle.call((raw) => raw.first_hit(this.#configuration(a, "a"), this.#configuration(b, "b"))) ?? null;
+    return this.#handle.callWith(() => this.#ends(a, b), (raw, from, to) => raw.first_hit(from, to)) ?? null;
   }
 
   /**
@@ -209,10 +224,12 @@ export class Scenario {
    * @throws {PlanariumError} `unsupported` for any other robot
    */
   cspace(size) {
-    return this.#handle.call((raw) => {
+    /** @returns {[number, number]} */
+    const read = () => {
       const { width, height } = argument.options(size);
-      return raw.cspace(argument.count(width, "width"), argument.count(height, "height"));
-    });
+      return [argument.count(width, "width"), argument.count(height, "height")];
+    };
+    return this.#handle.callWith(read, (raw, width, height) => raw.cspace(width, height));
   }
 
   /**
@@ -242,7 +259,7 @@ export class Scenario {
    *   the robot, or the car cannot follow the curves of `steering`; `missing-field` where a car by controls has no `goal_tolerance`
    */
   planner(options) {
-    return this.#handle.call((raw) => makePlanner(raw.planner(argument.optionsText(options))));
+    return this.#handle.callWith(() => [argument.options(options)], (raw, text) => makePlanner(raw.planner(text)));
   }
 
   /**
@@ -256,8 +273,9 @@ export class Scenario {
    *   damaged or not free; `out-of-range` and `unsupported` for options that contradict it; and what `planner` throws
    */
   resume(roadmap, options) {
-    return this.#handle.call((raw) =>
-      makePlanner(raw.resume(argument.textOrBytes(roadmap, "roadmap"), argument.optionsText(options))));
+    return this.#handle.callWith(
+      () => [argument.textOrBytes(roadmap, "roadmap"), argument.options(options)],
+      (raw, kept, text) => makePlanner(raw.resume(kept, text)));
   }
 
   /**
@@ -269,7 +287,7 @@ export class Scenario {
    * @throws {PlanariumError} `out-of-range`, `unknown-parameter`, `wrong-type`, `not-finite`
    */
   neighbours(options) {
-    return this.#handle.call((raw) => makeNeighbours(raw.neighbours(argument.optionsText(options)), this.#dimension));
+    return this.#handle.callWith(() => [argument.options(options)], (raw, text) => makeNeighbours(raw.neighbours(text), this.#dimension));
   }
 
   /**
@@ -280,10 +298,12 @@ export class Scenario {
    * @throws {PlanariumError} `out-of-range`, `not-finite`, `wrong-type`; `unsupported` where 100,000 draws in a row are in collision
    */
   sampleConfigurations(n, options) {
-    return this.#handle.call((raw) => {
+    /** @returns {[number, number, boolean]} */
+    const read = () => {
       const { seed = 0, free = false } = argument.options(options);
-      return raw.sample_configurations(argument.count(n, "n"), argument.count(seed, "seed"), argument.truth(free, "free"));
-    });
+      return [argument.count(n, "n"), argument.count(seed, "seed"), argument.truth(free, "free")];
+    };
+    return this.#handle.callWith(read, (raw, count, seed, isFree) => raw.sample_configurations(count, seed, isFree));
   }
 
   /**
@@ -293,7 +313,10 @@ export class Scenario {
    * @throws {PlanariumError} `unsupported` for any robot but a car, `start-in-collision`, `unknown-query` where there is neither
    */
   drive(q) {
-    return this.#handle.call((raw) => makeDrive(raw.drive(q === undefined ? new Float64Array(0) : this.#configuration(q, "q"))));
+    return this.#handle.callWith(
+      () => [q === undefined ? new Float64Array(0) : this.#configuration(q, "q")],
+      (raw, start) => makeDrive(raw.drive(start)),
+    );
   }
 
   /**
@@ -307,8 +330,9 @@ export class Scenario {
    * @throws {PlanariumError} `unsupported` for any robot but a car, `out-of-range`
    */
   rollout(q, v, phi, duration) {
-    const numbers = this.#handle.call((raw) =>
-      raw.rollout(this.#configuration(q, "q"), argument.finite(v, "/v"), argument.finite(phi, "/phi"), argument.finite(duration, "/duration")));
+    const numbers = this.#handle.callWith(
+      () => [this.#configuration(q, "q"), argument.finite(v, "/v"), argument.finite(phi, "/phi"), argument.finite(duration, "/duration")],
+      (raw, from, speed, steering, seconds) => raw.rollout(from, speed, steering, seconds));
     return { poses: numbers.slice(2), seconds: numbers[1], blocked: obstructed(numbers[0]) };
   }
 
@@ -321,7 +345,7 @@ export class Scenario {
    *   `unknown-parameter`, `wrong-dimension`, `wrong-type`, `not-finite`
    */
   reach(options) {
-    return this.#handle.call((raw) => makeReach(raw.reach(argument.optionsText(options))));
+    return this.#handle.callWith(() => [argument.options(options)], (raw, text) => makeReach(raw.reach(text)));
   }
 
   /**
@@ -334,8 +358,9 @@ export class Scenario {
    * @throws {PlanariumError} `unsupported` for any robot but an arm, `out-of-range` for a `q` outside the limits
    */
   follow(q, target, orientation) {
-    return followedOf(this.#handle.call((raw) =>
-      raw.follow(this.#configuration(q, "q"), argument.point(target, "target"), angle(orientation))));
+    return followedOf(this.#handle.callWith(
+      () => [this.#configuration(q, "q"), argument.point(target, "target"), angle(orientation)],
+      (raw, from, to, wanted) => raw.follow(from, to, wanted)));
   }
 
   /**
@@ -347,7 +372,9 @@ export class Scenario {
    * @throws {PlanariumError} `unsupported` for any robot but an arm
    */
   nearestReachable(target, orientation) {
-    return nearestOf(this.#handle.call((raw) => raw.nearest_reachable(argument.point(target, "target"), angle(orientation))));
+    return nearestOf(this.#handle.callWith(
+      () => [argument.point(target, "target"), angle(orientation)],
+      (raw, to, wanted) => raw.nearest_reachable(to, wanted)));
   }
 
   /** Gives the memory back. Any use afterwards throws `freed`; freeing twice does nothing. @returns {void} */
@@ -358,6 +385,11 @@ export class Scenario {
   /** The same as `free`, for `using`. @returns {void} */
   [Symbol.dispose]() {
     this.#handle.free();
+  }
+
+  /** @param {unknown} a @param {unknown} b @returns {[Float64Array, Float64Array]} */
+  #ends(a, b) {
+    return [this.#configuration(a, "a"), this.#configuration(b, "b")];
   }
 
   /**

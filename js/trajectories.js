@@ -1,8 +1,9 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 /** Trajectories of particles, and many of them of which no two cross. */
 import * as argument from "./arguments.js";
+import catalogue from "./catalogue.js";
 import { Handle } from "./handle.js";
-import { call } from "./runtime.js";
+import { call, callWith } from "./runtime.js";
 
 /** @import { RawTrajectories } from "./planarium_glue.js" */
 /** @import { ParameterInfo, ParticleMotion, Status, TrajectoriesResult, TrajectoryOptions } from "./types.js" */
@@ -25,7 +26,7 @@ export class Trajectories {
    * @throws {import("./error.js").PlanariumError} `unknown-parameter`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer of the option
    */
   constructor(options) {
-    const raw = call((core) => core.RawTrajectories.begin(argument.optionsText(options)));
+    const raw = callWith(() => [argument.options(options)], (core, text) => core.RawTrajectories.begin(text));
     this.#handle = new Handle(raw, "Trajectories");
   }
 
@@ -87,7 +88,7 @@ export class Trajectories {
 
   /** The result document, the same as the command line prints, but for its seconds. @returns {TrajectoriesResult} */
   result() {
-    return JSON.parse(this.#handle.call((raw) => raw.result()));
+    return this.#handle.call((raw) => raw.result());
   }
 
   /** 16 hexadecimal digits over all that was tried, in its order; `index` does not change it. @returns {string} */
@@ -112,7 +113,7 @@ export class Trajectories {
  * @returns {ParameterInfo[]}
  */
 export function trajectoryOptions() {
-  return JSON.parse(call((core) => core.trajectory_options()));
+  return call(() => catalogue().trajectories);
 }
 
 /**
@@ -123,7 +124,7 @@ export function trajectoryOptions() {
  * @throws {import("./error.js").PlanariumError} `unknown-parameter`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer of the field
  */
 export function particlePoints(particle, times) {
-  const told = argument.optionsText(particle);
-  const seconds = argument.rows(times, 1, "times");
-  return call((core) => core.particle_points(told, seconds));
+  return callWith(
+    () => [argument.options(particle), argument.rows(times, 1, "times")],
+    (core, told, seconds) => core.particle_points(told, seconds));
 }

@@ -51,6 +51,18 @@ export interface Check {
   touching: Touching[];
 }
 
+/** The part of a robot and the obstacle that are nearest to each other. */
+export interface Clearance {
+  /** The distance between them, metres. */
+  distance: number;
+  /** Index of the part in `footprint`. */
+  part: number;
+  /** Index of the obstacle in the document. */
+  obstacle: number;
+  /** The nearest point of the part, and that of the obstacle. */
+  points: [Point, Point];
+}
+
 /** A filled obstacle; touching it is collision. */
 export type Obstacle =
   | { type: "polygon"; vertices: Point[] }
@@ -159,6 +171,12 @@ export interface PlannerInfo {
   title: string;
   /** What it does, in a sentence or two. */
   summary: string;
+  /** What is known about its results, in a sentence. */
+  guarantee: string;
+  /** What it grows: a roadmap, a tree from the start, or one from the start and one from each goal. */
+  grows: "roadmap" | "tree" | "trees";
+  /** Whether its edges are drives by controls, so that the goal is a region. */
+  driven: boolean;
   /** How it works, line by line. */
   pseudocode: PseudocodeLine[];
   /** The types of robots that it plans for. */
@@ -214,7 +232,7 @@ export interface ParameterInfo {
   /** What the default depends on, in words, where `default` does not say it. */
   default_meaning?: string | null;
   /** What a choice may be. */
-  choices?: string[] | null;
+  choices: string[] | null;
   /** What it does. */
   meaning: string;
   /** The types of robots that it is for; for others it says nothing. */
@@ -282,25 +300,15 @@ export interface GeneratorInfo {
 }
 
 /** One option of a generator. */
-export interface OptionInfo {
-  /** Key in the options. */
-  name: string;
-  /** Title for people. */
-  title: string;
-  /** What values it takes. */
-  kind: "integer" | "number" | "choice";
-  /** Unit, or an empty string. */
-  unit: string;
-  /** Least value of a number; null for a choice. */
-  min: number | null;
-  /** Greatest value of a number; null for a choice. */
-  max: number | null;
-  /** Value where it is not set. */
-  default: number | string;
-  /** What a choice may be; null for a number. */
-  choices: string[] | null;
-  /** What it does. */
-  meaning: string;
+export type OptionInfo = ParameterInfo;
+
+/** All there is to choose from. @internal */
+export interface Catalogue {
+  planners: PlannerInfo[];
+  generators: GeneratorInfo[];
+  reach_methods: ReachMethodInfo[];
+  indexes: IndexInfo[];
+  trajectories: ParameterInfo[];
 }
 
 /** How to plan: the common options, and the planner's own parameters by name (see `planners()`). */
@@ -393,6 +401,8 @@ export interface Stats {
   visited: number;
   /** Distances to obstacles computed for the proofs. */
   clearance_evaluations: number;
+  /** Motions refused because their proof had spent its budget of evaluations; 0 as a rule. */
+  unproven_motions: number;
   /** Seconds spent building the graph, in this handle's own steps. */
   build_seconds: number;
   /** Seconds spent searching it and shortening the path. */

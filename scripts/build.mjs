@@ -16,7 +16,7 @@ import { homedir } from "node:os";
 import { basename, join } from "node:path";
 import { assembleOneFile, assemblePage } from "./page.mjs";
 import { Problem, ask, isMain, requireFile, root, run, script } from "./run.mjs";
-import { ensureNodeModules, ensureWasmTarget, lockedVersion } from "./setup.mjs";
+import { QUICK_TOOL, ensureNodeModules, ensureWasmTarget, lockedVersion, targetFolder } from "./setup.mjs";
 
 export { assembleOneFile, assemblePage };
 
@@ -30,15 +30,13 @@ const OPTIMIZE = ["-O3"];
 /** What is hot says so itself: with this, level 2 is as small as level "s" and plans a seventh faster. */
 const INLINE_LESS = "-Cllvm-args=-inline-threshold=10";
 
-/** The tool runs for a second and is compiled once: optimizing it and its dependencies would cost more than it gives. */
-const QUICK_TOOL = ["--config", "profile.dev.package.\"*\".opt-level=0", "--config", "profile.dev.debug=0"];
-
 /** Compiles the crate and assembles the package. */
 export async function buildPackage() {
   await ensureNodeModules();
   await ensureWasmTarget();
   requireOneBindgen();
   await makeGlue(await compileCrate());
+  makeCatalogue();
   await makeTypes();
   await assemblePackage();
 }
@@ -63,9 +61,7 @@ async function compileCrate() {
   const flags = cut.map(([from, to]) => `--remap-path-prefix=${from}=/${to}`);
   const env = { RUSTFLAGS: [...flags, INLINE_LESS].join(" ") };
   await run("cargo", ["build", "--profile", "wasm", "--target", "wasm32-unknown-unknown", "--lib", "--locked"], { env });
-  const metadata = ask("cargo", ["metadata", "--format-version", "1", "--no-deps", "--locked"]);
-  if (metadata === undefined) throw new Problem("`cargo metadata` failed.");
-  return join(JSON.parse(metadata).target_directory, "wasm32-unknown-unknown", "wasm", "planarium.wasm");
+  return join(targetFolder(), "wasm32-unknown-unknown", "wasm", "planarium.wasm");
 }
 
 /**
@@ -96,6 +92,13 @@ async function makeGlue(wasm) {
   writeFileSync(stampFile, stamp);
 }
 
+/** The catalogue as a module beside the glue: each call gives a fresh copy. */
+function makeCatalogue() {
+  const text = JSON.stringify(JSON.parse(readFileSync(join(root, "schema", "catalogue.json"), "utf8")));
+  writeFileSync(join(glue, "catalogue.js"), `const text = ${JSON.stringify(text)};\nexport default () => JSON.parse(text);\n`);
+  writeFileSync(join(glue, "catalogue.d.ts"), `declare function catalogue(): import("./types.js").Catalogue;\nexport default catalogue;\n`);
+}
+
 /** Checks the JavaScript layer against the generated glue and writes its declarations. */
 async function makeTypes() {
   rmSync(types, { recursive: true, force: true });
@@ -107,7 +110,7 @@ async function assemblePackage() {
   requireFile(join(root, "schema", "scenario.schema.json"));
   const out = mkdtempSync(join(dist, "package-"));
   const sources = readdirSync(join(root, "js")).filter((name) => name.endsWith(".js")).map((name) => join(root, "js", name));
-  for (const file of [...sources, join(glue, "planarium_bg.wasm")]) cpSync(file, join(out, basename(file)));
+  for (const file of [...sources, join(glue, "catalogue.js"), join(glue, "planarium_bg.wasm")]) cpSync(file, join(out, basename(file)));
   // Nobody reads the generated glue; ours stays as it was written.
   /** @type {typeof import("esbuild")} */
   const { transformSync } = createRequire(import.meta.url)("esbuild");

@@ -26,16 +26,3 @@ export function countsOfTap(tap) {
   if (passed === undefined || failed === undefined || cancelled === undefined) return undefined;
   return { passed: Number(passed), failed: Number(failed) + Number(cancelled) };
 }
-
-/**
- * The tests that failed, from the same report. A group fails with its tests and is not one.
- * @param {string} tap
- * @returns {{ file: string, name: string }[]}
- */
-export function failuresOfTap(tap) {
-  return [...tap.matchAll(/^ *not ok \d+ - (.*)\n((?: +.*\n)*)/gm)].flatMap(([, name, details]) => {
-    const file = details.match(/^ *location: '(.*):\d+:\d+'$/m)?.[1];
-    const isGroup = /^ *type: 'suite'$/m.test(details);
-    return file === undefined || isGroup ? [] : [{ file, name }];
-  });
-}

@@ -12,6 +12,11 @@ const WASM_PACK = "0.15.1";
 
 const WASM_TARGET = "wasm32-unknown-unknown";
 
+/** Tools run for seconds and are compiled once: optimizing more than what reads and writes modules would cost more than it gives. */
+const optimized = ["walrus", "wasmparser", "wasm-encoder", "gimli", "leb128", "wasm-bindgen-cli-support"];
+export const QUICK_TOOL = ["debug=0", "opt-level=0", "package.\"*\".opt-level=0", ...optimized.map((crate) => `package.${crate}.opt-level=1`)]
+  .flatMap((setting) => ["--config", `profile.dev.${setting}`]);
+
 /** Where `cargo install` puts programs. */
 export const cargoBin = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "bin");
 
@@ -54,44 +59,50 @@ export async function ensureRustComponents() {
   }
 }
 
-/** Installs wasm-bindgen's test runner, in the very version of the crate. */
-export async function ensureWasmBindgen() {
-  const version = lockedVersion("wasm-bindgen");
-  const wanted = ["wasm-bindgen", "wasm-bindgen-test-runner"];
-  if (wanted.every((program) => ask(join(cargoBin, program), ["--version"])?.endsWith(` ${version}`))) return;
-  say(`installing wasm-bindgen-cli ${version} (some minutes, once)`);
-  await run("cargo", ["install", "wasm-bindgen-cli", "--version", version, "--force"]);
+/**
+ * Builds wasm-bindgen's command line and test runner, in the very version of the crate.
+ * @returns {Promise<string>} their folder
+ */
+export async function ensureTestRunner() {
+  await run("cargo", [...QUICK_TOOL, "build", "--quiet", "--locked", "-p", "planarium-bindgen", "--features", "tests"]);
+  return join(targetFolder(), "debug");
+}
+
+/** Where Cargo puts what it builds. */
+export function targetFolder() {
+  const metadata = ask("cargo", ["metadata", "--format-version", "1", "--no-deps", "--locked"]);
+  if (metadata === undefined) throw new Problem("`cargo metadata` failed.");
+  return JSON.parse(metadata).target_directory;
 }
 
 /** Installs wasm-pack. */
 export async function ensureWasmPack() {
   if (ask(join(cargoBin, "wasm-pack"), ["--version"])?.endsWith(` ${WASM_PACK}`)) return;
   say(`installing wasm-pack ${WASM_PACK} (some minutes, once)`);
-  await run("cargo", ["install", "wasm-pack", "--version", WASM_PACK, "--force", "--locked"]);
+  // It only calls other programs: without optimization it is there in a third of the time.
+  await run("cargo", ["install", "wasm-pack", "--version", WASM_PACK, "--force", "--locked", "--debug"], { env: { CARGO_PROFILE_DEV_DEBUG: "0" } });
 }
 
 /**
- * Finds Chromium and its driver; installs them where apt-get may.
+ * Finds Chromium and its driver; installs them where apt-get may. The headless shell draws no window of its own, which takes most
+ * of the time of the full browser.
  * @returns {Promise<{ chromium: string, chromedriver: string }>}
  */
 export async function ensureBrowser() {
   const found = findBrowser();
   if (found !== undefined) return found;
-  const install = ["apt-get", "install", "-y", "--no-install-recommends", "chromium", "chromium-driver"];
-  const byHand = `sudo ${install.join(" ")}`;
+  const install = ["apt-get", "install", "-y", "--no-install-recommends", "chromium-headless-shell", "chromium-driver"];
+  const byHand = `  sudo ${install.join(" ")}\nor set CHROMIUM and CHROMEDRIVER to the two programs.`;
   const prefix = process.getuid?.() === 0 ? [] : ["sudo", "-n"];
   const mayInstall = find("apt-get") !== undefined && (prefix.length === 0 || ask("sudo", ["-n", "true"]) !== undefined);
-  if (!mayInstall) throw new Problem(`Chromium and chromedriver are missing, and installing them needs rights. Run:\n  ${byHand}`);
+  if (!mayInstall) throw new Problem(`Chromium and chromedriver are missing, and installing them needs rights. Run:\n${byHand}`);
   say("installing Chromium and chromedriver");
-  const env = { DEBIAN_FRONTEND: "noninteractive" };
   for (const line of [["apt-get", "update"], install]) {
     const [command, ...args] = [...prefix, ...line];
-    await run(command, args, { env });
+    await run(command, args, { env: { DEBIAN_FRONTEND: "noninteractive" } });
   }
   const installed = findBrowser();
-  if (installed === undefined) {
-    throw new Problem("Chromium was installed but is not on the PATH; set CHROMIUM and CHROMEDRIVER to the two programs.");
-  }
+  if (installed === undefined) throw new Problem(`Chromium and chromedriver are not on the PATH. Run:\n${byHand}`);
   return installed;
 }
 
@@ -99,8 +110,9 @@ export async function ensureBrowser() {
  * Chromium and its driver, from the variables CHROMIUM and CHROMEDRIVER or from the PATH.
  * @returns {{ chromium: string, chromedriver: string } | undefined}
  */
-export function findBrowser() {
-  const chromium = process.env.CHROMIUM ?? find("chromium", "chromium-browser", "google-chrome-stable", "google-chrome");
+function findBrowser() {
+  const browsers = ["chromium-headless-shell", "chrome-headless-shell", "chromium", "chromium-browser", "google-chrome-stable", "google-chrome"];
+  const chromium = process.env.CHROMIUM ?? find(...browsers);
   const chromedriver = process.env.CHROMEDRIVER ?? find("chromedriver");
   return chromium !== undefined && chromedriver !== undefined ? { chromium, chromedriver } : undefined;
 }
@@ -145,7 +157,7 @@ if (isMain(import.meta.url)) {
     await ensureNodeModules();
     await ensureWasmTarget();
     await ensureRustComponents();
-    await ensureWasmBindgen();
+    await ensureTestRunner();
     await ensureWasmPack();
     await ensureBrowser();
   });

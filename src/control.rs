@@ -1,9 +1,12 @@
 //! Controls: what a driver does for a while, and what a planner may ask about it.
 
+use crate::json::not_negative;
 use crate::random::Random;
+use serde::{Deserialize, Serialize};
 
 /// What a driver does: a speed v and a steering angle phi.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(from = "[f64; 2]", into = "[f64; 2]")]
 pub struct Control {
     /// The speed, in metres a second; backward where negative.
     pub speed: f64,
@@ -11,12 +14,26 @@ pub struct Control {
     pub steering: f64,
 }
 
+impl From<[f64; 2]> for Control {
+    fn from([speed, steering]: [f64; 2]) -> Self {
+        Self { speed, steering }
+    }
+}
+
+impl From<Control> for [f64; 2] {
+    fn from(control: Control) -> Self {
+        [control.speed, control.steering]
+    }
+}
+
 /// A control that is held for a while.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Motion {
     /// What is done.
     pub control: Control,
     /// For how long, in seconds, at least 0.
+    #[serde(deserialize_with = "not_negative")]
     pub duration: f64,
 }
 

@@ -1,32 +1,34 @@
 //! The one error type of the crate: a stable code, a sentence with the offending value, and where it stands.
 
 use std::fmt::{self, Write};
+use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
 /// What went wrong, as a stable kebab-case code that programs may match on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, EnumMessage, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Code {
-    /// The text is not JSON, a number in it does not fit a 64-bit float, or a value given has no counterpart in JSON.
+    /// The text is not JSON, or a number in it does not fit a 64-bit float.
     InvalidJson,
-    /// The document says another `format` than `planarium-scenario-1`.
+    /// The document says another format than planarium-scenario-1.
     UnknownFormat,
     /// A field that the contract does not know.
     UnknownField,
     /// A field that the contract requires is absent.
     MissingField,
-    /// A field stands twice in one object.
+    /// A field or a parameter is given twice.
     DuplicateField,
-    /// A value of another JSON type than the contract asks for.
+    /// A value of another type than asked for.
     WrongType,
-    /// A `type` (of obstacle, robot, shape) that the contract does not know.
+    /// A type of obstacle, robot or shape that does not exist.
     UnknownType,
     /// A number that is not finite.
     NotFinite,
-    /// A number, a count or a length of a list outside its range.
+    /// A number, a count or the length of a list is outside its range.
     OutOfRange,
     /// A configuration or a list of limits with the wrong number of entries.
     WrongDimension,
-    /// A polygon with fewer than three distinct vertices, zero area, or edges that cross.
+    /// A polygon with fewer than three distinct vertices, without area, with edges that cross, or with a coordinate too near to 0.
     DegeneratePolygon,
     /// Two queries share a name.
     DuplicateName,
@@ -44,11 +46,11 @@ pub enum Code {
     UnknownQuery,
     /// No planner has that id.
     UnknownPlanner,
-    /// The planner has no parameter of that name.
+    /// There is no parameter of that name.
     UnknownParameter,
     /// Nothing of that name can be generated.
     UnknownGenerator,
-    /// What was asked needs another robot.
+    /// What was asked needs another robot or another planner.
     Unsupported,
     /// A file cannot be read or written (command line only).
     File,
@@ -58,108 +60,22 @@ pub enum Code {
     InvalidRoadmap,
     /// A kept roadmap belongs to another world or another robot.
     OtherScenario,
-    /// The arguments of the command line do not make sense (command line only).
+    /// The arguments do not make sense (command line only).
     Usage,
 }
 
 impl Code {
     /// Every code, in the order of their declaration.
-    pub const ALL: [Code; 27] = [
-        Code::InvalidJson,
-        Code::UnknownFormat,
-        Code::UnknownField,
-        Code::MissingField,
-        Code::DuplicateField,
-        Code::WrongType,
-        Code::UnknownType,
-        Code::NotFinite,
-        Code::OutOfRange,
-        Code::WrongDimension,
-        Code::DegeneratePolygon,
-        Code::DuplicateName,
-        Code::BaseInCollision,
-        Code::TooLarge,
-        Code::StartInCollision,
-        Code::GoalInCollision,
-        Code::TargetUnreachable,
-        Code::UnknownQuery,
-        Code::UnknownPlanner,
-        Code::UnknownParameter,
-        Code::UnknownGenerator,
-        Code::Unsupported,
-        Code::File,
-        Code::InvalidResult,
-        Code::InvalidRoadmap,
-        Code::OtherScenario,
-        Code::Usage,
-    ];
+    pub const ALL: &[Code] = Code::VARIANTS;
 
     /// The code as it is printed: kebab-case, stable between versions.
     pub fn as_str(self) -> &'static str {
-        match self {
-            Code::InvalidJson => "invalid-json",
-            Code::UnknownFormat => "unknown-format",
-            Code::UnknownField => "unknown-field",
-            Code::MissingField => "missing-field",
-            Code::DuplicateField => "duplicate-field",
-            Code::WrongType => "wrong-type",
-            Code::UnknownType => "unknown-type",
-            Code::NotFinite => "not-finite",
-            Code::OutOfRange => "out-of-range",
-            Code::WrongDimension => "wrong-dimension",
-            Code::DegeneratePolygon => "degenerate-polygon",
-            Code::DuplicateName => "duplicate-name",
-            Code::BaseInCollision => "base-in-collision",
-            Code::TooLarge => "too-large",
-            Code::StartInCollision => "start-in-collision",
-            Code::GoalInCollision => "goal-in-collision",
-            Code::TargetUnreachable => "target-unreachable",
-            Code::UnknownQuery => "unknown-query",
-            Code::UnknownPlanner => "unknown-planner",
-            Code::UnknownParameter => "unknown-parameter",
-            Code::UnknownGenerator => "unknown-generator",
-            Code::Unsupported => "unsupported",
-            Code::File => "file",
-            Code::InvalidResult => "invalid-result",
-            Code::InvalidRoadmap => "invalid-roadmap",
-            Code::OtherScenario => "other-scenario",
-            Code::Usage => "usage",
-        }
+        self.into()
     }
 
-    /// What the code means, in a sentence for people.
+    /// What the code means, in a sentence for people: the comment at its declaration.
     pub fn meaning(self) -> &'static str {
-        match self {
-            Code::InvalidJson => "The text is not JSON, or a number in it does not fit a 64-bit float.",
-            Code::UnknownFormat => "The document says another format than planarium-scenario-1.",
-            Code::UnknownField => "A field that the contract does not know.",
-            Code::MissingField => "A field that the contract requires is absent.",
-            Code::DuplicateField => "A field or a parameter is given twice.",
-            Code::WrongType => "A value of another type than asked for.",
-            Code::UnknownType => "A type of obstacle, robot or shape that does not exist.",
-            Code::NotFinite => "A number that is not finite.",
-            Code::OutOfRange => "A number, a count or the length of a list is outside its range.",
-            Code::WrongDimension => "A configuration or a list of limits with the wrong number of entries.",
-            Code::DegeneratePolygon => {
-                "A polygon with fewer than three distinct vertices, without area, or with edges that cross."
-            }
-            Code::DuplicateName => "Two queries share a name.",
-            Code::BaseInCollision => "An obstacle lies within the arm's radius of its base, which never moves.",
-            Code::TooLarge => "More obstacles or vertices than the limits allow.",
-            Code::StartInCollision => "The start of the query touches something.",
-            Code::GoalInCollision => "The goal of the query touches something.",
-            Code::TargetUnreachable => "The end effector cannot reach the target of the query.",
-            Code::UnknownQuery => "The scenario has no query of that name, or none at all.",
-            Code::UnknownPlanner => "No planner has that id.",
-            Code::UnknownParameter => "There is no parameter of that name.",
-            Code::UnknownGenerator => "Nothing of that name can be generated.",
-            Code::Unsupported => "What was asked needs another robot or another planner.",
-            Code::File => "A file cannot be read or written (command line only).",
-            Code::InvalidResult => "A result does not hold what the contract of results asks for.",
-            Code::InvalidRoadmap => "A kept roadmap is damaged, contradicts itself, or holds what is not free.",
-            Code::OtherScenario => "A kept roadmap belongs to another world or another robot.",
-            Code::Usage => "The arguments do not make sense (command line only).",
-        }
+        self.get_documentation().unwrap_or_default()
     }
 }
 
@@ -235,4 +151,18 @@ pub(crate) fn quoted(text: &str) -> String {
         }
     }
     quoted + "\""
+}
+
+/// A number for a sentence, as short as it can be: with an exponent where it is very large or very small.
+pub(crate) struct Number(pub f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size = self.0.abs();
+        if size == 0.0 || (1e-6..1e16).contains(&size) || !size.is_finite() {
+            write!(f, "{}", self.0)
+        } else {
+            write!(f, "{:e}", self.0)
+        }
+    }
 }

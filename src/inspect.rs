@@ -1,23 +1,21 @@
 //! Questions about a scenario outside any run: is a configuration free and why not, where is the robot, what does its
 //! configuration space look like. For viewers; planners ask through [`Validity`].
 
-mod configuration;
+mod clearance;
 mod samples;
 
-pub use configuration::Configurations;
-pub(crate) use configuration::space_of;
+use clearance::Boundary;
+pub use clearance::Clearance;
 pub use samples::MAX_SAMPLES;
 
-use crate::collision::{ArmValidity, BodyCollision, BodyValidity, DiscValidity, joint_space, placements, plane};
-use crate::decimal::Decimal;
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, Number};
 use crate::geometry::{Aabb, Point};
 use crate::planner::DEFAULT_TOLERANCE;
 use crate::robot::Part;
-use crate::scenario::{Obstacle, Robot, Scenario};
-use crate::space::{MAX_DIMENSION, Metric, MotionSpace, Space, Torus};
+use crate::scenario::{Obstacle, Robot};
+use crate::space::{MAX_DIMENSION, MotionSpace, ProductSpace, Space};
 use crate::validity::{Contact, Validity};
-use std::rc::Rc;
+use crate::world::{Configurations, PlanningWorld};
 
 /// The most cells that a picture of the configuration space has on a side.
 pub const MAX_CELLS: usize = 4096;
@@ -26,48 +24,43 @@ pub const MAX_CELLS: usize = 4096;
 /// else the error is `wrong-dimension`, `not-finite` or `out-of-range` with the entry's pointer; the ends of a motion must lie
 /// within the joint limits as well. Motions are judged with the default tolerance, which a run may refine.
 pub struct Inspector {
-    robot: Robot,
+    world: PlanningWorld,
     configurations: Configurations,
-    space: Torus<MAX_DIMENSION>,
     validity: Box<dyn Validity<[f64; MAX_DIMENSION]>>,
-    extent: Aabb,
+    obstacles: Vec<Boundary>,
 }
 
 impl Inspector {
     /// Prepares to answer questions about the scenario, with the default metric and tolerance.
-    pub fn new(scenario: &Scenario) -> Self {
-        let (world, robot) = (scenario.world(), scenario.robot().clone());
-        let (space, validity): (_, Box<dyn Validity<_>>) = match &robot {
-            Robot::Arm(arm) => {
-                let space = joint_space(arm, Metric::Sum);
-                (space.clone(), Box::new(ArmValidity::new(arm, space, world, DEFAULT_TOLERANCE)))
-            }
-            Robot::Disc(disc) => {
-                (plane(&world.bounds.expect("a disc has bounds")), Box::new(DiscValidity::new(disc, world)))
-            }
-            Robot::RigidBody(_) | Robot::Car(_) => {
-                let (shape, weights) = robot.placed_shape().expect("both are placed");
-                let space = placements(shape, weights, &world.bounds.expect("a body has bounds"));
-                let collision = BodyCollision::new(shape, world, DEFAULT_TOLERANCE);
-                (space.clone(), Box::new(BodyValidity::new(MotionSpace::new(space), Rc::new(collision))))
-            }
-        };
-        Self { robot, configurations: Configurations::of(scenario), space, validity, extent: extent(scenario) }
+    pub fn new(scenario: impl Into<PlanningWorld>) -> Self {
+        let world = scenario.into();
+        let configurations = Configurations::of(&world);
+        let validity = world.checker(&MotionSpace::new(configurations.space().clone()), DEFAULT_TOLERANCE).validity();
+        let obstacles = world.scenario().world().obstacles.iter().map(Boundary::of_obstacle).collect();
+        Self { world, configurations, validity, obstacles }
+    }
+
+    fn space(&self) -> &ProductSpace<MAX_DIMENSION> {
+        self.configurations.space()
     }
 
     /// How many numbers a configuration has.
     pub fn dimension(&self) -> usize {
-        self.space.dimension()
+        self.space().dimension()
     }
 
     /// The box worth drawing: the bounds, or else all obstacles and all that the arm can reach.
     pub fn extent(&self) -> Aabb {
-        self.extent
+        let world = self.world.scenario().world();
+        let Robot::Arm(arm) = self.world.robot() else { return *self.world.bounds() };
+        let reachable = Aabb::of(arm.base(), arm.base()).grown(arm.reach() + arm.radius());
+        let everything = || world.obstacles.iter().map(Obstacle::aabb).fold(reachable, |all, one| all.union(&one));
+        world.bounds.unwrap_or_else(everything)
     }
 
     /// For every coordinate, whether it wraps.
     pub fn circles(&self) -> Vec<bool> {
-        (0..self.dimension()).map(|i| self.space.is_circle(i)).collect()
+        (0..self.dimension()).map(|i| self.space().is_circle(i)).collect()
     }
 
     /// Every part of the robot that touches something at `q`, and what; empty where `q` is free.
@@ -76,7 +69,7 @@ impl Inspector {
     /// Of the configuration: see [`Inspector`].
     pub fn check(&self, q: &[f64]) -> Result<Vec<Contact>, Error> {
         self.configurations.refuse(q, "")?;
-        Ok(self.validity.contacts(&self.space.state(q)))
+        Ok(self.validity.contacts(&self.space().state(q)))
     }
 
     /// The parts of the robot at `q`.
@@ -85,7 +78,7 @@ impl Inspector {
     /// Of the configuration: see [`Inspector`].
     pub fn footprint(&self, q: &[f64]) -> Result<Vec<Part>, Error> {
         self.configurations.refuse(q, "")?;
-        Ok(self.robot.footprint(q))
+        Ok(self.world.robot().footprint(q))
     }
 
     /// The tip of the arm, the centre of the disc, or the origin of the body's frame, at `q`.
@@ -94,7 +87,7 @@ impl Inspector {
     /// Of the configuration: see [`Inspector`].
     pub fn end_effector(&self, q: &[f64]) -> Result<Point, Error> {
         self.configurations.refuse(q, "")?;
-        Ok(match &self.robot {
+        Ok(match self.world.robot() {
             Robot::Arm(arm) => arm.end_effector(q),
             Robot::Disc(_) | Robot::RigidBody(_) | Robot::Car(_) => Point::new(q[0], q[1]),
         })
@@ -107,9 +100,9 @@ impl Inspector {
     pub fn interpolate(&self, a: &[f64], b: &[f64], t: f64) -> Result<Vec<f64>, Error> {
         self.refuse_motion(a, b)?;
         if !(0.0..=1.0).contains(&t) {
-            return Err(Error::new(Code::OutOfRange, "/t", format!("t must lie within [0, 1], not {}", Decimal(t))));
+            return Err(Error::new(Code::OutOfRange, "/t", format!("t must lie within [0, 1], not {}", Number(t))));
         }
-        let space = &self.space;
+        let space = self.space();
         Ok(space.coordinates(&space.interpolate(&space.state(a), &space.state(b), t)).to_vec())
     }
 
@@ -119,7 +112,7 @@ impl Inspector {
     /// Of the configurations (pointers `/a` and `/b`).
     pub fn distance(&self, a: &[f64], b: &[f64]) -> Result<f64, Error> {
         self.refuse_motion(a, b)?;
-        Ok(self.space.distance(&self.space.state(a), &self.space.state(b)))
+        Ok(self.space().distance(&self.space().state(a), &self.space().state(b)))
     }
 
     /// Where, as a fraction, the motion from `a` to `b` first cannot be proven free; `None` where all of it is proven.
@@ -128,7 +121,7 @@ impl Inspector {
     /// Of the configurations (pointers `/a` and `/b`).
     pub fn first_hit(&self, a: &[f64], b: &[f64]) -> Result<Option<f64>, Error> {
         self.refuse_motion(a, b)?;
-        Ok(self.validity.first_hit(&self.space.state(a), &self.space.state(b)))
+        Ok(self.validity.first_hit(&self.space().state(a), &self.space().state(b)))
     }
 
     /// The angles that the picture of the configuration space shows: low and high of each of the two joints.
@@ -136,8 +129,8 @@ impl Inspector {
     /// # Errors
     /// `unsupported` for anything but an arm of two links.
     pub fn configuration_space_range(&self) -> Result<[[f64; 2]; 2], Error> {
-        match &self.robot {
-            Robot::Arm(_) if self.dimension() == 2 => Ok([self.space.range(0), self.space.range(1)]),
+        match self.world.robot() {
+            Robot::Arm(_) if self.dimension() == 2 => Ok([self.space().range(0), self.space().range(1)]),
             _ => Err(Error::new(Code::Unsupported, "", "only an arm of two links has a square of configurations")),
         }
     }
@@ -163,7 +156,7 @@ impl Inspector {
         for row in 0..height {
             for column in 0..width {
                 let q = [center(0, column, width), center(1, row, height)];
-                cells.push(u8::from(!self.validity.is_free(&self.space.state(&q))));
+                cells.push(u8::from(!self.validity.is_free(&self.space().state(&q))));
             }
         }
         Ok(cells)
@@ -174,16 +167,4 @@ impl Inspector {
         self.configurations.refuse_outside(a, "/a")?;
         self.configurations.refuse_outside(b, "/b")
     }
-}
-
-/// The bounds, or else all obstacles and all that the arm can reach.
-fn extent(scenario: &Scenario) -> Aabb {
-    let world = scenario.world();
-    let reachable = match scenario.robot() {
-        Robot::Arm(arm) => Aabb::of(arm.base(), arm.base()).grown(arm.reach() + arm.radius()),
-        _ => return world.bounds.expect("only an arm does without bounds"),
-    };
-    world
-        .bounds
-        .unwrap_or_else(|| world.obstacles.iter().map(Obstacle::aabb).fold(reachable, |all, one| all.union(&one)))
 }

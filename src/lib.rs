@@ -6,7 +6,8 @@
 //!
 //! # The way in
 //! - [`scenario::Scenario::parse`] reads a document, [`scenario::generate`] makes one by seed;
-//! - [`run::start`] begins a run behind one face, [`run::Run`]; [`run::planners`] lists planners and their parameters;
+//! - [`world::PlanningWorld`] prepares it once for all that follows;
+//! - [`run::start`] begins a run behind one face, [`run::Run`]; [`run::planners`] lists planners and their options, [`catalogue`] all there is to choose from;
 //! - [`kept::RoadmapDocument`] keeps a built roadmap, [`run::resume`] goes on asking it;
 //! - [`inspect::Inspector`] answers what a viewer asks;
 //! - [`neighbours::index`] finds the nearest of many configurations;
@@ -16,10 +17,10 @@
 //! - [`path::verify()`] judges a finished path by an independent route.
 //!
 //! # The house, and the rule of its arrows
-//! From the ground up: [`decimal`], [`error`], [`order`], [`json`], [`parameters`], [`stats`], [`status`], [`phase`],
+//! From the ground up: [`error`], [`json`], [`options`], [`stats`], [`status`], [`phase`],
 //! [`random`], [`geometry`], [`validity`]; on them [`control`], [`steering`], [`space`] and [`robot`]; on those [`scenario`],
-//! [`collision`], [`problem`] and [`result`]; then [`graph`], [`nearest`], [`sampling`], [`kept`], [`path`], [`drive`],
-//! [`reach`] and [`fleet`]; then [`planner`]; then [`run`] and [`inspect`]; on that [`neighbours`]; and last the bindings and
+//! [`collision`], [`world`], [`problem`] and [`result`]; then [`graph`], [`nearest`], [`sampling`], [`kept`], [`path`], [`drive`],
+//! [`reach`] and [`fleet`]; then [`planner`]; then [`run`] and [`inspect`]; on that [`neighbours`]; and last [`catalogue`], the bindings and
 //! the command line. A room names only rooms below
 //! it: a planner sees a space and the traits [`validity::Validity`] and [`control::Dynamics`], never a robot, a scenario or a
 //! shape. The core reads no clock, prints nothing, keeps no global and calls nothing back. A test holds this against the code.
@@ -29,9 +30,9 @@
 #[cfg(target_arch = "wasm32")]
 #[allow(missing_docs, unsafe_code)]
 pub mod bindings;
+pub mod catalogue;
 pub mod collision;
 pub mod control;
-pub mod decimal;
 pub mod drive;
 pub mod error;
 pub mod fleet;
@@ -42,8 +43,7 @@ pub mod json;
 pub mod kept;
 pub mod nearest;
 pub mod neighbours;
-pub mod order;
-pub mod parameters;
+pub mod options;
 pub mod path;
 pub mod phase;
 pub mod planner;
@@ -60,6 +60,7 @@ pub mod stats;
 pub mod status;
 pub mod steering;
 pub mod validity;
+pub mod world;
 
 pub use error::Error;
 

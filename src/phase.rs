@@ -1,7 +1,10 @@
 //! What a run is busy with.
 
+use strum::{IntoStaticStr, VariantArray};
+
 /// What a run is busy with. Its number is that in [`Phase::ALL`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Phase {
     /// Samples are drawn and become vertices.
     Sampling,
@@ -21,26 +24,10 @@ pub enum Phase {
 
 impl Phase {
     /// Every phase, in the order of their numbers.
-    pub const ALL: [Phase; 7] = [
-        Phase::Sampling,
-        Phase::Connecting,
-        Phase::Guarding,
-        Phase::Searching,
-        Phase::Growing,
-        Phase::Improving,
-        Phase::Done,
-    ];
+    pub const ALL: &[Phase] = Phase::VARIANTS;
 
     /// The phase in a word, the same everywhere.
     pub fn as_str(self) -> &'static str {
-        match self {
-            Phase::Sampling => "sampling",
-            Phase::Connecting => "connecting",
-            Phase::Guarding => "guarding",
-            Phase::Searching => "searching",
-            Phase::Growing => "growing",
-            Phase::Improving => "improving",
-            Phase::Done => "done",
-        }
+        self.into()
     }
 }

@@ -1,7 +1,6 @@
 //! A planning problem: a space, what is free in it, a start and a goal.
 
 use crate::control::Dynamics;
-use crate::decimal::Row;
 use crate::error::{Code, Error};
 use crate::space::Space;
 use crate::validity::{Contact, Validity};
@@ -93,8 +92,8 @@ impl<S: Space> Problem<S> {
         if contacts.is_empty() {
             return Ok(());
         }
-        let q = Row(self.space.coordinates(state));
-        let sentence = format!("the {what} {q} is in collision: {}", enumerate(&contacts));
+        let q = self.space.coordinates(state);
+        let sentence = format!("the {what} {q:?} is in collision: {}", enumerate(&contacts));
         Err(Error::new(code, format!("/{what}"), sentence))
     }
 

@@ -1,10 +1,14 @@
 //! The seeded, portable generator: the same seed gives the same draws on every platform, for good.
 //!
 //! Xoshiro256++ (Blackman and Vigna 2021, "Scrambled linear pseudorandom number generators"), seeded through SplitMix64.
-//! The draws from it are written here, so that no library's distribution can change a result.
+//! [`Random`] is a generator of the crate rand, so all of rand's distributions apply to it. Results must not change with the
+//! version of rand, so [`Random::normal`] and [`below`] are written here: rand and rand_distr draw other bits for them, and
+//! change their algorithms between versions.
 
-use rand_core::{Rng, SeedableRng};
+use crate::error::{Code, Error};
+use rand::{Rng, RngExt, SeedableRng, TryRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
+use std::convert::Infallible;
 
 /// The largest seed: 2^53 - 1, the largest integer that JavaScript holds exactly.
 pub const MAX_SEED: u64 = (1 << 53) - 1;
@@ -51,8 +55,7 @@ impl Random {
 
     /// A number from [0, 1), a multiple of 2^-53.
     pub fn uniform(&mut self) -> f64 {
-        const UNIT: f64 = 1.0 / (1u64 << 53) as f64;
-        (self.bits() >> 11) as f64 * UNIT
+        self.random()
     }
 
     /// A number from the standard normal distribution (Marsaglia and Bray 1964, "A convenient method for generating normal
@@ -67,15 +70,46 @@ impl Random {
         }
     }
 
-    /// A whole number from 0 to `n` - 1, all equally likely (Lemire 2019, "Fast random integer generation in an
-    /// interval"); 0 where `n` is 0.
+    /// An integer from 0 to `n` - 1: see [`below`].
     pub fn below(&mut self, n: u64) -> u64 {
-        let reject_below = n.wrapping_neg().checked_rem(n).unwrap_or(0);
-        loop {
-            let product = u128::from(self.bits()) * u128::from(n);
-            if product as u64 >= reject_below {
-                return (product >> 64) as u64;
-            }
+        below(self, n)
+    }
+}
+
+impl TryRng for Random {
+    type Error = Infallible;
+
+    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+        self.0.try_next_u32()
+    }
+
+    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
+        self.0.try_next_u64()
+    }
+
+    fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
+        self.0.try_fill_bytes(bytes)
+    }
+}
+
+/// An integer from 0 to `n` - 1, all equally likely (Lemire 2019, "Fast random integer generation in an interval"); 0 if `n`
+/// is 0.
+pub fn below(generator: &mut impl Rng, n: u64) -> u64 {
+    let reject_below = n.wrapping_neg().checked_rem(n).unwrap_or(0);
+    loop {
+        let product = u128::from(generator.next_u64()) * u128::from(n);
+        if product as u64 >= reject_below {
+            return (product >> 64) as u64;
         }
     }
+}
+
+/// A fresh seed from the entropy of the operating system or the browser, from 0 to [`MAX_SEED`].
+///
+/// # Errors
+/// `unsupported` if the platform has no source of entropy.
+pub fn random_seed() -> Result<u64, Error> {
+    let sentence = |error| format!("this platform gives no random bits: {error}");
+    let bits = getrandom::u64().map_err(|error| Error::new(Code::Unsupported, "", sentence(error)))?;
+    Ok(bits & MAX_SEED)
 }

@@ -1,23 +1,36 @@
-//! What a planner may ask of the world: the one trait between planning and collision.
+//! Collision checking as planners see it: the one trait between planning and collision.
 
-/// Whether configurations and motions are free. Planners know obstacles through this trait alone.
+/// Whether configurations and motions are free. Planners know obstacles through this trait alone. An implementation of one's own
+/// needs [`contacts`](Validity::contacts) and [`is_motion_free`](Validity::is_motion_free).
 pub trait Validity<S> {
-    /// Whether the configuration is within bounds and touches no obstacle.
-    fn is_free(&self, state: &S) -> bool;
-
-    /// Whether the motion from `a` to `b` is proven free, both ends included. Looks at the middle first, where collisions
-    /// are found early. "No" means that it is in collision, or too near to one to be proven.
-    fn is_motion_free(&self, a: &S, b: &S) -> bool;
-
-    /// Where, as a fraction of the motion from `a` to `b`, the first stretch begins that cannot be proven free; all before
-    /// it is proven. `None` where the whole motion is proven.
-    fn first_hit(&self, a: &S, b: &S) -> Option<f64>;
-
     /// Every pair of a part of the robot and a thing that it touches; empty where the configuration is free.
     fn contacts(&self, state: &S) -> Vec<Contact>;
 
-    /// How many times the clearance of a part has been evaluated so far: the measure of work that is the same everywhere.
-    fn clearance_evaluations(&self) -> u64;
+    /// Whether the motion from `a` to `b` is proven free, both ends included. Checks the middle first, where collisions are
+    /// found early. False means that it is in collision, or too near to one to be proven.
+    fn is_motion_free(&self, a: &S, b: &S) -> bool;
+
+    /// Whether the configuration is within bounds and touches no obstacle.
+    fn is_free(&self, state: &S) -> bool {
+        self.contacts(state).is_empty()
+    }
+
+    /// Where, as a fraction of the motion from `a` to `b`, the first interval begins that cannot be proven free; all before
+    /// it is proven. `None` where the whole motion is proven. The default knows no part of a motion that is refused.
+    fn first_hit(&self, a: &S, b: &S) -> Option<f64> {
+        if self.is_motion_free(a, b) { None } else { Some(0.0) }
+    }
+
+    /// How many times the clearance of a part has been evaluated so far: the measure of work that is the same on every
+    /// machine. The default counts nothing.
+    fn clearance_evaluations(&self) -> u64 {
+        0
+    }
+
+    /// How many motions have been refused so far because the proof had spent its budget of evaluations. The default counts none.
+    fn unproven_motions(&self) -> u64 {
+        0
+    }
 }
 
 /// A part of the robot and what it touches.

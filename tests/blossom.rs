@@ -1,19 +1,13 @@
 //! Of a blossom of controls the one that comes closest is kept.
 
-mod common;
-#[path = "common/driven.rs"]
-mod driven;
-
-use common::car_shut_in;
-use driven::car;
-use planarium::collision::{BodyCollision, BodyValidity, Driving, Integration, placements};
+use crate::common::car_shut_in;
+use crate::common::driven::car;
+use planarium::collision::{BodyCollision, BodyValidity, Driving, Integration};
 use planarium::control::{Control, Dynamics, Motion};
-use planarium::planner::{
-    Blocked, Blossom, Durations, GoalBias, GoalTest, Origin, Planner, RrtControl, RrtControlOptions,
-};
+use planarium::planner::{Blocked, ByControls, GoalTest, Method, Reaching, RrtControlOptions};
 use planarium::problem::Problem;
-use planarium::random::{Random, Stream};
-use planarium::sampling::Uniform;
+use planarium::random::Random;
+use planarium::robot::placements;
 use planarium::space::{MotionSpace, Space};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -79,20 +73,16 @@ fn of_a_blossom_the_one_that_comes_closest_is_kept() {
         let problem = Problem::new(space.clone(), Box::new(validity), start, goal).expect("both are free");
         let problem = problem.with_dynamics(Box::new(noted));
         let options = RrtControlOptions {
-            origin: Origin::Nearest,
-            once: false,
-            blossom: Blossom::Random(8),
-            durations: Durations { shortest: 10, longest: 120 },
-            near_goal: None,
+            blossom: 8,
+            duration_steps: Some(120),
+            shortest_steps: Some(10),
             blocked,
             // Always towards the goal, so that the target is known.
-            bias: GoalBias::Share(1.0),
-            late: None,
-            goal_test: GoalTest::Ends,
+            reaching: Reaching { goal_bias: 1.0, goal_every: None },
+            driving: ByControls { goal_test: GoalTest::Ends, ..ByControls::default() },
+            ..RrtControlOptions::default()
         };
-        let [samples, bias, controls] =
-            [Stream::Samples, Stream::Bias, Stream::Controls].map(|stream| Random::new(5, stream));
-        let mut rrt = RrtControl::new(&problem, options, Box::new(Uniform::new(samples)), [bias, controls]);
+        let mut rrt = options.begin(&problem, 5).expect("the options go together");
         let (mut kept, mut spared, mut cut) = (0, 0, 0);
         for iteration in 1..=150 {
             let before = rrt.graph().states().len();

@@ -1,12 +1,8 @@
 //! The proof law for bodies and cars: no accepted motion of a body touches an obstacle, however thin, nor leaves the bounds; nothing
 //! with room to spare is refused. On native, Node and Chrome alike, with many seeds natively.
 
-#[path = "common/bodies.rs"]
-mod bodies;
-mod common;
-
-use bodies::*;
-use common::seeds;
+use crate::common::bodies::*;
+use crate::common::seeds;
 use planarium::collision::{BodyCollision, BodyMotion};
 use planarium::geometry::{Disc, Polygon};
 use planarium::random::{Random, Stream};

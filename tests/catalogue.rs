@@ -1,31 +1,32 @@
 //! The table of planners: words that explain themselves, and pseudo-code that every iteration of every planner lights.
 
-mod common;
+use crate::common;
 
-use common::{
+use crate::common::{
     DRIVEN, PLANNERS, arm_and_wall, begin_with, car_and_wall, car_shut_in, disc_and_wall, finish, fitting, no_way,
     options,
 };
 use planarium::graph::EventKind;
-use planarium::planner::{Mark, Phase, PseudocodeLine, planner_info, planners};
+use planarium::planner::{Mark, PlannerId, PseudocodeLine, planners};
 use planarium::run::{EVENT_HEAD, Run, Status, resume};
 use std::collections::BTreeSet;
+use strum::VariantArray;
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// The kinds of event by the numbers that viewers see.
-const KINDS: [EventKind; 7] = [
-    EventKind::SampleRejected,
-    EventKind::EdgeRefused,
-    EventKind::VertexExpanded,
-    EventKind::SolutionFound,
-    EventKind::SampleDiscarded,
-    EventKind::GuardAdded,
-    EventKind::VertexRemoved,
+/// The kinds of event by the numbers that viewers see, each with its mark.
+const KINDS: [(EventKind, Mark); 7] = [
+    (EventKind::SampleRejected, Mark::Rejected),
+    (EventKind::EdgeRefused, Mark::Refused),
+    (EventKind::VertexExpanded, Mark::Expanded),
+    (EventKind::SolutionFound, Mark::Solved),
+    (EventKind::SampleDiscarded, Mark::Discarded),
+    (EventKind::GuardAdded, Mark::Guard),
+    (EventKind::VertexRemoved, Mark::Removed),
 ];
 
 /// The word of a mark, as viewers see it.
 fn word(mark: Mark) -> String {
-    mark.word().to_owned()
+    <&str>::from(mark).to_owned()
 }
 
 /// Does one iteration and says by which marks.
@@ -41,11 +42,11 @@ fn marks_of_one(run: &mut dyn Run) -> BTreeSet<String> {
     add(run.vertex_count() > vertices, Mark::Vertex);
     add(run.edge_count() > edges, Mark::Edge);
     for row in run.events_since(events).chunks(EVENT_HEAD + run.dimension()) {
-        let kind = KINDS[row[0] as usize];
+        let (kind, mark) = KINDS[row[0] as usize];
         assert_eq!(f64::from(kind as u8), row[0]);
-        add(true, Mark::of(kind));
+        add(true, mark);
     }
-    add(run.status() != Status::Running, Mark::In(Phase::Done));
+    add(run.status() != Status::Running, Mark::Done);
     marks
 }
 
@@ -76,7 +77,11 @@ fn settings() -> Vec<(&'static str, String)> {
 #[wasm_bindgen_test(unsupported = test)]
 fn every_planner_and_parameter_says_in_one_short_sentence_what_it_does() {
     for info in planners() {
-        for (name, words) in info.parameters.iter().map(|row| (row.name, row.meaning)).chain([(info.id, info.summary)])
+        for (name, words) in info
+            .parameters
+            .iter()
+            .map(|row| (row.name, &*row.meaning))
+            .chain([(info.id, info.summary), (info.id, info.guarantee)])
         {
             let length = words.chars().count();
             assert!((30..=110).contains(&length), "{name}: {length} characters in {words:?}");
@@ -88,8 +93,8 @@ fn every_planner_and_parameter_says_in_one_short_sentence_what_it_does() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_planner_has_a_few_short_lines_and_marks_that_exist() {
-    let known: BTreeSet<String> = Mark::ALL.into_iter().map(word).collect();
-    assert_eq!(known.len(), Mark::ALL.len(), "a word for each mark");
+    let known: BTreeSet<String> = Mark::VARIANTS.iter().copied().map(word).collect();
+    assert_eq!(known.len(), Mark::VARIANTS.len(), "a word for each mark");
     for info in planners() {
         let lines = info.pseudocode;
         assert!((6..=12).contains(&lines.len()), "{}: {} lines", info.id, lines.len());
@@ -113,7 +118,7 @@ fn every_iteration_lights_a_line_and_every_mark_is_met() {
     let cars = [car_and_wall(0.1), car_shut_in(0.1)];
     let mut met: BTreeSet<(&str, String)> = BTreeSet::new();
     for (planner, words) in settings() {
-        let info = planner_info(planner).expect("a planner");
+        let info = PlannerId::of(planner).expect("a planner").info();
         let lines = info.pseudocode;
         for world in if info.robots == ["car"] { &cars[..] } else { &worlds } {
             let settings = fitting(world, &words);
@@ -145,7 +150,7 @@ fn every_iteration_lights_a_line_and_every_mark_is_met() {
 fn a_roadmap_gone_on_with_lights_lines_too() {
     let world = arm_and_wall(0.1);
     for (planner, settings) in [("prm", "samples=80"), ("prm-star", "samples=80"), ("visibility-prm", "failures=60")] {
-        let lines = planner_info(planner).expect("a planner").pseudocode;
+        let lines = PlannerId::of(planner).expect("a planner").info().pseudocode;
         let kept = finish(begin_with(&world, planner, 5, settings)).roadmap().expect("a roadmap");
         // Another start, so that it has to be joined.
         let mut other: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
@@ -160,4 +165,36 @@ fn a_roadmap_gone_on_with_lights_lines_too() {
         }
         assert!(phases.contains("connecting"), "{planner}: {phases:?}");
     }
+}
+
+/// The committed catalogue is the one that the declarations give; `PLANARIUM_BLESS=1` writes it anew.
+#[cfg(not(target_arch = "wasm32"))]
+#[test]
+fn the_committed_catalogue_is_up_to_date() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/schema/catalogue.json");
+    let text = format!("{:#}\n", planarium::catalogue::catalogue());
+    if std::env::var_os("PLANARIUM_BLESS").is_some() {
+        std::fs::write(path, &text).expect("the file can be written");
+    }
+    let committed = std::fs::read_to_string(path).expect("the file is there");
+    assert!(committed == text, "schema/catalogue.json is out of date: PLANARIUM_BLESS=1 writes it anew");
+}
+
+/// The patch of `docs/adding-a-planner.md` fits the tree as it is.
+#[cfg(not(target_arch = "wasm32"))]
+#[test]
+fn the_documented_planner_can_be_added() {
+    use std::io::Write;
+    use std::process::{Command, Stdio};
+    let root = env!("CARGO_MANIFEST_DIR");
+    let text = std::fs::read_to_string(format!("{root}/docs/adding-a-planner.md")).expect("the file is there");
+    let patch = text.split("```diff\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a patch");
+    let mut git = Command::new("git")
+        .args(["apply", "--check", "-"])
+        .current_dir(root)
+        .stdin(Stdio::piped())
+        .spawn()
+        .expect("git is there");
+    git.stdin.take().expect("a pipe").write_all(patch.as_bytes()).expect("git reads the patch");
+    assert!(git.wait().expect("git ends").success(), "the patch in docs/adding-a-planner.md does not apply");
 }

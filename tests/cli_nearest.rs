@@ -1,5 +1,4 @@
 //! `planarium nearest` as a person or a script meets it.
-#![cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
 
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -104,6 +103,10 @@ fn what_makes_no_sense_is_refused() {
         let (exit, answer) = nearest(&[FIRS, "--configurations", name, "--target", "0,0"]);
         let error = &answer["error"];
         assert_eq!((exit, &error["code"], &error["pointer"]), (2, &json!(code), &json!(pointer)), "{name}: {answer}");
+    }
+    for (target, pointer) in [("0", "/target"), ("0,1e7", "/target/1"), ("nan,0", "/target/0")] {
+        let (exit, answer) = nearest(&[FIRS, "--target", target]);
+        assert_eq!((exit, &answer["error"]["pointer"]), (2, &json!(pointer)), "{target}: {answer}");
     }
     for (arguments, code) in [
         (&["--target", "0"][..], "wrong-dimension"),

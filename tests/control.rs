@@ -1,11 +1,7 @@
 //! Planning by controls: what is driven is free, leads where it says, and keeps to the settings.
 
-mod common;
-#[path = "common/driven.rs"]
-mod driven;
-
-use common::{DRIVEN, arm_and_wall, begin_with, car_and_wall, car_shut_in, finish, options, parse, seeds};
-use driven::{car, driven, edges, is_in_region, steps, vertices_of};
+use crate::common::driven::{car, driven, edges, is_in_region, steps, vertices_of};
+use crate::common::{DRIVEN, arm_and_wall, begin_with, car_and_wall, car_shut_in, finish, options, parse, seeds};
 use planarium::control::Motion;
 use planarium::path::{Leg, Verdict, verify, verify_legs};
 use planarium::planner::{default_planner, planners};

@@ -4,13 +4,11 @@
 use planarium::graph::{Graph, VertexId};
 use planarium::path::{Improvement, Wanted, length};
 use planarium::planner::{
-    Algorithm, Connection, Cost, Extend, GoalBias, Heuristic, Order, Planner, Prm, PrmOptions, Rrt, RrtConnect,
-    RrtOptions, SearchRules, Status,
+    Algorithm, Extend, Insertion, Method, Planner, PrmOptions, Reaching, RrtConnectOptions, RrtOptions, Searching,
+    Status,
 };
 use planarium::problem::Problem;
-use planarium::random::{Random, Stream};
-use planarium::sampling::Uniform;
-use planarium::space::{MotionSpace, Space, Torus};
+use planarium::space::{MotionSpace, ProductSpace, Space};
 use planarium::steering::{Pose, Steering};
 use planarium::validity::{Contact, Touched, Validity};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -70,29 +68,36 @@ impl Validity<State> for Discs {
 
 /// From one corner to the other and about face, among a few discs.
 fn problem(steering: Steering, radius: f64) -> Problem<Car> {
-    let torus = Torus::of_placements([0.0; 2], [SIDE; 2], 0.7, 0.3);
+    let torus = ProductSpace::of_placements([0.0; 2], [SIDE; 2], 0.7, 0.3);
     let space = MotionSpace::steered(torus, steering, radius);
     let discs = vec![[5.0, 5.0, 1.2], [2.0, 6.5, 0.8], [7.0, 2.0, 1.0], [8.0, 7.0, 0.7]];
     let [start, goal] = [[1.5, 1.5, 0.5], [8.5, 8.8, -2.5]].map(|q| space.state(&q));
     Problem::new(space.clone(), Box::new(Discs { space, discs }), start, goal).expect("both are free")
 }
 
-fn rules(algorithm: Algorithm) -> SearchRules {
-    SearchRules { algorithm, cost: Cost::Metric, heuristic: Heuristic::Metric }
+/// A planner at its beginning.
+fn begin(options: &impl Method, problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {
+    options.begin(problem, seed).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn uniform(seed: u64) -> Box<Uniform> {
-    Box::new(Uniform::new(Random::new(seed, Stream::Samples)))
+fn prm(
+    problem: &Problem<Car>,
+    seed: u64,
+    samples: usize,
+    (insertion, discard): (Insertion, bool),
+    search: Algorithm,
+) -> Box<dyn Planner<Car>> {
+    let searching = Searching { search, ..Searching::default() };
+    begin(&PrmOptions { samples, k: Some(6), insertion, discard, searching, ..PrmOptions::default() }, problem, seed)
 }
 
-fn prm(problem: &Problem<Car>, seed: u64, samples: usize, order: Order, algorithm: Algorithm) -> Prm<Car> {
-    let connection = Connection { k: 6, radius: f64::INFINITY };
-    Prm::new(problem, &PrmOptions { samples, connection, order, rules: rules(algorithm) }, uniform(seed))
+fn rrt(problem: &Problem<Car>, seed: u64, extend: Extend) -> Box<dyn Planner<Car>> {
+    let reaching = Reaching { goal_bias: 0.1, goal_every: None };
+    begin(&RrtOptions { step: Some(1.0), extend, reaching, ..RrtOptions::default() }, problem, seed)
 }
 
-fn rrt(problem: &Problem<Car>, seed: u64, extend: Extend) -> Rrt<Car> {
-    let options = RrtOptions { step: 1.0, extend, bias: GoalBias::Share(0.1) };
-    Rrt::new(problem, options, uniform(seed), Random::new(seed, Stream::Bias))
+fn rrt_connect(problem: &Problem<Car>, seed: u64, step: f64) -> Box<dyn Planner<Car>> {
+    begin(&RrtConnectOptions { step: Some(step), ..RrtConnectOptions::default() }, problem, seed)
 }
 
 fn finish(planner: &mut dyn Planner<Car>, problem: &Problem<Car>) -> Status {
@@ -129,15 +134,15 @@ fn trees_end_at_the_goal_and_are_driven_in_order() {
         for extend in [Extend::Step, Extend::Half, Extend::UntilObstacle] {
             let mut planner = rrt(&problem, seed, extend);
             let what = format!("rrt {steering:?} {extend:?} {seed}");
-            assert_eq!(finish(&mut planner, &problem), Status::Solved, "{what}");
-            is_driven(&planner, &problem, &what);
+            assert_eq!(finish(&mut *planner, &problem), Status::Solved, "{what}");
+            is_driven(&*planner, &problem, &what);
             edges_are_free(planner.graph(), &problem);
         }
         for step in [0.4, 1.0, 5.0] {
-            let mut planner = RrtConnect::new(&problem, step, uniform(seed));
+            let mut planner = rrt_connect(&problem, seed, step);
             let what = format!("rrt-connect {steering:?} {step} {seed}");
-            assert_eq!(finish(&mut planner, &problem), Status::Solved, "{what}");
-            is_driven(&planner, &problem, &what);
+            assert_eq!(finish(&mut *planner, &problem), Status::Solved, "{what}");
+            is_driven(&*planner, &problem, &what);
             edges_are_free(planner.graph(), &problem);
             for &[from, to] in planner.graph().edges() {
                 let [a, b] = [from, to].map(|vertex| planner.graph().state(vertex));
@@ -149,7 +154,7 @@ fn trees_end_at_the_goal_and_are_driven_in_order() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn roadmaps_are_never_walked_against_their_arrows() {
-    let orders = [Order::Batch, Order::OneByOne { discard: false }, Order::OneByOne { discard: true }];
+    let orders = [(Insertion::Batch, false), (Insertion::OneByOne, false), (Insertion::OneByOne, true)];
     let searches = [Algorithm::AStar, Algorithm::Dijkstra, Algorithm::BreadthFirst, Algorithm::Bidirectional];
     let (mut solved, mut all) = (0, 0);
     for (steering, seed) in BOTH.into_iter().flat_map(|steering| (0..SEEDS).map(move |seed| (steering, seed))) {
@@ -159,11 +164,11 @@ fn roadmaps_are_never_walked_against_their_arrows() {
             for search in searches {
                 let mut planner = prm(&problem, seed, 120, order, search);
                 let what = format!("prm {steering:?} {order:?} {search:?} {seed}");
-                let status = finish(&mut planner, &problem);
+                let status = finish(&mut *planner, &problem);
                 all += 1;
                 solved += usize::from(status == Status::Solved);
                 if status == Status::Solved {
-                    is_driven(&planner, &problem, &what);
+                    is_driven(&*planner, &problem, &what);
                 }
                 edges_are_free(planner.graph(), &problem);
                 let states: Vec<State> = planner.path().iter().map(|&v| *planner.graph().state(v)).collect();
@@ -182,8 +187,8 @@ fn a_directed_roadmap_tries_every_way_out_and_every_way_in_once() {
     let problem = problem(Steering::Dubins, 0.6);
     let space = problem.space();
     for seed in 0..SEEDS {
-        let mut planner = prm(&problem, seed, 60, Order::Batch, Algorithm::AStar);
-        finish(&mut planner, &problem);
+        let mut planner = prm(&problem, seed, 60, (Insertion::Batch, false), Algorithm::AStar);
+        finish(&mut *planner, &problem);
         let graph = planner.graph();
         let n = graph.states().len();
         // By the definition: of every vertex the six nearest that it leads to and the six nearest that lead to it.
@@ -217,8 +222,8 @@ fn a_roadmap_answers_other_questions_in_the_direction_asked() {
     for (steering, seed) in BOTH.into_iter().flat_map(|steering| (0..SEEDS).map(move |seed| (steering, seed))) {
         let problem = problem(steering, 0.6);
         let space = problem.space();
-        let mut planner = prm(&problem, seed, 150, Order::Batch, Algorithm::Bidirectional);
-        finish(&mut planner, &problem);
+        let mut planner = prm(&problem, seed, 150, (Insertion::Batch, false), Algorithm::Bidirectional);
+        finish(&mut *planner, &problem);
         for (ends, keep) in [([[1.0, 9.0, 0.0], [9.0, 1.0, 1.0]], None), ([[9.0, 5.0, -1.5], [1.0, 4.0, 2.0]], Some(7))]
         {
             let ends = ends.map(|q| space.state(&q));
@@ -241,8 +246,8 @@ fn a_roadmap_answers_other_questions_in_the_direction_asked() {
 fn improved_paths_are_driven_in_order_and_never_longer() {
     for (steering, seed) in BOTH.into_iter().flat_map(|steering| (0..SEEDS).map(move |seed| (steering, seed))) {
         let problem = problem(steering, 0.6);
-        let mut planner = RrtConnect::new(&problem, 0.8, uniform(seed));
-        assert_eq!(finish(&mut planner, &problem), Status::Solved);
+        let mut planner = rrt_connect(&problem, seed, 0.8);
+        assert_eq!(finish(&mut *planner, &problem), Status::Solved);
         let states: Vec<State> = planner.path().iter().map(|&v| *planner.graph().state(v)).collect();
         let before = length(problem.space(), &states);
         let wanted = Wanted { reduce: true, shortcuts: 60, partial_shortcuts: 20 };
@@ -264,7 +269,5 @@ fn improved_paths_are_driven_in_order_and_never_longer() {
 #[test]
 #[should_panic(expected = "guards see only where motions can be made back")]
 fn guards_need_motions_that_can_be_made_back() {
-    use planarium::planner::VisibilityPrm;
-    let connection = Connection { k: 6, radius: f64::INFINITY };
-    VisibilityPrm::new(&problem(Steering::Dubins, 0.6), 10, connection, rules(Algorithm::AStar), uniform(1));
+    begin(&planarium::planner::VisibilityPrmOptions::default(), &problem(Steering::Dubins, 0.6), 1);
 }

@@ -1,8 +1,8 @@
 //! The keyboard car: keys, steps, stops, replay, rollout.
 
-mod common;
+use crate::common;
 
-use common::parse;
+use crate::common::parse;
 use planarium::control::{Control, Motion};
 use planarium::drive::{Drive, Key, MAX_STEPS, Press, rollout};
 use planarium::geometry::arc_pose;

@@ -1,5 +1,6 @@
 //! Particles, and when two trajectories cross: closed forms against halving, and both against what is known.
 
+use crate::common::cases;
 use planarium::fleet::{MOST_TURNING, Model, Particle, crossing, halve};
 use planarium::geometry::Point;
 use planarium::random::{Random, Stream};
@@ -8,8 +9,6 @@ use wasm_bindgen_test::wasm_bindgen_test;
 
 /// Enough pairs of stretches for every pair of trajectories here.
 const PLENTY: u64 = 20_000_000;
-
-const MANY: usize = if cfg!(target_arch = "wasm32") { 300 } else { 20_000 };
 
 fn particle(model: Model, [x, y, theta, speed, turn_rate, duration]: [f64; 6]) -> Particle {
     Particle { model, start: Point::new(x, y), theta, speed, turn_rate, duration }
@@ -147,7 +146,7 @@ fn contact_is_crossing_and_the_smallest_gap_is_not() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn what_is_the_same_or_overlaps_crosses() {
-    for model in Model::ALL {
+    for &model in Model::ALL {
         for turn_rate in [0.0, 1e-15, 0.4, -3.0, 20.0] {
             let one = particle(model, [0.3, -0.2, 1.1, 0.8, turn_rate, 1.0]);
             assert!(judged(&one, &one));
@@ -168,7 +167,7 @@ fn what_is_the_same_or_overlaps_crosses() {
 fn random_trajectories_are_judged_alike_by_closed_forms_and_by_halving() {
     let mut draws = Draws::new(1);
     let (mut crossing, mut apart) = (0, 0);
-    for i in 0..MANY {
+    for i in 0..cases(20_000) {
         let [a, b] = [(); 2].map(|()| {
             let kind = draws.0.below(5);
             let turn_rate = if kind == 0 { 0.0 } else { draws.within(-PI, PI) };
@@ -180,14 +179,14 @@ fn random_trajectories_are_judged_alike_by_closed_forms_and_by_halving() {
         });
         if judged(&a, &b) { crossing += 1 } else { apart += 1 }
     }
-    assert!(crossing > MANY / 20 && apart > MANY / 10, "{crossing} {apart}");
+    assert!(crossing > cases(1000) && apart > cases(2000), "{crossing} {apart}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn radii_and_turns_of_all_sizes_are_judged_alike() {
     let mut draws = Draws::new(2);
     let mut crossing = 0;
-    for _ in 0..MANY {
+    for _ in 0..cases(20_000) {
         // Both pass near one point, so that about half of them cross there.
         let near = [draws.within(-1.0, 1.0), draws.within(-1.0, 1.0)];
         let [a, b] = [(); 2].map(|()| {
@@ -199,13 +198,13 @@ fn radii_and_turns_of_all_sizes_are_judged_alike() {
         });
         crossing += usize::from(judged(&a, &b));
     }
-    assert!(crossing > MANY / 20 && crossing < MANY, "{crossing}");
+    assert!(crossing > cases(1000) && crossing < cases(20_000), "{crossing}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn tangent_circles_are_judged_by_their_gap() {
     let mut draws = Draws::new(3);
-    for _ in 0..MANY {
+    for _ in 0..cases(20_000) {
         let (r, s) = (draws.magnitude(-5.0, 0.5), draws.magnitude(-5.0, 0.5));
         let gap = draws.sign() * draws.magnitude(-10.0, -1.0);
         let (center, direction) = ([draws.within(-1.0, 1.0), draws.within(-1.0, 1.0)], draws.within(-PI, PI));
@@ -225,7 +224,7 @@ fn tangent_circles_are_judged_by_their_gap() {
 #[wasm_bindgen_test(unsupported = test)]
 fn arcs_that_end_at_a_gap_from_another_are_judged_by_the_gap() {
     let mut draws = Draws::new(4);
-    for _ in 0..MANY {
+    for _ in 0..cases(20_000) {
         // A ray from the centre of a whole circle, which begins at the gap from it, inside or outside; straight or bent.
         let (r, gap) = (draws.magnitude(-4.0, 0.5), draws.sign() * draws.magnitude(-9.8, -1.0));
         let (center, direction) = ([draws.within(-1.0, 1.0), draws.within(-1.0, 1.0)], draws.within(-PI, PI));
@@ -245,7 +244,7 @@ fn arcs_that_end_at_a_gap_from_another_are_judged_by_the_gap() {
 fn nearly_concentric_and_nearly_equal_circles_are_judged_alike() {
     let mut draws = Draws::new(5);
     let (mut crossing, mut tried) = (0, 0);
-    for _ in 0..MANY / 20 {
+    for _ in 0..cases(1000) {
         let r = draws.within(0.5, 1.5);
         // Such gaps that halving, which needs about 1 / sqrt(gap) stretches, can tell.
         let (shift, growth) = (draws.magnitude(-7.0, -1.0), draws.sign() * draws.magnitude(-7.0, -1.0));
@@ -262,7 +261,7 @@ fn nearly_concentric_and_nearly_equal_circles_are_judged_alike() {
 #[wasm_bindgen_test(unsupported = test)]
 fn arcs_that_share_an_end_cross_whatever_their_sizes() {
     let mut draws = Draws::new(6);
-    for _ in 0..MANY {
+    for _ in 0..cases(20_000) {
         let shared = [draws.within(-1.0, 1.0), draws.within(-1.0, 1.0)];
         let [a, b] = [(); 2].map(|()| {
             let (length, turn) = (draws.magnitude(-8.0, 0.5), draws.sign() * draws.magnitude(-12.0, 1.0));
@@ -279,7 +278,7 @@ fn arcs_that_share_an_end_cross_whatever_their_sizes() {
 fn the_place_of_a_crossing_lies_on_both() {
     let mut draws = Draws::new(7);
     let mut seen = 0;
-    for i in 0..MANY / 10 {
+    for i in 0..cases(2000) {
         let model = if i % 2 == 0 { Model::Arc } else { Model::Spiral };
         let [a, b] = [(); 2].map(|()| {
             let place = [draws.within(-0.3, 0.3), draws.within(-0.3, 0.3)];
@@ -294,13 +293,13 @@ fn the_place_of_a_crossing_lies_on_both() {
             assert!(nearest < 2e-3, "{nearest} {a:?} {b:?}");
         }
     }
-    assert!(seen > MANY / 1000, "{seen}");
+    assert!(seen > cases(20), "{seen}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn halving_never_calls_apart_what_samples_see_together() {
     let mut draws = Draws::new(8);
-    for i in 0..MANY / 20 {
+    for i in 0..cases(1000) {
         let model = if i % 2 == 0 { Model::Arc } else { Model::Spiral };
         let [a, b] = [(); 2].map(|()| {
             let place = [draws.within(-0.5, 0.5), draws.within(-0.5, 0.5)];

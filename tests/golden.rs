@@ -2,7 +2,7 @@
 //! writes them anew after a change that is meant to change results.
 
 use planarium::run::{Options, Value, start};
-use planarium::scenario::{Node, Scenario, generate::generate};
+use planarium::scenario::{Scenario, generate::generate};
 use serde_json::{Value as Json, json};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -11,8 +11,7 @@ const GOLDEN: &str = include_str!("golden.json");
 /// The scenario of a case: a scene of the page, or a generated one.
 fn scenario(case: &Json) -> Scenario {
     if let Some(kind) = case["generate"].as_str() {
-        let options = Node::parse(&case["options"].to_string()).expect("options");
-        return generate(kind, &options).expect("it can be generated");
+        return generate(kind, &case["options"]).expect("it can be generated");
     }
     let text = match case["scene"].as_str().expect("a scene or a generator") {
         "firs" => include_str!("../www/scenes/firs.json"),
@@ -45,6 +44,7 @@ fn outcome(case: &Json) -> Json {
     };
     let mut run = start(&scenario(case), &options).expect("it starts");
     run.step(u64::MAX);
+    assert_eq!(run.stats().unproven_motions, 0, "no ordinary motion spends its budget: {case}");
     json!({
         "status": run.status().as_str(),
         "fingerprint": format!("{:016x}", run.fingerprint()),

@@ -1,8 +1,6 @@
 //! What a run leaves behind of every iteration: one row each, the same in any slices, and no trace of having been asked.
 
-mod common;
-
-use common::{PLANNERS, arm_and_wall, begin_with, disc_and_wall, finish, fitting, no_way};
+use crate::common::{PLANNERS, arm_and_wall, begin_with, disc_and_wall, finish, fitting, no_way};
 use planarium::error::Code;
 use planarium::run::{HISTORY_WIDTH, Phase, Run, Status};
 use wasm_bindgen_test::wasm_bindgen_test;

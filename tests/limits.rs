@@ -1,21 +1,19 @@
 //! Bodies and cars at the limits of what is accepted: corners in one line, turning circles as wide as the world or a grain of
 //! dust, results that lie. On native, Node and Chrome alike.
 
-#[path = "common/bodies.rs"]
-mod bodies;
-mod common;
-
-use bodies::*;
-use common::{finish, options, parse, seeds};
-use planarium::collision::{BodyCollision, BodyValidity, placements};
+use crate::common::bodies::*;
+use crate::common::documents::refusal;
+use crate::common::{finish, options, parse, seeds};
+use planarium::collision::{BodyCollision, BodyValidity};
 use planarium::control::{Control, Motion};
 use planarium::drive::rollout;
 use planarium::geometry::{Disc, Polygon};
-use planarium::kept::RoadmapDocument;
+use planarium::kept::{RoadmapDocument, RoadmapMetric};
 use planarium::path::{Verdict, verify};
 use planarium::random::{Random, Stream};
 use planarium::result::ResultDocument;
 use planarium::robot::Weights;
+use planarium::robot::placements;
 use planarium::run::{self, Status};
 use planarium::scenario::{Obstacle, Scenario};
 use planarium::space::MotionSpace;
@@ -159,7 +157,7 @@ fn a_kept_roadmap_says_how_the_car_was_steered() {
         let settings = format!("samples=60 k=6 steering={word}");
         let run = finish(run::start(&scenario, &options("prm", 1, &settings)).expect("a run"));
         let document = run.roadmap().expect("a roadmap");
-        assert!(document.metric.starts_with(word), "{}", document.metric);
+        assert!(document.metric.to_string().contains(word), "{}", document.metric);
         assert_eq!(document.is_directed(), word == "dubins");
         assert_eq!(document.to_graphml().contains("edgedefault=\"directed\""), word == "dubins");
         assert_eq!(RoadmapDocument::parse(&document.to_json()).expect("its own JSON"), document);
@@ -173,7 +171,10 @@ fn a_kept_roadmap_says_how_the_car_was_steered() {
         let other = if word == "dubins" { "reeds-shepp" } else { "dubins" };
         let error = run::resume(&scenario, &options("prm", 1, &format!("steering={other}")), &document).err();
         assert_eq!(error.expect("refused").pointer(), "/steering");
-        let plain = RoadmapDocument { metric: "0.7 translation + 0.3 rotation".to_owned(), ..document.clone() };
+        let plain = RoadmapDocument {
+            metric: RoadmapMetric::Placement { translation: 0.7, rotation: 0.3 },
+            ..document.clone()
+        };
         let error = run::resume(&scenario, &options("prm", 1, ""), &plain).err().expect("refused");
         assert_eq!((error.code().as_str(), error.pointer()), ("invalid-roadmap", "/metric"));
         // Lengths of edges are those of the space.
@@ -233,7 +234,7 @@ fn no_waypoint_turns_a_body_by_an_angle_that_says_nothing() {
         .expect("such an angle");
     let length = 2.8 + 0.3 * 2.0 * turns(angle);
     let lying = told(&scenario, &format!("[[1, 1, 1.5], [1, 1, {angle:e}], [5, 1, 1.5]]"), "", length);
-    assert!(why(&scenario, &lying).expect("it lies").contains("obstacle"));
+    assert!(why(&scenario, &lying).expect("it lies").contains("waypoint 1 holds"));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -255,12 +256,12 @@ fn no_step_of_a_car_leads_through_a_wall_and_many_turns_are_judged_at_once() {
     let why = |result: ResultDocument| why(&scenario, &result).expect("it lies");
     let resting = motion(0.0, 0.0, 1.0);
     assert!(why(told(&scenario, path, &format!(r#""motions": [{resting}],"#), 0.0)).contains("obstacle"));
-    // A million and a trillion metres in circles: no farther from where they lead, and not looked at turn by turn.
+    // A million and a trillion metres in circles: where they end cannot be told, and they are not looked at turn by turn.
     for metres in [1e6, 1e12, 1e300] {
         let length = 0.7 * metres + 0.3 * metres * libm::tan(1.0) / 1e-3;
         let motions = format!(r#""motions": [{}, {resting}],"#, motion(1.0, 1.0, metres));
         let path = "[[4.9999999997, 5, 0], [5.0002, 5, 0], [5.0000000005, 5, 0]]";
-        assert!(why(told(&scenario, path, &motions, length)).contains("waypoint 1"));
+        assert!(why(told(&scenario, path, &motions, length)).contains("motion 0 turns by"));
     }
 }
 
@@ -305,4 +306,139 @@ fn a_polygon_of_many_corners_is_cut_up_in_no_time() {
     assert_eq!(pieces.len(), many + 1, "the points of the star, and its middle");
     assert!(pieces.iter().all(Polygon::is_convex));
     assert_eq!(pieces.iter().map(|piece| piece.vertices().len()).max(), Some(many));
+}
+
+/// A polygon's vertices as JSON.
+fn corners_of(corners: &[[f64; 2]]) -> String {
+    format!("{corners:?}")
+}
+
+/// A scene with one obstacle, and a body of this shape.
+fn with_polygons(obstacle: &str, shape: &str) -> String {
+    format!(
+        r#"{{ "format": "planarium-scenario-1", "name": "tiny",
+            "world": {{ "bounds": {{"min": [-9, -9], "max": [9, 9]}}, "obstacles": [ {{"type": "polygon", "vertices": {obstacle}}} ] }},
+            "robot": {{"type": "rigid_body", "shape": {{"type": "polygon", "vertices": {shape}}}}},
+            "queries": [{{"name": "q", "start": [5, 5, 0], "goal": [-5, -5, 1]}}] }}"#
+    )
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn polygons_whose_sides_cannot_be_told_apart_are_refused() {
+    let square = corners_of(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    for tiny in [
+        [[0.0, -2e-200], [0.0, -1e-200], [1.0, 1e-200], [-2e-200, 0.0]],
+        [[0.0, 0.0], [1e-160, 0.0], [1e-160, 1e-160], [0.0, 1e-160]],
+        [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [5e-324, 1.0]],
+        [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [-9.9e-141, 1.0]],
+    ] {
+        let tiny = corners_of(&tiny);
+        for (text, pointer) in [
+            (with_polygons(&tiny, &square), "/world/obstacles/0/vertices"),
+            (with_polygons(&square, &tiny), "/robot/shape/vertices"),
+        ] {
+            let error = refusal(&text);
+            assert_eq!((error.code().as_str(), error.pointer()), ("degenerate-polygon", pointer), "{error}");
+            assert!(error.message().contains("1e-140"), "{error}");
+        }
+    }
+    // As small as this it is exact; so are zeros, and coordinates of very different sizes.
+    for small in [1e-140, 1e-100, 1e-17] {
+        let small = corners_of(&[[0.0, 0.0], [small, -0.0], [1.0, 1.0], [0.0, small]]);
+        parse(&with_polygons(&small, &square));
+        parse(&with_polygons(&square, &small));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn polygons_of_all_scales_are_refused_or_cut_up_exactly() {
+    let mut random = Random::new(21, Stream::Samples);
+    let (mut accepted, mut concave, mut planned) = (0, 0, 0);
+    for number in 0..3000 {
+        let smallest = [20, 145, 330, 600][random.below(4) as usize];
+        let mut coordinate = || {
+            let exponent = random.below(smallest) as f64 - smallest as f64 * if smallest == 600 { 0.5 } else { 1.0 };
+            let magnitude = (1.0 + random.below(9) as f64) * libm::exp10(exponent);
+            [0.0, -0.0, magnitude, -magnitude, 1.0, f64::NAN]
+                [random.below(if smallest == 600 { 6 } else { 5 }) as usize]
+        };
+        let corners: Vec<[f64; 2]> = (0..3 + number % 4).map(|_| [coordinate(), coordinate()]).collect();
+        let points: Vec<_> = corners.iter().map(|&[x, y]| p(x, y)).collect();
+        let Ok(polygon) = Polygon::new(&points) else { continue };
+        accepted += 1;
+        let pieces = planarium::geometry::convex_pieces(&polygon);
+        assert!(pieces.iter().all(|piece| piece.is_convex() && piece.vertices().len() > 2), "{polygon:?}");
+        assert!(pieces.iter().all(|piece| Polygon::new(piece.vertices()).is_ok_and(|again| again == *piece)));
+        concave += u32::from(!polygon.is_convex());
+        let [text, square] = [corners, vec![[0.0, 0.0], [0.1, 0.0], [0.1, 0.1]]].map(|corners| corners_of(&corners));
+        for text in [with_polygons(&text, &square), with_polygons(&square, &text)] {
+            let Ok(scenario) = Scenario::parse(&text) else { continue };
+            let Ok(mut run) = run::start(&scenario, &options("rrt-connect", number, "")) else { continue };
+            run.step(3);
+            planned += 1;
+        }
+    }
+    assert!(
+        accepted > 300 && concave > 10 && planned > 100,
+        "{accepted} accepted, {concave} concave, {planned} planned"
+    );
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_judge_bounds_what_it_can_compute() {
+    // A heading after 1e15 rad is off by a tenth of a radian.
+    let scenario = parse(
+        r#"{ "format": "planarium-scenario-1", "name": "top",
+            "world": { "bounds": { "min": [0, 0], "max": [4, 4] }, "obstacles": [] },
+            "robot": { "type": "car", "shape": { "type": "polygon",
+                "vertices": [[-0.2, -0.1], [0.2, -0.1], [0.2, 0.1], [-0.2, 0.1]] },
+                "wheelbase": 1, "speed": [-1e6, 1e6], "steering": [-0.7, 0.7], "integration_step": 10,
+                "metric": { "translation": 1, "rotation": 1 } },
+            "queries": [ { "name": "round", "start": [2, 1, 0], "goal": [2, 1, 0],
+                "goal_tolerance": { "translation": 4, "rotation": 4 } } ] }"#,
+    );
+    let pace = libm::tan(0.7);
+    let judged = |turn: f64| {
+        let metres = turn / pace;
+        let heading = libm::remainder(turn, std::f64::consts::TAU);
+        let from = planarium::geometry::arc_pose([2.0, 1.0, 0.0], 1.0 / pace, 1.0, heading);
+        let motions = format!(r#""motions": [{{ "control": [1, 0.7], "duration": {metres:e} }}],"#);
+        let path = format!("[[2, 1, 0], [{:?}, {:?}, {:?}]]", from[0], from[1], heading);
+        why(&scenario, &told(&scenario, &path, &motions, metres + turn))
+    };
+    assert_eq!(judged(900.0), None);
+    for turn in [1001.0, 1e9, 1e15] {
+        assert!(judged(turn).expect("it cannot be judged").contains("motion 0 turns by"), "{turn}");
+    }
+    // With one waypoint this far away any length would be within rounding.
+    let scenario = parse(
+        r#"{ "format": "planarium-scenario-1", "name": "far", "world": { "obstacles": [] },
+            "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
+            "queries": [ { "name": "q", "start": [0, 0], "goal": [1, 1] } ] }"#,
+    );
+    for angle in [1e308, -1e16, 1.0000001e6] {
+        let lying = told(&scenario, &format!("[[0, 0], [{angle:e}, 0], [1, 1]]"), "", 17.0);
+        assert!(why(&scenario, &lying).expect("it lies").contains("waypoint 1 holds"), "{angle}");
+    }
+}
+
+/// A gigabyte: `PLANARIUM_DEEP=1` alone.
+#[cfg(not(target_arch = "wasm32"))]
+#[test]
+fn a_run_without_end_ends_before_the_memory_does() {
+    if std::env::var_os("PLANARIUM_DEEP").is_none() {
+        return;
+    }
+    let scenario = parse(
+        r#"{ "format": "planarium-scenario-1", "name": "full",
+            "world": { "bounds": { "min": [0, 0], "max": [10, 10] }, "obstacles": [
+                { "type": "polygon", "vertices": [[0.01, 0], [9.99, 0], [9.99, 10], [0.01, 10]] } ] },
+            "robot": { "type": "disc", "radius": 0.001 },
+            "queries": [ { "name": "q", "start": [0.005, 5], "goal": [9.995, 5] } ] }"#,
+    );
+    let mut run = run::start(&scenario, &options("prm", 1, "max_iterations=4e9 samples=1e6")).expect("a run");
+    assert_eq!(run.step(u64::MAX), Status::Exhausted);
+    let records = run.vertex_count() + run.edge_count() + run.event_count();
+    let most = planarium::graph::MAX_RECORDS;
+    assert!((most..most + 1000).contains(&records), "{records}");
 }

@@ -1,18 +1,14 @@
 //! Nearest neighbours: every exact index gives the answers of a plain scan, to the bit, ties by number; on native, Node and
 //! Chrome alike.
 
+use crate::common::cases;
 use planarium::graph::VertexId;
-use planarium::nearest::{Forest, ForestParameters, Index, KdTree, LinearScan, Nearest, Neighbour, Way, recall};
+use planarium::nearest::{Direction, Forest, ForestParameters, Index, KdTree, LinearScan, Nearest, Neighbour, recall};
 use planarium::random::{Random, Stream};
-use planarium::space::{Joint, Metric, MotionSpace, Space, Torus, gap, gap_to_interval};
+use planarium::space::{Coordinate, Metric, MotionSpace, ProductSpace, Space, gap, gap_to_interval};
 use planarium::steering::Steering;
 use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
-
-/// How many of something native can afford; a browser waits for fewer.
-const fn native(many: usize) -> usize {
-    if cfg!(target_arch = "wasm32") { many.div_ceil(20) } else { many }
-}
 
 /// What the definition says: the distances to all states, sorted, ties by number.
 fn truth<S: Space>(space: &S, states: &[S::State], from: &S::State) -> Vec<Neighbour> {
@@ -76,21 +72,21 @@ fn agrees<S: Space>(name: &str, space: &S, states: &[S::State], asked: &[S::Stat
     }
 }
 
-fn spaces() -> Vec<(&'static str, Torus<4>)> {
-    let interval = |low, high| Joint::Interval { low, high };
+fn spaces() -> Vec<(&'static str, ProductSpace<4>)> {
+    let interval = |low, high| Coordinate::Interval { low, high };
     let mut spaces = Vec::new();
     for metric in [Metric::Sum, Metric::Euclidean] {
-        spaces.push(("circle", Torus::new(&[Joint::Circle; 1], metric)));
-        spaces.push(("2-torus", Torus::new(&[Joint::Circle; 2], metric)));
-        spaces.push(("3-torus", Torus::new(&[Joint::Circle; 3], metric)));
-        spaces.push(("4-torus", Torus::new(&[Joint::Circle; 4], metric)));
-        spaces.push(("limits", Torus::new(&[interval(-4.0, 7.5), interval(-1.0, 1.0)], metric)));
-        let mixed = [Joint::Circle, interval(-9.0, 0.5), Joint::Circle];
-        spaces.push(("circles and limits", Torus::new(&mixed, metric)));
-        spaces.push(("circles cut open", Torus::new(&mixed, metric).cut_open()));
+        spaces.push(("circle", ProductSpace::new(&[Coordinate::Circle; 1], metric)));
+        spaces.push(("2-torus", ProductSpace::new(&[Coordinate::Circle; 2], metric)));
+        spaces.push(("3-torus", ProductSpace::new(&[Coordinate::Circle; 3], metric)));
+        spaces.push(("4-torus", ProductSpace::new(&[Coordinate::Circle; 4], metric)));
+        spaces.push(("limits", ProductSpace::new(&[interval(-4.0, 7.5), interval(-1.0, 1.0)], metric)));
+        let mixed = [Coordinate::Circle, interval(-9.0, 0.5), Coordinate::Circle];
+        spaces.push(("circles and limits", ProductSpace::new(&mixed, metric)));
+        spaces.push(("circles cut open", ProductSpace::new(&mixed, metric).cut_open()));
     }
-    spaces.push(("placements", Torus::of_placements([0.0, -1.0], [2.0, 3.0], 0.7, 0.3)));
-    spaces.push(("placements, turns above all", Torus::of_placements([0.0, 0.0], [1.0, 1.0], 0.01, 5.0)));
+    spaces.push(("placements", ProductSpace::of_placements([0.0, -1.0], [2.0, 3.0], 0.7, 0.3)));
+    spaces.push(("placements, turns above all", ProductSpace::of_placements([0.0, 0.0], [1.0, 1.0], 0.01, 5.0)));
     spaces
 }
 
@@ -103,13 +99,13 @@ fn samples<S: Space>(space: &S, seed: u64, n: usize) -> Vec<S::State> {
 fn random_states_have_the_neighbours_of_the_definition() {
     for (name, space) in spaces() {
         for (seed, n) in [(1, 1), (2, 33), (3, 300), (4, 2000)] {
-            agrees(name, &space, &samples(&space, seed, n), &samples(&space, seed + 100, native(40)));
+            agrees(name, &space, &samples(&space, seed, n), &samples(&space, seed + 100, cases(40)));
         }
     }
-    let plane = Torus::<2>::of_box(&[0.0, -1.0], &[3.0, 5.0]);
-    agrees("plane", &plane, &samples(&plane, 5, 2000), &samples(&plane, 105, native(40)));
-    let slab = Torus::<3>::of_box(&[0.0, 0.0, -1e6], &[1.0, 1e-3, 1e6]);
-    agrees("slab", &slab, &samples(&slab, 6, 2000), &samples(&slab, 106, native(40)));
+    let plane = ProductSpace::<2>::of_box(&[0.0, -1.0], &[3.0, 5.0]);
+    agrees("plane", &plane, &samples(&plane, 5, 2000), &samples(&plane, 105, cases(40)));
+    let slab = ProductSpace::<3>::of_box(&[0.0, 0.0, -1e6], &[1.0, 1e-3, 1e6]);
+    agrees("slab", &slab, &samples(&slab, 6, 2000), &samples(&slab, 106, cases(40)));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -130,8 +126,8 @@ fn ties_go_to_the_lower_number_on_grids_where_nearly_all_are_ties() {
                 space.state(&(0..d).map(on).collect::<Vec<_>>())
             })
             .collect();
-        let mut asked: Vec<_> = states.iter().step_by(n.div_ceil(native(20))).copied().collect();
-        asked.extend(samples(&space, 7, native(10)));
+        let mut asked: Vec<_> = states.iter().step_by(n.div_ceil(cases(20))).copied().collect();
+        asked.extend(samples(&space, 7, cases(10)));
         agrees(&format!("grid on {name}"), &space, &states, &asked);
     }
 }
@@ -140,7 +136,7 @@ fn ties_go_to_the_lower_number_on_grids_where_nearly_all_are_ties() {
 fn states_that_are_equal_close_or_at_the_seam_are_told_apart_as_the_definition_does() {
     for (name, space) in spaces() {
         let d = space.dimension();
-        let asked = samples(&space, 8, native(20));
+        let asked = samples(&space, 8, cases(20));
         agrees(&format!("one state on {name}"), &space, &vec![asked[0]; 500], &asked);
         let few = samples(&space, 9, 5);
         let many: Vec<_> = (0..700).map(|i| few[i * i % 5]).collect();
@@ -163,7 +159,7 @@ fn states_that_are_equal_close_or_at_the_seam_are_told_apart_as_the_definition_d
                 space.state(&(0..d).map(number).collect::<Vec<_>>())
             })
             .collect();
-        let asked: Vec<_> = seam.iter().step_by(20).copied().take(native(35)).collect();
+        let asked: Vec<_> = seam.iter().step_by(20).copied().take(cases(35)).collect();
         agrees(&format!("seam of {name}"), &space, &seam, &asked);
     }
 }
@@ -172,7 +168,7 @@ fn states_that_are_equal_close_or_at_the_seam_are_told_apart_as_the_definition_d
 fn the_order_of_insertion_changes_nothing() {
     for (name, space) in spaces() {
         let mut states = samples(&space, 11, 1500);
-        let asked = samples(&space, 12, native(15));
+        let asked = samples(&space, 12, cases(15));
         states.sort_by(|a, b| a[0].total_cmp(&b[0]));
         agrees(&format!("increasing on {name}"), &space, &states, &asked);
         states.reverse();
@@ -192,7 +188,7 @@ fn questions_between_insertions_see_what_was_inserted() {
     for (name, space) in spaces() {
         let (mut linear, mut tree) = (LinearScan::new(), KdTree::new());
         let (mut one, mut other) = (Vec::new(), Vec::new());
-        let asked = samples(&space, 14, native(2000));
+        let asked = samples(&space, 14, cases(2000));
         for (i, (&state, from)) in samples(&space, 13, asked.len()).iter().zip(&asked).enumerate() {
             // Numbers increase, but not by one.
             let vertex = VertexId(3 * i as u32 + 1);
@@ -209,31 +205,8 @@ fn questions_between_insertions_see_what_was_inserted() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_hundred_thousand_states_have_the_same_neighbours_too() {
-    let n = native(100_000);
-    for (name, space) in spaces().iter().filter(|(_, space)| space.dimension() > 1) {
-        let (mut linear, mut tree, mut index) = (LinearScan::new(), KdTree::new(), Index::new());
-        for (i, &state) in samples(space, 15, n).iter().enumerate() {
-            linear.insert(space, VertexId(i as u32), state);
-            tree.insert(space, VertexId(i as u32), state);
-            index.insert(space, VertexId(i as u32), state);
-        }
-        let (mut one, mut other) = (Vec::new(), Vec::new());
-        for from in &samples(space, 16, native(8)) {
-            for k in [1, 10, 30] {
-                linear.k_nearest(space, from, k, &mut one);
-                tree.k_nearest(space, from, k, &mut other);
-                same(&other, &one, &format!("kd-tree, {name}, {k} of {n}"));
-                index.k_nearest(space, from, k, &mut other);
-                same(&other, &one, &format!("index, {name}, {k} of {n}"));
-            }
-        }
-    }
-}
-
-#[wasm_bindgen_test(unsupported = test)]
 fn an_empty_index_and_no_neighbours_are_no_trouble() {
-    fn empty(index: &impl Nearest<Torus<4>>, space: &Torus<4>) {
+    fn empty(index: &impl Nearest<ProductSpace<4>>, space: &ProductSpace<4>) {
         let from = space.state(&[1.0; 4]);
         let mut found = vec![Neighbour { distance: 1.0, vertex: VertexId(1) }];
         assert!(index.is_empty());
@@ -258,7 +231,7 @@ fn forest_recall<S: Space>(space: &S, seed: u64, n: usize, k: usize, parameters:
     let states = samples(space, seed, n);
     (0..).zip(&states).for_each(|(i, &state)| forest.insert(space, VertexId(i), state));
     assert_eq!(forest.len(), n);
-    let asked = samples(space, seed + 1, native(40));
+    let asked = samples(space, seed + 1, cases(40));
     let parts = asked.iter().map(|from| {
         let exact = truth(space, &states, from);
         let mut found = Vec::new();
@@ -281,23 +254,23 @@ fn forest_recall<S: Space>(space: &S, seed: u64, n: usize, k: usize, parameters:
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_approximate_index_finds_most_of_the_nearest_and_more_if_it_looks_at_more() {
-    let n = native(10_000);
-    let six = Torus::<8>::new(&[Joint::Circle; 6], Metric::Sum);
+    let n = cases(10_000);
+    let six = ProductSpace::<8>::new(&[Coordinate::Circle; 6], Metric::Sum);
     let of = |candidates| ForestParameters { candidates, ..ForestParameters::default() };
     let [few, default, all] = [100, 400, n].map(|candidates| forest_recall(&six, 21, n, 10, of(candidates)));
     assert!(few < default, "{few} with 100 candidates, {default} with 400");
     assert!(default >= 0.8, "{default} of the ten nearest");
     assert_eq!(all, 1.0, "all candidates are all states");
-    let mixed = [Joint::Circle, Joint::Interval { low: -9.0, high: 0.5 }, Joint::Circle];
-    let three = Torus::<4>::new(&mixed, Metric::Euclidean);
+    let mixed = [Coordinate::Circle, Coordinate::Interval { low: -9.0, high: 0.5 }, Coordinate::Circle];
+    let three = ProductSpace::<4>::new(&mixed, Metric::Euclidean);
     let found = forest_recall(&three, 23, n, 10, of(400));
     assert!(found >= 0.98, "{found} of the ten nearest in three dimensions");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_forest_stays_flat_whatever_order_states_come_in() {
-    let space = MotionSpace::new(Torus::<4>::of_box(&[0.0, 0.0], &[1.0, 1.0]));
-    let n = native(20_000);
+    let space = MotionSpace::new(ProductSpace::<4>::of_box(&[0.0, 0.0], &[1.0, 1.0]));
+    let n = cases(20_000);
     let parameters = ForestParameters { trees: 2, leaf: 8, candidates: n };
     let line = |i: usize| [i as f64 / n as f64, 0.5];
     type Place<'a> = &'a dyn Fn(usize) -> [f64; 2];
@@ -323,7 +296,7 @@ fn a_forest_stays_flat_whatever_order_states_come_in() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_forest_of_equal_states_grows_and_the_same_key_grows_the_same_forest() {
-    let space = Torus::<4>::new(&[Joint::Circle; 4], Metric::Sum);
+    let space = ProductSpace::<4>::new(&[Coordinate::Circle; 4], Metric::Sum);
     let parameters = ForestParameters { trees: 3, leaf: 2, candidates: 50 };
     let mut equal = Forest::new(parameters, 5);
     let state = space.state(&[1.0, 2.0, 3.0, -3.0]);
@@ -360,7 +333,7 @@ fn recall_is_the_part_of_the_exact_answer_that_was_found() {
 #[wasm_bindgen_test(unsupported = test)]
 fn the_metric_of_the_gaps_is_the_distance_to_the_bit() {
     fn holds<S: Space>(space: &S) {
-        let states = samples(space, 17, native(4000));
+        let states = samples(space, 17, cases(4000));
         for (a, b) in states.iter().zip(&states[1..]) {
             let (x, y) = (space.coordinates(a), space.coordinates(b));
             let [distance] = space.norm(|i| [gap(x[i], y[i], space.period(i))]);
@@ -368,7 +341,7 @@ fn the_metric_of_the_gaps_is_the_distance_to_the_bit() {
         }
     }
     spaces().iter().for_each(|(_, space)| holds(space));
-    holds(&Torus::<2>::of_box(&[0.0, -1.0], &[3.0, 5.0]));
+    holds(&ProductSpace::<2>::of_box(&[0.0, -1.0], &[3.0, 5.0]));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -383,7 +356,7 @@ fn no_gap_is_less_than_the_gap_to_an_interval_around_it() {
             _ => PI - TAU * random.uniform(),
         }
     };
-    for _ in 0..native(200_000) {
+    for _ in 0..cases(200_000) {
         let (a, mut in_order) = (number(), [number(), number(), number()]);
         in_order.sort_by(f64::total_cmp);
         let [low, x, high] = in_order;
@@ -397,12 +370,12 @@ fn no_gap_is_less_than_the_gap_to_an_interval_around_it() {
 }
 
 /// The definition for steered motions: the distances in one direction to or from all states, sorted, ties by number.
-fn steered_truth(space: &MotionSpace<4>, way: Way, states: &[[f64; 4]], from: &[f64; 4]) -> Vec<Neighbour> {
+fn steered_truth(space: &MotionSpace<4>, direction: Direction, states: &[[f64; 4]], from: &[f64; 4]) -> Vec<Neighbour> {
     let number = |i: usize| VertexId(3 * i as u32 + 1);
     let all = states.iter().enumerate();
-    let distance = |state: &[f64; 4]| match way {
-        Way::In => space.distance(state, from),
-        Way::Out => space.distance(from, state),
+    let distance = |state: &[f64; 4]| match direction {
+        Direction::In => space.distance(state, from),
+        Direction::Out => space.distance(from, state),
     };
     let mut all: Vec<Neighbour> =
         all.map(|(i, state)| Neighbour { distance: distance(state), vertex: number(i) }).collect();
@@ -413,8 +386,11 @@ fn steered_truth(space: &MotionSpace<4>, way: Way, states: &[[f64; 4]], from: &[
 #[wasm_bindgen_test(unsupported = test)]
 fn steered_motions_have_the_neighbours_of_a_plain_scan_in_either_direction() {
     for (steering, radius) in [(Steering::Dubins, 0.5), (Steering::ReedsShepp, 0.5), (Steering::ReedsShepp, 4.0)] {
-        let space =
-            MotionSpace::steered(Torus::<4>::of_placements([0.0, 0.0], [10.0, 10.0], 0.7, 0.3), steering, radius);
+        let space = MotionSpace::steered(
+            ProductSpace::<4>::of_placements([0.0, 0.0], [10.0, 10.0], 0.7, 0.3),
+            steering,
+            radius,
+        );
         let few = samples(&space, 20, 4);
         let lattice: Vec<_> = (0..512)
             .map(|i| space.state(&[f64::from(i % 8), f64::from(i / 8 % 8), f64::from(i / 64) * TAU / 8.0]))
@@ -426,29 +402,33 @@ fn steered_motions_have_the_neighbours_of_a_plain_scan_in_either_direction() {
             for (i, &state) in states.iter().enumerate() {
                 index.insert(&space, VertexId(3 * i as u32 + 1), state);
             }
-            let mut asked = samples(&space, 22, native(20));
+            let mut asked = samples(&space, 22, cases(20));
             asked.extend(states.iter().step_by(states.len().div_ceil(4)));
-            for (from, way) in asked.iter().flat_map(|from| [(from, Way::In), (from, Way::Out)]) {
-                let truth = steered_truth(&space, way, states, from);
+            for (from, direction) in asked.iter().flat_map(|from| [(from, Direction::In), (from, Direction::Out)]) {
+                let truth = steered_truth(&space, direction, states, from);
                 let n = truth.len();
                 let mut found = Vec::new();
-                assert_eq!((index.len(), index.nearest_by(&space, way, from)), (n, Some(truth[0])));
+                assert_eq!((index.len(), index.nearest_by(&space, direction, from)), (n, Some(truth[0])));
                 for k in [0, 1, 2, 10, 100, n, n + 1, usize::MAX] {
-                    index.k_nearest_by(&space, way, from, k, &mut found);
-                    same(&found, &truth[..k.min(n)], &format!("{steering:?} {way:?}: {k} of {n}"));
+                    index.k_nearest_by(&space, direction, from, k, &mut found);
+                    same(&found, &truth[..k.min(n)], &format!("{steering:?} {direction:?}: {k} of {n}"));
                 }
                 for reach in [-1.0, 0.0, truth[n / 50].distance, truth[n / 3].distance, f64::INFINITY] {
-                    index.within_by(&space, way, from, reach, &mut found);
+                    index.within_by(&space, direction, from, reach, &mut found);
                     let inside = truth.partition_point(|neighbour| neighbour.distance <= reach);
-                    same(&found, &truth[..inside], &format!("{steering:?} {way:?}: within {reach} of {n}"));
+                    same(&found, &truth[..inside], &format!("{steering:?} {direction:?}: within {reach} of {n}"));
                 }
-                if way == Way::In {
-                    assert_eq!(index.nearest(&space, from), Some(truth[0]), "what is asked plainly is the way in");
+                if direction == Direction::In {
+                    assert_eq!(
+                        index.nearest(&space, from),
+                        Some(truth[0]),
+                        "plain queries are about motions to the state"
+                    );
                     index.k_nearest(&space, from, 5, &mut found);
                     same(&found, &truth[..5.min(n)], "plainly");
                 }
             }
         }
-        assert_eq!(Index::new().nearest_by(&space, Way::Out, &few[0]), None);
+        assert_eq!(Index::new().nearest_by(&space, Direction::Out, &few[0]), None);
     }
 }

@@ -144,6 +144,78 @@ fn triangles_cover_the_polygon_and_none_is_flat() {
     }
 }
 
+/// Ear clipping with every corner tried anew and every vertex looked at: O(n^3), and plainly right.
+fn triangles_by_all_vertices(v: &[Point]) -> Vec<[u32; 3]> {
+    let mut left: Vec<u32> = (0..v.len() as u32).collect();
+    let (mut found, mut at) = (Vec::new(), 0);
+    while left.len() > 3 {
+        let n = left.len();
+        let corner = |i: usize| [left[(i + n - 1) % n], left[i], left[(i + 1) % n]];
+        let is_ear = |&i: &usize| {
+            let [a, b, c] = corner(i).map(|v_| v[v_ as usize]);
+            let holds = |q: Point| [(a, b), (b, c), (c, a)].iter().all(|&(a, b)| orientation(a, b, q) >= 0.0);
+            orientation(a, b, c) > 0.0 && left.iter().all(|k| corner(i).contains(k) || !holds(v[*k as usize]))
+        };
+        let ear = (0..n).map(|i| (at + i) % n).find(is_ear).expect("a simple polygon has ears");
+        found.push(corner(ear));
+        left.remove(ear);
+        at = ear + 1;
+    }
+    found.push([left[0], left[1], left[2]]);
+    found
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn triangles_are_those_of_a_search_through_all_vertices() {
+    let mut random = random(6);
+    let mut polygons = special();
+    polygons.extend((0..3000).map(|i| if i % 2 == 0 { whole(&mut random) } else { star(&mut random, 2.0) }));
+    for polygon in &polygons {
+        assert_eq!(triangles(polygon), triangles_by_all_vertices(polygon.vertices()), "{polygon:?}");
+    }
+}
+
+/// Simple polygons of so many vertices whose ears are hard to find: a zigzag band, a comb of long slanted teeth, a spiral, a
+/// gear, a staircase with collinear runs.
+fn large(n: u32) -> Vec<(&'static str, Vec<Point>)> {
+    let half = n / 2;
+    let zigzag = |i: u32, low: f64| p(f64::from(i), low + f64::from(i % 2) * 5.0);
+    let mut band: Vec<Point> = (0..half).map(|i| zigzag(i, 0.0)).collect();
+    band.extend((0..half).rev().map(|i| zigzag(i, 1.0)));
+    let mut comb: Vec<Point> =
+        (0..n - 2).map(|i| if i % 2 == 0 { p(f64::from(i), 0.0) } else { p(f64::from(i) + 1e5, 1e5) }).collect();
+    comb.extend([p(f64::from(n), -1.0), p(-1.0, -1.0)]);
+    let spiral = |i: u32, gap: f64| {
+        let angle = 0.01 * f64::from(i);
+        let (sin, cos) = libm::sincos(angle);
+        p((1.0 + angle + gap) * cos, (1.0 + angle + gap) * sin)
+    };
+    let mut coil: Vec<Point> = (0..half).map(|i| spiral(i, 0.0)).collect();
+    coil.extend((0..half).rev().map(|i| spiral(i, 2.0)));
+    let gear = (0..n)
+        .map(|i| {
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * f64::from(i) / f64::from(n));
+            p((1.0 + f64::from(i % 2)) * cos, (1.0 + f64::from(i % 2)) * sin)
+        })
+        .collect();
+    let mut stairs: Vec<Point> =
+        (0..half).map(|i| p(f64::from(i / 4 * 2 + i % 4 / 2), f64::from(i / 4 * 2 + i % 4))).collect();
+    stairs.extend([p(-1.0, f64::from(half)), p(-1.0, 0.0)]);
+    stairs.reverse();
+    vec![("band", band), ("comb", comb), ("coil", coil), ("gear", gear), ("stairs", stairs)]
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn large_polygons_are_cut_up_in_little_time() {
+    for (name, corners) in large(20_000) {
+        let polygon = Polygon::new(&corners).unwrap_or_else(|fault| panic!("{name}: {fault:?}"));
+        let whole = doubled_area(polygon.vertices());
+        let pieces = convex_pieces(&polygon);
+        let area: f64 = pieces.iter().map(|piece| doubled_area(piece.vertices())).sum();
+        assert!((area - whole).abs() <= 1e-9 * whole.abs(), "{name}: {area} of {whole}");
+    }
+}
+
 #[wasm_bindgen_test(unsupported = test)]
 fn convex_pieces_are_convex_and_cover_the_polygon() {
     let mut random = random(2);

@@ -1,9 +1,6 @@
 //! Scenarios with rigid bodies and cars: what their documents may hold, and how they are written again.
 
-#[path = "common/documents.rs"]
-mod documents;
-
-use documents::{ARM, BODY, CAR, DISC, refusal, with};
+use crate::common::documents::{ARM, BODY, CAR, DISC, refusal, with};
 use planarium::inspect::Inspector;
 use planarium::robot::{Part, Weights};
 use planarium::scenario::{GoalTolerance, Robot, Scenario};

@@ -1,9 +1,9 @@
 //! The laws that every planner obeys, on native, Node and Chrome alike: slicing, never a wrong yes, paths that are what they
 //! are said to be.
 
-mod common;
+use crate::common;
 
-use common::{
+use crate::common::{
     PLANNERS, SAMPLERS, arm_and_wall, arm_of, begin, begin_with, disc_and_wall, finish, fitting, no_way, seeds,
 };
 use planarium::run::{Options, Status, Value, start};

@@ -1,16 +1,15 @@
 //! Runs of inverse kinematics: they reach what can be reached, within limits, and never say so wrongly.
 
-#[path = "common/arms.rs"]
-mod arms;
-
-use arms::{arm, deviation, is_within, reachable, scenario};
+use crate::common::arms::{arm, deviation, is_within, reachable, scenario};
+use crate::common::cases;
 use planarium::random::{Random, Stream};
 use planarium::reach::{Reach, ReachOptions, Verdict};
 use planarium::run::Status;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// Tries a method on random arms, half of them with limits, a third of those of three links and more with an orientation.
-fn success(method: &str, cases: u64, tolerance: f64) {
+fn success(method: &str, all: usize, tolerance: f64) {
+    let cases = cases(all) as u64;
     let mut random = Random::new(20, Stream::Samples);
     let mut failed = Vec::new();
     let mut worst = 0;
@@ -47,19 +46,17 @@ fn success(method: &str, cases: u64, tolerance: f64) {
     assert!(failed.len() as u64 * 1000 <= cases, "{method} failed {} of {cases}: {failed:?}", failed.len());
 }
 
-const CASES: u64 = if cfg!(target_arch = "wasm32") { 300 } else { 10_000 };
-
 #[wasm_bindgen_test(unsupported = test)]
 fn newton_reaches_what_can_be_reached() {
-    success("newton", CASES, 1e-9);
+    success("newton", 10_000, 1e-9);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn damped_least_squares_reaches_what_can_be_reached() {
-    success("damped-least-squares", CASES, 1e-9);
+    success("damped-least-squares", 10_000, 1e-9);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn gradient_descent_reaches_what_can_be_reached() {
-    success("gradient-descent", CASES, 1e-4);
+    success("gradient-descent", 10_000, 1e-4);
 }

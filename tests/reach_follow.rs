@@ -1,9 +1,7 @@
 //! An arm that follows a hand: it arrives, it does not jump, it comes back from being stretched, it keeps its limits.
 
-#[path = "common/arms.rs"]
-mod arms;
-
-use arms::{arm, configuration, deviation, is_within};
+use crate::common::arms::{arm, configuration, deviation, is_within};
+use crate::common::cases;
 use planarium::geometry::Point;
 use planarium::random::{Random, Stream};
 use planarium::reach::{Target, follow, nearest_reachable, orientation};
@@ -11,10 +9,6 @@ use planarium::robot::Arm;
 use planarium::space::angular_distance;
 use std::f64::consts::TAU;
 use wasm_bindgen_test::wasm_bindgen_test;
-
-const fn cases(native: u64) -> u64 {
-    if cfg!(target_arch = "wasm32") { native / 10 } else { native }
-}
 
 fn at(point: Point) -> Target {
     Target { point, orientation: None }
@@ -48,7 +42,7 @@ fn the_tip_arrives_wherever_a_free_arm_can_reach() {
     let mut random = Random::new(31, Stream::Samples);
     let mut missed = Vec::new();
     for case in 0..cases(10_000) {
-        let links = 2 + (case % 7) as usize;
+        let links = 2 + case % 7;
         let arm = arm(&mut random, links, false);
         let [q, goal] = [configuration(&mut random, &arm), configuration(&mut random, &arm)];
         let is_oriented = links >= 4 && case % 3 == 0;
@@ -63,7 +57,7 @@ fn the_tip_arrives_wherever_a_free_arm_can_reach() {
         }
     }
     println!("missed {} {missed:?}", missed.len());
-    assert!(missed.len() as u64 * 200 <= cases(10_000), "{missed:?}");
+    assert!(missed.len() * 200 <= cases(10_000), "{missed:?}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -71,7 +65,7 @@ fn beyond_its_reach_it_stretches_towards_the_hand_and_comes_back() {
     let mut random = Random::new(32, Stream::Samples);
     let mut worst = 0.0;
     for case in 0..cases(2000) {
-        let links = 2 + (case % 7) as usize;
+        let links = 2 + case % 7;
         let arm = arm(&mut random, links, false);
         let q = configuration(&mut random, &arm);
         let (sin, cos) = (TAU * random.uniform()).sin_cos();
@@ -127,7 +121,7 @@ fn a_hand_that_rests_leaves_the_arm_alone() {
     let mut random = Random::new(33, Stream::Samples);
     let mut creeping = Vec::new();
     for case in 0..cases(1000) {
-        let arm = arm(&mut random, 2 + (case % 7) as usize, case % 2 == 0);
+        let arm = arm(&mut random, 2 + case % 7, case % 2 == 0);
         let q = configuration(&mut random, &arm);
         let links = q.len();
         let once = follow(&arm, &q, at(arm.end_effector(&q))).expect("an arm");
@@ -152,7 +146,7 @@ fn limits_hold_and_what_the_arm_was_led_to_it_reaches() {
     let mut random = Random::new(34, Stream::Samples);
     let (mut missed, mut total, mut stuck) = (0, 0, 0);
     for case in 0..cases(600) {
-        let links = 2 + (case % 7) as usize;
+        let links = 2 + case % 7;
         let arm = arm(&mut random, links, true);
         let ends = [configuration(&mut random, &arm), configuration(&mut random, &arm)];
         let between = |t: f64| (0..links).map(|i| ends[0][i] + t * (ends[1][i] - ends[0][i])).collect::<Vec<f64>>();

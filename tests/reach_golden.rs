@@ -4,7 +4,7 @@
 use planarium::geometry::Point;
 use planarium::reach::{Reach, ReachOptions, Target, follow, nearest_reachable};
 use planarium::run::Value;
-use planarium::scenario::{Node, Robot, Scenario, generate::generate};
+use planarium::scenario::{Robot, Scenario, generate::generate};
 use serde_json::{Value as Json, json};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -15,10 +15,7 @@ const MOVES: u32 = 20;
 
 fn scenario(case: &Json) -> Scenario {
     match case["generate"].as_str() {
-        Some(kind) => {
-            let options = Node::parse(&case["options"].to_string()).expect("options");
-            generate(kind, &options).expect("it can be generated")
-        }
+        Some(kind) => generate(kind, &case["options"]).expect("it can be generated"),
         None => Scenario::parse(&case["scenario"].to_string()).expect("a scenario"),
     }
 }

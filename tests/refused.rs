@@ -1,8 +1,6 @@
 //! Where refused edges are refused: in the run's own space and by its own test, and nothing of it is counted.
 
-mod common;
-
-use common::{PLANNERS, arm_and_wall, begin_with, disc_and_wall, finish, fitting};
+use crate::common::{PLANNERS, arm_and_wall, begin_with, disc_and_wall, finish, fitting};
 use planarium::error::Code;
 use planarium::graph::EventKind;
 use planarium::run::{EVENT_HEAD, Run};

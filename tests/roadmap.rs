@@ -1,9 +1,9 @@
 //! Roadmaps beyond the first question: how samples are joined, PRM*, guards, searches by name, questions asked again, and
 //! paths improved.
 
-mod common;
+use crate::common;
 
-use common::{SAMPLERS, arm_and_wall, arm_of, begin_with, disc_and_wall, finish, no_way, options, seeds};
+use crate::common::{SAMPLERS, arm_and_wall, arm_of, begin_with, disc_and_wall, finish, no_way, options, seeds};
 use planarium::planner::{logarithmic_k, prm_star_k};
 use planarium::run::{Phase, Run, Status, start};
 use planarium::space::angular_distance;

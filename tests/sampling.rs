@@ -9,10 +9,10 @@ use planarium::sampling::{
     BridgeTest, Gaussian, GoalBiased, Halton, Known, Lattice, ObstacleBased, Sampler, Uniform, radical_inverse,
 };
 use planarium::scenario::{Robot, Scenario};
-use planarium::space::{Space, Torus};
+use planarium::space::{ProductSpace, Space};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-type Plane = Torus<2>;
+type Plane = ProductSpace<2>;
 
 /// A point in a box of side 10 with two slabs that leave a corridor of width 1 between them.
 const WORLD: &str = r#"{ "format": "planarium-scenario-1", "name": "corridor",
@@ -27,7 +27,8 @@ fn problem() -> Problem<Plane> {
     let Robot::Disc(disc) = scenario.robot() else { unreachable!() };
     let disc: &DiscRobot = disc;
     let validity = DiscValidity::new(disc, scenario.world());
-    Problem::new(Torus::of_box(&[0.0; 2], &[10.0; 2]), Box::new(validity), [1.0, 5.0], [9.0, 2.0]).expect("free ends")
+    Problem::new(ProductSpace::of_box(&[0.0; 2], &[10.0; 2]), Box::new(validity), [1.0, 5.0], [9.0, 2.0])
+        .expect("free ends")
 }
 
 fn samplers(seed: u64) -> Vec<(&'static str, Box<dyn Sampler<Plane>>)> {

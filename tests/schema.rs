@@ -2,11 +2,8 @@
 //!
 //! `PLANARIUM_BLESS=1 cargo test --features schema --test schema` writes it anew.
 
-#![cfg(all(feature = "schema", not(target_arch = "wasm32")))]
-
-#[path = "common/documents.rs"]
 #[allow(dead_code)]
-mod documents;
+use crate::common::documents;
 
 use planarium::scenario::generate::{ClutterOptions, ForestOptions, clutter, forest};
 use planarium::scenario::{Scenario, schema};

@@ -1,7 +1,9 @@
 //! Searches on random graphs, against brute force: every search is a walker that expands one vertex a step.
 
+use petgraph::algo::bellman_ford;
+use petgraph::{Directed, EdgeType, Graph, Undirected};
 use planarium::graph::search::{BestFirst, Bidirectional, BreadthFirst, Expansion, View, Walker};
-use planarium::graph::{Adjacency, UnionFind, VertexId, strong_components};
+use planarium::graph::{Adjacency, UnionFind, VertexId};
 use planarium::random::{Random, Stream};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -30,18 +32,14 @@ impl World {
         distance(self.points[a.index()], self.points[b.index()])
     }
 
-    /// The cheapest costs from vertex 0 to all others, by relaxing all edges until nothing changes (Bellman and Ford).
-    fn costs(&self, cost: impl Fn(VertexId, VertexId) -> f64) -> Vec<f64> {
-        let mut costs = vec![f64::INFINITY; self.points.len()];
-        costs[0] = 0.0;
-        for _ in 0..self.points.len() {
-            for &[a, b] in &self.edges {
-                let weight = cost(a, b);
-                costs[b.index()] = costs[b.index()].min(costs[a.index()] + weight);
-                costs[a.index()] = costs[a.index()].min(costs[b.index()] + weight);
-            }
+    /// The cheapest costs from vertex 0 to all others, by petgraph; edges are followed both ways if they are undirected.
+    fn costs<D: EdgeType>(&self, cost: impl Fn(VertexId, VertexId) -> f64) -> Vec<f64> {
+        let mut graph = Graph::<(), f64, D>::default();
+        for _ in &self.points {
+            graph.add_node(());
         }
-        costs
+        graph.extend_with_edges(self.edges.iter().map(|&[a, b]| (a.0, b.0, cost(a, b))));
+        bellman_ford(&graph, 0.into()).expect("no cost is negative").distances
     }
 }
 
@@ -89,7 +87,8 @@ fn every_search_finds_the_best_path_by_its_own_measure_and_only_where_there_is_o
         let goal = VertexId(n as u32 - 1);
         let metric = |a, b| world.length(a, b);
         let hops = |_: VertexId, _: VertexId| 1.0;
-        let (shortest, fewest) = (world.costs(metric)[goal.index()], world.costs(hops)[goal.index()]);
+        let (shortest, fewest) =
+            (world.costs::<Undirected>(metric)[goal.index()], world.costs::<Undirected>(hops)[goal.index()]);
 
         let none = |_: VertexId| 0.0;
         let to_goal = |v| world.length(v, goal);
@@ -137,7 +136,7 @@ fn of_several_goals_the_best_is_found() {
         let metric = |a, b| world.length(a, b);
         let hops = |_: VertexId, _: VertexId| 1.0;
         let best = |costs: Vec<f64>| costs[first..].iter().copied().fold(f64::INFINITY, f64::min);
-        let (shortest, fewest) = (best(world.costs(metric)), best(world.costs(hops)));
+        let (shortest, fewest) = (best(world.costs::<Undirected>(metric)), best(world.costs::<Undirected>(hops)));
         let nearest = |v| (first..n).map(|goal| world.length(v, VertexId(goal as u32))).fold(f64::INFINITY, f64::min);
         let none = |_: VertexId| 0.0;
         let (dijkstra, _) = walk(&mut BestFirst::new(n, START, goals.clone()), &world, &metric, &none);
@@ -189,23 +188,11 @@ fn sets_that_are_joined_are_one() {
             let were_two = sets.find(a.index()) != sets.find(b.index());
             assert_eq!(sets.join(a.index(), b.index()), were_two);
         }
-        let costs = world.costs(|_, _| 1.0);
+        let costs = world.costs::<Undirected>(|_, _| 1.0);
         for (i, cost) in costs.iter().enumerate() {
             assert_eq!(sets.find(i) == sets.find(0), cost.is_finite());
         }
     }
-}
-
-/// The cheapest costs from vertex 0 along edges that lead one way (Bellman and Ford).
-fn directed_costs(world: &World, cost: impl Fn(VertexId, VertexId) -> f64) -> Vec<f64> {
-    let mut costs = vec![f64::INFINITY; world.points.len()];
-    costs[0] = 0.0;
-    for _ in 0..world.points.len() {
-        for &[a, b] in &world.edges {
-            costs[b.index()] = costs[b.index()].min(costs[a.index()] + cost(a, b));
-        }
-    }
-    costs
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -218,8 +205,8 @@ fn searches_follow_edges_that_lead_one_way() {
         // Uphill is dearer, so that a cost has a direction too.
         let metric = |a: VertexId, b: VertexId| world.length(a, b) * if a < b { 1.5 } else { 1.0 };
         let hops = |_: VertexId, _: VertexId| 1.0;
-        let shortest = directed_costs(&world, metric)[goal.index()];
-        let fewest = directed_costs(&world, hops)[goal.index()];
+        let shortest = world.costs::<Directed>(metric)[goal.index()];
+        let fewest = world.costs::<Directed>(hops)[goal.index()];
         let adjacency =
             Adjacency::directed(n, &world.edges[..world.edges.len() / 2], &world.edges[world.edges.len() / 2..]);
         let none = |_: VertexId| 0.0;
@@ -232,7 +219,7 @@ fn searches_follow_edges_that_lead_one_way() {
             Box::new(Bidirectional::new(n, START, goals.clone())),
         ];
         reachable += usize::from(shortest.is_finite());
-        only_back += usize::from(shortest.is_infinite() && world.costs(hops)[goal.index()].is_finite());
+        only_back += usize::from(shortest.is_infinite() && world.costs::<Undirected>(hops)[goal.index()].is_finite());
         for (i, mut walker) in walkers.into_iter().enumerate() {
             let (is_guided, by_metric) = (i == 1, i < 2);
             let heuristic: &dyn Fn(VertexId) -> f64 = if is_guided { &to_goal } else { &none };
@@ -258,42 +245,4 @@ fn searches_follow_edges_that_lead_one_way() {
         }
     }
     assert!(reachable > 300 && only_back > 100, "{reachable} can be reached, {only_back} only against an edge");
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn strong_components_are_what_can_reach_each_other() {
-    let mut sizes = [0; 2];
-    for seed in 0..500 {
-        let world = World::new(seed);
-        let n = world.points.len();
-        // Who reaches whom, by closing the relation (Warshall).
-        let mut reaches = vec![vec![false; n]; n];
-        (0..n).for_each(|v| reaches[v][v] = true);
-        world.edges.iter().for_each(|[a, b]| reaches[a.index()][b.index()] = true);
-        for middle in 0..n {
-            let beyond = reaches[middle].clone();
-            for row in reaches.iter_mut().filter(|row| row[middle]) {
-                row.iter_mut().zip(&beyond).for_each(|(reached, further)| *reached |= further);
-            }
-        }
-        let found = strong_components(&Adjacency::directed(n, &world.edges, &[]));
-        let mut expected: Vec<u32> = Vec::new();
-        let mut count = 0;
-        for (v, row) in reaches.iter().enumerate() {
-            let first = (0..v).find(|&u| reaches[u][v] && row[u]);
-            expected.push(first.map_or(count, |u| expected[u]));
-            count += u32::from(first.is_none());
-        }
-        assert_eq!(found, expected, "seed {seed}");
-        sizes[0] += usize::from(count > 1);
-        sizes[1] += usize::from((count as usize) < n);
-    }
-    assert!(sizes[0] > 200 && sizes[1] > 200, "{sizes:?}");
-    // A long chain, and the same closed to a circle: nothing that a stack could not hold.
-    let n = 300_000;
-    let mut edges: Vec<[VertexId; 2]> = (1..n).map(|v| [VertexId(v - 1), VertexId(v)]).collect();
-    assert_eq!(strong_components(&Adjacency::directed(n as usize, &edges, &[])), (0..n).collect::<Vec<_>>());
-    edges.push([VertexId(n - 1), VertexId(0)]);
-    assert_eq!(strong_components(&Adjacency::directed(n as usize, &edges, &[])), vec![0; n as usize]);
-    assert_eq!(strong_components(&Adjacency::default()), Vec::<u32>::new());
 }

@@ -1,24 +1,24 @@
 //! The laws that every configuration space obeys, on native, Node and Chrome alike.
 
 use planarium::random::{Random, Stream};
-use planarium::space::{Joint, Metric, MotionSpace, Space, Torus, angular_distance, gap, wrap};
+use planarium::space::{Coordinate, Metric, MotionSpace, ProductSpace, Space, angular_distance, gap, wrap};
 use planarium::steering::Steering;
 use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const CASES: usize = 2000;
 
-fn mixed(metric: Metric) -> Torus<4> {
-    Torus::new(&[Joint::Circle, Joint::Interval { low: -4.0, high: 7.5 }, Joint::Circle], metric)
+fn mixed(metric: Metric) -> ProductSpace<4> {
+    ProductSpace::new(&[Coordinate::Circle, Coordinate::Interval { low: -4.0, high: 7.5 }, Coordinate::Circle], metric)
 }
 
-fn toruses() -> Vec<Torus<4>> {
-    let joints = [Joint::Circle; 4];
+fn toruses() -> Vec<ProductSpace<4>> {
+    let joints = [Coordinate::Circle; 4];
     [Metric::Sum, Metric::Euclidean]
         .into_iter()
         .flat_map(|metric| {
             let naive = mixed(metric).cut_open();
-            [Torus::new(&joints, metric), Torus::new(&joints[..3], metric), mixed(metric), naive]
+            [ProductSpace::new(&joints, metric), ProductSpace::new(&joints[..3], metric), mixed(metric), naive]
         })
         .collect()
 }
@@ -78,7 +78,7 @@ fn motions_without_steering_are_those_of_the_torus_to_the_bit() {
 fn steered_motions_obey_the_laws_of_their_direction() {
     for steering in [Steering::Dubins, Steering::ReedsShepp] {
         for (size, radius) in [(1.0, 0.3), (10.0, 1.0), (1e3, 0.5), (2.0, 40.0)] {
-            let torus = Torus::<4>::of_placements([-0.5 * size, 0.0], [size, size], 0.7, 0.3);
+            let torus = ProductSpace::<4>::of_placements([-0.5 * size, 0.0], [size, size], 0.7, 0.3);
             let space = MotionSpace::steered(torus.clone(), steering, radius);
             assert_eq!(space.is_symmetric(), steering == Steering::ReedsShepp);
             assert!(!space.is_norm_exact());
@@ -117,16 +117,16 @@ fn steered_motions_obey_the_laws_of_their_direction() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_box_obeys_the_laws() {
-    obeys_the_laws(&Torus::<2>::of_box(&[-3.0, 0.5], &[2.0, 9.0]));
-    obeys_the_laws(&Torus::<3>::of_box(&[0.0, 0.0, -1e6], &[1.0, 1e-3, 1e6]));
+    obeys_the_laws(&ProductSpace::<2>::of_box(&[-3.0, 0.5], &[2.0, 9.0]));
+    obeys_the_laws(&ProductSpace::<3>::of_box(&[0.0, 0.0, -1e6], &[1.0, 1e-3, 1e6]));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn placements_obey_the_laws_whatever_a_metre_and_a_radian_count() {
     for (translation, rotation) in [(0.7, 0.3), (1e-6, 1.0), (3.0, 1e-6), (1e6, 1e6)] {
-        obeys_the_laws(&Torus::<4>::of_placements([0.0, -1.0], [2.0, 5.0], translation, rotation));
+        obeys_the_laws(&ProductSpace::<4>::of_placements([0.0, -1.0], [2.0, 5.0], translation, rotation));
     }
-    let space = Torus::<4>::of_placements([0.0, 0.0], [2.0, 2.0], 0.7, 0.3);
+    let space = ProductSpace::<4>::of_placements([0.0, 0.0], [2.0, 2.0], 0.7, 0.3);
     let [a, b] = [[0.0, 0.0, 3.0], [0.3, 0.4, -3.0]].map(|q| space.state(&q));
     assert!((space.distance(&a, &b) - (0.7 * 0.5 + 0.3 * (TAU - 6.0))).abs() < 1e-15);
 }
@@ -136,7 +136,7 @@ fn the_reports_distance_from_1_to_5_goes_the_short_way_round() {
     let expected: f64 = 2.2831853071795862;
     let ulp = f64::from_bits(expected.to_bits() + 1) - expected;
     assert!((angular_distance(1.0, 5.0) - expected).abs() <= ulp);
-    let circle = Torus::<2>::new(&[Joint::Circle], Metric::Sum);
+    let circle = ProductSpace::<2>::new(&[Coordinate::Circle], Metric::Sum);
     assert!((circle.distance(&circle.state(&[1.0]), &circle.state(&[5.0])) - expected).abs() <= ulp);
 }
 
@@ -175,9 +175,9 @@ fn a_circle_wraps_and_an_interval_does_not() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn padding_changes_no_bit() {
-    let joints = [Joint::Circle, Joint::Interval { low: -2.0, high: 5.0 }, Joint::Circle];
+    let joints = [Coordinate::Circle, Coordinate::Interval { low: -2.0, high: 5.0 }, Coordinate::Circle];
     for metric in [Metric::Sum, Metric::Euclidean] {
-        let (tight, padded) = (Torus::<3>::new(&joints, metric), Torus::<8>::new(&joints, metric));
+        let (tight, padded) = (ProductSpace::<3>::new(&joints, metric), ProductSpace::<8>::new(&joints, metric));
         let (mut one, mut other) = (Random::new(3, Stream::Samples), Random::new(3, Stream::Samples));
         for _ in 0..CASES {
             let (a, b) = (tight.sample(&mut one), tight.sample(&mut one));

@@ -1,11 +1,7 @@
 //! SST: its best path only ever gets cheaper, and of vertices near each other only the cheapest grow.
 
-mod common;
-#[path = "common/driven.rs"]
-mod driven;
-
-use common::{begin_with, car_and_wall, finish, parse, seeds};
-use driven::{Edge, car, edges, events, is_in_region, vertices_of};
+use crate::common::driven::{Edge, car, edges, events, is_in_region, vertices_of};
+use crate::common::{begin_with, car_and_wall, finish, parse, seeds};
 use planarium::graph::EventKind;
 use planarium::path::{Verdict, verify};
 use planarium::run::{HISTORY_WIDTH, Phase, Status};

@@ -1,15 +1,11 @@
 //! Shortest curves of cars: against numerical search, known values and the laws they obey; on native, Node and Chrome alike.
 
+use crate::common::cases;
 use planarium::graph::Fingerprint;
 use planarium::random::{Random, Stream};
 use planarium::steering::{Curve, Pose, Turn, advance, dubins, reeds_shepp, wrap};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
-
-/// How many of something native can afford; a browser waits for fewer.
-const fn native(many: usize) -> usize {
-    if cfg!(target_arch = "wasm32") { many.div_ceil(20) } else { many }
-}
 
 type Steer = fn(Pose, Pose, f64) -> Curve;
 const BOTH: [(&str, Steer); 2] = [("dubins", dubins), ("reeds-shepp", reeds_shepp)];
@@ -76,7 +72,7 @@ fn an_arc_does_not_cancel_where_the_turn_is_small() {
         }
     }
     let mut random = Random::new(1, Stream::Samples);
-    for _ in 0..native(10_000) {
+    for _ in 0..cases(10_000) {
         let from = pose(uniform(&mut random, -5.0, 5.0), uniform(&mut random, -5.0, 5.0), heading(&mut random));
         let (k, s, t) =
             (uniform(&mut random, -3.0, 3.0), uniform(&mut random, -4.0, 4.0), uniform(&mut random, -4.0, 4.0));
@@ -90,7 +86,7 @@ fn an_arc_does_not_cancel_where_the_turn_is_small() {
 fn every_curve_ends_at_its_goal_and_is_as_long_as_its_segments() {
     for (name, steer) in BOTH {
         let mut random = Random::new(2, Stream::Samples);
-        for _ in 0..native(50_000) {
+        for _ in 0..cases(50_000) {
             let (from, to, radius) = case(&mut random);
             let curve = steer(from, to, radius);
             let largest = [from.x, from.y, to.x, to.y].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -249,9 +245,9 @@ fn numerical_search_over_words_finds_the_same_lengths_and_none_below() {
         let all = [FORWARDS, SHUNTING].concat();
         let is_forwards = name == "dubins";
         let families = if is_forwards { FORWARDS } else { &all };
-        let cases = native(300);
+        let tried = cases(300);
         let mut found = 0;
-        for _ in 0..cases {
+        for _ in 0..tried {
             let size = [0.5, 2.0, 5.0][random.below(3) as usize];
             let [x, y] = [0; 2].map(|_| uniform(&mut random, -size, size));
             let goal = pose(x, y, uniform(&mut random, -PI, PI));
@@ -259,7 +255,7 @@ fn numerical_search_over_words_finds_the_same_lengths_and_none_below() {
             assert!(best >= ours - 1e-8, "{name} to {goal:?}: {ours}, but {best} is shorter");
             found += usize::from(best <= ours + 1e-8);
         }
-        assert!(found * 100 >= cases * 97, "{name}: the search found only {found} of {cases}");
+        assert!(found * 100 >= tried * 97, "{name}: the search found only {found} of {tried}");
     }
 }
 
@@ -270,7 +266,7 @@ fn no_first_move_gains_more_than_its_length_and_one_gains_as_much() {
     for (name, steer) in BOTH {
         let mut random = Random::new(4, Stream::Samples);
         let gears: &[f64] = if name == "dubins" { &[1.0] } else { &[1.0, -1.0] };
-        for _ in 0..native(20_000) {
+        for _ in 0..cases(20_000) {
             let size = [0.1, 1.0, 3.0, 8.0][random.below(4) as usize];
             let [x, y] = [0; 2].map(|_| uniform(&mut random, -size, size));
             let goal = pose(x, y, heading(&mut random));
@@ -294,7 +290,7 @@ fn no_first_move_gains_more_than_its_length_and_one_gains_as_much() {
 fn no_random_drive_is_shorter() {
     for (name, steer) in BOTH {
         let mut random = Random::new(5, Stream::Samples);
-        for _ in 0..native(100_000) {
+        for _ in 0..cases(100_000) {
             let reach = [0.3, 1.0, 3.0][random.below(3) as usize];
             let low = if name == "dubins" { 0.0 } else { -reach };
             let segments: Vec<(Turn, f64)> = (0..=random.below(6))
@@ -311,7 +307,7 @@ fn no_random_drive_is_shorter() {
 fn a_piece_of_a_curve_is_the_curve_of_its_ends() {
     for (name, steer) in BOTH {
         let mut random = Random::new(6, Stream::Samples);
-        for _ in 0..native(30_000) {
+        for _ in 0..cases(30_000) {
             let (from, to, radius) = case(&mut random);
             let whole = steer(from, to, radius);
             let [s, t] = [0; 2].map(|_| whole.length() * random.uniform());
@@ -335,7 +331,7 @@ fn a_piece_of_a_curve_is_the_curve_of_its_ends() {
 #[wasm_bindgen_test(unsupported = test)]
 fn curves_are_symmetric_as_cars_are() {
     let mut random = Random::new(7, Stream::Samples);
-    for _ in 0..native(30_000) {
+    for _ in 0..cases(30_000) {
         let (from, to, radius) = case(&mut random);
         let slack = 1e-9 * (radius + between(from, to));
         let mirror = |p: Pose| pose(p.x, -p.y, wrap(-p.heading));
@@ -358,7 +354,7 @@ fn curves_are_symmetric_as_cars_are() {
 fn lengths_obey_the_triangle_inequality_and_scale_with_the_radius() {
     for (name, steer) in BOTH {
         let mut random = Random::new(8, Stream::Samples);
-        for _ in 0..native(30_000) {
+        for _ in 0..cases(30_000) {
             let (a, b, radius) = case(&mut random);
             let middle = if random.below(2) == 0 { a } else { b };
             let c = near(&mut random, middle, radius);
@@ -379,7 +375,7 @@ fn lengths_obey_the_triangle_inequality_and_scale_with_the_radius() {
 #[wasm_bindgen_test(unsupported = test)]
 fn rounding_costs_neither_a_loop_nor_a_shunt() {
     let mut random = Random::new(9, Stream::Samples);
-    for _ in 0..native(30_000) {
+    for _ in 0..cases(30_000) {
         let size = [1.0, 1e3, 1e6][random.below(3) as usize];
         let from = pose(uniform(&mut random, -size, size), uniform(&mut random, -size, size), heading(&mut random));
         let turn = [L, S, R][random.below(3) as usize];

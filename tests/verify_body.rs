@@ -1,11 +1,7 @@
 //! The independent judge of bodies' paths, on native, Node and Chrome alike: against the proof, against dense looks, and by hand.
 
-#[path = "common/bodies.rs"]
-mod bodies;
-mod common;
-
-use bodies::*;
-use common::seeds;
+use crate::common::bodies::*;
+use crate::common::seeds;
 use planarium::collision::{BodyCollision, BodyMotion};
 use planarium::geometry::{Disc, Polygon};
 use planarium::path::{Leg, Verdict, verify, verify_legs};

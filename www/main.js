@@ -5,7 +5,8 @@
  * - `#counters` carries `data-status` ("loading", "failed", "none", "running", "solved", "exhausted"), `data-phase`,
  *   `data-iterations`, `data-vertices`, `data-edges` of what is shown, `data-settled` ("true" while nothing moves and all is
  *   drawn), and while it is settled at the newest iteration `data-fingerprint` and, once solved, `data-length`.
- * - `#play` carries `data-playing`; `body` carries `data-scene` (an id of scenes.js, or "file").
+ * - `#play` carries `data-playing`; `body` carries `data-scene` (an id of scenes.js, or "file"), and `data-complete` once no scene
+ *   needs the network any more.
  * - `#notice` is hidden, or carries `data-code` and `data-pointer` of the error it shows.
  * - `#readout` carries `data-vertex` of the vertex that is pointed at, "-1" of a mere pose, and `data-free`; neither while
  *   nothing is pointed at.
@@ -43,6 +44,8 @@ import { Studio } from "./studio.js";
 
 /** Milliseconds after which the thumbnails are drawn: the stage comes first. */
 const THUMBNAILS = 250;
+/** And after them what scenes need besides: the page has opened by then. */
+const PROVISIONS = 3000;
 
 const counters = new Counters();
 const notice = new Notice();
@@ -65,7 +68,7 @@ async function start() {
   const where = byId("where", HTMLElement);
   const turn = byId("your-turn", HTMLButtonElement);
   const stage = byId("stage", HTMLElement);
-  const panel = new Panel(planners, () => studio.ask("freshSeed", []), () => page.plan(), () => page.ask());
+  const panel = new Panel(planners, () => studio.ask("randomSeed", []), () => page.plan(), () => page.ask());
   const page = new Page(studio, panel, notice);
   const sheets = new Sheets(page);
   const pose = new Pose((at) => studio.tell("hold", at));
@@ -161,7 +164,16 @@ async function start() {
       const picture = await studio.ask("thumbnail", [await page.sourceOf(entry), SIDE, page.look]);
       gallery.draw(entry.id, picture);
     }
-    // By then the page has opened; without a network it could not be fetched.
-    setTimeout(() => options.get().catch(() => {}), 3000);
+    setTimeout(() => void provide(), PROVISIONS);
+  }
+
+  /** Fetches what scenes may want once the network is gone. */
+  async function provide() {
+    try {
+      await Promise.all([options.get(), studio.ask("provide", [])]);
+      document.body.dataset.complete = "true";
+    } catch {
+      // there is no network already: whoever needs it asks again, and is told
+    }
   }
 }

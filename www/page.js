@@ -211,7 +211,7 @@ export class Page {
     for (const arrive of this.arrivals.splice(0)) arrive(null);
     const { refusal } = state;
     // Old news is not told, and each refusal once; what the editor is at, it says itself, where the hand is.
-    if (Boolean(before?.edit) !== Boolean(state.edit)) this.told = false;
+    if (!refusal || Boolean(before?.edit) !== Boolean(state.edit)) this.told = false;
     if (!refusal || this.told || state.heard < this.studio.ordered || state.edit?.touching) return;
     this.told = true;
     const { lane, pointer, message } = refusal;

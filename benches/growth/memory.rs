@@ -5,7 +5,7 @@ use planarium::graph::{Adjacency, Event, EventKind, Graph, VertexId};
 use planarium::nearest::{Index, Nearest};
 use planarium::random::{Random, Stream};
 use planarium::run::{Options, Status, Value, start};
-use planarium::space::{Joint, Metric, Space, Torus};
+use planarium::space::{Coordinate, Metric, ProductSpace, Space};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
@@ -53,12 +53,12 @@ fn measure<T>(work: impl FnOnce() -> T) -> (T, usize, usize) {
     (made, HELD.load(Relaxed) - before, MOST.load(Relaxed) - before)
 }
 
-type Arm = Torus<4>;
+type Arm = ProductSpace<4>;
 
 /// Prints what a vertex and an edge cost.
 pub fn print(is_quick: bool) {
     let n = if is_quick { 20_000 } else { 1_000_000 };
-    let space = Arm::new(&[Joint::Circle; 4], Metric::Sum);
+    let space = Arm::new(&[Coordinate::Circle; 4], Metric::Sum);
     let mut random = Random::new(1, Stream::Samples);
     let states: Vec<[f64; 4]> = (0..n).map(|_| space.sample(&mut random)).collect();
     println!("\nMemory, 4R, {n} vertices, bytes each.\n");

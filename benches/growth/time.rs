@@ -2,7 +2,7 @@
 
 use planarium::random::{Random, Stream};
 use planarium::run::{Options, Status, Value, start};
-use planarium::scenario::{Node, Scenario};
+use planarium::scenario::Scenario;
 use serde_json::{Value as Json, json};
 use std::time::Instant;
 
@@ -97,7 +97,7 @@ fn exponent(points: &[(f64, f64)]) -> f64 {
 }
 
 pub fn forest(links: u64) -> Scenario {
-    let options = Node::parse(&json!({ "links": links }).to_string()).expect("a JSON value is a node");
+    let options = json!({ "links": links });
     planarium::scenario::generate::generate("forest", &options).expect("a forest can be generated")
 }
 

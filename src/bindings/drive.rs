@@ -79,6 +79,6 @@ impl RawDrive {
 }
 
 fn key_of(number: f64, pointer: &str) -> Result<Key, Error> {
-    let named = Key::ALL.into_iter().find(|&key| f64::from(key as u8) == number);
+    let named = Key::from_repr(number as u8).filter(|&key| f64::from(key as u8) == number);
     named.ok_or_else(|| Error::new(Code::OutOfRange, pointer, "there is no such key"))
 }

@@ -1,6 +1,6 @@
 //! Inverse kinematics in JavaScript's hands.
 
-use super::convert::{count, cursor, throw};
+use super::convert::{count, cursor, record, throw};
 use crate::geometry::Point;
 use crate::reach::{Followed, Nearest, Reach, Target};
 use wasm_bindgen::prelude::*;
@@ -63,14 +63,14 @@ impl RawReach {
         Ok(solutions.iter().flat_map(|q| &q[..self.reach.dimension()]).copied().collect())
     }
 
-    /// What has come of the run, as JSON text.
-    pub fn verdict(&self) -> String {
-        self.reach.verdict_node().to_json()
+    /// What has come of the run.
+    pub fn verdict(&self) -> JsValue {
+        record(&self.reach.verdict_document())
     }
 
-    /// The result document, as JSON text.
-    pub fn result(&self) -> String {
-        self.reach.result().to_json()
+    /// The result document.
+    pub fn result(&self) -> JsValue {
+        record(&self.reach.result())
     }
 
     /// 16 hexadecimal digits over every iterate and solution.

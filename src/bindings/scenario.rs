@@ -1,33 +1,34 @@
 //! A scenario in JavaScript's hands.
 
-use super::convert::{count, index_options, options, reach_options, throw};
+use super::convert::{count, fields, index_options, options, reach_options, record, throw};
 use super::drive::told;
 use super::reach::{followed, near, target};
 use super::{RawDrive, RawNeighbours, RawPlanner, RawReach};
 use crate::control::{Control, Motion};
 use crate::drive::{self, Drive};
-use crate::inspect::Inspector;
-use crate::json::Node;
+use crate::inspect::{Clearance, Inspector};
 use crate::kept::RoadmapDocument;
 use crate::neighbours;
 use crate::reach::{Reach, arm_of, follow, nearest_reachable};
 use crate::robot::Part;
-use crate::run::{self, Options};
+use crate::run;
 use crate::scenario::Scenario;
 use crate::validity::Touched;
+use crate::world::PlanningWorld;
 use wasm_bindgen::prelude::*;
 
 /// A checked scenario and answers about it.
 #[wasm_bindgen]
 pub struct RawScenario {
-    scenario: Scenario,
+    world: PlanningWorld,
     inspector: Inspector,
 }
 
 impl RawScenario {
     fn new(scenario: Scenario) -> Self {
-        let inspector = Inspector::new(&scenario);
-        Self { scenario, inspector }
+        let world = PlanningWorld::new(scenario);
+        let inspector = Inspector::new(&world);
+        Self { world, inspector }
     }
 }
 
@@ -38,25 +39,25 @@ impl RawScenario {
         Scenario::parse(text).map(Self::new).map_err(throw)
     }
 
-    /// Generates a scenario by the generator's id, with options as JSON text.
-    pub fn generate(kind: &str, options: &str) -> Result<RawScenario, JsValue> {
-        let generated = Node::parse(options).and_then(|options| crate::scenario::generate::generate(kind, &options));
+    /// Generates a scenario by the generator's id, with options.
+    pub fn generate(kind: &str, options: JsValue) -> Result<RawScenario, JsValue> {
+        let generated = fields(options).and_then(|options| crate::scenario::generate::generate(kind, &options.into()));
         generated.map(Self::new).map_err(throw)
     }
 
     /// The name.
     pub fn name(&self) -> String {
-        self.scenario.name().to_owned()
+        self.world.scenario().name().to_owned()
     }
 
     /// The title for people.
     pub fn title(&self) -> String {
-        self.scenario.title().to_owned()
+        self.world.scenario().title().to_owned()
     }
 
     /// The type of the robot, as in documents.
     pub fn robot(&self) -> String {
-        self.scenario.robot().kind().to_owned()
+        self.world.scenario().robot().kind().to_owned()
     }
 
     /// Numbers a configuration.
@@ -64,9 +65,9 @@ impl RawScenario {
         self.inspector.dimension()
     }
 
-    /// The scenario as JSON text, normalised.
-    pub fn document(&self) -> String {
-        self.scenario.to_json_string()
+    /// The scenario as a document, normalised.
+    pub fn document(&self) -> JsValue {
+        record(self.world.scenario())
     }
 
     /// The box worth drawing: min x, min y, max x, max y.
@@ -85,6 +86,15 @@ impl RawScenario {
         let contacts = self.inspector.check(q).map_err(throw)?;
         let touched = |with| if let Touched::Obstacle(i) = with { i as i32 } else { -1 };
         Ok(contacts.iter().flat_map(|contact| [contact.part as i32, touched(contact.with)]).collect())
+    }
+
+    /// What of the robot at `q` is nearest to which obstacle: distance, part, obstacle and both points; empty where there is none.
+    pub fn clearance(&self, q: &[f64]) -> Result<Vec<f64>, JsValue> {
+        let told = |near: Clearance| {
+            let [a, b] = near.points;
+            vec![near.distance, near.part as f64, near.obstacle as f64, a.x, a.y, b.x, b.y]
+        };
+        Ok(self.inspector.clearance(q).map_err(throw)?.map_or_else(Vec::new, told))
     }
 
     /// The parts of the robot at `q`: both ends and the radius of every link of an arm, centre and radius of a disc, the
@@ -145,18 +155,18 @@ impl RawScenario {
         self.inspector.configuration_space_range().map(|range| range.concat()).map_err(throw)
     }
 
-    /// Begins a run; `text` is JSON and holds `algorithm`, `query`, `seed` and the planner's parameters.
-    pub fn planner(&self, text: &str) -> Result<RawPlanner, JsValue> {
-        let run = options(text, Options::default()).and_then(|wanted| run::start(&self.scenario, &wanted));
+    /// Begins a run; `wanted` holds `algorithm`, `query`, `seed` and the planner's parameters.
+    pub fn planner(&self, wanted: JsValue) -> Result<RawPlanner, JsValue> {
+        let run = options(wanted).and_then(|wanted| run::start(&self.world, &wanted));
         run.map(RawPlanner::new).map_err(throw)
     }
 
     /// Begins a run that goes on with a roadmap, in its JSON or its binary form; the same options, but that the planner is
     /// the one that built it.
-    pub fn resume(&self, roadmap: &[u8], text: &str) -> Result<RawPlanner, JsValue> {
+    pub fn resume(&self, roadmap: &[u8], wanted: JsValue) -> Result<RawPlanner, JsValue> {
         let run = RoadmapDocument::read(roadmap).and_then(|document| {
-            let wanted = options(text, Options::default())?;
-            run::resume(&self.scenario, &wanted, &document)
+            let wanted = options(wanted)?;
+            run::resume(&self.world, &wanted, &document)
         });
         run.map(RawPlanner::new).map_err(throw)
     }
@@ -167,44 +177,44 @@ impl RawScenario {
         self.inspector.samples(n?, seed?, is_free).map_err(throw)
     }
 
-    /// An empty index of configurations; `text` is JSON and holds `index` and the parameters of that.
-    pub fn neighbours(&self, text: &str) -> Result<RawNeighbours, JsValue> {
-        let index = index_options(text)
-            .and_then(|(id, parameters)| neighbours::index(&self.scenario, id.as_deref(), &parameters));
+    /// An empty index of configurations; `wanted` holds `index` and the parameters of that.
+    pub fn neighbours(&self, wanted: JsValue) -> Result<RawNeighbours, JsValue> {
+        let index = index_options(wanted)
+            .and_then(|(id, parameters)| neighbours::index(&self.world, id.as_deref(), &parameters));
         index.map(RawNeighbours::new).map_err(throw)
     }
 
     /// Begins a drive from `q`, or where it is empty from the start of the first query.
     pub fn drive(&self, q: &[f64]) -> Result<RawDrive, JsValue> {
         let start = (!q.is_empty()).then_some(q);
-        Drive::new(&self.scenario, start).map(RawDrive::new).map_err(throw)
+        Drive::new(&self.world, start).map(RawDrive::new).map_err(throw)
     }
 
     /// One control held for a while: what blocks it (as in the state of a drive), for how long it is free, and then the poses.
     pub fn rollout(&self, q: &[f64], v: f64, phi: f64, duration: f64) -> Result<Vec<f64>, JsValue> {
         let motion = Motion { control: Control { speed: v, steering: phi }, duration };
-        let rollout = drive::rollout(&self.scenario, q, motion).map_err(throw)?;
+        let rollout = drive::rollout(&self.world, q, motion).map_err(throw)?;
         let mut numbers = vec![told(rollout.blocked), rollout.seconds];
         numbers.extend(rollout.poses.concat());
         Ok(numbers)
     }
 
-    /// Begins a run of inverse kinematics; `text` is JSON and holds `target`, `orientation`, `method`, `start`, `seed` and the
+    /// Begins a run of inverse kinematics; `wanted` holds `target`, `orientation`, `method`, `start`, `seed` and the
     /// method's parameters.
-    pub fn reach(&self, text: &str) -> Result<RawReach, JsValue> {
-        let reach = reach_options(text).and_then(|wanted| Reach::new(&self.scenario, &wanted));
+    pub fn reach(&self, wanted: JsValue) -> Result<RawReach, JsValue> {
+        let reach = reach_options(wanted).and_then(|wanted| Reach::new(&self.world, &wanted));
         reach.map(RawReach::new).map_err(throw)
     }
 
     /// Where the arm goes from `q` when its tip follows a point: see `followed`.
     pub fn follow(&self, q: &[f64], point: &[f64], orientation: Option<f64>) -> Result<Vec<f64>, JsValue> {
-        let arm = arm_of(&self.scenario).and_then(|arm| follow(arm, q, target(point, orientation)));
+        let arm = arm_of(self.world.scenario()).and_then(|arm| follow(arm, q, target(point, orientation)));
         arm.map(|arm| followed(&arm, self.dimension())).map_err(throw)
     }
 
     /// How near the arm can come to a point: see `near`.
     pub fn nearest_reachable(&self, point: &[f64], orientation: Option<f64>) -> Result<Vec<f64>, JsValue> {
-        let nearest = arm_of(&self.scenario).and_then(|arm| nearest_reachable(arm, target(point, orientation)));
+        let nearest = arm_of(self.world.scenario()).and_then(|arm| nearest_reachable(arm, target(point, orientation)));
         nearest.map(|nearest| near(&nearest, self.dimension())).map_err(throw)
     }
 }

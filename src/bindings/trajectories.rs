@@ -1,6 +1,6 @@
 //! Many trajectories in JavaScript's hands.
 
-use super::convert::{count, cursor, settings, throw};
+use super::convert::{count, cursor, record, settings, throw};
 use crate::fleet::{self, Trajectories};
 use crate::status::Status;
 use wasm_bindgen::prelude::*;
@@ -13,8 +13,8 @@ pub struct RawTrajectories {
 
 #[wasm_bindgen]
 impl RawTrajectories {
-    /// Begins, with options as JSON text.
-    pub fn begin(options: &str) -> Result<RawTrajectories, JsValue> {
+    /// Begins, with options.
+    pub fn begin(options: JsValue) -> Result<RawTrajectories, JsValue> {
         let begun = settings(options).and_then(|(given, seed)| Trajectories::new(&given, seed));
         begun.map(|trajectories| Self { trajectories }).map_err(throw)
     }
@@ -57,9 +57,9 @@ impl RawTrajectories {
         self.trajectories.tries().to_vec()
     }
 
-    /// The result document, as JSON text.
-    pub fn result(&self) -> String {
-        self.trajectories.result().to_json()
+    /// The result document.
+    pub fn result(&self) -> JsValue {
+        record(&self.trajectories.result())
     }
 
     /// 16 hexadecimal digits over all that was tried.
@@ -68,14 +68,8 @@ impl RawTrajectories {
     }
 }
 
-/// The options of many trajectories, as JSON text.
+/// The places of one particle, at these times.
 #[wasm_bindgen]
-pub fn trajectory_options() -> String {
-    fleet::catalogue().to_json()
-}
-
-/// The places of one particle, told as JSON text, at these times.
-#[wasm_bindgen]
-pub fn particle_points(particle: &str, times: &[f64]) -> Result<Vec<f64>, JsValue> {
+pub fn particle_points(particle: JsValue, times: &[f64]) -> Result<Vec<f64>, JsValue> {
     settings(particle).and_then(|(given, _)| fleet::particle_points(&given, times)).map_err(throw)
 }

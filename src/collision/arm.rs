@@ -2,153 +2,111 @@
 
 use super::motion::LONGEST_TURN;
 use super::obstacles::largest_coordinate;
-use super::proof::separation::Work;
-use super::proof::{Answer, Link, Motion, MovingJoint, Setting, distance, separation, unit};
-use super::{Obstacles, Tolerance};
+use super::proof::oracle::{self, PartDistance};
+use super::proof::{MovingArm, Order, Prover, Scene};
+use super::{CollisionWorld, Obstacles, Tolerance};
 use crate::geometry::{Aabb, Segment};
 use crate::robot::Arm;
-use crate::scenario::World;
-use crate::space::{Joint, Metric, Space, Torus};
+use crate::space::{ProductSpace, Space};
 use crate::validity::{Contact, Touched, Validity};
 use std::cell::RefCell;
+use std::sync::Arc;
 
 /// From joint limits wider than this on, in radians, the slack is doubled.
 const WIDE: f64 = 50.0;
 
-/// The space of an arm: a circle a joint, or an interval where the arm has limits.
-///
-/// # Panics
-/// Where the arm has more than `N` links.
-pub fn joint_space<const N: usize>(arm: &Arm, metric: Metric) -> Torus<N> {
-    let joints: Vec<Joint> = match arm.joint_limits() {
-        Some(limits) => limits.iter().map(|&[low, high]| Joint::Interval { low, high }).collect(),
-        None => vec![Joint::Circle; arm.links().len()],
-    };
-    Torus::new(&joints, metric)
-}
-
-/// What is free for an arm among obstacles, over the space of its joints.
+/// What is free for an arm among obstacles, over the space of its joints: compiled once.
 pub struct ArmValidity<const N: usize> {
-    space: Torus<N>,
-    collision: ArmCollision,
-    work: RefCell<Work<N>>,
+    space: ProductSpace<N>,
+    arm: Arm,
+    /// The obstacles as they are; those of the scene are their convex pieces.
+    obstacles: Arc<Obstacles>,
+    scene: Scene,
+    prover: RefCell<Prover<MovingArm<N>>>,
 }
 
 impl<const N: usize> ArmValidity<N> {
     /// The arm in the world; `tolerance` is the wanted tolerance as a fraction of the longer side of the bounds (of twice the
     /// reach where there are none), greater than 0.
-    pub fn new(arm: &Arm, space: Torus<N>, world: &World, tolerance: f64) -> Self {
-        Self { space, collision: ArmCollision::new(arm, world, tolerance), work: RefCell::default() }
+    pub fn new(arm: &Arm, space: ProductSpace<N>, world: impl Into<CollisionWorld>, tolerance: f64) -> Self {
+        let world = world.into();
+        let obstacles = world.obstacles();
+        let base = arm.base().x.abs().max(arm.base().y.abs());
+        let bounds = world.bounds().map_or(0.0, largest_coordinate);
+        let scale = obstacles.largest_coordinate().max(base).max(bounds) + arm.reach() + arm.radius();
+        let side = world.bounds().map_or(2.0 * arm.reach(), Aabb::longer_side);
+        // Sums of angles round more where limits are wide: see `proof/arm.rs`.
+        let widest =
+            arm.joint_limits().unwrap_or_default().iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let scale = if widest > WIDE { 2.0 * scale } else { scale };
+        let tolerance = Tolerance::new(scale, tolerance * side);
+        let prover = RefCell::new(Prover::new(MovingArm::new(arm, tolerance.eta)));
+        let scene = Scene { obstacles: world.pieces(), bounds: world.bounds().copied(), tolerance };
+        Self { space, arm: arm.clone(), obstacles, scene, prover }
     }
 
-    /// The same with a tolerance no coarser than half the clearance of either configuration.
+    /// The same with a tolerance no coarser than half the clearance of either configuration, and half its depth within the
+    /// bounds.
     #[must_use]
     pub fn fitted(mut self, start: &[f64; N], goal: &[f64; N]) -> Self {
-        let tolerance = self.collision.tolerance;
-        let depths = [start, goal].map(|q| self.collision.depth(self.space.coordinates(q)));
+        let depths = [start, goal].map(|q| self.depth(q));
         // Twice the tolerance is as much clearance as can make it finer.
-        let clearances =
-            [start, goal].map(|q| self.collision.clearance_within(self.space.coordinates(q), 2.0 * tolerance.tau));
-        self.collision.tolerance = tolerance.fitted(clearances, depths);
+        let most = 2.0 * self.scene.tolerance.tau;
+        let clearances = [start, goal].map(|q| self.clearance_within(q, most));
+        self.scene.tolerance = self.scene.tolerance.fitted(clearances, depths);
         self
     }
 
-    /// The same with the finest tolerance there is: it proves again whatever was proven with a coarser one. A motion along
-    /// an obstacle, nearer than is ever drawn, takes it long.
+    /// The same with the finest tolerance there is: it proves again whatever was proven with a coarser one.
     #[must_use]
     pub fn finest(mut self) -> Self {
-        self.collision.tolerance = self.collision.tolerance.finest();
+        self.scene.tolerance = self.scene.tolerance.finest();
         self
     }
 
     /// The distance from the arm to the nearest obstacle, in metres; infinite without obstacles. O(links x obstacles).
     pub fn clearance(&self, q: &[f64; N]) -> f64 {
-        self.collision.clearance(self.space.coordinates(q))
+        let clearance = |link: Segment| self.obstacles.clearance(&link) - self.arm.radius();
+        self.links(q).map(clearance).fold(f64::INFINITY, f64::min)
     }
 
-    /// The same verdicts by the proof by distances: slower and simpler, the oracle of the tests. Where the first stretch of
+    /// The verdict of the proof by distances: slower and simpler, the oracle of the tests. Where the first interval of
     /// the motion begins that it cannot prove free; `None` where it proves all.
     pub fn first_hit_by_distances(&self, a: &[f64; N], b: &[f64; N]) -> Option<f64> {
-        let first_hit = |setting: &Setting, motion: &Motion<N>, work: &mut Work<N>| {
-            distance::first_hit(setting, motion, &mut work.evaluations)
+        let Some(delta) = self.delta(a, b) else { return Some(0.0) };
+        let travel = self.arm.travel(&delta);
+        let parts = |t: f64| {
+            let mut q = *a;
+            q.iter_mut().zip(&delta).for_each(|(angle, delta)| *angle += t * delta);
+            let part = |(i, link): (usize, Segment)| PartDistance {
+                clearance: self.obstacles.clearance(&link) - self.arm.radius(),
+                depth: self.depth_of(&link),
+                travel: travel[i],
+            };
+            self.links(&q).enumerate().map(part).collect()
         };
-        self.prove(a, b, first_hit).unwrap_or(Some(0.0))
+        oracle::first_hit(&self.scene.tolerance, &parts)
     }
 
-    /// Runs `prove` on the motion from `a` to `b`; `None` where the short way round is ambiguous.
+    /// How far each joint turns on the motion from `a` to `b`; `None` where the short way round is ambiguous.
     #[inline(always)]
-    fn prove<T>(
-        &self,
-        a: &[f64; N],
-        b: &[f64; N],
-        prove: impl FnOnce(&Setting, &Motion<N>, &mut Work<N>) -> T,
-    ) -> Option<T> {
+    fn delta(&self, a: &[f64; N], b: &[f64; N]) -> Option<[f64; N]> {
         let delta = self.space.difference(a, b);
         let is_ambiguous = |i: usize| delta[i].abs() >= LONGEST_TURN && self.space.is_circle(i);
-        if (0..self.space.dimension()).any(is_ambiguous) {
-            return None;
-        }
-        Some(prove(&self.collision.setting(), &Motion { from: a, delta: &delta }, &mut self.work.borrow_mut()))
-    }
-}
-
-impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
-    fn is_free(&self, q: &[f64; N]) -> bool {
-        self.collision.is_free(self.space.coordinates(q), &mut self.work.borrow_mut().evaluations)
+        (!(0..self.space.dimension()).any(is_ambiguous)).then_some(delta)
     }
 
-    fn is_motion_free(&self, a: &[f64; N], b: &[f64; N]) -> bool {
-        self.prove(a, b, separation::is_free).unwrap_or(false)
-    }
-
-    fn first_hit(&self, a: &[f64; N], b: &[f64; N]) -> Option<f64> {
-        self.prove(a, b, separation::first_hit).unwrap_or(Some(0.0))
-    }
-
-    fn contacts(&self, q: &[f64; N]) -> Vec<Contact> {
-        self.collision.contacts(self.space.coordinates(q))
-    }
-
-    fn clearance_evaluations(&self) -> u64 {
-        self.work.borrow().evaluations
-    }
-}
-
-/// The arm among obstacles, for configurations of any dimension: compiled once.
-struct ArmCollision {
-    arm: Arm,
-    obstacles: Obstacles,
-    bounds: Option<Aabb>,
-    tolerance: Tolerance,
-}
-
-impl ArmCollision {
-    fn new(arm: &Arm, world: &World, tolerance: f64) -> Self {
-        let obstacles = Obstacles::new(&world.obstacles);
-        let base = arm.base().x.abs().max(arm.base().y.abs());
-        let bounds = world.bounds.as_ref().map_or(0.0, largest_coordinate);
-        let scale = obstacles.largest_coordinate().max(base).max(bounds) + arm.reach() + arm.radius();
-        let side = world.bounds.as_ref().map_or(2.0 * arm.reach(), Aabb::longer_side);
-        // Sums of angles round more where limits are wide: see `proof/separation.rs`.
-        let widest =
-            arm.joint_limits().unwrap_or_default().iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
-        let scale = if widest > WIDE { 2.0 * scale } else { scale };
-        let tolerance = Tolerance::new(scale, tolerance * side);
-        Self { arm: arm.clone(), obstacles, bounds: world.bounds, tolerance }
-    }
-
-    fn setting(&self) -> Setting<'_> {
-        let bounds = self.bounds.as_ref();
-        Setting { arm: &self.arm, obstacles: &self.obstacles, bounds, tolerance: self.tolerance }
-    }
-
-    fn clearance(&self, q: &[f64]) -> f64 {
-        let nearest = |link: Segment| self.obstacles.clearance(&link) - self.arm.radius();
-        self.links(q).map(nearest).fold(f64::INFINITY, f64::min)
+    /// Where the interval begins that refuses the motion, in this order the first.
+    #[inline(always)]
+    fn prove(&self, a: &[f64; N], b: &[f64; N], order: Order) -> Option<f64> {
+        let Some(delta) = self.delta(a, b) else { return Some(0.0) };
+        let prover = &mut *self.prover.borrow_mut();
+        let state = prover.moving.begin(a, &delta);
+        prover.prove(&self.scene, state, order)
     }
 
     /// The clearance where it is `most` at most; else something larger.
-    fn clearance_within(&self, q: &[f64], most: f64) -> f64 {
+    fn clearance_within(&self, q: &[f64; N], most: f64) -> f64 {
         let mut least = f64::INFINITY;
         for link in self.links(q) {
             let near = link.aabb().grown(self.arm.radius() + most);
@@ -161,95 +119,62 @@ impl ArmCollision {
     }
 
     /// The axes of the links at `q`, from the base outwards.
-    fn links(&self, q: &[f64]) -> impl Iterator<Item = Segment> + use<> {
-        let places = self.arm.joints(q);
-        (0..self.arm.links().len()).map(move |i| Segment::new(places[i], places[i + 1]))
+    fn links(&self, q: &[f64; N]) -> impl Iterator<Item = Segment> + use<N> {
+        let joints = self.arm.joints(self.space.coordinates(q));
+        (0..self.arm.links().len()).map(move |i| Segment::new(joints[i], joints[i + 1]))
     }
 
-    /// Whether the link touches obstacle `i`.
-    fn touches(&self, i: usize, axis: &Segment) -> bool {
-        self.obstacles.distance(i, axis) - self.arm.radius() <= self.tolerance.eta
-    }
-
-    /// How deep the links that can move lie within the bounds, in metres; infinite without bounds.
-    fn depth(&self, q: &[f64]) -> f64 {
-        let Some(bounds) = &self.bounds else { return f64::INFINITY };
-        self.links(q).map(|axis| bounds.depth(axis.b) - self.arm.radius()).fold(f64::INFINITY, f64::min)
+    /// How deep the outer ends of the links lie within the bounds, in metres; infinite without bounds. The base does not move.
+    fn depth(&self, q: &[f64; N]) -> f64 {
+        let outer_end = |link: Segment| self.depth_of(&Segment::new(link.b, link.b));
+        self.links(q).map(outer_end).fold(f64::INFINITY, f64::min)
     }
 
     /// How deep the link lies within the bounds, in metres; infinite without bounds.
     fn depth_of(&self, axis: &Segment) -> f64 {
         let depth = |bounds: &Aabb| bounds.depth(axis.a).min(bounds.depth(axis.b)) - self.arm.radius();
-        self.bounds.as_ref().map_or(f64::INFINITY, depth)
+        self.scene.bounds.as_ref().map_or(f64::INFINITY, depth)
+    }
+}
+
+impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
+    /// Decided by the tests of the proof where these leave half the slack to spare, else by the distances of the contacts: both
+    /// give the same verdict.
+    fn is_free(&self, q: &[f64; N]) -> bool {
+        let prover = &mut *self.prover.borrow_mut();
+        let state = prover.moving.rest(self.space.coordinates(q));
+        prover.is_free_at_rest(&self.scene, &state).unwrap_or_else(|| self.contacts(q).is_empty())
     }
 
-    /// Whether a part of the link is outside the bounds.
-    fn is_outside(&self, axis: &Segment) -> bool {
-        self.depth_of(axis) < -self.tolerance.eta
+    fn is_motion_free(&self, a: &[f64; N], b: &[f64; N]) -> bool {
+        self.prove(a, b, Order::MiddleFirst).is_none()
     }
 
-    /// Whether nothing is touched: told by quick kinematics and separating lines where these leave half the slack to spare,
-    /// else by the distances of [`ArmCollision::contacts`]. Both give the same answer.
-    fn is_free(&self, q: &[f64], evaluations: &mut u64) -> bool {
-        let Tolerance { eta, .. } = self.tolerance;
-        let margin = self.arm.radius() + 1.5 * eta;
-        let mut inner = MovingJoint::base(self.arm.base());
-        let mut angle = 0.0;
-        for (i, &length) in self.arm.links().iter().enumerate() {
-            angle += q[i];
-            let along = unit(angle);
-            let outer = inner.next(along, length, 0.0, 0.0);
-            let link = Link { ends: [&inner, &outer], along };
-            let axis = Segment::new(inner.place(), outer.place());
-            let is_outside = match self.depth_of(&axis) {
-                depth if depth >= -0.5 * eta => false,
-                depth if depth < -1.5 * eta => true,
-                _ => self.is_outside(&self.link(q, i)),
-            };
-            let touches = |k: usize| {
-                *evaluations += 1;
-                match link.separate_at_rest(&self.obstacles, k, margin, eta) {
-                    Answer::Apart => false,
-                    Answer::Touching => true,
-                    _ => self.touches_at(q, i, k),
-                }
-            };
-            if is_outside || self.obstacles.any_near(&axis.aabb().grown(margin), touches) {
-                return false;
-            }
-            inner = outer;
-        }
-        true
+    fn first_hit(&self, a: &[f64; N], b: &[f64; N]) -> Option<f64> {
+        self.prove(a, b, Order::FrontFirst)
     }
 
-    /// The axis of link `i` at `q`.
-    fn link(&self, q: &[f64], i: usize) -> Segment {
-        let places = self.arm.joints(q);
-        Segment::new(places[i], places[i + 1])
-    }
-
-    /// Whether link `i` touches obstacle `k` at `q`, by their distance.
-    #[cold]
-    fn touches_at(&self, q: &[f64], i: usize, k: usize) -> bool {
-        let axis = self.link(q, i);
-        self.obstacles.aabb(k).intersects(&self.near(&axis)) && self.touches(k, &axis)
-    }
-
-    /// Every contact at `q`, by link, then by obstacle, the bounds last.
-    fn contacts(&self, q: &[f64]) -> Vec<Contact> {
+    /// By link, then by obstacle, the bounds last.
+    fn contacts(&self, q: &[f64; N]) -> Vec<Contact> {
+        let Tolerance { eta, .. } = self.scene.tolerance;
         let mut contacts = Vec::new();
         for (part, axis) in self.links(q).enumerate() {
-            let near = self.near(&axis);
-            let obstacles = (0..self.obstacles.len()).filter(|&i| self.obstacles.aabb(i).intersects(&near));
-            let touched = obstacles.filter(|&i| self.touches(i, &axis)).map(Touched::Obstacle);
-            contacts.extend(touched.map(|with| Contact { part, with }));
-            contacts.extend(self.is_outside(&axis).then_some(Contact { part, with: Touched::Bounds }));
+            let near = axis.aabb().grown(self.arm.radius() + eta);
+            let is_touched = |&i: &usize| {
+                self.obstacles.aabb(i).intersects(&near) && self.obstacles.distance(i, &axis) - self.arm.radius() <= eta
+            };
+            let touched = (0..self.obstacles.len()).filter(is_touched).map(Touched::Obstacle);
+            let leaves = (self.depth_of(&axis) < -eta).then_some(Touched::Bounds);
+            contacts.extend(touched.chain(leaves).map(|with| Contact { part, with }));
         }
         contacts
     }
 
-    /// The box outside which nothing can touch the link.
-    fn near(&self, axis: &Segment) -> Aabb {
-        axis.aabb().grown(self.arm.radius() + self.tolerance.eta)
+    fn clearance_evaluations(&self) -> u64 {
+        self.prover.borrow().evaluations
+    }
+
+    fn unproven_motions(&self) -> u64 {
+        self.prover.borrow().unproven
     }
 }

@@ -1,14 +1,15 @@
 //! Collision of a body: any simple polygon that moves and turns, and which of its motions are free.
 
 use super::obstacles::{depth, largest_coordinate};
-use super::proof::body_separation::{self, Work};
-use super::proof::{BodySetting, BodyShape, body_distance};
-use super::{BodyMotion, Obstacles, Tolerance};
-use crate::geometry::{Aabb, Point, Polygon, convex_pieces};
+use super::proof::body::BodyShape;
+use super::proof::oracle::{self, PartDistance};
+use super::proof::{MovingBody, Order, Prover, Scene};
+use super::{BodyMotion, CollisionWorld, Obstacles, Tolerance};
+use crate::geometry::{Aabb, Point, Polygon};
 use crate::robot::LARGEST;
-use crate::scenario::{Obstacle, World};
 use crate::validity::{Contact, Touched};
 use std::cell::RefCell;
+use std::sync::Arc;
 
 /// The largest angle to begin from, in radians, that proofs cover.
 const LARGEST_ANGLE: f64 = 1e4;
@@ -23,37 +24,28 @@ const LONGEST_PATH: f64 = 9.0;
 /// What is free for a body among obstacles: compiled once. Placements are (x, y, theta) of the origin of the body's frame.
 pub struct BodyCollision {
     body: Polygon,
-    shape: BodyShape,
-    /// The obstacles as they are, and cut into convex pieces.
-    obstacles: Obstacles,
-    pieces: Obstacles,
+    /// The obstacles as they are; those of the scene are their convex pieces.
+    obstacles: Arc<Obstacles>,
     bounds: Aabb,
     scale: f64,
-    tolerance: Tolerance,
-    work: RefCell<Work>,
+    scene: Scene,
+    prover: RefCell<Prover<MovingBody>>,
 }
 
 impl BodyCollision {
     /// The body, in its own frame, in the world; `tolerance` is the wanted tolerance as a fraction of the longer side of the
     /// bounds, greater than 0. Where the world has no bounds, these are coordinates up to 1e6, and the slack is that of a
     /// world so large.
-    pub fn new(body: &Polygon, world: &World, tolerance: f64) -> Self {
-        let obstacles = Obstacles::new(&world.obstacles);
+    pub fn new(body: &Polygon, world: impl Into<CollisionWorld>, tolerance: f64) -> Self {
+        let world = world.into();
+        let obstacles = world.obstacles();
         let everywhere = Aabb { min: Point::new(-LARGEST, -LARGEST), max: Point::new(LARGEST, LARGEST) };
-        let bounds = world.bounds.unwrap_or(everywhere);
+        let bounds = world.bounds().copied().unwrap_or(everywhere);
         let scale = obstacles.largest_coordinate().max(largest_coordinate(&bounds)) + body.reach();
         let tolerance = Tolerance::new(scale, tolerance * bounds.longer_side());
-        let pieces: Vec<Obstacle> = world.obstacles.iter().flat_map(pieces_of).collect();
-        Self {
-            body: body.clone(),
-            shape: BodyShape::new(body),
-            obstacles,
-            pieces: Obstacles::new(&pieces),
-            bounds,
-            scale,
-            tolerance,
-            work: RefCell::default(),
-        }
+        let prover = RefCell::new(Prover::new(MovingBody::new(BodyShape::new(body), tolerance.eta)));
+        let scene = Scene { obstacles: world.pieces(), bounds: Some(bounds), tolerance };
+        Self { body: body.clone(), obstacles, bounds, scale, scene, prover }
     }
 
     /// The same with a tolerance no coarser than half the clearance, and half the depth within the bounds, of either placement.
@@ -61,36 +53,36 @@ impl BodyCollision {
     pub fn fitted(mut self, start: &[f64; 3], goal: &[f64; 3]) -> Self {
         let clearances = [start, goal].map(|q| self.clearance(q));
         let depths = [start, goal].map(|q| self.depth(q));
-        self.tolerance = self.tolerance.fitted(clearances, depths);
+        self.scene.tolerance = self.scene.tolerance.fitted(clearances, depths);
         self
     }
 
     /// The same with the finest tolerance there is: it proves again whatever was proven with a coarser one.
     #[must_use]
     pub fn finest(mut self) -> Self {
-        self.tolerance = self.tolerance.finest();
+        self.scene.tolerance = self.scene.tolerance.finest();
         self
     }
 
-    /// Whether the body at `q` lies within the bounds and touches no obstacle: told by separating lines where these leave half the
-    /// slack to spare, else by the distances of [`BodyCollision::contacts`]. Both give the same answer.
+    /// Whether the body at `q` lies within the bounds and touches no obstacle: decided by the tests of the proof where these leave
+    /// half the slack to spare, else by the distances of [`BodyCollision::contacts`]. Both give the same verdict.
     pub fn is_free(&self, q: &[f64; 3]) -> bool {
-        let told = if q[2].abs() <= LARGEST_ANGLE {
-            body_separation::is_free_at(&self.setting(), q, &mut self.work.borrow_mut())
-        } else {
-            None
-        };
-        told.unwrap_or_else(|| self.contacts(q).is_empty())
+        if q[2].abs() > LARGEST_ANGLE {
+            return self.contacts(q).is_empty();
+        }
+        let prover = &mut *self.prover.borrow_mut();
+        prover.moving.rest(*q);
+        prover.is_free_at_rest(&self.scene, &()).unwrap_or_else(|| self.contacts(q).is_empty())
     }
 
     /// Every contact at `q`: part 0 with obstacles by their index, the bounds last. O(vertices of the body x all vertices).
     pub fn contacts(&self, q: &[f64; 3]) -> Vec<Contact> {
         let placed = self.body.placed(*q);
-        let near = placed.aabb().grown(self.tolerance.eta);
+        let near = placed.aabb().grown(self.scene.tolerance.eta);
         let is_near = |&i: &usize| self.obstacles.aabb(i).intersects(&near);
-        let touches = |&i: &usize| self.obstacles.distance_from(&placed, i) <= self.tolerance.eta;
+        let touches = |&i: &usize| self.obstacles.distance_from(&placed, i) <= self.scene.tolerance.eta;
         let touched = (0..self.obstacles.len()).filter(is_near).filter(touches).map(Touched::Obstacle);
-        let leaves = depth(&self.bounds, placed.vertices()) < -self.tolerance.eta;
+        let leaves = depth(&self.bounds, placed.vertices()) < -self.scene.tolerance.eta;
         touched.chain(leaves.then_some(Touched::Bounds)).map(|with| Contact { part: 0, with }).collect()
     }
 
@@ -105,36 +97,51 @@ impl BodyCollision {
         depth(&self.bounds, self.body.placed(*q).vertices())
     }
 
-    /// Whether the motion is proven free, both ends included. Looks at the middle first, where collisions are found early.
+    /// Whether the motion is proven free, both ends included. Tests the middle first, where collisions are found early.
     pub fn is_motion_free(&self, motion: &BodyMotion) -> bool {
-        let refuses = |motion: &BodyMotion| {
-            let is_free = body_separation::is_free(&self.setting(), motion, &mut self.work.borrow_mut());
-            (!is_free).then_some(0.0)
-        };
-        self.prove(motion, refuses).is_none()
+        self.prove(motion, Order::MiddleFirst).is_none()
     }
 
-    /// Where, as a fraction of the motion, the first stretch begins that cannot be proven free; all before it is proven. `None`
+    /// Where, as a fraction of the motion, the first interval begins that cannot be proven free; all before it is proven. `None`
     /// where the whole motion is proven. Motions are refused at 0 that are not finite or longer than 1e150, begin far outside the
-    /// bounds or at an angle beyond 1e4 radians, or turn by more than 7 on a straight way.
+    /// bounds or at an angle beyond 1e4 radians, or turn by more than 7 on a straight motion.
     pub fn first_hit(&self, motion: &BodyMotion) -> Option<f64> {
-        self.prove(motion, |motion| body_separation::first_hit(&self.setting(), motion, &mut self.work.borrow_mut()))
+        self.prove(motion, Order::FrontFirst)
     }
 
-    /// The same verdicts by the proof by distances: slower and simpler, the oracle of the tests.
+    /// The verdict of the proof by distances: slower and simpler, the oracle of the tests.
     pub fn first_hit_by_distances(&self, motion: &BodyMotion) -> Option<f64> {
-        let evaluations = &mut self.work.borrow_mut().evaluations;
-        self.prove(motion, |motion| body_distance::first_hit(&self.setting(), motion, evaluations))
+        let Some((motion, fraction)) = self.decisive_part(motion) else { return Some(0.0) };
+        let (path, turn) = motion.extent();
+        let travel = path + turn * self.body.reach();
+        let parts = |t: f64| {
+            vec![PartDistance { clearance: self.clearance(&motion.at(t)), depth: self.depth(&motion.at(t)), travel }]
+        };
+        oracle::first_hit(&self.scene.tolerance, &parts).map(|hit| hit * fraction)
     }
 
     /// How many times the clearance of a part has been evaluated so far.
     pub fn clearance_evaluations(&self) -> u64 {
-        self.work.borrow().evaluations
+        self.prover.borrow().evaluations
     }
 
-    /// Runs `prove` on as much of the motion as tells about all of it.
+    /// How many motions have been refused so far because the budget of their proof was spent.
+    pub fn unproven_motions(&self) -> u64 {
+        self.prover.borrow().unproven
+    }
+
+    /// Where the interval begins that refuses the motion, in this order the first.
     #[inline(always)]
-    fn prove(&self, motion: &BodyMotion, prove: impl FnOnce(&BodyMotion) -> Option<f64>) -> Option<f64> {
+    fn prove(&self, motion: &BodyMotion, order: Order) -> Option<f64> {
+        let Some((motion, fraction)) = self.decisive_part(motion) else { return Some(0.0) };
+        let prover = &mut *self.prover.borrow_mut();
+        prover.moving.begin(&motion);
+        prover.prove(&self.scene, (), order).map(|hit| hit * fraction)
+    }
+
+    /// As much of the motion as decides about all of it, and what fraction of it that is; `None` where proofs do not cover it.
+    #[inline(always)]
+    fn decisive_part(&self, motion: &BodyMotion) -> Option<(BodyMotion, f64)> {
         let (path, turn) = motion.extent();
         let [x, y, theta] = motion.from();
         let is_covered = path.is_finite()
@@ -143,11 +150,7 @@ impl BodyCollision {
             && theta.abs() <= LARGEST_ANGLE
             && x.abs() <= self.scale
             && y.abs() <= self.scale;
-        if !is_covered {
-            return Some(0.0);
-        }
-        let (motion, part) = motion.telling_part(LONGEST_PATH * self.scale);
-        prove(&motion).map(|hit| hit * part)
+        is_covered.then(|| motion.decisive_part(LONGEST_PATH * self.scale))
     }
 
     /// The largest coordinate of the world plus the reach of the body, in metres.
@@ -157,25 +160,6 @@ impl BodyCollision {
 
     /// The slack of the proof, in metres.
     pub(super) fn slack(&self) -> f64 {
-        self.tolerance.eta
-    }
-
-    fn setting(&self) -> BodySetting<'_> {
-        BodySetting {
-            body: &self.body,
-            shape: &self.shape,
-            obstacles: &self.pieces,
-            whole: &self.obstacles,
-            bounds: &self.bounds,
-            tolerance: self.tolerance,
-        }
-    }
-}
-
-/// The convex pieces of an obstacle.
-fn pieces_of(obstacle: &Obstacle) -> Vec<Obstacle> {
-    match obstacle {
-        Obstacle::Polygon(polygon) => convex_pieces(polygon).into_iter().map(Obstacle::Polygon).collect(),
-        Obstacle::Disc(_) => vec![obstacle.clone()],
+        self.scene.tolerance.eta
     }
 }

@@ -1,23 +1,10 @@
 //! What is free for a body that is placed by (x, y, theta), over the space of its placements.
 
 use super::{BodyCollision, BodyMotion, LONGEST_TURN};
-use crate::geometry::{Aabb, Point, Polygon};
-use crate::robot::Weights;
-use crate::space::{MotionSpace, Space, Torus};
+use crate::space::{MotionSpace, Space};
 use crate::steering::{Curve, wrap};
 use crate::validity::{Contact, Validity};
 use std::rc::Rc;
-
-/// The space of a body's placements: all at which it could lie within the bounds.
-///
-/// # Panics
-/// Where `N` is less than 3.
-pub fn placements<const N: usize>(shape: &Polygon, weights: Weights, bounds: &Aabb) -> Torus<N> {
-    // An origin outside the shape may lie outside the bounds too, by no more than the shape reaches.
-    let sides = if shape.contains(Point::origin()) { *bounds } else { bounds.grown(shape.reach()) };
-    let Weights { translation, rotation } = weights;
-    Torus::of_placements([sides.min.x, sides.min.y], [sides.max.x, sides.max.y], translation, rotation)
-}
 
 /// What is free for a body, in a space of placements (x, y, theta) in which motions are straight or curves that a car follows.
 pub struct BodyValidity<const N: usize> {
@@ -41,13 +28,13 @@ impl<const N: usize> BodyValidity<N> {
     fn is_reached(&self, end: [f64; 3], state: &[f64; N]) -> bool {
         let mut reached = [0.0; N];
         (reached[0], reached[1], reached[2]) = (end[0], end[1], wrap(end[2]));
-        let [x, y, turn] = placement(&self.space.torus().difference(&reached, state)).map(f64::abs);
+        let [x, y, turn] = placement(&self.space.product().difference(&reached, state)).map(f64::abs);
         x + y + 4.0 * self.collision.scale() * turn <= 0.5 * self.collision.slack()
     }
 
     /// The straight motion; `None` where the short way round is ambiguous.
     fn straight(&self, a: &[f64; N], b: &[f64; N]) -> Option<BodyMotion> {
-        let delta = placement(&self.space.torus().difference(a, b));
+        let delta = placement(&self.space.product().difference(a, b));
         (delta[2].abs() < LONGEST_TURN).then_some(BodyMotion::Straight { from: placement(a), delta })
     }
 }
@@ -108,5 +95,9 @@ impl<const N: usize> Validity<[f64; N]> for BodyValidity<N> {
 
     fn clearance_evaluations(&self) -> u64 {
         self.collision.clearance_evaluations()
+    }
+
+    fn unproven_motions(&self) -> u64 {
+        self.collision.unproven_motions()
     }
 }

@@ -9,7 +9,6 @@
 //! and so on.
 
 use crate::geometry::Aabb;
-use crate::order::{select, sort};
 
 /// Levels are added until the last has this many groups or fewer, which are all looked at.
 const TOP: usize = 16;
@@ -203,7 +202,7 @@ fn union(boxes: &[Cells]) -> Cells {
 /// ordered likewise. The first half is four times a power of two, so that groups of groups hold together too.
 fn arrange(order: &mut [u32], boxes: &[Aabb]) {
     if order.len() <= 4 {
-        sort(order, &|a, b| a.cmp(&b));
+        order.sort_unstable();
         return;
     }
     // Twice the middle; coordinates are at most 1e6.
@@ -214,7 +213,7 @@ fn arrange(order: &mut [u32], boxes: &[Aabb]) {
     };
     let axis = usize::from(spread(1) > spread(0));
     let half = order.len().next_power_of_two() / 2;
-    select(order, half, &|i, j| middle(i, axis).total_cmp(&middle(j, axis)).then(i.cmp(&j)));
+    order.select_nth_unstable_by(half, |&i, &j| middle(i, axis).total_cmp(&middle(j, axis)).then(i.cmp(&j)));
     let (front, back) = order.split_at_mut(half);
     arrange(front, boxes);
     arrange(back, boxes);

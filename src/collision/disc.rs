@@ -1,26 +1,21 @@
-//! Collision of a translating disc: a point by exact predicates, a disc by one distance a motion.
+//! Collision of a translating disc: a point by exact predicates, a disc by one distance a motion and obstacle. No motion is left
+//! unproven: [`HALVINGS`] + 1 such tests an obstacle find a first hit.
 
 use super::obstacles::largest_coordinate;
-use super::{Obstacles, Tolerance};
+use super::{CollisionWorld, Obstacles, Tolerance};
 use crate::geometry::{Aabb, Point, Segment};
 use crate::robot::DiscRobot;
-use crate::scenario::World;
-use crate::space::Torus;
 use crate::validity::{Contact, Touched, Validity};
 use std::cell::Cell;
+use std::sync::Arc;
 
-/// How often a motion is halved to find where it first hits: to 2^-40 of its length.
+/// How often a motion is halved to find its first hit: to 2^-40 of its length.
 const HALVINGS: u32 = 40;
-
-/// The space of a disc's centre: the box of the bounds, with the Euclidean metric.
-pub fn plane<const N: usize>(bounds: &Aabb) -> Torus<N> {
-    Torus::of_box(&[bounds.min.x, bounds.min.y], &[bounds.max.x, bounds.max.y])
-}
 
 /// What is free for a disc among obstacles.
 pub struct DiscValidity {
     radius: f64,
-    obstacles: Obstacles,
+    obstacles: Arc<Obstacles>,
     bounds: Option<Aabb>,
     eta: f64,
     evaluations: Cell<u64>,
@@ -28,12 +23,13 @@ pub struct DiscValidity {
 
 impl DiscValidity {
     /// The disc in the world.
-    pub fn new(robot: &DiscRobot, world: &World) -> Self {
-        let obstacles = Obstacles::new(&world.obstacles);
-        let bounds = world.bounds.as_ref().map_or(0.0, largest_coordinate);
+    pub fn new(robot: &DiscRobot, world: impl Into<CollisionWorld>) -> Self {
+        let world = world.into();
+        let obstacles = world.obstacles();
+        let bounds = world.bounds().map_or(0.0, largest_coordinate);
         let scale = obstacles.largest_coordinate().max(bounds) + robot.radius();
         let eta = Tolerance::new(scale, 0.0).eta;
-        Self { radius: robot.radius(), obstacles, bounds: world.bounds, eta, evaluations: Cell::new(0) }
+        Self { radius: robot.radius(), obstacles, bounds: world.bounds().copied(), eta, evaluations: Cell::new(0) }
     }
 
     /// Whether the disc touches obstacle `i` while its centre moves along the segment.

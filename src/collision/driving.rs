@@ -1,4 +1,5 @@
-//! How a car is driven among obstacles: along exact arcs that are proven free; or by Euler's steps, which are only looked at.
+//! How a car is driven among obstacles: along exact arcs that are proven free; or by Euler's steps, of which only the ends are
+//! tested.
 
 use super::body_validity::placement;
 use super::{BodyCollision, BodyMotion, LONGEST_DRIVE};
@@ -16,7 +17,7 @@ pub enum Integration {
     /// As it is: constant controls draw arcs of circles. Steps are proven free.
     Exact,
     /// By Euler's explicit method, a step of integration at a time, as the course reports do: circles open into spirals. What is
-    /// between two steps is not looked at, so nothing is proven.
+    /// between two steps is not tested, so nothing is proven.
     Euler,
 }
 

@@ -18,14 +18,14 @@ const ONE_TURN: f64 = TAU + 1e-9;
 pub enum BodyMotion {
     /// All three coordinates change at constant rates, by `delta` in all.
     Straight {
-        /// Where it begins.
+        /// The placement at the start.
         from: [f64; 3],
-        /// By how much it leads, the angle the way round that is meant.
+        /// The change of each coordinate; the angle may turn the long way round.
         delta: [f64; 3],
     },
     /// The body moves along its own x axis and turns, both at constant rates: a circular arc, as wheels draw it.
     Arc {
-        /// Where it begins.
+        /// The placement at the start.
         from: [f64; 3],
         /// The speed along the body's x axis, in metres a second; backward where negative.
         speed: f64,
@@ -37,7 +37,7 @@ pub enum BodyMotion {
 }
 
 impl BodyMotion {
-    /// Where the motion begins.
+    /// The placement at the start.
     pub fn from(&self) -> [f64; 3] {
         match *self {
             Self::Straight { from, .. } | Self::Arc { from, .. } => from,
@@ -72,8 +72,8 @@ impl BodyMotion {
     }
 
     /// As much of the motion as can be free where none longer than `longest` metres can, and which part of the whole that is. An
-    /// arc of several turns comes by the same placements again and again: its first turn tells.
-    pub(super) fn telling_part(&self, longest: f64) -> (Self, f64) {
+    /// arc of several turns passes the same placements again and again: its first turn decides.
+    pub(super) fn decisive_part(&self, longest: f64) -> (Self, f64) {
         let (path, turn) = self.extent();
         let mut part = 1.0;
         if turn > ONE_TURN && matches!(self, Self::Arc { .. }) {

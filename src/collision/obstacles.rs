@@ -57,6 +57,11 @@ impl Obstacles {
         if let Obstacle::Disc(disc) = &self.shapes[i] { Some(disc) } else { None }
     }
 
+    /// The obstacles themselves.
+    pub(super) fn shapes(&self) -> &[Obstacle] {
+        &self.shapes
+    }
+
     /// How many obstacles there are.
     pub fn len(&self) -> usize {
         self.shapes.len()
@@ -73,7 +78,7 @@ impl Obstacles {
     }
 
     /// Calls `visit` with the index of every obstacle whose box meets the given one, and rarely with one whose box only all
-    /// but touches it, until it answers true; answers whether it did. The order depends on the obstacles alone.
+    /// but touches it, until it returns true; returns whether it did. The order depends on the obstacles alone.
     #[inline(always)]
     pub fn any_near(&self, near: &Aabb, visit: impl FnMut(usize) -> bool) -> bool {
         self.prepared.any(near, visit)

@@ -1,10 +1,10 @@
-//! Motions looked at in a fixed number of places, as many planners do: kept by name, to show what it misses.
+//! Motions tested at a fixed number of configurations, as many planners do: kept by name, to show what that misses.
 
 use crate::space::Space;
 use crate::validity::{Contact, Validity};
 
-/// What is free, but a motion counts as free when it is free in so many evenly spaced places, its far end included. Unproven:
-/// what lies between the places is not seen.
+/// What is free, but a motion counts as free when so many evenly spaced configurations of it are, its far end included. This proves
+/// nothing: what lies between them is not seen.
 pub struct Sampled<S: Space> {
     space: S,
     proven: Box<dyn Validity<S::State>>,
@@ -12,7 +12,7 @@ pub struct Sampled<S: Space> {
 }
 
 impl<S: Space> Sampled<S> {
-    /// The same world, motions looked at in `places` places, at least 1.
+    /// The same world, motions tested at `places` configurations, at least 1.
     pub fn new(space: S, proven: Box<dyn Validity<S::State>>, places: u32) -> Self {
         Self { space, proven, places }
     }
@@ -25,10 +25,10 @@ impl<S: Space> Validity<S::State> for Sampled<S> {
 
     /// Coarse steps first, finer ones between them, so that wide obstacles are found early.
     fn is_motion_free(&self, a: &S::State, b: &S::State) -> bool {
-        are_looks_free(self.places, |t| self.proven.is_free(&self.space.interpolate(a, b, t)))
+        are_samples_free(self.places, |t| self.proven.is_free(&self.space.interpolate(a, b, t)))
     }
 
-    /// The last place before the first one in collision.
+    /// The last configuration tested before the first one in collision.
     fn first_hit(&self, a: &S::State, b: &S::State) -> Option<f64> {
         let place = |i: u32| f64::from(i) / f64::from(self.places);
         let hit = (1..=self.places).find(|&i| !self.proven.is_free(&self.space.interpolate(a, b, place(i))));
@@ -42,15 +42,19 @@ impl<S: Space> Validity<S::State> for Sampled<S> {
     fn clearance_evaluations(&self) -> u64 {
         self.proven.clearance_evaluations()
     }
+
+    fn unproven_motions(&self) -> u64 {
+        self.proven.unproven_motions()
+    }
 }
 
-/// Whether all looks at the fractions i / `samples` of a motion are free, i from 1 to `samples`. The start is not looked at.
+/// Whether the fractions i / `samples` of a motion are all free, i from 1 to `samples`. The start is not tested.
 /// Coarse steps first, finer ones between them, so that wide obstacles are found early.
-pub(super) fn are_looks_free(samples: u32, is_free: impl Fn(f64) -> bool) -> bool {
+pub(super) fn are_samples_free(samples: u32, is_free: impl Fn(f64) -> bool) -> bool {
     let Some(highest) = samples.checked_ilog2() else { return true };
     (0..=highest).rev().all(|level| {
         // The odd multiples of each power of two: every number once.
-        let mut looks = (1 << level..=samples).step_by(2 << level);
-        looks.all(|i| is_free(f64::from(i) / f64::from(samples)))
+        let mut fractions = (1 << level..=samples).step_by(2 << level);
+        fractions.all(|i| is_free(f64::from(i) / f64::from(samples)))
     })
 }

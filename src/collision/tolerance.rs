@@ -5,7 +5,7 @@
 pub struct Tolerance {
     /// The slack: a clearance counts only as far as it exceeds this. 1e-12 of the largest coordinate plus the reach.
     pub eta: f64,
-    /// A stretch that is not proven apart from an obstacle when its bound on motion is below this counts as hit.
+    /// An interval that is not proven apart from an obstacle when its bound on travel is below this counts as hit.
     pub tau: f64,
     /// The same for the bounds of the world.
     pub bounds_tau: f64,

@@ -3,6 +3,7 @@
 use crate::control::Control;
 use crate::robot::Car;
 use std::f64::consts::PI;
+use strum::{FromRepr, IntoStaticStr, VariantArray};
 
 /// What one press changes the speed by, in metres a second.
 pub const SPEED_PRESS: f64 = 0.1;
@@ -11,7 +12,9 @@ pub const SPEED_PRESS: f64 = 0.1;
 pub const STEERING_PRESS: f64 = PI / 12.0;
 
 /// A key that a driver presses.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, FromRepr, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "kebab-case")]
+#[repr(u8)]
 pub enum Key {
     /// v grows by 0.1.
     Faster,
@@ -27,17 +30,11 @@ pub enum Key {
 
 impl Key {
     /// Every key, in the order of their numbers.
-    pub const ALL: [Key; 5] = [Key::Faster, Key::Slower, Key::Left, Key::Right, Key::Keep];
+    pub const ALL: &[Key] = Key::VARIANTS;
 
     /// The word for it.
     pub fn as_str(self) -> &'static str {
-        match self {
-            Key::Faster => "faster",
-            Key::Slower => "slower",
-            Key::Left => "left",
-            Key::Right => "right",
-            Key::Keep => "keep",
-        }
+        self.into()
     }
 }
 

@@ -11,10 +11,9 @@ pub use road::MAX_STEPS;
 pub use rollout::{Rollout, rollout};
 
 use crate::control::Control;
-use crate::decimal::Decimal;
-use crate::error::{Code, Error};
-use crate::scenario::{Robot, Scenario};
+use crate::error::{Code, Error, Number};
 use crate::validity::Touched;
+use crate::world::PlanningWorld;
 use key::Levels;
 use road::Road;
 
@@ -46,9 +45,10 @@ impl Drive {
     /// # Errors
     /// `unsupported` where the robot is no car; `unknown-query` where there is neither a start nor a query;
     /// `wrong-dimension`, `not-finite`, `out-of-range` of the configuration, with pointers below `/q`; `start-in-collision`.
-    pub fn new(scenario: &Scenario, start: Option<&[f64]>) -> Result<Self, Error> {
-        let road = Road::new(scenario)?;
-        let query = scenario.queries().first().map(|query| query.start.as_slice());
+    pub fn new(scenario: impl Into<PlanningWorld>, start: Option<&[f64]>) -> Result<Self, Error> {
+        let world = scenario.into();
+        let road = Road::new(&world)?;
+        let query = world.scenario().queries().first().map(|query| query.start.as_slice());
         let Some(start) = start.or(query) else {
             return Err(Error::new(Code::UnknownQuery, "/q", "without a query it must be said where the car starts"));
         };
@@ -120,7 +120,7 @@ impl Drive {
     /// many steps in motion: nothing moves any more, and a new drive must begin.
     pub fn tick(&mut self, n: u64) -> Result<(), Error> {
         if n > MAX_STEPS {
-            let sentence = format!("at most {MAX_STEPS} steps go by at once, not {}", Decimal(n as f64));
+            let sentence = format!("at most {MAX_STEPS} steps go by at once, not {}", Number(n as f64));
             return Err(Error::new(Code::OutOfRange, "/n", sentence));
         }
         for done in 0..n {
@@ -173,14 +173,4 @@ impl Drive {
 
 fn too_long(what: &str) -> Error {
     Error::new(Code::TooLarge, "", format!("a drive has at most {MAX_STEPS} {what}; begin another one"))
-}
-
-/// The scenario's car.
-fn car_of(scenario: &Scenario) -> Result<&crate::robot::Car, Error> {
-    match scenario.robot() {
-        Robot::Car(car) => Ok(car),
-        other => {
-            Err(Error::new(Code::Unsupported, "", format!("only a car can be driven, not the robot {}", other.kind())))
-        }
-    }
 }

@@ -1,15 +1,14 @@
 //! What lies before a car: is the next arc proven free, and what would it touch.
 
-use super::car_of;
 use crate::collision::{BodyCollision, BodyMotion, LONGEST_DRIVE};
 use crate::control::Control;
-use crate::decimal::Decimal;
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, Number};
 use crate::geometry::arc_pose;
-use crate::robot::{Car, LARGEST};
-use crate::scenario::Scenario;
+use crate::robot::Car;
+use crate::scenario::Robot;
 use crate::space::wrap;
 use crate::validity::{Contact, Touched};
+use crate::world::{Configurations, PlanningWorld};
 
 /// The most steps in motion of a drive or a rollout, and the most keys of a drive.
 pub const MAX_STEPS: u64 = 1_000_000;
@@ -24,16 +23,20 @@ const LOOKS: u32 = 8;
 /// A car and all that it can touch.
 pub(super) struct Road {
     car: Car,
+    configurations: Configurations,
     collision: BodyCollision,
 }
 
 impl Road {
     /// # Errors
     /// `unsupported` where the robot is no car.
-    pub(super) fn new(scenario: &Scenario) -> Result<Self, Error> {
-        let car = car_of(scenario)?.clone();
-        let collision = BodyCollision::new(car.shape(), scenario.world(), TOLERANCE);
-        Ok(Self { car, collision })
+    pub(super) fn new(world: &PlanningWorld) -> Result<Self, Error> {
+        let Robot::Car(car) = world.robot() else {
+            let sentence = format!("only a car can be driven, not the robot {}", world.robot().kind());
+            return Err(Error::new(Code::Unsupported, "", sentence));
+        };
+        let collision = world.body(car.shape(), TOLERANCE);
+        Ok(Self { car: car.clone(), configurations: Configurations::of(world), collision })
     }
 
     /// The same with proofs fine enough to leave a tight start.
@@ -51,19 +54,8 @@ impl Road {
     /// # Errors
     /// `wrong-dimension`, `not-finite` or `out-of-range`, with a pointer below the given one.
     pub(super) fn pose(&self, q: &[f64], pointer: &str) -> Result<[f64; 3], Error> {
-        let &[x, y, theta] = q else {
-            let sentence = format!("a configuration of a car has 3 numbers, not {}", q.len());
-            return Err(Error::new(Code::WrongDimension, pointer, sentence));
-        };
-        for (i, value) in [x, y, theta].into_iter().enumerate() {
-            check_finite(value, &format!("{pointer}/{i}"))?;
-            if value.abs() > LARGEST {
-                let [most, value] = [LARGEST, value].map(Decimal);
-                let sentence = format!("a configuration holds numbers within [-{most}, {most}], not {value}");
-                return Err(Error::new(Code::OutOfRange, format!("{pointer}/{i}"), sentence));
-            }
-        }
-        Ok([x + 0.0, y + 0.0, wrap(theta)])
+        self.configurations.refuse(q, pointer)?;
+        Ok([q[0] + 0.0, q[1] + 0.0, wrap(q[2])])
     }
 
     /// What the car touches at a pose; empty where it is free.
@@ -103,6 +95,6 @@ pub(super) fn check_finite(value: f64, pointer: &str) -> Result<(), Error> {
     if value.is_finite() {
         return Ok(());
     }
-    let sentence = format!("the number at {pointer} must be finite, not {}", Decimal(value));
+    let sentence = format!("the number at {pointer} must be finite, not {}", Number(value));
     Err(Error::new(Code::NotFinite, pointer, sentence))
 }

@@ -2,10 +2,9 @@
 
 use super::road::{MAX_STEPS, Road, check_finite};
 use crate::control::{Control, Motion};
-use crate::decimal::Decimal;
-use crate::error::{Code, Error};
-use crate::scenario::Scenario;
+use crate::error::{Code, Error, Number};
 use crate::validity::Touched;
+use crate::world::PlanningWorld;
 
 /// Where a motion leads.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,15 +24,15 @@ pub struct Rollout {
 /// `unsupported` where the robot is no car; `wrong-dimension`, `not-finite` or `out-of-range` with the pointers `/q`, `/v`,
 /// `/phi` and `/duration`: a control beyond the limits of the car (but it may stand), a duration that is negative or of more
 /// than [`MAX_STEPS`] steps.
-pub fn rollout(scenario: &Scenario, q: &[f64], motion: Motion) -> Result<Rollout, Error> {
-    let road = Road::new(scenario)?;
+pub fn rollout(scenario: impl Into<PlanningWorld>, q: &[f64], motion: Motion) -> Result<Rollout, Error> {
+    let road = Road::new(&scenario.into())?;
     let start = road.pose(q, "/q")?;
     let Motion { control, duration } = motion;
     check_control(&road, control)?;
     check_finite(duration, "/duration")?;
     let step = road.car().integration_step();
     if duration < 0.0 || duration > step * MAX_STEPS as f64 {
-        let [most, given] = [step * MAX_STEPS as f64, duration].map(Decimal);
+        let [most, given] = [step * MAX_STEPS as f64, duration].map(Number);
         let sentence = format!("the duration must lie within [0, {most}] seconds, not {given}");
         return Err(Error::new(Code::OutOfRange, "/duration", sentence));
     }
@@ -69,7 +68,7 @@ fn check_control(road: &Road, control: Control) -> Result<(), Error> {
     for (pointer, name, value, [low, high], is_allowed) in named {
         check_finite(value, pointer)?;
         if !is_allowed && !(low..=high).contains(&value) {
-            let [low, high, value] = [low, high, value].map(Decimal);
+            let [low, high, value] = [low, high, value].map(Number);
             let sentence = format!("{name} must lie within [{low}, {high}], not {value}");
             return Err(Error::new(Code::OutOfRange, pointer, sentence));
         }

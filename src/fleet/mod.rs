@@ -18,9 +18,9 @@ mod trajectories;
 
 pub use halving::{Halving, halve};
 pub use meeting::crossing;
-pub use options::{PARAMETERS, TrajectoryOptions, catalogue};
+pub use options::{IndexKind, TrajectoryOptions};
 pub use particle::{MOST_TURNING, Model, Particle};
-pub use points::particle_points;
+pub use points::{ParticleOptions, particle_points};
 pub use refused::Refused;
 pub use tally::Tally;
-pub use trajectories::Trajectories;
+pub use trajectories::{Trajectories, TrajectoriesResult};

@@ -1,8 +1,8 @@
 //! A particle with constant speed and constant turn rate.
 
-use crate::decimal::Decimal;
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, Number};
 use crate::geometry::{Point, arc_pose};
+use strum::VariantArray;
 
 /// How far a particle may turn over its duration, in radians, and how large its heading may be: rounding stays below the slack.
 pub const MOST_TURNING: f64 = 100.0;
@@ -11,7 +11,10 @@ pub const MOST_TURNING: f64 = 100.0;
 const LARGEST: f64 = 1e6;
 
 /// How a particle moves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantNames, strum::VariantArray,
+)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Model {
     /// x' = v cos theta, y' = v sin theta, theta' = w: a circular arc, straight where w is 0.
     Arc,
@@ -22,14 +25,11 @@ pub enum Model {
 
 impl Model {
     /// Every model, in the order of their numbers.
-    pub const ALL: [Model; 2] = [Model::Arc, Model::Spiral];
+    pub const ALL: &[Model] = Model::VARIANTS;
 
     /// The name of the model, the same everywhere.
     pub fn as_str(self) -> &'static str {
-        match self {
-            Model::Arc => "arc",
-            Model::Spiral => "spiral",
-        }
+        self.into()
     }
 }
 
@@ -69,13 +69,13 @@ impl Particle {
         for (name, value, min, max) in ranges {
             if !(min..=max).contains(&value) {
                 let code = if value.is_finite() { Code::OutOfRange } else { Code::NotFinite };
-                let [min, max, value] = [min, max, value].map(Decimal);
+                let [min, max, value] = [min, max, value].map(Number);
                 let sentence = format!("{name} must lie within [{min}, {max}], not {value}");
                 return Err(Error::new(code, format!("/{name}"), sentence));
             }
         }
         let too_long = |what: &str, value: f64, most: f64| {
-            let sentence = format!("{what} x duration must be at most {}, not {}", Decimal(most), Decimal(value));
+            let sentence = format!("{what} x duration must be at most {}, not {}", Number(most), Number(value));
             Err(Error::new(Code::OutOfRange, "/duration", sentence))
         };
         let (travel, turn) = (speed * duration, turn_rate.abs() * duration);

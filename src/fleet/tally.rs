@@ -1,7 +1,9 @@
 //! What was looked at on the way.
 
+use serde::Serialize;
+
 /// Counts of work, the same on every platform. Those but the first depend on the index.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Tally {
     /// Trajectories tried.
     pub iterations: u64,

@@ -5,7 +5,7 @@
 
 use super::grid::Grid;
 use super::meeting::{meeting, slack};
-use super::options::TrajectoryOptions;
+use super::options::{IndexKind, TrajectoryOptions};
 use super::particle::Particle;
 use super::refused::Refused;
 use super::tally::Tally;
@@ -13,16 +13,17 @@ use super::track::Track;
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::graph::Fingerprint;
-use crate::json::Node;
-use crate::order;
-use crate::parameters::Value;
+use crate::json;
+use crate::options::Value;
 use crate::random::{Random, Stream};
 use crate::status::Status;
+use serde::Serialize;
 
 /// Trajectories that do not cross, as a value that is stepped. What is accepted and what is refused is append-only.
 #[derive(Debug, Clone)]
 pub struct Trajectories {
     options: TrajectoryOptions,
+    seed: u64,
     random: Random,
     grid: Grid,
     scale: f64,
@@ -43,13 +44,14 @@ impl Trajectories {
     /// Those of [`TrajectoryOptions::new`].
     pub fn new(given: &[(String, Value)], seed: u64) -> Result<Self, Error> {
         let options = TrajectoryOptions::new(given, seed)?;
-        let scale = options.half_side + options.speeds[1] * options.duration;
+        let scale = options.half_side + options.fastest * options.duration;
         let grid = Grid::new(options.half_side, options.count, 2.0 * slack(scale));
         Ok(Self {
             random: Random::new(seed, Stream::Particles),
             grid,
             scale,
             options,
+            seed,
             accepted: Vec::new(),
             refused: Vec::new(),
             tries: Vec::new(),
@@ -89,7 +91,7 @@ impl Trajectories {
             None => {
                 self.fingerprint.integer(0);
                 self.fingerprint.numbers(&track.particle.numbers());
-                if self.options.is_indexed {
+                if self.options.index == IndexKind::Grid {
                     self.grid.insert(&track);
                 }
                 self.accepted.push(track);
@@ -110,7 +112,8 @@ impl Trajectories {
     fn draw(&mut self) -> Particle {
         let random = &mut self.random;
         let mut between = |low: f64, high: f64| low + random.uniform() * (high - low) + 0.0;
-        let TrajectoryOptions { model, half_side, spread, speeds, turn_rates, duration, .. } = self.options;
+        let TrajectoryOptions { model, half_side, spread, duration, .. } = self.options;
+        let (speeds, turn_rates) = (self.options.speeds(), self.options.turn_rates());
         let (x, y) = (between(-half_side, half_side), between(-half_side, half_side));
         let theta = between(-spread, spread);
         let speed = between(speeds[0], speeds[1]);
@@ -121,9 +124,9 @@ impl Trajectories {
     /// The first of the accepted trajectories that this one crosses, and where.
     fn first_crossed(&mut self, track: &Track) -> Option<(u32, Point)> {
         let Self { grid, accepted, near, tally, .. } = self;
-        if self.options.is_indexed {
+        if self.options.index == IndexKind::Grid {
             grid.near(track, near);
-            order::sort(near, &|a, b| a.cmp(&b));
+            near.sort_unstable();
         } else {
             near.clear();
             near.extend(0..accepted.len() as u32);
@@ -174,20 +177,36 @@ impl Trajectories {
     }
 
     /// The counts as a document.
-    pub fn result(&self) -> Node {
-        let count = |count: u64| Some(Node::Number(count as f64));
-        let Tally { iterations, boxes, pairs, stretches } = self.tally;
-        Node::object(vec![
-            ("model", Some(Node::text(self.options.model.as_str()))),
-            ("seed", count(self.options.seed)),
-            ("status", Some(Node::text(self.status().as_str()))),
-            ("accepted", count(self.accepted.len() as u64)),
-            ("refused", count(self.refused.len() as u64)),
-            ("iterations", count(iterations)),
-            ("boxes", count(boxes)),
-            ("pairs", count(pairs)),
-            ("stretches", count(stretches)),
-            ("fingerprint", Some(Node::String(format!("{:016x}", self.fingerprint())))),
-        ])
+    pub fn result(&self) -> TrajectoriesResult {
+        TrajectoriesResult {
+            model: self.options.model.as_str(),
+            seed: self.seed,
+            status: self.status(),
+            accepted: self.accepted.len(),
+            refused: self.refused.len(),
+            tally: self.tally,
+            fingerprint: self.fingerprint(),
+        }
     }
+}
+
+/// What came of a run, as it is written in JSON.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TrajectoriesResult {
+    /// How particles move: `arc` or `spiral`.
+    pub model: &'static str,
+    /// The seed.
+    pub seed: u64,
+    /// How the run ended.
+    pub status: Status,
+    /// How many trajectories are accepted.
+    pub accepted: usize,
+    /// How many are refused.
+    pub refused: usize,
+    /// The work done.
+    #[serde(flatten)]
+    pub tally: Tally,
+    /// A hash over all that was tried: [`Trajectories::fingerprint`].
+    #[serde(with = "json::hex")]
+    pub fingerprint: u64,
 }

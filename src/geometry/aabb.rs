@@ -1,9 +1,10 @@
 //! An axis-aligned bounding box.
 
 use super::Point;
+use serde::Serialize;
 
 /// A closed box with sides along the axes, in metres.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Aabb {
     /// The corner with the smallest coordinates.
     pub min: Point,

@@ -1,7 +1,6 @@
 //! Convex pieces of a simple polygon.
 
 use super::{Point, Polygon, orientation, triangles};
-use crate::order::sort;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -38,7 +37,7 @@ impl Cuts {
     fn new(triangles: Vec<[u32; 3]>) -> Self {
         let mut order: Vec<u32> = (0..3 * triangles.len() as u32).collect();
         let cuts = Self { triangles, order: Vec::new() };
-        sort(&mut order, &|a, b| cuts.side(a).cmp(&cuts.side(b)));
+        order.sort_unstable_by_key(|&side| cuts.side(side));
         Self { order, ..cuts }
     }
 

@@ -6,7 +6,6 @@
 //! care. Every decision is an orientation of given points, so all are exact.
 
 use super::{Point, Segment, intersects_segment_segment, orientation};
-use crate::order::sort;
 use std::cmp::Ordering;
 
 /// A pair of edges, by their first vertices, that touch, cross or overlap beyond a common corner; `None` where the chain
@@ -17,9 +16,8 @@ pub(super) fn find_crossing(vertices: &[Point]) -> Option<(usize, usize)> {
         return Some(in_order((corner + n - 1) % n, corner));
     }
     let mut sweep = Sweep { vertices, edges: Vec::new() };
-    let mut order: Vec<u32> = (0..n as u32).collect();
-    sort(&mut order, &|i, j| left_to_right(vertices[i as usize], vertices[j as usize]).then(i.cmp(&j)));
-    let order: Vec<usize> = order.into_iter().map(|i| i as usize).collect();
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|&i, &j| left_to_right(vertices[i], vertices[j]));
     for (at, &vertex) in order.iter().enumerate() {
         if at > 0 && vertices[order[at - 1]] == vertices[vertex] {
             return Some(in_order(order[at - 1], vertex));

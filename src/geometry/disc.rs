@@ -1,9 +1,11 @@
 //! A closed disc.
 
 use super::{Aabb, Point};
+use serde::Serialize;
 
 /// A closed, filled disc.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(tag = "type", rename = "disc")]
 pub struct Disc {
     /// The centre, in metres.
     pub center: Point,

@@ -2,11 +2,24 @@
 
 use super::crossing::find_crossing;
 use super::{Aabb, Point, Segment, orientation};
+use serde::Serialize;
+
+/// The smallest magnitude of a vertex coordinate other than 0, in metres.
+///
+/// Between this and [`MAX_MAGNITUDE`] every difference of coordinates is a multiple of 2^-518, and so every product of two
+/// is a multiple of 2^-1036: nothing underflows, nothing overflows, and [`orientation`] is exact.
+pub const MIN_MAGNITUDE: f64 = 1e-140;
+
+/// The largest magnitude of a vertex coordinate, in metres.
+pub const MAX_MAGNITUDE: f64 = 1e140;
 
 /// Why a list of points is not a simple polygon.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PolygonFault {
+    /// A coordinate of this vertex (an index into the given points) is neither 0 nor of a magnitude in
+    /// [[`MIN_MAGNITUDE`], [`MAX_MAGNITUDE`]]; NaN and infinity included.
+    Magnitude(usize),
     /// Fewer than three distinct vertices are left once repeated ones are dropped.
     TooFewVertices,
     /// All vertices lie on one line.
@@ -16,10 +29,13 @@ pub enum PolygonFault {
 }
 
 /// A simple polygon with at least three vertices and positive area, counter-clockwise, without repeated vertices.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "type", rename = "polygon")]
 pub struct Polygon {
     vertices: Vec<Point>,
+    #[serde(skip)]
     aabb: Aabb,
+    #[serde(skip)]
     convex: bool,
 }
 
@@ -33,6 +49,10 @@ impl Polygon {
     /// # Complexity
     /// O(n log n) predicates for n points.
     pub fn new(points: &[Point]) -> Result<Self, PolygonFault> {
+        let is_exact = |x: f64| x == 0.0 || (MIN_MAGNITUDE..=MAX_MAGNITUDE).contains(&x.abs());
+        if let Some(i) = points.iter().position(|p| !is_exact(p.x) || !is_exact(p.y)) {
+            return Err(PolygonFault::Magnitude(i));
+        }
         let mut kept: Vec<usize> = Vec::with_capacity(points.len());
         for (i, p) in points.iter().enumerate() {
             if kept.last().is_none_or(|&last| points[last] != *p) {

@@ -1,47 +1,112 @@
-//! Triangles of a simple polygon, by cutting off ears.
+//! Triangulation of a simple polygon by ear clipping.
 
 use super::{Aabb, Point, Polygon, orientation};
+use std::collections::BTreeSet;
 
 /// Triangles between vertices of the polygon that cover it without overlap: three indices each, counter-clockwise, two fewer
-/// than there are vertices, none flat. Decided exactly. O(n^2) predicates as a rule, O(n^3) at worst.
+/// than there are vertices, none flat. Decided exactly.
 ///
 /// An ear is a corner whose triangle with its neighbours lies in the polygon and holds no further vertex; every simple polygon
 /// of more than three vertices has two (Meisters 1975, "Polygons have ears"). Corners on straight edges are no ears themselves
 /// but are vertices like any other, so that a cut never passes through one.
+///
+/// # Complexity
+/// At most 3 n corners are tested, each against a tree of the n vertices: O(n log n) while few boxes of the tree meet the
+/// triangle of a corner, O(n^2) box tests at worst.
 pub fn triangles(polygon: &Polygon) -> Vec<[u32; 3]> {
     let vertices = polygon.vertices();
-    let mut left: Vec<u32> = (0..vertices.len() as u32).collect();
-    let mut triangles = Vec::with_capacity(left.len() - 2);
+    let n = vertices.len() as u32;
+    // The neighbours of each vertex among those that are left.
+    let mut before: Vec<u32> = (0..n).map(|i| (i + n - 1) % n).collect();
+    let mut after: Vec<u32> = (0..n).map(|i| (i + 1) % n).collect();
+    let corner = |before: &[u32], after: &[u32], i: u32| [before[i as usize], i, after[i as usize]];
+    let is_convex = |ear: [u32; 3]| {
+        let [a, b, c] = ear.map(|v| vertices[v as usize]);
+        orientation(a, b, c) > 0.0
+    };
+    // If a triangle at a corner holds vertices, the farthest of them from its base sees a half-plane of the inside: it is not
+    // convex. Corners only become more convex as ears are cut off, and what is cut off lies in no later ear. So it is enough
+    // to look for vertices that are not convex at the beginning.
+    let concave = Tree::new((0..n).filter(|&i| !is_convex(corner(&before, &after, i))).map(|i| vertices[i as usize]));
+    // Corners that may be ears. One that is none stays none until a neighbour is cut off.
+    let mut candidates: BTreeSet<u32> = (0..n).collect();
+    let mut triangles = Vec::with_capacity(vertices.len() - 2);
     let mut at = 0;
-    while left.len() > 3 {
-        let n = left.len();
-        // Going on behind the last ear, not from the start, keeps triangles from becoming a fan of slivers.
-        let ear = (0..n).map(|i| (at + i) % n).find(|&i| is_ear(vertices, &left, i));
-        let ear = ear.expect("a simple polygon has ears");
-        triangles.push(corner(&left, ear));
-        left.remove(ear);
-        at = ear + 1;
+    while triangles.len() + 3 < vertices.len() {
+        // Continuing after the last ear, instead of at the start, avoids a fan of slivers.
+        let next = candidates.range(at..).next().or(candidates.first());
+        let tip = *next.expect("a simple polygon has ears");
+        let ear @ [a, _, c] = corner(&before, &after, tip);
+        candidates.remove(&tip);
+        if is_convex(ear) && !concave.meets(ear.map(|v| vertices[v as usize])) {
+            triangles.push(ear);
+            (after[a as usize], before[c as usize]) = (c, a);
+            candidates.extend([a, c]);
+            at = after[c as usize];
+        }
     }
-    triangles.push([left[0], left[1], left[2]]);
+    let mut last = corner(&before, &after, at);
+    last.sort_unstable();
+    triangles.push(last);
     triangles
 }
 
-/// The vertices before, at and after place `i`.
-fn corner(left: &[u32], i: usize) -> [u32; 3] {
-    let n = left.len();
-    [left[(i + n - 1) % n], left[i], left[(i + 1) % n]]
+/// Points in a balanced tree: the median of a range splits it, along the longer side of its box.
+struct Tree {
+    points: Vec<Point>,
+    /// The box around the range that each point splits.
+    boxes: Vec<Aabb>,
 }
 
-/// Whether the corner at place `i` can be cut off.
-fn is_ear(vertices: &[Point], left: &[u32], i: usize) -> bool {
-    let ear = corner(left, i);
-    let [a, b, c] = ear.map(|v| vertices[v as usize]);
-    if orientation(a, b, c) <= 0.0 {
-        return false;
+impl Tree {
+    /// O(n log n).
+    fn new(points: impl Iterator<Item = Point>) -> Self {
+        let mut points: Vec<Point> = points.collect();
+        let mut boxes: Vec<Aabb> = points.iter().map(|&p| Aabb::of(p, p)).collect();
+        split(&mut points, &mut boxes);
+        Self { points, boxes }
     }
-    let around = Aabb::of(a, b).union(&Aabb::of(b, c));
-    let is_in_ear = |p: Point| {
-        around.contains(p) && orientation(a, b, p) >= 0.0 && orientation(b, c, p) >= 0.0 && orientation(c, a, p) >= 0.0
-    };
-    left.iter().all(|v| ear.contains(v) || !is_in_ear(vertices[*v as usize]))
+
+    /// Whether a point other than the corners lies in the closed, counter-clockwise triangle.
+    fn meets(&self, triangle: [Point; 3]) -> bool {
+        let [a, b, c] = triangle;
+        let around = Aabb::of(a, b).union(&Aabb::of(b, c));
+        let sides = [(a, b), (b, c), (c, a)];
+        let holds = |p: Point| around.contains(p) && sides.iter().all(|&(a, b)| orientation(a, b, p) >= 0.0);
+        // A box lies outside if its corner that is farthest to the left of a side is on the right of it.
+        let may_meet = |aabb: &Aabb| {
+            let corner = |a: Point, b: Point| {
+                let x = if a.y > b.y { aabb.max.x } else { aabb.min.x };
+                Point::new(x, if b.x > a.x { aabb.max.y } else { aabb.min.y })
+            };
+            aabb.intersects(&around) && sides.iter().all(|&(a, b)| orientation(a, b, corner(a, b)) >= 0.0)
+        };
+        let mut ranges = Vec::new();
+        ranges.push(0..self.points.len());
+        while let Some(range) = ranges.pop() {
+            let middle = range.start + range.len() / 2;
+            if range.is_empty() || !may_meet(&self.boxes[middle]) {
+                continue;
+            }
+            if holds(self.points[middle]) && !triangle.contains(&self.points[middle]) {
+                return true;
+            }
+            ranges.extend([range.start..middle, middle + 1..range.end]);
+        }
+        false
+    }
+}
+
+/// Orders the points as a tree, and writes down the box of every range.
+fn split(points: &mut [Point], boxes: &mut [Aabb]) {
+    let Some(aabb) = Aabb::around(points.iter().copied()) else { return };
+    let is_wide = aabb.max.x - aabb.min.x > aabb.max.y - aabb.min.y;
+    let middle = points.len() / 2;
+    let along = |p: &Point| if is_wide { p.x } else { p.y };
+    points.select_nth_unstable_by(middle, |p, q| along(p).total_cmp(&along(q)));
+    boxes[middle] = aabb;
+    let (low, high) = points.split_at_mut(middle);
+    let (low_boxes, high_boxes) = boxes.split_at_mut(middle);
+    split(low, low_boxes);
+    split(&mut high[1..], &mut high_boxes[1..]);
 }

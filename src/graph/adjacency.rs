@@ -55,7 +55,7 @@ impl Adjacency {
         Self { successors: Rows::new(vertices, [edges, more], &[[0, 1], [1, 0]]), predecessors: None }
     }
 
-    /// The neighbours along two lists of edges that lead one way, from the first vertex to the second. O(vertices + edges).
+    /// The neighbours along two lists of directed edges, from the first vertex to the second. O(vertices + edges).
     pub fn directed(vertices: usize, edges: &[[VertexId; 2]], more: &[[VertexId; 2]]) -> Self {
         let rows = |ends| Rows::new(vertices, [edges, more], &[ends]);
         Self { successors: rows([0, 1]), predecessors: Some(rows([1, 0])) }

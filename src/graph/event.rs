@@ -7,7 +7,7 @@ use super::VertexId;
 pub enum EventKind {
     /// A sample in collision was thrown away; the state is the sample.
     SampleRejected = 0,
-    /// A motion could not be proven free; from the vertex to the state (of the other vertex, where there is one), or, in a tree
+    /// A motion could not be proven free: from the vertex to the state (of the other vertex, if there is one), or, in a tree
     /// that grows against the direction of its motions, from the state to the vertex.
     EdgeRefused = 1,
     /// The search expanded the vertex.
@@ -18,7 +18,7 @@ pub enum EventKind {
     SampleDiscarded = 4,
     /// The vertex became a guard of a visibility roadmap.
     GuardAdded = 5,
-    /// The vertex and the edge that leads to it were taken out of the tree: others do better. Its number is not used again.
+    /// The vertex and the edge to it were removed from the tree, as others are better. Its number is not reused.
     VertexRemoved = 6,
 }
 
@@ -29,9 +29,9 @@ pub struct Event<S> {
     pub kind: EventKind,
     /// In which iteration, from 1.
     pub iteration: u32,
-    /// The vertex concerned, where there is one.
+    /// The vertex concerned, if any.
     pub vertex: Option<VertexId>,
-    /// The other vertex, of an edge between two.
+    /// The other vertex of an edge.
     pub other: Option<VertexId>,
     /// The configuration concerned: the sample, the target of the edge, the state of the vertex.
     pub state: S,

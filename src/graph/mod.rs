@@ -1,25 +1,25 @@
 //! The append-only graph that planners grow and viewers follow, and the searches on it.
 //!
-//! Vertices, edges and events are only ever added, each with the iteration it was born in; a viewer asks for those since
-//! its cursor, so that a frame costs the growth and not the graph.
+//! Vertices, edges and events are only appended, each with the iteration that created it; a viewer reads those since
+//! its cursor, so the cost of a frame depends on the growth, not on the size of the graph.
 
 mod adjacency;
 mod event;
 mod fingerprint;
 pub mod search;
-mod strong_components;
+mod tree;
 mod union_find;
 
 pub use adjacency::Adjacency;
 pub use event::{Event, EventKind};
 pub use fingerprint::Fingerprint;
-pub use strong_components::strong_components;
+pub use tree::Tree;
 pub use union_find::UnionFind;
 
 use crate::control::Motion;
 use crate::space::Space;
 
-/// The number of a vertex, from 0 in the order of birth; never reused.
+/// The number of a vertex, from 0 in the order of creation; never reused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct VertexId(pub u32);
 
@@ -30,6 +30,10 @@ impl VertexId {
         self.0 as usize
     }
 }
+
+/// How many vertices, edges and events a graph holds in all before a run of a planner ends as exhausted: as many as fit into the
+/// 4 GB of a WebAssembly module, with the index of neighbours and with the room that growing lists take.
+pub const MAX_RECORDS: usize = 15_000_000;
 
 /// Vertices, edges and events in the order of their creation.
 #[derive(Debug, Clone)]
@@ -56,7 +60,7 @@ impl<S: Space> Default for Graph<S> {
 }
 
 impl<S: Space> Graph<S> {
-    /// Adds a vertex born in the given iteration.
+    /// Adds a vertex created in the given iteration.
     pub fn add_vertex(&mut self, iteration: u32, state: S::State) -> VertexId {
         let id = VertexId(u32::try_from(self.states.len()).expect("fewer than 2^32 vertices"));
         self.states.push(state);
@@ -64,14 +68,14 @@ impl<S: Space> Graph<S> {
         id
     }
 
-    /// Adds an edge born in the given iteration; in a tree from parent to child.
+    /// Adds an edge created in the given iteration; in a tree from parent to child.
     pub fn add_edge(&mut self, iteration: u32, from: VertexId, to: VertexId) {
         self.edges.push([from, to]);
         self.edge_births.push(iteration);
     }
 
-    /// Adds an edge that the motion leads along, of a tree: edge v - 1 leads to vertex v. The edges of a graph are all driven,
-    /// or none is.
+    /// Adds an edge of a tree with the controlled motion along it: edge v - 1 leads to vertex v. Either all edges of a graph
+    /// have motions, or none.
     pub fn add_driven_edge(&mut self, iteration: u32, from: VertexId, to: VertexId, motion: Motion) {
         debug_assert_eq!(self.motions.len(), self.edges.len(), "an edge of this graph is not driven");
         debug_assert_eq!(to.index(), self.edges.len() + 1, "a vertex of this tree has no edge");
@@ -82,6 +86,11 @@ impl<S: Space> Graph<S> {
     /// Adds an event.
     pub fn add_event(&mut self, event: Event<S::State>) {
         self.events.push(event);
+    }
+
+    /// Whether there are [`MAX_RECORDS`] vertices, edges and events, or more. O(1).
+    pub fn is_full(&self) -> bool {
+        self.states.len() + self.edges.len() + self.events.len() >= MAX_RECORDS
     }
 
     /// The states of the vertices.
@@ -100,7 +109,7 @@ impl<S: Space> Graph<S> {
         &self.edges
     }
 
-    /// What leads along each edge; empty where edges are not driven.
+    /// The controlled motion along each edge; empty for graphs without controls.
     pub fn motions(&self) -> &[Motion] {
         &self.motions
     }
@@ -111,7 +120,7 @@ impl<S: Space> Graph<S> {
     }
 
     /// 64-bit FNV-1a over the little-endian bytes of everything in the order of its creation: all vertices (coordinates,
-    /// birth), then all edges (both ends, birth), then what is driven along them, where it is (speed, steering, duration), then all
+    /// birth), then all edges (both ends, birth), then the controlled motions along them, if any (speed, steering, duration), then all
     /// events. O(size).
     pub fn fingerprint(&self, space: &S) -> u64 {
         let mut hash = Fingerprint::new();

@@ -1,5 +1,5 @@
 //! Which vertices are connected: disjoint sets, joined by size (Galler and Fischer 1964, "An improved equivalence
-//! algorithm"), their paths halved on the way.
+//! algorithm"), with path halving.
 
 /// Disjoint sets of the numbers from 0.
 #[derive(Debug, Clone, Default)]
@@ -25,7 +25,7 @@ impl UnionFind {
         at
     }
 
-    /// Joins the sets of `a` and `b`; answers whether they were two.
+    /// Joins the sets of `a` and `b`; returns whether they were distinct.
     pub fn join(&mut self, a: usize, b: usize) -> bool {
         let (a, b) = (self.find(a), self.find(b));
         if a == b {

@@ -1,8 +1,7 @@
 //! Configurations drawn by lot.
 
 use super::Inspector;
-use crate::decimal::Decimal;
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, Number};
 use crate::random::{MAX_SEED, Random, Stream};
 use crate::space::Space;
 
@@ -23,7 +22,7 @@ impl Inspector {
     pub fn samples(&self, n: u64, seed: u64, is_free: bool) -> Result<Vec<f64>, Error> {
         for (pointer, given, most) in [("/n", n, MAX_SAMPLES), ("/seed", seed, MAX_SEED)] {
             if given > most {
-                let [given, most] = [given, most].map(|count| Decimal(count as f64));
+                let [given, most] = [given, most].map(|count| Number(count as f64));
                 let sentence = format!("{} lies within [0, {most}], not {given}", &pointer[1..]);
                 return Err(Error::new(Code::OutOfRange, pointer, sentence));
             }
@@ -32,9 +31,9 @@ impl Inspector {
         let mut rows = Vec::with_capacity(n as usize * self.dimension());
         let mut refused = 0;
         while rows.len() < n as usize * self.dimension() {
-            let state = self.space.sample(&mut random);
+            let state = self.space().sample(&mut random);
             if !is_free || self.validity.is_free(&state) {
-                rows.extend_from_slice(self.space.coordinates(&state));
+                rows.extend_from_slice(self.space().coordinates(&state));
                 refused = 0;
                 continue;
             }

@@ -1,12 +1,28 @@
-//! JSON as a plain tree: read from text, written as text.
+//! JSON: text read as a tree under the rules of every contract, a tree read as a type, and values written in one normal form.
 //!
-//! The contracts are read from this tree and not straight into structs, so that every refusal can say where it stands.
+//! Text becomes a [`serde_json::Value`] first, so that what is not JSON is told before what the contract does not know; [`read`] makes a
+//! type of it. Every refusal carries a JSON pointer (RFC 6901).
 
-mod names;
-mod node;
-mod read;
+pub mod hex;
+mod tree;
+mod typed;
 mod write;
 
-pub(crate) use names::Names;
-pub(crate) use node::push_field;
-pub use node::{MAX_DEPTH, MAX_TEXT, Node};
+pub use tree::parse;
+#[cfg(target_arch = "wasm32")]
+pub(crate) use tree::read_tree;
+pub(crate) use typed::by_type;
+pub use typed::{not_negative, read};
+pub use write::to_string;
+
+/// The longest text that is read, in bytes.
+pub const MAX_TEXT: usize = 64 << 20;
+
+/// Arrays and objects may be nested less deep than this.
+pub const MAX_DEPTH: u32 = 128;
+
+/// Appends the name of a field to a JSON pointer, escaped.
+pub(crate) fn push_field(pointer: &mut String, name: &str) {
+    pointer.push('/');
+    pointer.push_str(&name.replace('~', "~0").replace('/', "~1"));
+}

@@ -1,18 +1,18 @@
 //! The binary form: little-endian, numbers by their bits, a checksum at the end.
 //!
 //! Magic (8 bytes), version (u32), dimension (u32) and a byte each for what is a circle, fingerprint (u64), k (u32), places
-//! on an edge (u32, 0 where edges are proven), radius and tolerance (f64), then scenario, planner and metric (u32 length,
+//! on an edge (u32, 0 where edges are proven), radius and tolerance (f64), then scenario, planner and metric as in JSON (u32 length,
 //! UTF-8), the counts of vertices and edges (u32), the vertices (f64 rows), the edges (u32 pairs), and FNV-1a over all of that
 //! (u64). About 8 bytes a coordinate and 8 an edge.
 
-use super::{MAX_DIMENSION, RoadmapDocument, damaged};
+use super::{MAX_DIMENSION, RoadmapDocument, RoadmapMetric, damaged};
 use crate::error::Error;
 use crate::graph::Fingerprint;
 
 /// How the binary form begins: a byte that no text has, a name, a line break that a transfer as text would change.
 pub const MAGIC: [u8; 8] = *b"\x89PLNMAP\n";
 
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 impl RoadmapDocument {
     /// The document as bytes. O(size).
@@ -37,7 +37,7 @@ impl RoadmapDocument {
         bytes.extend(self.k.to_le_bytes());
         bytes.extend(self.edge_samples.unwrap_or(0).to_le_bytes());
         [self.radius, self.tolerance].into_iter().for_each(|number| bytes.extend(number.to_le_bytes()));
-        for text in [&self.scenario, &self.planner, &self.metric] {
+        for text in [&self.scenario, &self.planner, &self.metric.to_json()] {
             bytes.extend((text.len() as u32).to_le_bytes());
             bytes.extend(text.as_bytes());
         }
@@ -95,7 +95,7 @@ impl RoadmapDocument {
             fingerprint,
             circles,
             planner,
-            metric,
+            metric: RoadmapMetric::parse(&metric)?,
             k,
             radius,
             edge_samples,

@@ -1,33 +1,59 @@
 //! What a roadmap depends on, as 64 bits.
 
 use crate::graph::Fingerprint;
-use crate::scenario::{Node, Scenario};
+use crate::scenario::Scenario;
+use serde_json::Value;
+
+/// The fields of world and robot in the order of their contract, which is that of their objects' fields.
+const ORDER: &[&str] = &[
+    "type",
+    "bounds",
+    "min",
+    "max",
+    "obstacles",
+    "shape",
+    "center",
+    "vertices",
+    "base",
+    "links",
+    "wheelbase",
+    "speed",
+    "steering",
+    "integration_step",
+    "radius",
+    "joint_limits",
+    "metric",
+    "translation",
+    "rotation",
+];
 
 /// 64-bit FNV-1a over world and robot of the scenario in their normal form: scenarios that differ in name, title or queries
 /// alone have the same. Numbers count by their bits, so that no way of writing them matters. O(size).
 pub fn fingerprint(scenario: &Scenario) -> u64 {
     let mut hash = Fingerprint::new();
-    if let Node::Object(fields) = scenario.to_node() {
-        let depends = |name: &str| name == "world" || name == "robot";
-        fields.iter().filter(|(name, _)| depends(name)).for_each(|(_, node)| add(&mut hash, node));
+    for value in [serde_json::to_value(scenario.world()), serde_json::to_value(scenario.robot())] {
+        add(&mut hash, &value.expect("world and robot have a form in JSON"));
     }
     hash.value()
 }
 
-/// Adds a tree: what kind each node is, how much it holds, and what.
-fn add(hash: &mut Fingerprint, node: &Node) {
-    match node {
-        Node::Null => hash.integer(0),
-        Node::Bool(value) => [1, u64::from(*value)].into_iter().for_each(|part| hash.integer(part)),
-        Node::Number(value) => [2, value.to_bits()].into_iter().for_each(|part| hash.integer(part)),
-        Node::String(value) => add_text(hash, value),
-        Node::Array(items) => {
+/// Adds a value: what kind it is, how much it holds, and what.
+fn add(hash: &mut Fingerprint, value: &Value) {
+    match value {
+        Value::Null => hash.integer(0),
+        Value::Bool(value) => [1, u64::from(*value)].into_iter().for_each(|part| hash.integer(part)),
+        Value::Number(value) => {
+            let bits = value.as_f64().unwrap_or_default().to_bits();
+            [2, bits].into_iter().for_each(|part| hash.integer(part));
+        }
+        Value::String(value) => add_text(hash, value),
+        Value::Array(items) => {
             [4, items.len() as u64].into_iter().for_each(|part| hash.integer(part));
             items.iter().for_each(|item| add(hash, item));
         }
-        Node::Object(fields) => {
+        Value::Object(fields) => {
             [5, fields.len() as u64].into_iter().for_each(|part| hash.integer(part));
-            for (name, value) in fields {
+            for (name, value) in ORDER.iter().filter_map(|name| Some((name, fields.get(*name)?))) {
                 add_text(hash, name);
                 add(hash, value);
             }

@@ -2,59 +2,94 @@
 //! networkx, igraph, Gephi and yEd read. It is written only: it holds no checksum and proves nothing.
 
 use super::RoadmapDocument;
-use crate::decimal::exact;
-use std::fmt::Write;
+use quick_xml::Writer;
+use quick_xml::escape::partial_escape;
+use quick_xml::events::{BytesDecl, BytesText, Event};
+use std::io;
+
+/// A writer into memory.
+type Xml = Writer<Vec<u8>>;
 
 impl RoadmapDocument {
-    /// The roadmap as GraphML: a graph, directed where its edges are, of nodes `n0`, `n1`, ... with their coordinates `q0`, `q1`, ..., and edges
-    /// whose `weight` is their length in the metric. Numbers have the fewest digits that parse back to the same bits.
+    /// The roadmap as GraphML: a graph, directed if its edges are, of nodes `n0`, `n1`, ... with their coordinates `q0`, `q1`,
+    /// ..., and edges whose `weight` is their length in the metric. Numbers have the fewest digits that parse back to the same
+    /// bits. O(vertices + edges).
     pub fn to_graphml(&self) -> String {
-        let mut xml = String::with_capacity(1024 + 64 * (self.vertices.len() + self.edges.len()));
-        let keys = [("scenario", "graph", "string"), ("planner", "graph", "string"), ("metric", "graph", "string")];
-        let coordinates: Vec<String> = (0..self.dimension()).map(|i| format!("q{i}")).collect();
-        let numbers = coordinates.iter().map(|name| (name.as_str(), "node", "double"));
-        xml.push_str("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-        xml.push_str("<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n");
-        // Writing to a string cannot fail.
-        for (name, of, kind) in keys.into_iter().chain(numbers).chain([("weight", "edge", "double")]) {
-            let _ = writeln!(xml, "<key id=\"{name}\" for=\"{of}\" attr.name=\"{name}\" attr.type=\"{kind}\"/>");
-        }
-        let edges = if self.is_directed() { "directed" } else { "undirected" };
-        let _ = writeln!(xml, "<graph id=\"roadmap\" edgedefault=\"{edges}\">");
-        for (name, text) in [("scenario", &self.scenario), ("planner", &self.planner), ("metric", &self.metric)] {
-            let _ = writeln!(xml, "<data key=\"{name}\">{}</data>", escaped(text));
-        }
-        for (vertex, row) in self.rows().enumerate() {
-            let _ = write!(xml, "<node id=\"n{vertex}\">");
-            for (name, number) in coordinates.iter().zip(row) {
-                let _ = write!(xml, "<data key=\"{name}\">{}</data>", exact(*number, -3));
+        let mut xml = Writer::new(Vec::with_capacity(1024 + 64 * self.edges.len()));
+        self.write_graphml(&mut xml).expect("writing to memory does not fail");
+        String::from_utf8(xml.into_inner()).expect("only text was written") + "\n"
+    }
+
+    fn write_graphml(&self, xml: &mut Xml) -> io::Result<()> {
+        xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+        line(xml);
+        let graphml = xml.create_element("graphml").with_attribute(("xmlns", "http://graphml.graphdrawing.org/xmlns"));
+        graphml.write_inner_content(|xml| {
+            line(xml);
+            let coordinates: Vec<String> = (0..self.dimension()).map(|i| format!("q{i}")).collect();
+            for name in ["scenario", "planner", "metric"] {
+                key(xml, name, "graph", "string")?;
             }
-            xml.push_str("</node>\n");
+            for name in &coordinates {
+                key(xml, name, "node", "double")?;
+            }
+            key(xml, "weight", "edge", "double")?;
+            let kind = if self.is_directed() { "directed" } else { "undirected" };
+            let graph = xml.create_element("graph").with_attributes([("id", "roadmap"), ("edgedefault", kind)]);
+            graph.write_inner_content(|xml| self.write_graph(xml, &coordinates))?;
+            line(xml);
+            Ok(())
+        })?;
+        Ok(())
+    }
+
+    fn write_graph(&self, xml: &mut Xml, coordinates: &[String]) -> io::Result<()> {
+        line(xml);
+        let metric = self.metric.to_string();
+        for (name, text) in [("scenario", &self.scenario), ("planner", &self.planner), ("metric", &metric)] {
+            data(xml, name, text)?;
+            line(xml);
         }
-        for (i, &[from, to]) in self.edges.iter().enumerate() {
-            let weight = self.length([from, to]);
-            let _ = write!(xml, "<edge id=\"e{i}\" source=\"n{from}\" target=\"n{to}\">");
-            let _ = writeln!(xml, "<data key=\"weight\">{}</data></edge>", exact(weight, -3));
+        for (i, row) in self.rows().enumerate() {
+            let node = xml.create_element("node").with_attribute(("id", format!("n{i}").as_str()));
+            node.write_inner_content(|xml| {
+                coordinates.iter().zip(row).try_for_each(|(name, number)| data(xml, name, &format!("{number:?}")))
+            })?;
+            line(xml);
         }
-        xml.push_str("</graph>\n</graphml>\n");
-        xml
+        for (i, &edge) in self.edges.iter().enumerate() {
+            let [id, from, to] = [format!("e{i}"), format!("n{}", edge[0]), format!("n{}", edge[1])];
+            let ends = [("id", id.as_str()), ("source", from.as_str()), ("target", to.as_str())];
+            let element = xml.create_element("edge").with_attributes(ends);
+            element.write_inner_content(|xml| data(xml, "weight", &format!("{:?}", self.length(edge))))?;
+            line(xml);
+        }
+        Ok(())
     }
 }
 
-/// Text as XML 1.0 may hold it: its marks escaped, characters that it cannot hold replaced.
-fn escaped(text: &str) -> String {
-    let mut xml = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => xml.push_str("&amp;"),
-            '<' => xml.push_str("&lt;"),
-            '>' => xml.push_str("&gt;"),
-            // A reader would make a line feed of it.
-            '\r' => xml.push_str("&#13;"),
-            '\t' | '\n' => xml.push(character),
-            '\0'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => xml.push('\u{fffd}'),
-            _ => xml.push(character),
-        }
-    }
-    xml
+/// Declares an attribute of nodes, edges or the graph.
+fn key(xml: &mut Xml, name: &str, of: &str, kind: &str) -> io::Result<()> {
+    let attributes = [("id", name), ("for", of), ("attr.name", name), ("attr.type", kind)];
+    xml.create_element("key").with_attributes(attributes).write_empty()?;
+    line(xml);
+    Ok(())
+}
+
+/// Ends a line of the file.
+fn line(xml: &mut Xml) {
+    xml.get_mut().push(b'\n');
+}
+
+/// Writes the value of an attribute. Characters that XML 1.0 cannot hold become U+FFFD.
+fn data(xml: &mut Xml, name: &str, text: &str) -> io::Result<()> {
+    let is_foreign =
+        |c: char| matches!(c, '\0'..='\u{1f}' | '\u{fffe}' | '\u{ffff}') && !matches!(c, '\t' | '\n' | '\r');
+    let text = text.replace(is_foreign, "\u{fffd}");
+    // A reader would turn a carriage return into a line feed.
+    let text = partial_escape(text).replace('\r', "&#13;");
+    xml.create_element("data")
+        .with_attribute(("key", name))
+        .write_text_content(BytesText::from_escaped(text))
+        .map(|_| ())
 }

@@ -13,11 +13,10 @@ mod metric;
 pub use binary::MAGIC;
 pub use fingerprint::fingerprint;
 pub use json::FORMAT;
-pub use metric::{curve_metric, placement_metric};
+pub use metric::RoadmapMetric;
 
-use crate::decimal::Decimal;
-use crate::error::{Code, Error};
-use crate::space::{MAX_DIMENSION, MotionSpace, Space, Torus};
+use crate::error::{Code, Error, Number};
+use crate::space::{MAX_DIMENSION, MotionSpace, ProductSpace, Space};
 use std::f64::consts::{PI, TAU};
 
 /// The most neighbours that a vertex may be joined to: where a radius counts, as many as a roadmap may try.
@@ -34,9 +33,8 @@ pub struct RoadmapDocument {
     pub circles: Vec<bool>,
     /// The id of the planner that built it.
     pub planner: String,
-    /// The metric: `sum`, `euclidean`, `naive`, of placements what [`placement_metric`] says, of a steered car what
-    /// [`curve_metric`] does.
-    pub metric: String,
+    /// The metric.
+    pub metric: RoadmapMetric,
     /// To how many neighbours a vertex is joined, 1 to 20 million.
     pub k: u32,
     /// How far away at most, in the metric; infinite where only the number counts.
@@ -91,7 +89,7 @@ impl RoadmapDocument {
 
     /// Whether edges lead from their first vertex to their second only.
     pub fn is_directed(&self) -> bool {
-        metric::curves(&self.metric).is_some_and(|(steering, _)| !steering.is_symmetric())
+        self.metric.curves().is_some_and(|(steering, _)| !steering.is_symmetric())
     }
 
     /// The length of an edge in the metric, to the bit that of the space it was built in.
@@ -101,9 +99,9 @@ impl RoadmapDocument {
     pub fn length(&self, [a, b]: [u32; 2]) -> f64 {
         let dimension = self.dimension();
         let at = |vertex: u32, i: usize| self.vertices[vertex as usize * dimension + i];
-        if let (Some((steering, radius)), 3) = (metric::curves(&self.metric), dimension) {
+        if let (Some((steering, radius)), 3) = (self.metric.curves(), dimension) {
             // How far the box of places reaches is no part of the length.
-            let torus = Torus::<MAX_DIMENSION>::of_placements([0.0; 2], [1.0; 2], 1.0, 1.0);
+            let torus = ProductSpace::<MAX_DIMENSION>::of_placements([0.0; 2], [1.0; 2], 1.0, 1.0);
             let space = MotionSpace::steered(torus, steering, radius);
             let [a, b] = [a, b].map(|vertex| std::array::from_fn(|i| if i < 3 { at(vertex, i) } else { 0.0 }));
             return space.distance(&a, &b);
@@ -112,13 +110,17 @@ impl RoadmapDocument {
             let gap = (at(a, i) - at(b, i)).abs();
             if is_circle && gap > PI { TAU - gap } else { gap }
         });
-        match (metric::placement_weights(&self.metric), dimension) {
-            (Some([translation, rotation]), 3) => {
+        match self.metric {
+            RoadmapMetric::Placement { translation, rotation } if dimension == 3 => {
                 let gaps: Vec<f64> = gaps.collect();
                 translation * (gaps[0] * gaps[0] + gaps[1] * gaps[1]).sqrt() + rotation * gaps[2]
             }
-            _ if self.metric == "sum" => gaps.sum(),
-            _ => gaps.map(|gap| gap * gap).sum::<f64>().sqrt(),
+            RoadmapMetric::Sum => gaps.sum(),
+            RoadmapMetric::Euclidean
+            | RoadmapMetric::Naive
+            | RoadmapMetric::Placement { .. }
+            | RoadmapMetric::Dubins { .. }
+            | RoadmapMetric::ReedsShepp { .. } => gaps.map(|gap| gap * gap).sum::<f64>().sqrt(),
         }
     }
 
@@ -134,22 +136,20 @@ impl RoadmapDocument {
         if !(1..=MOST_NEIGHBOURS).contains(&self.k) {
             return Err(damaged("/k", format!("k must lie within [1, {MOST_NEIGHBOURS}], not {}", self.k)));
         }
+        self.metric.check()?;
         let is_positive = |x: f64| x > 0.0;
         if !is_positive(self.radius) {
-            return Err(damaged("/radius", format!("a radius must be positive, not {}", Decimal(self.radius))));
+            return Err(damaged("/radius", format!("a radius must be positive, not {}", Number(self.radius))));
         }
         if !is_positive(self.tolerance) || self.tolerance == f64::INFINITY {
-            return Err(damaged(
-                "/tolerance",
-                format!("a tolerance must be positive, not {}", Decimal(self.tolerance)),
-            ));
+            return Err(damaged("/tolerance", format!("a tolerance must be positive, not {}", Number(self.tolerance))));
         }
         if !self.vertices.len().is_multiple_of(dimension) || self.vertex_count() >= u32::MAX as usize - 2 {
             return Err(damaged("/vertices", format!("{} numbers are no rows of {dimension}", self.vertices.len())));
         }
         if let Some(i) = self.vertices.iter().position(|x| !x.is_finite()) {
             let pointer = format!("/vertices/{}/{}", i / dimension, i % dimension);
-            let sentence = format!("a coordinate must be finite, not {}", Decimal(self.vertices[i]));
+            let sentence = format!("a coordinate must be finite, not {}", Number(self.vertices[i]));
             return Err(damaged(pointer, sentence));
         }
         let count = self.vertex_count();

@@ -4,13 +4,13 @@ use super::Neighbour;
 use super::packs::{LANES, lane};
 use crate::graph::VertexId;
 
-/// Keeps the `k` first of the neighbours offered, in the order of [`Neighbour::is_before`].
+/// Keeps the first `k` of the neighbours offered, in the order of [`Neighbour::is_before`].
 pub(super) struct Closest<'a> {
     found: &'a mut Vec<Neighbour>,
     k: usize,
-    /// Whether they are kept sorted, so that the limit is always the tightest; else the best are picked out now and then.
+    /// Whether they are kept sorted, so that the limit is always tight; else the best are selected from time to time.
     is_sorted: bool,
-    /// No neighbour farther than this is wanted.
+    /// Neighbours farther than this are ignored.
     limit: f64,
 }
 
@@ -26,16 +26,16 @@ impl<'a> Closest<'a> {
         Self::new(found, usize::MAX, radius, false)
     }
 
-    /// No neighbour farther than this is wanted; at this distance ties are decided.
+    /// Neighbours farther than this are ignored; at exactly this distance ties are decided.
     #[inline(always)]
     pub fn limit(&self) -> f64 {
         self.limit
     }
 
-    /// Offers the states of up to eight packs, by their distances; those that are not numbers are passed over.
+    /// Offers the states of up to eight packs with their distances; NaN distances are ignored.
     #[inline(always)]
     pub fn offer(&mut self, distances: &[[f64; LANES]], vertex: impl Fn(usize, usize) -> VertexId) {
-        // First which are wanted, without a branch, for that cannot be foreseen; then those, which are few.
+        // First a bit mask of the states within the limit, without unpredictable branches; then those few states.
         let mut wanted = 0u64;
         for (pack, distances) in distances.iter().enumerate() {
             let mut lanes = 0u32;
@@ -60,7 +60,7 @@ impl<'a> Closest<'a> {
         }
     }
 
-    /// Puts a neighbour in its place among those kept sorted.
+    /// Inserts a neighbour among those kept sorted.
     fn sort_in(&mut self, neighbour: Neighbour) {
         if self.found.len() == self.k {
             if !neighbour.is_before(&self.found[self.k - 1]) {
@@ -75,9 +75,9 @@ impl<'a> Closest<'a> {
         }
     }
 
-    /// Keeps the first `k` of more, in no order. Of twice as many, a step a candidate.
+    /// Keeps the first `k`, in no order. O(1) amortized per candidate, as it runs at twice `k`.
     fn pick(&mut self) {
-        // In WebAssembly one routine does for both.
+        // In WebAssembly one routine serves both, for size.
         if cfg!(target_arch = "wasm32") {
             self.found.sort_unstable_by_key(Neighbour::key);
         } else {
@@ -87,7 +87,7 @@ impl<'a> Closest<'a> {
         self.limit = self.found[self.k - 1].distance;
     }
 
-    /// Leaves what was found, sorted.
+    /// Sorts the neighbours found.
     pub fn finish(mut self) {
         if !self.is_sorted {
             if self.found.len() > self.k {

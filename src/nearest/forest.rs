@@ -11,8 +11,10 @@ use super::closest::Closest;
 use super::packs::LANES;
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
-use crate::order::sort;
+use crate::random::below;
 use crate::space::Space;
+use rand::SeedableRng;
+use rand_xoshiro::SplitMix64;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -60,9 +62,8 @@ enum Node {
 #[derive(Debug, Clone)]
 pub struct Forest<S: Space> {
     parameters: ForestParameters,
-    /// What all draws follow from.
-    key: u64,
-    draws: u64,
+    /// Draws the directions of the planes.
+    generator: SplitMix64,
     vertices: Vec<VertexId>,
     states: Vec<S::State>,
     /// The embedded states, one after the other, so that each is embedded once.
@@ -81,20 +82,10 @@ impl<S: Space> Forest<S> {
     /// Where there is no tree, or leaves of fewer than two.
     pub fn new(parameters: ForestParameters, key: u64) -> Self {
         assert!(parameters.trees >= 1 && parameters.leaf >= 2, "a forest has a tree, and leaves of two, at least");
+        let generator = SplitMix64::seed_from_u64(key);
         let trees = vec![vec![Node::Leaf(Vec::new())]; parameters.trees];
         let spare = vec![Vec::new(); parameters.trees];
-        Self { parameters, key, draws: 0, vertices: Vec::new(), states: Vec::new(), points: Vec::new(), trees, spare }
-    }
-
-    /// A number below `n`: the next of the sequence SplitMix64 (Steele, Lea and Flood 2014, "Fast splittable pseudorandom
-    /// number generators").
-    fn draw(&mut self, n: usize) -> usize {
-        self.draws = self.draws.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.key.wrapping_add(self.draws);
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^= z >> 31;
-        ((u128::from(z) * n as u128) >> 64) as usize
+        Self { parameters, generator, vertices: Vec::new(), states: Vec::new(), points: Vec::new(), trees, spare }
     }
 
     /// The embedded state at a place.
@@ -105,13 +96,13 @@ impl<S: Space> Forest<S> {
 
     /// Halves a leaf of one tree; answers its children.
     fn split(&mut self, tree: usize, node: usize, mut members: Vec<u32>) -> [u32; 2] {
-        let pair = [0; 2].map(|_| members[self.draw(members.len())]);
+        let pair = [0; 2].map(|_| members[below(&mut self.generator, members.len() as u64) as usize]);
         let [a, b] = pair.map(|member| self.point(member));
         let direction: Vec<f64> = a.iter().zip(b).map(|(a, b)| b - a).collect();
         let along = |&member: &u32| projection(&direction, self.point(member));
         let projections: Vec<f64> = members.iter().map(along).collect();
         let mut order: Vec<u32> = (0..members.len() as u32).collect();
-        sort(&mut order, &|a, b| {
+        order.sort_unstable_by(|&a, &b| {
             let (a, b) = (a as usize, b as usize);
             projections[a].total_cmp(&projections[b]).then(members[a].cmp(&members[b]))
         });
@@ -158,7 +149,7 @@ impl<S: Space> Forest<S> {
             }
             if depth > self.deepest(members.len()) {
                 self.spare[tree].append(&mut free);
-                sort(&mut members, &|a, b| a.cmp(&b));
+                members.sort_unstable();
                 return self.build(tree, top, members);
             }
         }

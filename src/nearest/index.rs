@@ -1,26 +1,25 @@
-//! The index that planners use: exact, and for any number of states about as fast as the faster of scan and tree.
+//! The exact index that planners use: about as fast as the faster of linear scan and kd-tree at any size.
 
 use super::ranked::Ranked;
-use super::{KdTree, LinearScan, Nearest, Neighbour, Way};
+use super::{Direction, KdTree, LinearScan, Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
 
-/// Whether a scan ever pays: without vectors it takes as long as the tree where there are few states, and WebAssembly is the
-/// smaller for going without.
+/// Whether the scan is used. Without vector instructions it is no faster than the tree, so WebAssembly does without it.
 const SCANS: bool = !cfg!(target_arch = "wasm32");
 
-/// Beyond so many states the scan's copy of them is given up: only for a great many neighbours would it still win.
+/// The scan's copy of the states is dropped above this size; only a very large k would still favour it.
 const MOST_SCANNED: usize = 8192;
 
-/// The states of a scan while it can win, and of a kd-tree from where that can. Which one answers depends on the numbers of
-/// states, neighbours and dimensions alone, and their answers are equal to the bit. Where the norm of the space is only a bound
-/// on distances, states are looked up by it and ranked by their distances. The questions of [`Nearest`] are about motions to the
-/// state ([`Way::In`]); which way, others may say.
+/// A linear scan for few states and a kd-tree for many. Which one runs depends only on the number of states, neighbours and
+/// dimensions; both return the same bits. Where the norm of the space is only a lower bound on distances, candidates are
+/// found by the norm and ranked by their distance. The methods of [`Nearest`] are about motions to the state ([`Direction::In`]);
+/// the methods ending in `_by` take the direction.
 #[derive(Debug, Clone)]
 pub struct Index<S: Space> {
     scan: LinearScan<S>,
     tree: KdTree<S>,
-    /// All states, where the norm is only a bound; the other two are empty then.
+    /// All states, where the norm is only a lower bound; `scan` and `tree` are then empty.
     ranked: Ranked<S>,
     len: usize,
 }
@@ -31,36 +30,50 @@ impl<S: Space> Index<S> {
         Self { scan: LinearScan::new(), tree: KdTree::new(), ranked: Ranked::new(), len: 0 }
     }
 
-    /// The vertex nearest to `state` by motions of the given way; `None` where the index is empty.
-    pub fn nearest_by(&self, space: &S, way: Way, state: &S::State) -> Option<Neighbour> {
+    /// The vertex nearest to `state` by motions in the given direction; `None` where the index is empty.
+    pub fn nearest_by(&self, space: &S, direction: Direction, state: &S::State) -> Option<Neighbour> {
         if space.is_norm_exact() {
             return self.nearest(space, state);
         }
         let mut found = Vec::with_capacity(1);
-        self.ranked.k_nearest(space, way, state, 1, &mut found);
+        self.ranked.k_nearest(space, direction, state, 1, &mut found);
         found.pop()
     }
 
-    /// The `k` vertices nearest to `state` by motions of the given way (all, where there are fewer), nearest first, into `found`.
-    pub fn k_nearest_by(&self, space: &S, way: Way, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
+    /// The `k` vertices nearest to `state` by motions in the given direction (all, where there are fewer), nearest first, into `found`.
+    pub fn k_nearest_by(
+        &self,
+        space: &S,
+        direction: Direction,
+        state: &S::State,
+        k: usize,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
         if space.is_norm_exact() {
             self.k_nearest(space, state, k, found)
         } else {
-            self.ranked.k_nearest(space, way, state, k, found)
+            self.ranked.k_nearest(space, direction, state, k, found)
         }
     }
 
-    /// Every vertex no farther from `state` than `radius` by motions of the given way, nearest first, into `found`.
-    pub fn within_by(&self, space: &S, way: Way, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
+    /// Every vertex no farther from `state` than `radius` by motions in the given direction, nearest first, into `found`.
+    pub fn within_by(
+        &self,
+        space: &S,
+        direction: Direction,
+        state: &S::State,
+        radius: f64,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
         if space.is_norm_exact() {
             self.within(space, state, radius, found)
         } else {
-            self.ranked.within(space, way, state, radius, found)
+            self.ranked.within(space, direction, state, radius, found)
         }
     }
 
-    /// Up to how many states a scan finds `k` neighbours faster than the tree: straight lines through what the benchmark
-    /// `nearest` measures.
+    /// The number of states up to which a scan finds `k` neighbours faster than the tree: linear fits to the figures of the
+    /// benchmark `nearest`.
     fn crossover(space: &S, k: usize) -> usize {
         let (few, each) = match space.dimension() {
             0..=2 => (60, 3),
@@ -99,7 +112,7 @@ impl<S: Space> Nearest<S> for Index<S> {
 
     fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
         if !space.is_norm_exact() {
-            return self.nearest_by(space, Way::In, state);
+            return self.nearest_by(space, Direction::In, state);
         }
         if SCANS && self.len <= Self::crossover(space, 1) {
             self.scan.nearest(space, state)
@@ -110,7 +123,7 @@ impl<S: Space> Nearest<S> for Index<S> {
 
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
         if !space.is_norm_exact() {
-            return self.k_nearest_by(space, Way::In, state, k, found);
+            return self.k_nearest_by(space, Direction::In, state, k, found);
         }
         if SCANS && self.len <= Self::crossover(space, k) {
             self.scan.k_nearest(space, state, k, found)
@@ -121,7 +134,7 @@ impl<S: Space> Nearest<S> for Index<S> {
 
     fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
         if !space.is_norm_exact() {
-            return self.within_by(space, Way::In, state, radius, found);
+            return self.within_by(space, Direction::In, state, radius, found);
         }
         if SCANS && self.len <= Self::crossover(space, 1) {
             self.scan.within(space, state, radius, found)

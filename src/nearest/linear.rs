@@ -1,4 +1,5 @@
-//! The linear scan: looks at every state. Simple, exact, the oracle of every other index, and fastest for few states.
+//! The linear scan: computes the distance to every state. Simple and exact; the test oracle of every other index, and the
+//! fastest for few states.
 
 use super::closest::Closest;
 use super::packs::{LANES, Packs, lane};
@@ -7,16 +8,16 @@ use crate::graph::VertexId;
 use crate::space::Space;
 use std::marker::PhantomData;
 
-/// Up to so many neighbours are kept sorted, and no guess pays.
+/// Up to this many neighbours are kept sorted; a guess does not pay for so few.
 const SORTED: usize = 4;
 
 /// How many packs are scanned at a time.
 const BLOCK: usize = 64 / LANES;
 
-/// How many distances a guess is made from.
+/// The number of distances that a guess is based on.
 const SAMPLE: usize = 64;
 
-/// All states in one list, by columns. A query costs O(n).
+/// All states in one list, stored by columns. A query costs O(n).
 #[derive(Debug, Clone)]
 pub struct LinearScan<S: Space> {
     packs: Packs,
@@ -31,7 +32,7 @@ impl<S: Space> LinearScan<S> {
     }
 
     fn scan(&self, space: &S, from: &[f64], closest: &mut Closest) {
-        // First the distances to some packs, without a branch, then the choice among them: each loop is quicker alone.
+        // First the distances to a block of packs, without branches, then the selection: two loops are faster than one.
         let mut distances = [[0.0; LANES]; BLOCK];
         let packs = self.packs.len();
         for first in (0..packs).step_by(BLOCK) {
@@ -43,8 +44,8 @@ impl<S: Space> LinearScan<S> {
         }
     }
 
-    /// A distance within which `k` states probably lie, and not many more: some way up among the distances to the first few.
-    /// Infinite where there are too few states for it to be worth it.
+    /// A distance within which probably at least `k` states lie, and not many more: a quantile of the distances to the first
+    /// states. Infinite if there are too few states for a guess to pay.
     fn guess(&self, space: &S, from: &[f64], k: usize) -> f64 {
         if k <= SORTED || self.len < 4 * SAMPLE || self.len < 8 * k {
             return f64::INFINITY;
@@ -53,11 +54,11 @@ impl<S: Space> LinearScan<S> {
         for (pack, bits) in bits.chunks_exact_mut(LANES).enumerate() {
             bits.copy_from_slice(&self.packs.distances(space, from, pack).map(f64::to_bits));
         }
-        // About so many of the k lie among the first; two and a half deviations more than that seldom do.
+        // The expected number of the k nearest among the sample, plus two and a half standard deviations.
         let mean = (k * SAMPLE) as f64 / self.len as f64;
         let rank = (mean + 2.5 * mean.sqrt()) as usize + 1;
         let rank = rank.min(SAMPLE - 1);
-        // The least so many are kept in order at the front.
+        // Insertion sort of the `rank + 1` smallest.
         for at in 1..SAMPLE {
             let value = bits[at];
             let mut to = at;

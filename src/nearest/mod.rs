@@ -1,8 +1,8 @@
 //! Nearest neighbours among states.
 //!
-//! Ties go to the lower vertex number, so every exact index gives the same answer, to the bit. Planners use [`Index`], which
-//! is a [`LinearScan`] of few states and a [`KdTree`] of many; [`Forest`] is approximate, for many dimensions. Scan, tree and
-//! forest need a space whose norm is its distance; [`Index`] serves all, and distances in either [`Way`].
+//! Ties go to the lower vertex number, so every exact index returns the same neighbours, bit for bit. Planners use [`Index`],
+//! which is a [`LinearScan`] for few states and a [`KdTree`] for many; [`Forest`] is approximate, for high dimensions. Scan, tree and
+//! forest need a space whose norm is its distance; [`Index`] serves all, and distances in either [`Direction`].
 
 mod closest;
 mod forest;
@@ -16,7 +16,7 @@ pub use forest::{Forest, ForestParameters, recall};
 pub use index::Index;
 pub use kd_tree::KdTree;
 pub use linear::LinearScan;
-pub use ranked::Way;
+pub use ranked::Direction;
 
 use crate::graph::VertexId;
 use crate::space::Space;
@@ -37,7 +37,7 @@ impl Neighbour {
         self.distance < other.distance || (self.distance == other.distance && self.vertex < other.vertex)
     }
 
-    /// A number that orders as [`is_before`](Self::is_before): the bits of distances that are not negative order as they do.
+    /// A key with the order of [`is_before`](Self::is_before): the bits of non-negative floats are ordered as their values.
     #[inline]
     fn key(&self) -> u128 {
         (u128::from(self.distance.to_bits()) << 32) | u128::from(self.vertex.0)
@@ -60,10 +60,10 @@ pub trait Nearest<S: Space> {
     /// The vertex nearest to `state`; `None` where the index is empty.
     fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour>;
 
-    /// The `k` vertices nearest to `state` (all, where there are fewer), nearest first, into `found`. Answers how many vertices it
-    /// visited: whose distances, or where those are dearer the bounds on them, it looked at.
+    /// The `k` vertices nearest to `state` (all, where there are fewer), nearest first, into `found`. Returns how many vertices were
+    /// visited: those whose distance, or a lower bound on it where distances are expensive, was computed.
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize;
 
-    /// Every vertex no farther from `state` than `radius`, nearest first, into `found`. Answers how many vertices it visited.
+    /// Every vertex no farther from `state` than `radius`, nearest first, into `found`. Returns how many vertices were visited.
     fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize;
 }

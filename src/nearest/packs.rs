@@ -12,7 +12,7 @@ pub(super) const fn lane(at: usize) -> usize {
     at - at / LANES * LANES
 }
 
-/// Packs of states and their vertices. An empty lane holds what is not a number, which is near to nothing.
+/// Packs of states and their vertices. An empty lane holds NaN, whose distance to everything is NaN.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Packs {
     pub dimension: usize,

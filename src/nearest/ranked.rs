@@ -4,27 +4,27 @@ use super::{KdTree, Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
 
-/// Which way the motions between a state and its neighbours lead.
+/// The direction of the motions between a state and its neighbours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Way {
+pub enum Direction {
     /// From the neighbours to the state.
     In,
     /// From the state to the neighbours.
     Out,
 }
 
-impl Way {
-    /// The ways that there are in a space: in a symmetric one they are the same.
+impl Direction {
+    /// The directions to be told apart in a space: in a symmetric one both are the same.
     pub fn all<S: Space>(space: &S) -> &'static [Self] {
-        if space.is_symmetric() { &[Way::Out] } else { &[Way::Out, Way::In] }
+        if space.is_symmetric() { &[Direction::Out] } else { &[Direction::Out, Direction::In] }
     }
 
     /// The two ends of a motion between a state and a neighbour, from and to.
     #[inline]
     pub fn ends<T>(self, state: T, neighbour: T) -> [T; 2] {
         match self {
-            Way::In => [neighbour, state],
-            Way::Out => [state, neighbour],
+            Direction::In => [neighbour, state],
+            Direction::Out => [state, neighbour],
         }
     }
 
@@ -59,13 +59,20 @@ impl<S: Space> Ranked<S> {
     }
 
     /// The neighbour that a candidate is.
-    fn neighbour(&self, space: &S, way: Way, state: &S::State, candidate: &Neighbour) -> Neighbour {
+    fn neighbour(&self, space: &S, direction: Direction, state: &S::State, candidate: &Neighbour) -> Neighbour {
         let (vertex, other) = &self.entries[candidate.vertex.index()];
-        Neighbour { distance: way.distance(space, state, other), vertex: *vertex }
+        Neighbour { distance: direction.distance(space, state, other), vertex: *vertex }
     }
 
     /// The `k` vertices nearest to the state, nearest first, into `found`.
-    pub fn k_nearest(&self, space: &S, way: Way, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
+    pub fn k_nearest(
+        &self,
+        space: &S,
+        direction: Direction,
+        state: &S::State,
+        k: usize,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
         found.clear();
         if k == 0 {
             return 0;
@@ -78,7 +85,7 @@ impl<S: Space> Ranked<S> {
                 if found.len() == k && candidate.distance > found[k - 1].distance {
                     return visited;
                 }
-                let neighbour = self.neighbour(space, way, state, candidate);
+                let neighbour = self.neighbour(space, direction, state, candidate);
                 if found.len() == k {
                     if !neighbour.is_before(&found[k - 1]) {
                         continue;
@@ -95,9 +102,16 @@ impl<S: Space> Ranked<S> {
     }
 
     /// Every vertex no farther from the state than `radius`, nearest first, into `found`.
-    pub fn within(&self, space: &S, way: Way, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
+    pub fn within(
+        &self,
+        space: &S,
+        direction: Direction,
+        state: &S::State,
+        radius: f64,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
         let visited = self.bounds.within(space, state, radius, found);
-        found.iter_mut().for_each(|candidate| *candidate = self.neighbour(space, way, state, candidate));
+        found.iter_mut().for_each(|candidate| *candidate = self.neighbour(space, direction, state, candidate));
         found.retain(|neighbour| neighbour.distance <= radius);
         found.sort_unstable_by_key(Neighbour::key);
         visited

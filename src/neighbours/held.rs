@@ -1,12 +1,11 @@
 //! An index of one type, behind the face.
 
 use super::{Answer, MAX_CONFIGURATIONS, Neighbours};
-use crate::decimal::Decimal;
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, Number};
 use crate::graph::VertexId;
-use crate::inspect::Configurations;
 use crate::nearest::{Nearest, Neighbour};
 use crate::space::Space;
+use crate::world::Configurations;
 
 /// An index with the space that it is of, and what may go in.
 pub(super) struct Held<S, I> {
@@ -53,7 +52,7 @@ impl<S: Space, I: Nearest<S>> Neighbours for Held<S, I> {
         // Not a number, too.
         if !(radius >= 0.0 && radius.is_finite()) {
             let code = if radius.is_finite() { Code::OutOfRange } else { Code::NotFinite };
-            let sentence = format!("a radius is a finite number, 0 or more, not {}", Decimal(radius));
+            let sentence = format!("a radius is a finite number, 0 or more, not {}", Number(radius));
             return Err(Error::new(code, "/radius", sentence));
         }
         self.ask(q, |state, found| self.index.within(&self.space, state, radius, found))

@@ -7,7 +7,7 @@ mod table;
 
 pub use crate::nearest::{Neighbour, recall};
 pub use factory::index;
-pub use table::{IndexInfo, catalogue, index_info, indexes};
+pub use table::{ExactOptions, ForestOptions, IndexId, IndexInfo, indexes};
 
 use crate::error::Error;
 

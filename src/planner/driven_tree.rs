@@ -1,8 +1,12 @@
 //! A tree whose edges are driven: what the planners by controls have in common.
 
-use super::Counters;
+use super::groups::{Limits, Sampling};
+use super::growth::Growth;
+use super::info::Edges;
 use crate::control::{Control, Dynamics, Motion};
-use crate::graph::{Event, EventKind, Graph, VertexId};
+use crate::error::Error;
+use crate::graph::{Tree, VertexId};
+use crate::options::{CAR, out_of_range};
 use crate::problem::Problem;
 use crate::random::Random;
 use crate::space::Space;
@@ -10,22 +14,61 @@ use crate::space::Space;
 /// The vertex that the tree grows from.
 pub(super) const ROOT: VertexId = VertexId(0);
 
-/// Where the goal is looked for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum GoalTest {
-    /// At the ends of edges.
-    Ends,
-    /// After each step along an edge; the edge ends where the goal is met.
-    Along,
+/// The longest duration of a control, in steps of integration.
+pub const MOST_STEPS: f64 = 10_000.0;
+
+/// Of the space's extent, how far the fastest straight drive of the longest duration goes where none is given: for the cars
+/// of the course reports that is their 2.5 s.
+const DEFAULT_DRIVE: f64 = 0.3;
+
+crate::choice! {
+    /// Where the goal is looked for.
+    pub enum GoalTest {
+        /// After each step along an edge; the edge ends where the goal is met.
+        Along,
+        /// At the ends of edges.
+        Ends,
+    }
 }
 
-/// What becomes of a motion that cannot be proven free to its end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Blocked {
-    /// It ends with the last step that is proven free.
-    Cut,
-    /// It is refused.
-    Refused,
+crate::choice! {
+    /// What becomes of a motion that cannot be proven free to its end.
+    pub enum Blocked {
+        /// It ends with the last step that is proven free.
+        Cut,
+        /// It is refused.
+        Refused,
+    }
+}
+
+crate::choice! {
+    /// How drives are integrated.
+    pub enum IntegrationKind {
+        /// Exact arcs, proven free.
+        Exact,
+        /// Explicit Euler steps.
+        Euler,
+    }
+}
+
+crate::options! {
+    /// Options of all planners by controls.
+    pub struct ByControls for CAR;
+    /// After each step along an edge, which ends where it meets the goal region, or only at the ends of edges.
+    goal_test: GoalTest = GoalTest::Along, "Goal looked for";
+    /// Exact arcs, proven free, or explicit Euler steps, looked at one by one: neither exact nor proven, to compare.
+    integration: IntegrationKind = IntegrationKind::Exact, "Integration";
+    /// Where samples come from.
+    sampling: Sampling;
+    /// When a run ends.
+    limits: Limits;
+}
+
+impl ByControls {
+    /// What edges are.
+    pub(super) fn edges(&self) -> Edges<'static> {
+        Edges::Driven { is_euler: self.integration == IntegrationKind::Euler }
+    }
 }
 
 /// For how many steps a control is held: drawn uniformly from `shortest` to `longest`, both at least 1.
@@ -38,6 +81,35 @@ pub struct Durations {
 }
 
 impl Durations {
+    /// The durations that are given in steps; by default as long as the fastest straight drive of a part of the extent, and
+    /// all equally long.
+    ///
+    /// # Errors
+    /// `out-of-range`, pointer `/shortest_steps`, where the shortest is longer than the longest.
+    pub(super) fn new<S: Space>(
+        problem: &Problem<S>,
+        longest: Option<u32>,
+        shortest: Option<u32>,
+    ) -> Result<Self, Error> {
+        let longest = longest.unwrap_or_else(|| {
+            let reach = straight_reach(problem, dynamics(problem).step());
+            ((DEFAULT_DRIVE * problem.space().extent() / reach).min(MOST_STEPS) as u32).max(1)
+        });
+        Self { shortest: longest, longest }.with_shortest(shortest)
+    }
+
+    /// The same with another shortest duration, where one is given.
+    pub(super) fn with_shortest(self, shortest: Option<u32>) -> Result<Self, Error> {
+        match shortest {
+            Some(steps) if steps > self.longest => {
+                let most = self.longest;
+                let sentence = format!("shortest_steps must be at most the longest duration, {most}, not {steps}");
+                Err(out_of_range("shortest_steps", sentence))
+            }
+            shortest => Ok(Self { shortest: shortest.unwrap_or(self.shortest), ..self }),
+        }
+    }
+
     /// Draws a duration; nothing is drawn where there is no choice.
     pub(super) fn sample(self, random: &mut Random) -> u32 {
         match u64::from(self.longest - self.shortest) {
@@ -55,10 +127,10 @@ pub(super) struct Drive<S> {
     pub end: S,
 }
 
-/// A tree of driven edges. Vertex v > 0 hangs on edge v - 1.
+/// A tree of driven edges. Edge v - 1 leads to vertex v.
 pub(super) struct DrivenTree<S: Space> {
-    pub graph: Graph<S>,
-    pub counters: Counters,
+    pub growth: Growth<S>,
+    pub tree: Tree,
     /// How far each vertex is from the goal.
     left: Vec<f64>,
 }
@@ -66,22 +138,10 @@ pub(super) struct DrivenTree<S: Space> {
 impl<S: Space> DrivenTree<S> {
     /// The tree of the start alone.
     pub fn new(problem: &Problem<S>) -> Self {
-        let mut graph = Graph::default();
-        graph.add_vertex(0, *problem.start());
+        let (mut growth, mut tree) = (Growth::default(), Tree::default());
+        tree.add_root(growth.graph.add_vertex(0, *problem.start()));
         let left = vec![problem.space().distance(problem.start(), problem.goal())];
-        Self { graph, counters: Counters::default(), left }
-    }
-
-    /// The vertex that this one hangs on; `None` of the root.
-    pub fn parent(&self, vertex: VertexId) -> Option<VertexId> {
-        vertex.index().checked_sub(1).map(|edge| self.graph.edges()[edge][0])
-    }
-
-    /// The vertices from the root to this one.
-    pub fn way(&self, to: VertexId) -> Vec<VertexId> {
-        let mut way: Vec<_> = std::iter::successors(Some(to), |&vertex| self.parent(vertex)).collect();
-        way.reverse();
-        way
+        Self { growth, tree, left }
     }
 
     /// The drive as far as it is to be kept; `None` where it is refused.
@@ -93,7 +153,7 @@ impl<S: Space> DrivenTree<S> {
         blocked: Blocked,
     ) -> Option<Drive<S::State>> {
         let dynamics = dynamics(problem);
-        self.counters.motion_checks += 1;
+        self.growth.counters.motion_checks += 1;
         let steps = dynamics.free_steps(from, drive.control, drive.steps);
         match blocked {
             _ if steps == drive.steps => Some(drive),
@@ -112,16 +172,12 @@ impl<S: Space> DrivenTree<S> {
         from: VertexId,
         Drive { control, steps, end }: Drive<S::State>,
     ) -> VertexId {
-        let vertex = self.graph.add_vertex(iteration, end);
+        let vertex = self.growth.graph.add_vertex(iteration, end);
+        self.tree.add(vertex, from);
         let motion = Motion { control, duration: f64::from(steps) * dynamics(problem).step() };
-        self.graph.add_driven_edge(iteration, from, vertex, motion);
+        self.growth.graph.add_driven_edge(iteration, from, vertex, motion);
         self.left.push(problem.space().distance(&end, problem.goal()));
         vertex
-    }
-
-    /// Tells of what an iteration led to.
-    pub fn tell(&mut self, kind: EventKind, iteration: u32, vertex: Option<VertexId>, state: S::State) {
-        self.graph.add_event(Event { kind, iteration, vertex, other: None, state });
     }
 
     /// Of the vertices that are counted, the one nearest to the goal, the first of them. O(vertices).
@@ -139,6 +195,13 @@ impl<S: Space> DrivenTree<S> {
 /// How the problem's system is driven.
 pub(super) fn dynamics<S: Space>(problem: &Problem<S>) -> &dyn Dynamics<S::State> {
     problem.dynamics().expect("what is planned by controls is driven")
+}
+
+/// How far the fastest straight drive of this duration goes, in the metric of the space.
+pub(super) fn straight_reach<S: Space>(problem: &Problem<S>, duration: f64) -> f64 {
+    let dynamics = dynamics(problem);
+    let straight = |control| Motion { control: Control { steering: 0.0, ..control }, duration };
+    dynamics.extremes().into_iter().map(|control| dynamics.length(straight(control))).fold(0.0, f64::max)
 }
 
 /// The drive up to where it first meets the goal, and whether it does.

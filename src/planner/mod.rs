@@ -1,39 +1,38 @@
-//! Planners, one file an algorithm, all behind one small trait; and the table of their parameters and their pseudo-code.
+//! Planners, one file an algorithm, all behind one small trait; each file declares the planner's options and pseudo-code, too.
 //!
 //! A planner sees a space and what is free in it, never a robot or an obstacle. It owns its graph and its generator, so
 //! that stepping in any slices gives the same result.
 
 mod active;
-mod catalogue;
 mod driven_tree;
-mod presets;
+mod groups;
+mod growth;
+mod info;
 mod prm;
-mod pseudocode;
 mod query;
+mod registry;
 mod roadmap;
-mod rows;
 mod rrt;
 mod rrt_connect;
 mod rrt_control;
 mod sst;
-mod table;
 mod visibility_prm;
 
-pub use catalogue::{DEFAULT_TOLERANCE, PlannerInfo, catalogue, default_planner, planner_info, planners};
-pub use driven_tree::{Blocked, Durations, GoalTest};
-pub use presets::Preset;
-pub use prm::{Order, Prm, PrmOptions, logarithmic_k, prm_star_k};
-pub use pseudocode::{Mark, PseudocodeLine};
+pub use driven_tree::{Blocked, ByControls, Durations, GoalTest, IntegrationKind};
+pub use groups::{
+    DEFAULT_TOLERANCE, EdgeCheck, Improving, Joined, Limits, Measuring, Reaching, SamplerKind, Sampling, Searching,
+};
+pub use info::{Edges, Grows, Mark, Method, PlannerInfo, Preset, PseudocodeLine};
+pub use prm::{Insertion, NeighbourRule, PrmOptions, PrmStarOptions, logarithmic_k, prm_star_k, resume};
 pub use query::{Algorithm, Cost, Heuristic, SearchRules};
+pub use registry::{PlannerId, PlannerOptions, default_planner, planners};
 pub use roadmap::{Answer, Connection, Roadmap};
-pub use rows::{METRIC, MOST_STEPS};
-pub use rrt::{Extend, GoalBias, Rrt, RrtOptions};
-pub use rrt_connect::RrtConnect;
-pub use rrt_control::{Blossom, Late, Origin, RrtControl, RrtControlOptions};
-pub use sst::{Sst, SstOptions};
-pub use visibility_prm::VisibilityPrm;
+pub use rrt::{Extend, RrtOptions};
+pub use rrt_connect::RrtConnectOptions;
+pub use rrt_control::{Controls, Origin, RrtControlOptions};
+pub use sst::SstOptions;
+pub use visibility_prm::VisibilityPrmOptions;
 
-pub use crate::parameters::{Fallback, Kind, ParameterInfo, Parameters, Value};
 pub use crate::phase::Phase;
 pub use crate::status::Status;
 

@@ -6,40 +6,43 @@ use crate::graph::{Adjacency, Graph, VertexId};
 use crate::problem::Problem;
 use crate::space::Space;
 
-/// Which search.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Algorithm {
-    /// A*.
-    AStar,
-    /// Dijkstra's.
-    Dijkstra,
-    /// Breadth-first.
-    BreadthFirst,
-    /// Bidirectional breadth-first, by whole levels.
-    Bidirectional,
+crate::choice! {
+    /// Which search.
+    pub enum Algorithm {
+        /// A*.
+        AStar,
+        /// Dijkstra's.
+        Dijkstra,
+        /// Breadth-first.
+        BreadthFirst,
+        /// Bidirectional breadth-first, by whole levels.
+        Bidirectional,
+    }
 }
 
-/// What an edge costs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Cost {
-    /// Its length in the metric of the space.
-    Metric,
-    /// 1.
-    Hops,
+crate::choice! {
+    /// What an edge costs.
+    pub enum Cost {
+        /// Its length in the metric of the space.
+        Metric,
+        /// 1.
+        Hops,
+    }
 }
 
-/// What estimates the cost to the goal in A*.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Heuristic {
-    /// The distance in the metric.
-    Metric,
-    /// How far the end effector is from where it must be, scaled so that it never exceeds the distance.
-    EndEffector,
-    /// The distance in the metric taken for a number of hops, as a course report had it: not admissible, so the path may have
-    /// more edges than it needs.
-    MetricAsHops,
-    /// 0.
-    None,
+crate::choice! {
+    /// What estimates the cost to the goal in A*.
+    pub enum Heuristic {
+        /// The distance in the metric.
+        Metric,
+        /// How far the end effector is from where it must be, scaled so that it never exceeds the distance.
+        EndEffector,
+        /// The distance in the metric taken for a number of hops, as a course report had it: not admissible, so the path may have
+        /// more edges than it needs.
+        MetricAsHops,
+        /// 0.
+        None,
+    }
 }
 
 /// How a roadmap is searched. Where edges cost 1, estimates are divided by the longest edge, so that they stay admissible.

@@ -1,13 +1,14 @@
 //! What all roadmap planners share: vertices with their neighbours, edges that are proven before they are added, and
 //! questions asked again and again. In a space that is not symmetric an edge leads from its first vertex to its second only.
 
+use super::growth::Growth;
+use super::info::{Mark, PseudocodeLine, line};
 use super::query::{Query, SearchRules};
-use super::{Counters, Phase, Status};
+use super::{Counters, Phase, Planner, Status};
 use crate::graph::search::{Expansion, Goals};
-use crate::graph::{Event, EventKind, Graph, VertexId};
-use crate::nearest::{Index, Nearest, Neighbour, Way};
+use crate::graph::{EventKind, Graph, VertexId};
+use crate::nearest::{Direction, Index, Nearest, Neighbour};
 use crate::problem::Problem;
-use crate::sampling::{Known, Sample, Sampler};
 use crate::space::Space;
 
 /// The start is vertex 0.
@@ -27,21 +28,19 @@ pub struct Connection {
 /// A roadmap, complete or still growing.
 #[derive(Debug, Clone)]
 pub struct Roadmap<S: Space> {
-    pub(super) graph: Graph<S>,
+    pub(super) growth: Growth<S>,
     /// How many goals there are.
     goals: u32,
     nearest: Index<S>,
     connection: Connection,
     rules: SearchRules,
-    pub(super) counters: Counters,
 }
 
 impl<S: Space> Roadmap<S> {
     /// A roadmap of the start and the goals alone.
     pub fn new(problem: &Problem<S>, connection: Connection, rules: SearchRules) -> Self {
-        let (graph, nearest, counters) = (Graph::default(), Index::new(), Counters::default());
         let goals = problem.goals().len() as u32;
-        let mut roadmap = Self { graph, goals, nearest, connection, rules, counters };
+        let mut roadmap = Self { growth: Growth::default(), goals, nearest: Index::new(), connection, rules };
         for state in std::iter::once(problem.start()).chain(problem.goals()) {
             roadmap.add_vertex(problem.space(), 0, *state);
         }
@@ -55,25 +54,30 @@ impl<S: Space> Roadmap<S> {
 
     /// All that has grown so far.
     pub fn graph(&self) -> &Graph<S> {
-        &self.graph
+        &self.growth.graph
+    }
+
+    /// How many vertices there are.
+    pub(super) fn len(&self) -> usize {
+        self.growth.graph.states().len()
     }
 
     pub(super) fn add_vertex(&mut self, space: &S, iteration: u32, state: S::State) -> VertexId {
-        let vertex = self.graph.add_vertex(iteration, state);
+        let vertex = self.growth.graph.add_vertex(iteration, state);
         self.nearest.insert(space, vertex, state);
         vertex
     }
 
-    /// The vertices that a state is to be joined to by motions of the given way, nearest first, and one more where `spare` is set.
+    /// The vertices that a state is to be joined to by motions in the given direction, nearest first, and one more where `spare` is set.
     pub(super) fn neighbours(
         &mut self,
         space: &S,
-        way: Way,
+        way: Direction,
         state: &S::State,
         spare: bool,
         found: &mut Vec<Neighbour>,
     ) {
-        self.counters.nearest_queries += 1;
+        self.growth.counters.nearest_queries += 1;
         let Connection { k, radius } = self.connection;
         let k = k + usize::from(spare);
         if k >= self.nearest.len() && radius < f64::INFINITY {
@@ -84,50 +88,14 @@ impl<S: Space> Roadmap<S> {
         }
     }
 
-    /// Whether the motion is proven free, counted.
-    pub(super) fn is_motion_free(&mut self, problem: &Problem<S>, a: &S::State, b: &S::State) -> bool {
-        self.counters.motion_checks += 1;
-        problem.validity().is_motion_free(a, b)
-    }
-
     /// Joins two vertices where the motion from the one to the other is proven free; else says so.
     pub(super) fn try_edge(&mut self, problem: &Problem<S>, iteration: u32, from: VertexId, to: VertexId) {
-        let (origin, target) = (*self.graph.state(from), *self.graph.state(to));
-        if self.is_motion_free(problem, &origin, &target) {
-            self.graph.add_edge(iteration, from, to);
+        let (origin, target) = (self.growth.state(from), self.growth.state(to));
+        if self.growth.is_motion_free(problem, &origin, &target) {
+            self.growth.graph.add_edge(iteration, from, to);
         } else {
-            let event =
-                Event { kind: EventKind::EdgeRefused, iteration, vertex: Some(from), other: Some(to), state: target };
-            self.graph.add_event(event);
+            self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), Some(to), target);
         }
-    }
-
-    /// The next sample where it is free; else notes that it is not.
-    pub(super) fn draw(
-        &mut self,
-        problem: &Problem<S>,
-        iteration: u32,
-        sampler: &mut dyn Sampler<S>,
-    ) -> Option<S::State> {
-        let checks = &mut self.counters.configuration_checks;
-        let Sample { state, known } = sampler.draw(problem, checks);
-        let is_free = match known {
-            Known::Free => true,
-            Known::Useless => false,
-            Known::Nothing => {
-                *checks += 1;
-                problem.validity().is_free(&state)
-            }
-        };
-        if !is_free {
-            self.turn_away(EventKind::SampleRejected, iteration, state);
-        }
-        is_free.then_some(state)
-    }
-
-    /// Notes a sample that does not become a vertex.
-    pub(super) fn turn_away(&mut self, kind: EventKind, iteration: u32, state: S::State) {
-        self.graph.add_event(Event { kind, iteration, vertex: None, other: None, state });
     }
 
     /// The vertices of the goals.
@@ -136,21 +104,20 @@ impl<S: Space> Roadmap<S> {
     }
 
     /// The search from the start to a goal on the roadmap as it is.
-    pub(super) fn begin_search(&self, space: &S) -> Ending {
-        Ending::Searching(Query::new(space, &self.graph, &[], &[], START, self.goals(), self.rules))
+    fn begin_search(&self, space: &S) -> Ending {
+        Ending::Searching(Query::new(space, &self.growth.graph, &[], &[], START, self.goals(), self.rules))
     }
 
     /// Expands one vertex of the search.
     fn search(&mut self, problem: &Problem<S>, iteration: u32, query: &mut Query) -> Expansion {
-        let expansion = query.step(problem, &self.graph, &[]);
+        let expansion = query.step(problem, &self.growth.graph, &[]);
         let (kind, vertex) = match expansion {
             Expansion::Vertex(vertex) => (EventKind::VertexExpanded, vertex),
             Expansion::Goal => (EventKind::SolutionFound, query.path().last().copied().unwrap_or(GOAL)),
             Expansion::Nothing => return expansion,
         };
-        self.counters.visited += 1;
-        let state = *self.graph.state(vertex);
-        self.graph.add_event(Event { kind, iteration, vertex: Some(vertex), other: None, state });
+        self.growth.counters.visited += 1;
+        self.growth.add_event(kind, iteration, Some(vertex), None, self.growth.state(vertex));
         expansion
     }
 
@@ -159,76 +126,134 @@ impl<S: Space> Roadmap<S> {
     /// O(e log e) for e edges.
     pub fn answer(&mut self, problem: &Problem<S>, ends: [S::State; 2], keep: Option<u32>) -> Answer<S::State> {
         let space = problem.space();
-        let count = self.graph.states().len() as u32;
+        let count = self.len() as u32;
         let [start, goal] = [VertexId(count), VertexId(count + 1)];
         let (mut joined, mut found) = (Vec::new(), Vec::new());
         // Out of the start, and into the goal where that makes a difference.
-        let ways = [Way::Out, if space.is_symmetric() { Way::Out } else { Way::In }];
+        let ways = [Direction::Out, if space.is_symmetric() { Direction::Out } else { Direction::In }];
         for ((end, vertex), way) in ends.iter().zip([start, goal]).zip(ways) {
             self.neighbours(space, way, end, false, &mut found);
             for neighbour in &found {
-                let other = *self.graph.state(neighbour.vertex);
+                let other = self.growth.state(neighbour.vertex);
                 let [from, to] = way.ends(end, &other);
-                if self.is_motion_free(problem, from, to) {
+                if self.growth.is_motion_free(problem, from, to) {
                     joined.push(way.ends(vertex, neighbour.vertex));
                 }
             }
         }
-        if self.is_motion_free(problem, &ends[0], &ends[1]) {
+        if self.growth.is_motion_free(problem, &ends[0], &ends[1]) {
             joined.push([start, goal]);
         }
-        let mut query = Query::new(space, &self.graph, &joined, &ends, start, goal..VertexId(count + 2), self.rules);
+        let mut query =
+            Query::new(space, &self.growth.graph, &joined, &ends, start, goal..VertexId(count + 2), self.rules);
         let mut visited = 0;
         let path = loop {
-            match query.step(problem, &self.graph, &ends) {
+            match query.step(problem, &self.growth.graph, &ends) {
                 Expansion::Vertex(_) => visited += 1,
                 Expansion::Nothing => break Vec::new(),
                 Expansion::Goal => {
                     visited += 1;
-                    break query.path().iter().map(|&v| *state(&self.graph, &ends, v)).collect();
+                    break query.path().iter().map(|&v| *state(&self.growth.graph, &ends, v)).collect();
                 }
             }
         };
-        self.counters.visited += visited;
+        self.growth.counters.visited += visited;
         if let Some(iteration) = keep {
             for end in ends {
                 self.add_vertex(space, iteration, end);
             }
-            joined.into_iter().for_each(|[from, to]| self.graph.add_edge(iteration, from, to));
+            joined.into_iter().for_each(|[from, to]| self.growth.graph.add_edge(iteration, from, to));
         }
         Answer { path, visited }
     }
 }
 
+/// How a roadmap grows: what differs between the planners that build one.
+pub(super) trait Build<S: Space> {
+    /// Does one iteration; whether the roadmap is complete now.
+    fn build(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> bool;
+
+    /// What is being done.
+    fn phase(&self, roadmap: &Roadmap<S>) -> Phase;
+
+    /// The estimated share of the free space that the roadmap covers, where that is known.
+    fn coverage(&self) -> Option<f64> {
+        None
+    }
+}
+
+/// A planner that builds a roadmap and then searches it. An iteration is one of the builder, or expands one vertex.
+pub(super) struct RoadmapPlanner<S: Space, B> {
+    roadmap: Roadmap<S>,
+    builder: B,
+    /// The search, once the roadmap is complete.
+    ending: Option<Ending>,
+}
+
 /// The end of every roadmap planner: the search for a path, and what it came to.
-pub(super) enum Ending {
+enum Ending {
     /// The search goes on.
     Searching(Query),
     /// The path from start to goal; empty where there is none.
     Done(Vec<VertexId>),
 }
 
-impl Ending {
-    /// Expands one vertex, or says again what the search came to.
-    pub fn step<S: Space>(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> Status {
-        if let Ending::Searching(query) = self {
-            match roadmap.search(problem, iteration, query) {
+impl<S: Space, B: Build<S>> RoadmapPlanner<S, B> {
+    /// A planner that goes on with a roadmap; nothing is left to build where it is complete.
+    pub fn new(problem: &Problem<S>, roadmap: Roadmap<S>, builder: B, is_complete: bool) -> Self {
+        let ending = is_complete.then(|| roadmap.begin_search(problem.space()));
+        Self { roadmap, builder, ending }
+    }
+}
+
+impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
+    fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
+        let Some(ending) = &mut self.ending else {
+            if self.builder.build(&mut self.roadmap, problem, iteration) {
+                self.ending = Some(self.roadmap.begin_search(problem.space()));
+            }
+            return Status::Running;
+        };
+        if let Ending::Searching(query) = ending {
+            match self.roadmap.search(problem, iteration, query) {
                 Expansion::Vertex(_) => return Status::Running,
-                Expansion::Goal => *self = Ending::Done(query.path()),
-                Expansion::Nothing => *self = Ending::Done(Vec::new()),
+                Expansion::Goal => *ending = Ending::Done(query.path()),
+                Expansion::Nothing => *ending = Ending::Done(Vec::new()),
             }
         }
         if self.path().is_empty() { Status::Exhausted } else { Status::Solved }
     }
 
-    /// The path; empty while there is none.
-    pub fn path(&self) -> &[VertexId] {
-        if let Ending::Done(path) = self { path } else { &[] }
+    fn phase(&self) -> Phase {
+        match &self.ending {
+            None => self.builder.phase(&self.roadmap),
+            Some(Ending::Searching(_)) => Phase::Searching,
+            Some(Ending::Done(_)) => Phase::Done,
+        }
     }
 
-    /// What the planner is busy with.
-    pub fn phase(&self) -> Phase {
-        if matches!(self, Ending::Searching(_)) { Phase::Searching } else { Phase::Done }
+    fn graph(&self) -> &Graph<S> {
+        self.roadmap.graph()
+    }
+
+    fn path(&self) -> Vec<VertexId> {
+        if let Some(Ending::Done(path)) = &self.ending { path.clone() } else { Vec::new() }
+    }
+
+    fn counters(&self) -> Counters {
+        self.roadmap.growth.counters
+    }
+
+    fn coverage(&self) -> Option<f64> {
+        self.builder.coverage()
+    }
+
+    fn connection(&self) -> Option<Connection> {
+        Some(self.roadmap.connection)
+    }
+
+    fn roadmap(&mut self) -> Option<&mut Roadmap<S>> {
+        Some(&mut self.roadmap)
     }
 }
 
@@ -246,3 +271,18 @@ pub(super) fn state<'a, S: Space>(graph: &'a Graph<S>, more: &'a [S::State], ver
     let count = graph.states().len();
     if vertex.index() < count { graph.state(vertex) } else { &more[vertex.index() - count] }
 }
+
+/// The first line of planners whose roadmap has as many samples as are asked for.
+pub(super) const BEGIN: PseudocodeLine = line(0, "G ← {start, goal}; until it has n samples:", &[]);
+/// The line of drawing a sample.
+pub(super) const SAMPLE: PseudocodeLine = line(1, "q ← a random configuration", &[Mark::Sampling]);
+/// The line of keeping it.
+pub(super) const KEEP: PseudocodeLine = line(1, "add q to G", &[Mark::Vertex]);
+/// The line of joining it.
+pub(super) const JOIN: PseudocodeLine = line(1, "if the motion q – p is free: add that edge", &[Mark::Edge]);
+/// The line of not joining it.
+pub(super) const REFUSE: PseudocodeLine = line(1, "else: refuse it", &[Mark::Refused]);
+/// The line of the search.
+pub(super) const SEARCH: PseudocodeLine = line(0, "search G from start to goal:", &[Mark::Searching]);
+/// The line of its steps.
+pub(super) const EXPAND: PseudocodeLine = line(1, "expand the next open vertex", &[Mark::Expanded, Mark::Solved]);

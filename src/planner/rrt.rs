@@ -4,65 +4,111 @@
 //! kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 5.5. The goal is vertex 1 from the beginning, but in
 //! the tree only once it is reached; where there are several they are the vertices from 1 on, and it reaches for each in turn.
 
+use super::groups::{Joined, Limits, Reaching, Sampling, step_in};
+use super::growth::Growth;
+use super::info::{END_NEAR, Edges, Grows, IMPROVE, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
 use super::{Counters, Phase, Planner, Status};
-use crate::graph::{Event, EventKind, Graph, VertexId};
+use crate::error::Error;
+use crate::graph::{EventKind, Graph, Tree, VertexId};
 use crate::nearest::{Index, Nearest};
 use crate::problem::Problem;
-use crate::random::Random;
-use crate::sampling::{Known, Sampler};
+use crate::random::{Random, Stream};
+use crate::sampling::Sampler;
 use crate::space::Space;
 
 /// The first goal.
 const GOAL: VertexId = VertexId(1);
 
-/// How far the tree grows towards a sample.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Extend {
-    /// One step at most.
-    Step,
-    /// Half the way, or all of it where that is a step at most.
-    Half,
-    /// All the way, or to the last place before an obstacle that is proven free.
-    UntilObstacle,
-}
-
-/// When the tree grows towards the goal and not towards a sample.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum GoalBias {
-    /// With this probability.
-    Share(f64),
-    /// Every n-th iteration, n at least 1.
-    Every(u32),
-}
-
-impl GoalBias {
-    /// Whether the tree grows towards the goal in this iteration.
-    pub(super) fn is_due(self, iteration: u32, random: &mut Random) -> bool {
-        match self {
-            GoalBias::Share(share) => share > 0.0 && random.uniform() < share,
-            GoalBias::Every(n) => iteration.is_multiple_of(n),
-        }
+crate::choice! {
+    /// How far the tree grows towards a sample.
+    pub enum Extend {
+        /// One step at most.
+        Step,
+        /// Half the way, or all of it where that is a step at most.
+        Half,
+        /// All the way, or to the last place before an obstacle that is proven free.
+        UntilObstacle,
     }
 }
 
-/// How a tree grows.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RrtOptions {
-    /// The length of a step in the metric of the space, greater than 0.
-    pub step: f64,
-    /// How far it grows.
-    pub extend: Extend,
-    /// When it reaches for the goal.
-    pub bias: GoalBias,
+crate::options! {
+    /// Options of RRT.
+    pub struct RrtOptions for crate::options::ALL;
+    /// How far the tree grows at once, and how near it tries the goal: short steps find bends, long ones are quick.
+    step: Option<f64>, in 1e-6..=1e7, "Step", unit "distance in the metric",
+        else "a fifth of the largest distance in the space";
+    /// How far the tree grows towards a sample: one step, half the way, or until just before an obstacle.
+    extend: Extend = Extend::Step, "Growth";
+    /// When the tree grows towards the goal.
+    reaching: Reaching;
+    /// Where samples come from.
+    sampling: Sampling;
+    /// What its edges are.
+    joined: Joined;
+}
+
+impl Method for RrtOptions {
+    const ID: &'static str = "rrt";
+    const TITLE: &'static str = "RRT";
+    const SUMMARY: &'static str =
+        "Grows a tree from the start: again and again its nearest vertex takes a step towards a random sample.";
+    const GUARANTEE: &'static str =
+        "Probabilistically complete: with more iterations a path is found where one has room; paths are not short.";
+    const GROWS: Grows = Grows::Tree;
+    const PRESETS: &'static [Preset] = &[
+        Preset {
+            id: "half-way",
+            title: "Half the way",
+            settings: &[("extend", "half"), ("goal_bias", "0.05"), ("max_iterations", "1000")],
+        },
+        Preset {
+            id: "last-free-point",
+            title: "To the last free point",
+            settings: &[("extend", "until-obstacle"), ("goal_bias", "0.05"), ("max_iterations", "1000")],
+        },
+        Preset {
+            id: "every-fifth",
+            title: "Goal every 5th sample",
+            settings: &[("goal_every", "5"), ("max_iterations", "2000")],
+        },
+    ];
+    const PSEUDOCODE: &'static [PseudocodeLine] = &[
+        line(0, "T ← {start}; repeat:", &[]),
+        line(1, "q ← a random configuration, or the goal", &[Mark::Growing]),
+        NONE_FOUND,
+        line(1, "near ← the vertex of T nearest to q", &[Mark::Edge, Mark::Refused]),
+        line(1, "new ← from near some way towards q", &[Mark::Edge, Mark::Refused]),
+        line(1, "if near – new is free: add both to T", &[Mark::Vertex, Mark::Edge]),
+        line(1, "within a step of the goal, try new – goal:", &[]),
+        line(2, "if that is free: solved", &[Mark::Solved]),
+        line(1, "a motion that is not free is refused", &[Mark::Refused]),
+        IMPROVE,
+        END_NEAR,
+    ];
+
+    fn edges(&self) -> Edges<'_> {
+        Edges::Joined(&self.joined)
+    }
+
+    fn limits(&self) -> Limits {
+        self.joined.limits
+    }
+
+    fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
+        Ok(Box::new(Rrt::new(problem, self, seed)?))
+    }
 }
 
 /// The planner. An iteration takes one sample: one motion towards it, and one to the goal where that is a step at most.
-pub struct Rrt<S: Space> {
-    options: RrtOptions,
+struct Rrt<S: Space> {
+    step: f64,
+    extend: Extend,
+    reaching: Reaching,
     sampler: Box<dyn Sampler<S>>,
+    /// Decides when it reaches for the goal.
     random: Random,
-    graph: Graph<S>,
-    parents: Vec<Option<VertexId>>,
+    growth: Growth<S>,
+    tree: Tree,
     nearest: Index<S>,
     /// The vertex of the tree nearest to a goal, and how far it is.
     closest: (VertexId, f64),
@@ -70,63 +116,60 @@ pub struct Rrt<S: Space> {
     reaches: usize,
     /// The goal that was reached.
     arrived: Option<VertexId>,
-    counters: Counters,
 }
 
 impl<S: Space> Rrt<S> {
-    /// A planner at its beginning; `random` decides when it reaches for the goal.
-    pub fn new(problem: &Problem<S>, options: RrtOptions, sampler: Box<dyn Sampler<S>>, random: Random) -> Self {
-        let (mut graph, mut nearest) = (Graph::default(), Index::new());
-        let start = graph.add_vertex(0, *problem.start());
+    fn new(problem: &Problem<S>, options: &RrtOptions, seed: u64) -> Result<Self, Error> {
+        let space = problem.space();
+        let (mut growth, mut tree, mut nearest) = (Growth::default(), Tree::default(), Index::new());
+        let start = growth.graph.add_vertex(0, *problem.start());
         for goal in problem.goals() {
-            graph.add_vertex(0, *goal);
+            growth.graph.add_vertex(0, *goal);
         }
-        nearest.insert(problem.space(), start, *problem.start());
-        let closest = (start, problem.distance_to_goal(problem.start()));
-        let (parents, counters) = (vec![None; graph.states().len()], Counters::default());
-        Self { options, sampler, random, graph, parents, nearest, closest, reaches: 0, arrived: None, counters }
+        tree.add_root(start);
+        nearest.insert(space, start, *problem.start());
+        Ok(Self {
+            step: step_in(options.step, space.extent())?,
+            extend: options.extend,
+            reaching: options.reaching,
+            sampler: options.sampling.sampler(space, seed),
+            random: Random::new(seed, Stream::Bias),
+            growth,
+            tree,
+            nearest,
+            closest: (start, problem.distance_to_goal(problem.start())),
+            reaches: 0,
+            arrived: None,
+        })
     }
 
     /// Where to grow this time; `None` where the sampler has nothing.
     fn target(&mut self, problem: &Problem<S>, iteration: u32) -> Option<S::State> {
-        if self.options.bias.is_due(iteration, &mut self.random) {
+        if self.reaching.is_due(iteration, &mut self.random) {
             self.reaches = self.reaches.wrapping_add(1);
             return Some(*problem.goal_in_turn(self.reaches - 1));
         }
-        let sample = self.sampler.draw(problem, &mut self.counters.configuration_checks);
-        if sample.known == Known::Useless {
-            let (kind, state) = (EventKind::SampleRejected, sample.state);
-            self.graph.add_event(Event { kind, iteration, vertex: None, other: None, state });
-            return None;
-        }
-        Some(sample.state)
-    }
-
-    fn is_motion_free(&mut self, problem: &Problem<S>, a: &S::State, b: &S::State) -> bool {
-        self.counters.motion_checks += 1;
-        problem.validity().is_motion_free(a, b)
+        Some(self.growth.draw(problem, iteration, &mut *self.sampler)?.state)
     }
 
     /// The state to grow to from `origin` towards `target`, where that motion is proven free.
     fn steer(&mut self, problem: &Problem<S>, origin: &S::State, target: &S::State) -> Result<S::State, S::State> {
         let space = problem.space();
         let distance = space.distance(origin, target);
-        let wanted = match self.options.extend {
-            Extend::Step if distance > self.options.step => {
-                space.interpolate(origin, target, self.options.step / distance)
-            }
-            Extend::Half if distance > self.options.step => space.interpolate(origin, target, 0.5),
+        let wanted = match self.extend {
+            Extend::Step if distance > self.step => space.interpolate(origin, target, self.step / distance),
+            Extend::Half if distance > self.step => space.interpolate(origin, target, 0.5),
             _ => *target,
         };
-        if self.is_motion_free(problem, origin, &wanted) {
+        if self.growth.is_motion_free(problem, origin, &wanted) {
             return Ok(wanted);
         }
-        if self.options.extend == Extend::UntilObstacle {
-            self.counters.motion_checks += 1;
+        if self.extend == Extend::UntilObstacle {
+            self.growth.counters.motion_checks += 1;
             let hit = problem.validity().first_hit(origin, target).unwrap_or(0.0);
             let last = space.interpolate(origin, target, hit);
             // Proven anew: rounding may have moved it off the motion that was proven up to there.
-            if last != *origin && self.is_motion_free(problem, origin, &last) {
+            if last != *origin && self.growth.is_motion_free(problem, origin, &last) {
                 return Ok(last);
             }
         }
@@ -134,13 +177,12 @@ impl<S: Space> Rrt<S> {
     }
 
     fn add_edge(&mut self, iteration: u32, from: VertexId, to: VertexId) {
-        self.parents[to.index()] = Some(from);
-        self.graph.add_edge(iteration, from, to);
+        self.tree.add(to, from);
+        self.growth.graph.add_edge(iteration, from, to);
     }
 
     fn refuse(&mut self, iteration: u32, from: VertexId, other: Option<VertexId>, state: S::State) {
-        let kind = EventKind::EdgeRefused;
-        self.graph.add_event(Event { kind, iteration, vertex: Some(from), other, state });
+        self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), other, state);
     }
 
     /// The goal that is nearest to the state, the first of those equally near, and how far it is.
@@ -158,17 +200,11 @@ impl<S: Space> Rrt<S> {
     /// Joins a goal to the tree.
     fn arrive(&mut self, iteration: u32, from: VertexId, goal: VertexId) -> Status {
         self.add_edge(iteration, from, goal);
-        let (kind, state) = (EventKind::SolutionFound, *self.graph.state(goal));
-        self.graph.add_event(Event { kind, iteration, vertex: Some(goal), other: Some(from), state });
+        let state = self.growth.state(goal);
+        self.growth.add_event(EventKind::SolutionFound, iteration, Some(goal), Some(from), state);
         self.closest = (goal, 0.0);
         self.arrived = Some(goal);
         Status::Solved
-    }
-
-    fn way(&self, to: VertexId) -> Vec<VertexId> {
-        let mut way: Vec<_> = std::iter::successors(Some(to), |v| self.parents[v.index()]).collect();
-        way.reverse();
-        way
     }
 }
 
@@ -179,9 +215,9 @@ impl<S: Space> Planner<S> for Rrt<S> {
         }
         let space = problem.space();
         let Some(target) = self.target(problem, iteration) else { return Status::Running };
-        self.counters.nearest_queries += 1;
+        self.growth.counters.nearest_queries += 1;
         let near = self.nearest.nearest(space, &target).expect("a tree has a root").vertex;
-        let origin = *self.graph.state(near);
+        let origin = self.growth.state(near);
         let reached = match self.steer(problem, &origin, &target) {
             Ok(reached) => reached,
             Err(wanted) => {
@@ -190,19 +226,18 @@ impl<S: Space> Planner<S> for Rrt<S> {
             }
         };
         let (goal, left) = self.nearest_goal(problem, &reached);
-        if reached == *self.graph.state(goal) {
+        if reached == self.growth.state(goal) {
             return self.arrive(iteration, near, goal);
         }
-        let vertex = self.graph.add_vertex(iteration, reached);
-        self.parents.push(None);
+        let vertex = self.growth.graph.add_vertex(iteration, reached);
         self.add_edge(iteration, near, vertex);
         self.nearest.insert(space, vertex, reached);
         if left < self.closest.1 {
             self.closest = (vertex, left);
         }
-        if left <= self.options.step {
-            let target = *self.graph.state(goal);
-            if self.is_motion_free(problem, &reached, &target) {
+        if left <= self.step {
+            let target = self.growth.state(goal);
+            if self.growth.is_motion_free(problem, &reached, &target) {
                 return self.arrive(iteration, vertex, goal);
             }
             self.refuse(iteration, vertex, Some(goal), target);
@@ -215,18 +250,18 @@ impl<S: Space> Planner<S> for Rrt<S> {
     }
 
     fn graph(&self) -> &Graph<S> {
-        &self.graph
+        &self.growth.graph
     }
 
     fn path(&self) -> Vec<VertexId> {
-        self.arrived.map_or(Vec::new(), |goal| self.way(goal))
+        self.arrived.map_or(Vec::new(), |goal| self.tree.from_root(goal))
     }
 
     fn approximate_path(&self) -> Vec<VertexId> {
-        self.way(self.closest.0)
+        self.tree.from_root(self.closest.0)
     }
 
     fn counters(&self) -> Counters {
-        self.counters
+        self.growth.counters
     }
 }

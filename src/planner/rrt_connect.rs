@@ -6,29 +6,79 @@
 //! "Planning Algorithms", section 5.5.3). Where motions have a direction, the goal's tree grows against it: its motions
 //! lead from new vertices to it. Several goals are roots of one forest.
 
+use super::groups::{Joined, Limits, Sampling, step_in};
+use super::growth::Growth;
+use super::info::{END, Edges, Grows, IMPROVE, Mark, Method, NONE_FOUND, PseudocodeLine, line};
 use super::{Counters, Phase, Planner, Status};
-use crate::graph::{Event, EventKind, Graph, VertexId};
-use crate::nearest::{Index, Nearest, Way};
+use crate::error::Error;
+use crate::graph::{EventKind, Graph, Tree, VertexId};
+use crate::nearest::{Direction, Index, Nearest};
 use crate::problem::Problem;
-use crate::sampling::{Known, Sampler};
+use crate::sampling::Sampler;
 use crate::space::Space;
 
+crate::options! {
+    /// Options of RRT-Connect.
+    pub struct RrtConnectOptions for crate::options::ALL;
+    /// How far a tree grows at once: short steps find their way round bends, long ones cross open space quickly.
+    step: Option<f64>, in 1e-6..=1e7, "Step", unit "distance in the metric",
+        else "a fifth of the largest distance in the space";
+    /// Where samples come from.
+    sampling: Sampling;
+    /// What its edges are.
+    joined: Joined;
+}
+
+impl Method for RrtConnectOptions {
+    const ID: &'static str = "rrt-connect";
+    const TITLE: &'static str = "RRT-Connect";
+    const SUMMARY: &'static str =
+        "Grows one tree from the start and one from the goal, each reaching for the other, until they meet.";
+    const GUARANTEE: &'static str =
+        "Probabilistically complete: with more iterations a path is found where one has room; paths are not short.";
+    const GROWS: Grows = Grows::Trees;
+    const PSEUDOCODE: &'static [PseudocodeLine] = &[
+        line(0, "two trees, {start} and {goal}; repeat:", &[]),
+        line(1, "A ← the smaller tree, B ← the other one", &[Mark::Growing]),
+        line(1, "q ← a random configuration", &[Mark::Growing]),
+        NONE_FOUND,
+        line(1, "new ← from A's nearest a step towards q", &[Mark::Vertex, Mark::Refused]),
+        line(1, "if that is free: add it to A, and", &[Mark::Vertex, Mark::Edge]),
+        line(2, "B goes step by step from its nearest to new", &[Mark::Vertex, Mark::Edge]),
+        line(2, "if B arrives: join the trees, solved", &[Mark::Solved]),
+        line(1, "a step that is not free is refused", &[Mark::Refused]),
+        IMPROVE,
+        END,
+    ];
+
+    fn edges(&self) -> Edges<'_> {
+        Edges::Joined(&self.joined)
+    }
+
+    fn limits(&self) -> Limits {
+        self.joined.limits
+    }
+
+    fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
+        Ok(Box::new(RrtConnect::new(problem, self, seed)?))
+    }
+}
+
 /// The planner. An iteration takes one sample: one extension, then one greedy connection of at most extent / step motions.
-pub struct RrtConnect<S: Space> {
+struct RrtConnect<S: Space> {
     step: f64,
     sampler: Box<dyn Sampler<S>>,
-    graph: Graph<S>,
-    /// The parent of every vertex; roots have none.
-    parents: Vec<Option<VertexId>>,
+    growth: Growth<S>,
+    /// Both trees, as one forest.
+    forest: Tree,
     /// The start's tree, then the goal's.
     trees: [Index<S>; 2],
     /// Where the trees met: a vertex of the start's tree, one of the goal's.
     bridge: Option<[VertexId; 2]>,
-    counters: Counters,
 }
 
 /// What one step towards a target did.
-enum Growth<S> {
+enum Step<S> {
     /// The motion is not free.
     Refused,
     /// A vertex was added on the way.
@@ -38,27 +88,25 @@ enum Growth<S> {
 }
 
 impl<S: Space> RrtConnect<S> {
-    /// Two trees with edges of length `step` at most, in the metric of the space, greater than 0.
-    pub fn new(problem: &Problem<S>, step: f64, sampler: Box<dyn Sampler<S>>) -> Self {
+    fn new(problem: &Problem<S>, options: &RrtConnectOptions, seed: u64) -> Result<Self, Error> {
         let mut planner = Self {
-            step,
-            sampler,
-            graph: Graph::default(),
-            parents: Vec::new(),
+            step: step_in(options.step, problem.space().extent())?,
+            sampler: options.sampling.sampler(problem.space(), seed),
+            growth: Growth::default(),
+            forest: Tree::default(),
             trees: [Index::new(), Index::new()],
             bridge: None,
-            counters: Counters::default(),
         };
         let roots = std::iter::once((0, problem.start())).chain(problem.goals().map(|goal| (1, goal)));
         for (tree, root) in roots {
             planner.add_vertex(problem.space(), tree, 0, None, *root);
         }
-        planner
+        Ok(planner)
     }
 
-    /// Which way motions lead between the states that a tree grows to and its vertices.
-    fn way(space: &S, tree: usize) -> Way {
-        if tree == 0 || space.is_symmetric() { Way::In } else { Way::Out }
+    /// The direction of motions between the states that a tree grows to and its vertices.
+    fn way(space: &S, tree: usize) -> Direction {
+        if tree == 0 || space.is_symmetric() { Direction::In } else { Direction::Out }
     }
 
     fn add_vertex(
@@ -69,19 +117,19 @@ impl<S: Space> RrtConnect<S> {
         parent: Option<VertexId>,
         state: S::State,
     ) -> VertexId {
-        let vertex = self.graph.add_vertex(iteration, state);
+        let vertex = self.growth.graph.add_vertex(iteration, state);
         self.trees[tree].insert(space, vertex, state);
-        self.parents.push(parent);
+        self.forest.add(vertex, parent.unwrap_or(vertex));
         if let Some(parent) = parent {
             let [from, to] = Self::way(space, tree).ends(vertex, parent);
-            self.graph.add_edge(iteration, from, to);
+            self.growth.graph.add_edge(iteration, from, to);
         }
         vertex
     }
 
     /// The vertex of a tree that is nearest to the state.
     fn nearest(&mut self, space: &S, tree: usize, state: &S::State) -> VertexId {
-        self.counters.nearest_queries += 1;
+        self.growth.counters.nearest_queries += 1;
         self.trees[tree].nearest_by(space, Self::way(space, tree), state).expect("a tree has a root").vertex
     }
 
@@ -93,42 +141,40 @@ impl<S: Space> RrtConnect<S> {
         tree: usize,
         from: VertexId,
         target: &S::State,
-    ) -> Growth<S::State> {
+    ) -> Step<S::State> {
         let space = problem.space();
-        let origin = *self.graph.state(from);
+        let origin = self.growth.state(from);
         let way = Self::way(space, tree);
         let [a, b] = way.ends(target, &origin);
         let distance = space.distance(a, b);
         let arrives = distance <= self.step;
         let next = match way {
             _ if arrives => *target,
-            Way::In => space.interpolate(a, b, self.step / distance),
-            Way::Out => space.interpolate(a, b, 1.0 - self.step / distance),
+            Direction::In => space.interpolate(a, b, self.step / distance),
+            Direction::Out => space.interpolate(a, b, 1.0 - self.step / distance),
         };
-        self.counters.motion_checks += 1;
         let [a, b] = way.ends(&next, &origin);
-        if !problem.validity().is_motion_free(a, b) {
-            let kind = EventKind::EdgeRefused;
-            self.graph.add_event(Event { kind, iteration, vertex: Some(from), other: None, state: next });
-            return Growth::Refused;
+        if !self.growth.is_motion_free(problem, a, b) {
+            self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), None, next);
+            return Step::Refused;
         }
         if arrives {
-            return Growth::Arrived(next);
+            return Step::Arrived(next);
         }
-        Growth::Advanced(self.add_vertex(space, tree, iteration, Some(from), next))
+        Step::Advanced(self.add_vertex(space, tree, iteration, Some(from), next))
     }
 
     /// Grows a tree step by step towards a vertex of the other tree; answers the vertex next to it on arrival.
     fn connect(&mut self, problem: &Problem<S>, iteration: u32, tree: usize, target: VertexId) -> Option<VertexId> {
-        let state = *self.graph.state(target);
+        let state = self.growth.state(target);
         let mut from = self.nearest(problem.space(), tree, &state);
         // Every step brings the tree nearer by its length. Rounding could keep a steered one from that, but not forever.
         let most = libm::ceil(problem.space().extent() / self.step) as u64 + 2;
         for _ in 0..most {
             match self.grow(problem, iteration, tree, from, &state) {
-                Growth::Refused => return None,
-                Growth::Advanced(vertex) => from = vertex,
-                Growth::Arrived(_) => return Some(from),
+                Step::Refused => return None,
+                Step::Advanced(vertex) => from = vertex,
+                Step::Arrived(_) => return Some(from),
             }
         }
         None
@@ -142,25 +188,19 @@ impl<S: Space> Planner<S> for RrtConnect<S> {
         }
         let space = problem.space();
         let tree = usize::from(self.trees[1].len() < self.trees[0].len());
-        let sample = self.sampler.draw(problem, &mut self.counters.configuration_checks);
-        if sample.known == Known::Useless {
-            let (kind, state) = (EventKind::SampleRejected, sample.state);
-            self.graph.add_event(Event { kind, iteration, vertex: None, other: None, state });
-            return Status::Running;
-        }
+        let Some(sample) = self.growth.draw(problem, iteration, &mut *self.sampler) else { return Status::Running };
         let sample = sample.state;
         let near = self.nearest(space, tree, &sample);
         let added = match self.grow(problem, iteration, tree, near, &sample) {
-            Growth::Refused => return Status::Running,
-            Growth::Advanced(vertex) => vertex,
-            Growth::Arrived(state) => self.add_vertex(space, tree, iteration, Some(near), state),
+            Step::Refused => return Status::Running,
+            Step::Advanced(vertex) => vertex,
+            Step::Arrived(state) => self.add_vertex(space, tree, iteration, Some(near), state),
         };
         let Some(reached) = self.connect(problem, iteration, 1 - tree, added) else { return Status::Running };
         let bridge = if tree == 0 { [added, reached] } else { [reached, added] };
-        self.graph.add_edge(iteration, bridge[0], bridge[1]);
-        let state = *self.graph.state(added);
-        let kind = EventKind::SolutionFound;
-        self.graph.add_event(Event { kind, iteration, vertex: Some(added), other: Some(reached), state });
+        self.growth.graph.add_edge(iteration, bridge[0], bridge[1]);
+        let state = self.growth.state(added);
+        self.growth.add_event(EventKind::SolutionFound, iteration, Some(added), Some(reached), state);
         self.bridge = Some(bridge);
         Status::Solved
     }
@@ -170,19 +210,17 @@ impl<S: Space> Planner<S> for RrtConnect<S> {
     }
 
     fn graph(&self) -> &Graph<S> {
-        &self.graph
+        &self.growth.graph
     }
 
     fn path(&self) -> Vec<VertexId> {
         let Some([start_side, goal_side]) = self.bridge else { return Vec::new() };
-        let to_root = |vertex| std::iter::successors(Some(vertex), |&v: &VertexId| self.parents[v.index()]);
-        let mut path: Vec<VertexId> = to_root(start_side).collect();
-        path.reverse();
-        path.extend(to_root(goal_side));
+        let mut path = self.forest.from_root(start_side);
+        path.extend(self.forest.to_root(goal_side));
         path
     }
 
     fn counters(&self) -> Counters {
-        self.counters
+        self.growth.counters
     }
 }

@@ -5,80 +5,178 @@
 //! kept; and the goal is a region.
 
 use super::active::Active;
-use super::driven_tree::{Blocked, Drive, DrivenTree, Durations, GoalTest, ROOT, dynamics, up_to_goal};
-use super::{Counters, GoalBias, Phase, Planner, Status};
-use crate::control::{Control, Motion};
+use super::driven_tree::{
+    Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, straight_reach, up_to_goal,
+};
+use super::groups::{Limits, Reaching};
+use super::info::{END_NEAR, Edges, Grows, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
+use super::{Counters, Phase, Planner, Status};
+use crate::control::Control;
+use crate::error::Error;
 use crate::graph::{EventKind, Graph, VertexId};
+use crate::options::CAR;
 use crate::problem::Problem;
-use crate::random::Random;
-use crate::sampling::{Known, Sampler};
+use crate::random::{Random, Stream};
+use crate::sampling::Sampler;
 use crate::space::Space;
 
 /// How many of the nearest vertices are asked whether they see the sample.
 const MOST_LOOKS: usize = 32;
 
-/// Which vertex is grown from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Origin {
-    /// The nearest to the sample.
-    Nearest,
-    /// Of the 32 nearest, the nearest that sees the sample: the straight motion to it is free.
-    NearestVisible,
-}
-
-/// Which controls are tried.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Blossom {
-    /// So many random ones, at least 1; the one that comes closest to the sample is kept.
-    Random(u32),
-    /// The six of Reeds and Shepp; all that are free are kept.
-    ReedsShepp,
-}
-
-/// What is different from some iteration on.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Late {
-    /// The first iteration of which it holds.
-    pub from: u32,
-    /// How long controls are held.
-    pub durations: Durations,
-    /// When the tree reaches for the goal.
-    pub bias: GoalBias,
-}
-
-/// How a tree is driven.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RrtControlOptions {
+crate::choice! {
     /// Which vertex is grown from.
-    pub origin: Origin,
-    /// Whether a vertex is grown from only once.
-    pub once: bool,
+    pub enum Origin {
+        /// The nearest to the sample.
+        Nearest,
+        /// Of the 32 nearest, the nearest that sees the sample: the straight motion to it is free.
+        NearestVisible,
+    }
+}
+
+crate::choice! {
     /// Which controls are tried.
-    pub blossom: Blossom,
-    /// How long they are held.
-    pub durations: Durations,
-    /// Where there is such a number: from a vertex that is nearer to the goal than the fastest straight motion of the longest
-    /// duration goes, durations are shorter in proportion, but of so many steps at least.
-    pub near_goal: Option<u32>,
-    /// What becomes of motions that are not free to their end.
-    pub blocked: Blocked,
-    /// When the tree reaches for the goal.
-    pub bias: GoalBias,
-    /// What is different later.
-    pub late: Option<Late>,
-    /// Where the goal is looked for.
-    pub goal_test: GoalTest,
+    pub enum Controls {
+        /// Random ones; the one that comes closest to the sample is kept.
+        Random,
+        /// The six of Reeds and Shepp; all that are free are kept.
+        ReedsShepp,
+    }
+}
+
+crate::options! {
+    /// Options of RRT by controls.
+    pub struct RrtControlOptions for CAR;
+    /// Random ones, of which the best is kept, or full speed straight, left and right, both ways, all of them kept.
+    controls: Controls = Controls::Random, "Controls";
+    /// How many random controls are tried at once: more aim better, but a tree that aims too well gets stuck.
+    blossom: u32 = 1, in 1.0..=100.0, "Blossom";
+    /// How long a control is held at most: short drives find bends, long ones cross open space quickly.
+    duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Duration at most", unit "steps of integration",
+        else "as many as the fastest straight drive of 0.3 times the largest distance takes";
+    /// How long a control is held at least: durations are drawn between this and the longest.
+    shortest_steps: Option<u32>, in 1.0..=MOST_STEPS, "Duration at least", unit "steps of integration",
+        else "as many as duration_steps: all drives last equally long";
+    /// Durations shrink in proportion where a drive could pass the goal, but not below this many steps.
+    near_goal_steps: Option<u32>, in 1.0..=MOST_STEPS, "Least near the goal", unit "steps of integration",
+        else "none: durations are the same everywhere";
+    /// A drive towards an obstacle is cut where its last free step ends, or refused as a whole.
+    blocked: Blocked = Blocked::Cut, "A blocked drive";
+    /// The vertex nearest to the sample grows, or the nearest that sees it: the straight motion there is free.
+    nearest: Origin = Origin::Nearest, "Grown from";
+    /// Each vertex grows only once; when all have grown, the planner gives up.
+    once: bool = false, "Only once";
+    /// When the tree grows towards the goal.
+    reaching: Reaching;
+    /// The longest duration in the last quarter of the iterations: short drives meet a small goal region better.
+    late_duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Late duration", unit "steps of integration",
+        else "as before";
+    /// Grows towards the goal every so many iterations in the last quarter of them.
+    late_goal_every: Option<u32>, in 1.0..=1e6, "Late goal", else "as before";
+    /// What all planners by controls take.
+    driving: ByControls;
+}
+
+/// The settings of the report with blossoms of several sizes.
+const fn blossom(count: &'static str) -> [(&'static str, &'static str); 5] {
+    [
+        ("blossom", count),
+        ("duration_steps", "250"),
+        ("goal_bias", "0.05"),
+        ("goal_test", "ends"),
+        ("max_iterations", "10000"),
+    ]
+}
+
+impl Method for RrtControlOptions {
+    const ID: &'static str = "rrt-control";
+    const TITLE: &'static str = "RRT by controls";
+    const SUMMARY: &'static str = "Drives a tree from the start: its vertex nearest to a sample tries controls, the best of them becomes an edge.";
+    const GUARANTEE: &'static str = "None: a tree that always keeps the best of several controls may get stuck.";
+    const GROWS: Grows = Grows::Tree;
+    const IS_DRIVEN: bool = true;
+    const ROBOTS: &'static [&'static str] = CAR;
+    const PRESETS: &'static [Preset] = &[
+        Preset { id: "blossom-1", title: "Blossom of 1", settings: &blossom("1") },
+        Preset { id: "blossom-3", title: "Blossom of 3", settings: &blossom("3") },
+        Preset { id: "blossom-5", title: "Blossom of 5", settings: &blossom("5") },
+        Preset {
+            id: "schedule",
+            title: "Finer in the end",
+            settings: &[
+                ("blossom", "30"),
+                ("duration_steps", "200"),
+                ("late_duration_steps", "100"),
+                ("goal_every", "10"),
+                ("late_goal_every", "5"),
+                ("blocked", "refused"),
+                ("goal_test", "ends"),
+                ("max_iterations", "4000"),
+            ],
+        },
+        Preset {
+            id: "six-controls",
+            title: "Six controls",
+            settings: &[
+                ("controls", "reeds-shepp"),
+                ("nearest", "nearest-visible"),
+                ("once", "true"),
+                ("duration_steps", "100"),
+                ("near_goal_steps", "10"),
+                ("goal_test", "ends"),
+                ("max_iterations", "2000"),
+            ],
+        },
+    ];
+    const PSEUDOCODE: &'static [PseudocodeLine] = &[
+        line(0, "T ← {start}; repeat:", &[]),
+        line(1, "q ← a random placement, or the goal", &[Mark::Growing]),
+        NONE_FOUND,
+        line(1, "near ← the vertex of T nearest to q", &[Mark::Edge, Mark::Refused]),
+        line(1, "if no vertex sees q: once more", &[Mark::Discarded]),
+        line(1, "for b controls u, for a while each:", &[Mark::Edge, Mark::Refused]),
+        line(2, "drive u from near, up to an obstacle", &[Mark::Edge, Mark::Refused]),
+        line(1, "add the end nearest to q, with its u, to T", &[Mark::Vertex, Mark::Edge]),
+        line(2, "within the goal region: solved", &[Mark::Solved]),
+        line(1, "if none is free: refuse them", &[Mark::Refused]),
+        END_NEAR,
+    ];
+
+    fn edges(&self) -> Edges<'_> {
+        self.driving.edges()
+    }
+
+    fn limits(&self) -> Limits {
+        self.driving.limits
+    }
+
+    /// # Panics
+    /// Where the problem has no dynamics.
+    fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
+        Ok(Box::new(RrtControl::new(problem, self, seed)?))
+    }
+}
+
+/// How the tree grows in some of the iterations.
+#[derive(Debug, Clone, Copy)]
+struct Rules {
+    /// How long controls are held.
+    durations: Durations,
+    /// When it reaches for the goal.
+    reaching: Reaching,
 }
 
 /// The planner. An iteration takes one sample, or the goal, and tries one blossom: as many motions as it has controls, and
 /// up to 32 more to see the sample where that is asked for.
-pub struct RrtControl<S: Space> {
+struct RrtControl<S: Space> {
     options: RrtControlOptions,
     sampler: Box<dyn Sampler<S>>,
     /// Decides when it reaches for the goal.
     bias: Random,
     /// Draws controls and durations.
     controls: Random,
+    early: Rules,
+    /// From this iteration on, where something is different then.
+    late: Option<(u32, Rules)>,
     tree: DrivenTree<S>,
     /// The vertices that may be grown from.
     open: Active<S>,
@@ -87,72 +185,67 @@ pub struct RrtControl<S: Space> {
 }
 
 impl<S: Space> RrtControl<S> {
-    /// A planner at its beginning; `bias` decides when it reaches for the goal, `controls` what it tries.
-    ///
-    /// # Panics
-    /// Where the problem has no dynamics, once it is stepped.
-    pub fn new(
-        problem: &Problem<S>,
-        options: RrtControlOptions,
-        sampler: Box<dyn Sampler<S>>,
-        [bias, controls]: [Random; 2],
-    ) -> Self {
+    fn new(problem: &Problem<S>, options: &RrtControlOptions, seed: u64) -> Result<Self, Error> {
         let (tree, mut open) = (DrivenTree::new(problem), Active::new());
-        open.insert(problem.space(), &tree.graph, ROOT);
-        Self { options, sampler, bias, controls, tree, open, arrived: None }
+        open.insert(problem.space(), &tree.growth.graph, ROOT);
+        let durations = Durations::new(problem, options.duration_steps, options.shortest_steps)?;
+        let early = Rules { durations, reaching: options.reaching };
+        let [bias, controls] = [Stream::Bias, Stream::Controls].map(|stream| Random::new(seed, stream));
+        Ok(Self {
+            options: *options,
+            sampler: options.driving.sampling.sampler(problem.space(), seed),
+            bias,
+            controls,
+            early,
+            late: late(options, early)?,
+            tree,
+            open,
+            arrived: None,
+        })
     }
 
     fn arrive(&mut self, iteration: u32, vertex: VertexId, state: S::State) -> Status {
-        self.tree.tell(EventKind::SolutionFound, iteration, Some(vertex), state);
+        self.tree.growth.add_event(EventKind::SolutionFound, iteration, Some(vertex), None, state);
         self.arrived = Some(vertex);
         Status::Solved
     }
 
-    /// Durations and goal bias of an iteration.
-    fn rules(&self, iteration: u32) -> (Durations, GoalBias) {
-        match self.options.late {
-            Some(late) if iteration >= late.from => (late.durations, late.bias),
-            _ => (self.options.durations, self.options.bias),
+    /// How the tree grows in this iteration.
+    fn rules(&self, iteration: u32) -> Rules {
+        match self.late {
+            Some((from, late)) if iteration >= from => late,
+            _ => self.early,
         }
     }
 
     /// Where to grow this time; `None` where the sampler has nothing.
     fn target(&mut self, problem: &Problem<S>, iteration: u32) -> Option<S::State> {
-        if self.rules(iteration).1.is_due(iteration, &mut self.bias) {
+        if self.rules(iteration).reaching.is_due(iteration, &mut self.bias) {
             return Some(*problem.goal());
         }
-        let sample = self.sampler.draw(problem, &mut self.tree.counters.configuration_checks);
-        if sample.known == Known::Useless {
-            self.tree.tell(EventKind::SampleRejected, iteration, None, sample.state);
-            return None;
-        }
-        Some(sample.state)
+        Some(self.tree.growth.draw(problem, iteration, &mut *self.sampler)?.state)
     }
 
     /// The vertex to grow from; `None` where none sees the target.
     fn origin(&mut self, problem: &Problem<S>, target: &S::State) -> Option<VertexId> {
-        self.tree.counters.nearest_queries += 1;
+        self.tree.growth.counters.nearest_queries += 1;
         let space = problem.space();
-        if self.options.origin == Origin::Nearest {
+        if self.options.nearest == Origin::Nearest {
             return Some(self.open.nearest(space, target)?.vertex);
         }
         let mut near = Vec::new();
         self.open.k_nearest(space, target, MOST_LOOKS, &mut near);
         near.into_iter().map(|neighbour| neighbour.vertex).find(|&vertex| {
-            self.tree.counters.motion_checks += 1;
-            problem.validity().is_motion_free(self.tree.graph.state(vertex), target)
+            let state = self.tree.growth.state(vertex);
+            self.tree.growth.is_motion_free(problem, &state, target)
         })
     }
 
     /// How long controls are held from here.
     fn durations(&self, problem: &Problem<S>, from: &S::State, iteration: u32) -> Durations {
-        let (durations, _) = self.rules(iteration);
-        let Some(least) = self.options.near_goal else { return durations };
-        let dynamics = dynamics(problem);
-        let duration = f64::from(durations.longest) * dynamics.step();
-        let straight =
-            |control: Control| dynamics.length(Motion { control: Control { steering: 0.0, ..control }, duration });
-        let reach = dynamics.extremes().into_iter().map(straight).fold(0.0, f64::max);
+        let Rules { durations, .. } = self.rules(iteration);
+        let Some(least) = self.options.near_goal_steps else { return durations };
+        let reach = straight_reach(problem, f64::from(durations.longest) * dynamics(problem).step());
         let part = problem.space().distance(from, problem.goal()) / reach;
         let shrunk = |steps: u32| match part {
             part if part < 1.0 => ((part * f64::from(steps)) as u32).max(least).min(steps),
@@ -175,12 +268,12 @@ impl<S: Space> RrtControl<S> {
             let steps = durations.sample(random);
             Drive { control, steps, end: dynamics.drive(from, control, steps) }
         };
-        let Blossom::Random(count) = self.options.blossom else {
+        if self.options.controls == Controls::ReedsShepp {
             let drives = dynamics.extremes().into_iter().map(|control| held(control, random));
             return drives.filter_map(|drive| self.tree.prove(problem, from, drive, blocked)).collect();
-        };
+        }
         let measured = |drive: Drive<S::State>| (problem.space().distance(&drive.end, target), drive);
-        let drives = (0..count).map(|_| {
+        let drives = (0..self.options.blossom).map(|_| {
             let control = dynamics.sample(random);
             measured(held(control, random))
         });
@@ -198,6 +291,22 @@ impl<S: Space> RrtControl<S> {
         }
         Vec::new()
     }
+}
+
+/// What is different in the last quarter of the iterations, if anything is, and from which on.
+fn late(options: &RrtControlOptions, early: Rules) -> Result<Option<(u32, Rules)>, Error> {
+    let RrtControlOptions { late_duration_steps: longest, late_goal_every: every, .. } = *options;
+    if longest.is_none() && every.is_none() {
+        return Ok(None);
+    }
+    let longest = longest.unwrap_or(early.durations.longest);
+    let durations = Durations { shortest: early.durations.shortest.min(longest), longest };
+    let most = options.driving.limits.max_iterations;
+    let rules = Rules {
+        durations: durations.with_shortest(options.shortest_steps)?,
+        reaching: Reaching { goal_every: every.or(early.reaching.goal_every), ..early.reaching },
+    };
+    Ok(Some((most - most / 4 + 1, rules)))
 }
 
 /// Which is the closest, the first of them.
@@ -218,24 +327,24 @@ impl<S: Space> Planner<S> for RrtControl<S> {
         }
         let Some(target) = self.target(problem, iteration) else { return Status::Running };
         let Some(origin) = self.origin(problem, &target) else {
-            self.tree.tell(EventKind::SampleDiscarded, iteration, None, target);
+            self.tree.growth.reject(EventKind::SampleDiscarded, iteration, target);
             return Status::Running;
         };
         if self.options.once {
-            self.open.remove(problem.space(), &self.tree.graph, origin);
+            self.open.remove(problem.space(), &self.tree.growth.graph, origin);
         }
-        let from = *self.tree.graph.state(origin);
+        let from = self.tree.growth.state(origin);
         let drives = self.blossom(problem, &from, &target, iteration);
         if drives.is_empty() {
-            self.tree.tell(EventKind::EdgeRefused, iteration, Some(origin), target);
+            self.tree.growth.add_event(EventKind::EdgeRefused, iteration, Some(origin), None, target);
         }
         for drive in drives {
-            let (drive, is_there) = up_to_goal(problem, &from, drive, self.options.goal_test);
+            let (drive, is_there) = up_to_goal(problem, &from, drive, self.options.driving.goal_test);
             let vertex = self.tree.grow(problem, iteration, origin, drive);
             if is_there {
                 return self.arrive(iteration, vertex, drive.end);
             }
-            self.open.insert(problem.space(), &self.tree.graph, vertex);
+            self.open.insert(problem.space(), &self.tree.growth.graph, vertex);
         }
         Status::Running
     }
@@ -245,18 +354,18 @@ impl<S: Space> Planner<S> for RrtControl<S> {
     }
 
     fn graph(&self) -> &Graph<S> {
-        &self.tree.graph
+        &self.tree.growth.graph
     }
 
     fn path(&self) -> Vec<VertexId> {
-        self.arrived.map(|vertex| self.tree.way(vertex)).unwrap_or_default()
+        self.arrived.map(|vertex| self.tree.tree.from_root(vertex)).unwrap_or_default()
     }
 
     fn approximate_path(&self) -> Vec<VertexId> {
-        self.tree.way(self.tree.closest(|_| true))
+        self.tree.tree.from_root(self.tree.closest(|_| true))
     }
 
     fn counters(&self) -> Counters {
-        self.tree.counters
+        self.tree.growth.counters
     }
 }

@@ -6,33 +6,87 @@
 //! way in the metric of the space, along its arcs.
 
 use super::active::Active;
-use super::driven_tree::{Blocked, Drive, DrivenTree, Durations, GoalTest, ROOT, dynamics, up_to_goal};
-use super::{Counters, GoalBias, Phase, Planner, Status};
+use super::driven_tree::{Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, up_to_goal};
+use super::groups::{Limits, Reaching};
+use super::info::{END_NEAR, Edges, Grows, Mark, Method, NONE_FOUND, PseudocodeLine, line};
+use super::{Counters, Phase, Planner, Status};
 use crate::control::Motion;
+use crate::error::Error;
 use crate::graph::{EventKind, Graph, VertexId};
 use crate::nearest::{Index, Nearest, Neighbour};
+use crate::options::CAR;
 use crate::problem::Problem;
-use crate::random::Random;
-use crate::sampling::{Known, Sampler};
+use crate::random::{Random, Stream};
+use crate::sampling::Sampler;
 use crate::space::Space;
 
-/// How a sparse tree grows.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SstOptions {
-    /// Of the vertices so near to a sample, the cheapest is grown from; the nearest vertex where there is none. At least 0.
-    pub selection_radius: f64,
-    /// No two witnesses are nearer to each other, at least 0.
-    pub pruning_radius: f64,
-    /// How long controls are held.
-    pub durations: Durations,
-    /// What becomes of motions that are not free to their end.
-    pub blocked: Blocked,
-    /// When the tree reaches for the goal.
-    pub bias: GoalBias,
-    /// Where the goal is looked for.
-    pub goal_test: GoalTest,
-    /// For how many iterations the tree goes on growing once it has a path.
-    pub improve_iterations: u32,
+/// Of the space's extent, the selection radius where none is given.
+const DEFAULT_SELECTION: f64 = 0.06;
+/// Of the space's extent, the pruning radius where none is given.
+const DEFAULT_PRUNING: f64 = 0.03;
+
+crate::options! {
+    /// Options of SST.
+    pub struct SstOptions for CAR;
+    /// Of the vertices so near to a sample, the cheapest grows: a large radius betters paths, a small one explores.
+    selection_radius: Option<f64>, in 0.0..=1e7, "Selection radius", unit "distance in the metric",
+        else "0.06 times the largest distance in the space";
+    /// Of the vertices about so near to each other, only the cheapest grows: a large radius makes the tree sparse.
+    pruning_radius: Option<f64>, in 0.0..=1e7, "Pruning radius", unit "distance in the metric",
+        else "0.03 times the largest distance in the space";
+    /// For how many iterations the tree grows on once it has a path, to find shorter ones.
+    improve_iterations: u32 = 0, in 0.0..=1e9, "Improve for";
+    /// How long a control is held at most: short drives find bends, long ones cross open space quickly.
+    duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Duration at most", unit "steps of integration",
+        else "as many as the fastest straight drive of 0.3 times the largest distance takes";
+    /// How long a control is held at least: durations are drawn between this and the longest.
+    shortest_steps: u32 = 1, in 1.0..=MOST_STEPS, "Duration at least", unit "steps of integration";
+    /// A drive towards an obstacle is cut where its last free step ends, or refused as a whole.
+    blocked: Blocked = Blocked::Cut, "A blocked drive";
+    /// When the tree grows towards the goal.
+    reaching: Reaching;
+    /// What all planners by controls take.
+    driving: ByControls;
+}
+
+impl Method for SstOptions {
+    const ID: &'static str = "sst";
+    const TITLE: &'static str = "SST";
+    const SUMMARY: &'static str =
+        "Drives a sparse tree: of all vertices near each other only the cheapest grows; it can go on to better paths.";
+    const GUARANTEE: &'static str =
+        "Asymptotically near-optimal where random controls have room: as near the shortest as its radii allow.";
+    const GROWS: Grows = Grows::Tree;
+    const IS_DRIVEN: bool = true;
+    const ROBOTS: &'static [&'static str] = CAR;
+    const PSEUDOCODE: &'static [PseudocodeLine] = &[
+        line(0, "T ← {start}; repeat:", &[]),
+        line(1, "q ← a random placement, or the goal", &[Mark::Growing, Mark::Improving]),
+        NONE_FOUND,
+        line(1, "near ← the cheapest of T about q", &[Mark::Edge, Mark::Refused, Mark::Discarded]),
+        line(1, "drive a random control for a random while", &[Mark::Edge, Mark::Refused, Mark::Discarded]),
+        line(1, "if that is not free: refuse it", &[Mark::Refused]),
+        line(1, "if the end costs least about it: add it", &[Mark::Vertex, Mark::Edge]),
+        line(2, "what cost least there before grows no more", &[Mark::Vertex]),
+        line(2, "and leaves T once nothing hangs on it", &[Mark::Removed]),
+        line(2, "within the goal region: solved", &[Mark::Solved]),
+        line(1, "else: throw it away", &[Mark::Discarded]),
+        END_NEAR,
+    ];
+
+    fn edges(&self) -> Edges<'_> {
+        self.driving.edges()
+    }
+
+    fn limits(&self) -> Limits {
+        self.driving.limits
+    }
+
+    /// # Panics
+    /// Where the problem has no dynamics.
+    fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
+        Ok(Box::new(Sst::new(problem, self, seed)?))
+    }
 }
 
 /// The cheapest way to the goal region so far.
@@ -44,8 +98,13 @@ struct Best {
 }
 
 /// The planner. An iteration takes one sample, or the goal, and tries one random control for one random while.
-pub struct Sst<S: Space> {
+struct Sst<S: Space> {
     options: SstOptions,
+    /// Of the vertices so near to a sample, the cheapest is grown from; the nearest vertex where there is none.
+    selection_radius: f64,
+    /// No two witnesses are nearer to each other.
+    pruning_radius: f64,
+    durations: Durations,
     sampler: Box<dyn Sampler<S>>,
     /// Decides when it reaches for the goal.
     bias: Random,
@@ -69,19 +128,15 @@ pub struct Sst<S: Space> {
 }
 
 impl<S: Space> Sst<S> {
-    /// A planner at its beginning; `bias` decides when it reaches for the goal, `controls` what it tries.
-    ///
-    /// # Panics
-    /// Where the problem has no dynamics, once it is stepped.
-    pub fn new(
-        problem: &Problem<S>,
-        options: SstOptions,
-        sampler: Box<dyn Sampler<S>>,
-        [bias, controls]: [Random; 2],
-    ) -> Self {
+    fn new(problem: &Problem<S>, options: &SstOptions, seed: u64) -> Result<Self, Error> {
+        let space = problem.space();
+        let [bias, controls] = [Stream::Bias, Stream::Controls].map(|stream| Random::new(seed, stream));
         let mut sst = Self {
-            options,
-            sampler,
+            options: *options,
+            selection_radius: options.selection_radius.unwrap_or(DEFAULT_SELECTION * space.extent()),
+            pruning_radius: options.pruning_radius.unwrap_or(DEFAULT_PRUNING * space.extent()),
+            durations: Durations::new(problem, options.duration_steps, Some(options.shortest_steps))?,
+            sampler: options.driving.sampling.sampler(space, seed),
             bias,
             controls,
             tree: DrivenTree::new(problem),
@@ -95,9 +150,9 @@ impl<S: Space> Sst<S> {
             is_done: false,
             found: Vec::new(),
         };
-        sst.active.insert(problem.space(), &sst.tree.graph, ROOT);
-        sst.witnesses.insert(problem.space(), VertexId(0), *problem.start());
-        sst
+        sst.active.insert(space, &sst.tree.growth.graph, ROOT);
+        sst.witnesses.insert(space, VertexId(0), *problem.start());
+        Ok(sst)
     }
 
     fn cost(&self, vertex: VertexId) -> f64 {
@@ -106,22 +161,17 @@ impl<S: Space> Sst<S> {
 
     /// Where to grow this time; `None` where the sampler has nothing.
     fn target(&mut self, problem: &Problem<S>, iteration: u32) -> Option<S::State> {
-        if self.options.bias.is_due(iteration, &mut self.bias) {
+        if self.options.reaching.is_due(iteration, &mut self.bias) {
             return Some(*problem.goal());
         }
-        let sample = self.sampler.draw(problem, &mut self.tree.counters.configuration_checks);
-        if sample.known == Known::Useless {
-            self.tree.tell(EventKind::SampleRejected, iteration, None, sample.state);
-            return None;
-        }
-        Some(sample.state)
+        Some(self.tree.growth.draw(problem, iteration, &mut *self.sampler)?.state)
     }
 
     /// The vertex to grow from: the cheapest that is near, ties by number.
     fn origin(&mut self, problem: &Problem<S>, target: &S::State) -> VertexId {
-        self.tree.counters.nearest_queries += 1;
+        self.tree.growth.counters.nearest_queries += 1;
         let space = problem.space();
-        self.active.within(space, target, self.options.selection_radius, &mut self.found);
+        self.active.within(space, target, self.selection_radius, &mut self.found);
         let near = self.found.iter().map(|neighbour| neighbour.vertex);
         let cheapest = near.min_by(|&a, &b| self.cost(a).total_cmp(&self.cost(b)).then(a.cmp(&b)));
         cheapest.unwrap_or_else(|| self.active.nearest(space, target).expect("a witness stands for one").vertex)
@@ -129,9 +179,9 @@ impl<S: Space> Sst<S> {
 
     /// The witness of a state: the nearest, or a new one where that is too far; and whether it is new.
     fn witness(&mut self, problem: &Problem<S>, state: &S::State) -> (usize, bool) {
-        self.tree.counters.nearest_queries += 1;
+        self.tree.growth.counters.nearest_queries += 1;
         let nearest = self.witnesses.nearest(problem.space(), state).expect("the start has one");
-        if nearest.distance <= self.options.pruning_radius {
+        if nearest.distance <= self.pruning_radius {
             return (nearest.vertex.index(), false);
         }
         let witness = VertexId(self.witnesses.len() as u32);
@@ -158,7 +208,7 @@ impl<S: Space> Sst<S> {
 
     /// Has the witness stand for the vertex, and the one that it stood for grow no more.
     fn replace(&mut self, problem: &Problem<S>, iteration: u32, (witness, is_new): (usize, bool), vertex: VertexId) {
-        let (space, graph) = (problem.space(), &self.tree.graph);
+        let (space, graph) = (problem.space(), &self.tree.growth.graph);
         self.active.insert(space, graph, vertex);
         if is_new {
             self.representatives.push(vertex);
@@ -176,17 +226,18 @@ impl<S: Space> Sst<S> {
         while let Some(vertex) = leaf {
             let is_best = self.best.is_some_and(|best| best.vertex == vertex);
             let is_kept = self.children[vertex.index()] > 0 || self.active.contains(vertex) || is_best;
-            let Some(parent) = self.tree.parent(vertex).filter(|_| !is_kept) else { return };
+            let Some(parent) = self.tree.tree.parent(vertex).filter(|_| !is_kept) else { return };
             self.is_removed[vertex.index()] = true;
             self.children[parent.index()] -= 1;
-            self.tree.tell(EventKind::VertexRemoved, iteration, Some(vertex), *self.tree.graph.state(vertex));
+            let state = self.tree.growth.state(vertex);
+            self.tree.growth.add_event(EventKind::VertexRemoved, iteration, Some(vertex), None, state);
             leaf = Some(parent);
         }
     }
 
     /// Takes the vertex for the end of the best path.
     fn arrive(&mut self, iteration: u32, vertex: VertexId, state: S::State) {
-        self.tree.tell(EventKind::SolutionFound, iteration, Some(vertex), state);
+        self.tree.growth.add_event(EventKind::SolutionFound, iteration, Some(vertex), None, state);
         let earlier = self.best;
         self.best = Some(Best { vertex, since: earlier.map_or(iteration, |best| best.since) });
         if let Some(earlier) = earlier {
@@ -197,15 +248,15 @@ impl<S: Space> Sst<S> {
     /// One try: a drive from the vertex.
     fn try_drive(&mut self, problem: &Problem<S>, iteration: u32, origin: VertexId) {
         let dynamics = dynamics(problem);
-        let from = *self.tree.graph.state(origin);
+        let from = self.tree.growth.state(origin);
         let control = dynamics.sample(&mut self.controls);
-        let steps = self.options.durations.sample(&mut self.controls);
+        let steps = self.durations.sample(&mut self.controls);
         let wanted = Drive { control, steps, end: dynamics.drive(&from, control, steps) };
         let Some(drive) = self.tree.prove(problem, &from, wanted, self.options.blocked) else {
             let kind = EventKind::EdgeRefused;
-            return self.tree.tell(kind, iteration, Some(origin), wanted.end);
+            return self.tree.growth.add_event(kind, iteration, Some(origin), None, wanted.end);
         };
-        let (drive, is_there) = up_to_goal(problem, &from, drive, self.options.goal_test);
+        let (drive, is_there) = up_to_goal(problem, &from, drive, self.options.driving.goal_test);
         let duration = f64::from(drive.steps) * dynamics.step();
         let cost = self.cost(origin) + dynamics.length(Motion { control, duration });
         // What costs as much as the best path leads to no better one.
@@ -225,7 +276,7 @@ impl<S: Space> Sst<S> {
                 return self.arrive(iteration, vertex, drive.end);
             }
         }
-        self.tree.tell(EventKind::SampleDiscarded, iteration, None, drive.end);
+        self.tree.growth.reject(EventKind::SampleDiscarded, iteration, drive.end);
     }
 }
 
@@ -254,18 +305,18 @@ impl<S: Space> Planner<S> for Sst<S> {
     }
 
     fn graph(&self) -> &Graph<S> {
-        &self.tree.graph
+        &self.tree.growth.graph
     }
 
     fn path(&self) -> Vec<VertexId> {
-        self.best.map(|best| self.tree.way(best.vertex)).unwrap_or_default()
+        self.best.map(|best| self.tree.tree.from_root(best.vertex)).unwrap_or_default()
     }
 
     fn approximate_path(&self) -> Vec<VertexId> {
-        self.tree.way(self.tree.closest(|vertex| !self.is_removed[vertex.index()]))
+        self.tree.tree.from_root(self.tree.closest(|vertex| !self.is_removed[vertex.index()]))
     }
 
     fn counters(&self) -> Counters {
-        self.tree.counters
+        self.tree.growth.counters
     }
 }

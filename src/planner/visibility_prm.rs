@@ -5,18 +5,101 @@
 //! m samples in a row that made no guard the free space is covered but for an estimated share of 1/m. What sees must be seen: the
 //! space has to be symmetric.
 
+use super::groups::{Joined, Limits, Sampling, Searching};
+use super::info::{END, Edges, Grows, IMPROVE, Mark, Method, PseudocodeLine, line};
 use super::query::SearchRules;
-use super::roadmap::{Connection, Ending, Roadmap, START};
-use super::{Counters, Phase, Planner, Status};
-use crate::graph::{Event, EventKind, Graph, UnionFind, VertexId};
+use super::roadmap::{Build, Connection, EXPAND, Roadmap, RoadmapPlanner, SEARCH, START};
+use super::{Phase, Planner};
+use crate::error::Error;
+use crate::graph::{EventKind, UnionFind, VertexId};
 use crate::problem::Problem;
 use crate::sampling::Sampler;
 use crate::space::Space;
 
-/// The planner. An iteration tries one sample against every guard, or expands one vertex in the search. Start and goals are
-/// the first guards.
-pub struct VisibilityPrm<S: Space> {
-    roadmap: Roadmap<S>,
+/// More guards than there ever are: guards are few, so that questions asked later are joined to all that see them.
+const MOST_GUARDS: usize = 1_000_000;
+
+crate::options! {
+    /// Options of the visibility PRM.
+    pub struct VisibilityPrmOptions for crate::options::ALL;
+    /// How many samples in a row may bring no new guard before it stops: more cover more of the free space.
+    failures: u32 = 400, in 1.0..=1e6, "Failures at most";
+    /// Where samples come from.
+    sampling: Sampling;
+    /// How the roadmap is searched.
+    searching: Searching;
+    /// What its edges are.
+    joined: Joined;
+}
+
+impl Method for VisibilityPrmOptions {
+    const ID: &'static str = "visibility-prm";
+    const TITLE: &'static str = "Visibility PRM";
+    const SUMMARY: &'static str = "Keeps few samples: guards, which no other guard sees, and links between guards.";
+    const GUARANTEE: &'static str =
+        "None for a run; after m failures in a row an estimated 1 - 1/m of the free space is covered.";
+    const GROWS: Grows = Grows::Roadmap;
+    const NEEDS_SYMMETRY: bool = true;
+    const PSEUDOCODE: &'static [PseudocodeLine] = &[
+        // A roadmap that is gone on with joins the two to what it has.
+        line(0, "G ← start and goal, joined where that is free", &[Mark::Connecting]),
+        line(0, "until m samples in a row make no guard:", &[]),
+        line(1, "q ← a random configuration", &[Mark::Guarding]),
+        line(1, "if q collides: next sample", &[Mark::Rejected]),
+        line(1, "which parts of G have a guard that sees q?", &[Mark::Vertex, Mark::Discarded]),
+        line(2, "none: add q, as a guard", &[Mark::Guard]),
+        line(2, "one: discard q", &[Mark::Discarded]),
+        line(2, "several: add q, and an edge to each of them", &[Mark::Edge]),
+        SEARCH,
+        EXPAND,
+        IMPROVE,
+        END,
+    ];
+
+    fn edges(&self) -> Edges<'_> {
+        Edges::Joined(&self.joined)
+    }
+
+    fn limits(&self) -> Limits {
+        self.joined.limits
+    }
+
+    fn search(&self) -> Option<SearchRules> {
+        Some(self.searching.rules())
+    }
+
+    /// # Panics
+    /// Where the space is not symmetric.
+    fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
+        assert!(problem.space().is_symmetric(), "guards see only where motions can be made back");
+        let connection = Connection { k: MOST_GUARDS, radius: f64::INFINITY };
+        let mut roadmap = Roadmap::new(problem, connection, self.searching.rules());
+        let mut guarding = Guarding {
+            sampler: self.sampling.sampler(problem.space(), seed),
+            guards: Vec::new(),
+            components: UnionFind::default(),
+            most_failures: self.failures,
+            failures: 0,
+            seen: Vec::new(),
+        };
+        let goals = roadmap.goals();
+        for end in 0..goals.end.0 {
+            guarding.add_component();
+            guarding.add_guard(&mut roadmap, 0, VertexId(end));
+        }
+        for goal in goals.start.0..goals.end.0 {
+            let edges = roadmap.graph().edges().len();
+            roadmap.try_edge(problem, 0, START, VertexId(goal));
+            if roadmap.graph().edges().len() > edges {
+                guarding.components.join(START.index(), goal as usize);
+            }
+        }
+        Ok(Box::new(RoadmapPlanner::new(problem, roadmap, guarding, false)))
+    }
+}
+
+/// Builds the roadmap. An iteration tries one sample against every guard. Start and goals are the first guards.
+struct Guarding<S: Space> {
     sampler: Box<dyn Sampler<S>>,
     guards: Vec<VertexId>,
     components: UnionFind,
@@ -25,105 +108,37 @@ pub struct VisibilityPrm<S: Space> {
     failures: u32,
     /// For every component whether this sample has seen it, by the iteration that did.
     seen: Vec<u32>,
-    stage: Stage,
 }
 
-enum Stage {
-    Guarding,
-    Ending(Ending),
-}
-
-impl<S: Space> VisibilityPrm<S> {
-    /// A planner at its beginning, which gives up on new guards after `most_failures` samples, at least 1. Questions asked
-    /// later are joined as `connection` says.
-    ///
-    /// # Panics
-    /// Where the space is not symmetric.
-    pub fn new(
-        problem: &Problem<S>,
-        most_failures: u32,
-        connection: Connection,
-        rules: SearchRules,
-        sampler: Box<dyn Sampler<S>>,
-    ) -> Self {
-        assert!(problem.space().is_symmetric(), "guards see only where motions can be made back");
-        let mut planner = Self {
-            roadmap: Roadmap::new(problem, connection, rules),
-            sampler,
-            guards: Vec::new(),
-            components: UnionFind::default(),
-            most_failures,
-            failures: 0,
-            seen: Vec::new(),
-            stage: Stage::Guarding,
-        };
-        let goals = planner.roadmap.goals();
-        for end in 0..goals.end.0 {
-            planner.components.add();
-            planner.seen.push(0);
-            planner.guard(0, VertexId(end));
-        }
-        for goal in goals.start.0..goals.end.0 {
-            let edges = planner.roadmap.graph.edges().len();
-            planner.roadmap.try_edge(problem, 0, START, VertexId(goal));
-            if planner.roadmap.graph.edges().len() > edges {
-                planner.components.join(START.index(), goal as usize);
-            }
-        }
-        planner
-    }
-
-    fn guard(&mut self, iteration: u32, vertex: VertexId) {
-        let state = *self.roadmap.graph.state(vertex);
-        let kind = EventKind::GuardAdded;
-        self.roadmap.graph.add_event(Event { kind, iteration, vertex: Some(vertex), other: None, state });
+impl<S: Space> Guarding<S> {
+    fn add_guard(&mut self, roadmap: &mut Roadmap<S>, iteration: u32, vertex: VertexId) {
+        let state = roadmap.growth.state(vertex);
+        roadmap.growth.add_event(EventKind::GuardAdded, iteration, Some(vertex), None, state);
         self.guards.push(vertex);
     }
 
-    /// Adds a vertex as a component of its own.
-    fn add_vertex(&mut self, space: &S, iteration: u32, state: S::State) -> VertexId {
+    /// Prepares for a vertex that is a component of its own.
+    fn add_component(&mut self) {
         self.components.add();
         self.seen.push(0);
-        self.roadmap.add_vertex(space, iteration, state)
-    }
-
-    /// Tries one sample.
-    fn sample(&mut self, problem: &Problem<S>, iteration: u32) {
-        let Some(state) = self.roadmap.draw(problem, iteration, &mut *self.sampler) else { return };
-        let seen = self.visible_guards(problem, iteration, &state);
-        match seen.as_slice() {
-            [] => {
-                let vertex = self.add_vertex(problem.space(), iteration, state);
-                self.guard(iteration, vertex);
-                self.failures = 0;
-                return;
-            }
-            [_] => self.roadmap.turn_away(EventKind::SampleDiscarded, iteration, state),
-            guards => {
-                let vertex = self.add_vertex(problem.space(), iteration, state);
-                for &guard in guards {
-                    self.roadmap.graph.add_edge(iteration, vertex, guard);
-                    self.components.join(vertex.index(), guard.index());
-                }
-            }
-        }
-        self.failures += 1;
-        if self.failures >= self.most_failures {
-            self.stage = Stage::Ending(self.roadmap.begin_search(problem.space()));
-        }
     }
 
     /// Of every component the first guard that sees the state.
-    fn visible_guards(&mut self, problem: &Problem<S>, iteration: u32, state: &S::State) -> Vec<VertexId> {
+    fn visible_guards(
+        &mut self,
+        roadmap: &mut Roadmap<S>,
+        problem: &Problem<S>,
+        iteration: u32,
+        state: &S::State,
+    ) -> Vec<VertexId> {
         let mut visible = Vec::new();
-        for i in 0..self.guards.len() {
-            let guard = self.guards[i];
+        for &guard in &self.guards {
             let component = self.components.find(guard.index());
             if self.seen[component] == iteration {
                 continue;
             }
-            let there = *self.roadmap.graph.state(guard);
-            if self.roadmap.is_motion_free(problem, state, &there) {
+            let there = roadmap.growth.state(guard);
+            if roadmap.growth.is_motion_free(problem, state, &there) {
                 self.seen[component] = iteration;
                 visible.push(guard);
             }
@@ -132,43 +147,36 @@ impl<S: Space> VisibilityPrm<S> {
     }
 }
 
-impl<S: Space> Planner<S> for VisibilityPrm<S> {
-    fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
-        match &mut self.stage {
-            Stage::Guarding => self.sample(problem, iteration),
-            Stage::Ending(ending) => return ending.step(&mut self.roadmap, problem, iteration),
+impl<S: Space> Build<S> for Guarding<S> {
+    fn build(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> bool {
+        let Some(state) = roadmap.growth.draw_free(problem, iteration, &mut *self.sampler) else { return false };
+        match self.visible_guards(roadmap, problem, iteration, &state).as_slice() {
+            [] => {
+                self.add_component();
+                let vertex = roadmap.add_vertex(problem.space(), iteration, state);
+                self.add_guard(roadmap, iteration, vertex);
+                self.failures = 0;
+                return false;
+            }
+            [_] => roadmap.growth.reject(EventKind::SampleDiscarded, iteration, state),
+            guards => {
+                self.add_component();
+                let vertex = roadmap.add_vertex(problem.space(), iteration, state);
+                for &guard in guards {
+                    roadmap.growth.graph.add_edge(iteration, vertex, guard);
+                    self.components.join(vertex.index(), guard.index());
+                }
+            }
         }
-        Status::Running
+        self.failures += 1;
+        self.failures >= self.most_failures
     }
 
-    fn phase(&self) -> Phase {
-        match self.stage {
-            Stage::Guarding => Phase::Guarding,
-            Stage::Ending(ref ending) => ending.phase(),
-        }
-    }
-
-    fn graph(&self) -> &Graph<S> {
-        &self.roadmap.graph
-    }
-
-    fn path(&self) -> Vec<VertexId> {
-        if let Stage::Ending(ending) = &self.stage { ending.path().to_vec() } else { Vec::new() }
-    }
-
-    fn counters(&self) -> Counters {
-        self.roadmap.counters
+    fn phase(&self, _: &Roadmap<S>) -> Phase {
+        Phase::Guarding
     }
 
     fn coverage(&self) -> Option<f64> {
         Some(1.0 - 1.0 / f64::from(self.failures.max(1)))
-    }
-
-    fn connection(&self) -> Option<Connection> {
-        Some(self.roadmap.connection())
-    }
-
-    fn roadmap(&mut self) -> Option<&mut Roadmap<S>> {
-        Some(&mut self.roadmap)
     }
 }

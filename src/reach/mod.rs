@@ -25,9 +25,13 @@ mod verdict;
 
 pub use follow::{Followed, follow};
 pub use kinematics::{jacobian, manipulability, orientation, singular_values};
-pub use methods::{DEFAULT_METHOD, MOST_ITERATIONS, MethodInfo, catalogue, method_info, methods};
+pub use methods::{
+    ClosedFormOptions, Finding, GradientDescentOptions, IterativeOptions, MOST_ITERATIONS, MethodId, MethodInfo,
+    Starting, methods,
+};
 pub use nearest::{Nearest, nearest_reachable};
 pub use options::{ReachOptions, arm_of};
+pub use report::{NearestDocument, ReachResult, ReachStats, RejectedDocument, Touching, VerdictDocument};
 pub use run::{Iterate, Reach};
 pub use solutions::Rejected;
 pub use target::Target;

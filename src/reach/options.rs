@@ -1,9 +1,8 @@
 //! What a run is asked to do.
 
-use super::methods::{DEFAULT_METHOD, MethodInfo, method_info};
 use super::target::Target;
 use crate::error::{Code, Error};
-use crate::parameters::Value;
+use crate::options::Value;
 use crate::random::MAX_SEED;
 use crate::robot::Arm;
 use crate::scenario::{Robot, Scenario};
@@ -13,7 +12,7 @@ use crate::scenario::{Robot, Scenario};
 pub struct ReachOptions {
     /// Where the tip is to go.
     pub target: Target,
-    /// The id of the method; [`DEFAULT_METHOD`] where there is none.
+    /// The id of the method; damped least squares where there is none.
     pub method: Option<String>,
     /// Where the first search starts: where there is none at the start of the scenario's first query, and without a query with
     /// all joints at 0 or as near to it as the limits allow.
@@ -28,11 +27,6 @@ impl ReachOptions {
     /// All defaults, for a target.
     pub fn to(target: Target) -> Self {
         Self { target, method: None, start: None, seed: 0, parameters: Vec::new() }
-    }
-
-    /// The method that is meant.
-    pub(super) fn info(&self) -> Result<&'static MethodInfo, Error> {
-        method_info(self.method.as_deref().unwrap_or(DEFAULT_METHOD))
     }
 
     /// Refuses a seed that JavaScript could not hold.

@@ -5,6 +5,7 @@ use super::damped_least_squares::DampedLeastSquares;
 use super::gradient_descent::GradientDescent;
 use super::kinematics::manipulability;
 use super::method::Method;
+use super::methods::{MethodId, Settings};
 use super::nearest::nearest;
 use super::newton::Newton;
 use super::options::{ReachOptions, arm_of};
@@ -12,24 +13,22 @@ use super::solutions::{Rejected, are_same};
 use super::target::{Target, configuration};
 use super::task::Task;
 use super::verdict::Verdict;
-use crate::collision::{ArmValidity, joint_space};
 use crate::error::Error;
 use crate::graph::Fingerprint;
-use crate::parameters::Parameters;
 use crate::random::{Random, Stream};
 use crate::robot::{Arm, MAX_LINKS};
-use crate::scenario::Scenario;
-use crate::space::Metric;
+use crate::space::MotionSpace;
 use crate::status::Status;
 use crate::validity::Validity;
+use crate::world::PlanningWorld;
 
-/// Motions are not asked about here, so how closely they would be looked at does not matter.
+/// Any tolerance serves: only configurations are checked, no motions.
 const TOLERANCE: f64 = 1e-4;
 
 /// Solutions nearer to each other than this, in radians, are one; and those of an arm with joints to spare.
 const SEPARATION: [f64; 2] = [1e-3, 0.5];
 
-/// One configuration on the way.
+/// One iterate of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Iterate {
     /// How many starts were drawn before: 0 for the start that was given. For the closed form, the number of the solution.
@@ -40,8 +39,8 @@ pub struct Iterate {
     pub configuration: [f64; MAX_LINKS],
 }
 
-/// How a run goes on.
-enum Way {
+/// Where the next iterate comes from.
+enum Strategy {
     /// From one configuration to the next.
     Iterative { method: Box<dyn Method>, random: Random },
     /// Through the solutions that are known already; the first not yet looked at.
@@ -57,7 +56,7 @@ pub struct Reach {
     scenario: String,
     method: &'static str,
     seed: u64,
-    way: Way,
+    strategy: Strategy,
     validity: Option<Box<dyn Validity<[f64; MAX_LINKS]>>>,
     tolerance: f64,
     separation: f64,
@@ -85,12 +84,14 @@ impl Reach {
     /// (pointer `/method`); `out-of-range` for an unknown method or a seed beyond 2^53 - 1; of the target (pointers
     /// `/target/0`, `/target/1`, `/orientation`), of the start (below `/start`) and of parameters (`/name`): `not-finite`,
     /// `out-of-range`, `wrong-dimension`, `wrong-type`, `unknown-parameter`.
-    pub fn new(scenario: &Scenario, options: &ReachOptions) -> Result<Self, Error> {
+    pub fn new(scenario: impl Into<PlanningWorld>, options: &ReachOptions) -> Result<Self, Error> {
+        let world = scenario.into();
+        let scenario = world.scenario();
         let arm = arm_of(scenario)?;
-        let info = options.info()?;
+        let id = MethodId::of(options.method.as_deref())?;
         options.check_seed()?;
         let target = options.target.checked(arm)?;
-        let parameters = Parameters::resolve(info.parameters, &options.parameters)?;
+        let Settings { tolerance, max_iterations, restarts, finding } = id.read(&options.parameters)?;
         let task = Task::new(arm, &target);
         let query = scenario.queries().first().map(|query| query.start.as_slice());
         let start = match (&options.start, query) {
@@ -99,34 +100,31 @@ impl Reach {
             (None, None) => task.joints.rest(),
         };
         let iterative =
-            |method: Box<dyn Method>| Way::Iterative { method, random: Random::new(options.seed, Stream::Starts) };
-        let tolerance = parameters.number("tolerance").unwrap_or_default().max(task.finest);
-        let way = match info.id {
-            "closed-form" => Way::Listed { solutions: closed_form(&task, &start, tolerance)?, next: 0 },
-            "newton" => iterative(Box::new(Newton)),
-            "gradient-descent" => iterative(Box::<GradientDescent>::default()),
-            _ => iterative(Box::new(DampedLeastSquares::new())),
+            |method: Box<dyn Method>| Strategy::Iterative { method, random: Random::new(options.seed, Stream::Starts) };
+        let tolerance = tolerance.max(task.finest);
+        let strategy = match id {
+            MethodId::ClosedForm => Strategy::Listed { solutions: closed_form(&task, &start, tolerance)?, next: 0 },
+            MethodId::Newton => iterative(Box::new(Newton)),
+            MethodId::GradientDescent => iterative(Box::<GradientDescent>::default()),
+            MethodId::DampedLeastSquares => iterative(Box::new(DampedLeastSquares::new())),
         };
         let needed = if target.orientation.is_some() { 3 } else { 2 };
         let separation = SEPARATION[usize::from(arm.links().len() > needed)];
-        let validity = parameters.is_on("free_only").then(|| {
-            let space = joint_space(arm, Metric::Sum);
-            Box::new(ArmValidity::new(arm, space, scenario.world(), TOLERANCE)) as Box<dyn Validity<_>>
-        });
-        let number = |name: &str| parameters.number(name);
+        let space = || MotionSpace::new(world.default_space());
+        let validity = finding.free_only.then(|| world.checker(&space(), TOLERANCE).validity());
         let mut reach = Self {
             arm: arm.clone(),
             target,
             scenario: scenario.name().to_owned(),
-            method: info.id,
+            method: id.as_str(),
             seed: options.seed,
-            way,
+            strategy,
             validity,
             tolerance,
-            separation: number("separation").unwrap_or(separation),
-            max_iterations: parameters.integer("max_iterations"),
-            max_restarts: if parameters.has("restarts") { parameters.integer("restarts") } else { 0 },
-            wanted: parameters.integer("solutions"),
+            separation: finding.separation.unwrap_or(separation),
+            max_iterations,
+            max_restarts: restarts,
+            wanted: finding.solutions,
             status: Status::Running,
             iterations: 0,
             restarts: 0,
@@ -138,9 +136,9 @@ impl Reach {
             rejected: Vec::new(),
             task,
         };
-        match &reach.way {
-            Way::Iterative { .. } => reach.arrive(&start),
-            Way::Listed { .. } => reach.note(&start),
+        match &reach.strategy {
+            Strategy::Iterative { .. } => reach.arrive(&start),
+            Strategy::Listed { .. } => reach.note(&start),
         }
         Ok(reach)
     }
@@ -166,8 +164,8 @@ impl Reach {
 
     fn iterate(&mut self) {
         let q = self.configuration();
-        let next = match &mut self.way {
-            Way::Listed { solutions, next } => {
+        let next = match &mut self.strategy {
+            Strategy::Listed { solutions, next } => {
                 let Some(&solution) = solutions.get(*next) else {
                     return self.end();
                 };
@@ -175,8 +173,8 @@ impl Reach {
                 self.restarts = *next as u32 - 1;
                 return self.arrive(&solution);
             }
-            Way::Iterative { .. } if self.is_over => None,
-            Way::Iterative { method, .. } => method.update(&self.task, &q),
+            Strategy::Iterative { .. } if self.is_over => None,
+            Strategy::Iterative { method, .. } => method.update(&self.task, &q),
         };
         match next {
             Some(next) => self.arrive(&next),
@@ -189,7 +187,7 @@ impl Reach {
         if u64::from(self.restarts) >= self.max_restarts {
             return self.end();
         }
-        if let Way::Iterative { method, random } = &mut self.way {
+        if let Strategy::Iterative { method, random } = &mut self.strategy {
             self.restarts += 1;
             (self.mark, self.is_over) = ((f64::INFINITY, 0), false);
             method.begin();
@@ -212,7 +210,7 @@ impl Reach {
             self.is_over = true;
             return self.find(q);
         }
-        if let Way::Iterative { method, .. } = &self.way {
+        if let Strategy::Iterative { method, .. } = &self.strategy {
             self.mark =
                 if error < method.progress() * self.mark.0 { (error, 0) } else { (self.mark.0, self.mark.1 + 1) };
             self.is_over = self.mark.1 >= method.patience();

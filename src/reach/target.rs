@@ -1,7 +1,6 @@
 //! Where the tip of an arm is to go.
 
-use crate::decimal::Decimal;
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, Number};
 use crate::robot::{Arm, LARGEST};
 use crate::space::wrap;
 
@@ -33,11 +32,11 @@ impl Target {
 /// Refuses a number that is not finite, or beyond 1e6 in size.
 pub(super) fn check(value: f64, pointer: &str, what: &str) -> Result<(), Error> {
     if !value.is_finite() {
-        let sentence = format!("{what} must be a finite number, not {}", Decimal(value));
+        let sentence = format!("{what} must be a finite number, not {}", Number(value));
         return Err(Error::new(Code::NotFinite, pointer, sentence));
     }
     if value.abs() > LARGEST {
-        let [most, value] = [LARGEST, value].map(Decimal);
+        let [most, value] = [LARGEST, value].map(Number);
         let sentence = format!("{what} must lie within [-{most}, {most}], not {value}");
         return Err(Error::new(Code::OutOfRange, pointer, sentence));
     }
@@ -61,7 +60,7 @@ pub(super) fn configuration(arm: &Arm, q: &[f64], pointer: &str) -> Result<[f64;
         if let Some(limits) = arm.joint_limits() {
             let [low, high] = limits[i];
             if !(low..=high).contains(&angle) {
-                let [low, high, angle] = [low, high, angle].map(Decimal);
+                let [low, high, angle] = [low, high, angle].map(Number);
                 let sentence = format!("joint {i} must lie within its limits [{low}, {high}], not {angle}");
                 return Err(Error::new(Code::OutOfRange, place, sentence));
             }

@@ -4,9 +4,12 @@ use super::nearest::Nearest;
 use super::task::Task;
 use crate::status::Status;
 use crate::validity::Contact;
+use serde::Serialize;
+use strum::IntoStaticStr;
 
 /// What has come of a run.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Verdict {
     /// A solution was found.
     Reached,
@@ -29,7 +32,9 @@ pub enum Verdict {
 }
 
 /// Why a target is out of reach.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Reason {
     /// It is farther from the base than the stretched arm.
     TooFar,
@@ -44,12 +49,7 @@ pub enum Reason {
 impl Reason {
     /// The reason as it is printed, in kebab-case.
     pub fn as_str(self) -> &'static str {
-        match self {
-            Reason::TooFar => "too-far",
-            Reason::TooNear => "too-near",
-            Reason::Limits => "limits",
-            Reason::Orientation => "orientation",
-        }
+        self.into()
     }
 }
 
@@ -75,12 +75,6 @@ impl Verdict {
 
     /// The verdict as it is printed: `reached`, `in-collision`, `out-of-reach`, `running` or `not-found`.
     pub fn as_str(&self) -> &'static str {
-        match self {
-            Verdict::Reached => "reached",
-            Verdict::InCollision { .. } => "in-collision",
-            Verdict::OutOfReach { .. } => "out-of-reach",
-            Verdict::Running => "running",
-            Verdict::NotFound => "not-found",
-        }
+        self.into()
     }
 }

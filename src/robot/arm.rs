@@ -2,9 +2,9 @@
 
 use super::Part;
 use super::range::{LARGEST, check_radius, check_range, not_finite};
-use crate::decimal::Decimal;
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, Number};
 use crate::geometry::Point;
+use serde::Serialize;
 
 /// The largest number of links an arm may have.
 pub const MAX_LINKS: usize = 8;
@@ -12,11 +12,12 @@ pub const MAX_LINKS: usize = 8;
 /// An arm of 1 to [`MAX_LINKS`] links. A configuration holds one angle a joint, in radians, counter-clockwise, each
 /// relative to the link before. Links may overlap each other. A joint without limits is a circle; with limits it is an
 /// interval of the real line, in which nothing wraps.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Arm {
     base: Point,
     links: Vec<f64>,
     radius: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
     joint_limits: Option<Vec<[f64; 2]>>,
 }
 
@@ -75,7 +76,7 @@ impl Arm {
         self.links.iter().sum()
     }
 
-    /// The places of all joints at `q`, from the base to the tip, in metres: `links + 1` points, the rest of the array
+    /// The positions of all joints at `q`, from the base to the tip, in metres: `links + 1` points, the rest of the array
     /// repeats the tip. O(links).
     pub fn joints(&self, q: &[f64]) -> [Point; MAX_LINKS + 1] {
         let mut places = [self.base; MAX_LINKS + 1];
@@ -90,7 +91,7 @@ impl Arm {
         places
     }
 
-    /// The place of the tip at `q`, in metres.
+    /// The position of the end effector at `q`, in metres.
     pub fn end_effector(&self, q: &[f64]) -> Point {
         self.joints(q)[self.links.len()]
     }
@@ -133,12 +134,12 @@ fn check_limits(limits: &[[f64; 2]], links: usize) -> Result<(), Error> {
                 return Err(not_finite(&pointer, "a joint limit", value));
             }
             if value.abs() > 100.0 {
-                let sentence = format!("a joint limit must lie within [-100, 100] radians, not {}", Decimal(value));
+                let sentence = format!("a joint limit must lie within [-100, 100] radians, not {}", Number(value));
                 return Err(Error::new(Code::OutOfRange, pointer, sentence));
             }
         }
         if low >= high {
-            let [low, high] = [low, high].map(Decimal);
+            let [low, high] = [low, high].map(Number);
             let sentence = format!("the lower joint limit {low} must be less than the upper {high}");
             return Err(Error::new(Code::OutOfRange, format!("/joint_limits/{i}"), sentence));
         }

@@ -2,12 +2,14 @@
 
 use super::{Part, Weights};
 use crate::geometry::Polygon;
+use serde::Serialize;
 
 /// A rigid body. A configuration is (x, y, theta): where the origin of the shape's own frame is, in metres, and by how much
 /// the frame is turned, in radians.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RigidBody {
     shape: Polygon,
+    #[serde(rename = "metric")]
     weights: Weights,
 }
 

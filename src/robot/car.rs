@@ -6,9 +6,9 @@
 
 use super::range::{LARGEST, check_range, not_finite};
 use super::{Part, Weights};
-use crate::decimal::Decimal;
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, Number};
 use crate::geometry::Polygon;
+use serde::Serialize;
 
 /// The largest steering angle, in radians: short of the quarter turn at which the car would turn on the spot.
 const STEEPEST: f64 = 1.55;
@@ -17,13 +17,14 @@ const STEEPEST: f64 = 1.55;
 const LONGEST_STEP: f64 = 10.0;
 
 /// A car. A configuration is (x, y, theta), in metres and radians; a control is (v, phi), in metres a second and radians.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Car {
     shape: Polygon,
     wheelbase: f64,
     speed: [f64; 2],
     steering: [f64; 2],
     integration_step: f64,
+    #[serde(rename = "metric")]
     weights: Weights,
 }
 
@@ -101,11 +102,11 @@ impl Car {
     }
 }
 
-/// Refuses what is not a finite number within (0, most].
+/// Returns an error unless the value is finite and within (0, most].
 fn check_positive(pointer: &str, what: &str, value: f64, most: f64) -> Result<(), Error> {
     check_range(pointer, what, value, 0.0)?;
     if value == 0.0 || value > most {
-        let [value, most] = [value, most].map(Decimal);
+        let [value, most] = [value, most].map(Number);
         let sentence = format!("{what} must be greater than 0 and at most {most}, not {value}");
         return Err(Error::new(Code::OutOfRange, pointer, sentence));
     }
@@ -120,14 +121,14 @@ fn check_limits(pointer: &str, what: &str, limits: [f64; 2], most: f64) -> Resul
             return Err(not_finite(&pointer, what, value));
         }
         if value.abs() > most {
-            let [value, most] = [value, most].map(Decimal);
+            let [value, most] = [value, most].map(Number);
             let sentence = format!("{what} must lie within [-{most}, {most}], not {value}");
             return Err(Error::new(Code::OutOfRange, pointer, sentence));
         }
     }
     let [low, high] = limits;
     if low >= high {
-        let [low, high] = limits.map(Decimal);
+        let [low, high] = limits.map(Number);
         let sentence = format!("the lower limit {low} must be less than the upper {high}");
         return Err(Error::new(Code::OutOfRange, pointer, sentence));
     }

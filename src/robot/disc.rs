@@ -4,9 +4,10 @@ use super::Part;
 use super::range::check_radius;
 use crate::error::Error;
 use crate::geometry::Point;
+use serde::Serialize;
 
 /// A disc robot. A configuration is the centre (x, y), in metres.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DiscRobot {
     radius: f64,
 }

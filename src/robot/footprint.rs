@@ -9,7 +9,7 @@ pub enum Part {
     Capsule {
         /// One end of the axis.
         a: Point,
-        /// The other end of the axis.
+        /// The second end of the axis.
         b: Point,
         /// Half the width, at least 0.
         radius: f64,

@@ -1,4 +1,4 @@
-//! Robots: kinematics, footprint, bound on motion. One file a robot.
+//! Robots: kinematics, footprint, bound on motion, and configuration space. One file a robot.
 //!
 //! A robot knows its own shape and how far each of its parts can travel; it knows no obstacle and no planner.
 
@@ -8,6 +8,7 @@ mod car;
 mod disc;
 mod footprint;
 mod range;
+mod space;
 mod target;
 mod weights;
 
@@ -17,5 +18,6 @@ pub use car::Car;
 pub use disc::DiscRobot;
 pub use footprint::Part;
 pub use range::LARGEST;
+pub use space::{joint_space, placements, plane};
 pub use target::Target;
 pub use weights::Weights;

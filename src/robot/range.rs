@@ -1,25 +1,24 @@
 //! Which numbers a robot may be made from.
 
-use crate::decimal::Decimal;
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, Number};
 
 /// The largest coordinate, length or radius, in metres, and the largest angle of a circle joint, in radians (some 159,000
-/// turns; beyond, an angle no longer says much about a direction).
+/// turns; beyond, an angle no longer determines a direction well).
 pub const LARGEST: f64 = 1e6;
 
 /// The error for a coordinate, length or radius that is not finite.
 pub(super) fn not_finite(pointer: &str, what: &str, value: f64) -> Error {
-    Error::new(Code::NotFinite, pointer, format!("{what} must be a finite number, not {}", Decimal(value)))
+    Error::new(Code::NotFinite, pointer, format!("{what} must be a finite number, not {}", Number(value)))
 }
 
-/// Refuses what is not a finite number within [low, 1e6].
+/// Returns an error unless the value is finite and within [low, 1e6].
 pub(super) fn check_range(pointer: &str, what: &str, value: f64, low: f64) -> Result<(), Error> {
     if !value.is_finite() {
         return Err(not_finite(pointer, what, value));
     }
     if !(low..=LARGEST).contains(&value) {
-        let [low, value] = [low, value].map(Decimal);
-        let sentence = format!("{what} must lie within [{low}, {}], not {value}", Decimal(LARGEST));
+        let [low, value] = [low, value].map(Number);
+        let sentence = format!("{what} must lie within [{low}, {}], not {value}", Number(LARGEST));
         return Err(Error::new(Code::OutOfRange, pointer, sentence));
     }
     Ok(())

@@ -1,12 +1,14 @@
 //! Where an end effector is to be.
 
 use crate::geometry::Point;
+use serde::Serialize;
 
-/// A place for the tip of an arm, and which way its last link is to point there.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A position for the end effector of an arm, and optionally the orientation of its last link.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Target {
     /// Where the tip is to be, in the world, in metres.
     pub point: Point,
-    /// The angle of the last link in the world, in radians, in any number of turns; any angle where there is none.
+    /// The angle of the last link in the world, in radians, in any number of turns; any angle if absent.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub orientation: Option<f64>,
 }

@@ -1,10 +1,11 @@
-//! How a placement in the plane is measured: what a metre and what a radian count.
+//! The weights of translation and rotation in the metric of SE(2).
 
 use super::range::check_range;
 use crate::error::{Code, Error};
+use serde::Serialize;
 
 /// The weights of the metric w_t d_t + w_r d_r, of translation (metres) and rotation (radians).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Weights {
     /// What a metre counts, greater than 0.
     pub translation: f64,

@@ -1,30 +1,22 @@
-//! From a scenario and options to a run: where the names of robots become types.
+//! From a scenario and options to a run: where the names of robots and options become types.
 
 use super::goals::goals;
+use super::resume;
 use super::runner::{Runner, Ticket};
 use super::{Options, Run};
-use super::{choices, resume};
-use crate::collision::{
-    ArmValidity, BodyCollision, BodyValidity, DiscValidity, Driving, Integration, Sampled, joint_space, placements,
-    plane,
-};
-use crate::control::Dynamics;
-use crate::decimal::Decimal;
-use crate::error::{Code, Error};
-use crate::kept::{RoadmapDocument, curve_metric, fingerprint, placement_metric};
+use crate::collision::{Integration, Sampled};
+use crate::error::{Code, Error, Number};
+use crate::kept::{RoadmapDocument, RoadmapMetric, fingerprint};
 use crate::path::Wanted;
-use crate::planner::{Connection, Parameters, PlannerInfo, planner_info};
+use crate::planner;
+use crate::planner::{Connection, EdgeCheck, Edges, Improving, Joined, Planner, PlannerId, PlannerOptions};
 use crate::problem::{Estimate, GoalRegion, Problem};
-use crate::robot::{Arm, Car, DiscRobot, Weights};
+use crate::robot::{Arm, Car, Weights};
 use crate::scenario::{GoalTolerance, Robot, Scenario};
-use crate::space::{MAX_DIMENSION, Metric, MotionSpace, Space, Torus};
+use crate::space::{MAX_DIMENSION, MetricKind, MotionSpace, ProductSpace, Space};
 use crate::steering::Steering;
 use crate::validity::Validity;
-use std::rc::Rc;
-
-/// The smaller size of states: most robots have no more coordinates. In WebAssembly one size serves all, which costs a tenth
-/// of the speed and saves a tenth of the module.
-const SMALL: usize = if cfg!(target_arch = "wasm32") { MAX_DIMENSION } else { 4 };
+use crate::world::{PlanningWorld, SMALL};
 
 /// The turning radii of steered cars, in metres: wide of all worlds on either side. Beyond, lengths and durations of curves might
 /// overflow.
@@ -32,202 +24,221 @@ const TURNING_RADII: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
 /// The slowest that a steered car may be at its fastest, in metres a second, for the same reason.
 const SLOWEST: f64 = 1e-9;
 
-/// Begins a run.
+/// Begins a run. The scenario may be given as it is, or prepared as a [`PlanningWorld`] that several runs share.
 ///
 /// # Errors
 /// `unknown-planner`, `unknown-query`, `unknown-parameter`, and the errors of parameter values, with a pointer into the
 /// options; `start-in-collision` or `goal-in-collision` with a pointer into the scenario.
-pub fn start(scenario: &Scenario, options: &Options) -> Result<Box<dyn Run>, Error> {
-    let info = planner_info(options.planner_for(scenario))?;
+pub fn start(scenario: impl Into<PlanningWorld>, options: &Options) -> Result<Box<dyn Run>, Error> {
+    let world = scenario.into();
+    let planner = PlannerId::of(options.planner_for(world.scenario()))?;
     options.check_seed()?;
-    launch(scenario, options, info, Parameters::resolve(info.parameters, &options.parameters)?, None)
+    launch(&world, options, planner, planner.read(&options.parameters)?, None)
+}
+
+/// Begins a run of a planner on a problem that no scenario describes, in any [`Space`]. The result document names no scenario
+/// and no query, and the planner `custom`. Improving the path draws from `seed`; the planner has generators of its own.
+pub fn start_on<S: Space + 'static>(
+    problem: Problem<S>,
+    planner: Box<dyn Planner<S>>,
+    max_iterations: u32,
+    improvement: Wanted,
+    seed: u64,
+) -> Box<dyn Run> {
+    let ticket = Ticket {
+        scenario: String::new(),
+        query: String::new(),
+        planner: "custom",
+        seed,
+        max_iterations,
+        wanted: improvement,
+        is_sampled: false,
+        is_euler: false,
+    };
+    Box::new(Runner::new(problem, planner, ticket, None))
 }
 
 /// Begins a run of a planner, from nothing or with a roadmap that was kept.
 pub(super) fn launch(
-    scenario: &Scenario,
+    world: &PlanningWorld,
     options: &Options,
-    info: &'static PlannerInfo,
-    parameters: Parameters,
+    planner: PlannerId,
+    settings: PlannerOptions,
     kept: Option<&RoadmapDocument>,
 ) -> Result<Box<dyn Run>, Error> {
-    let (place, query) = options.find_query(scenario)?;
-    info.check_robot(scenario.robot().kind())?;
-    let has = |name: &str| parameters.has(name);
-    // What is driven ends near its goal, never there.
-    if has("duration_steps") && query.goal_tolerance.is_none() {
-        let pointer = format!("/queries/{place}/goal_tolerance");
+    let scenario = world.scenario();
+    let (index, query) = options.find_query(scenario)?;
+    planner.check_robot(scenario.robot().kind())?;
+    // A path driven by controls ends near its goal, never exactly there.
+    if planner.is_driven() && query.goal_tolerance.is_none() {
+        let pointer = format!("/queries/{index}/goal_tolerance");
         return Err(Error::new(
             Code::MissingField,
             pointer,
-            format!("{} needs a goal_tolerance in the query", info.id),
+            format!("{} needs a goal_tolerance in the query", planner.as_str()),
         ));
     }
+    let (joined, is_euler) = match settings.edges() {
+        Edges::Joined(joined) => (Some(*joined), false),
+        Edges::Driven { is_euler } => (None, is_euler),
+    };
     let ticket = Ticket {
         scenario: scenario.name().to_owned(),
         query: query.name.clone(),
-        planner: info.id,
+        planner: planner.as_str(),
         seed: options.seed,
-        max_iterations: parameters.integer("max_iterations") as u32,
-        wanted: if has("reduce") { wanted(&parameters) } else { Wanted::default() },
-        is_sampled: parameters.text("edge_check") == Some("sampled"),
-        is_steered: has("steering"),
-        is_euler: has("integration") && parameters.text("integration") == Some("euler"),
+        max_iterations: settings.limits().max_iterations,
+        wanted: joined.map(|joined| wanted(&joined.improving)).unwrap_or_default(),
+        is_sampled: joined.is_some_and(|joined| joined.edge_check == EdgeCheck::Sampled),
+        is_euler,
     };
-    if has("steering")
-        && !matches!(scenario.robot(), Robot::Car(_))
-        && let Some(word) = parameters.text("steering")
+    if !matches!(scenario.robot(), Robot::Car(_))
+        && let Some(steering) = joined.and_then(|joined| joined.steering)
     {
+        let word = steering.as_str();
         let sentence = format!("only a car is steered: \"{word}\" is not for this robot");
         return Err(Error::new(Code::OutOfRange, "/steering", sentence));
     }
     let launch = Launch {
-        scenario,
-        parameters,
+        world,
+        planner,
+        metric: joined.and_then(|joined| joined.measuring.metric),
+        joined,
+        settings,
         ticket,
         kept,
-        steering: None,
         start: &query.start,
-        goals: goals(scenario, query, place, options.seed)?,
+        goals: goals(world, query, index, options.seed)?,
         goal_tolerance: query.goal_tolerance,
     };
-    // Entries past the dimension are 0 and change no bit: two sizes at most serve every robot.
-    let run = match scenario.robot() {
-        Robot::Arm(arm) if arm.links().len() <= SMALL => launch.arm::<SMALL>(arm),
-        Robot::Arm(arm) => launch.arm::<MAX_DIMENSION>(arm),
-        Robot::Disc(disc) => launch.disc(disc),
-        robot @ (Robot::RigidBody(_) | Robot::Car(_)) => launch.placed(robot),
-    };
+    let run = if scenario.robot().dimension() <= SMALL { launch.run::<SMALL>() } else { launch.run::<MAX_DIMENSION>() };
     let in_query = |error: &Error| matches!(error.code(), Code::StartInCollision | Code::GoalInCollision);
-    run.map_err(|error| if in_query(&error) { error.under(&format!("/queries/{place}")) } else { error })
+    run.map_err(|error| if in_query(&error) { error.under(&format!("/queries/{index}")) } else { error })
 }
 
 /// What is to be done to a path.
-fn wanted(parameters: &Parameters) -> Wanted {
-    Wanted {
-        reduce: parameters.is_on("reduce"),
-        shortcuts: parameters.integer("shortcut"),
-        partial_shortcuts: parameters.integer("partial_shortcut"),
-    }
+fn wanted(improving: &Improving) -> Wanted {
+    let Improving { reduce, shortcut, partial_shortcut } = *improving;
+    Wanted { reduce, shortcuts: shortcut, partial_shortcuts: partial_shortcut }
 }
 
 /// All that a run is made from.
 struct Launch<'a> {
-    scenario: &'a Scenario,
-    parameters: Parameters,
+    world: &'a PlanningWorld,
+    planner: PlannerId,
+    settings: PlannerOptions,
+    /// The options of its edges, where they are not driven.
+    joined: Option<Joined>,
+    /// The metric that was asked for.
+    metric: Option<MetricKind>,
     ticket: Ticket,
     /// The roadmap to go on with.
     kept: Option<&'a RoadmapDocument>,
-    /// How a car is steered, and its turning radius.
-    steering: Option<(Steering, f64)>,
     start: &'a [f64],
     /// The configurations to reach any one of, one at least; several only of arms.
     goals: Vec<Vec<f64>>,
     goal_tolerance: Option<GoalTolerance>,
 }
 
-/// What a problem has beside space, validity and ends.
-struct Extras<S> {
-    end_effector: Estimate<S>,
-    goal_region: Option<GoalRegion<S>>,
-    dynamics: Option<Box<dyn Dynamics<S>>>,
-    other_goals: Vec<S>,
-}
-
-impl<S> Extras<S> {
-    /// Nothing but the estimate.
-    fn of(end_effector: Estimate<S>) -> Self {
-        Self { end_effector, goal_region: None, dynamics: None, other_goals: Vec::new() }
-    }
-
-    fn added_to<P: Space<State = S>>(self, mut problem: Problem<P>) -> Problem<P> {
-        problem = problem.with_end_effector(self.end_effector).with_other_goals(self.other_goals);
-        if let Some(region) = self.goal_region {
-            problem = problem.with_goal_region(region);
-        }
-        if let Some(dynamics) = self.dynamics {
-            problem = problem.with_dynamics(dynamics);
-        }
-        problem
-    }
-}
-
 impl Launch<'_> {
-    fn arm<const N: usize>(self, arm: &Arm) -> Result<Box<dyn Run>, Error> {
-        let (metric, is_naive) = match self.parameters.text("metric") {
-            Some("euclidean") => (Metric::Euclidean, false),
-            Some("naive") => (Metric::Euclidean, true),
-            _ => (Metric::Sum, false),
+    /// The run over states of `N` numbers.
+    fn run<const N: usize>(self) -> Result<Box<dyn Run>, Error> {
+        let robot = self.world.robot();
+        let product: ProductSpace<N> = self.world.space(self.metric)?;
+        let space = match robot {
+            Robot::Car(car) => self.car_space(car, product.clone())?,
+            Robot::Arm(_) | Robot::Disc(_) | Robot::RigidBody(_) => MotionSpace::new(product.clone()),
         };
-        let space: Torus<N> = joint_space(arm, metric);
-        let space = if is_naive { space.cut_open() } else { space };
         let start = space.state(self.start);
         let goals: Vec<_> = self.goals.iter().map(|q| space.state(q)).collect();
-        let validity = || ArmValidity::new(arm, space.clone(), self.scenario.world(), self.tolerance());
-        let proven = Box::new(goals.iter().fold(validity(), |validity, goal| validity.fitted(&start, goal)));
-        let finest = self.kept.map(|_| -> Box<dyn Validity<_>> { Box::new(validity().finest()) });
-        let estimate = from_end_effector(arm, metric);
-        self.plan(
-            MotionSpace::new(space),
-            proven,
-            finest,
-            [start, goals[0]],
-            Extras { other_goals: goals[1..].to_vec(), ..Extras::of(Box::new(move |a, b| estimate(a, b))) },
-        )
-    }
+        let checker = || self.world.checker(&space, self.settings.limits().tolerance);
+        let fitted = goals.iter().fold(checker(), |checker, goal| checker.fitted(&start, goal));
+        let integration = if self.ticket.is_euler { Integration::Euler } else { Integration::Exact };
+        let (validity, dynamics) = fitted.with_dynamics(robot, integration);
 
-    fn placed(mut self, robot: &Robot) -> Result<Box<dyn Run>, Error> {
-        if let Some(word) = self.parameters.text("metric") {
-            let sentence = format!("the metric of a body is its scenario's, not \"{word}\"");
-            return Err(Error::new(Code::OutOfRange, "/metric", sentence));
-        }
-        let (shape, weights) = robot.placed_shape().expect("a body has a shape");
-        let world = self.scenario.world();
-        let torus: Torus<SMALL> = placements(shape, weights, &world.bounds.expect("a body has bounds"));
-        let space = match robot {
-            Robot::Car(car) if self.ticket.is_steered => self.steered(car, torus.clone())?,
-            _ => MotionSpace::new(torus.clone()),
+        let edge_samples = self.joined.filter(|_| self.ticket.is_sampled).map(|joined| joined.edge_samples);
+        let checked = |proven: Box<dyn Validity<_>>| -> Box<dyn Validity<_>> {
+            match edge_samples {
+                Some(samples) => Box::new(Sampled::new(space.clone(), proven, samples)),
+                None => proven,
+            }
         };
-        self.steering = space.steering();
-        let ends = self.ends().map(|q| space.state(q));
-        let collision = || BodyCollision::new(shape, world, self.tolerance());
-        let [start, goal] = ends.map(|q| [q[0], q[1], q[2]]);
-        let fitted = Rc::new(collision().fitted(&start, &goal));
-        let validity = |collision| -> Box<dyn Validity<_>> { Box::new(BodyValidity::new(space.clone(), collision)) };
-        let proven = validity(Rc::clone(&fitted));
-        let finest = self.kept.map(|_| validity(Rc::new(collision().finest())));
         let measure = space.clone();
-        let end_effector: Estimate<_> = Box::new(move |a, b| measure.distance(a, b));
-        let goal_region = self.goal_tolerance.map(|region| goal_region(torus.clone(), ends[1], weights, region));
-        let dynamics = if let Robot::Car(car) = robot {
-            let integration = if self.ticket.is_euler { Integration::Euler } else { Integration::Exact };
-            Some(Box::new(Driving::new(car, space.clone(), fitted, integration)) as Box<dyn Dynamics<_>>)
-        } else {
-            None
+        let end_effector: Estimate<_> = match robot {
+            Robot::Arm(arm) => from_end_effector(arm, matches!(self.metric, None | Some(MetricKind::Sum))),
+            _ => Box::new(move |a, b| measure.distance(a, b)),
         };
-        self.plan(space, proven, finest, ends, Extras { end_effector, goal_region, dynamics, other_goals: Vec::new() })
+        let mut problem = Problem::new(space.clone(), checked(validity), start, goals[0])?
+            .with_end_effector(end_effector)
+            .with_other_goals(goals[1..].to_vec());
+        if let Some((region, (_, weights))) = self.goal_tolerance.zip(robot.placed_shape()) {
+            problem = problem.with_goal_region(goal_region(product, goals[0], weights, region));
+        }
+        if let Some(dynamics) = dynamics {
+            problem = problem.with_dynamics(dynamics);
+        }
+
+        let seed = self.ticket.seed;
+        let planner = match self.kept.zip(self.settings.search()) {
+            Some((document, rules)) => {
+                let states = resume::prove(&space, &*checked(checker().finest().validity()), document)?;
+                let connection = Connection { k: document.k as usize, radius: document.radius };
+                planner::resume(&problem, connection, rules, &states, &document.edges)
+            }
+            None => self.settings.begin(&problem, seed)?,
+        };
+        let connection = planner.connection();
+        let roadmap = connection.map(|connection| self.empty_document(&space, connection, edge_samples));
+        Ok(Box::new(Runner::new(problem, planner, self.ticket, roadmap)))
     }
 
-    /// The space of a car that follows the curves wanted.
-    fn steered<const N: usize>(&self, car: &Car, torus: Torus<N>) -> Result<MotionSpace<N>, Error> {
+    /// How the roadmap of this run will be kept, without vertices and edges.
+    fn empty_document<const N: usize>(
+        &self,
+        space: &MotionSpace<N>,
+        connection: Connection,
+        edge_samples: Option<u32>,
+    ) -> RoadmapDocument {
+        let scenario: &Scenario = self.world.scenario();
+        let robot = scenario.robot();
+        let metric = match (self.metric, space.steering()) {
+            (_, Some((steering, radius))) => RoadmapMetric::of_curves(steering, radius),
+            (None | Some(MetricKind::Sum), None) if matches!(robot, Robot::Arm(_)) => RoadmapMetric::Sum,
+            (Some(MetricKind::Naive), None) => RoadmapMetric::Naive,
+            (None | Some(MetricKind::Sum | MetricKind::Euclidean), None) => only_metric(robot),
+        };
+        RoadmapDocument {
+            scenario: scenario.name().to_owned(),
+            fingerprint: fingerprint(scenario),
+            circles: (0..space.dimension()).map(|i| space.product().is_circle(i)).collect(),
+            planner: self.ticket.planner.to_owned(),
+            metric,
+            k: connection.k as u32,
+            radius: connection.radius,
+            edge_samples,
+            tolerance: self.settings.limits().tolerance,
+            vertices: Vec::new(),
+            edges: Vec::new(),
+        }
+    }
+
+    /// The space of a car: along the named curves or those that its speeds allow, or straight for a planner by controls.
+    fn car_space<const N: usize>(&self, car: &Car, product: ProductSpace<N>) -> Result<MotionSpace<N>, Error> {
+        let Some(joined) = &self.joined else { return Ok(MotionSpace::new(product)) };
         let unsupported = |sentence: &str| Error::new(Code::Unsupported, "/steering", sentence);
         let Some((radius, _)) = car.turning_radius() else {
             return Err(unsupported("the car cannot steer both ways, so that no curve leads everywhere"));
         };
         if !TURNING_RADII.contains(&radius) {
-            let [low, high] = [*TURNING_RADII.start(), *TURNING_RADII.end()].map(Decimal);
-            let radius = Decimal(radius);
+            let [low, high] = [*TURNING_RADII.start(), *TURNING_RADII.end()].map(Number);
+            let radius = Number(radius);
             return Err(unsupported(&format!(
                 "a car's turning radius must lie within [{low}, {high}] m for curves, not {radius}"
             )));
         }
         let [backward, forward] = car.speed();
-        let steering = match self.parameters.text("steering") {
-            Some("dubins") => Steering::Dubins,
-            Some(_) => Steering::ReedsShepp,
-            None if backward < 0.0 => Steering::ReedsShepp,
-            None => Steering::Dubins,
-        };
+        let default = if backward < 0.0 { Steering::ReedsShepp } else { Steering::Dubins };
+        let steering = joined.steering.unwrap_or(default);
         if forward <= 0.0 || (steering == Steering::ReedsShepp && backward >= 0.0) {
             return Err(unsupported(
                 "the car's speeds do not admit these curves: dubins goes forwards, reeds-shepp both ways",
@@ -235,104 +246,21 @@ impl Launch<'_> {
         }
         let used = if steering == Steering::Dubins { forward } else { forward.min(-backward) };
         if used < SLOWEST {
-            let [used, slowest] = [used, SLOWEST].map(Decimal);
+            let [used, slowest] = [used, SLOWEST].map(Number);
             return Err(unsupported(&format!("curves are driven at {slowest} m/s at least, not {used}")));
         }
-        if steering == Steering::Dubins && self.ticket.planner == "visibility-prm" {
+        if steering == Steering::Dubins && self.planner.needs_symmetry() {
             return Err(unsupported(
                 "visibility is mutual, and a car on dubins curves cannot drive back; take reeds-shepp",
             ));
         }
-        Ok(MotionSpace::steered(torus, steering, radius))
-    }
-
-    fn disc(self, disc: &DiscRobot) -> Result<Box<dyn Run>, Error> {
-        if let Some(word @ ("sum" | "naive")) = self.parameters.text("metric") {
-            let sentence = format!("the metric of a disc is always euclidean, not \"{word}\"");
-            return Err(Error::new(Code::OutOfRange, "/metric", sentence));
-        }
-        let world = self.scenario.world();
-        let bounds = world.bounds.expect("a disc has bounds");
-        let space: Torus<SMALL> = plane(&bounds);
-        let ends = self.ends().map(|q| space.state(q));
-        let measure = space.clone();
-        let proven = Box::new(DiscValidity::new(disc, world));
-        let finest = self.kept.map(|_| -> Box<dyn Validity<_>> { Box::new(DiscValidity::new(disc, world)) });
-        self.plan(
-            MotionSpace::new(space),
-            proven,
-            finest,
-            ends,
-            Extras::of(Box::new(move |a, b| measure.distance(a, b))),
-        )
-    }
-
-    /// Start and goal, of robots that have one goal.
-    fn ends(&self) -> [&[f64]; 2] {
-        [self.start, &self.goals[0]]
-    }
-
-    /// The wanted tolerance, as a fraction of the world's longer side.
-    fn tolerance(&self) -> f64 {
-        self.parameters.number("tolerance").expect("the tolerance has a fixed default")
-    }
-
-    /// The run in this space; `finest` proves again what is in the roadmap to go on with.
-    fn plan<S: Space + Clone + 'static>(
-        self,
-        space: S,
-        proven: Box<dyn Validity<S::State>>,
-        finest: Option<Box<dyn Validity<S::State>>>,
-        [start, goal]: [S::State; 2],
-        extras: Extras<S::State>,
-    ) -> Result<Box<dyn Run>, Error> {
-        let places = self.ticket.is_sampled.then(|| self.parameters.integer("edge_samples") as u32);
-        let checked = |proven: Box<dyn Validity<S::State>>| -> Box<dyn Validity<S::State>> {
-            match places {
-                Some(places) => Box::new(Sampled::new(space.clone(), proven, places)),
-                None => proven,
-            }
-        };
-        let problem = extras.added_to(Problem::new(space.clone(), checked(proven), start, goal)?);
-        let seed = self.ticket.seed;
-        let planner = match self.kept.zip(finest) {
-            Some((document, finest)) => {
-                let states = resume::prove(&space, &*checked(finest), document)?;
-                choices::resumed(&self.parameters, &problem, seed, document, &states)
-            }
-            None => choices::planner(self.ticket.planner, &self.parameters, &problem, seed)?,
-        };
-        let circles = (0..space.dimension()).map(|i| space.period(i).is_finite()).collect();
-        let kept = planner.connection().map(|connection| self.empty_document(connection, circles, places));
-        Ok(Box::new(Runner::new(problem, planner, self.ticket, kept)))
-    }
-
-    /// How the roadmap of this run will be kept, without vertices and edges.
-    fn empty_document(&self, connection: Connection, circles: Vec<bool>, edge_samples: Option<u32>) -> RoadmapDocument {
-        let default = match (self.scenario.robot(), self.steering) {
-            (_, Some((steering, radius))) => curve_metric(steering, radius),
-            (Robot::Arm(_), None) => "sum".to_owned(),
-            (robot, None) => only_metric(robot),
-        };
-        RoadmapDocument {
-            scenario: self.scenario.name().to_owned(),
-            fingerprint: fingerprint(self.scenario),
-            circles,
-            planner: self.ticket.planner.to_owned(),
-            metric: self.parameters.text("metric").map_or(default, str::to_owned),
-            k: connection.k as u32,
-            radius: connection.radius,
-            edge_samples,
-            tolerance: self.tolerance(),
-            vertices: Vec::new(),
-            edges: Vec::new(),
-        }
+        Ok(MotionSpace::steered(product, steering, radius))
     }
 }
 
 /// The placements within the tolerance of the goal.
 fn goal_region<const N: usize>(
-    space: Torus<N>,
+    space: ProductSpace<N>,
     goal: [f64; N],
     weights: Weights,
     GoalTolerance { translation, rotation }: GoalTolerance,
@@ -346,26 +274,26 @@ fn goal_region<const N: usize>(
 }
 
 /// The metric of a robot that has only one and is not steered, as a roadmap is kept with it.
-pub(super) fn only_metric(robot: &Robot) -> String {
+pub(super) fn only_metric(robot: &Robot) -> RoadmapMetric {
     match robot.placed_shape() {
-        Some((_, weights)) => placement_metric(weights.translation, weights.rotation),
-        None => "euclidean".to_owned(),
+        Some((_, Weights { translation, rotation })) => RoadmapMetric::Placement { translation, rotation },
+        None => RoadmapMetric::Euclidean,
     }
 }
 
 /// How far apart two configurations of the arm are at least, from where the end effector is: joint j turns what lies beyond
 /// it, which reaches r_j at most, so the end effector moves at most sum r_j |turn j|, which is at most r_1 times their sum,
 /// and at most the root of sum r_j^2 times the root of the sum of their squares (Cauchy and Schwarz).
-fn from_end_effector<const N: usize>(arm: &Arm, metric: Metric) -> impl Fn(&[f64; N], &[f64; N]) -> f64 + use<N> {
+fn from_end_effector<const N: usize>(arm: &Arm, is_sum: bool) -> Estimate<[f64; N]> {
     let arm = arm.clone();
     let (mut reach, mut squares) = (0.0, 0.0);
     for length in arm.links().iter().rev() {
         reach += length;
         squares += reach * reach;
     }
-    let furthest = if metric == Metric::Sum { reach } else { f64::sqrt(squares) };
-    move |a, b| {
+    let furthest = if is_sum { reach } else { f64::sqrt(squares) };
+    Box::new(move |a, b| {
         let tip = |q: &[f64; N]| arm.end_effector(&q[..arm.links().len()]);
         (tip(a) - tip(b)).norm() / furthest
-    }
+    })
 }

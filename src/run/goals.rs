@@ -1,12 +1,12 @@
 //! The configurations that a query is content with.
 
-use crate::decimal::Decimal;
-use crate::error::{Code, Error};
-use crate::parameters::Value;
+use crate::error::{Code, Error, Number};
+use crate::options::Value;
 use crate::reach::{Reach, ReachOptions, Verdict, arm_of, nearest_reachable};
 use crate::robot::Target;
 use crate::scenario::{Goal, Query, Robot, Scenario};
 use crate::validity::Contact;
+use crate::world::PlanningWorld;
 
 /// How many configurations that reach a target are goals at most: more than there are ways round for an arm of few joints.
 const MOST: f64 = 8.0;
@@ -26,7 +26,8 @@ const ITERATIONS: f64 = 4000.0;
 /// `target-unreachable` where none was found, naming the nearest point; `goal-in-collision` where only such were found that
 /// touch something, naming what touches what at the first; `unsupported` for an orientation of an arm of one link. The pointer
 /// leads to the target of the query, whose number is `place`.
-pub(super) fn goals(scenario: &Scenario, query: &Query, place: usize, seed: u64) -> Result<Vec<Vec<f64>>, Error> {
+pub(super) fn goals(world: &PlanningWorld, query: &Query, place: usize, seed: u64) -> Result<Vec<Vec<f64>>, Error> {
+    let scenario = world.scenario();
     let target = match &query.goal {
         Goal::Configuration(goal) => return Ok(vec![goal.clone()]),
         Goal::Target(target) => *target,
@@ -34,13 +35,13 @@ pub(super) fn goals(scenario: &Scenario, query: &Query, place: usize, seed: u64)
     let pointer = format!("/queries/{place}/target");
     let at_target = |error: Error| Error::new(error.code(), pointer.as_str(), error.message());
     let mut wanted = options(scenario, query, target, seed);
-    let mut reach = Reach::new(scenario, &wanted).map_err(at_target)?;
+    let mut reach = Reach::new(world, &wanted).map_err(at_target)?;
     reach.step(u64::MAX);
     if reach.explain() == Verdict::NotFound {
         // Joints that can hardly move are hard to search, but the exact search knows a configuration.
         let nearest = nearest_reachable(arm_of(scenario)?, target).map_err(at_target)?;
         wanted.start = Some(nearest.configuration[..reach.dimension()].to_vec());
-        reach = Reach::new(scenario, &wanted).map_err(at_target)?;
+        reach = Reach::new(world, &wanted).map_err(at_target)?;
         reach.step(u64::MAX);
     }
     let dimension = reach.dimension();
@@ -81,8 +82,8 @@ pub(super) fn goals(scenario: &Scenario, query: &Query, place: usize, seed: u64)
 }
 
 /// A length or an angle to a millionth, for a sentence.
-fn readable(value: f64) -> Decimal {
-    Decimal(libm::rint(value * 1e6) / 1e6 + 0.0)
+fn readable(value: f64) -> Number {
+    Number(libm::rint(value * 1e6) / 1e6 + 0.0)
 }
 
 /// What inverse kinematics is asked.

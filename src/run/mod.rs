@@ -1,11 +1,33 @@
-//! One planning run behind one object-safe face: what the bindings and the command line hold.
+//! One planning run behind an object-safe trait: what the bindings and the command line hold.
+//!
+//! # How a slice of steps ends
+//! [`Run::step`]`(n)` makes iterations one after the other (`Runner::step`, `iterate` and `accept` in `runner.rs`). It returns
+//! after `n` of them, or as soon as the status is no longer `Running`. After each iteration:
+//!
+//! | what happened | status |
+//! |---|---|
+//! | the planner is not done | `Running` |
+//! | the planner has a path, and no improvement is wanted | `Solved` |
+//! | the planner has a path to be improved | `Running` in the phase `Improving`; each further iteration is one attempt, and the last one ends in `Solved` |
+//! | the planner knows that it finds no path | `Exhausted` |
+//! | `max_iterations` are made without a path | `Exhausted` |
+//! | `max_iterations` are made by a planner that goes on improving its path by itself | as where it has a path |
+//!
+//! An iteration is never cut short, and nothing depends on where a slice ends: so 1000 slices of one iteration give the same
+//! run, to the bit, as one slice of 1000. A run that has ended does nothing more. [`Run::finish`] takes the path as it is while
+//! it is being improved.
+//!
+//! # Files
+//! - `factory.rs`: from scenario and options to a run ([`start`]); `goals.rs`: the goals of a query with a target;
+//! - `runner.rs`: the one implementation of [`Run`]; `emitted.rs`: paths and edges as they are reported; `history.rs`: a row an
+//!   iteration;
+//! - `resume.rs`: a run on a roadmap that was kept; `questions.rs`: configurations that callers ask about.
 //!
 //! Inside, planners are generic over the space and compiled for each; outside, a `Box<dyn Run>` costs one virtual call a
-//! slice. In between, a planner is asked once an iteration and the world once a check, by virtual calls that are lost in the
-//! work they do: so a planner is compiled once a space, whatever the robot.
+//! slice. A run calls its planner once an iteration, and the planner its collision checker once a check, by virtual calls, whose
+//! cost is small against the work they do: so a planner is compiled once a space, whatever the robot.
 
-mod choices;
-mod controls;
+mod emitted;
 mod factory;
 mod goals;
 mod history;
@@ -13,14 +35,14 @@ mod options;
 mod questions;
 mod resume;
 mod runner;
-mod way;
 
-pub use factory::start;
+pub use factory::{start, start_on};
 pub use history::HISTORY_WIDTH;
 pub use options::Options;
 pub use resume::resume;
 
-pub use crate::planner::{Phase, PlannerInfo, Preset, Status, Value, planners};
+pub use crate::options::Value;
+pub use crate::planner::{Phase, PlannerInfo, Preset, Status, planners};
 
 use crate::error::Error;
 use crate::kept::RoadmapDocument;

@@ -1,7 +1,6 @@
 //! Configurations that callers ask a run about, made states of its space.
 
-use crate::decimal::{Decimal, Row};
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, Number};
 use crate::scenario::LARGEST;
 use crate::space::Space;
 
@@ -16,14 +15,14 @@ pub(super) fn ends<S: Space>(space: &S, start: &[f64], goal: &[f64]) -> Result<[
             return Err(Error::new(Code::WrongDimension, format!("/{what}"), sentence));
         }
         if let Some(i) = q.iter().position(|&x| !is_fit(x)) {
-            let sentence = format!("the {what} has {} for coordinate {i}", Decimal(q[i]));
+            let sentence = format!("the {what} has {} for coordinate {i}", Number(q[i]));
             return Err(Error::new(code(q[i]), format!("/{what}/{i}"), sentence));
         }
     }
     let ends = [start, goal].map(|q| space.state(q));
     for (end, what) in ends.iter().zip(["start", "goal"]) {
         if !space.contains(end) {
-            let sentence = format!("the {what} {} lies outside the limits", Row(space.coordinates(end)));
+            let sentence = format!("the {what} {:?} lies outside the limits", space.coordinates(end));
             return Err(Error::new(Code::OutOfRange, format!("/{what}"), sentence));
         }
     }
@@ -42,14 +41,14 @@ pub(super) fn motions<S: Space>(space: &S, ends: &[f64]) -> Result<Vec<[S::State
         return Err(Error::new(Code::WrongDimension, "/ends", sentence));
     }
     if let Some(i) = ends.iter().position(|&x| !is_fit(x)) {
-        return Err(Error::new(code(ends[i]), "/ends", format!("an end has {} for a coordinate", Decimal(ends[i]))));
+        return Err(Error::new(code(ends[i]), "/ends", format!("an end has {} for a coordinate", Number(ends[i]))));
     }
     let state = |row: usize| {
         let state = space.state(&ends[row * dimension..][..dimension]);
         if space.contains(&state) {
             return Ok(state);
         }
-        let sentence = format!("the end {} lies outside the limits", Row(space.coordinates(&state)));
+        let sentence = format!("the end {:?} lies outside the limits", space.coordinates(&state));
         Err(Error::new(Code::OutOfRange, "/ends", sentence))
     };
     (0..ends.len() / dimension / 2).map(|row| Ok([state(2 * row)?, state(2 * row + 1)?])).collect()

@@ -2,18 +2,16 @@
 
 use super::factory::{launch, only_metric};
 use super::{Options, Run};
-use crate::decimal::Row;
 use crate::error::{Code, Error, quoted};
-use crate::kept::{RoadmapDocument, curve_metric, damaged, fingerprint};
-use crate::planner::{Parameters, PlannerInfo, Value, planner_info};
+use crate::kept::{RoadmapDocument, RoadmapMetric, damaged, fingerprint};
+use crate::options::{Choice, Options as _, Value, out_of_range, refusal};
+use crate::planner::{EdgeCheck, Grows, Improving, Limits, PlannerId, PlannerOptions, Searching};
 use crate::robot::Car;
-use crate::scenario::{Robot, Scenario};
-use crate::space::Space;
+use crate::scenario::Robot;
+use crate::space::{MetricKind, Space};
 use crate::steering::Steering;
 use crate::validity::Validity;
-
-/// The parameters that do not say how a roadmap is built but what is done with it.
-const SEARCHING: &[&str] = &["search", "cost", "heuristic", "reduce", "shortcut", "partial_shortcut", "max_iterations"];
+use crate::world::PlanningWorld;
 
 /// Begins a run of the planner that built the roadmap, with the roadmap as it was kept: start and goals of the query are its
 /// first vertices, joined to their neighbours unless the roadmap has them already, and it is searched. Nothing grows any
@@ -29,7 +27,13 @@ const SEARCHING: &[&str] = &["search", "cost", "heuristic", "reduce", "shortcut"
 /// the JSON form, where the document contradicts itself, a vertex lies outside the space or in collision, or an edge is not
 /// free; `out-of-range` where another planner or another value of what the document holds is given, `unsupported` for
 /// parameters of a growth that is over; and those of [`start`](super::start).
-pub fn resume(scenario: &Scenario, options: &Options, document: &RoadmapDocument) -> Result<Box<dyn Run>, Error> {
+pub fn resume(
+    scenario: impl Into<PlanningWorld>,
+    options: &Options,
+    document: &RoadmapDocument,
+) -> Result<Box<dyn Run>, Error> {
+    let world = scenario.into();
+    let scenario = world.scenario();
     document.check()?;
     let found = fingerprint(scenario);
     if document.fingerprint != found {
@@ -50,68 +54,75 @@ pub fn resume(scenario: &Scenario, options: &Options, document: &RoadmapDocument
     let steering = if let Robot::Car(car) = robot { Some(steering(car, document)?) } else { None };
     let only = (!matches!(robot, Robot::Arm(_) | Robot::Car(_))).then(|| only_metric(robot));
     if let Some(metric) = only.filter(|metric| document.metric != *metric) {
-        let sentence = format!("the metric of this robot is {metric}, not {}", quoted(&document.metric));
+        let sentence = format!("the metric of this robot is {metric}, not {}", document.metric);
         return Err(damaged("/metric", sentence));
     }
-    // Roadmaps are what is searched.
-    let is_roadmap = |info: &&PlannerInfo| info.parameters.iter().any(|parameter| parameter.name == "search");
-    let Some(info) = planner_info(&document.planner).ok().filter(is_roadmap) else {
+    let builds_roadmap = |planner: &PlannerId| planner.grows() == Grows::Roadmap;
+    let Some(planner) = PlannerId::of(&document.planner).ok().filter(builds_roadmap) else {
         return Err(damaged("/planner", format!("{} is no planner that builds a roadmap", quoted(&document.planner))));
     };
-    if let Some(other) = options.planner.as_ref().filter(|planner| *planner != info.id) {
-        let sentence = format!("the roadmap was built by {}, not {other}", info.id);
+    if let Some(other) = options.planner.as_ref().filter(|other| *other != planner.as_str()) {
+        let sentence = format!("the roadmap was built by {}, not {other}", planner.as_str());
         return Err(Error::new(Code::OutOfRange, "/algorithm", sentence));
     }
     options.check_seed()?;
-    // A parameter chooses among metrics; the one of placements is the scenario's.
-    let metric = robot.placed_shape().is_none().then_some(document.metric.as_str());
-    launch(scenario, options, info, parameters(info, options, document, metric, steering)?, Some(document))
+    launch(&world, options, planner, settings(planner, options, document, steering)?, Some(document))
 }
 
 /// How the car was steered when the roadmap was built.
 fn steering(car: &Car, document: &RoadmapDocument) -> Result<Steering, Error> {
-    let metrics = |(radius, _)| {
-        [Steering::Dubins, Steering::ReedsShepp].map(|steering| (steering, curve_metric(steering, radius)))
-    };
-    let known: Vec<_> = car.turning_radius().into_iter().flat_map(metrics).collect();
-    known.iter().find(|(_, metric)| *metric == document.metric).map(|&(steering, _)| steering).ok_or_else(|| {
-        let known = known.iter().map(|(_, metric)| metric.as_str()).collect::<Vec<_>>().join(" or ");
-        damaged("/metric", format!("the metric of this car is {known}, not {}", quoted(&document.metric)))
-    })
+    let radius = car.turning_radius().map(|(radius, _)| radius);
+    document.metric.curves().filter(|&(_, known)| radius == Some(known)).map(|(steering, _)| steering).ok_or_else(
+        || {
+            let known = radius.map_or("none".to_owned(), |radius| {
+                let known = [Steering::Dubins, Steering::ReedsShepp].map(|word| RoadmapMetric::of_curves(word, radius));
+                known.map(|metric| metric.to_string()).join(" or ")
+            });
+            damaged("/metric", format!("the metric of this car is {known}, not {}", document.metric))
+        },
+    )
 }
 
-/// The parameters of the run: what the document holds, and of those given what may be.
-fn parameters(
-    info: &PlannerInfo,
+/// The options of the run: what the document holds, and of those given what may be.
+fn settings(
+    planner: PlannerId,
     options: &Options,
     document: &RoadmapDocument,
-    metric: Option<&str>,
     steering: Option<Steering>,
-) -> Result<Parameters, Error> {
+) -> Result<PlannerOptions, Error> {
     let number = |name: &str, value: f64| (name.to_owned(), Value::Number(value));
     let text = |name: &str, value: &str| (name.to_owned(), Value::Text(value.to_owned()));
-    let edge_check = if document.edge_samples.is_some() { "sampled" } else { "proven" };
-    let mut all = vec![text("edge_check", edge_check), number("tolerance", document.tolerance)];
-    all.extend(metric.map(|metric| text("metric", metric)));
+    // An option chooses among the metrics of joints; that of placements is the scenario's.
+    let metric = match document.metric {
+        RoadmapMetric::Sum => Some(MetricKind::Sum),
+        RoadmapMetric::Euclidean => Some(MetricKind::Euclidean),
+        RoadmapMetric::Naive => Some(MetricKind::Naive),
+        RoadmapMetric::Placement { .. } | RoadmapMetric::Dubins { .. } | RoadmapMetric::ReedsShepp { .. } => None,
+    };
+    let edge_check = if document.edge_samples.is_some() { EdgeCheck::Sampled } else { EdgeCheck::Proven };
+    let mut all = vec![text("edge_check", edge_check.word()), number("tolerance", document.tolerance)];
+    all.extend(metric.map(|metric| text("metric", metric.word())));
     all.extend(steering.map(|steering| text("steering", steering.as_str())));
     all.extend(document.edge_samples.map(|places| number("edge_samples", f64::from(places))));
-    Parameters::resolve(info.parameters, &all).map_err(|error| damaged(error.pointer(), error.message()))?;
+    planner.read(&all).map_err(|error| damaged(error.pointer(), error.message()))?;
     let held = [&all[..], &[number("k", f64::from(document.k)), number("radius", document.radius)]].concat();
+    // What does not say how a roadmap is built but what is done with it.
+    let is_free = |name: &str| Searching::has(name) || Improving::has(name) || Limits::has(name);
     for (name, value) in &options.parameters {
-        let is_known = info.parameters.iter().any(|parameter| parameter.name == name);
-        let fail = |code, sentence| Err(Error::new(code, format!("/{name}"), sentence));
+        let is_known = planner.has_option(name);
         match held.iter().find(|(other, _)| is_known && other == name) {
             Some((_, kept)) if kept == value => {}
             Some((_, kept)) => {
-                return fail(Code::OutOfRange, format!("the roadmap was built with {name} = {kept}, not {value}"));
+                return Err(out_of_range(name, format!("the roadmap was built with {name} = {kept}, not {value}")));
             }
-            None if is_known && !SEARCHING.contains(&name.as_str()) => {
-                return fail(Code::Unsupported, format!("{name} is about how a roadmap grows; this one is built"));
+            None if is_known && !is_free(name) => {
+                let sentence = format!("{name} is about how a roadmap grows; this one is built");
+                return Err(refusal(Code::Unsupported, name, sentence));
             }
             None => all.push((name.clone(), value.clone())),
         }
     }
-    Parameters::resolve(info.parameters, &all)
+    planner.read(&all)
 }
 
 /// The states of the vertices, each looked at, every edge proven as `validity` proves.
@@ -138,7 +149,7 @@ pub(super) fn prove<S: Space>(
                 continue;
             }
         };
-        return Err(damaged(format!("/vertices/{i}"), format!("vertex {i} {} {why}", Row(row))));
+        return Err(damaged(format!("/vertices/{i}"), format!("vertex {i} {row:?} {why}")));
     }
     for (i, &[from, to]) in document.edges.iter().enumerate() {
         if !validity.is_motion_free(&states[from as usize], &states[to as usize]) {

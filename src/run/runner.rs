@@ -1,7 +1,7 @@
 //! A planner at work on a problem, its path improved afterwards where that is asked for.
 
+use super::emitted::{self, EmittedPath};
 use super::history::History;
-use super::way::{self, Way};
 use super::{EVENT_HEAD, Run, questions};
 use crate::control::Motion;
 use crate::error::{Code, Error};
@@ -26,8 +26,6 @@ pub(super) struct Ticket {
     pub max_iterations: u32,
     pub wanted: Wanted,
     pub is_sampled: bool,
-    /// Whether a car follows curves between placements.
-    pub is_steered: bool,
     /// Whether it is driven by Euler's steps.
     pub is_euler: bool,
 }
@@ -46,8 +44,8 @@ pub(super) struct Runner<S: Space> {
     improvement: Option<Improvement<S>>,
     /// A row for every iteration, where that was asked for.
     history: Option<History>,
-    /// How many clearances were evaluated for viewers, not for the run.
-    looked: u64,
+    /// Clearances evaluated and motions left unproven for viewers, not for the run.
+    looked: [u64; 2],
 }
 
 impl<S: Space> Runner<S> {
@@ -58,7 +56,7 @@ impl<S: Space> Runner<S> {
         kept: Option<RoadmapDocument>,
     ) -> Self {
         let status = Status::Running;
-        Self { problem, planner, ticket, kept, iteration: 0, status, improvement: None, history: None, looked: 0 }
+        Self { problem, planner, ticket, kept, iteration: 0, status, improvement: None, history: None, looked: [0; 2] }
     }
 
     /// One iteration: of the planner, or an attempt at improving its path.
@@ -75,7 +73,7 @@ impl<S: Space> Runner<S> {
         self.status = self.planner.iterate(&self.problem, self.iteration);
         match self.status {
             Status::Solved => self.accept(),
-            Status::Running if self.iteration == self.ticket.max_iterations => {
+            Status::Running if self.iteration == self.ticket.max_iterations || self.planner.graph().is_full() => {
                 self.status = Status::Exhausted;
                 if self.planner.phase() == Phase::Improving {
                     self.accept();
@@ -97,8 +95,8 @@ impl<S: Space> Runner<S> {
         if let Some(improvement) = self.improvement.as_ref().filter(|_| self.planner.graph().motions().is_empty()) {
             return path::length(self.problem.space(), improvement.path());
         }
-        let way = self.raw_way();
-        if way.states.is_empty() { f64::INFINITY } else { way::length(&self.problem, &way) }
+        let path = self.raw();
+        if path.states.is_empty() { f64::INFINITY } else { path.length(&self.problem) }
     }
 
     /// Notes how things stand, where that is wanted.
@@ -116,18 +114,20 @@ impl<S: Space> Runner<S> {
         self.planner.path().into_iter().map(|vertex| *graph.state(vertex)).collect()
     }
 
-    /// The planner's path as it found it, emitted; nowhere until then.
-    fn raw_way(&self) -> Way<S::State> {
-        way::found(&self.problem, &*self.planner, &self.planner.path())
+    /// The planner's path as it found it; empty until then.
+    fn raw(&self) -> EmittedPath<S> {
+        EmittedPath::along(&self.problem, self.planner.graph(), &self.planner.path())
     }
 
-    /// The path as it is emitted; nowhere until solved.
-    fn way(&self) -> Way<S::State> {
+    /// The path as it is reported; empty until solved.
+    fn emitted(&self) -> EmittedPath<S> {
         match &self.improvement {
-            // What is driven by controls is as it was found: nothing can be improved.
-            Some(_) if self.status == Status::Solved && !self.planner.graph().motions().is_empty() => self.raw_way(),
-            Some(improvement) if self.status == Status::Solved => way::through(&self.problem, improvement.path()),
-            _ => Way::nowhere(self.problem.dynamics().is_some()),
+            // A path driven by controls is reported as it was found: it cannot be improved.
+            Some(_) if self.status == Status::Solved && !self.planner.graph().motions().is_empty() => self.raw(),
+            Some(improvement) if self.status == Status::Solved => {
+                EmittedPath::through(&self.problem, improvement.path())
+            }
+            _ => EmittedPath::none(&self.problem),
         }
     }
 
@@ -143,20 +143,20 @@ impl<S: Space> Runner<S> {
         }
         let nearest = self.planner.graph().state(vertices[vertices.len() - 1]);
         let goal_distance = self.problem.distance_to_goal(nearest);
-        let way = way::found(&self.problem, &*self.planner, &vertices);
-        Some(Approximate { path: self.rows(&way.states), motions: way.motions, goal_distance })
+        let path = EmittedPath::along(&self.problem, self.planner.graph(), &vertices);
+        Some(Approximate { path: self.rows(&path.states), motions: path.motions, goal_distance })
     }
 
-    fn document(&self, query: &str, status: Status, way: Way<S::State>) -> ResultDocument {
+    fn document(&self, query: &str, status: Status, path: EmittedPath<S>) -> ResultDocument {
         ResultDocument {
             scenario: self.ticket.scenario.clone(),
             query: query.to_owned(),
             planner: self.ticket.planner.to_owned(),
             seed: self.ticket.seed,
             status,
-            path: self.rows(&way.states),
-            length: way::length(&self.problem, &way),
-            motions: way.motions,
+            path: self.rows(&path.states),
+            length: path.length(&self.problem),
+            motions: path.motions,
             integration: self.ticket.is_euler.then(|| "euler".to_owned()),
             stats: self.stats(),
             fingerprint: self.fingerprint(),
@@ -254,7 +254,7 @@ impl<S: Space> Run for Runner<S> {
     fn motions_since(&self, row: usize) -> Vec<f64> {
         let (graph, mut rows) = (self.planner.graph(), Vec::new());
         for edge in row..graph.edges().len() {
-            for Motion { control, duration } in way::motions(&self.problem, graph, edge) {
+            for Motion { control, duration } in emitted::motions(&self.problem, graph, edge) {
                 rows.extend([edge as f64, control.speed, control.steering, duration]);
             }
         }
@@ -264,7 +264,7 @@ impl<S: Space> Run for Runner<S> {
     fn traces_since(&self, row: usize) -> Vec<f64> {
         let (graph, mut rows) = (self.planner.graph(), Vec::new());
         for edge in row..graph.edges().len() {
-            for state in way::trace(&self.problem, graph, edge) {
+            for state in emitted::trace(&self.problem, graph, edge) {
                 rows.push(edge as f64);
                 rows.extend_from_slice(self.problem.space().coordinates(&state));
             }
@@ -288,23 +288,25 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn path(&self) -> Vec<Vec<f64>> {
-        self.rows(&self.way().states)
+        self.rows(&self.emitted().states)
     }
 
     fn raw_path(&self) -> Vec<Vec<f64>> {
-        self.rows(&self.raw_way().states)
+        self.rows(&self.raw().states)
     }
 
     fn length(&self) -> f64 {
-        way::length(&self.problem, &self.way())
+        self.emitted().length(&self.problem)
     }
 
     fn first_hits(&mut self, ends: &[f64]) -> Result<Vec<f64>, Error> {
         let motions = questions::motions(self.problem.space(), ends)?;
         let validity = self.problem.validity();
-        let before = validity.clearance_evaluations();
+        let work = || [validity.clearance_evaluations(), validity.unproven_motions()];
+        let before = work();
         let hits = motions.iter().map(|[from, to]| validity.first_hit(from, to).unwrap_or(1.0)).collect();
-        self.looked += validity.clearance_evaluations() - before;
+        let after = work();
+        (0..2).for_each(|i| self.looked[i] += after[i] - before[i]);
         Ok(hits)
     }
 
@@ -319,7 +321,8 @@ impl<S: Space> Run for Runner<S> {
             motion_checks: counters.motion_checks + improvement_checks,
             nearest_queries: counters.nearest_queries,
             visited: counters.visited,
-            clearance_evaluations: self.problem.validity().clearance_evaluations() - self.looked,
+            clearance_evaluations: self.problem.validity().clearance_evaluations() - self.looked[0],
+            unproven_motions: self.problem.validity().unproven_motions() - self.looked[1],
             build_seconds: 0.0,
             search_seconds: 0.0,
         }
@@ -330,7 +333,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn result(&self) -> ResultDocument {
-        let document = self.document(&self.ticket.query, self.status, self.way());
+        let document = self.document(&self.ticket.query, self.status, self.emitted());
         ResultDocument { approximate: self.approximate(), ..document }
     }
 
@@ -356,7 +359,7 @@ impl<S: Space> Run for Runner<S> {
         };
         let answer = roadmap.answer(&self.problem, ends, keep);
         let status = if answer.path.is_empty() { Status::Exhausted } else { Status::Solved };
-        let way = way::through(&self.problem, &answer.path);
-        Ok(self.document(ASKED, status, way))
+        let path = EmittedPath::through(&self.problem, &answer.path);
+        Ok(self.document(ASKED, status, path))
     }
 }

@@ -6,7 +6,7 @@ use crate::problem::Problem;
 use crate::random::Random;
 use crate::space::Space;
 
-/// The middle of two samples in collision that lie near each other, where it is free.
+/// Returns the midpoint of two nearby samples in collision, if it is free.
 #[derive(Debug, Clone)]
 pub struct BridgeTest {
     random: Random,

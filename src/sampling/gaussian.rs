@@ -6,7 +6,7 @@ use crate::problem::Problem;
 use crate::random::Random;
 use crate::space::Space;
 
-/// Of two samples that lie near each other, the free one where the other is in collision.
+/// Draws two nearby samples and returns the free one if the other is in collision.
 #[derive(Debug, Clone)]
 pub struct Gaussian {
     random: Random,

@@ -5,7 +5,7 @@ use crate::problem::Problem;
 use crate::random::Random;
 use crate::space::Space;
 
-/// One sample in so many falls near the goal.
+/// One in this many samples is drawn near the goal.
 const ONE_IN: u64 = 5;
 
 /// Uniform samples, but every fifth on average normally distributed about the goal, or about each of the goals in turn.

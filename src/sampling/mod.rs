@@ -1,6 +1,6 @@
 //! Where the next sample of the configuration space is taken: any planner works with any sampler. One file a sampler.
 //!
-//! Some look at the world first and so spend checks of their own: they answer what they found out about the sample.
+//! Some samplers make collision checks of their own: they return what they learned about the sample.
 
 mod bridge;
 mod gaussian;
@@ -30,7 +30,7 @@ pub enum Known {
     Nothing,
     /// It is free.
     Free,
-    /// It is not to be used: in collision, or not where the sampler wants its samples.
+    /// Not to be used: in collision, or rejected by the sampler's own rule.
     Useless,
 }
 
@@ -55,7 +55,7 @@ fn is_free<S: Space>(problem: &Problem<S>, state: &S::State, checks: &mut u64) -
     problem.validity().is_free(state)
 }
 
-/// A state normally distributed about another, every coordinate by `deviation` (in its own unit); `None` where it falls out
+/// A state normally distributed about another, every coordinate by `deviation` (in its own unit); `None` if it falls out
 /// of the limits of the space.
 fn near<S: Space>(space: &S, state: &S::State, deviation: f64, random: &mut Random) -> Option<S::State> {
     let mut coordinates = [0.0; MAX_DIMENSION];

@@ -9,7 +9,7 @@ use crate::space::Space;
 /// How often the motion across the surface is halved: to a 1024th of it.
 const HALVINGS: usize = 10;
 
-/// From a sample in collision towards a free one, the last free place found by bisection.
+/// Bisects between a sample in collision and a free one, and returns the last free configuration.
 #[derive(Debug, Clone)]
 pub struct ObstacleBased(Random);
 

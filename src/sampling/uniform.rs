@@ -5,7 +5,7 @@ use crate::problem::Problem;
 use crate::random::Random;
 use crate::space::Space;
 
-/// Every place of the space alike.
+/// The uniform distribution over the space.
 #[derive(Debug, Clone)]
 pub struct Uniform(Random);
 

@@ -1,12 +1,16 @@
 //! What a scenario holds, once it has been checked.
 
 use crate::geometry::{Aabb, Disc, Polygon};
+use crate::json;
 use crate::robot::{Arm, Car, DiscRobot, Part, RigidBody, Target, Weights};
+use serde::Serialize;
 
 /// A checked scenario: a world, a robot in it, and named queries.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "format", rename = "planarium-scenario-1")]
 pub struct Scenario {
     pub(super) name: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) title: Option<String>,
     pub(super) world: World,
     pub(super) robot: Robot,
@@ -38,19 +42,28 @@ impl Scenario {
     pub fn queries(&self) -> &[Query] {
         &self.queries
     }
+
+    /// The normalised document as text, on one line: fields in the order of the contract, defaults written out, polygons open,
+    /// counter-clockwise and without repeated vertices. It reads back as an equal scenario; equal scenarios give equal text, on
+    /// every platform.
+    pub fn to_json_string(&self) -> String {
+        json::to_string(self)
+    }
 }
 
 /// Where the robot moves. Lengths in metres.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct World {
     /// The closed box that the whole robot stays in; absent for an arm only.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub bounds: Option<Aabb>,
     /// Closed, filled obstacles.
     pub obstacles: Vec<Obstacle>,
 }
 
 /// A closed, filled obstacle.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
 pub enum Obstacle {
     /// A disc of positive radius.
     Disc(Disc),
@@ -69,7 +82,8 @@ impl Obstacle {
 }
 
 /// The robot of a scenario.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "type", rename_all = "snake_case")]
 pub enum Robot {
     /// A planar arm.
     Arm(Arm),
@@ -125,24 +139,28 @@ impl Robot {
 }
 
 /// One question: from where to where.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Query {
     /// The name, distinct within the scenario.
     pub name: String,
     /// The configuration to start from, as written (angles of circle joints in any number of turns).
     pub start: Vec<f64>,
     /// What is to be reached.
+    #[serde(flatten)]
     pub goal: Goal,
     /// How near to it is near enough, of bodies and cars; exactly there where it is absent.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub goal_tolerance: Option<GoalTolerance>,
 }
 
 /// What a query asks for.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub enum Goal {
     /// A configuration, as written.
+    #[serde(rename = "goal")]
     Configuration(Vec<f64>),
     /// Any configuration of an arm whose end effector is there.
+    #[serde(rename = "target")]
     Target(Target),
 }
 
@@ -162,7 +180,7 @@ impl Query {
 }
 
 /// A goal region about a configuration (x, y, theta): both must hold.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct GoalTolerance {
     /// How far away at most, in metres.
     pub translation: f64,

@@ -1,37 +1,37 @@
-//! A configuration space and how one moves in it: the short way, or steered like a car.
+//! A product space whose motions are straight, or the curves of a car.
 
-use super::{Space, Torus, gap};
+use super::{ProductSpace, Space, gap};
 use crate::steering::{Curve, Pose, Steering};
 
-/// A torus with its motions. Without steering a motion is that of the torus, and every answer is the torus's to the bit. With
+/// A [`ProductSpace`] with its motions. Without steering, motions and distances are those of the product, to the bit. With
 /// steering a state is a placement (x, y, heading) and a motion is the shortest curve that a car can follow; distances are
-/// metres along it. Curves may leave the box that (x, y) is drawn from: whether that is free is for others to say.
+/// metres along it. Curves may leave the box that (x, y) is drawn from: the collision checker decides whether that is free.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionSpace<const N: usize> {
-    torus: Torus<N>,
+    product: ProductSpace<N>,
     steering: Option<(Steering, f64)>,
 }
 
 impl<const N: usize> MotionSpace<N> {
-    /// The space in which motions are those of the torus.
-    pub fn new(torus: Torus<N>) -> Self {
-        Self { torus, steering: None }
+    /// The space in which motions are those of the product.
+    pub fn new(product: ProductSpace<N>) -> Self {
+        Self { product, steering: None }
     }
 
     /// The space of a car that turns no tighter than `radius` metres; its metric is the length of the curves.
     ///
     /// # Panics
-    /// Where the torus has other coordinates than two intervals and a circle, or the radius is not greater than 0.
-    pub fn steered(torus: Torus<N>, steering: Steering, radius: f64) -> Self {
-        let circles: Vec<bool> = (0..torus.dimension()).map(|i| torus.is_circle(i)).collect();
+    /// Unless the coordinates are two intervals and a circle, or where the radius is not greater than 0.
+    pub fn steered(product: ProductSpace<N>, steering: Steering, radius: f64) -> Self {
+        let circles: Vec<bool> = (0..product.dimension()).map(|i| product.is_circle(i)).collect();
         assert!(circles == [false, false, true], "only placements are steered");
         assert!(radius > 0.0, "a turning radius is greater than 0");
-        Self { torus, steering: Some((steering, radius)) }
+        Self { product, steering: Some((steering, radius)) }
     }
 
-    /// The torus.
-    pub fn torus(&self) -> &Torus<N> {
-        &self.torus
+    /// The product of circles and intervals.
+    pub fn product(&self) -> &ProductSpace<N> {
+        &self.product
     }
 
     /// How it is steered, and the least turning radius in metres; `None` where it is not.
@@ -45,11 +45,11 @@ impl<const N: usize> MotionSpace<N> {
     }
 }
 
-/// No curve between places so far apart that turns by so much is shorter: the car has to get there, and to turn.
+/// A lower bound on the length of a curve between positions so far apart that turns by so much.
 #[inline(always)]
 fn least(x: f64, y: f64, turn: f64, radius: f64) -> f64 {
-    let (way, arc) = ((x * x + y * y).sqrt(), radius * turn);
-    if arc > way { arc } else { way }
+    let (line, arc) = ((x * x + y * y).sqrt(), radius * turn);
+    if arc > line { arc } else { line }
 }
 
 /// A state as a pose.
@@ -61,28 +61,28 @@ impl<const N: usize> Space for MotionSpace<N> {
     type State = [f64; N];
 
     fn dimension(&self) -> usize {
-        self.torus.dimension()
+        self.product.dimension()
     }
 
     fn coordinates<'a>(&self, state: &'a [f64; N]) -> &'a [f64] {
-        self.torus.coordinates(state)
+        self.product.coordinates(state)
     }
 
     fn state(&self, coordinates: &[f64]) -> [f64; N] {
-        self.torus.state(coordinates)
+        self.product.state(coordinates)
     }
 
     /// With steering O(1), about a microsecond.
     #[inline]
     fn distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
-        let Some(steered) = self.steering else { return self.torus.distance(a, b) };
-        let [x, y, turn] = [0, 1, 2].map(|i| gap(a[i], b[i], self.torus.period(i)));
+        let Some(steered) = self.steering else { return self.product.distance(a, b) };
+        let [x, y, turn] = [0, 1, 2].map(|i| gap(a[i], b[i], self.product.period(i)));
         // A curve may fall short of its goal by what rounding amounts to; the distance is never below its bound.
         self.curve_of(steered, a, b).length().max(least(x, y, turn, steered.1))
     }
 
     fn interpolate(&self, a: &[f64; N], b: &[f64; N], t: f64) -> [f64; N] {
-        let Some(steered) = self.steering else { return self.torus.interpolate(a, b, t) };
+        let Some(steered) = self.steering else { return self.product.interpolate(a, b, t) };
         if t == 0.0 {
             return *a;
         }
@@ -96,12 +96,12 @@ impl<const N: usize> Space for MotionSpace<N> {
         state
     }
 
-    fn at(&self, place: &[f64]) -> [f64; N] {
-        self.torus.at(place)
+    fn at(&self, unit: &[f64]) -> [f64; N] {
+        self.product.at(unit)
     }
 
     fn contains(&self, state: &[f64; N]) -> bool {
-        self.torus.contains(state)
+        self.product.contains(state)
     }
 
     /// With steering, the diagonal of the box and what turning can add. Reversing, a turn of a quarter at most, a line and a
@@ -110,28 +110,28 @@ impl<const N: usize> Space for MotionSpace<N> {
     /// Dubins' vehicle").
     fn extent(&self) -> f64 {
         use std::f64::consts::PI;
-        let Some((steering, radius)) = self.steering else { return self.torus.extent() };
-        let [width, height] = [0, 1].map(|i| self.torus.range(i)[1] - self.torus.range(i)[0]);
+        let Some((steering, radius)) = self.steering else { return self.product.extent() };
+        let [width, height] = [0, 1].map(|i| self.product.range(i)[1] - self.product.range(i)[0]);
         let turning = if steering.is_symmetric() { 2.0 + 1.5 * PI } else { 2.658 * PI };
         (width * width + height * height).sqrt() + turning * radius
     }
 
     fn turn(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
-        if self.steering.is_some() { 0.0 } else { self.torus.turn(a, b) }
+        if self.steering.is_some() { 0.0 } else { self.product.turn(a, b) }
     }
 
     fn sweep(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
-        if self.steering.is_some() { 0.0 } else { self.torus.sweep(a, b) }
+        if self.steering.is_some() { 0.0 } else { self.product.sweep(a, b) }
     }
 
     #[inline]
     fn period(&self, i: usize) -> f64 {
-        self.torus.period(i)
+        self.product.period(i)
     }
 
     #[inline(always)]
     fn norm<const L: usize>(&self, mut gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
-        let Some((_, radius)) = self.steering else { return self.torus.norm(gap) };
+        let Some((_, radius)) = self.steering else { return self.product.norm(gap) };
         let [x, y, turn] = [gap(0), gap(1), gap(2)];
         std::array::from_fn(|lane| least(x[lane], y[lane], turn[lane], radius))
     }

@@ -5,7 +5,7 @@ use super::{Pose, Segment, Turn, advance};
 /// No shortest curve has more segments.
 pub const MAX_SEGMENTS: usize = 5;
 
-/// Up to five segments, driven one after the other; arcs have one radius.
+/// Up to five segments in sequence; all arcs have the same radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Curve {
     segments: [Segment; MAX_SEGMENTS],

@@ -1,7 +1,7 @@
 //! The shortest curve of a car that only drives forwards.
 //!
 //! Dubins 1957, "On curves of minimal length with a constraint on average curvature, and with prescribed initial and terminal
-//! positions and tangents": it is one of six words, an arc, a straight line or an arc the other way, and an arc.
+//! positions and tangents": it is one of six words, an arc, then a straight line or an arc of the opposite direction, then an arc.
 
 use super::goal::{Goal, Shortest, forwards, short_words};
 use super::{Curve, Pose, Turn};
@@ -42,7 +42,7 @@ fn words(goal: &Goal) -> [[(Turn, f64); 3]; 3] {
     ]
 }
 
-/// Offers a word where it can be driven forwards.
+/// Offers a word if it can be driven forwards.
 fn offer(shortest: &mut Shortest, goal: &Goal, word: &[(Turn, f64)]) {
     let is_forwards = |&(turn, length): &(Turn, f64)| turn != Turn::Straight || length >= -goal.slack();
     if word.iter().all(is_forwards) {

@@ -11,20 +11,19 @@
 //! other, to 1e-12, the first in the order of the words is taken. There is always an answer: one turn, a straight line and
 //! another turn lead to every pose.
 
-mod angle;
-mod arc;
 mod curve;
 mod dubins;
 mod goal;
 mod reeds_shepp;
 
-pub use angle::wrap;
-pub use arc::advance;
+pub use crate::geometry::wrap;
 pub use curve::{Curve, MAX_SEGMENTS};
 pub use dubins::dubins;
 pub use reeds_shepp::reeds_shepp;
 
-/// Where a car is and where it points.
+use crate::geometry::arc_pose;
+
+/// The position and heading of a car.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pose {
     /// In metres.
@@ -35,8 +34,16 @@ pub struct Pose {
     pub heading: f64,
 }
 
+/// The pose after `length` signed metres, negative in reverse, of a motion of constant `curvature` in 1/m, positive to the
+/// left: that of [`arc_pose`] at a metre a second, in canonical form. O(1).
+pub fn advance(from: Pose, curvature: f64, length: f64) -> Pose {
+    let [x, y, heading] = arc_pose([from.x, from.y, from.heading], 1.0, curvature, length);
+    Pose { x: x + 0.0, y: y + 0.0, heading: wrap(heading) }
+}
+
 /// How a car is steered from pose to pose.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantNames)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Steering {
     /// Forwards only.
     Dubins,
@@ -47,10 +54,7 @@ pub enum Steering {
 impl Steering {
     /// Its name.
     pub fn as_str(self) -> &'static str {
-        match self {
-            Steering::Dubins => "dubins",
-            Steering::ReedsShepp => "reeds-shepp",
-        }
+        self.into()
     }
 
     /// The shortest curve from one pose to another for a turning radius in metres, greater than 0.
@@ -94,7 +98,7 @@ impl Turn {
 /// A piece of a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment {
-    /// Which way the wheel is turned.
+    /// The direction in which the wheel is turned.
     pub turn: Turn,
     /// How far, in metres; negative in reverse.
     pub length: f64,

@@ -1,11 +1,10 @@
 //! Random arms and targets for the tests of inverse kinematics.
-#![allow(dead_code)] // each test uses some of it
 
 use planarium::geometry::Point;
 use planarium::random::Random;
 use planarium::reach::{Target, orientation};
 use planarium::robot::Arm;
-use planarium::scenario::{Node, Scenario};
+use planarium::scenario::Scenario;
 use planarium::space::angular_distance;
 
 /// An arm of that many links of 0.2 to 1.2 m, with limits of 0.4 to 7 rad a joint where they are wanted.
@@ -66,9 +65,4 @@ pub fn scenario(arm: &Arm, obstacles: &str) -> Scenario {
         arm.radius()
     );
     Scenario::parse(&text).expect("a scenario")
-}
-
-/// Reads JSON.
-pub fn json(text: &str) -> Node {
-    Node::parse(text).expect("JSON")
 }

@@ -1,5 +1,4 @@
 //! Bodies, worlds and motions of many kinds, by seed.
-#![allow(dead_code)] // each test uses some of it
 
 use planarium::collision::BodyMotion;
 use planarium::geometry::{Aabb, Disc, Point, Polygon, distance_point_polygon, intersects_polygon_polygon};

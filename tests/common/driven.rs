@@ -1,5 +1,4 @@
 //! Trees that are driven, as viewers see them, recomputed by simple means.
-#![allow(dead_code)] // each test uses some of it
 
 use planarium::geometry::arc_pose;
 use planarium::graph::EventKind;

@@ -1,12 +1,27 @@
 //! What several tests share: small worlds and runs to the end.
-#![allow(dead_code)] // each test uses some of it
+pub mod arms;
+pub mod bodies;
+pub mod documents;
+pub mod driven;
 
 use planarium::run::{self, Options, Run, Value};
 use planarium::scenario::Scenario;
 
-/// How many seeds a law is tried on: many natively, few where a browser waits.
-pub const fn seeds(native: u64) -> u64 {
-    if cfg!(target_arch = "wasm32") { if native < 10 { native } else { 10 } } else { native }
+/// Whether laws are tried at full depth: natively, with `PLANARIUM_DEEP=1`.
+pub fn deep() -> bool {
+    cfg!(not(target_arch = "wasm32")) && std::env::var_os("PLANARIUM_DEEP").is_some_and(|value| value == "1")
+}
+
+/// How many seeds a law is tried on: all in a deep run, a quarter natively and at most ten in WebAssembly, but ten where there are.
+pub fn seeds(all: u64) -> u64 {
+    let bounded = if cfg!(target_arch = "wasm32") { 10 } else { (all / 4).max(10) };
+    if deep() { all } else { all.min(bounded) }
+}
+
+/// How many random cases a law is tried on: all in a deep run, a quarter natively, a fortieth in WebAssembly.
+pub fn cases(all: usize) -> usize {
+    let part = if cfg!(target_arch = "wasm32") { 40 } else { 4 };
+    if deep() { all } else { all.div_ceil(part) }
 }
 
 /// A two-link arm at the origin whose plane is cut by a wall of the given thickness to the right of the base: the straight

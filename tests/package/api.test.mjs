@@ -1,7 +1,7 @@
 /** What the package does, member by member. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import init, { Planner, Scenario, freshSeed, generators, initSync, phases, planners, version } from "planarium";
+import init, { Planner, Scenario, randomSeed, generators, initSync, phases, planners, version } from "planarium";
 import { arm, disc, finish, scenes } from "./scenes.mjs";
 
 const close = (/** @type {number} */ a, /** @type {number} */ b) => assert.ok(Math.abs(a - b) < 1e-12, `${a} is not ${b}`);
@@ -17,9 +17,10 @@ test("in Node the package is ready on import; init and initSync change nothing",
 
 test("planners() lists every planner with complete parameters", () => {
   const list = planners();
-  assert.deepEqual(list.map(({ id }) => id).sort(), ["prm", "prm-star", "rrt", "rrt-connect", "rrt-control", "sst", "visibility-prm"]);
-  for (const { title, summary, parameters } of list) {
-    assert.ok(title.length > 0 && summary.length > 0);
+  assert.ok(new Set(list.map(({ id }) => id)).size === list.length && list.length >= 7);
+  for (const { title, summary, guarantee, grows, driven, parameters } of list) {
+    assert.ok(title.length > 0 && summary.length > 0 && guarantee.length > 0);
+    assert.ok(["roadmap", "tree", "trees"].includes(grows) && typeof driven === "boolean");
     assert.ok(parameters.some(({ name }) => name === "max_iterations"));
     for (const parameter of parameters) {
       assert.match(parameter.name, /^[a-z][a-z_]*$/);
@@ -82,15 +83,15 @@ test("generators() lists every generator; each takes its options' defaults, choi
   assert.deepEqual(list.map(({ id }) => id), ["forest", "clutter", "discs", "maze", "gap", "bug-trap"]);
   for (const { id, title, summary, options } of list) {
     assert.ok(title.length > 0 && summary.length > 0);
-    assert.ok(Scenario.generate(id, Object.fromEntries(options.filter(({ name }) => name !== "links" || id === "forest").map((option) => [option.name, option.default]))).title);
+    assert.ok(Scenario.generate(id, Object.fromEntries(options.filter(({ name }) => name !== "links" || id === "forest").map((option) => [option.name, option.default ?? undefined]))).title);
     for (const { name, title, kind, unit, min, max, choices, meaning, default: value } of options) {
       assert.ok(/^[a-z]+$/.test(name) && title.length > 0 && meaning.length > 0 && typeof unit === "string", name);
       if (kind === "choice") {
-        assert.ok(choices !== null && choices[0] === value && min === null && max === null, `${id} ${name}`);
-        for (const choice of choices) assert.ok(Scenario.generate(id, { [name]: choice }).name);
+        assert.ok(choices && choices[0] === value && min === null && max === null, `${id} ${name}`);
+        for (const choice of choices ?? []) assert.ok(Scenario.generate(id, { [name]: choice }).name);
         continue;
       }
-      assert.ok(choices === null && min !== null && max !== null && typeof value === "number" && min <= value && value <= max, `${id} ${name}`);
+      assert.ok(!choices && min !== null && max !== null && typeof value === "number" && min <= value && value <= max, `${id} ${name}`);
       const with_ = name === "links" && id !== "forest" ? { robot: /** @type {const} */ ("arm") } : {};
       for (const beyond of [min - 1, max + 1]) {
         assert.throws(() => Scenario.generate(id, { ...with_, [name]: beyond }), { code: "out-of-range", pointer: `/${name}` }, `${id} ${name} = ${beyond}`);
@@ -99,8 +100,8 @@ test("generators() lists every generator; each takes its options' defaults, choi
   }
 });
 
-test("freshSeed() gives integers below 2^53, not the same ones", () => {
-  const seeds = new Set(Array.from({ length: 50 }, freshSeed));
+test("randomSeed() gives integers below 2^53, not the same ones", () => {
+  const seeds = new Set(Array.from({ length: 50 }, randomSeed));
   for (const seed of seeds) assert.ok(Number.isSafeInteger(seed) && seed >= 0);
   assert.equal(seeds.size, 50);
 });
@@ -149,6 +150,10 @@ test("check names every pair that touches", () => {
   assert.equal(free, false);
   assert.deepEqual(touching, [{ part: 1, obstacle: 0 }]);
   assert.deepEqual(Scenario.parse(disc).check([0.1, 5]).touching, [{ part: 0, obstacle: "bounds" }]);
+  assert.equal(scenario.clearance([0.5, 0]), null);
+  const near = /** @type {import("planarium").Clearance} */ (scenario.clearance([0, 0]));
+  const [[ax, ay], [bx, by]] = near.points;
+  assert.ok(near.distance > 0 && Math.abs(Math.hypot(bx - ax, by - ay) - near.distance) < 1e-12, JSON.stringify(near));
 });
 
 test("footprint and endEffector place the parts", () => {
@@ -424,7 +429,7 @@ test("a roadmap is kept as text and as bytes, and gone on with: the same path, a
   for (const algorithm of ["prm", "prm-star", "visibility-prm"]) {
     const planner = finish(scenario.planner({ algorithm, seed: 3, max_iterations: 20_000 }));
     const [text, bytes] = [planner.roadmap("json"), planner.roadmap("binary")];
-    assert.equal(JSON.parse(text).format, "planarium-roadmap-1");
+    assert.equal(JSON.parse(text).format, "planarium-roadmap-2");
     assert.ok(bytes instanceof Uint8Array && bytes.length < text.length);
     const xml = planner.roadmap("graphml");
     assert.match(xml, /^<\?xml [^]*<graphml [^]*<\/graphml>\n$/);

@@ -174,3 +174,56 @@ test("handles come from the package alone", () => {
   fails(() => new /** @type {any} */ (Scenario)(), "illegal-constructor");
   fails(() => new /** @type {any} */ (Planner)(Symbol("planarium"), {}), "illegal-constructor");
 });
+
+/** A proxy that throws at every touch. */
+function revoked() {
+  const { proxy, revoke } = Proxy.revocable(/** @type {any} */ ([0, 0]), {});
+  revoke();
+  return proxy;
+}
+
+test("a caller's slip is told as such, and the core lives on", () => {
+  const scenario = Scenario.parse(arm);
+  const standing = scenario.planner();
+  const kept = Scenario.parse(arm).planner({ algorithm: "prm", samples: 5 }).roadmap("binary");
+  const detached = kept.slice();
+  structuredClone(detached.buffer, { transfer: [detached.buffer] });
+  fails(() => scenario.resume(detached), "wrong-type", "/roadmap");
+  fails(() => scenario.resume(revoked()), "wrong-type", "/roadmap");
+  const lengthless = Object.defineProperty(kept.slice(), "length", { get() { throw new Error("no length"); } });
+  fails(() => scenario.resume(lengthless), "wrong-type", "/roadmap", /no length/);
+  for (const length of [-1, 2 ** 40, { valueOf() { throw new Error("no length"); } }]) {
+    const list = new Proxy([[0, 0]], { get: (of, name) => (name === "length" ? length : Reflect.get(of, name)) });
+    fails(() => scenario.neighbours().add(list), length === 2 ** 40 ? "too-large" : "wrong-type", "/rows");
+  }
+  let reads = 0;
+  const fickle = new Proxy([0, 0, 0], { get: (of, name) => (name === "length" ? (reads += 1) + 1 : Reflect.get(of, name)) });
+  assert.equal(scenario.check(fickle).free, true, "a length is read once");
+  fails(() => scenario.check(fickle), "wrong-dimension", "/q");
+  for (const q of [revoked(), { get 0() { return 1; } }]) fails(() => scenario.check(q), "wrong-type", "/q");
+  for (const thrown of [Object.create(null), Symbol("s"), undefined, null, revoked(), { toString() { throw revoked(); } }, 1n]) {
+    fails(() => scenario.check(new Proxy([0, 0], { get() { throw thrown; } })), "wrong-type", "/q");
+    fails(() => scenario.planner(/** @type {any} */ ({ get seed() { throw thrown; } })), "invalid-json");
+    fails(() => Scenario.parse({ toJSON() { throw thrown; } }), "invalid-json");
+  }
+  const deep = () => { scenario.check(new Proxy([0, 0], { get: () => deep() })); };
+  fails(deep, "wrong-type", "/q");
+  assert.equal(standing.step(1), "running");
+});
+
+test("a handle that is freed while its arguments are read is freed, and no other", () => {
+  const standing = Scenario.parse(arm).planner();
+  /** @type {((scenario: Scenario, free: () => void) => unknown)[]} */
+  const calls = [
+    (scenario, free) => scenario.check(new Proxy([0, 0], { get: (of, name) => { free(); return Reflect.get(of, name); } })),
+    (scenario, free) => scenario.planner(/** @type {any} */ ({ toJSON() { free(); return {}; } })),
+    (scenario, free) => scenario.cspace({ get width() { free(); return 8; }, height: 8 }),
+    (scenario, free) => scenario.resume(Object.defineProperty(new Uint8Array(4), "length", { get() { free(); return 4; } })),
+  ];
+  for (const call of calls) {
+    const scenario = Scenario.parse(arm);
+    fails(() => call(scenario, () => scenario.free()), "freed");
+    fails(() => scenario.check([0, 0]), "freed");
+  }
+  assert.equal(standing.step(1), "running");
+});

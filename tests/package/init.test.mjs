@@ -86,7 +86,7 @@ test("every call before init says that init is missing", async () => {
     await caught(() => Scenario.parse(disc)),
     await caught(() => Scenario.generate("forest")),
     await caught(() => planarium.planners()),
-    await caught(() => planarium.freshSeed()),
+    await caught(() => planarium.randomSeed()),
   ];`);
   assert.equal(errors.length, 4);
   for (const error of errors) {

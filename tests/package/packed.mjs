@@ -17,12 +17,14 @@ export function emptyFolder() {
 }
 
 /**
- * Packs the project, `prepack` and all.
+ * Packs the project as it was built.
+ * @param {{ prepack?: boolean }} [options]  is it built first, as npm does?
  * @returns {string} path of the tarball
  */
-export function pack() {
+export function pack({ prepack = false } = {}) {
   const folder = emptyFolder();
-  const [{ filename }] = JSON.parse(npm(["pack", "--json", "--pack-destination", folder], root).replace(/^[^[]*/, ""));
+  const scripts = prepack ? [] : ["--ignore-scripts"];
+  const [{ filename }] = JSON.parse(npm(["pack", "--json", "--pack-destination", folder, ...scripts], root).replace(/^[^[]*/, ""));
   return join(folder, filename);
 }
 

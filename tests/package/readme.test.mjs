@@ -4,7 +4,8 @@ import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { ask, root } from "../../scripts/run.mjs";
+import { root } from "../../scripts/run.mjs";
+import { targetFolder } from "../../scripts/setup.mjs";
 import { addFiles, emptyFolder, install, pack } from "./packed.mjs";
 
 const readme = readFileSync(join(root, "README.md"), "utf8");
@@ -37,11 +38,10 @@ test("the quick start of the command line plans a path that is valid", () => {
   const lines = blocks("sh", 1)[0].trim().split("\n");
   // Installing is building and copying: the program that the other tests have built serves, on the PATH of a shell.
   assert.equal(lines.shift(), "cargo install --path . --features cli --quiet");
-  execFileSync("cargo", ["build", "--locked", "--quiet", "--features", "cli,schema"], { cwd: root, stdio: "inherit" });
-  const { target_directory: target } = JSON.parse(ask("cargo", ["metadata", "--format-version", "1", "--no-deps"]) ?? "{}");
+  execFileSync("cargo", ["test", "--no-run", "--locked", "--quiet", "--features", "cli,schema", "--test", "all"], { cwd: root, stdio: "inherit" });
   const folder = emptyFolder();
   mkdirSync(join(folder, "bin"));
-  copyFileSync(join(target, "debug", "planarium"), join(folder, "bin", "planarium"));
+  copyFileSync(join(targetFolder(), "debug", "planarium"), join(folder, "bin", "planarium"));
   const env = { ...process.env, PATH: `${join(folder, "bin")}:${process.env.PATH}` };
   const printed = execFileSync("sh", ["-ec", lines.join("\n")], { cwd: folder, env, encoding: "utf8" });
   assert.match(printed, /valid/);

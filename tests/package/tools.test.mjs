@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { figures } from "../../benches/peers/report.mjs";
 import { flat, rows } from "../../benches/peers/worlds.mjs";
-import { countsOfHarness, countsOfTap, failuresOfTap } from "../../scripts/counts.mjs";
+import { countsOfHarness, countsOfTap } from "../../scripts/counts.mjs";
 import { Problem, root } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import { addFiles, emptyFolder } from "./packed.mjs";
@@ -64,13 +64,6 @@ test("counts are summed over test programs, and missing when there is none", () 
   assert.equal(countsOfHarness("no tests to run!\n"), undefined);
   assert.deepEqual(countsOfTap("ok 1 - x\n1..1\n# tests 4\n# pass 1\n# fail 2\n# cancelled 1\n# skipped 0\n"), { passed: 1, failed: 3 });
   assert.equal(countsOfTap("TAP version 13\n"), undefined);
-});
-
-test("the failures of a report are its tests, not their groups", () => {
-  const failed = (/** @type {string} */ name, /** @type {number} */ line, /** @type {string} */ type) => `${type ? "" : "    "}not ok 1 - ${name}\n      ---\n${type}      location: '/house/a.test.mjs:${line}:3'\n      error: 'no'\n      ...\n`;
-  const tap = `TAP version 13\n    ok 1 - fine\n      ---\n      location: '/house/b.test.mjs:1:1'\n      ...\n${failed("that one", 12, "")}${failed("its group", 2, "      type: 'suite'\n")}`;
-  assert.deepEqual(failuresOfTap(tap), [{ file: "/house/a.test.mjs", name: "that one" }]);
-  assert.deepEqual(failuresOfTap("TAP version 13\n"), []);
 });
 
 test("the benchmark works without peers, and prints and writes what it measured", () => {

@@ -9,8 +9,8 @@ import { addFiles, install, pack } from "./packed.mjs";
 
 const consumer = `
 import init, {
-  initSync, planners, generators, phases, freshSeed, neighbourIndexes, version, Drive, Neighbours, PlanariumError, Planner, Scenario,
-  type Approximate, type Box, type Check, type Configuration, type CspaceOptions, type DriveKey, type DriveState, type GenerateOptions, type GeneratorInfo, type IndexInfo, type NeighboursFound, type NeighboursOptions, type SampleOptions, type InitInput, type InitSyncInput, type KeyPress, type Motion, type Obstacle, type Obstructed,
+  initSync, planners, generators, phases, randomSeed, neighbourIndexes, version, Drive, Neighbours, PlanariumError, Planner, Scenario,
+  type Approximate, type Box, type Check, type Clearance, type Configuration, type CspaceOptions, type DriveKey, type DriveState, type GenerateOptions, type GeneratorInfo, type IndexInfo, type NeighboursFound, type NeighboursOptions, type SampleOptions, type InitInput, type InitSyncInput, type KeyPress, type Motion, type Obstacle, type Obstructed,
   type OptionInfo, type ParameterInfo, type Part, type Phase, type PlannerInfo, type PlannerOptions, type Point, type PresetInfo, type PseudocodeLine,
   type PseudocodeMark, type Query, type ResultDocument, type Robot, type Rollout, type ScenarioDocument, type Shape, type Stats, type Status, type Touching, type Weights, type World,
 } from "planarium";
@@ -65,9 +65,10 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
     robot: { type: "arm", base: [0, 0], links: [1, 1] }, queries: [{ name: "q", start: [0, 0], goal: [1, 1] }],
   };
   const scenario: Scenario = Scenario.parse(document);
-  const generated: Scenario = Scenario.generate("forest", { seed: freshSeed(), links: 3 });
+  const generated: Scenario = Scenario.generate("forest", { seed: randomSeed(), links: 3 });
   const q: Configuration = [0, 0];
   const { free, touching }: Check = scenario.check(q);
+  const closest: Clearance | null = scenario.clearance(q);
   const names: (number | "bounds")[] = touching.map((pair: Touching) => pair.obstacle);
   const parts: Part[] = scenario.footprint(new Float64Array(2));
   const radii: number[] = parts.map((part) => part.type === "polygon" ? part.vertices[0]?.[0] ?? 0 : (part.type === "capsule" ? part.a[0] : part.center[0]) + part.radius);
@@ -168,7 +169,7 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   // @ts-expect-error: a car has a wheelbase
   Scenario.parse({ ...car, robot: { type: "car", shape } } satisfies ScenarioDocument);
   return JSON.stringify([free, near, indexes, names, stopped, driven, rolled, radii, box, tip, tips, hit, cells, low, circles, kind, obstacle, robot, status, phase, counts, vertices, edges,
-    events, motions, traces, path, stats, result, speeds, far, settled.length, fit, marks, choices, reached, raw, hits, version, scenario.name, scenario.title, scenario.distance(q, half), planner.fingerprint()]);
+    events, motions, traces, path, stats, result, speeds, far, settled.length, fit, marks, choices, reached, raw, hits, near, closest, version, scenario.name, scenario.title, scenario.distance(q, half), planner.fingerprint()]);
 }
 `;
 

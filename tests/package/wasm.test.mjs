@@ -20,10 +20,6 @@ test("its features are those of a plain build: no SIMD, no threads", () => {
   assert.deepEqual(features.filter((feature) => !allowed.has(feature)), []);
 });
 
-test("it shows and reads numbers by itself: the standard library's way would be 20 KB more", () => {
-  assert.doesNotMatch(readFileSync(path, "latin1"), /flt2dec|dec2flt/);
-});
-
 test("its memory is not shared", () => {
   const module = new WebAssembly.Module(readFileSync(path));
   assert.deepEqual(WebAssembly.Module.imports(module).filter(({ kind }) => kind === "memory"), []);

@@ -11,17 +11,28 @@ export const pageRoot = fileURLToPath(new URL("../../dist/page", import.meta.url
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("playwright-core").BrowserContextOptions} Options */
+/** @typedef {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean, path?: string }} More   `path`: of the page, its query and fragment */
+/** @typedef {{ context: import("playwright-core").BrowserContext, page: Page, faults: string[] }} Opened */
+
+/** Are all cases tried, and not only those that differ in kind? */
+export const isDeep = process.env.PLANARIUM_DEEP === "1";
+
+export const DESK = { viewport: { width: 1280, height: 860 } };
+export const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
 
 /** @type {import("playwright-core").Browser | undefined} */
 let browser;
 /** @type {Awaited<ReturnType<typeof serve>> | undefined} */
 let server;
+/** Pages that wait for the next test, by what cannot be changed once a page is open. @type {Map<string, Opened>} */
+const idle = new Map();
 
 /** Starts browser and server. Chromium is taken from CHROMIUM or from where Debian puts it. */
 export async function start() {
   assert.ok(existsSync(pageRoot), "dist/page is missing: run `npm run build` first");
   server = await serve({ root: pageRoot, port: 0 });
-  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
+  const found = ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find((path) => existsSync(path));
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? found, args: ["--no-sandbox"] });
 }
 
 export async function stop() {
@@ -29,20 +40,15 @@ export async function stop() {
   await server?.close();
 }
 
-/**
- * Opens the page in a context of its own, runs a test on it, and holds it to silence: no error on the console, nothing thrown,
- * no request to anywhere else.
- * @param {Options} options  `reducedMotion: "reduce"` opens it paused
- * @param {(page: Page, url: string) => Promise<void>} test
- * @param {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean, path?: string }} [more]  `path`: of the page, its query and fragment
- */
-export async function onPage(options, test, { before, expectErrors = false, path = "" } = {}) {
+/** A page in a context of its own, watched for errors and for requests that leave the site. @param {Options} options @returns {Promise<Opened>} */
+async function opened(options) {
   assert.ok(browser && server, "start() comes first");
-  const url = server.url;
+  const { origin: home } = new URL(server.url);
   // What the page keeps for later would answer in the place of the files that tests put in its way.
-  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, serviceWorkers: "block", ...options });
+  const context = await browser.newContext({ ...DESK, serviceWorkers: "block", ...options });
+  // What takes so long will never come: no test waits for a clock, so a busy machine may take its time.
+  context.setDefaultTimeout(60_000);
   const page = await context.newPage();
-  page.setDefaultTimeout(20_000);
   /** @type {string[]} */
   const faults = [];
   page.on("console", (message) => {
@@ -53,15 +59,45 @@ export async function onPage(options, test, { before, expectErrors = false, path
   page.on("pageerror", (error) => faults.push(`thrown: ${error.message}`));
   page.on("request", (request) => {
     const { protocol, origin } = new URL(request.url());
-    if (protocol !== "data:" && protocol !== "blob:" && origin !== new URL(url).origin) faults.push(`request to ${request.url()}`);
+    if (protocol !== "data:" && protocol !== "blob:" && origin !== home) faults.push(`request to ${request.url()}`);
   });
+  return { context, page, faults };
+}
+
+/**
+ * Opens the page, runs a test on it, and holds it to silence: no error on the console, nothing thrown, no request to anywhere else.
+ * The document is a new one each time; the window that it is in serves the next test too, unless the test prepares it.
+ * @param {Options} options  `reducedMotion: "reduce"` opens it paused
+ * @param {(page: Page, url: string) => Promise<void>} test
+ * @param {More} [more]
+ */
+export async function onPage(options, test, { before, expectErrors = false, path = "" } = {}) {
+  assert.ok(server, "start() comes first");
+  const { url } = server;
+  const { viewport, colorScheme = "light", reducedMotion = "no-preference", forcedColors = "none", ...fixed } = { ...DESK, ...options };
+  const key = before || expectErrors || fixed.permissions ? "" : JSON.stringify({ reducedMotion, ...fixed });
+  const one = (key && idle.get(key)) || await opened(options);
+  idle.delete(key);
+  const { page, context, faults } = one;
+  let isKept = false;
   try {
+    if (viewport) await page.setViewportSize(viewport);
+    await page.emulateMedia({ colorScheme, reducedMotion, forcedColors });
     await before?.(page);
     await page.goto(url + path);
     await test(page, url);
     if (!expectErrors) assert.deepEqual(faults, []);
+    isKept = key !== "";
   } finally {
-    await context.close();
+    if (isKept) {
+      for (const other of context.pages()) if (other !== page) await other.close();
+      if (page.url().startsWith(url)) await page.evaluate(() => localStorage.clear());
+      await context.clearPermissions();
+      await page.unrouteAll();
+      await page.mouse.move(0, 0);
+      await page.goto("about:blank");
+      idle.set(key, one);
+    } else await context.close();
   }
 }
 
@@ -78,7 +114,7 @@ export async function inBrowser(options, test) {
 
 /**
  * A page that waits at iteration 0.
- * @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean }} [more]
+ * @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {More} [more]
  */
 export async function onPausedPage(test, options = {}, more = {}) {
   await onPage({ reducedMotion: "reduce", ...options }, async (page, url) => {
@@ -100,21 +136,41 @@ export async function counters(page) {
 
 /** Waits until all that was ordered is done and drawn. @param {Page} page */
 export async function atRest(page) {
-  await page.waitForSelector("#counters[data-settled=true]", { timeout: 60_000, state: "attached" });
+  await page.waitForSelector("#counters[data-settled=true]", { state: "attached" });
   return counters(page);
 }
 
 /** Runs to the end and waits for it. @param {Page} page */
 export async function finish(page) {
-  await page.click("#finish");
   const ended = ["solved", "exhausted"].map((status) => `#counters[data-settled=true][data-status=${status}]`).join(", ");
-  await page.waitForSelector(ended, { timeout: 60_000, state: "attached" });
+  // What plays may come to its end by itself: then the button is off.
+  await page.waitForSelector(`#finish:enabled, ${ended}`, { state: "attached" });
+  await page.locator("#finish").evaluate((button) => /** @type {HTMLElement} */ (button).click());
+  await page.waitForSelector(ended, { state: "attached" });
   return counters(page);
+}
+
+/** Shows an iteration of a run, or a time of a race. @param {Page} page @param {number} time */
+export async function seek(page, time) {
+  await page.fill("#time", String(time));
+  await page.press("#time", "Enter");
+  return atRest(page);
+}
+
+/** Opens a fold and waits for what is in it. @param {Page} page @param {string} id */
+export async function unfold(page, id) {
+  await page.locator(`#${id}-fold`).evaluate((fold) => { /** @type {HTMLDetailsElement} */ (fold).open = true; });
+  await page.waitForFunction((name) => (document.getElementById(name)?.childElementCount ?? 0) > 0, id);
+}
+
+/** Chooses one of several, wherever the strip that it is in has scrolled to. @param {import("playwright-core").Page | import("playwright-core").Frame} page @param {string} name @param {string} value */
+export async function choose(page, name, value) {
+  await page.locator(`input[name=${name}][value=${value}]`).evaluate((input) => /** @type {HTMLElement} */ (input).click());
 }
 
 /** Puts a scene on the stage. @param {Page} page @param {string} id */
 export async function chooseScene(page, id) {
-  await page.locator(`input[name=scene][value=${id}]`).check({ force: true });
+  await choose(page, "scene", id);
   await page.waitForSelector(`body[data-scene=${id}]`);
   await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
 }
@@ -142,11 +198,15 @@ export async function dropFile(page, name, text) {
   }, [name, text]);
 }
 
+/** Waits for the next frame but one: what was drawn before is on the screen. @param {Page} page */
+export const frames = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+
 /**
  * How many pixels of a layer have (nearly) the colour of a custom property.
  * @param {Page} page @param {string} pane @param {import("../../www/stage/layer.js").LayerName} layer @param {string} property  without its dashes
  */
 export async function pixelsOf(page, pane, layer, property) {
+  await frames(page);
   return page.evaluate(([paneId, layerName, name]) => {
     const probe = document.createElement("span");
     probe.style.forcedColorAdjust = "none";
@@ -157,7 +217,7 @@ export async function pixelsOf(page, pane, layer, property) {
     const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(`#${paneId} canvas[data-layer=${layerName}]`));
     // The worker draws on it: its pixels are read from a copy.
     const copy = new OffscreenCanvas(canvas.width, canvas.height);
-    const context = copy.getContext("2d");
+    const context = copy.getContext("2d", { willReadFrequently: true });
     if (!context) return -1;
     context.drawImage(canvas, 0, 0);
     const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
@@ -170,54 +230,42 @@ export async function pixelsOf(page, pane, layer, property) {
 }
 
 /**
- * What the layers of growth show, as a number that differs when a pixel does.
- * @param {Page} page @param {string} pane @returns {Promise<string>}
+ * What layers show, as a number for each that differs when a pixel does, and whether it has ink.
+ * @param {Page} page @param {string} selector  of canvases
  */
-export async function growthHash(page, pane) {
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
-  return page.evaluate((id) => {
+export async function pictureOf(page, selector) {
+  await frames(page);
+  return page.locator(selector).evaluateAll((elements) => elements.map((element) => {
+    const canvas = /** @type {HTMLCanvasElement} */ (element);
+    const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
+    context?.drawImage(canvas, 0, 0);
+    const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, canvas.width, canvas.height));
     let hash = 0x811c9dc5;
     let ink = 0;
-    for (const name of ["edges", "vertices", "marks"]) {
-      const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(`#${id} canvas[data-layer=${name}]`));
-      const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
-      context?.drawImage(canvas, 0, 0);
-      const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, canvas.width, canvas.height));
-      for (const byte of data) {
-        hash = Math.imul(hash ^ byte, 0x01000193);
-        if (byte > 0) ink++;
-      }
+    for (const pixel of new Uint32Array(data.buffer)) {
+      hash = Math.imul(hash ^ pixel, 0x01000193);
+      if (pixel > 0) ink++;
     }
-    return `${hash >>> 0} ${ink}`;
-  }, pane);
+    return `${canvas.dataset.layer} ${hash >>> 0} ${ink}`;
+  }));
 }
 
-/**
- * How long the page's own thread and its worker's worked at each of their tasks meanwhile, milliseconds of processor time: unlike
- * the time that has passed, it does not count what else the machine does.
- * @param {Page} page @param {() => Promise<void>} meanwhile
- */
-export async function tasks(page, meanwhile) {
-  assert.ok(browser, "start() comes first");
-  await browser.startTracing(page, { categories: ["disabled-by-default-devtools.timeline", "__metadata"] });
-  await meanwhile();
-  /** @type {{ traceEvents: { name: string, tid: number, pid: number, tdur?: number, args: { name?: string } }[] }} */
-  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
-  const threads = new Map(traceEvents.filter(({ name }) => name === "thread_name").map(({ pid, tid, args }) => [`${pid} ${tid}`, args.name ?? ""]));
-  const of = (/** @type {RegExp} */ thread) => traceEvents
-    .filter(({ name, pid, tid, tdur }) => /RunTask$/.test(name) && tdur !== undefined && thread.test(threads.get(`${pid} ${tid}`) ?? ""))
-    .map(({ tdur }) => (tdur ?? 0) / 1000);
-  return { page: of(/^CrRendererMain$/), worker: of(/DedicatedWorker/) };
-}
+/** What the layers of growth show. @param {Page} page @param {string} pane */
+export const growthHash = async (page, pane) => (await pictureOf(page, ["edges", "vertices", "marks"].map((name) => `#${pane} canvas[data-layer=${name}]`).join())).join();
 
 /** What axe finds against WCAG 2.2 A and AA, and good practice. @param {Page} page @returns {Promise<string[]>} */
 export async function violations(page) {
-  await page.evaluate(readFileSync(join(root, "node_modules", "axe-core", "axe.min.js"), "utf8"));
+  if (!await page.evaluate(() => "axe" in window)) await page.evaluate(readFileSync(join(root, "node_modules", "axe-core", "axe.min.js"), "utf8"));
   return page.evaluate(async () => {
     // @ts-expect-error axe defines itself
-    const { violations: found } = await axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"] });
+    const { violations: found } = await axe.run(document, { resultTypes: ["violations"], runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"] });
     return found.map((/** @type {{ id: string, nodes: { html: string }[] }} */ { id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
   });
+}
+
+/** Waits until every scene of the gallery has its picture. @param {Page} page */
+export async function thumbnails(page) {
+  await page.waitForFunction(() => [...document.querySelectorAll(".card canvas")].every((canvas) => ![0, 300].includes(/** @type {HTMLCanvasElement} */ (canvas).width)));
 }
 
 /** The worker that plans and draws. @param {Page} page */

@@ -25,14 +25,16 @@ export async function until(page, name, value) {
   await page.waitForFunction(([key, wanted]) => document.getElementById("editor")?.dataset[key] === wanted, [name, String(value)]);
 }
 
-/** Pixels of the window for points of the plane, once the stage stands still. @param {Page} page @param {number} half  of the world's side */
-export async function plane(page, half) {
+/** Pixels of the window for points of the workspace, once the stage stands still. @param {Page} page @param {number | { min: number[], max: number[] }} box  that it shows, or half of its side */
+export async function plane(page, box) {
   const canvas = page.locator("#workspace canvas[data-layer=top]");
   await canvas.evaluate((element) => element.scrollIntoView({ block: "center" }));
-  const box = await canvas.boundingBox();
-  assert.ok(box);
-  const scale = (Math.min(box.width, box.height) - 28) / (2 * half);
-  return (/** @type {number} */ x, /** @type {number} */ y) => /** @type {[number, number]} */ ([box.x + box.width / 2 + scale * x, box.y + box.height / 2 - scale * y]);
+  const at = await canvas.boundingBox() ?? assert.fail("no canvas");
+  const { min, max } = typeof box === "number" ? { min: [-box, -box], max: [box, box] } : box;
+  const scale = Math.min((at.width - 28) / (max[0] - min[0]), (at.height - 28) / (max[1] - min[1]));
+  return (/** @type {number} */ x, /** @type {number} */ y) => /** @type {[number, number]} */ ([
+    at.x + at.width / 2 + scale * (x - (min[0] + max[0]) / 2), at.y + at.height / 2 - scale * (y - (min[1] + max[1]) / 2),
+  ]);
 }
 
 /** A drag with the mouse along points in pixels. @param {Page} page @param {[number, number][]} points */
@@ -43,20 +45,20 @@ export async function drag(page, points) {
   await page.mouse.up();
 }
 
-/** The same with a finger. @param {Page} page @param {[number, number][]} points */
+/** The same with a finger, which rests before it is lifted: else the browser takes the next tap for the end of a fling. @param {Page} page @param {[number, number][]} points */
 export async function swipe(page, points) {
   const session = await page.context().newCDPSession(page);
+  let timestamp = Date.now() / 1000 - 1;
   const send = (/** @type {"touchStart" | "touchMove" | "touchEnd"} */ type, /** @type {[number, number][]} */ at) =>
-    session.send("Input.dispatchTouchEvent", { type, touchPoints: at.map(([x, y]) => ({ x, y })) });
+    session.send("Input.dispatchTouchEvent", { type, touchPoints: at.map(([x, y]) => ({ x, y })), timestamp: timestamp += 0.01 });
   await send("touchStart", [points[0]]);
   for (const [i, [x, y]] of points.slice(1).entries()) {
     const [bx, by] = points[i];
     for (let k = 1; k <= 4; k++) await send("touchMove", [[bx + ((x - bx) * k) / 4, by + ((y - by) * k) / 4]]);
   }
+  timestamp += 0.5;
   await send("touchEnd", []);
   await session.detach();
-  // Chromium takes a tap right after a swipe for a part of it.
-  await page.waitForTimeout(400);
 }
 
 /** The document as it is saved. @param {Page} page @returns {Promise<{ text: string, document: ScenarioDocument, name: string }>} */

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { SvgContext } from "../../www/exchange/svg.js";
-import { processorTime, seeded } from "./seeded.mjs";
+import { seeded } from "./seeded.mjs";
 import { allOf, readXml } from "./xml.mjs";
 
 /** What is drawn, read again. @param {(context: SvgContext) => void} draw @param {{ background?: string, title?: string }} [options] */
@@ -346,10 +346,9 @@ test("coordinates that are not finite are ignored, as on a canvas", () => {
   assert.equal(d, "M1 2L3 4");
 });
 
-test("ten thousand faint edges stay a figure of a reasonable size, written quickly", () => {
+test("ten thousand faint edges stay a figure of a reasonable size", () => {
   const random = seeded(11);
   const context = new SvgContext(800, 600);
-  const began = processorTime();
   context.globalAlpha = 0.42;
   context.lineCap = "round";
   for (let i = 0; i < 10000; i++) {
@@ -359,7 +358,6 @@ test("ten thousand faint edges stay a figure of a reasonable size, written quick
     context.stroke();
   }
   const text = context.toString({ background: "white" });
-  assert.ok(processorTime() - began < 2000);
   assert.ok(text.length < 50 * 10000, String(text.length));
   assert.equal(allOf(readXml(text), "path").length, 10000);
 });

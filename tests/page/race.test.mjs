@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { atRest, chooseScene, finish, growthHash, onPage, onPausedPage, pixelsOf, root, setParameter, start, stop, violations, worker } from "./browser.mjs";
+import { PHONE, atRest, chooseScene, finish, frames, growthHash, onPage, onPausedPage, pixelsOf, root, seek, setParameter, start, stop, unfold } from "./browser.mjs";
+import { assertFaultless, assertTargets } from "./looks.mjs";
 import { PAST, Run } from "../../www/worker/run.js";
 import { compete } from "../../www/worker/compete.js";
 import { thinned } from "../../www/worker/curve.js";
@@ -53,13 +54,6 @@ async function table(page) {
 
 const time = (/** @type {Page} */ page) => page.locator("#time").inputValue().then(Number);
 
-/** Goes to a time. @param {Page} page @param {number} to */
-async function seek(page, to) {
-  await page.fill("#time", String(to));
-  await page.press("#time", "Enter");
-  await atRest(page);
-}
-
 /** Opens a rival's settings and gives one. @param {Page} page @param {string} rival @param {string} name @param {string} value */
 async function give(page, rival, name, value) {
   const field = page.locator(`#rival-${rival}-${name}`);
@@ -96,10 +90,10 @@ describe("fairness", () => {
   });
 
   test("whoever is behind goes next: a frame that is too short leaves all nearly level, however many frames it takes", async () => {
-    const { Scenario, phases } = await import("planarium");
+    const { Scenario, phases, planners } = await import("planarium");
     const scenario = Scenario.parse(text("rings"));
     const runs = [["prm", { samples: 900 }], ["rrt", { goal_bias: 0 }], ["rrt-connect", {}], ["prm-star", { samples: 300, edge_check: "sampled" }]]
-      .map(([algorithm, given]) => new Run(scenario, String(algorithm), { .../** @type {object} */ (given), seed: 3 }, phases));
+      .map(([algorithm, given]) => new Run(scenario, String(algorithm), { .../** @type {object} */ (given), seed: 3 }, { phases, planners }));
     let frames = 0;
     while (!compete(runs, PAST.evaluations, Infinity, performance.now() + 0.5)) {
       frames++;
@@ -132,18 +126,6 @@ describe("fairness", () => {
     });
   });
 
-  test("with four planners a frame\u2019s work has a median of at most 8 ms", async (context) => {
-    await onPausedPage(async (page) => {
-      await setParameter(page, "samples", "4000");
-      await race(page, "prm-star", "rrt", "prm");
-      await worker(page).evaluate(() => performance.clearMeasures("planarium-frame"));
-      await finish(page);
-      const times = await worker(page).evaluate(() => performance.getEntriesByName("planarium-frame").map(({ duration }) => duration).sort((x, y) => x - y));
-      const median = times[times.length >> 1];
-      context.diagnostic(`${times.length} frames, median ${median.toFixed(2)} ms, 95th percentile ${times[Math.floor(0.95 * times.length)].toFixed(2)} ms`);
-      assert.ok(times.length > 20 && median <= 8, `median ${median} ms`);
-    });
-  });
 });
 
 describe("one transport", () => {
@@ -184,14 +166,17 @@ describe("one transport", () => {
   test("play grows all of them, pause stops all of them", async () => {
     await onPausedPage(async (page) => {
       await race(page, "rrt-connect", "prm");
+      // Slow enough that none ends meanwhile.
+      await page.locator("#speed").fill("25");
       await page.click("#play");
-      await page.waitForFunction(() => Number(/** @type {HTMLInputElement} */ (document.getElementById("time")).value) > 300);
+      await page.waitForFunction(() => Number(/** @type {HTMLInputElement} */ (document.getElementById("time")).value) > 100);
       await page.click("#play");
       await atRest(page);
       const at = await time(page);
       const rows = await table(page);
       assert.ok(rows.every(({ counts }) => counts[4] > 0));
-      await page.waitForTimeout(300);
+      assert.equal(await page.getAttribute("#play", "data-playing"), "false");
+      await frames(page);
       assert.equal(await time(page), at);
       assert.deepEqual(await table(page), rows);
     });
@@ -282,7 +267,7 @@ describe("rivals", () => {
       await give(page, "B", "k", "0");
       assert.match(await page.innerText("#rival-B-k-reason"), /below/);
       await setParameter(page, "k", "5");
-      await page.waitForTimeout(200);
+      await atRest(page);
       assert.deepEqual(await table(page), before);
       await give(page, "B", "k", "7");
       assert.deepEqual((await table(page)).map(({ name }) => name), ["A PRM, k 5", "B PRM, k 7"]);
@@ -413,6 +398,7 @@ describe("curves", () => {
       const label = await page.locator("svg.vertices").getAttribute("aria-label") ?? "";
       assert.match(label, /^Vertices against clearance evaluations.*A PRM.*262.*B RRT-Connect/);
       await page.getByText("In numbers").click();
+      await page.waitForSelector("#curves tbody tr");
       const rows = await page.locator("#curves tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map(({ textContent }) => textContent?.replaceAll(",", ""))));
       assert.ok(rows.length >= 8 && rows.length <= 16, `${rows.length} rows`);
       for (const [at, ...values] of rows) {
@@ -442,29 +428,26 @@ describe("curves", () => {
     await onPage({}, async (page) => {
       await page.evaluate(() => {
         const send = Worker.prototype.postMessage;
-        document.body.dataset.asked = "0";
+        /** @type {number[]} */
+        const asked = [];
         Worker.prototype.postMessage = function (/** @type {{ command: string }} */ message, /** @type {never} */ transfer) {
-          if (message.command === "curves") document.body.dataset.asked = String(Number(document.body.dataset.asked) + 1);
+          if (message.command === "curves") document.body.dataset.asked = String(asked.push(performance.now()));
+          Object.assign(window, { asked });
           send.call(this, message, transfer);
         };
       });
-      await page.locator("#curves-fold > summary").click();
-      await page.click("#reset");
       await page.locator("#speed").fill("30");
-      await page.click("#play");
-      const asked = () => page.evaluate(() => Number(document.body.dataset.asked));
-      const before = await asked();
-      const began = Date.now();
-      await page.waitForTimeout(2000);
-      const many = await asked() - before;
-      const seconds = (Date.now() - began) / 1000;
-      assert.ok(many >= 3 && many <= 4 * seconds + 2, `asked ${many} times in ${seconds} s`);
+      await unfold(page, "curves");
+      await page.waitForFunction(() => Number(document.body.dataset.asked) >= 5);
+      const asked = await page.evaluate(() => /** @type {{ asked?: number[] }} */ (window).asked ?? []);
+      // However slow the machine is, what comes between two questions can only be longer.
+      for (let i = 1; i < asked.length; i++) assert.ok(asked[i] - asked[i - 1] > 245, `${asked}`);
     });
   });
 
   test("thinning keeps the first path and the end, rises, and costs no more for a long run", async () => {
-    const { Scenario, phases } = await import("planarium");
-    const run = new Run(Scenario.parse(text("stones")), "prm", { samples: 5000, k: 9, seed: 0, shortcut: 200 }, phases);
+    const { Scenario, phases, planners } = await import("planarium");
+    const run = new Run(Scenario.parse(text("stones")), "prm", { samples: 5000, k: 9, seed: 0, shortcut: 200 }, { phases, planners });
     while (!run.advance(-1, Infinity, Infinity));
     for (const column of [-1, PAST.evaluations]) {
       const head = run.clock(column);
@@ -492,24 +475,19 @@ describe("curves", () => {
 });
 
 describe("every screen", () => {
-  test("axe finds nothing, nothing hangs over, controls are large enough: light and dark, desk, phone and 320 px", async () => {
-    for (const [width, colorScheme] of /** @type {[number, "light" | "dark"][]} */ ([[320, "dark"], [390, "light"], [1280, "dark"], [1280, "light"]])) {
-      await onPausedPage(async (page) => {
-        await race(page, "rrt", "rrt-connect", "prm-star");
-        await finish(page);
-        await page.waitForSelector("svg.cost .end");
-        await page.locator(".rival summary").first().click();
-        await page.getByText("In numbers").click();
-        const { over, columns, small } = await page.evaluate(() => ({
-          over: document.documentElement.scrollWidth - innerWidth,
-          columns: new Set([...document.querySelectorAll("#stage figure")].map((figure) => Math.round(figure.getBoundingClientRect().left))).size,
-          small: [...document.querySelectorAll("#race :is(button, select, input, summary), .lens label")].filter((one) => one.getClientRects().length > 0 && one.getBoundingClientRect().height < 24).map((one) => one.outerHTML),
-        }));
-        assert.equal(over, 0, `${over} px hang over at ${width}`);
-        assert.equal(columns, width < 700 ? 1 : 2);
-        assert.deepEqual(small, []);
-        assert.deepEqual(await violations(page), []);
-      }, { colorScheme, viewport: { width, height: 860 } });
-    }
+  test("axe finds nothing, nothing hangs over, controls are large enough, sheets stand in one column on a phone", async () => {
+    await onPausedPage(async (page) => {
+      await race(page, "rrt", "rrt-connect", "prm-star");
+      await finish(page);
+      await page.waitForSelector("svg.cost .end");
+      await page.locator(".rival summary").first().click();
+      await page.getByText("In numbers").click();
+      await assertFaultless(page, "a race of four");
+      for (const [viewport, columns] of /** @type {const} */ ([[PHONE.viewport, 1], [{ width: 1280, height: 860 }, 2]])) {
+        await page.setViewportSize(viewport);
+        await assertTargets(page);
+        assert.equal(new Set(await page.locator("#stage figure").evaluateAll((figures) => figures.map((figure) => Math.round(figure.getBoundingClientRect().left)))).size, columns);
+      }
+    });
   });
 });

@@ -4,8 +4,9 @@ import { readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
 import { Scenario, reachMethods } from "planarium";
 import { decodeLink } from "../../www/exchange/link.js";
-import { pixelsOf, start, stop, tasks, violations } from "./browser.mjs";
-import { DESK, choose, entryOf, onReach, poseOf, put, rest, scenarioOf, windowOf } from "./reach.mjs";
+import { DESK, pixelsOf, start, stop } from "./browser.mjs";
+import { assertFaultless, assertFits, assertForced, assertTargets } from "./looks.mjs";
+import { choose, entryOf, onReach, poseOf, put, rest, windowOf } from "./reach.mjs";
 import { allOf, readXml } from "./xml.mjs";
 
 /** @import { Page } from "./browser.mjs" */
@@ -59,7 +60,7 @@ describe("inverse kinematics", () => {
         await page.selectOption("#method", id);
         await rest(page);
         await page.click("#solve-finish");
-        await page.waitForSelector("#solve:not([data-status=running])", { state: "attached", timeout: 60_000 });
+        await page.waitForSelector("#solve:not([data-status=running])", { state: "attached" });
         await rest(page);
         assert.ok(Number(await page.getAttribute("#solve", "data-solutions")) >= 1, id);
       }
@@ -85,7 +86,7 @@ describe("inverse kinematics", () => {
       await page.click("#plan");
       await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
       await page.click("#finish");
-      await page.waitForSelector("#counters[data-settled=true][data-status=solved]", { state: "attached", timeout: 60_000 });
+      await page.waitForSelector("#counters[data-settled=true][data-status=solved]", { state: "attached" });
       assert.equal(await page.isHidden("#notice"), true);
     });
   });
@@ -151,17 +152,6 @@ describe("links and files", () => {
       Scenario.parse((await taken("#take-scenario")).toString()).free();
     });
   });
-
-  test("it is kept for later with the rest: it opens without a network", async () => {
-    await onReach(async (page, url) => {
-      await page.waitForFunction(async () => (await navigator.serviceWorker.ready).active?.state === "activated");
-      await page.context().setOffline(true);
-      await page.goto("about:blank");
-      await page.goto(`${url}reach.html`);
-      await page.waitForSelector("body[data-state=ready][data-settled=true]");
-      await page.waitForSelector("#stage[data-cells=true]");
-    }, { ...DESK, serviceWorkers: "allow" }, { expectErrors: true });
-  });
 });
 
 describe("for everyone", () => {
@@ -185,53 +175,20 @@ describe("for everyone", () => {
     },
   };
 
-  test("axe finds nothing in any state, in light and dark, on a desk and on a phone", async () => {
-    for (const [state, reachIt] of Object.entries(STATES)) {
-      for (const [colorScheme, width] of /** @type {["light" | "dark", number][]} */ ([["light", 1280], ["dark", 1280], ["light", 320], ["dark", 390]])) {
-        await onReach(async (page) => {
-          await reachIt(page);
-          await rest(page);
-          assert.deepEqual(await violations(page), [], `${state}, ${colorScheme}, ${width}`);
-        }, { colorScheme, viewport: { width, height: 860 } });
+  test("in any state axe finds nothing, nothing is cut off, and figures and what is pressed are large enough", async () => {
+    await onReach(async (page) => {
+      for (const [state, reachIt] of Object.entries(STATES)) {
+        await reachIt(page);
+        await assertFaultless(page, state);
+        await assertFits(page, state, 200);
+        await assertTargets(page);
       }
-    }
-  });
-
-  test("from 320 to 2560 pixels nothing is cut off, and figures are large enough", async () => {
-    for (const width of [320, 390, 768, 1024, 1280, 1920, 2560]) {
-      await onReach(async (page) => {
-        for (const reachIt of Object.values(STATES)) {
-          await reachIt(page);
-          await rest(page);
-          const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-          assert.equal(over, 0, `${width}`);
-          for (const sheet of await page.locator(".pane:not([hidden]) .sheet").all()) {
-            const box = await sheet.boundingBox();
-            assert.ok(box && box.width >= 200 && box.height >= 200, `${width}: ${JSON.stringify(box)}`);
-          }
-        }
-        const small = await page.evaluate(() => [...document.querySelectorAll("button, select, a, input:not([type=file], [name=scene]), summary")]
-          .filter((element) => element.checkVisibility() && !element.closest(".visually-hidden, .card"))
-          .map((element) => ({ name: element.id || element.textContent || element.className, box: (element.closest("label") ?? element).getBoundingClientRect() }))
-          .filter(({ box }) => box.height < 24 || box.width < 24).map(({ name, box }) => `${name} ${box.width}x${box.height}`));
-        assert.deepEqual(small, [], `${width}`);
-      }, { viewport: { width, height: 900 } });
-    }
+    });
   });
 
   test("forced colours are honoured", async () => {
     await onReach(async (page) => {
-      const same = await page.evaluate(() => {
-        const probe = document.createElement("span");
-        probe.style.forcedColorAdjust = "none";
-        document.body.append(probe);
-        const resolved = (/** @type {string} */ colour) => {
-          probe.style.color = colour;
-          return getComputedStyle(probe).color;
-        };
-        return resolved("var(--robot)") === resolved("CanvasText");
-      });
-      assert.ok(same);
+      await assertForced(page);
       const { color, backgroundColor, adjust } = await page.locator("#mode-hand").evaluate((button) => {
         const style = getComputedStyle(button);
         return { color: style.color, backgroundColor: style.backgroundColor, adjust: style.forcedColorAdjust };
@@ -240,28 +197,5 @@ describe("for everyone", () => {
       assert.notEqual(color, backgroundColor);
       assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
     }, { ...DESK, forcedColors: "active" });
-  });
-
-  test("while the tip is dragged and a run is played the page is never blocked for 50 ms", async (context) => {
-    await onReach(async (page) => {
-      const [x, y] = await windowOf(page, "islands", scenarioOf("islands").endEffector(await poseOf(page)));
-      const worked = await tasks(page, async () => {
-        await page.mouse.move(x, y);
-        await page.mouse.down();
-        for (let i = 0; i < 60; i++) await page.mouse.move(x - 2 * i, y + 60 * Math.sin(i / 6));
-        await page.mouse.up();
-        await rest(page);
-        await page.locator("#link-0").focus();
-        for (let i = 0; i < 10; i++) await page.keyboard.press("ArrowRight");
-        await page.waitForSelector("#stage[data-cells=true]");
-        await page.click("#mode-solve");
-        await page.click("#solve-finish");
-        await page.waitForSelector("#solve:not([data-status=running])", { state: "attached" });
-        await rest(page);
-      });
-      const most = worked.page.reduce((a, b) => Math.max(a, b), 0);
-      context.diagnostic(`${worked.page.length} tasks, most ${most.toFixed(1)} ms`);
-      assert.ok(worked.page.length > 30 && most < 50, `${most} ms`);
-    }, { ...DESK, deviceScaleFactor: 2 });
   });
 });

@@ -8,8 +8,8 @@ import { documentOf } from "../../www/reach/bench.js";
 import { ellipseOf } from "../../www/reach/jacobian.js";
 import { SCENES } from "../../www/reach/scenes.js";
 import { Way } from "../../www/reach/way.js";
-import { pixelsOf, start, stop } from "./browser.mjs";
-import { DESK, PHONE, choose, entryOf, onReach, poseOf, put, rest, scenarioOf, windowOf } from "./reach.mjs";
+import { DESK, PHONE, pixelsOf, start, stop } from "./browser.mjs";
+import { choose, entryOf, onReach, poseOf, put, rest, scenarioOf, windowOf } from "./reach.mjs";
 
 /** @import { Options } from "./browser.mjs" */
 

@@ -5,8 +5,8 @@ import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { list, number, record } from "../../www/exchange/rules.js";
 import { decodeState, encodeState } from "../../www/room/link.js";
-import { onPage, pageRoot, pixelsOf, root, start, stop } from "./browser.mjs";
-import { DESK, onReach, poseOf, rest } from "./reach.mjs";
+import { DESK, onPage, pageRoot, pixelsOf, root, start, stop } from "./browser.mjs";
+import { onReach, poseOf, rest } from "./reach.mjs";
 
 before(start);
 after(stop);

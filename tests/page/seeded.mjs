@@ -1,4 +1,4 @@
-/** Random choices that a seed decides (mulberry32), and the time that work takes, for tests that try many things. */
+/** Random choices that a seed decides (mulberry32), for tests that try many things. */
 
 /** @param {number} seed */
 export function seeded(seed) {
@@ -32,10 +32,4 @@ export function mutated(bytes, random) {
     else list.splice(at, 0, random.below(256));
   }
   return Uint8Array.from(list);
-}
-
-/** Milliseconds of processor that this process has used: what else runs on the machine does not count. */
-export function processorTime() {
-  const { user, system } = process.cpuUsage();
-  return (user + system) / 1000;
 }

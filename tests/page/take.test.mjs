@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { readNpy, writeNpy } from "../../www/exchange/npy.js";
-import { atRest, chooseScene, counters, finish, growthHash, onPausedPage, pickFile, pixelsOf, root, start, stop } from "./browser.mjs";
+import { PHONE, atRest, chooseScene, counters, finish, growthHash, onPausedPage, pickFile, pixelsOf, root, start, stop, unfold } from "./browser.mjs";
 
 /** @import { Page } from "./browser.mjs" */
 
@@ -14,15 +14,9 @@ after(stop);
 /** @param {string} name */
 const fixture = (name) => readFileSync(join(root, "tests", "page", "fixtures", `${name}.npy`));
 
-/** Opens the fold and waits for what is in it. @param {Page} page */
-async function unfold(page) {
-  await page.locator("#take-fold > summary").click();
-  await page.waitForSelector("#take-png");
-}
-
 /** Takes one thing away. @param {Page} page @param {string} id @returns {Promise<{ name: string, bytes: Buffer }>} */
 async function take(page, id) {
-  const [download] = await Promise.all([page.waitForEvent("download", { timeout: 30_000 }), page.click(`#take-${id}`)]);
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click(`#take-${id}`)]);
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
 
@@ -91,7 +85,7 @@ for (const ratio of [1, 2]) {
   test(`a picture has the stage's pixels, ${ratio} a CSS pixel, and each size its own`, () => onPausedPage(async (page) => {
     await page.click("#step-100");
     await atRest(page);
-    await unfold(page);
+    await unfold(page, "take");
     const box = await page.locator("#stage").evaluate((stage) => stage.getBoundingClientRect().toJSON());
     for (const scale of ratio === 1 ? [1, 2, 4] : [2]) {
       await page.selectOption("#take-scale", String(scale));
@@ -111,7 +105,7 @@ for (const ratio of [1, 2]) {
 
 test("the drawing of lines is well formed and looks like the picture; it asks for nothing from elsewhere", () => onPausedPage(async (page) => {
   await finish(page);
-  await unfold(page);
+  await unfold(page, "take");
   await page.selectOption("#take-scale", "1");
   const png = await take(page, "png");
   const svg = await take(page, "svg");
@@ -131,7 +125,7 @@ test("the drawing of lines is well formed and looks like the picture; it asks fo
 test("a moving picture has as many frames as were asked for, and ends with what the stage shows; the stage stands still meanwhile", () => onPausedPage(async (page) => {
   await page.click("#step-100");
   await atRest(page);
-  await unfold(page);
+  await unfold(page, "take");
   await page.selectOption("#take-scale", "1");
   const png = await take(page, "png");
   await page.selectOption("#take-frames", "24");
@@ -188,7 +182,7 @@ test("a moving picture has as many frames as were asked for, and ends with what 
 
 test("a moving picture can be cancelled, and is not gone on with when another run begins", () => onPausedPage(async (page) => {
   await finish(page);
-  await unfold(page);
+  await unfold(page, "take");
   await page.selectOption("#take-frames", "96");
   await page.click("#take-gif");
   await page.click("#take-cancel");
@@ -204,7 +198,7 @@ test("a moving picture can be cancelled, and is not gone on with when another ru
 }));
 
 test("what is not to be had says why", () => onPausedPage(async (page) => {
-  await unfold(page);
+  await unfold(page, "take");
   assert.deepEqual([await page.isDisabled("#take-gif"), await page.isDisabled("#take-path"), await page.isDisabled("#take-png")], [true, true, false]);
   assert.match(await page.innerText("#take-gif-hint"), /Nothing has happened/);
   assert.match(await page.innerText("#take-path-hint"), /No path/);
@@ -215,7 +209,7 @@ test("what is not to be had says why", () => onPausedPage(async (page) => {
 test("a scene that was taken away and is opened again plans the same", () => onPausedPage(async (page) => {
   await page.selectOption("#planner", "rrt-connect");
   const { fingerprint } = await finish(page);
-  await unfold(page);
+  await unfold(page, "take");
   const { name, bytes } = await take(page, "scenario");
   assert.equal(name, "stones.json");
   await pickFile(page, name, bytes.toString());
@@ -226,7 +220,7 @@ test("a scene that was taken away and is opened again plans the same", () => onP
 
 test("counters, result, path and vertices are the numbers of the run", () => onPausedPage(async (page) => {
   const run = await finish(page);
-  await unfold(page);
+  await unfold(page, "take");
   const csv = (await take(page, "counters")).bytes.toString().trimEnd().split("\r\n").map((row) => row.split(","));
   assert.deepEqual(csv[0], ["iteration", "vertices", "edges", "events", "phase", "configuration_checks", "motion_checks", "clearance_evaluations", "cost"]);
   assert.equal(csv.length - 1, run.iterations + 1);
@@ -256,8 +250,8 @@ test("of a race each planner is told of, in one table, and by choice in a file o
   await page.click("#add-rival");
   await page.waitForSelector("#lane-B");
   await page.click("#finish");
-  await page.waitForFunction(() => [...document.querySelectorAll("#standings tbody tr")].length === 2 && document.getElementById("counters")?.dataset.settled === "true", undefined, { timeout: 60_000 });
-  await unfold(page);
+  await page.waitForFunction(() => [...document.querySelectorAll("#standings tbody tr")].length === 2 && document.getElementById("counters")?.dataset.settled === "true");
+  await unfold(page, "take");
   const rows = (await take(page, "counters")).bytes.toString().trimEnd().split("\r\n").map((row) => row.split(","));
   assert.deepEqual(rows[0].slice(0, 2), ["planner", "iteration"]);
   assert.equal(new Set(rows.slice(1).map(([planner]) => planner)).size, 2);
@@ -368,7 +362,7 @@ test("what is copied to embed the stage opens it there", () => onPausedPage(asyn
   await page.selectOption("#planner", "rrt");
   await page.click("#step-100");
   await atRest(page);
-  await unfold(page);
+  await unfold(page, "take");
   await page.locator("#embed-fold > summary").click();
   for (const [kind, sign] of [["page", /^<iframe src="([^"]+)"/], ["slides", /data-src="([^"]+)"/], ["notebook", /IFrame\("([^"]+)"/]]) {
     await page.selectOption("#embed-kind", String(kind));
@@ -385,7 +379,7 @@ test("what is copied to embed the stage opens it there", () => onPausedPage(asyn
 test("on a phone all of it is at hand, and the picture is as tall as the stage", () => onPausedPage(async (page) => {
   await page.click("#step-100");
   await atRest(page);
-  await unfold(page);
+  await unfold(page, "take");
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
   for (const button of await page.locator("#take button:visible, #take select:visible").all()) {
     const box = await button.boundingBox();
@@ -397,11 +391,11 @@ test("on a phone all of it is at hand, and the picture is as tall as the stage",
   await pickArray(page, "poses.npy", writeNpy(new Float64Array(4), [2, 2]));
   await page.waitForSelector("#marked:not([hidden])");
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
-}, { viewport: { width: 390, height: 844 }, colorScheme: "dark" }));
+}, { ...PHONE, colorScheme: "dark" }));
 
 /** How many obstacles the scene on the stage has: read from what would be taken away. @param {Page} page */
 async function obstacles(page) {
-  if (await page.locator("#take-scenario").count() === 0) await unfold(page);
+  if (await page.locator("#take-scenario").count() === 0) await unfold(page, "take");
   return JSON.parse((await take(page, "scenario")).bytes.toString()).world.obstacles.length;
 }
 

@@ -5,15 +5,13 @@ import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { Scenario } from "planarium";
 import { View } from "../../www/stage/view.js";
-import { atRest, chooseScene, finish, onPausedPage, pixelsOf, root, setParameter, start, stop } from "./browser.mjs";
+import { PHONE, atRest, chooseScene, finish, frames, onPausedPage, pixelsOf, root, seek, setParameter, start, stop, unfold } from "./browser.mjs";
 import { SCENES } from "../../www/scenes.js";
 
 /** @import { Page } from "./browser.mjs" */
 
 before(start);
 after(stop);
-
-const PHONE = { viewport: { width: 390, height: 844 } };
 
 /** One of the page's scenes. @param {string} id */
 const scenarioOf = (id) => Scenario.parse(readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8"));
@@ -36,15 +34,9 @@ async function square(page) {
   return (/** @type {number} */ a, /** @type {number} */ b) => ({ x: view.x(a), y: view.y(b) });
 }
 
-/** Opens the fold of the view, and waits for what it holds. @param {Page} page */
-async function unfold(page) {
-  await page.evaluate(() => { /** @type {HTMLDetailsElement} */ (document.getElementById("view-fold")).open = true; });
-  await page.waitForSelector("#view-plane", { state: "attached" });
-}
-
 /** Sets a switch, a number or a choice of the view. @param {Page} page @param {string} id @param {string | boolean} value */
 async function see(page, id, value) {
-  await unfold(page);
+  await unfold(page, "view");
   const control = page.locator(`#${id}`);
   if (typeof value === "boolean") await control.setChecked(value);
   else if (await control.evaluate((element) => element.tagName === "SELECT")) await control.selectOption(value);
@@ -63,17 +55,11 @@ const inked = (page, pane, layer, least = 1) => page.evaluate(([id, name, dense]
   return Array.from({ length: data.length / 4 }, (_, i) => i).filter((i) => data[4 * i + 3] >= Number(dense)).map((i) => [i % canvas.width, Math.floor(i / canvas.width)]);
 }, [pane, layer, least]);
 
-/** @param {Page} page */
-const frames = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
-
-/** The line beneath the stage. @param {Page} page */
-async function readout(page) {
-  await atRest(page);
-  await frames(page);
-  return page.locator("#readout").evaluate((element) => {
-    const { vertex, free } = /** @type {HTMLElement} */ (element).dataset;
-    return { text: element.textContent ?? "", vertex: vertex === undefined ? null : Number(vertex), free: free ?? "" };
-  });
+/** The line beneath the stage, once it speaks of what is wanted. @param {Page} page @param {string} wanted   what is to be told, as CSS says it */
+async function readout(page, wanted) {
+  const line = page.locator(`#readout${wanted}`);
+  await line.waitFor();
+  return { text: await line.innerText(), vertex: Number(await line.getAttribute("data-vertex")) };
 }
 
 describe("what is pointed at", () => {
@@ -88,28 +74,27 @@ describe("what is pointed at", () => {
       const ends = { collision: await pixelsOf(page, "workspace", "top", "collision"), ink: await pixelsOf(page, "cspace", "top", "ink") };
       const [hit, way] = [hits[Math.floor(hits.length / 2)], ways[Math.floor(ways.length / 2)]];
       await page.hover("#cspace .sheet", { position: at(hit[0], hit[1]) });
-      const bad = await readout(page);
+      const bad = await readout(page, "[data-vertex='-1'][data-free=false]");
       const { part, obstacle } = scenario.check(hit).touching[0];
       assert.match(bad.text, new RegExp(`^Pose .* rad: link ${part} touches obstacle ${obstacle}\\.$`));
-      assert.deepEqual([bad.vertex, bad.free], [-1, "false"]);
       assert.ok(await pixelsOf(page, "workspace", "top", "collision") > ends.collision + 60);
       assert.ok(await page.isVisible("#legend-touching"));
       await page.hover("#cspace .sheet", { position: at(way[0], way[1]) });
-      const good = await readout(page);
-      assert.match(good.text, /^Pose .* rad: free\.$/);
+      const good = await readout(page, "[data-vertex='-1'][data-free=true]");
+      assert.match(good.text, /^Pose .* rad: free, \d+\.\d{3} m from obstacle \d+\.$/);
       assert.ok(await pixelsOf(page, "workspace", "top", "ink") > 60, "the arm is drawn");
       assert.ok(await pixelsOf(page, "cspace", "top", "ink") > ends.ink + 20, "the point is in a ring");
       assert.equal(await pixelsOf(page, "workspace", "top", "collision"), ends.collision);
       assert.equal(await page.locator("#stage.in-hand").count(), 0);
       assert.deepEqual(await page.locator("#stage").boundingBox(), before, "nothing has moved");
       await page.hover("#story");
-      assert.equal((await readout(page)).vertex, null);
+      await readout(page, ":not([data-vertex])");
       assert.ok(await pixelsOf(page, "cspace", "top", "ink") <= ends.ink);
     });
   });
 
-  for (const options of [{}, PHONE]) {
-    test(`near a vertex it is that vertex, in both panes${options === PHONE ? ", on a phone" : ""}`, async () => {
+  for (const options of [{}, { viewport: PHONE.viewport }]) {
+    test(`near a vertex it is that vertex, in both panes${"viewport" in options ? ", on a phone" : ""}`, async () => {
       await onPausedPage(async (page) => {
         const { scenario, planner } = planned("stones");
         await finish(page);
@@ -135,20 +120,18 @@ describe("what is pointed at", () => {
             // On a phone the transport stands over the lower end of the page.
             await page.locator(`#${pane}`).evaluate((figure) => figure.scrollIntoView({ block: "start" }));
             await page.hover(`#${pane} .sheet`, { position: point, force: true });
-            const told = await readout(page);
-            assert.equal(told.vertex, nearest, `${pane}, vertex ${wanted}`);
+            const told = await readout(page, `[data-vertex='${nearest}']`);
             const degree = edges.filter((end) => end === nearest).length;
             const numbers = [...rows.slice(2 * nearest, 2 * nearest + 2)].map((value) => value.toFixed(2).replace("-", "\u2212")).join(", ");
             assert.equal(told.text, `Vertex ${nearest} at ${numbers} rad: ${degree} ${degree === 1 ? "edge" : "edges"}.`);
           }
         }
         // As of an earlier iteration there is nothing but the start.
-        await page.fill("#time", "0");
-        await page.press("#time", "Enter");
+        await seek(page, 0);
         const { x, y } = at(rows[2 * 60], rows[2 * 60 + 1]);
         await page.locator("#cspace").evaluate((figure) => figure.scrollIntoView({ block: "start" }));
         await page.hover("#cspace .sheet", { position: { x, y }, force: true });
-        assert.equal((await readout(page)).vertex, -1);
+        await readout(page, "[data-vertex='-1']");
       }, options);
     });
   }
@@ -164,8 +147,7 @@ describe("what is pointed at", () => {
       assert.equal((await finish(page)).fingerprint, planner.fingerprint());
       const bare = await pixelsOf(page, "workspace", "top", "ink");
       await see(page, "inspect", "1");
-      const goal = await readout(page);
-      assert.equal(goal.vertex, 1);
+      const goal = await readout(page, "[data-vertex='1']");
       assert.ok(goal.text.endsWith(`; ${planner.result().length.toFixed(2)} rad from the root.`), goal.text);
       const rows = planner.verticesSince(0);
       const edges = planner.edgesSince(0);
@@ -173,13 +155,12 @@ describe("what is pointed at", () => {
       const away = scenario.distance(rows.slice(2 * parent, 2 * parent + 2), rows.slice(18, 20)).toFixed(2);
       await page.press("#inspect", "ArrowUp");
       for (let i = 0; i < 7; i++) await page.press("#inspect", "ArrowUp");
-      const told = await readout(page);
-      assert.equal(told.vertex, 9);
+      const told = await readout(page, "[data-vertex='9']");
       assert.match(told.text, new RegExp(`\\. Parent ${parent}, ${away} rad away; `));
       const ringed = await pixelsOf(page, "workspace", "top", "ink");
       assert.ok(ringed > bare + 15, `${bare}, then ${ringed} pixels`);
       await see(page, "inspect", "");
-      assert.equal((await readout(page)).vertex, null);
+      await readout(page, ":not([data-vertex])");
     });
   });
 });
@@ -223,16 +204,12 @@ describe("what the planner did", () => {
     await onPausedPage(async (page) => {
       const { iterations } = await finish(page);
       assert.equal(await page.isVisible("#legend-waiting"), false);
-      await page.fill("#time", String(iterations - 8));
-      await page.press("#time", "Enter");
-      await atRest(page);
+      await seek(page, iterations - 8);
       assert.equal(await page.locator("#counters").getAttribute("data-phase"), "searching");
       assert.ok(await page.isVisible("#legend-waiting"));
       const rings = await pixelsOf(page, "cspace", "top", "ink");
       assert.ok(rings > 100, `${rings} pixels`);
-      await page.fill("#time", "300");
-      await page.press("#time", "Enter");
-      await atRest(page);
+      await seek(page, 300);
       await frames(page);
       assert.equal(await page.isVisible("#legend-waiting"), false);
       assert.ok(await pixelsOf(page, "cspace", "top", "ink") < rings / 4);
@@ -276,7 +253,7 @@ describe("the path", () => {
       for (let i = n; i < raw.length; i += n) found += scenario.distance(raw.slice(i - n, i), raw.slice(i, i + n));
       const { length } = planner.result();
       assert.ok(found > length + 0.1);
-      await unfold(page);
+      await unfold(page, "view");
       assert.equal(await page.textContent("#view-lengths"), `${found.toFixed(2)} rad as found, ${length.toFixed(2)} rad shortened.`);
       assert.match(await page.innerText("#story"), new RegExp(`a path of ${length.toFixed(2)} rad, cut from ${found.toFixed(2)} rad`));
       assert.equal(await page.isVisible("#legend-raw"), false);
@@ -292,7 +269,7 @@ describe("the path", () => {
 describe("planes of more than two joints", () => {
   test("two selects say which joints, the caption says it too, and the same one twice is not possible", async () => {
     await onPausedPage(async (page) => {
-      await unfold(page);
+      await unfold(page, "view");
       assert.equal(await page.locator("#view-plane").evaluate((element) => /** @type {HTMLElement} */ (element).hidden), true);
       const { planner } = planned("thicket");
       await chooseScene(page, "thicket");
@@ -304,8 +281,7 @@ describe("planes of more than two joints", () => {
       const at = await square(page);
       const [x, y] = [rows[4 * 30 + 2], rows[4 * 30 + 3]];
       await page.hover("#cspace .sheet", { position: at(x, y) });
-      const { vertex } = await readout(page);
-      assert.ok(vertex !== null && vertex >= 0);
+      const { vertex } = await readout(page, "[data-vertex]:not([data-vertex='-1'])");
       const there = at(rows[4 * vertex + 2], rows[4 * vertex + 3]);
       assert.ok(Math.hypot(there.x - at(x, y).x, there.y - at(x, y).y) < 2, `vertex ${vertex} is in another place`);
       await see(page, "view-across", "3");

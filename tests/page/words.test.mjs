@@ -4,8 +4,9 @@ import { after, before, describe, test } from "node:test";
 import { Scenario, phases, planners } from "planarium";
 import { LESSONS, stageAt } from "../../www/lessons.js";
 import { SCENES } from "../../www/scenes.js";
-import { atRest, chooseScene, counters, finish, growthHash, onPage, onPausedPage, setParameter, start, stop, violations } from "./browser.mjs";
+import { atRest, chooseScene, finish, growthHash, onPage, onPausedPage, setParameter, start, stop } from "./browser.mjs";
 import { open, sceneOf } from "./library.mjs";
+import { assertFaultless } from "./looks.mjs";
 
 /** @import { Page } from "playwright-core" */
 
@@ -68,12 +69,22 @@ describe("pseudo-code", () => {
       assert.match(glyph, /\S/);
       assert.notEqual(glyph, "none");
       assert.equal(await page.locator("#pseudocode").evaluate((element) => element.closest("[aria-live], [role=status]")), null);
-      const changes = await page.evaluate(() => new Promise((resolve) => {
-        let count = 0;
-        new MutationObserver(() => { count++; }).observe(/** @type {HTMLElement} */ (document.getElementById("pseudocode")), { attributes: true, subtree: true });
-        setTimeout(() => resolve(count), 1500);
+      await page.locator("#speed").fill("30");
+      await page.click("#reset");
+      const written = page.evaluate(() => new Promise((/** @type {(times: number[]) => void} */ resolve) => {
+        /** @type {number[]} */
+        const times = [];
+        const watch = new MutationObserver(() => {
+          if (times.push(performance.now()) < 5) return;
+          watch.disconnect();
+          resolve(times);
+        });
+        watch.observe(/** @type {HTMLElement} */ (document.getElementById("pseudocode")), { attributes: true, subtree: true });
       }));
-      assert.ok(Number(changes) <= 8, `${changes} changes in 1.5 s`);
+      await page.click("#play");
+      // The first is what was there before; however slow the machine is, what comes between two others can only be longer.
+      const times = (await written).slice(1);
+      for (let i = 1; i < times.length; i++) assert.ok(times[i] - times[i - 1] > 190, `${times}`);
     });
   });
 
@@ -134,7 +145,7 @@ describe("options of a scene", () => {
       });
       await page.locator("#option-difficulty").fill("2");
       await page.waitForFunction(() => document.getElementById("option-seed-value")?.textContent === "30");
-      await page.waitForTimeout(300);
+      await atRest(page);
       assert.equal(await page.locator("#option-difficulty-value").innerText(), "hard");
       const shown = await finish(page);
       const entry = sceneOf("maze");
@@ -188,7 +199,7 @@ describe("lessons", () => {
         await page.waitForFunction((ends) => {
           const { settled, status, iterations } = /** @type {HTMLElement} */ (document.getElementById("counters")).dataset;
           return settled === "true" && (ends === undefined ? status !== "running" : iterations === String(ends));
-        }, step.iteration, { timeout: 30_000 });
+        }, step.iteration);
         const stage = stageAt(lesson, i);
         assert.equal(await page.getAttribute("body", "data-scene"), stage.scene);
         assert.equal(await page.inputValue("#planner"), stage.algorithm);
@@ -203,8 +214,8 @@ describe("lessons", () => {
 
   test("a step's address opens it, and going back shows what was there", async () => {
     for (const viewport of [{ width: 1280, height: 860 }, { width: 390, height: 844 }]) {
-      await onPausedPage(async (page, url) => {
-        const fresh = await page.context().newPage();
+      await onPausedPage(async (fresh, url) => {
+        await fresh.goto("about:blank");
         await fresh.goto(`${url}#lesson=pull.2`);
         const { steps } = LESSONS.find(({ id }) => id === "pull") ?? assert.fail();
         await fresh.waitForSelector(`#counters[data-settled=true][data-iterations="${steps[1].iteration}"]`, { state: "attached" });
@@ -220,22 +231,20 @@ describe("lessons", () => {
         assert.equal(await fresh.locator("#story").isVisible(), false, "one voice at a time");
         await fresh.click("#lesson-leave");
         assert.equal(fresh.url(), url);
-        await fresh.close();
       }, { viewport });
     }
   });
 
   test("an address without a lesson is said, and the page opens", async () => {
-    await onPausedPage(async (page, url) => {
+    await onPausedPage(async (fresh, url) => {
       /** @type {[string, RegExp][]} */
       const wrong = [["#lesson=alchemy.1", /no lesson "alchemy"/], ["#lesson=trees.77", /5 steps, and none of number 77/], ["#lesson=", /There is no lesson/], ["#lesson=<b>x</b>", /There is no lesson/]];
       for (const [fragment, sentence] of wrong) {
-        const fresh = await page.context().newPage();
+        await fresh.goto("about:blank");
         await fresh.goto(url + fragment);
         await fresh.waitForSelector("#notice:not([hidden])");
         assert.match(await fresh.innerText("#notice"), sentence);
         assert.equal(await fresh.getAttribute("body", "data-scene"), "stones");
-        await fresh.close();
       }
     });
   });
@@ -243,61 +252,60 @@ describe("lessons", () => {
 
 describe("first words", () => {
   test("what is looked for is said first, then what grows, then what came of it", async () => {
-    await onPage({}, async (page) => {
-      await page.waitForFunction(() => /seeks a way from start to goal: each point is a pose/.test(document.getElementById("story")?.textContent ?? ""));
+    await onPausedPage(async (page) => {
+      assert.match(await page.innerText("#story"), /seeks a way from start to goal: each point is a pose/);
       assert.match(await page.innerText("#workspace figcaption"), /^Workspace\s+the arm.s world; points mark its tip$/);
       assert.match(await page.innerText("#cspace figcaption"), /^Configuration space\s+each point is a pose: two angles$/);
-      await page.waitForFunction(() => document.getElementById("count-phase")?.textContent === "connecting");
+      while ((await atRest(page)).phase === "sampling") await page.click("#step-100");
+      assert.equal((await atRest(page)).phase, "connecting");
       assert.equal(await page.innerText("#story"), SCENES[0].story);
-      await page.waitForFunction(() => /^Found after/.test(document.getElementById("story")?.textContent ?? ""));
+      await finish(page);
+      assert.match(await page.innerText("#story"), /^Found after/);
     });
   });
 
-  for (const viewport of [{ width: 1280, height: 860 }, { width: 1024, height: 768 }, { width: 390, height: 844 }, { width: 820, height: 1100 }]) {
-    test(`whatever is said, the stage stays where it is, ${viewport.width} pixels wide`, async () => {
-      await onPausedPage(async (page) => {
-        const place = () => page.evaluate(() => {
-          scrollTo(0, 0);
-          const { top, height } = /** @type {HTMLElement} */ (document.getElementById("stage")).getBoundingClientRect();
-          return `${top.toFixed(0)} ${height.toFixed(0)}`;
-        });
-        for (const id of ["stones", "locked", "veil"]) {
-          if (id !== "stones") await chooseScene(page, id);
+  test("whatever is said, the stage stays where it is", async () => {
+    await onPausedPage(async (page) => {
+      const place = () => page.evaluate(() => {
+        scrollTo(0, 0);
+        const { top, height } = /** @type {HTMLElement} */ (document.getElementById("stage")).getBoundingClientRect();
+        return `${top.toFixed(0)} ${height.toFixed(0)}`;
+      });
+      for (const id of ["stones", "locked", "veil"]) {
+        if (id !== "stones") await chooseScene(page, id);
+        for (const [width, height] of [[1280, 860], [1024, 768], [390, 844], [820, 1100]]) {
+          await page.setViewportSize({ width, height });
+          await page.click("#reset");
+          await atRest(page);
           const first = await place();
           const sentences = new Set([await page.innerText("#story")]);
           for (const act of ["#step-100", "#finish", "#your-turn"]) {
             await page.click(act);
-            await page.waitForFunction((known) => known.includes(document.getElementById("story")?.textContent ?? "") === false, act === "#step-100" ? [""] : [...sentences]);
             await atRest(page);
             sentences.add(await page.innerText("#story"));
-            assert.equal(await place(), first, `${id}: ${await page.innerText("#story")}`);
+            assert.equal(await place(), first, `${id}, ${width} pixels wide: ${await page.innerText("#story")}`);
           }
           assert.ok(sentences.size >= 3);
           await page.click("#your-turn");
         }
-      }, { viewport });
-    });
-  }
-
-  test("axe finds nothing in a lesson, a made scene and a link to be copied by hand, in light and dark", async () => {
-    for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
-      for (const viewport of [{ width: 1280, height: 860 }, { width: 390, height: 844 }]) {
-        await onPausedPage(async (page) => {
-          await page.evaluate(() => {
-            for (const details of document.querySelectorAll("details")) details.open = true;
-            Object.defineProperty(navigator, "clipboard", { get() { throw new Error("closed"); } });
-          });
-          await page.click("#lessons button >> nth=1");
-          await page.waitForSelector("#lesson:not([hidden])");
-          await chooseScene(page, "maze");
-          await page.click("#step-10");
-          await atRest(page);
-          await page.click("#link");
-          await page.locator("#link-told input").waitFor();
-          assert.deepEqual(await violations(page), [], `${colorScheme} ${viewport.width}`);
-          assert.ok((await counters(page)).iterations > 0);
-        }, { colorScheme, viewport });
       }
-    }
+    });
+  });
+
+  test("axe finds nothing in a lesson, a made scene and a link to be copied by hand", async () => {
+    await onPausedPage(async (page) => {
+      await page.evaluate(() => {
+        for (const details of document.querySelectorAll("details")) details.open = true;
+        Object.defineProperty(navigator, "clipboard", { get() { throw new Error("closed"); } });
+      });
+      await page.click("#lessons button >> nth=1");
+      await page.waitForSelector("#lesson:not([hidden])");
+      await chooseScene(page, "maze");
+      await page.click("#step-10");
+      await atRest(page);
+      await page.click("#link");
+      await page.locator("#link-told input").waitFor();
+      await assertFaultless(page, "a lesson and a link");
+    });
   });
 });

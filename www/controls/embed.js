@@ -3,7 +3,7 @@
  *
  * The parent posts `{ planarium: "load" | "play" | "pause" | "step" | "seek" | "state", id?, ... }` to the frame:
  * - `load`: `scene` (an id) or `document` (a scenario), and, if wanted, `algorithm`, `settings`, `query`, `iteration`, `play`;
- * - `step`: `count` (1; below 0: back); `seek`: `iteration`;
+ * - `step`: `count` (1; below 0: back); `seek`: `iteration`; `state`: the state once all that was ordered before is shown;
  * and gets `{ planarium: "answer", id, value }` or `{ planarium: "answer", id, fault: { message, code, pointer } }`. Once ready,
  * and whenever something was shown, the frame posts `{ planarium: "state", state }` to its parent, ten times a second at most.
  */
@@ -44,7 +44,7 @@ export function watchParent(page) {
       case "pause": return studio.ask("pause", []);
       case "step": return studio.ask("step", [whole(order.count ?? 1, "count")]);
       case "seek": return studio.ask("seek", [whole(order.iteration, "iteration")]);
-      case "state": return told(page.state);
+      case "state": return told(await page.arrived());
       default: throw Object.assign(new Error(`There is no order "${order.planarium}".`), { code: "unknown-order", pointer: "/planarium" });
     }
   }

@@ -25,12 +25,12 @@ const REST = "Limits";
 export class Panel {
   /**
    * @param {PlannerInfo[]} planners
-   * @param {() => Promise<number>} freshSeed
+   * @param {() => Promise<number>} randomSeed
    * @param {() => void} onChange   a setting that makes a new run was changed
    * @param {() => void} onQuery    another query was chosen
    */
-  constructor(planners, freshSeed, onChange, onQuery) {
-    this.freshSeed = freshSeed;
+  constructor(planners, randomSeed, onChange, onQuery) {
+    this.randomSeed = randomSeed;
     this.onChange = onChange;
     this.infos = planners;
     this.planner = byId("planner", HTMLSelectElement);
@@ -167,7 +167,7 @@ export class Panel {
   async reseed() {
     const field = this.fields.find(({ info }) => info.name === "seed");
     if (!field) return;
-    field.set(await this.freshSeed());
+    field.set(await this.randomSeed());
     this.keep(field);
     this.onChange();
   }
@@ -231,7 +231,7 @@ export function withSeed(parameters, what = "run") {
   if (parameters.some(({ name }) => name === "seed")) return parameters;
   /** @type {OptionInfo} */
   const seed = {
-    name: "seed", title: "Seed", kind: "integer", unit: "", min: 0, max: Number.MAX_SAFE_INTEGER, default: 0, choices: null,
+    name: "seed", title: "Seed", kind: "integer", unit: "", min: 0, max: Number.MAX_SAFE_INTEGER, default: 0, choices: null, robots: [],
     meaning: `Decides every random draw: the same seed gives the same ${what}, bit for bit.`,
   };
   return [...parameters, seed];

@@ -29,7 +29,8 @@ export class Race {
     this.numbers = byId("numbers", HTMLElement);
     this.list = make("div", {});
     this.choice = make("select", { id: "rival" }, ...page.panel.infos.map(({ id, title }) => make("option", { value: id }, title)));
-    this.choice.value = "rrt-connect";
+    // Two trees are the liveliest rival.
+    this.choice.value = page.panel.infos.find(({ grows }) => grows === "trees")?.id ?? this.choice.value;
     this.button = make("button", { type: "button", id: "add-rival" }, "Add");
     this.button.addEventListener("click", () => this.add());
     this.hint = make("p", { className: "hint" });

@@ -40,7 +40,7 @@ export class Count {
 
   /** @param {number} value */
   give(value) {
-    const reason = reasonAgainst({ ...this.info, kind: "integer", unit: "", choices: null, default: this.info.min, meaning: "" }, value);
+    const reason = reasonAgainst({ ...this.info, kind: "integer", unit: "", choices: null, robots: [], default: this.info.min, meaning: "" }, value);
     this.reason.textContent = reason;
     this.reason.hidden = reason === "";
     if (reason) this.number.setAttribute("aria-invalid", "true");

@@ -34,6 +34,7 @@ export class Solving {
   constructor(bench, library) {
     this.bench = bench;
     this.methods = library.reachMethods();
+    this.planners = library.planners();
     this.host = byId("solve", HTMLElement);
     /** @type {Search | null} */
     this.search = null;
@@ -222,7 +223,7 @@ export class Solving {
     const key = [bench.arm.version, start.join(), bench.target.join(), bench.lock].join(" ");
     if (this.linked === key) return;
     this.linked = key;
-    const href = await planLink(bench, start).catch(() => "");
+    const href = await planLink(bench, start, this.planners).catch(() => "");
     if (this.linked !== key) return;
     plan.hidden = href === "";
     plan.href = href;

@@ -32,7 +32,7 @@ export class Slider {
   /** @param {number} value */
   give(value) {
     const { kind = "number", min, max } = this.info;
-    const reason = reasonAgainst({ ...this.info, kind, min, max, choices: null, default: min, meaning: "" }, value);
+    const reason = reasonAgainst({ ...this.info, kind, min, max, choices: null, robots: [], default: min, meaning: "" }, value);
     this.refuse(reason);
     if (reason) return;
     this.current = value;

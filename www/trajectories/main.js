@@ -100,7 +100,7 @@ await room.open(async () => {
   byId("new-seed", HTMLButtonElement).disabled = false;
   byId("new-seed", HTMLButtonElement).addEventListener("click", () => {
     // Short enough to be said aloud.
-    put({ ...options.given, seed: library.freshSeed() % 100_000 });
+    put({ ...options.given, seed: library.randomSeed() % 100_000 });
     void restart().then((isBegun) => { if (isBegun) transport.start(); });
   });
   const link = new Link(room, stateRule, stateOf, show, "these settings, the seed, and how far it has come");

@@ -19,8 +19,6 @@ import { REACH, hitAt } from "./handles.js";
 
 /** How far a pointer goes before it drags, CSS pixels. */
 const SLACK = { mouse: 3, touch: 8 };
-/** Two clicks within this time close a polygon, milliseconds. */
-const DOUBLE = 450;
 
 export class Hand {
   /** @param {Editor} editor */
@@ -34,7 +32,6 @@ export class Hand {
     this.draft = [];
     /** Where its next corner would be. @type {Point | null} */
     this.loose = null;
-    this.clicked = -Infinity;
   }
 
   /** Is a gesture under way? */
@@ -102,16 +99,14 @@ export class Hand {
     }
   }
 
-  /** A click of the polygon tool: another corner, or the end. @param {Point} point @param {number} reach  metres */
+  /** A click of the polygon tool: another corner, or, on the first or the last one again, the end. @param {Point} point @param {number} reach  metres */
   corner(point, reach) {
     const { draft } = this;
     const isNear = (/** @type {Point | undefined} */ other) => other !== undefined && Math.hypot(other[0] - point[0], other[1] - point[1]) <= reach;
-    const now = performance.now();
-    const isDouble = now - this.clicked < DOUBLE && isNear(draft.at(-1));
-    this.clicked = now;
+    const isLast = isNear(draft.at(-1));
     this.loose = null;
-    if (draft.length >= 3 && (isDouble || isNear(draft[0]))) this.close();
-    else if (!isDouble) draft.push(point);
+    if (draft.length >= 3 && (isLast || isNear(draft[0]))) this.close();
+    else if (!isLast) draft.push(point);
   }
 
   /** Closes the polygon being drawn, if the core takes it. */

@@ -68,11 +68,11 @@ export class Lane {
   /** The way to show: of a run at its end. @returns {Journey | null} */
   get journey() { return this.run && this.run.status !== "running" ? this.end : null; }
 
-  /** A new run. @param {string | undefined} query @param {readonly string[]} phases @throws {Error} the core would not plan this */
-  start(query, phases) {
+  /** A new run. @param {string | undefined} query @param {Pick<typeof import("planarium"), "phases" | "planners">} library @throws {Error} the core would not plan this */
+  start(query, library) {
     this.free();
     const settings = query === undefined ? this.plan.settings : { ...this.plan.settings, query };
-    this.run = new Run(this.scenario, this.plan.algorithm, settings, phases);
+    this.run = new Run(this.scenario, this.plan.algorithm, settings, library);
   }
 
   /** How it stands beside others. @returns {Standing} */

@@ -5,7 +5,7 @@
  */
 import { Passages } from "../stage/passages.js";
 import { Grip } from "./grip.js";
-import { lengthText, touchingSentence } from "./names.js";
+import { lengthText, obstacleName, touchingSentence } from "./names.js";
 import { PAST } from "./run.js";
 
 /** @import { CSpace } from "../stage/cspace.js" */
@@ -13,6 +13,7 @@ import { PAST } from "./run.js";
 /** @import { View } from "../stage/view.js" */
 /** @import { Hover, Lane } from "./lane.js" */
 /** @import { Run } from "./run.js" */
+/** @import { Scenario } from "../types.js" */
 
 export class Pointing {
   constructor() {
@@ -77,6 +78,12 @@ export class Pointing {
   text(hover) { return hoverSentence(hover); }
 }
 
+/** That a pose is free, and how far from the nearest obstacle. @param {Scenario} scenario @param {Hover["pose"]} pose */
+function freeText(scenario, pose) {
+  const near = scenario.clearance(pose);
+  return near ? `free, ${near.distance.toFixed(3)} m from ${obstacleName(near.obstacle)}` : "free";
+}
+
 /** What is pointed at, in words. @param {Hover} hover */
 function hoverSentence({ lane: { run, scenario, shown: { placed } }, vertex, pose, check, edge = -1, motions = new Float64Array(0) }) {
   const { robot } = scenario;
@@ -86,7 +93,7 @@ function hoverSentence({ lane: { run, scenario, shown: { placed } }, vertex, pos
     const [from, to] = run.edges.row(edge);
     return `Edge ${edge}, from vertex ${from} to ${to}.${control}`;
   }
-  if (vertex < 0 || !run) return `Pose ${numbers}: ${check.free ? "free" : touchingSentence(scenario, check)}.`;
+  if (vertex < 0 || !run) return `Pose ${numbers}: ${check.free ? freeText(scenario, pose) : touchingSentence(scenario, check)}.`;
   const { kin, past } = run;
   const edges = past[PAST.edges];
   kin.follow();

@@ -22,7 +22,7 @@ export function report(theatre) {
     travelling: theatre.travelling,
     along: journey ? journey.at : 0,
     settled,
-    view: theatre.view,
+    view: { ...theatre.view },
     sentence, isBad,
     inHand: shown?.hand !== null,
     pose: pose ? Array.from(pose) : null,

@@ -30,10 +30,10 @@ export class Run {
    * @param {Scenario} scenario
    * @param {string} algorithm
    * @param {Settings} settings  the query's name, the seed and the planner's parameters
-   * @param {readonly string[]} phases  names of the phases, as the package numbers them
+   * @param {Pick<typeof import("planarium"), "phases" | "planners">} library  names of the phases, as the package numbers them, and what planners grow
    * @throws {Error} with `code` and `pointer`: a start in collision, a parameter out of range, ...
    */
-  constructor(scenario, algorithm, settings, phases) {
+  constructor(scenario, algorithm, settings, { phases, planners }) {
     this.scenario = scenario;
     this.algorithm = algorithm;
     this.settings = settings;
@@ -67,10 +67,11 @@ export class Run {
     this.firsts = [];
     this.kin = new Kin(this);
     this.frontier = new Frontier(this, this.kin);
+    const info = planners().find(({ id }) => id === algorithm);
     /** What grows. @type {"roadmap" | "tree" | "trees"} */
-    this.kind = algorithm === "rrt-connect" ? "trees" : algorithm.startsWith("rrt") || algorithm === "sst" ? "tree" : "roadmap";
+    this.kind = info?.grows ?? "roadmap";
     /** Is it driven by controls, so that what was refused has no straight motion to be looked at again? */
-    this.isDriven = algorithm === "rrt-control" || algorithm === "sst";
+    this.isDriven = info?.driven ?? false;
     /** Where it may end: several poses where its query has a target. */
     this.goals = rowsIn(this.planner.goals(), scenario.dimension);
     /** Its first vertices are the start and the goals; where it is driven by controls the goal is a region, and no vertex. */

@@ -38,7 +38,6 @@ export class Theatre {
     this.library = library;
     this.renew = renew;
     this.tell = tell;
-    this.phases = library.phases;
     this.stage = new Stage();
     this.clock = new Clock();
     this.conductor = new Conductor(this);
@@ -164,7 +163,7 @@ export class Theatre {
     for (const lane of this.lanes) lane.free();
     let at = 0;
     try {
-      for (; at < this.lanes.length; at++) this.lanes[at].start(this.query, this.phases);
+      for (; at < this.lanes.length; at++) this.lanes[at].start(this.query, this.library);
       clock.playing = play;
     } catch (error) {
       for (const lane of this.lanes) lane.free();

@@ -12,9 +12,12 @@ import { Theatre } from "./theatre.js";
 
 /** @import { LayerName } from "../stage/layer.js" */
 /** @import { Placed } from "../stage/placed.js" */
-/** @import { DriveOrder, EditOrder, Look, PaneKind, Plan, Pointer, Programme, Scenario, Source, TakeRequest, ViewOptions } from "../types.js" */
+/** @import { DriveOrder, EditOrder, Look, PaneKind, Plan, Pointer, Programme, Scenario, Source, State, TakeRequest, ViewOptions } from "../types.js" */
 
 const port = /** @type {{ postMessage(message: unknown, transfer?: Transferable[]): void }} */ (/** @type {unknown} */ (self));
+
+/** Tells of a frame once its pictures have been handed over: what it says is drawn can be seen. @param {State} state */
+function tellAfterFrame(state) { setTimeout(() => port.postMessage({ state })); }
 
 /** @type {Theatre | undefined} */
 let theatre;
@@ -28,9 +31,6 @@ const desk = once(async () => new (await import("./take.js")).Desk(house()));
 const editor = once(() => import("./editor.js"));
 const driving = once(() => import("./driving.js"));
 const placed = once(() => import("../stage/placed.js"));
-
-/** Milliseconds after the thumbnails until bodies and cars are made ready: the page has opened by then. */
-const QUIET = 3000;
 
 /** While something is being fetched that the stage cannot do without, all else waits its turn. @type {Promise<unknown> | undefined} */
 let gate;
@@ -47,7 +47,7 @@ const commands = {
   /** Loads the package. @param {WebAssembly.Module | ArrayBuffer} core  the WebAssembly, compiled or as bytes */
   async start(core) {
     await library.default(core);
-    theatre = new Theatre(library, () => library.initSync(core), (state) => port.postMessage({ state }));
+    theatre = new Theatre(library, () => library.initSync(core), tellAfterFrame);
     return { planners: library.planners(), generators: library.generators(), version: library.version };
   },
   /** @param {Source} source @param {Programme} programme */
@@ -120,12 +120,12 @@ const commands = {
   takeDrop: async () => (await desk()).drop(),
   /** @param {number} lane */
   log: async (lane) => (await desk()).log(lane),
-  freshSeed: () => library.freshSeed(),
+  randomSeed: () => library.randomSeed(),
+  /** Fetches what bodies and cars need, for when the network is gone. */
+  async provide() { await placed(); },
   /** @param {Source} source @param {number} side @param {Look} look @returns {ImageBitmap} */
   thumbnail(source, side, look) {
     const scenario = house().read(source);
-    // Whoever sees the scene may want it once the network is gone.
-    if (isPlaced(scenario.robot)) setTimeout(() => placed().catch(() => {}), QUIET);
     try {
       return drawThumbnail(scenario, side, look);
     } finally {

@@ -1,6 +1,7 @@
 //! The arguments, with their help.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use planarium::random::{MAX_SEED, random_seed};
 
 /// Motion planning that a person can watch: stepping planners with proven edges.
 #[derive(Parser)]
@@ -68,8 +69,8 @@ pub struct Plan {
     #[arg(long, value_name = "ID")]
     pub planner: Option<String>,
 
-    /// The seed: with scenario, planner and parameters it decides every bit of the result
-    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
+    /// The seed: with scenario, planner and parameters it decides every bit of the result; "random" draws one, which the result tells
+    #[arg(long, value_name = "N|random", default_value_t = 0, allow_negative_numbers = true, value_parser = seed)]
     pub seed: u64,
 
     /// Set a parameter of the planner; may be repeated
@@ -131,8 +132,8 @@ pub struct Reach {
     #[arg(long, value_name = "Q1,Q2,..", allow_hyphen_values = true, value_parser = angles)]
     pub start: Option<Angles>,
 
-    /// The seed of further starts: with all else it decides every bit of the result
-    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
+    /// The seed of further starts: with all else it decides every bit of the result; "random" draws one, which the result tells
+    #[arg(long, value_name = "N|random", default_value_t = 0, allow_negative_numbers = true, value_parser = seed)]
     pub seed: u64,
 
     /// How many distinct solutions to look for; the same as --set solutions=N
@@ -198,8 +199,8 @@ pub struct Nearest {
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub samples: Option<u64>,
 
-    /// The seed of the configurations drawn
-    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
+    /// The seed of the configurations drawn; "random" draws one, which the result tells
+    #[arg(long, value_name = "N|random", default_value_t = 0, allow_negative_numbers = true, value_parser = seed)]
     pub seed: u64,
 
     /// Keep only configurations that are free
@@ -254,8 +255,8 @@ pub struct Generate {
     /// What to generate: forest, clutter, discs, maze, gap or bug-trap
     pub kind: String,
 
-    /// The seed: with the options it decides every bit of the scenario
-    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
+    /// The seed: with the options it decides every bit of the scenario; "random" draws one, which the scenario's name tells
+    #[arg(long, value_name = "N|random", default_value_t = 0, allow_negative_numbers = true, value_parser = seed)]
     pub seed: u64,
 
     /// Set an option of the generator; may be repeated
@@ -277,8 +278,8 @@ Examples:
   planarium trajectories
   planarium trajectories --set model=spiral --set count=500 --seed 3 --csv trajectories.csv")]
 pub struct Trajectories {
-    /// The seed: with the options it decides every bit of the result
-    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(..=planarium::random::MAX_SEED))]
+    /// The seed: with the options it decides every bit of the result; "random" draws one, which the result tells
+    #[arg(long, value_name = "N|random", default_value_t = 0, allow_negative_numbers = true, value_parser = seed)]
     pub seed: u64,
 
     /// Set an option; may be repeated
@@ -296,6 +297,15 @@ fn setting(text: &str) -> Result<(String, String), String> {
         Some((key, value)) if !key.is_empty() => Ok((key.to_owned(), value.to_owned())),
         _ => Err("a setting reads KEY=VALUE".to_owned()),
     }
+}
+
+/// Reads a seed, or draws one.
+fn seed(text: &str) -> Result<u64, String> {
+    if text == "random" {
+        return random_seed().map_err(|error| error.to_string());
+    }
+    let seed = text.parse().ok().filter(|seed| *seed <= MAX_SEED);
+    seed.ok_or_else(|| "a seed is an integer from 0 to 2^53 - 1, or \"random\"".to_owned())
 }
 
 /// Reads numbers with commas between them.

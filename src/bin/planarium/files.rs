@@ -1,5 +1,6 @@
 //! Reading and writing: files, standard input and output.
 
+use crate::stdout;
 use planarium::Error;
 use planarium::error::Code;
 use std::io::{self, ErrorKind, Read, Write};
@@ -42,6 +43,9 @@ pub fn write_bytes(bytes: &[u8], name: &str) -> Result<(), Error> {
 
 /// Writes the text and a line break to standard output. A reader that has gone away is no error.
 pub fn print(text: &str) -> Result<(), Error> {
+    if stdout::was_closed() {
+        return Err(Error::new(Code::File, "", "cannot write to standard output: it is closed"));
+    }
     let mut out = io::stdout().lock();
     match writeln!(out, "{text}").and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {

@@ -3,23 +3,35 @@
 use crate::Answer;
 use crate::arguments::Generate;
 use crate::files;
+use planarium::Error;
+use planarium::error::Code;
 use planarium::run::Value;
-use planarium::scenario::{Node, generate};
+use planarium::scenario::generate;
+use serde_json::{Map, json};
 
 /// Generates a scenario and prints its document.
 pub fn generate(arguments: &Generate) -> Answer {
-    let set = arguments.set.iter().map(|(key, value)| (key.clone(), node(value)));
-    let seed = [("seed".to_owned(), Node::Number(arguments.seed as f64))];
-    let scenario = generate::generate(&arguments.kind, &Node::Object(set.chain(seed).collect()))?;
+    let mut options = Map::new();
+    for (key, value) in arguments.set.iter().map(|(key, value)| (key, Value::from_text(value))) {
+        let pointer = || format!("/{key}");
+        if let Value::Number(number) = value
+            && !number.is_finite()
+        {
+            let sentence = format!("{key} must be a finite number, not {number}");
+            return Err(Error::new(Code::NotFinite, pointer(), sentence));
+        }
+        let value = match value {
+            Value::Number(number) => json!(number),
+            Value::Text(text) => json!(text),
+            Value::Boolean(yes) => json!(yes),
+            Value::Other(_) => json!(null),
+        };
+        if key == "seed" || options.insert(key.clone(), value).is_some() {
+            return Err(Error::new(Code::DuplicateField, pointer(), format!("{key} is given twice")));
+        }
+    }
+    options.insert("seed".to_owned(), json!(arguments.seed));
+    let scenario = generate::generate(&arguments.kind, &options.into())?;
     files::write(&scenario.to_json_string(), arguments.out.as_deref())?;
     Ok(true)
-}
-
-/// The value of an option as a node of a document.
-fn node(text: &str) -> Node {
-    match Value::from_text(text) {
-        Value::Number(number) => Node::Number(number),
-        Value::Text(text) => Node::String(text),
-        Value::Boolean(yes) => Node::Bool(yes),
-    }
 }

@@ -2,7 +2,7 @@
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
 //! solved or not valid, 2 that the input is wrong; then standard output holds `{"error": {"code", "message", "pointer"}}`.
-#![forbid(unsafe_code)]
+#![deny(unsafe_code)]
 
 mod arguments;
 mod files;
@@ -14,6 +14,7 @@ mod plan;
 mod progress;
 mod reach;
 mod roadmap;
+mod stdout;
 mod trajectories;
 mod verify;
 

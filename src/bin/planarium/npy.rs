@@ -1,5 +1,7 @@
-//! NumPy's array files, `.npy`: a magic string, a header (a literal of a Python dictionary), and the numbers. Versions 1 to 3 are
-//! read, whole and real numbers of either byte order, in C or Fortran order.
+//! NumPy's array files, `.npy`, versions 1 to 3: integers and floating-point numbers of either byte order, in C or Fortran
+//! order.
+
+use npyz::{DType, Deserialize, NpyFile, NpyHeader, Order, TypeChar};
 
 /// An array of two dimensions, row by row.
 pub struct Table {
@@ -21,72 +23,48 @@ pub fn is_npy(bytes: &[u8]) -> bool {
 /// # Errors
 /// What is wrong with the file, in a sentence.
 pub fn read(bytes: &[u8]) -> Result<Table, String> {
-    let rest = bytes.strip_prefix(MAGIC).ok_or("it does not begin with \\x93NUMPY")?;
-    let (&[major, _minor], rest) = rest.split_first_chunk().ok_or("it ends within its header")?;
-    let (length, rest) = match major {
-        1 => rest.split_first_chunk().map(|(size, rest)| (usize::from(u16::from_le_bytes(*size)), rest)),
-        2 | 3 => rest.split_first_chunk().map(|(size, rest)| (u32::from_le_bytes(*size) as usize, rest)),
-        _ => return Err(format!("version {major} is not one of 1, 2 and 3")),
+    // npyz reserves memory for a header of any length, up to 4 GB.
+    if let Some(&[2..=u8::MAX, _, a, b, c, d]) = bytes.get(MAGIC.len()..MAGIC.len() + 6)
+        && u32::from_le_bytes([a, b, c, d]) as usize > bytes.len()
+    {
+        return Err("it ends within its header".to_owned());
     }
-    .ok_or("it ends within its header")?;
-    let (header, data) = rest.split_at_checked(length).ok_or("it ends within its header")?;
-    let header = std::str::from_utf8(header).map_err(|_| "its header is not text")?;
-    let kind =
-        field(header, "descr").and_then(|value| value.strip_prefix('\'')).and_then(|value| value.split('\'').next());
-    let kind = kind.ok_or("it holds something else than an array of numbers")?;
-    let is_fortran = match field(header, "fortran_order") {
-        Some(value) if value.starts_with("True") => true,
-        Some(value) if value.starts_with("False") => false,
-        _ => return Err("its header does not say in which order the numbers stand".to_owned()),
+    let mut data = bytes;
+    let header = NpyHeader::from_reader(&mut data).map_err(|error| error.to_string())?;
+    let &[height, width] = header.shape() else {
+        return Err(format!("its shape must have two numbers, rows and columns, not {:?}", header.shape()));
     };
-    let shape = field(header, "shape").and_then(|value| value.strip_prefix('(')?.split(')').next());
-    let sides: Option<Vec<usize>> = shape.and_then(|shape| {
-        shape.split(',').map(str::trim).filter(|side| !side.is_empty()).map(|side| side.parse().ok()).collect()
-    });
-    let Some([height, width]) = sides.as_deref().and_then(|sides| <[usize; 2]>::try_from(sides).ok()) else {
-        return Err(format!("its shape must have two numbers, rows and columns, not ({})", shape.unwrap_or("")));
+    let DType::Plain(kind) = header.dtype() else { return Err("it holds records, not numbers".to_owned()) };
+    // The product that npyz takes of the shape may have wrapped around.
+    let size = height.checked_mul(width).and_then(|count| count.checked_mul(kind.size_field()));
+    if size != Some(data.len() as u64) {
+        return Err(format!("{height} rows of {width} numbers do not take {} bytes", data.len()));
+    }
+    let order = header.order();
+    let file = NpyFile::with_header(header, data);
+    let stored = match (kind.type_char(), kind.size_field()) {
+        (TypeChar::Float, 8) => numbers(file, |x: f64| x),
+        (TypeChar::Float, 4) => numbers(file, |x: f32| x.into()),
+        (TypeChar::Int, 1) => numbers(file, |x: i8| x.into()),
+        (TypeChar::Int, 2) => numbers(file, |x: i16| x.into()),
+        (TypeChar::Int, 4) => numbers(file, |x: i32| x.into()),
+        (TypeChar::Int, 8) => numbers(file, |x: i64| x as f64),
+        (TypeChar::Uint, 1) => numbers(file, |x: u8| x.into()),
+        (TypeChar::Uint, 2) => numbers(file, |x: u16| x.into()),
+        (TypeChar::Uint, 4) => numbers(file, |x: u32| x.into()),
+        (TypeChar::Uint, 8) => numbers(file, |x: u64| x as f64),
+        _ => return Err(format!("its numbers are of the type {:?}, which is not read", kind.to_string())),
+    }?;
+    let [height, width] = [height, width].map(|side| side as usize);
+    let numbers = match order {
+        Order::C => stored,
+        Order::Fortran => (0..stored.len()).map(|i| stored[i % width * height + i / width]).collect(),
     };
-    let (size, number) =
-        reader(kind).ok_or_else(|| format!("its numbers are of the type {kind:?}, which is not read"))?;
-    let count = height.checked_mul(width).filter(|count| count.checked_mul(size) == Some(data.len()));
-    let count = count.ok_or_else(|| format!("{height} rows of {width} numbers do not take {} bytes", data.len()))?;
-    let at = |i: usize| if is_fortran { i % width * height + i / width } else { i };
-    let numbers = (0..count).map(|i| number(&data[at(i) * size..][..size])).collect();
     Ok(Table { width, numbers })
 }
 
-/// What stands behind the name of a field.
-fn field<'a>(header: &'a str, name: &str) -> Option<&'a str> {
-    let (_, after) = header.split_once(&format!("'{name}':"))?;
-    Some(after.trim_start())
-}
-
-/// How many bytes a number of this type has, and what it is.
-type Reader = (usize, Box<dyn Fn(&[u8]) -> f64>);
-
-/// The reader of a type, such as `<f8`.
-fn reader(kind: &str) -> Option<Reader> {
-    let (order, kind) = kind.split_at_checked(1)?;
-    let is_big = match order {
-        "<" | "|" | "=" => false,
-        ">" => true,
-        _ => return None,
-    };
-    let (letter, size) = kind.split_at_checked(1)?;
-    let size: usize = size.parse().ok()?;
-    let convert: fn(u64) -> f64 = match (letter, size) {
-        ("f", 8) => f64::from_bits,
-        ("f", 4) => |bits| f64::from(f32::from_bits(bits as u32)),
-        ("i", 1) => |bits| f64::from(bits as i8),
-        ("i", 2) => |bits| f64::from(bits as i16),
-        ("i", 4) => |bits| f64::from(bits as i32),
-        ("i", 8) => |bits| bits as i64 as f64,
-        ("u", 1 | 2 | 4 | 8) => |bits| bits as f64,
-        _ => return None,
-    };
-    let read = move |bytes: &[u8]| {
-        let shift = |bits: u64, byte: &u8| (bits << 8) | u64::from(*byte);
-        convert(if is_big { bytes.iter().fold(0, shift) } else { bytes.iter().rev().fold(0, shift) })
-    };
-    Some((size, Box::new(read)))
+/// All numbers of a file, in the order in which they are stored.
+fn numbers<T: Deserialize>(file: NpyFile<&[u8]>, convert: fn(T) -> f64) -> Result<Vec<f64>, String> {
+    let stored = file.data::<T>().map_err(|error| error.to_string())?;
+    stored.map(|number| number.map(convert)).collect::<Result<_, _>>().map_err(|error| error.to_string())
 }

@@ -5,14 +5,24 @@ use crate::arguments;
 use crate::files;
 use planarium::Error;
 use planarium::fleet::Trajectories;
-use planarium::json::Node;
-use planarium::parameters::Value;
+use planarium::fleet::TrajectoriesResult;
+use planarium::json;
+use planarium::options::Value;
 use planarium::status::Status;
+use serde::Serialize;
 use std::fmt::Write;
 use std::time::Instant;
 
 /// The moving average is taken over so many.
 const WINDOW: usize = 20;
+
+/// What is printed.
+#[derive(Serialize)]
+struct Timed {
+    #[serde(flatten)]
+    result: TrajectoriesResult,
+    seconds: f64,
+}
 
 /// Tries trajectories until all are accepted or the iterations are spent, and prints counts and seconds.
 pub fn trajectories(arguments: &arguments::Trajectories) -> Answer {
@@ -33,11 +43,7 @@ pub fn trajectories(arguments: &arguments::Trajectories) -> Answer {
     if let Some(name) = &arguments.csv {
         write_rows(&trajectories, &microseconds, name)?;
     }
-    let mut result = trajectories.result();
-    if let Node::Object(fields) = &mut result {
-        fields.push(("seconds".to_owned(), Node::Number(seconds)));
-    }
-    files::print(&result.to_json())?;
+    files::print(&json::to_string(&Timed { result: trajectories.result(), seconds }))?;
     Ok(trajectories.status() == Status::Solved)
 }
 

@@ -1,4 +1,4 @@
-//! A body cut into convex pieces.
+//! A body as convex pieces.
 
 use crate::collision::obstacles::faces_of;
 use crate::geometry::{Polygon, Vector, convex_pieces};
@@ -13,7 +13,6 @@ pub(in crate::collision) struct Corner {
 }
 
 /// The convex pieces of a body, one where it is convex.
-#[derive(Debug, Clone)]
 pub(in crate::collision) struct BodyShape {
     /// The corners of all pieces, piece by piece, each counter-clockwise.
     corners: Vec<Corner>,
@@ -22,7 +21,7 @@ pub(in crate::collision) struct BodyShape {
 }
 
 impl BodyShape {
-    /// Cuts the body up. O(n^2) as a rule.
+    /// Cuts the body into pieces. O(n log n).
     pub fn new(body: &Polygon) -> Self {
         let mut corners = Vec::new();
         let mut ranges = Vec::new();
@@ -39,6 +38,7 @@ impl BodyShape {
     }
 
     /// How many pieces there are.
+    #[inline(always)]
     pub fn pieces(&self) -> usize {
         self.ranges.len()
     }
@@ -48,7 +48,7 @@ impl BodyShape {
         &self.corners
     }
 
-    /// Where the corners of a piece stand among those of all.
+    /// The range of a piece's corners among those of all.
     #[inline(always)]
     pub fn range(&self, piece: usize) -> std::ops::Range<usize> {
         let (first, end) = self.ranges[piece];

@@ -1,60 +1,44 @@
 //! The proof that a motion of an arm or of a body is free.
 //!
-//! In the middle of a stretch of motion it is known where the links are, and a bound on how far they can travel to either
-//! end. Where a link is farther from an obstacle than it can travel, the two are apart on the whole stretch; otherwise the
-//! stretch is halved and looked at again. (Schwarzer, Saha and Latombe 2005, "Adaptive dynamic collision checking for
-//! single and multiple articulated robots in complex environments"; LaValle 2006, "Planning Algorithms", section 5.3.4.)
+//! ```text
+//! prove(motion):
+//!     open = all pairs of a part of the robot and an obstacle near it
+//!     intervals = [(the whole motion, open)]
+//!     while an interval is left:
+//!         take one: the longest, or the front one where the first hit is wanted
+//!         place the robot in the interval's middle
+//!         for every pair open on it:
+//!             apart on the whole interval?     drop the pair there for good
+//!             touching in the middle?          the motion is refused
+//!             bound on travel < tolerance?     the motion is refused
+//!             budget spent?                    the motion is refused as not proven, and counted
+//!         halve the interval where pairs are left open on it
+//!     the motion is free
+//! ```
 //!
-//! [`distance`] and [`body_distance`] are that idea in its simplest form and the oracles of the tests; [`separation`] and
-//! [`body_separation`] are the ones that planners use.
+//! In the middle of an interval it is known where the parts are, and a bound on how far each can travel to either end. A part
+//! that is farther from an obstacle than it can travel is apart from it on the whole interval: Schwarzer, Saha and Latombe 2005,
+//! "Adaptive dynamic collision checking for single and multiple articulated robots in complex environments"; LaValle 2006,
+//! "Planning Algorithms", section 5.3.4. Instead of distances, directions are tried here in which the part stays ahead of the
+//! obstacle, with bounds of third order in each: a link that slides along a wall needs few intervals.
+//!
+//! - [`driver`]: the algorithm above, its order, tolerance and budget.
+//! - [`arm`], [`body`]: what moves, one implementation each of [`driver::Moving`]; [`motion_bound`] is a body's motion.
+//! - [`moving_point`]: the bound of third order on one point.
+//! - [`pair`]: whether a convex part and a convex obstacle are apart on an interval.
+//! - [`rotation`]: unit vectors of angles, fast and with a known error.
+//! - [`oracle`]: the same proof by distances and bounds of first order, as simple as it can be, for the tests.
 
-pub(super) mod body_distance;
-mod body_pair;
-pub(super) mod body_separation;
+pub(super) mod arm;
+pub(super) mod body;
 mod body_shape;
-mod course;
-pub(super) mod distance;
-mod joint;
+pub(super) mod driver;
+mod motion_bound;
+mod moving_point;
+pub(super) mod oracle;
 mod pair;
 mod rotation;
-pub(super) mod separation;
 
-pub(super) use body_shape::BodyShape;
-pub(super) use joint::MovingJoint;
-pub(super) use pair::{Answer, Link};
-pub(super) use rotation::unit;
-
-use super::{Obstacles, Tolerance};
-use crate::geometry::{Aabb, Polygon};
-use crate::robot::Arm;
-
-/// An arm in its world, as a proof sees it.
-#[derive(Clone, Copy)]
-pub(super) struct Setting<'a> {
-    pub arm: &'a Arm,
-    pub obstacles: &'a Obstacles,
-    pub bounds: Option<&'a Aabb>,
-    pub tolerance: Tolerance,
-}
-
-/// A body in its world, as a proof sees it.
-#[derive(Clone, Copy)]
-pub(super) struct BodySetting<'a> {
-    pub body: &'a Polygon,
-    /// The body's convex pieces.
-    pub shape: &'a BodyShape,
-    /// The obstacles' convex pieces.
-    pub obstacles: &'a Obstacles,
-    /// The obstacles as they are.
-    pub whole: &'a Obstacles,
-    pub bounds: &'a Aabb,
-    pub tolerance: Tolerance,
-}
-
-/// A motion: from a configuration, every joint turning at a constant rate by `delta` radians in all. Entries past the
-/// arm's links are 0.
-#[derive(Clone, Copy)]
-pub(super) struct Motion<'a, const N: usize> {
-    pub from: &'a [f64; N],
-    pub delta: &'a [f64; N],
-}
+pub(super) use arm::MovingArm;
+pub(super) use body::MovingBody;
+pub(super) use driver::{Order, Prover, Scene};

@@ -1,178 +1,222 @@
-//! A link and an obstacle: are they apart on a whole stretch, do they touch in its middle?
+//! A convex part of the robot and a convex obstacle: are they apart on a whole interval, do they touch in its middle?
 
-use super::joint::MovingJoint;
+use super::moving_point::{MovingPoint, dot};
 use crate::collision::Obstacles;
 use crate::collision::obstacles::Face;
 use crate::geometry::{Disc, Point, Vector};
 
-/// In place of a face: none in particular.
-pub(super) const NO_HINT: u32 = u32::MAX;
+/// In place of the index of a direction: none in particular.
+pub(in crate::collision) const NO_HINT: u32 = u32::MAX;
 
-/// What is known about a pair on a stretch.
+/// How many directions [`find_direction`] tries.
+const DIRECTIONS: u32 = 8;
+
+/// What is known about a pair on an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::collision) enum Answer {
-    /// Apart on the whole stretch.
+    /// Apart on the whole interval.
     Apart,
-    /// Not touching in the middle.
+    /// Apart in the middle.
     Open,
     /// Touching in the middle.
     Touching,
-    /// None of these could be told.
+    /// Neither is known.
     Unknown,
 }
 
-/// A link in the middle of a stretch: both ends and the unit vector along it.
-#[derive(Clone, Copy)]
-pub(in crate::collision) struct Link<'a> {
-    pub ends: [&'a MovingJoint; 2],
-    pub along: Vector,
+/// A convex part of the robot in the middle of an interval: a polygon, or a segment. A link's radius is left to the margins of
+/// the tests.
+pub(in crate::collision) trait Part {
+    /// The corners, counter-clockwise.
+    fn corners(&self) -> &[MovingPoint];
+
+    /// How many directions of its own the part offers to separate it from a polygon.
+    fn directions(&self) -> usize;
+
+    /// One of them, with the polygon's support and how far the part is ahead of it.
+    fn direction(&self, i: usize, faces: &[Face]) -> Direction;
+
+    /// The vector from `p` to the nearest point of the part; zero where `p` is inside.
+    fn offset_from(&self, p: Point) -> Vector;
+
+    /// How far the part is ahead of the line n.x = `support` in the middle.
+    #[inline(always)]
+    fn ahead(&self, n: Vector, support: f64) -> f64 {
+        let mut least = f64::INFINITY;
+        for corner in self.corners() {
+            let ahead = dot(n, corner.position) - support;
+            least = if ahead < least { ahead } else { least };
+        }
+        least
+    }
+
+    /// Whether the part stays ahead of the line n.x = `support` by more than `margin` on the whole interval.
+    #[inline(always)]
+    fn stays_ahead(&self, n: Vector, support: f64, margin: f64) -> bool {
+        let mut stays = true;
+        for corner in self.corners() {
+            stays &= (dot(n, corner.position) - support) - corner.retreat(n) > margin;
+        }
+        stays
+    }
 }
 
-impl Link<'_> {
-    /// Whether the link, ahead by `ahead` of something in direction `n`, is ahead by more than `margin` on the whole stretch.
-    #[inline(always)]
-    fn stays_ahead(&self, n: Vector, ahead: [f64; 2], margin: f64) -> bool {
-        (ahead[0] - self.ends[0].fall(n) > margin) & (ahead[1] - self.ends[1].fall(n) > margin)
-    }
+/// A unit vector from an obstacle towards a part, the obstacle's support in it, and how far the part is ahead of that.
+pub(in crate::collision) struct Direction {
+    pub n: Vector,
+    pub support: f64,
+    pub ahead: f64,
+}
 
-    /// How far the ends are ahead of the line n.x = `support`.
-    #[inline(always)]
-    fn ahead(&self, n: Vector, support: f64) -> [f64; 2] {
-        [self.ends[0].along(n) - support, self.ends[1].along(n) - support]
-    }
-
-    /// How far the polygon's corners are to the left of the link's line: the least and the most.
-    #[inline(always)]
-    fn sides(&self, faces: &[Face]) -> (f64, f64) {
-        let across = Vector::new(-self.along.y, self.along.x);
-        let line = self.ends[0].along(across);
-        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for face in faces {
-            let side = across.x * face.corner.x + across.y * face.corner.y - line;
-            if side < low {
-                low = side;
-            }
-            if side > high {
-                high = side;
-            }
-        }
-        (low, high)
-    }
-
-    /// Tries the outward normals of the polygon's faces and the normal of the link as separating directions, face `hint`
-    /// first where there is one. `Unknown` where none separates the two by `margin` in the middle; `Touching` only where none
-    /// would separate them even if they overlapped by `slack`. With the answer comes the next hint: the face that separates
-    /// them best in the middle.
-    #[inline(always)]
-    pub fn separate_from_polygon(&self, faces: &[Face], hint: u32, margin: f64, slack: f64) -> (Answer, u32) {
-        if let Some(face) = faces.get(hint as usize)
-            && self.stays_ahead(face.normal, self.ahead(face.normal, face.support), margin)
-        {
-            return (Answer::Apart, hint);
-        }
-        let mut answer = Answer::Touching;
-        let mut best = (margin, u32::MAX);
-        for (i, face) in faces.iter().enumerate() {
-            let ahead = self.ahead(face.normal, face.support);
-            if (ahead[0] > -slack) & (ahead[1] > -slack) {
-                let least = if ahead[0] < ahead[1] { ahead[0] } else { ahead[1] };
-                if least > best.0 {
-                    best = (least, i as u32);
-                }
-                if least > margin {
-                    if self.stays_ahead(face.normal, ahead, margin) {
-                        return (Answer::Apart, hint);
-                    }
-                    answer = Answer::Open;
-                } else if answer == Answer::Touching {
-                    answer = Answer::Unknown;
-                }
-            }
-        }
-        let (low, high) = self.sides(faces);
-        let left = Vector::new(-self.along.y, self.along.x);
-        let (n, ahead) = if low > -slack { (-left, low) } else { (left, -high) };
-        if ahead > -slack {
-            if ahead > margin {
-                if self.stays_ahead(n, [ahead, ahead], margin) {
-                    return (Answer::Apart, hint);
-                }
-                answer = Answer::Open;
-            } else if answer == Answer::Touching {
-                answer = Answer::Unknown;
-            }
-        }
-        (answer, best.1)
-    }
-
-    /// For a link at rest: whether it is apart from the obstacle by more than `margin`, or nearer than that by more than
-    /// `slack`; `Open` and `Unknown` where the directions at hand do not tell.
-    #[inline]
-    pub fn separate_at_rest(&self, obstacles: &Obstacles, obstacle: usize, margin: f64, slack: f64) -> Answer {
-        let faces = obstacles.faces(obstacle);
-        if !faces.is_empty() {
-            return self.separate_from_polygon(faces, NO_HINT, margin, slack).0;
-        }
-        obstacles.disc(obstacle).map_or(Answer::Unknown, |disc| self.separate_from_disc(disc, margin, 2.0 * slack))
-    }
-
-    /// Tries the direction between the nearest points of link and polygon, which have a separating line. `margin` holds the
-    /// slack; what is nearer to it than half the slack is `Unknown`.
-    #[inline]
-    pub fn separate_corners(&self, faces: &[Face], margin: f64, slack: f64) -> Answer {
-        let [a, b] = self.ends.map(MovingJoint::place);
-        let mut nearest = (f64::INFINITY, Vector::zeros());
-        let mut offer = |to: Vector| {
-            let squared = to.norm_squared();
-            if squared < nearest.0 {
-                nearest = (squared, to);
+/// Tries the normals of the polygon's faces and the part's own directions, `hint` first where there is one. `Unknown` where none
+/// separates the two by `margin` in the middle; `Touching` only where none would separate them even if they overlapped by
+/// `slack`. With the answer comes the next hint: the direction that separates them best in the middle.
+#[inline(always)]
+pub(in crate::collision) fn separate_from_polygon(
+    part: &impl Part,
+    faces: &[Face],
+    hint: u32,
+    margin: f64,
+    slack: f64,
+) -> (Answer, u32) {
+    if hint != NO_HINT {
+        let (n, support) = match faces.get(hint as usize) {
+            Some(face) => (face.normal, face.support),
+            None => {
+                let own = part.direction(hint as usize - faces.len(), faces);
+                (own.n, own.support)
             }
         };
-        for (i, face) in faces.iter().enumerate() {
-            offer(nearest_point(face.corner, a, b) - face.corner);
-            let next = faces[if i + 1 == faces.len() { 0 } else { i + 1 }].corner;
-            offer(a - nearest_point(a, face.corner, next));
-            offer(b - nearest_point(b, face.corner, next));
+        if part.stays_ahead(n, support, margin) {
+            return (Answer::Apart, hint);
         }
-        let distance = nearest.0.sqrt();
-        if distance <= margin - 0.5 * slack {
-            return Answer::Touching;
-        }
-        let n = nearest.1 / distance;
-        let mut support = f64::NEG_INFINITY;
-        for face in faces {
-            let corner = n.x * face.corner.x + n.y * face.corner.y;
-            if corner > support {
-                support = corner;
-            }
-        }
-        if self.stays_ahead(n, self.ahead(n, support), margin) {
-            return Answer::Apart;
-        }
-        if distance > margin + 0.5 * slack { Answer::Open } else { Answer::Unknown }
     }
+    let mut best = (f64::NEG_INFINITY, NO_HINT);
+    for (i, face) in faces.iter().enumerate() {
+        let ahead = part.ahead(face.normal, face.support);
+        if ahead > best.0 {
+            best = (ahead, i as u32);
+        }
+        if ahead > margin && part.stays_ahead(face.normal, face.support, margin) {
+            return (Answer::Apart, hint);
+        }
+    }
+    for i in 0..part.directions() {
+        let Direction { n, support, ahead } = part.direction(i, faces);
+        if ahead > best.0 {
+            best = (ahead, (faces.len() + i) as u32);
+        }
+        if ahead > margin && part.stays_ahead(n, support, margin) {
+            return (Answer::Apart, hint);
+        }
+    }
+    let answer = if best.0 > margin {
+        Answer::Open
+    } else if best.0 > -slack {
+        Answer::Unknown
+    } else {
+        Answer::Touching
+    };
+    (answer, best.1)
+}
 
-    /// Tries the direction from the disc's centre to the nearest point of the link.
-    #[inline]
-    pub fn separate_from_disc(&self, disc: &Disc, margin: f64, slack: f64) -> Answer {
-        let [a, b] = self.ends.map(MovingJoint::place);
-        let to = nearest_point(disc.center, a, b) - disc.center;
-        let distance = to.norm();
-        if distance - disc.radius <= margin - 0.5 * slack {
-            return Answer::Touching;
-        }
-        let n = to / distance;
-        let support = n.x * disc.center.x + n.y * disc.center.y + disc.radius;
-        if self.stays_ahead(n, self.ahead(n, support), margin) {
-            return Answer::Apart;
-        }
-        if distance - disc.radius > margin + 0.5 * slack { Answer::Open } else { Answer::Unknown }
+/// The vector from the obstacle to the part between their nearest points, and their distance; for a polygon and a part that do
+/// not overlap. The distance is negative where the nearest point is inside a disc, and no more than 0 where a disc's centre is
+/// inside the part.
+pub(in crate::collision) fn offset(part: &impl Part, obstacles: &Obstacles, obstacle: usize) -> (Vector, f64) {
+    if let Some(disc) = obstacles.disc(obstacle) {
+        let to = part.offset_from(disc.center);
+        return (to, to.norm() - disc.radius);
     }
+    let (corners, faces) = (part.corners(), obstacles.faces(obstacle));
+    let mut nearest = (f64::INFINITY, Vector::zeros());
+    let mut offer = |to: Vector| {
+        let squared = to.norm_squared();
+        if squared < nearest.0 {
+            nearest = (squared, to);
+        }
+    };
+    for (i, corner) in corners.iter().enumerate() {
+        let (a, b) = (corner.place(), corners[if i + 1 == corners.len() { 0 } else { i + 1 }].place());
+        for (k, face) in faces.iter().enumerate() {
+            let next = faces[if k + 1 == faces.len() { 0 } else { k + 1 }].corner;
+            offer(nearest_point(face.corner, a, b) - face.corner);
+            offer(a - nearest_point(a, face.corner, next));
+        }
+    }
+    (nearest.1, nearest.0.sqrt())
+}
+
+/// Whether some direction separates the two by more than `margin` on the whole interval: that of the vector `towards` from the
+/// obstacle to the part; with `all`, the best there is.
+///
+/// What the bound on motion allows a part to reach is convex, and so is its difference from the obstacle: the direction sought
+/// leads from the origin to the nearest point of that difference. It is found as by Gilbert, Johnson and Keerthi 1988, "A fast
+/// procedure for computing the distance between complex objects in three-dimensional space".
+pub(in crate::collision) fn find_direction(
+    part: &impl Part,
+    obstacles: &Obstacles,
+    obstacle: usize,
+    mut towards: Vector,
+    margin: f64,
+    all: bool,
+) -> bool {
+    let (faces, disc) = (obstacles.faces(obstacle), obstacles.disc(obstacle));
+    // The nearest segment so far, of points of the difference.
+    let mut segment = None;
+    for _ in 0..if all { DIRECTIONS } else { 1 } {
+        let length = towards.norm();
+        if length <= margin {
+            return false;
+        }
+        let n = towards / length;
+        let (support, foremost) = support(n, faces, disc);
+        if part.stays_ahead(n, support, margin) {
+            return true;
+        }
+        let mut rearmost = (f64::INFINITY, Vector::zeros());
+        for corner in part.corners() {
+            let point = corner.rearmost(n);
+            let along = dot(n, point);
+            rearmost = if along < rearmost.0 { (along, point) } else { rearmost };
+        }
+        let new = rearmost.1 - foremost;
+        let (a, b) = segment.unwrap_or((new, new));
+        let nearest = |end: Vector| nearest_point(Point::origin(), Point::from(end), Point::from(new)).coords;
+        let (from_a, from_b) = (nearest(a), nearest(b));
+        let is_a = from_a.norm_squared() < from_b.norm_squared();
+        (towards, segment) = if is_a { (from_a, Some((a, new))) } else { (from_b, Some((b, new))) };
+    }
+    false
+}
+
+/// How far the obstacle reaches in the unit direction `n`, and the point where it does.
+fn support(n: Vector, faces: &[Face], disc: Option<&Disc>) -> (f64, Vector) {
+    if let Some(disc) = disc {
+        return (dot(n, disc.center.coords) + disc.radius, disc.center.coords + n * disc.radius);
+    }
+    let mut most = (f64::NEG_INFINITY, Vector::zeros());
+    for face in faces {
+        let along = dot(n, face.corner.coords);
+        most = if along > most.0 { (along, face.corner.coords) } else { most };
+    }
+    most
+}
+
+/// How far the polygon reaches in the unit direction `n`.
+#[inline(always)]
+pub(in crate::collision) fn polygon_support(n: Vector, faces: &[Face]) -> f64 {
+    let mut most = f64::NEG_INFINITY;
+    for face in faces {
+        let along = dot(n, face.corner.coords);
+        most = if along > most { along } else { most };
+    }
+    most
 }
 
 /// The point of the segment from `a` to `b` nearest to `p`.
 #[inline(always)]
-pub(super) fn nearest_point(p: Point, a: Point, b: Point) -> Point {
+pub(in crate::collision) fn nearest_point(p: Point, a: Point, b: Point) -> Point {
     let along = b - a;
     let (to, length_squared) = ((p - a).dot(&along), along.norm_squared());
     if to >= length_squared {

@@ -1,4 +1,4 @@
-//! Unit vectors of angles by polynomials: for proofs alone, whose slack covers what they are off.
+//! Unit vectors of angles by polynomials: for proofs alone, whose slack covers their error.
 //!
 //! Only sums, products, differences and one conversion occur, so the bits are the same on every platform.
 //!
@@ -39,7 +39,7 @@ pub(in crate::collision) fn unit_and_sinc(angle: f64) -> (Vector, f64) {
 
 /// The unit vector of the sum of both angles.
 #[inline(always)]
-pub(in crate::collision) fn turned(e: Vector, by: Vector) -> Vector {
+pub(in crate::collision) fn rotate(e: Vector, by: Vector) -> Vector {
     Vector::new(e.x * by.x - e.y * by.y, e.y * by.x + e.x * by.y)
 }
 
@@ -69,12 +69,12 @@ fn doubled(e: Vector) -> Vector {
 
 /// Unit vectors of `N` angles, side by side for a compiler that can treat two at a time.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::collision) struct Units<const N: usize> {
+pub(in crate::collision) struct UnitVectors<const N: usize> {
     pub x: [f64; N],
     pub y: [f64; N],
 }
 
-impl<const N: usize> Units<N> {
+impl<const N: usize> UnitVectors<N> {
     /// Of no angle: all point along x.
     pub const ZERO: Self = Self { x: [1.0; N], y: [0.0; N] };
 
@@ -85,7 +85,7 @@ impl<const N: usize> Units<N> {
         let is_small = fastest * factor <= SMALL;
         for (i, &angle) in angles.iter().enumerate() {
             let e = if is_small { series(angle * factor) } else { unit(angle * factor) };
-            (units.x[i], units.y[i]) = (e.x, e.y);
+            units.set(i, e);
         }
         units
     }
@@ -93,6 +93,11 @@ impl<const N: usize> Units<N> {
     #[inline(always)]
     pub fn at(&self, i: usize) -> Vector {
         Vector::new(self.x[i], self.y[i])
+    }
+
+    #[inline(always)]
+    pub fn set(&mut self, i: usize, e: Vector) {
+        (self.x[i], self.y[i]) = (e.x, e.y);
     }
 
     /// Of twice the angles.
@@ -108,7 +113,7 @@ impl<const N: usize> Units<N> {
 
     /// Of the differences and of the sums of the angles and others.
     #[inline(always)]
-    pub fn turned_both_ways(&self, by: &Self) -> [Self; 2] {
+    pub fn rotate_both_ways(&self, by: &Self) -> [Self; 2] {
         let [mut less, mut more] = [*self; 2];
         for i in 0..N {
             let (xx, yy) = (self.x[i] * by.x[i], self.y[i] * by.y[i]);

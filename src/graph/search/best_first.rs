@@ -1,12 +1,12 @@
 //! Best-first searches: A* (Hart, Nilsson and Raphael 1968, "A formal basis for the heuristic determination of minimum cost
 //! paths"), and Dijkstra's, which is A* with the heuristic 0 (Dijkstra 1959, "A note on two problems in connexion with graphs").
 
-use super::{Expansion, Goals, UNREACHED, View, Walker, to_root};
-use crate::graph::VertexId;
+use super::{Expansion, Goals, View, Walker};
+use crate::graph::{Tree, VertexId};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// A* from one vertex to the cheapest of others. A vertex is expanded again where a cheaper way to it turns up, so the path found is the
+/// A* from one vertex to the cheapest of the goals. A vertex is reopened if a cheaper path to it is found, so the path is the
 /// cheapest for every admissible heuristic, consistent or not. O((v + e) log e) for a consistent one.
 #[derive(Debug, Clone)]
 pub struct BestFirst {
@@ -14,7 +14,7 @@ pub struct BestFirst {
     /// The goal that was reached.
     reached: Option<VertexId>,
     cost: Vec<f64>,
-    parents: Vec<u32>,
+    tree: Tree,
     frontier: BinaryHeap<Open>,
 }
 
@@ -29,14 +29,15 @@ struct Open {
 impl BestFirst {
     /// A search among `vertices` vertices from `start` to any of the goals.
     pub fn new(vertices: usize, start: VertexId, goals: Goals) -> Self {
-        let (mut cost, mut parents) = (vec![f64::INFINITY; vertices], vec![UNREACHED; vertices]);
-        (cost[start.index()], parents[start.index()]) = (0.0, start.0);
+        let (mut cost, mut tree) = (vec![f64::INFINITY; vertices], Tree::with_room(vertices));
+        cost[start.index()] = 0.0;
+        tree.add_root(start);
         // Alone in the frontier, the start needs no estimate.
         let frontier = BinaryHeap::from([Open { estimate: 0.0, cost: 0.0, vertex: start }]);
-        Self { goals, reached: None, cost, parents, frontier }
+        Self { goals, reached: None, cost, tree, frontier }
     }
 
-    /// The cost of the cheapest way to the vertex found so far; infinite where it was not reached.
+    /// The cost of the cheapest path to the vertex found so far; infinite if it was not reached.
     pub fn cost(&self, vertex: VertexId) -> f64 {
         self.cost[vertex.index()]
     }
@@ -48,7 +49,7 @@ impl Walker for BestFirst {
         let open = loop {
             match self.frontier.pop() {
                 None => return Expansion::Nothing,
-                // Entries that a cheaper way has overtaken are passed over.
+                // Entries that a cheaper path has made stale are skipped.
                 Some(open) if open.cost > self.cost[open.vertex.index()] => {}
                 Some(open) => break open,
             }
@@ -61,7 +62,7 @@ impl Walker for BestFirst {
             let cost = open.cost + (view.cost)(open.vertex, next);
             if cost < self.cost[next.index()] {
                 self.cost[next.index()] = cost;
-                self.parents[next.index()] = open.vertex.0;
+                self.tree.add(next, open.vertex);
                 self.frontier.push(Open { estimate: cost + (view.heuristic)(next), cost, vertex: next });
             }
         }
@@ -69,10 +70,7 @@ impl Walker for BestFirst {
     }
 
     fn path(&self) -> Vec<VertexId> {
-        let Some(goal) = self.reached else { return Vec::new() };
-        let mut path = to_root(&self.parents, goal);
-        path.reverse();
-        path
+        self.reached.map_or(Vec::new(), |goal| self.tree.from_root(goal))
     }
 }
 

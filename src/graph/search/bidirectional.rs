@@ -1,27 +1,27 @@
 //! Bidirectional breadth-first search, by whole levels (Pohl 1969, "Bi-directional and heuristic search in path problems").
 //!
 //! One search from the start and one from the goals; the one with the smaller frontier expands all of it before the other
-//! may go on. Where they meet, the level is finished and the shortest of the ways found is taken: until then the two sides
-//! share no edge, so no way can be shorter, and the path has as few edges as that of breadth-first search.
+//! may go on. When they meet, the level is finished and the shortest of the paths found is taken: until then the two sides
+//! share no edge, so no path can be shorter, and the path has as few edges as that of breadth-first search.
 
-use super::{Expansion, Goals, UNREACHED, View, Walker, to_root};
-use crate::graph::VertexId;
+use super::{Expansion, Goals, View, Walker};
+use crate::graph::{Tree, VertexId};
 
-/// Breadth-first search from both ends; costs and heuristic are not looked at. O(v + e).
+/// Breadth-first search from both ends; costs and heuristic are ignored. O(v + e).
 #[derive(Debug, Clone)]
 pub struct Bidirectional {
     /// From the start, then from the goal.
     sides: [Side; 2],
     /// Which side expands its level.
     turn: usize,
-    /// The fewest edges of a way found, and the two neighbours where its sides meet: the start's, the goal's.
+    /// The fewest edges of a path found, and the two adjacent vertices where its sides meet: the start's, the goal's.
     meeting: Option<(u32, [VertexId; 2])>,
 }
 
 /// One of the two searches.
 #[derive(Debug, Clone)]
 struct Side {
-    parents: Vec<u32>,
+    tree: Tree,
     /// Edges from the root, for vertices reached.
     depths: Vec<u32>,
     level: Vec<VertexId>,
@@ -32,12 +32,10 @@ struct Side {
 
 impl Side {
     fn new(vertices: usize, roots: Goals) -> Self {
-        let (mut parents, depths) = (vec![UNREACHED; vertices], vec![0; vertices]);
+        let (mut tree, depths) = (Tree::with_room(vertices), vec![0; vertices]);
         let level: Vec<VertexId> = (roots.start.0..roots.end.0).map(VertexId).collect();
-        for root in &level {
-            parents[root.index()] = root.0;
-        }
-        Self { parents, depths, level, done: 0, next_level: Vec::new() }
+        level.iter().for_each(|&root| tree.add_root(root));
+        Self { tree, depths, level, done: 0, next_level: Vec::new() }
     }
 }
 
@@ -49,7 +47,7 @@ impl Bidirectional {
         Self { sides: [starts, goals].map(|roots| Side::new(vertices, roots)), turn: 0, meeting }
     }
 
-    /// Takes up the next level, of the side whose frontier is smaller; the start's where they are equal.
+    /// Begins the next level on the side with the smaller frontier; the start's if they are equal.
     fn turn_over(&mut self) {
         let side = &mut self.sides[self.turn];
         side.level = std::mem::take(&mut side.next_level);
@@ -83,15 +81,16 @@ impl Walker for Bidirectional {
         };
         for &next in neighbours {
             let i = next.index();
-            if theirs.parents[i] != UNREACHED {
+            if theirs.tree.contains(next) {
                 let edges = depth + 1 + theirs.depths[i];
                 if self.meeting.is_none_or(|(fewest, _)| edges < fewest) {
                     let bridge = if self.turn == 0 { [vertex, next] } else { [next, vertex] };
                     self.meeting = Some((edges, bridge));
                 }
             }
-            if ours.parents[i] == UNREACHED {
-                (ours.parents[i], ours.depths[i]) = (vertex.0, depth + 1);
+            if !ours.tree.contains(next) {
+                ours.tree.add(next, vertex);
+                ours.depths[i] = depth + 1;
                 ours.next_level.push(next);
             }
         }
@@ -100,10 +99,9 @@ impl Walker for Bidirectional {
 
     fn path(&self) -> Vec<VertexId> {
         let Some((edges, [from, to])) = self.meeting else { return Vec::new() };
-        let mut path = to_root(&self.sides[0].parents, from);
-        path.reverse();
+        let mut path = self.sides[0].tree.from_root(from);
         if edges > 0 {
-            path.extend(to_root(&self.sides[1].parents, to));
+            path.extend(self.sides[1].tree.to_root(to));
         }
         path
     }

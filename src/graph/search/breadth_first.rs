@@ -1,13 +1,13 @@
 //! Breadth-first search: the path of the fewest edges (Moore 1959, "The shortest path through a maze").
 
-use super::{Expansion, Goals, UNREACHED, View, Walker, to_root};
-use crate::graph::VertexId;
+use super::{Expansion, Goals, View, Walker};
+use crate::graph::{Tree, VertexId};
 
-/// Breadth-first search from one vertex to the nearest of others; costs and heuristic are not looked at. O(v + e).
+/// Breadth-first search from one vertex to the nearest of the goals; costs and heuristic are ignored. O(v + e).
 #[derive(Debug, Clone)]
 pub struct BreadthFirst {
     goals: Goals,
-    parents: Vec<u32>,
+    tree: Tree,
     /// Every vertex reached, in that order; those before `next` are expanded.
     queue: Vec<VertexId>,
     next: usize,
@@ -16,9 +16,9 @@ pub struct BreadthFirst {
 impl BreadthFirst {
     /// A search among `vertices` vertices from `start` to any of the goals.
     pub fn new(vertices: usize, start: VertexId, goals: Goals) -> Self {
-        let mut parents = vec![UNREACHED; vertices];
-        parents[start.index()] = start.0;
-        Self { goals, parents, queue: vec![start], next: 0 }
+        let mut tree = Tree::with_room(vertices);
+        tree.add_root(start);
+        Self { goals, tree, queue: vec![start], next: 0 }
     }
 }
 
@@ -30,8 +30,8 @@ impl Walker for BreadthFirst {
         }
         self.next += 1;
         for &next in view.adjacency.neighbours(vertex) {
-            if self.parents[next.index()] == UNREACHED {
-                self.parents[next.index()] = vertex.0;
+            if !self.tree.contains(next) {
+                self.tree.add(next, vertex);
                 self.queue.push(next);
             }
         }
@@ -39,11 +39,7 @@ impl Walker for BreadthFirst {
     }
 
     fn path(&self) -> Vec<VertexId> {
-        let Some(&goal) = self.queue.get(self.next).filter(|vertex| self.goals.contains(vertex)) else {
-            return Vec::new();
-        };
-        let mut path = to_root(&self.parents, goal);
-        path.reverse();
-        path
+        let goal = self.queue.get(self.next).filter(|vertex| self.goals.contains(vertex));
+        goal.map_or(Vec::new(), |&goal| self.tree.from_root(goal))
     }
 }

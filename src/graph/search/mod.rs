@@ -27,7 +27,7 @@ pub struct View<'a> {
 pub enum Expansion {
     /// The vertex was expanded; the search goes on.
     Vertex(VertexId),
-    /// The way to the goal is known.
+    /// A path to the goal is known.
     Goal,
     /// Nothing is left to expand: the goal cannot be reached.
     Nothing,
@@ -38,23 +38,9 @@ pub trait Walker {
     /// Expands one vertex, or says that the search is over.
     fn step(&mut self, view: &View) -> Expansion;
 
-    /// The way from the start to the goal, both included, once a step has answered `Goal`.
+    /// The path from the start to the goal, both included, once a step has returned `Goal`.
     fn path(&self) -> Vec<VertexId>;
 }
 
 /// The vertices that a search may end at: those from the first to before the last.
 pub type Goals = std::ops::Range<VertexId>;
-
-/// A vertex not reached yet, in a list of parents.
-const UNREACHED: u32 = u32::MAX;
-
-/// Follows the parents from a vertex to a root, which is its own parent.
-fn to_root(parents: &[u32], from: VertexId) -> Vec<VertexId> {
-    let mut way = vec![from];
-    let mut at = from.0;
-    while parents[at as usize] != at {
-        at = parents[at as usize];
-        way.push(VertexId(at));
-    }
-    way
-}

@@ -1,8 +1,7 @@
-//! How the kd-tree grows: insertion, the splitting of leaves, the rebuilding of what has become lopsided.
+//! Growing the kd-tree: insertion, splitting of leaves, rebuilding of unbalanced subtrees.
 
 use super::{Branch, KdTree, LANES, LEAF, LEAF_PACKS, Leaf, MAX_DEPTH, Node, Sides, lane};
 use crate::graph::VertexId;
-use crate::order::select;
 use crate::space::Space;
 
 /// States taken out of the tree, to be put back in another shape.
@@ -25,7 +24,7 @@ impl Entries {
 }
 
 impl<S: Space> KdTree<S> {
-    /// Makes the empty tree one of the given weights, one a coordinate.
+    /// Sets up the empty tree for the given weights, one per coordinate.
     pub(super) fn start(&mut self, weights: Vec<f64>) {
         self.packs.dimension = weights.len();
         self.weights = weights;
@@ -66,7 +65,7 @@ impl<S: Space> KdTree<S> {
         if len < LEAF {
             self.fill(node.index(), vertex, coordinates);
         } else {
-            // A split makes the way to its states one branch longer.
+            // A split makes the path to these states one branch longer.
             if depth + 1 >= MAX_DEPTH {
                 lopsided = Some((None, self.root));
             }
@@ -79,7 +78,7 @@ impl<S: Space> KdTree<S> {
         }
     }
 
-    /// Puts a node in its place.
+    /// Replaces a child of `parent`, or the root.
     fn hang(&mut self, parent: Option<(Node, usize)>, node: Node) {
         match parent {
             Some((branch, side)) => self.branches[branch.index()].children[side] = node,
@@ -87,7 +86,7 @@ impl<S: Space> KdTree<S> {
         }
     }
 
-    /// Adds a state to a leaf that has room.
+    /// Adds a state to a leaf that is not full.
     fn fill(&mut self, leaf: usize, vertex: VertexId, coordinates: &[f64]) {
         let at = self.leaves[leaf].len as usize;
         if at.is_multiple_of(LANES) {
@@ -101,8 +100,7 @@ impl<S: Space> KdTree<S> {
         self.leaves[leaf].len += 1;
     }
 
-    /// Builds the part of the tree under a node anew, balanced, with one more state where one is given. O(m log m) for m
-    /// states.
+    /// Rebuilds the subtree under a node, balanced, with one more state if one is given. O(m log m) for m states.
     fn rebuild(&mut self, node: Node, extra: Option<(VertexId, &[f64])>) -> Node {
         let mut entries = Entries { dimension: self.packs.dimension, numbers: Vec::new(), vertices: Vec::new() };
         self.take(node, &mut entries);
@@ -114,7 +112,7 @@ impl<S: Space> KdTree<S> {
         self.build(&entries, &mut order)
     }
 
-    /// Takes a part of the tree apart.
+    /// Collects the states of a subtree and frees its nodes.
     fn take(&mut self, node: Node, entries: &mut Entries) {
         if !node.is_leaf() {
             self.free_branches.push(node.0);
@@ -136,7 +134,7 @@ impl<S: Space> KdTree<S> {
         }
     }
 
-    /// A tree of the given entries, halved at the median of the axis on which they reach farthest until they fit a leaf.
+    /// Builds a tree of the given entries, split at the median of the widest axis until they fit a leaf.
     fn build(&mut self, entries: &Entries, order: &mut [u32]) -> Node {
         if order.len() <= LEAF {
             return self.build_leaf(entries, order);
@@ -151,10 +149,10 @@ impl<S: Space> KdTree<S> {
             }
         }
         let axis = widest.0;
-        // Whole packs to the first half; ties by vertex, so that the shape depends on nothing but the states.
+        // Whole packs to the first half; ties by vertex, so that the shape depends only on the states.
         let middle = (order.len() / 2).next_multiple_of(LANES);
         let number = |entry: u32| entries.numbers[entry as usize * dimension + axis];
-        select(order, middle, &|a, b| {
+        order.select_nth_unstable_by(middle, |&a, &b| {
             number(a).total_cmp(&number(b)).then(entries.vertices[a as usize].cmp(&entries.vertices[b as usize]))
         });
         let at = order[middle];

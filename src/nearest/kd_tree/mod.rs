@@ -1,13 +1,13 @@
-//! The kd-tree: halves of halves of the states, each in its tight box, so that a query passes over boxes that are too far.
+//! The kd-tree: states halved recursively, each part in its tight bounding box, so that a query skips boxes that are too far.
 //!
-//! Bentley 1975, "Multidimensional binary search trees used for associative searching"; with buckets as leaves, and parts
-//! that have grown lopsided rebuilt (Galperin and Rivest 1993, "Scapegoat trees"). Circles need no copies of the states and
-//! no second query: boxes are intervals of plain numbers, and [`gap_to_interval`] goes round whichever way is shorter.
+//! Bentley 1975, "Multidimensional binary search trees used for associative searching"; with buckets as leaves;
+//! unbalanced subtrees are rebuilt (Galperin and Rivest 1993, "Scapegoat trees"). Circles need no copies of the states and
+//! no second query: boxes are intervals of plain numbers, and [`gap_to_interval`] takes the shorter direction round.
 //!
-//! The answers are the linear scan's to the bit. The bound of a box is the metric's own expression on gaps that are, in
+//! Results equal the linear scan's bit for bit. The bound of a box is the metric's own expression on gaps that are, in
 //! floating point, no wider than those to any state inside; rounded sums, products and roots keep that order, so the bound
-//! never exceeds a distance. Boxes are dropped only where the bound is *greater* than the worst distance kept, so every tie
-//! is met, and decided by the number of the vertex. The shape of the tree thus changes the time but never the answer.
+//! never exceeds a distance. Boxes are pruned only if the bound is *greater* than the worst distance kept, so every tie
+//! is seen and decided by the vertex number. The shape of the tree changes the time but never the result.
 
 mod grow;
 
@@ -24,10 +24,10 @@ const LEAF_PACKS: usize = 32 / LANES;
 /// How many states fill a leaf.
 const LEAF: usize = LEAF_PACKS * LANES;
 
-/// Up to so many neighbours are kept sorted: more than in a scan, for here a tight limit spares whole leaves.
+/// Up to this many neighbours are kept sorted: more than in a scan, as a tight limit here prunes whole leaves.
 const SORTED: usize = if cfg!(target_arch = "wasm32") { 64 } else { 16 };
 
-/// No path from the root is longer: a tree that would grow deeper is rebuilt.
+/// The greatest depth: a tree that would grow deeper is rebuilt.
 const MAX_DEPTH: usize = 64;
 
 /// The number of a branch, or of a leaf with the highest bit set.
@@ -52,7 +52,7 @@ impl Node {
     }
 }
 
-/// Two parts of the states. A new state goes to the second where its number on the axis is at least that of the split.
+/// An inner node. A new state goes to the second child if its coordinate on the axis is at least the split value.
 #[derive(Debug, Clone, Copy)]
 struct Branch {
     split: f64,
@@ -71,9 +71,9 @@ struct Leaf {
 /// On one axis, the lowest numbers in the two children of a branch, then the highest.
 type Sides = [[f64; 2]; 2];
 
-/// A kd-tree that grows. A query costs about O(log n + k) where the dimension is low; n insertions cost O(n log n) in random
-/// order, O(n log^2 n) in any: a million states of four numbers take half a second. Beside its numbers a state takes about 12
-/// bytes where leaves are full, and up to 30 just after they were halved.
+/// A kd-tree that grows. A query costs about O(log n + k) in low dimensions; n insertions cost O(n log n) in random
+/// order, O(n log^2 n) in any order. In addition to its coordinates a state takes about 12 bytes if leaves are full, and up
+/// to 30 just after they were split.
 #[derive(Debug, Clone)]
 pub struct KdTree<S: Space> {
     packs: Packs,
@@ -83,9 +83,9 @@ pub struct KdTree<S: Space> {
     boxes: Vec<Sides>,
     root: Node,
     len: usize,
-    /// What a unit of each coordinate weighs in the metric.
+    /// The weight of each coordinate in the metric.
     weights: Vec<f64>,
-    /// Parts that may be used again.
+    /// Freed slots, to be reused.
     free_packs: Vec<u32>,
     free_leaves: Vec<u32>,
     free_branches: Vec<u32>,
@@ -120,7 +120,7 @@ impl<S: Space> KdTree<S> {
         })
     }
 
-    /// Offers the states that may be wanted, nearest boxes first. Answers how many those were.
+    /// Offers the states that may be among the nearest, nearest boxes first. Returns how many were visited.
     fn search(&self, space: &S, from: &[f64], closest: &mut Closest) -> usize {
         let mut visited = 0;
         if self.len == 0 {

@@ -14,6 +14,10 @@ const LED: f64 = 1e-9;
 /// How far a control may lie outside the car's limits, relative to them: the rounding of a document.
 const WITHIN: f64 = 1e-12;
 
+/// The largest turn of one motion, in radians, as for planners: of more turns, rounding takes more off the heading at the end
+/// than the slack covers.
+const LARGEST_TURN: f64 = 1e3;
+
 /// Judges the motions of a car and the arcs that they draw.
 pub(super) fn judge(world: &World, car: &Car, result: &ResultDocument, scale: &Scale) -> Result<Seen, String> {
     if let Some(word) = &result.integration {
@@ -32,6 +36,9 @@ pub(super) fn judge(world: &World, car: &Car, result: &ResultDocument, scale: &S
     for (i, (motion, ends)) in motions.iter().zip(path.windows(2)).enumerate() {
         check_control(car, i, motion)?;
         let (way, turn) = extent(car, motion);
+        if turn.is_nan() || turn.abs() > LARGEST_TURN * (1.0 + WITHIN) {
+            return Err(format!("motion {i} turns by {turn:e} rad; at most {LARGEST_TURN} can be judged"));
+        }
         let leg = Leg::arc(&ends[0], way, turn);
         let size = ends.iter().flat_map(|q| &q[..2]).fold(1.0, |most: f64, x| most.max(x.abs()));
         let off = difference(2, &leg.at(1.0), &ends[1]);

@@ -26,7 +26,7 @@ pub use body::Leg;
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Point, Polygon};
 use crate::result::ResultDocument;
-use crate::robot::Target;
+use crate::robot::{LARGEST, Target};
 use crate::scenario::{Goal, GoalTolerance, Obstacle, Query, Robot, Scenario, World};
 use crate::status::Status;
 use std::f64::consts::{PI, TAU};
@@ -143,7 +143,8 @@ fn judge(scenario: &Scenario, query: &Query, result: &ResultDocument) -> Result<
     Ok(seen)
 }
 
-/// Refuses an empty path and waypoints that are not `dimension` finite numbers.
+/// Refuses an empty path and waypoints that are not `dimension` numbers within the range of a scenario's: beyond it rounding
+/// takes more than the slack.
 fn check_numbers(dimension: usize, path: &[Vec<f64>]) -> Result<(), String> {
     if path.is_empty() {
         return Err("the path is empty".into());
@@ -152,8 +153,8 @@ fn check_numbers(dimension: usize, path: &[Vec<f64>]) -> Result<(), String> {
         if waypoint.len() != dimension {
             return Err(format!("waypoint {i} has {} numbers, a configuration has {dimension}", waypoint.len()));
         }
-        if let Some(value) = waypoint.iter().find(|value| !value.is_finite()) {
-            return Err(format!("waypoint {i} holds {value}"));
+        if let Some(value) = waypoint.iter().find(|value| value.is_nan() || value.abs() > LARGEST) {
+            return Err(format!("waypoint {i} holds {value:e}, which is not within [-{LARGEST:e}, {LARGEST:e}]"));
         }
     }
     Ok(())

@@ -5,15 +5,14 @@
 //! is not, the title says so.
 
 use super::free::polygon;
-use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind};
-use super::robots::{DISC_RADIUS, SIDE};
-use crate::decimal::Decimal;
+use super::robots::SIDE;
+use super::{Generator, SEEDS};
 use crate::error::Error;
 use crate::geometry::{Aabb, Point, Vector};
+use crate::options::Options;
 use crate::random::{Random, Stream};
 use crate::robot::DiscRobot;
-use crate::scenario::reader::Reader;
-use crate::scenario::{Goal, Node, Obstacle, Query, Robot, Scenario, World};
+use crate::scenario::{Goal, Obstacle, Query, Robot, Scenario, World};
 use std::f64::consts::TAU;
 
 /// The thickness of the trap's wall, in metres.
@@ -23,88 +22,48 @@ const THICKNESS: f64 = 0.06;
 const OPENING: f64 = 0.6;
 const PIECES: usize = 32;
 
-/// The row of the generator.
-pub(super) const INFO: GeneratorInfo = GeneratorInfo {
-    id: "bug-trap",
-    title: "Bug trap",
-    summary: "A disc in a round pocket whose mouth is turned inwards.",
-    options: &[
-        DISC_RADIUS,
-        OptionInfo {
-            name: "mouth",
-            title: "Width of the mouth",
-            kind: OptionKind::Number { min: 0.01, max: 0.4, default: 0.12 },
-            unit: "m",
-            meaning: "How wide the mouth is; the disc passes where it is more than twice its radius.",
-        },
-        OptionInfo {
-            name: "start",
-            title: "Start",
-            kind: OptionKind::Choice(&["inside", "outside"]),
-            unit: "",
-            meaning: "Whether the way leads out of the trap or into it.",
-        },
-        OptionInfo {
-            name: "turn",
-            title: "Turn",
-            kind: OptionKind::Choice(&["any", "quarter"]),
-            unit: "",
-            meaning: "Whether the mouth looks anywhere or along an axis.",
-        },
-    ],
-};
-
-/// Where the disc starts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum BugTrapStart {
-    /// In the trap; the goal is outside.
-    Inside,
-    /// Outside; the goal is in the trap.
-    Outside,
-}
-
-/// Where the mouth may look.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Turn {
-    /// Anywhere.
-    Any,
-    /// To the right, up, to the left or down.
-    Quarter,
-}
-
-/// Which trap to set.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BugTrapOptions {
-    /// The radius of the disc in metres: 0 to 0.1 (default 0.03).
-    pub radius: f64,
-    /// How wide the mouth is, in metres: 0.01 to 0.4 (default 0.12).
-    pub mouth: f64,
-    /// Where the disc starts (default: inside).
-    pub start: BugTrapStart,
-    /// Where the mouth may look (default: anywhere).
-    pub turn: Turn,
-    /// The seed: 0 (default) to 2^53 - 1.
-    pub seed: u64,
-}
-
-impl Default for BugTrapOptions {
-    fn default() -> Self {
-        Self { radius: 0.03, mouth: 0.12, start: BugTrapStart::Inside, turn: Turn::Any, seed: 0 }
+crate::choice! {
+    /// Where the disc starts.
+    pub enum BugTrapStart {
+        /// In the trap; the goal is outside.
+        Inside,
+        /// Outside; the goal is in the trap.
+        Outside,
     }
 }
 
-impl BugTrapOptions {
-    /// Reads the options by their names; all may be left out.
-    pub(super) fn from_node(options: &Node) -> Result<Self, Error> {
-        let root = Reader::root(options);
-        let given = Given::read(&INFO, &root)?;
-        Ok(Self {
-            radius: given.number("radius")?,
-            mouth: given.number("mouth")?,
-            start: [BugTrapStart::Inside, BugTrapStart::Outside][given.choice("start")?],
-            turn: [Turn::Any, Turn::Quarter][given.choice("turn")?],
-            seed: given.seed()?,
-        })
+crate::choice! {
+    /// Where the mouth may look.
+    pub enum Turn {
+        /// Anywhere.
+        Any,
+        /// To the right, up, to the left or down.
+        Quarter,
+    }
+}
+
+crate::options! {
+    /// Which trap to set.
+    pub struct BugTrapOptions for &[];
+    /// The radius of the disc.
+    radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
+    /// How wide the mouth is; the disc passes where it is more than twice its radius.
+    mouth: f64 = 0.12, in 0.01..=0.4, "Width of the mouth", unit "m";
+    /// Whether the way leads out of the trap or into it.
+    start: BugTrapStart = BugTrapStart::Inside, "Start";
+    /// Whether the mouth looks anywhere or along an axis.
+    turn: Turn = Turn::Any, "Turn";
+    /// The seed: 0 (default) to 2^53 - 1.
+    seed: u64 = 0, in SEEDS;
+}
+
+impl Generator for BugTrapOptions {
+    const ID: &'static str = "bug-trap";
+    const TITLE: &'static str = "Bug trap";
+    const SUMMARY: &'static str = "A disc in a round pocket whose mouth is turned inwards.";
+
+    fn generate(&self) -> Result<Scenario, Error> {
+        bug_trap(self)
     }
 }
 
@@ -115,7 +74,7 @@ impl BugTrapOptions {
 /// `out-of-range` or `not-finite` with the pointer of the option.
 pub fn bug_trap(options: &BugTrapOptions) -> Result<Scenario, Error> {
     let BugTrapOptions { radius, mouth, start, turn, seed } = *options;
-    INFO.check(seed, &[("radius", radius), ("mouth", mouth)])?;
+    options.check()?;
     let mut random = Random::new(seed, Stream::Scenario);
     let size = 0.55 + 0.07 * random.uniform();
     let mut near_middle = || SIDE / 2.0 + 0.1 * (random.uniform() - 0.5);
@@ -136,7 +95,7 @@ pub fn bug_trap(options: &BugTrapOptions) -> Result<Scenario, Error> {
         BugTrapStart::Outside => ("in", outside, inside),
     };
     let narrow = if mouth <= 2.0 * radius { ", too narrow for it: no path" } else { "" };
-    let (disc, gap) = (Decimal(radius), Decimal(mouth));
+    let (disc, gap) = (radius, mouth);
     let word = if way == "out" { "out of" } else { "into" };
     Ok(Scenario {
         name: format!("bug-trap-{way}-{seed}"),

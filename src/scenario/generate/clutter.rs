@@ -6,110 +6,59 @@
 
 use super::free::{are_apart, is_clear_of, polygon};
 use super::no_place;
-use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};
-use super::robots::{LINKS, RADIUS, ROBOT, RobotChoice, SIDE, parts_at_ends};
-use crate::decimal::Decimal;
+use super::robots::{RobotChoice, SIDE, parts_at_ends};
+use super::{Generator, SEEDS};
 use crate::error::Error;
 use crate::geometry::{Aabb, Point, Polygon};
+use crate::options::{Options, out_of_range};
 use crate::random::{Random, Stream};
-use crate::scenario::reader::Reader;
-use crate::scenario::{Node, Obstacle, Scenario, World};
+use crate::scenario::{Obstacle, Scenario, World};
 use std::f64::consts::TAU;
 
 /// After so many draws the generator gives up.
 const DRAWS: u32 = 10_000;
 
-/// The row of the generator.
-pub(super) const INFO: GeneratorInfo = GeneratorInfo {
-    id: "clutter",
-    title: "Clutter",
-    summary: "Convex polygons scattered over a box, for a robot that crosses it or an arm in its middle.",
-    options: &[
-        ROBOT,
-        LINKS,
-        RADIUS,
-        OptionInfo {
-            name: "count",
-            title: "Obstacles",
-            kind: OptionKind::Integer { min: 0.0, max: 60.0, default: 14.0 },
-            unit: "",
-            meaning: "How many polygons.",
-        },
-        OptionInfo {
-            name: "smallest",
-            title: "Smallest",
-            kind: OptionKind::Number { min: 0.02, max: 0.5, default: 0.08 },
-            unit: "m",
-            meaning: "The radius of the smallest circle that a polygon may fill, at most `largest`.",
-        },
-        OptionInfo {
-            name: "largest",
-            title: "Largest",
-            kind: OptionKind::Number { min: 0.02, max: 0.5, default: 0.2 },
-            unit: "m",
-            meaning: "The radius of the largest such circle.",
-        },
-        OptionInfo {
-            name: "gap",
-            title: "Gap",
-            kind: OptionKind::Number { min: 0.0, max: 0.2, default: 0.05 },
-            unit: "m",
-            meaning: "Polygons are farther than this from each other, and from the robot at its start and its goal.",
-        },
-    ],
-};
-
-/// What clutter to make. As a document: `robot` ("disc", "arm", "rigid_body" or "car"), `links` (arms only, default 2), and the rest by name.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ClutterOptions {
-    /// The robot (default: a disc); an arm has 1 to 8 links.
-    pub robot: RobotChoice,
-    /// How many polygons: 0 to 60 (default 14).
-    pub count: usize,
-    /// The robot's radius in metres: 0 to 0.1 (default 0.03).
-    pub radius: f64,
-    /// The radius of the smallest circle that a polygon may fill, in metres: 0.02 to `largest` (default 0.08).
-    pub smallest: f64,
-    /// The radius of the largest such circle, in metres: `smallest` to 0.5 (default 0.2).
-    pub largest: f64,
-    /// Polygons are farther than this from each other, and from the robot at its start and its goal, in metres: 0 to 0.2
-    /// (default 0.05).
-    pub gap: f64,
+crate::options! {
+    /// What clutter to make.
+    pub struct ClutterOptions for &[];
+    /// What moves.
+    robot: RobotChoice = RobotChoice::Disc, "Robot";
+    /// How many links the arm has; for an arm only.
+    links: usize = 2, in 1.0..=8.0, "Links";
+    /// The radius of the disc, or half the width of the arm's links; not for a body or a car.
+    radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
+    /// How many polygons.
+    count: usize = 14, in 0.0..=60.0, "Obstacles";
+    /// The radius of the smallest circle that a polygon may fill, at most `largest`.
+    smallest: f64 = 0.08, in 0.02..=0.5, "Smallest", unit "m";
+    /// The radius of the largest such circle.
+    largest: f64 = 0.2, in 0.02..=0.5, "Largest", unit "m";
+    /// Polygons are farther than this from each other, and from the robot at its start and its goal.
+    gap: f64 = 0.05, in 0.0..=0.2, "Gap", unit "m";
     /// The seed: 0 (default) to 2^53 - 1.
-    pub seed: u64,
+    seed: u64 = 0, in SEEDS;
 }
 
-impl Default for ClutterOptions {
-    fn default() -> Self {
-        Self { robot: RobotChoice::Disc, count: 14, radius: 0.03, smallest: 0.08, largest: 0.2, gap: 0.05, seed: 0 }
+impl Generator for ClutterOptions {
+    const ID: &'static str = "clutter";
+    const TITLE: &'static str = "Clutter";
+    const SUMMARY: &'static str =
+        "Convex polygons scattered over a box, for a robot that crosses it or an arm in its middle.";
+
+    fn generate(&self) -> Result<Scenario, Error> {
+        clutter(self)
     }
 }
 
 impl ClutterOptions {
-    /// Reads the options by their names; all may be left out.
-    pub(super) fn from_node(options: &Node) -> Result<Self, Error> {
-        let root = Reader::root(options);
-        let given = Given::read(&INFO, &root)?;
-        Ok(Self {
-            robot: RobotChoice::read(&given)?,
-            count: given.integer("count")?,
-            radius: given.number("radius")?,
-            smallest: given.number("smallest")?,
-            largest: given.number("largest")?,
-            gap: given.number("gap")?,
-            seed: given.seed()?,
-        })
-    }
-
-    fn check(&self) -> Result<(), Error> {
-        let Self { radius, count, smallest, largest, gap, .. } = *self;
-        let mut values = vec![("radius", radius), ("count", count as f64), ("gap", gap)];
-        values.extend([("smallest", smallest), ("largest", largest)]);
-        values.extend(self.robot.links());
-        INFO.check(self.seed, &values)?;
+    fn check_all(&self) -> Result<(), Error> {
+        let Self { smallest, largest, .. } = *self;
+        self.check()?;
         if smallest > largest {
-            let [smallest, largest] = [smallest, largest].map(Decimal);
-            return Err(refused("smallest", format!("smallest must be at most largest, {largest}, not {smallest}")));
+            return Err(out_of_range(
+                "smallest",
+                format!("smallest must be at most largest, {largest}, not {smallest}"),
+            ));
         }
         Ok(())
     }
@@ -121,8 +70,8 @@ impl ClutterOptions {
 /// `out-of-range` or `not-finite` with the pointer of the option; `out-of-range` at `/count` where the polygons find no place
 /// within 10,000 draws.
 pub fn clutter(options: &ClutterOptions) -> Result<Scenario, Error> {
-    options.check()?;
-    let (robot, query) = options.robot.across(options.radius)?;
+    options.check_all()?;
+    let (robot, query) = options.robot.across(options.links, options.radius)?;
     let keep_clear = parts_at_ends(&robot, &query);
     let mut random = Random::new(options.seed, Stream::Scenario);
     let mut placed: Vec<Polygon> = Vec::with_capacity(options.count);
@@ -141,8 +90,8 @@ pub fn clutter(options: &ClutterOptions) -> Result<Scenario, Error> {
     let (count, seed) = (options.count, options.seed);
     let bounds = Some(Aabb { min: Point::origin(), max: Point::new(SIDE, SIDE) });
     Ok(Scenario {
-        name: format!("clutter-{}-{count}-{seed}", options.robot.id()),
-        title: Some(format!("{} among {count} convex polygons, seed {seed}", options.robot.title())),
+        name: format!("clutter-{}-{count}-{seed}", options.robot.id(options.links)),
+        title: Some(format!("{} among {count} convex polygons, seed {seed}", options.robot.title(options.links))),
         world: World { bounds, obstacles: placed.into_iter().map(Obstacle::Polygon).collect() },
         robot,
         queries: vec![query],

@@ -7,47 +7,33 @@
 
 use super::free::{is_clear_of, polygon};
 use super::no_place;
-use super::options::{GeneratorInfo, Given, OptionInfo};
-use super::robots::LINKS;
+use super::{Generator, SEEDS};
 use crate::error::Error;
 use crate::geometry::{Point, Polygon};
+use crate::options::Options;
 use crate::random::{Random, Stream};
 use crate::robot::Arm;
-use crate::scenario::reader::Reader;
-use crate::scenario::{Goal, Node, Obstacle, Query, Robot, Scenario, World};
+use crate::scenario::{Goal, Obstacle, Query, Robot, Scenario, World};
 
 /// After so many draws the generator gives up.
 const DRAWS: u32 = 10_000;
 
-/// The row of the generator.
-pub(super) const INFO: GeneratorInfo = GeneratorInfo {
-    id: "forest",
-    title: "Forest",
-    summary: "An arm of unit links among equal triangles on a grid.",
-    options: &[OptionInfo { meaning: "How many links of length 1 the arm has; four triangles a link.", ..LINKS }],
-};
-
-/// What forest to grow.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct ForestOptions {
-    /// How many links of length 1 the arm has: 1 to 8 (default 2).
-    pub links: usize,
+crate::options! {
+    /// What forest to grow.
+    pub struct ForestOptions for &[];
+    /// How many links of length 1 the arm has; four triangles a link.
+    links: usize = 2, in 1.0..=8.0, "Links";
     /// The seed: 0 (default) to 2^53 - 1.
-    pub seed: u64,
+    seed: u64 = 0, in SEEDS;
 }
 
-impl Default for ForestOptions {
-    fn default() -> Self {
-        Self { links: 2, seed: 0 }
-    }
-}
+impl Generator for ForestOptions {
+    const ID: &'static str = "forest";
+    const TITLE: &'static str = "Forest";
+    const SUMMARY: &'static str = "An arm of unit links among equal triangles on a grid.";
 
-impl ForestOptions {
-    /// Reads `{"links": 2, "seed": 0}`; both may be left out.
-    pub(super) fn from_node(options: &Node) -> Result<Self, Error> {
-        let root = Reader::root(options);
-        let given = Given::read(&INFO, &root)?;
-        Ok(Self { links: given.integer("links")?, seed: given.seed()? })
+    fn generate(&self) -> Result<Scenario, Error> {
+        forest(self)
     }
 }
 
@@ -57,7 +43,7 @@ impl ForestOptions {
 /// `out-of-range` with the pointer of the option, also where the triangles find no place within 10,000 draws.
 pub fn forest(options: &ForestOptions) -> Result<Scenario, Error> {
     let ForestOptions { links, seed } = *options;
-    INFO.check(seed, &[("links", links as f64)])?;
+    options.check()?;
     let arm = Arm::new(Point::origin(), vec![1.0; links], 0.0, None)?;
     let (start, goal) = ends(links);
     let keep_clear = [arm.footprint(&start), arm.footprint(&goal)].concat();

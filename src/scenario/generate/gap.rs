@@ -7,15 +7,14 @@
 //! cannot.
 
 use super::free::{SOME, polygon};
-use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};
-use super::robots::{LINKS, RADIUS, ROBOT, RobotChoice, SIDE};
-use crate::decimal::Decimal;
+use super::robots::{RobotChoice, SIDE};
+use super::{Generator, SEEDS};
 use crate::error::Error;
 use crate::geometry::{Aabb, Point};
+use crate::options::{Options, out_of_range};
 use crate::random::{Random, Stream};
 use crate::robot::{Arm, DiscRobot};
-use crate::scenario::reader::Reader;
-use crate::scenario::{Goal, Node, Obstacle, Query, Robot, Scenario, World};
+use crate::scenario::{Goal, Obstacle, Query, Robot, Scenario, World};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The sum of an arm's links, in metres.
@@ -27,78 +26,43 @@ const DISTANCE: f64 = 0.5;
 /// How much wider than an arm the gap is at least, in metres.
 const PLAY: f64 = 0.01;
 
-/// The row of the generator.
-pub(super) const INFO: GeneratorInfo = GeneratorInfo {
-    id: "gap",
-    title: "Gap",
-    summary: "A wall across a box with one gap, for a robot that goes through it or an arm that reaches through it.",
-    options: &[
-        ROBOT,
-        OptionInfo { kind: OptionKind::Integer { min: 2.0, max: 8.0, default: 4.0 }, ..LINKS },
-        RADIUS,
-        OptionInfo {
-            name: "width",
-            title: "Width of the gap",
-            kind: OptionKind::Number { min: 0.0, max: 1.0, default: 0.2 },
-            unit: "m",
-            meaning: "How wide the gap is; a disc passes where it is more than twice its radius.",
-        },
-        OptionInfo {
-            name: "thickness",
-            title: "Thickness of the wall",
-            kind: OptionKind::Number { min: 0.005, max: 0.5, default: 0.1 },
-            unit: "m",
-            meaning: "How thick the wall is, so how long the passage.",
-        },
-    ],
-};
-
-/// Which gap to make. As a document: `robot` ("disc", "arm", "rigid_body" or "car"), `links` (arms only, default 4), and the rest by name.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GapOptions {
-    /// The robot (default: a disc); an arm has 2 to 8 links, as one link alone never gets into the gap.
-    pub robot: RobotChoice,
-    /// The robot's radius in metres: 0 to 0.1 (default 0.03).
-    pub radius: f64,
-    /// How wide the gap is, in metres: 0 to 1 (default 0.2); for an arm at least 0.01 more than twice its radius.
-    pub width: f64,
-    /// How thick the wall is, in metres: 0.005 to 0.5 (default 0.1).
-    pub thickness: f64,
+crate::options! {
+    /// Which gap to make.
+    pub struct GapOptions for &[];
+    /// What moves.
+    robot: RobotChoice = RobotChoice::Disc, "Robot";
+    /// How many links the arm has; for an arm only.
+    links: usize = 4, in 2.0..=8.0, "Links";
+    /// The radius of the disc, or half the width of the arm's links; not for a body or a car.
+    radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
+    /// How wide the gap is; a disc passes where it is more than twice its radius.
+    width: f64 = 0.2, in 0.0..=1.0, "Width of the gap", unit "m";
+    /// How thick the wall is, so how long the passage.
+    thickness: f64 = 0.1, in 0.005..=0.5, "Thickness of the wall", unit "m";
     /// The seed: 0 (default) to 2^53 - 1.
-    pub seed: u64,
+    seed: u64 = 0, in SEEDS;
 }
 
-impl Default for GapOptions {
-    fn default() -> Self {
-        Self { robot: RobotChoice::Disc, radius: 0.03, width: 0.2, thickness: 0.1, seed: 0 }
+impl Generator for GapOptions {
+    const ID: &'static str = "gap";
+    const TITLE: &'static str = "Gap";
+    const SUMMARY: &'static str =
+        "A wall across a box with one gap, for a robot that goes through it or an arm that reaches through it.";
+
+    fn generate(&self) -> Result<Scenario, Error> {
+        gap(self)
     }
 }
 
 impl GapOptions {
-    /// Reads the options by their names; all may be left out.
-    pub(super) fn from_node(options: &Node) -> Result<Self, Error> {
-        let root = Reader::root(options);
-        let given = Given::read(&INFO, &root)?;
-        Ok(Self {
-            robot: RobotChoice::read(&given)?,
-            radius: given.number("radius")?,
-            width: given.number("width")?,
-            thickness: given.number("thickness")?,
-            seed: given.seed()?,
-        })
-    }
-
-    fn check(&self) -> Result<(), Error> {
-        let Self { robot, radius, width, thickness, seed } = *self;
-        let mut values = vec![("radius", radius), ("width", width), ("thickness", thickness)];
-        values.extend(robot.links());
-        INFO.check(seed, &values)?;
-        if matches!(robot, RobotChoice::Arm(_)) && width - 2.0 * radius < PLAY - SOME {
-            let [radius, play, width] = [radius, PLAY, width].map(Decimal);
+    fn check_all(&self) -> Result<(), Error> {
+        let Self { robot, radius, width, .. } = *self;
+        self.check()?;
+        if robot == RobotChoice::Arm && width - 2.0 * radius < PLAY - SOME {
             let sentence = format!(
-                "an arm of radius {radius} needs a gap wider than twice that by {play}, else it is never at its goal; {width} is less"
+                "an arm of radius {radius} needs a gap wider than twice that by {PLAY}, else it is never at its goal; {width} is less"
             );
-            return Err(refused("width", sentence));
+            return Err(out_of_range("width", sentence));
         }
         Ok(())
     }
@@ -110,11 +74,11 @@ impl GapOptions {
 /// `out-of-range` or `not-finite` with the pointer of the option; `out-of-range` at `/width` where an arm does not fit into
 /// the gap.
 pub fn gap(options: &GapOptions) -> Result<Scenario, Error> {
-    options.check()?;
-    let GapOptions { robot: choice, radius, width, thickness, seed } = *options;
+    options.check_all()?;
+    let GapOptions { robot: choice, links, radius, width, thickness, seed } = *options;
     let mut random = Random::new(seed, Stream::Scenario);
     // So much of the wall is left on either side; an arm needs more room to fold up.
-    let left = if matches!(choice, RobotChoice::Arm(_)) { 0.5 - width / 2.0 } else { 0.1 };
+    let left = if choice == RobotChoice::Arm { 0.5 - width / 2.0 } else { 0.1 };
     let low = width / 2.0 + left.max(0.1);
     let middle = low + random.uniform() * (SIDE - 2.0 * low);
     let (robot, start, goal) = match choice {
@@ -123,7 +87,7 @@ pub fn gap(options: &GapOptions) -> Result<Scenario, Error> {
             let (start, goal) = (place(0.15), place(SIDE - 0.45));
             (Robot::Disc(DiscRobot::new(radius)?), start, goal)
         }
-        RobotChoice::Arm(links) => reach_through(options, links, middle, &mut random)?,
+        RobotChoice::Arm => reach_through(options, links, middle, &mut random)?,
         RobotChoice::RigidBody | RobotChoice::Car => {
             // A body reaches 0.12 m from its origin.
             let mut place = |left: f64| {
@@ -134,14 +98,14 @@ pub fn gap(options: &GapOptions) -> Result<Scenario, Error> {
             (choice.placed()?.unwrap_or_else(|| unreachable!("both are placed")), start, goal)
         }
     };
-    let (disc, gap) = (Decimal(radius), Decimal(width));
+    let (disc, gap) = (radius, width);
     let what = match choice {
         RobotChoice::Disc if width <= 2.0 * radius => {
             format!("Disc of radius {disc} m at a gap of {gap} m, too narrow for it: no path")
         }
         RobotChoice::Disc => format!("Disc of radius {disc} m through a gap of {gap} m"),
-        RobotChoice::Arm(links) => format!("{links}R arm reaching through a gap of {gap} m"),
-        RobotChoice::RigidBody | RobotChoice::Car => format!("{} through a gap of {gap} m", choice.title()),
+        RobotChoice::Arm => format!("{links}R arm reaching through a gap of {gap} m"),
+        RobotChoice::RigidBody | RobotChoice::Car => format!("{} through a gap of {gap} m", choice.title(links)),
     };
     let wall = |low: f64, high: f64| {
         let (left, right) = ((SIDE - thickness) / 2.0, (SIDE + thickness) / 2.0);
@@ -149,7 +113,7 @@ pub fn gap(options: &GapOptions) -> Result<Scenario, Error> {
         Obstacle::Polygon(polygon(&corners))
     };
     Ok(Scenario {
-        name: format!("gap-{}-{seed}", choice.id()),
+        name: format!("gap-{}-{seed}", choice.id(links)),
         title: Some(format!("{what}, seed {seed}")),
         world: World {
             bounds: Some(Aabb { min: Point::origin(), max: Point::new(SIDE, SIDE) }),

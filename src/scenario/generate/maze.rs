@@ -6,15 +6,13 @@
 //! path, since the disc fits through its corridors.
 
 use super::free::{SOME, polygon};
-use super::options::{GeneratorInfo, Given, OptionInfo, OptionKind, refused};
-use super::robots::DISC_RADIUS;
-use crate::decimal::Decimal;
+use super::{Generator, SEEDS};
 use crate::error::Error;
 use crate::geometry::{Aabb, Point, Polygon};
+use crate::options::{Choice, Options, out_of_range};
 use crate::random::{Random, Stream};
 use crate::robot::DiscRobot;
-use crate::scenario::reader::Reader;
-use crate::scenario::{Goal, Node, Obstacle, Query, Robot, Scenario, World};
+use crate::scenario::{Goal, Obstacle, Query, Robot, Scenario, World};
 
 /// The side of a cell, from the middle of one wall to the middle of the next, in metres.
 const CELL: f64 = 0.25;
@@ -22,42 +20,16 @@ const CELL: f64 = 0.25;
 /// The least play that the disc has in a corridor, in metres.
 const PLAY: f64 = 0.02;
 
-/// The words of the difficulties, easiest first.
-const DIFFICULTIES: [&str; 3] = ["easy", "medium", "hard"];
-
-/// The row of the generator.
-pub(super) const INFO: GeneratorInfo = GeneratorInfo {
-    id: "maze",
-    title: "Maze",
-    summary: "A maze of walls for a disc, from corner to corner; there is always a path.",
-    options: &[
-        OptionInfo {
-            name: "difficulty",
-            title: "Difficulty",
-            kind: OptionKind::Choice(&DIFFICULTIES),
-            unit: "",
-            meaning: "easy: 6 by 6 cells, one wall of five opened; medium: 9 by 9, one of ten; hard: 12 by 12, none, so that one way leads to the goal.",
-        },
-        DISC_RADIUS,
-        OptionInfo {
-            name: "thickness",
-            title: "Thickness",
-            kind: OptionKind::Number { min: 0.005, max: 0.1, default: 0.03 },
-            unit: "m",
-            meaning: "How thick walls are; corridors are as wide as they leave of 0.25 m.",
-        },
-    ],
-};
-
-/// How hard a maze is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Difficulty {
-    /// 6 by 6 cells, one in five of the inner walls opened.
-    Easy,
-    /// 9 by 9 cells, one in ten of the inner walls opened.
-    Medium,
-    /// 12 by 12 cells, a perfect maze: one way from each cell to each other.
-    Hard,
+crate::choice! {
+    /// How hard a maze is.
+    pub enum Difficulty {
+        /// 6 by 6 cells, one in five of the inner walls opened.
+        Easy,
+        /// 9 by 9 cells, one in ten of the inner walls opened.
+        Medium,
+        /// 12 by 12 cells, a perfect maze: one way from each cell to each other.
+        Hard,
+    }
 }
 
 impl Difficulty {
@@ -71,47 +43,38 @@ impl Difficulty {
     }
 }
 
-/// Which maze to build.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MazeOptions {
-    /// How hard it is (default: easy).
-    pub difficulty: Difficulty,
-    /// The radius of the disc in metres: 0 to 0.1 (default 0.03), and less than half a corridor by a centimetre.
-    pub radius: f64,
-    /// How thick walls are, in metres: 0.005 to 0.1 (default 0.03).
-    pub thickness: f64,
+crate::options! {
+    /// Which maze to build.
+    pub struct MazeOptions for &[];
+    /// easy: 6 by 6 cells, one wall of five opened; medium: 9 by 9, one of ten; hard: 12 by 12, none, so that one way leads to the goal.
+    difficulty: Difficulty = Difficulty::Easy, "Difficulty";
+    /// The radius of the disc.
+    radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
+    /// How thick walls are; corridors are as wide as they leave of 0.25 m.
+    thickness: f64 = 0.03, in 0.005..=0.1, "Thickness", unit "m";
     /// The seed: 0 (default) to 2^53 - 1.
-    pub seed: u64,
+    seed: u64 = 0, in SEEDS;
 }
 
-impl Default for MazeOptions {
-    fn default() -> Self {
-        Self { difficulty: Difficulty::Easy, radius: 0.03, thickness: 0.03, seed: 0 }
+impl Generator for MazeOptions {
+    const ID: &'static str = "maze";
+    const TITLE: &'static str = "Maze";
+    const SUMMARY: &'static str = "A maze of walls for a disc, from corner to corner; there is always a path.";
+
+    fn generate(&self) -> Result<Scenario, Error> {
+        maze(self)
     }
 }
 
 impl MazeOptions {
-    /// Reads the options by their names; all may be left out.
-    pub(super) fn from_node(options: &Node) -> Result<Self, Error> {
-        let root = Reader::root(options);
-        let given = Given::read(&INFO, &root)?;
-        Ok(Self {
-            difficulty: [Difficulty::Easy, Difficulty::Medium, Difficulty::Hard][given.choice("difficulty")?],
-            radius: given.number("radius")?,
-            thickness: given.number("thickness")?,
-            seed: given.seed()?,
-        })
-    }
-
-    fn check(&self) -> Result<(), Error> {
+    fn check_all(&self) -> Result<(), Error> {
         let Self { radius, thickness, .. } = *self;
-        INFO.check(self.seed, &[("radius", radius), ("thickness", thickness)])?;
+        self.check()?;
         let corridor = CELL - thickness;
         if corridor - 2.0 * radius < PLAY - SOME {
-            let [radius, play, corridor] = [radius, PLAY, corridor].map(Decimal);
             let sentence =
-                format!("a disc of radius {radius} with {play} of play does not fit a corridor {corridor} wide");
-            return Err(refused("radius", sentence));
+                format!("a disc of radius {radius} with {PLAY} of play does not fit a corridor {corridor} wide");
+            return Err(out_of_range("radius", sentence));
         }
         Ok(())
     }
@@ -123,14 +86,14 @@ impl MazeOptions {
 /// `out-of-range` or `not-finite` with the pointer of the option; `out-of-range` at `/radius` where the disc does not fit
 /// through the corridors.
 pub fn maze(options: &MazeOptions) -> Result<Scenario, Error> {
-    options.check()?;
+    options.check_all()?;
     let MazeOptions { difficulty, radius, thickness, seed } = *options;
     let (cells, opened) = difficulty.cells_and_opened();
     let mut random = Random::new(seed, Stream::Scenario);
     let mut walls = Walls::of_perfect_maze(cells, &mut random);
     walls.open(opened, &mut random);
     let side = CELL * cells as f64;
-    let word = DIFFICULTIES[difficulty as usize];
+    let word = difficulty.word();
     let (first, last) = (CELL / 2.0, side - CELL / 2.0);
     Ok(Scenario {
         name: format!("maze-{word}-{seed}"),

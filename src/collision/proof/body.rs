@@ -1,0 +1,198 @@
+//! A moving body, as the driver of the proof sees it: convex pieces on a straight motion or an arc.
+//!
+//! **Slack.** S is the largest coordinate plus the reach; the slack is 1e-12 S. Nothing is summed up along a motion: every middle is
+//! found from the start. The heading there is the product of that at the start and of the turn since, each off by 1.4e-14 (see
+//! `rotation.rs`) and by roundings of angles of 7 radians at most, 1e-15; on an arc, half of the turn is taken twice: 4.5e-14
+//! in all, and so much times S for every corner. A displacement is off by roundings, 4e-16 times its length, which is 9 S at most; a
+//! chord besides by its direction, 3e-14 times its length, and by the sine of half its turn, 1.4e-14 times the diameter
+//! of the arc. As long as all before has been within the bounds, chords are no longer than 3 S; and where more than 0.4
+//! radians of half a turn are behind, so that the sine is not from the bare series, the diameter is at most 3 S / sin 0.4 =
+//! 7.8 S: 2.1e-13 S in all. A normal of the body is of unit length to 4.5e-14, its terms sum to no more than 2 S where a test
+//! passes: 9e-14 S. With no cancelling terms in W, each of the roughly 30 roundings of a test costs less than 8 S times
+//! 2^-53: 3e-14 S. Together that is below 4e-13 S.
+
+pub(in crate::collision) use super::body_shape::BodyShape;
+use super::body_shape::Corner;
+use super::driver::{Interval, Moving};
+use super::motion_bound::{Middle, MotionBound};
+use super::moving_point::{MovingPoint, dot, left_of};
+use super::pair::{Direction, Part, nearest_point, polygon_support};
+use super::rotation::{rotate, unit};
+use crate::collision::BodyMotion;
+use crate::collision::obstacles::Face;
+use crate::geometry::{Aabb, Point, Vector};
+
+/// A body, and what is known of its motion.
+pub(in crate::collision) struct MovingBody {
+    shape: BodyShape,
+    eta: f64,
+    /// The angle last begun from, and its unit vector: roadmaps try many motions from one placement.
+    from: f64,
+    heading: Vector,
+    bound: MotionBound,
+    /// The body and its corners in the middle of the interval under test.
+    middle: Middle,
+    corners: Vec<MovingPoint>,
+}
+
+impl MovingBody {
+    /// The body, with this slack.
+    pub fn new(shape: BodyShape, eta: f64) -> Self {
+        let still = Middle::at_rest(Vector::zeros(), Vector::x());
+        Self {
+            shape,
+            eta,
+            from: 0.0,
+            heading: Vector::x(),
+            bound: MotionBound::default(),
+            middle: still,
+            corners: Vec::new(),
+        }
+    }
+
+    /// Begins a motion.
+    #[inline(always)]
+    pub fn begin(&mut self, motion: &BodyMotion) {
+        let [_, _, theta] = motion.from();
+        if self.from != theta {
+            (self.from, self.heading) = (theta, unit(theta));
+        }
+        self.bound = MotionBound::new(motion, self.shape.reach(), self.heading);
+    }
+
+    /// Places the body at rest.
+    #[inline(always)]
+    pub fn rest(&mut self, [x, y, theta]: [f64; 3]) {
+        self.set(Middle::at_rest(Vector::new(x, y), unit(theta)), self.shape.pieces());
+    }
+
+    /// Places the first `pieces` pieces.
+    #[inline(always)]
+    fn set(&mut self, middle: Middle, pieces: usize) {
+        self.middle = middle;
+        self.corners.clear();
+        let corners = &self.shape.corners()[..self.shape.range(pieces - 1).end];
+        self.corners.extend(corners.iter().map(|corner| middle.point(rotate(corner.at, middle.heading))));
+    }
+}
+
+impl Moving for MovingBody {
+    type State = ();
+    type Part<'a> = Piece<'a>;
+
+    #[inline(always)]
+    fn parts(&self) -> usize {
+        self.shape.pieces()
+    }
+
+    #[inline(always)]
+    fn place(&mut self, interval: &Interval<()>, parts: usize) {
+        self.set(self.bound.middle(interval.middle, interval.half), parts);
+    }
+
+    #[inline(always)]
+    fn halves(&mut self, _: &Interval<()>) -> [(); 2] {
+        [(); 2]
+    }
+
+    #[inline(always)]
+    fn part(&self, part: usize, (): &()) -> Piece<'_> {
+        let range = self.shape.range(part);
+        Piece {
+            middle: &self.middle,
+            direction: self.middle.direction,
+            faces: &self.shape.corners()[range.clone()],
+            corners: &self.corners[range],
+        }
+    }
+
+    #[inline(always)]
+    fn swept_box(&self, part: usize, half: f64) -> Aabb {
+        self.bound.swept_box(&self.middle, half, &self.corners[self.shape.range(part)]).grown(self.eta)
+    }
+
+    #[inline(always)]
+    fn depth(&self, part: usize, bounds: &Aabb) -> f64 {
+        let corners = &self.corners[self.shape.range(part)];
+        corners.iter().map(|corner| bounds.depth(corner.place())).fold(f64::INFINITY, f64::min)
+    }
+
+    #[inline(always)]
+    fn travel(&self, _: usize) -> f64 {
+        self.bound.travel
+    }
+
+    #[inline(always)]
+    fn margin(&self) -> f64 {
+        self.eta
+    }
+}
+
+/// A convex piece of a body: its corners and faces, these in the body's frame.
+pub(in crate::collision) struct Piece<'a> {
+    middle: &'a Middle,
+    /// The direction of motion, where it moves.
+    direction: Option<Vector>,
+    faces: &'a [Corner],
+    corners: &'a [MovingPoint],
+}
+
+impl Part for Piece<'_> {
+    #[inline(always)]
+    fn corners(&self) -> &[MovingPoint] {
+        self.corners
+    }
+
+    #[inline(always)]
+    fn directions(&self) -> usize {
+        self.faces.len() + if self.direction.is_some() { 2 } else { 0 }
+    }
+
+    /// The normals of the piece's faces, turned inwards; then both directions across that of motion.
+    #[inline(always)]
+    fn direction(&self, i: usize, faces: &[Face]) -> Direction {
+        if let Some(face) = self.faces.get(i) {
+            let n = -rotate(face.normal, self.middle.heading);
+            let support = polygon_support(n, faces);
+            return Direction { n, support, ahead: dot(n, self.middle.position) - face.support - support };
+        }
+        let n = left_of(self.direction.unwrap_or_default());
+        let n = if i == self.faces.len() { n } else { -n };
+        let support = polygon_support(n, faces);
+        Direction { n, support, ahead: self.ahead(n, support) }
+    }
+
+    #[inline]
+    fn offset_from(&self, p: Point) -> Vector {
+        let (x, y) = (self.middle.heading.x, self.middle.heading.y);
+        let from = p.coords - self.middle.position;
+        let center = Vector::new(x * from.x + y * from.y, x * from.y - y * from.x);
+        // The nearest point lies on the face that the point is farthest before, where it is beside that one.
+        let mut before = (f64::NEG_INFINITY, 0);
+        for (i, face) in self.faces.iter().enumerate() {
+            let distance = face.normal.dot(&center) - face.support;
+            if distance > before.0 {
+                before = (distance, i);
+            }
+        }
+        if before.0 <= 0.0 {
+            return Vector::zeros();
+        }
+        let at = |i: usize| self.faces[if i == self.faces.len() { 0 } else { i }].at;
+        let (face, next) = (&self.faces[before.1], at(before.1 + 1));
+        let along = left_of(face.normal);
+        let mut to = face.normal * before.0;
+        if along.dot(&(center - face.at)) < 0.0 || along.dot(&(center - next)) > 0.0 {
+            // All faces are tried: where two are in one line, or all but, rounding decides which of them is found.
+            let mut least = f64::INFINITY;
+            for i in 0..self.faces.len() {
+                let nearest = nearest_point(Point::from(center), Point::from(at(i)), Point::from(at(i + 1)));
+                let beyond = center - nearest.coords;
+                if beyond.norm_squared() < least {
+                    (to, least) = (beyond, beyond.norm_squared());
+                }
+            }
+        }
+        -rotate(to, self.middle.heading)
+    }
+}

@@ -1,0 +1,362 @@
+//! The driver of the proof: the same for arms and bodies.
+//!
+//! The whole motion is the first interval, and every pair of a part and an obstacle near its swept box is tested on it. Pairs that
+//! are apart on an interval are dropped for good; a pair that touches in the middle refuses the motion; an interval is halved as
+//! long as pairs are open on it. An interval whose bound on travel is below the tolerance refuses the motion.
+//!
+//! **Budget.** Let l be the number of halvings until the bound on travel is below the tolerance, at most 48, and p the number of
+//! pairs open after the first interval. A motion that comes close to obstacles here and there leaves an interval or two open a
+//! pair and level, since clearance grows as fast as distance from the closest place: some 2 l p tests. One that slides along an
+//! obstacle at distance d leaves as many intervals open as third-order bounds need, about (travel/d)^(1/2). So a motion
+//! gets l (2 p + [`CLOSE_TESTS`]) tests after those of the first interval, which are no more than parts times obstacles. A motion
+//! that needs more is refused as not proven, and counted in [`Prover::unproven`]. The finest tolerance has more levels than any
+//! other: what a coarser one proves within its budget, it does too.
+
+use super::pair::{Answer, NO_HINT, Part, find_direction, offset, separate_from_polygon};
+use crate::collision::{Obstacles, Tolerance};
+use crate::geometry::Aabb;
+use std::sync::Arc;
+
+/// How many intervals may be open before the proof goes on depth-first: bounds memory.
+const WIDEST: usize = 1024;
+
+/// Tests a level that a motion is given besides two a pair.
+const CLOSE_TESTS: u64 = 1 << 13;
+
+/// A motion that has taken more tests than this, and 16 a pair, has the best direction computed for every pair that no direction at
+/// hand separates. Fewer tests are cheaper without.
+const SEARCHED: u64 = 1 << 10;
+
+/// In place of an obstacle's index: the bounds of the world.
+const BOUNDS: u32 = u32::MAX;
+
+/// What surrounds the robot.
+pub(in crate::collision) struct Scene {
+    /// The obstacles, each convex.
+    pub obstacles: Arc<Obstacles>,
+    pub bounds: Option<Aabb>,
+    pub tolerance: Tolerance,
+}
+
+/// A robot of convex parts whose motion is proven: an arm or a body. It holds what is known of one motion and of the interval
+/// under test.
+pub(in crate::collision) trait Moving {
+    /// What is known about the middle of an interval when it is halved.
+    type State: Copy;
+    type Part<'a>: Part
+    where
+        Self: 'a;
+
+    /// How many parts there are.
+    fn parts(&self) -> usize;
+
+    /// Makes the first `parts` parts ready for tests on the interval.
+    fn place(&mut self, interval: &Interval<Self::State>, parts: usize);
+
+    /// The states in the middles of the interval's halves, the front one first.
+    fn halves(&mut self, interval: &Interval<Self::State>) -> [Self::State; 2];
+
+    /// A part that has been placed.
+    fn part(&self, part: usize, state: &Self::State) -> Self::Part<'_>;
+
+    /// A box that holds the part, grown by [`Moving::margin`], on the whole interval of this half-length.
+    fn swept_box(&self, part: usize, half: f64) -> Aabb;
+
+    /// How deep the part lies within the bounds in the middle; negative where it is not wholly inside.
+    fn depth(&self, part: usize, bounds: &Aabb) -> f64;
+
+    /// How far any point of the part can travel along the whole motion, at most: a bound of first order. No part has a greater
+    /// one than the last.
+    fn travel(&self, part: usize) -> f64;
+
+    /// By how much a part must be ahead of an obstacle: its radius and the slack.
+    fn margin(&self) -> f64;
+}
+
+/// An interval of the motion: its middle and half its length, as fractions of the motion; how often the motion was halved to get
+/// it; and which pairs are open on it.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::collision) struct Interval<S> {
+    pub middle: f64,
+    pub half: f64,
+    pub level: usize,
+    pairs: (usize, usize),
+    pub state: S,
+}
+
+impl<S> Interval<S> {
+    fn whole(state: S) -> Self {
+        Self { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), state }
+    }
+}
+
+/// A part and an obstacle not yet known to be apart.
+#[derive(Debug, Clone, Copy)]
+struct Pair {
+    part: u32,
+    obstacle: u32,
+    /// The direction to try first: see [`separate_from_polygon`].
+    hint: u32,
+}
+
+/// The order in which intervals are tested.
+#[derive(Clone, Copy, PartialEq)]
+pub(in crate::collision) enum Order {
+    /// Any hit refuses the motion: level by level, the longest intervals first.
+    MiddleFirst,
+    /// The first hit is wanted: halve towards the front until the bound is below the tolerance.
+    FrontFirst,
+}
+
+/// A robot, the lists that proofs use again and again, and the counts of their work.
+pub(in crate::collision) struct Prover<M: Moving> {
+    pub moving: M,
+    pairs: Vec<Pair>,
+    intervals: Vec<Interval<M::State>>,
+    /// Pairs of a part and an obstacle evaluated so far.
+    pub evaluations: u64,
+    /// Motions refused because their budget was spent.
+    pub unproven: u64,
+}
+
+impl<M: Moving> Prover<M> {
+    pub fn new(moving: M) -> Self {
+        Self { moving, pairs: Vec::new(), intervals: Vec::new(), evaluations: 0, unproven: 0 }
+    }
+
+    /// Where, as a fraction of the motion, the interval begins that refuses it, in this order the first; `None` where all of the
+    /// motion is proven free, ends included. Front first, all before that is proven. `state` is that of the whole motion.
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    pub fn prove(&mut self, scene: &Scene, state: M::State, order: Order) -> Option<f64> {
+        self.pairs.clear();
+        self.intervals.clear();
+        let mut proof = Proof { scene, order, searches: false, prover: self };
+        let whole = Interval::whole(state);
+        if proof.test_all(&whole) {
+            return Some(0.0);
+        }
+        let open = proof.prover.pairs.len();
+        if open == 0 {
+            return None;
+        }
+        let (mut tests, mut budget) = (0, CLOSE_TESTS);
+        proof.halve(&whole, 0);
+        let mut next = 0;
+        while next < proof.prover.intervals.len() {
+            let is_last = order == Order::FrontFirst || proof.prover.intervals.len() - next > WIDEST;
+            let interval = if is_last {
+                // The front lies last; and too many open intervals are not all kept, but the last one is taken first. Pairs listed
+                // behind its own belong to intervals already done.
+                let last = proof.prover.intervals.pop().expect("some are left");
+                proof.prover.pairs.truncate(last.pairs.1);
+                last
+            } else {
+                next += 1;
+                proof.prover.intervals[next - 1]
+            };
+            tests += (interval.pairs.1 - interval.pairs.0) as u64;
+            proof.searches = tests > SEARCHED + 16 * open as u64;
+            if tests > budget {
+                budget = proof.budget(open);
+                if tests > budget {
+                    proof.prover.unproven += 1;
+                    return Some(interval.middle - interval.half);
+                }
+            }
+            let first = proof.prover.pairs.len();
+            if proof.test_open(&interval) {
+                return Some(interval.middle - interval.half);
+            }
+            if proof.prover.pairs.len() > first {
+                proof.halve(&interval, first);
+            }
+        }
+        None
+    }
+
+    /// Whether the robot, placed at rest, is clear of everything: `None` where less than half the slack decides, so that exact
+    /// distances must tell.
+    pub fn is_free_at_rest(&mut self, scene: &Scene, state: &M::State) -> Option<bool> {
+        let eta = scene.tolerance.eta;
+        let mut is_clear = true;
+        for part in 0..self.moving.parts() {
+            let depth = scene.bounds.as_ref().map_or(f64::INFINITY, |bounds| self.moving.depth(part, bounds));
+            if depth < -1.5 * eta {
+                return Some(false);
+            }
+            is_clear &= depth >= -0.5 * eta;
+            let near = self.moving.swept_box(part, 0.0).grown(0.5 * eta);
+            let (part, margin) = (self.moving.part(part, state), self.moving.margin());
+            let touches = |obstacle: usize| {
+                self.evaluations += 1;
+                let faces = scene.obstacles.faces(obstacle);
+                if !faces.is_empty() {
+                    match separate_from_polygon(&part, faces, NO_HINT, margin + 0.5 * eta, eta).0 {
+                        Answer::Apart => return false,
+                        Answer::Touching => return true,
+                        Answer::Open | Answer::Unknown => {}
+                    }
+                }
+                let room = offset(&part, &scene.obstacles, obstacle).1 - margin;
+                is_clear &= room.abs() > 0.5 * eta;
+                room < -0.5 * eta
+            };
+            if scene.obstacles.any_near(&near, touches) {
+                return Some(false);
+            }
+        }
+        is_clear.then_some(true)
+    }
+}
+
+/// One proof at work.
+struct Proof<'a, M: Moving> {
+    scene: &'a Scene,
+    order: Order,
+    /// Whether directions are searched for.
+    searches: bool,
+    prover: &'a mut Prover<M>,
+}
+
+impl<M: Moving> Proof<'_, M> {
+    /// Tests every part against everything near its swept box; lists what stays open. Returns whether the motion is refused.
+    #[inline(always)]
+    fn test_all(&mut self, whole: &Interval<M::State>) -> bool {
+        let scene = self.scene;
+        let parts = self.prover.moving.parts();
+        self.prover.moving.place(whole, parts);
+        for part in 0..parts {
+            let swept = self.prover.moving.swept_box(part, whole.half);
+            if scene.obstacles.any_near(&swept, |obstacle| self.test(whole, part, obstacle, NO_HINT)) {
+                return true;
+            }
+            if scene.bounds.is_some() && self.test_bounds(whole, part, &swept) {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Tests the pairs still open; lists again what stays so. Returns whether the interval is refused.
+    #[inline(always)]
+    fn test_open(&mut self, interval: &Interval<M::State>) -> bool {
+        let (first, end) = interval.pairs;
+        // Pairs are listed by part: the last has the last part.
+        let parts = self.prover.pairs[end - 1].part as usize + 1;
+        self.prover.moving.place(interval, parts);
+        let mut of = self.prover.pairs[first].part as usize;
+        let mut swept = self.prover.moving.swept_box(of, interval.half);
+        (first..end).any(|at| {
+            let Pair { part, obstacle, hint } = self.prover.pairs[at];
+            let part = part as usize;
+            if part != of {
+                (of, swept) = (part, self.prover.moving.swept_box(part, interval.half));
+            }
+            if obstacle == BOUNDS {
+                self.test_bounds(interval, part, &swept)
+            } else {
+                self.scene.obstacles.aabb(obstacle as usize).intersects(&swept)
+                    && self.test(interval, part, obstacle as usize, hint)
+            }
+        })
+    }
+
+    /// Tests a part and an obstacle; lists them where they stay open. Returns whether they refuse the interval.
+    #[inline(always)]
+    fn test(&mut self, interval: &Interval<M::State>, part: usize, obstacle: usize, hint: u32) -> bool {
+        self.prover.evaluations += 1;
+        let (answer, hint) = self.separate(interval, part, obstacle, hint);
+        let pair = Pair { part: part as u32, obstacle: obstacle as u32, hint };
+        answer != Answer::Apart && self.keep(interval, pair, answer, self.scene.tolerance.tau)
+    }
+
+    /// Whether part and obstacle are apart on the whole interval: in the directions at hand, else in those of
+    /// [`Proof::separate_closely`].
+    #[inline(always)]
+    fn separate(&self, interval: &Interval<M::State>, part: usize, obstacle: usize, hint: u32) -> (Answer, u32) {
+        let Tolerance { eta, tau, .. } = self.scene.tolerance;
+        let moving = &self.prover.moving;
+        let faces = self.scene.obstacles.faces(obstacle);
+        let bound = moving.travel(part) * interval.half;
+        let part = moving.part(part, &interval.state);
+        let mut next = NO_HINT;
+        if !faces.is_empty() {
+            let answer;
+            (answer, next) = separate_from_polygon(&part, faces, hint, moving.margin(), eta);
+            let is_enough = answer == Answer::Open && bound >= tau && !self.searches;
+            if is_enough || matches!(answer, Answer::Apart | Answer::Touching) {
+                return (answer, next);
+            }
+        }
+        (self.separate_closely(&part, obstacle, bound), next)
+    }
+
+    /// The same by the nearest points: their direction, their distance against the bound of first order, and where
+    /// directions are searched for, the best.
+    #[inline(never)]
+    fn separate_closely(&self, part: &M::Part<'_>, obstacle: usize, bound: f64) -> Answer {
+        let (obstacles, margin) = (&self.scene.obstacles, self.prover.moving.margin());
+        let (towards, distance) = offset(part, obstacles, obstacle);
+        if distance <= margin {
+            Answer::Touching
+        } else if distance - bound > margin || find_direction(part, obstacles, obstacle, towards, margin, self.searches)
+        {
+            Answer::Apart
+        } else {
+            Answer::Open
+        }
+    }
+
+    /// Whether the part stays within the bounds of the world, contact allowed; lists it where that is open. Returns whether it
+    /// refuses the interval.
+    #[inline(always)]
+    fn test_bounds(&mut self, interval: &Interval<M::State>, part: usize, swept: &Aabb) -> bool {
+        let bounds = self.scene.bounds.as_ref().expect("a pair with the bounds exists only where there are bounds");
+        let Tolerance { eta, bounds_tau, .. } = self.scene.tolerance;
+        // The swept box already holds one slack; contact may exceed the bounds by one.
+        let roomy = bounds.grown(2.0 * eta);
+        if roomy.contains(swept.min) && roomy.contains(swept.max) {
+            return false;
+        }
+        let depth = self.prover.moving.depth(part, bounds);
+        if depth - self.prover.moving.travel(part) * interval.half >= -eta {
+            return false;
+        }
+        let answer = if depth < -eta { Answer::Touching } else { Answer::Open };
+        self.keep(interval, Pair { part: part as u32, obstacle: BOUNDS, hint: NO_HINT }, answer, bounds_tau)
+    }
+
+    /// Lists a pair that is not apart; returns whether it refuses the interval instead.
+    #[inline(always)]
+    fn keep(&mut self, interval: &Interval<M::State>, pair: Pair, answer: Answer, finest: f64) -> bool {
+        let is_hit = answer == Answer::Touching && self.order == Order::MiddleFirst;
+        if is_hit || self.prover.moving.travel(pair.part as usize) * interval.half < finest {
+            return true;
+        }
+        self.prover.pairs.push(pair);
+        false
+    }
+
+    /// Adds the two halves of an interval, with the pairs from `first` on open.
+    #[inline(always)]
+    fn halve(&mut self, interval: &Interval<M::State>, first: usize) {
+        let half = interval.half / 2.0;
+        let pairs = (first, self.prover.pairs.len());
+        let [front, back] = self.prover.moving.halves(interval);
+        let child = Interval { half, level: interval.level + 1, pairs, ..*interval };
+        let front = Interval { middle: interval.middle - half, state: front, ..child };
+        let back = Interval { middle: interval.middle + half, state: back, ..child };
+        let halves = if self.order == Order::MiddleFirst { [front, back] } else { [back, front] };
+        self.prover.intervals.extend_from_slice(&halves);
+    }
+
+    /// How many tests a motion is given after its first interval, which left so many pairs open.
+    #[cold]
+    fn budget(&self, open: usize) -> u64 {
+        let Tolerance { tau, bounds_tau, .. } = self.scene.tolerance;
+        let moving = &self.prover.moving;
+        let levels = libm::log2(moving.travel(moving.parts() - 1) / tau.min(bounds_tau)).ceil().max(1.0) as u64;
+        levels.saturating_mul(2 * open as u64 + CLOSE_TESTS)
+    }
+}

@@ -1,0 +1,41 @@
+//! Angles on the circle, and motion along circular arcs.
+
+use std::f64::consts::{PI, TAU};
+
+/// The angle in (-pi, pi] that differs from the finite `angle` by whole turns. Exact for the double nearest to 2 pi. O(1).
+pub fn wrap(angle: f64) -> f64 {
+    let rest = libm::remainder(angle, TAU);
+    if rest <= -PI { PI } else { rest + 0.0 }
+}
+
+/// The angle in [0, 2 pi) that differs from the finite `angle` by whole turns, to a rounding. O(1).
+pub fn unwind(angle: f64) -> f64 {
+    let rest = libm::remainder(angle, TAU);
+    if rest >= 0.0 { rest + 0.0 } else { (rest + TAU).min(TAU.next_down()) }
+}
+
+/// The distance between two angles the short way round, in [0, pi]; any finite angles, any number of turns. O(1).
+///
+/// ```
+/// assert_eq!(planarium::geometry::angular_distance(1.0, 5.0), 2.2831853071795862);
+/// ```
+pub fn angular_distance(a: f64, b: f64) -> f64 {
+    let gap = (wrap(a) - wrap(b)).abs();
+    if gap > PI { TAU - gap } else { gap }
+}
+
+/// The pose of a body that has moved for `time` seconds from (x, y, theta) with constant speed along its own x axis, in
+/// metres a second, and constant turn rate, in radians a second: exact but for rounding, straight motion and turning in
+/// place included. Negative speeds and times go backwards. The angle is not wrapped. O(1).
+///
+/// The position is a chord of the arc away: with s = speed x time and a = turn rate x time, s sin(a / 2) / (a / 2) metres in
+/// direction theta + a / 2. Nothing cancels where the turn is small.
+pub fn arc_pose(from: [f64; 3], speed: f64, turn_rate: f64, time: f64) -> [f64; 3] {
+    let [x, y, theta] = from;
+    let turn = turn_rate * time;
+    let half = 0.5 * turn;
+    let shortening = if half == 0.0 { 1.0 } else { libm::sin(half) / half };
+    let chord = speed * time * shortening;
+    let (sin, cos) = libm::sincos(theta + half);
+    [x + chord * cos, y + chord * sin, theta + turn]
+}

@@ -1,0 +1,99 @@
+//! How far a robot is from what it could touch, for viewers: by parry's closest points. Planners and proofs use their own
+//! distances.
+
+use super::Inspector;
+use crate::error::Error;
+use crate::geometry::{Point, Segment};
+use crate::robot::Part;
+use crate::scenario::Obstacle;
+use parry2d_f64::math::{Pose, Vector};
+use parry2d_f64::query::ClosestPoints;
+use parry2d_f64::query::details::closest_points_segment_segment;
+use parry2d_f64::shape;
+
+/// The part of a robot and the obstacle that are nearest to each other, lengths in metres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Clearance {
+    /// The distance between them, 0 or more.
+    pub distance: f64,
+    /// The part, by its index in the footprint.
+    pub part: usize,
+    /// The obstacle, by its index in the document.
+    pub obstacle: usize,
+    /// The point of the part and the point of the obstacle.
+    pub points: [Point; 2],
+}
+
+/// The boundary of a shape: all points at a distance from segments.
+pub(super) struct Boundary {
+    segments: Vec<shape::Segment>,
+    radius: f64,
+}
+
+impl Boundary {
+    fn new(segments: impl IntoIterator<Item = Segment>, radius: f64) -> Self {
+        let vector = |point: Point| Vector::new(point.x, point.y);
+        let segment = |segment: Segment| shape::Segment::new(vector(segment.a), vector(segment.b));
+        Self { segments: segments.into_iter().map(segment).collect(), radius }
+    }
+
+    pub(super) fn of_obstacle(obstacle: &Obstacle) -> Self {
+        match obstacle {
+            Obstacle::Disc(disc) => Self::new([Segment::new(disc.center, disc.center)], disc.radius),
+            Obstacle::Polygon(polygon) => Self::new(polygon.edges(), 0.0),
+        }
+    }
+
+    fn of_part(part: &Part) -> Self {
+        match part {
+            Part::Capsule { a, b, radius } => Self::new([Segment::new(*a, *b)], *radius),
+            Part::Disc { center, radius } => Self::new([Segment::new(*center, *center)], *radius),
+            Part::Polygon { vertices } => {
+                let ends = vertices.iter().zip(vertices.iter().cycle().skip(1));
+                Self::new(ends.map(|(&a, &b)| Segment::new(a, b)), 0.0)
+            }
+        }
+    }
+
+    /// The distance to another boundary that this one does not cross, and the points where they are nearest.
+    fn distance(&self, other: &Self) -> (f64, [Point; 2]) {
+        let mut nearest = (f64::INFINITY, [Vector::ZERO; 2]);
+        for s in &self.segments {
+            for t in &other.segments {
+                if let ClosestPoints::WithinMargin(a, b) =
+                    closest_points_segment_segment(&Pose::identity(), s, t, f64::MAX)
+                    && (b - a).length() < nearest.0
+                {
+                    nearest = ((b - a).length(), [a, b]);
+                }
+            }
+        }
+        let (distance, [a, b]) = nearest;
+        let across = (b - a).normalize_or_zero();
+        let points = [a + across * self.radius, b - across * other.radius];
+        ((distance - self.radius - other.radius).max(0.0), points.map(|point| Point::new(point.x, point.y)))
+    }
+}
+
+impl Inspector {
+    /// How near the robot at `q` is to the nearest obstacle; `None` if it touches something, or if there are no obstacles. The
+    /// bounds do not count. O(edges of the robot times edges of the obstacles).
+    ///
+    /// # Errors
+    /// Of the configuration: see [`Inspector`].
+    pub fn clearance(&self, q: &[f64]) -> Result<Option<Clearance>, Error> {
+        if !self.check(q)?.is_empty() {
+            return Ok(None);
+        }
+        let mut least: Option<Clearance> = None;
+        for (part, placed) in self.world.robot().footprint(q).iter().map(Boundary::of_part).enumerate() {
+            for (obstacle, boundary) in self.obstacles.iter().enumerate() {
+                let (distance, points) = placed.distance(boundary);
+                if least.is_none_or(|least| distance < least.distance) {
+                    least = Some(Clearance { distance, part, obstacle, points });
+                }
+            }
+        }
+        Ok(least)
+    }
+}

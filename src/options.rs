@@ -1,0 +1,446 @@
+//! Options of planners, generators and other methods: a typed struct and its table in one declaration.
+//!
+//! [`options!`](crate::options!) declares a struct whose fields are options. Each field is given by its type, its default, its
+//! range, its title for people and, as its documentation, its meaning. From that follow the struct itself, its defaults, reading
+//! values by name ([`Options::read`]) and the table that help texts and controls are made from ([`Options::table`]). A field
+//! whose type is another such struct contributes all options of it: a group that several tables share. The texts of a table
+//! are not part of what reads values.
+
+use crate::error::{Code, Error, quoted};
+use std::str::FromStr;
+
+/// The range of an option that is a number; of no meaning for others.
+pub type Range = std::ops::RangeInclusive<f64>;
+
+/// Every number.
+pub const ANY: Range = f64::NEG_INFINITY..=f64::INFINITY;
+
+/// Every robot, by its type in documents.
+pub const ALL: &[&str] = &["arm", "disc", "rigid_body", "car"];
+
+/// The robot that is moved by controls.
+pub const CAR: &[&str] = &["car"];
+
+/// What values an option takes.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Kind {
+    /// A whole number within the range.
+    Integer(Range),
+    /// A finite number within the range.
+    Number(Range),
+    /// One of a few words.
+    Choice(&'static [&'static str]),
+    /// True or false.
+    Switch,
+}
+
+/// One row of a table of options.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OptionInfo {
+    /// The name, in snake_case, the same everywhere.
+    pub name: &'static str,
+    /// The name for people.
+    pub title: &'static str,
+    /// Type and range.
+    pub kind: Kind,
+    /// The unit; empty for counts and words.
+    pub unit: &'static str,
+    /// The default; `None` where it depends on the rest.
+    pub default: Option<Value>,
+    /// What the default is where it depends on the rest, in words.
+    pub computed: &'static str,
+    /// What it means, in one sentence.
+    pub meaning: String,
+    /// The types of robots that it is for, as in documents; it has no effect on others. Empty where there is no robot.
+    pub robots: &'static [&'static str],
+}
+
+/// A value given for an option.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// A number.
+    Number(f64),
+    /// A word.
+    Text(String),
+    /// Yes or no.
+    Boolean(bool),
+    /// What no option takes, by what it is.
+    Other(&'static str),
+}
+
+impl Value {
+    /// The value that a text stands for: a number where it reads as one, true or false, else a word.
+    pub fn from_text(text: &str) -> Self {
+        match text {
+            "true" => Value::Boolean(true),
+            "false" => Value::Boolean(false),
+            _ => text.parse().map_or_else(|_| Value::Text(text.to_owned()), Value::Number),
+        }
+    }
+}
+
+impl From<&serde_json::Value> for Value {
+    fn from(value: &serde_json::Value) -> Self {
+        match value {
+            serde_json::Value::Number(number) => Value::Number(number.as_f64().unwrap_or(f64::NAN)),
+            serde_json::Value::String(text) => Value::Text(text.clone()),
+            serde_json::Value::Bool(yes) => Value::Boolean(*yes),
+            serde_json::Value::Null => Value::Other("null"),
+            serde_json::Value::Array(_) => Value::Other("an array"),
+            serde_json::Value::Object(_) => Value::Other("an object"),
+        }
+    }
+}
+
+impl std::fmt::Display for Value {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Value::Number(number) => write!(f, "{number}"),
+            Value::Text(text) => f.write_str(&quoted(text)),
+            Value::Boolean(yes) => write!(f, "{yes}"),
+            Value::Other(what) => f.write_str(what),
+        }
+    }
+}
+
+/// Values given by name, while a struct of options is read from them.
+pub struct Given<'a> {
+    given: &'a [(String, Value)],
+    known: Vec<&'static str>,
+    /// The first refusal, by the position of the value that was given.
+    refused: Option<(usize, Error)>,
+}
+
+impl Given<'_> {
+    fn refuse(&mut self, at: usize, error: Error) {
+        if self.refused.as_ref().is_none_or(|(earlier, _)| at < *earlier) {
+            self.refused = Some((at, error));
+        }
+    }
+
+    /// Reads the option of this name; `None` where it is not given or not as it must be.
+    fn read<T: Single>(&mut self, name: &'static str, range: &Range) -> Option<T> {
+        self.known.push(name);
+        let at = self.given.iter().position(|(given, _)| given == name)?;
+        let value = &self.given[at].1;
+        match check(name, &T::kind(range), value) {
+            Ok(()) => T::from_value(value),
+            Err(error) => {
+                self.refuse(at, error);
+                None
+            }
+        }
+    }
+
+    /// Refuses names that are not known or given twice; `unknown` is the code of the former.
+    fn finish(mut self, unknown: Code) -> Result<(), Error> {
+        for (at, (name, _)) in self.given.iter().enumerate() {
+            if !self.known.contains(&name.as_str()) {
+                let sentence = format!("there is no option {}; there are {}", quoted(name), self.known.join(", "));
+                self.refuse(at, refusal(unknown, name, sentence));
+            } else if self.given[..at].iter().any(|(earlier, _)| earlier == name) {
+                self.refuse(at, refusal(Code::DuplicateField, name, format!("{name} is given twice")));
+            }
+        }
+        self.refused.map_or(Ok(()), |(_, error)| Err(error))
+    }
+}
+
+/// The texts of a field.
+#[derive(Debug, Clone, Copy)]
+pub struct Texts {
+    /// The name.
+    pub name: &'static str,
+    /// The name for people.
+    pub title: &'static str,
+    /// The unit.
+    pub unit: &'static str,
+    /// The lines of the documentation.
+    pub meaning: &'static [&'static str],
+    /// What the default is where it depends on the rest.
+    pub computed: &'static str,
+    /// For which robots.
+    pub robots: &'static [&'static str],
+}
+
+/// The type of a field: a value, a value that may be left out, or a group of options.
+pub trait Field: Sized {
+    /// Adds the rows of the field to a table.
+    fn rows(self, texts: Texts, range: &Range, table: &mut Vec<OptionInfo>);
+
+    /// Reads the field; its default where it is not given.
+    fn take(self, name: &'static str, range: &Range, given: &mut Given) -> Self;
+
+    /// Refuses values out of range.
+    ///
+    /// # Errors
+    /// As [`Options::read`].
+    fn check_range(&self, name: &'static str, range: &Range) -> Result<(), Error>;
+}
+
+/// A struct of options, as [`options!`](crate::options!) declares it.
+pub trait Options: Field + Default {
+    /// The table of its options.
+    fn table() -> Vec<OptionInfo> {
+        let mut table = Vec::new();
+        let none = Texts { name: "", title: "", unit: "", meaning: &[], computed: "", robots: &[] };
+        Self::default().rows(none, &ANY, &mut table);
+        table
+    }
+
+    /// Reads the values given by name; the rest take their defaults.
+    ///
+    /// # Errors
+    /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`.
+    fn read(given: &[(String, Value)]) -> Result<Self, Error> {
+        Self::read_or(given, Code::UnknownParameter)
+    }
+
+    /// The same with another code for names that are not known.
+    ///
+    /// # Errors
+    /// As [`Options::read`].
+    fn read_or(given: &[(String, Value)], unknown: Code) -> Result<Self, Error> {
+        let mut given = Given { given, known: Vec::new(), refused: None };
+        let options = Field::take(Self::default(), "", &ANY, &mut given);
+        given.finish(unknown).map(|()| options)
+    }
+
+    /// Whether there is an option of this name.
+    fn has(name: &str) -> bool {
+        let given = [(name.to_owned(), Value::Boolean(false))];
+        !Self::read(&given).is_err_and(|error| error.code() == Code::UnknownParameter)
+    }
+
+    /// Refuses values out of range, of options that were not read.
+    ///
+    /// # Errors
+    /// `not-finite` or `out-of-range`, with the pointer `/name`.
+    fn check(&self) -> Result<(), Error> {
+        Field::check_range(self, "", &ANY)
+    }
+}
+
+/// The type of a single value.
+pub trait Single: Copy {
+    /// What values it takes.
+    fn kind(range: &Range) -> Kind;
+
+    /// From a value of that kind.
+    fn from_value(value: &Value) -> Option<Self>;
+
+    /// As a value.
+    fn to_value(self) -> Value;
+}
+
+/// A choice of a few words: the kebab-case names of an enum's variants.
+pub trait Choice: Copy + FromStr + Into<&'static str> + strum::VariantNames {
+    /// Its word.
+    fn word(self) -> &'static str {
+        self.into()
+    }
+}
+
+impl<T: Choice> Single for T {
+    fn kind(_: &Range) -> Kind {
+        Kind::Choice(T::VARIANTS)
+    }
+
+    fn from_value(value: &Value) -> Option<Self> {
+        if let Value::Text(word) = value { word.parse().ok() } else { None }
+    }
+
+    fn to_value(self) -> Value {
+        Value::Text(self.word().to_owned())
+    }
+}
+
+impl Single for bool {
+    fn kind(_: &Range) -> Kind {
+        Kind::Switch
+    }
+
+    fn from_value(value: &Value) -> Option<Self> {
+        if let Value::Boolean(yes) = value { Some(*yes) } else { None }
+    }
+
+    fn to_value(self) -> Value {
+        Value::Boolean(self)
+    }
+}
+
+/// The numbers. A negative zero reads as zero.
+macro_rules! numbers {
+    ($($Type:ty: $Kind:ident),*) => { $(
+        impl Single for $Type {
+            fn kind(range: &Range) -> Kind {
+                Kind::$Kind(range.clone())
+            }
+
+            fn from_value(value: &Value) -> Option<Self> {
+                if let Value::Number(number) = value { Some((*number + 0.0) as $Type) } else { None }
+            }
+
+            fn to_value(self) -> Value {
+                Value::Number(self as f64)
+            }
+        }
+    )* };
+}
+
+numbers!(u32: Integer, u64: Integer, usize: Integer, f64: Number);
+
+impl<T: Single> Field for T {
+    fn rows(self, texts: Texts, range: &Range, table: &mut Vec<OptionInfo>) {
+        table.extend(row::<T>(texts, range, Some(self.to_value())));
+    }
+
+    fn take(self, name: &'static str, range: &Range, given: &mut Given) -> Self {
+        given.read(name, range).unwrap_or(self)
+    }
+
+    fn check_range(&self, name: &'static str, range: &Range) -> Result<(), Error> {
+        check(name, &T::kind(range), &self.to_value())
+    }
+}
+
+impl<T: Single> Field for Option<T> {
+    fn rows(self, texts: Texts, range: &Range, table: &mut Vec<OptionInfo>) {
+        table.extend(row::<T>(texts, range, None));
+    }
+
+    fn take(self, name: &'static str, range: &Range, given: &mut Given) -> Self {
+        given.read(name, range).or(self)
+    }
+
+    fn check_range(&self, name: &'static str, range: &Range) -> Result<(), Error> {
+        self.as_ref().map_or(Ok(()), |value| value.check_range(name, range))
+    }
+}
+
+/// The row of a field; `None` where it has no title.
+fn row<T: Single>(texts: Texts, range: &Range, default: Option<Value>) -> Option<OptionInfo> {
+    let Texts { name, title, unit, computed, robots, .. } = texts;
+    let meaning = texts.meaning.iter().map(|line| line.trim()).collect::<Vec<_>>().join(" ");
+    let info = OptionInfo { name, title, kind: T::kind(range), unit, default, computed, meaning, robots };
+    (!title.is_empty()).then_some(info)
+}
+
+/// An error about the option of this name.
+pub fn refusal(code: Code, name: &str, sentence: impl Into<String>) -> Error {
+    // As in a JSON pointer.
+    let name = name.replace('~', "~0").replace('/', "~1");
+    Error::new(code, format!("/{name}"), sentence)
+}
+
+/// The error `out-of-range` about the option of this name.
+pub fn out_of_range(name: &str, sentence: impl Into<String>) -> Error {
+    refusal(Code::OutOfRange, name, sentence)
+}
+
+/// Refuses a value that is not of this kind.
+fn check(name: &str, kind: &Kind, value: &Value) -> Result<(), Error> {
+    let fail = |code, what: String| Err(refusal(code, name, format!("{name} must {what}, not {value}")));
+    match (kind, value) {
+        (Kind::Integer(_) | Kind::Number(_), Value::Number(number)) if !number.is_finite() => {
+            fail(Code::NotFinite, "be a finite number".to_owned())
+        }
+        (Kind::Integer(_), Value::Number(number)) if *number != libm::trunc(*number) => {
+            fail(Code::OutOfRange, "be a whole number".to_owned())
+        }
+        (Kind::Integer(range) | Kind::Number(range), Value::Number(number)) if !range.contains(number) => {
+            fail(Code::OutOfRange, format!("lie within [{}, {}]", range.start(), range.end()))
+        }
+        (Kind::Choice(words), Value::Text(text)) if !words.contains(&text.as_str()) => {
+            fail(Code::OutOfRange, format!("be one of {}", words.join(", ")))
+        }
+        (Kind::Integer(_) | Kind::Number(_), Value::Number(_))
+        | (Kind::Switch, Value::Boolean(_))
+        | (Kind::Choice(_), Value::Text(_)) => Ok(()),
+        (Kind::Integer(_) | Kind::Number(_), _) => fail(Code::WrongType, "be a number".to_owned()),
+        (Kind::Switch, _) => fail(Code::WrongType, "be true or false".to_owned()),
+        (Kind::Choice(words), _) => fail(Code::WrongType, format!("be one of {}", words.join(", "))),
+    }
+}
+
+/// Declares a struct of options. A field is
+/// `name: Type = default, in range, "Title", unit "unit", else "a default that depends on the rest", for ROBOTS;`
+/// where all but name and type may be left out: a type `Option<T>` has the default `None`, a group its own. `for ROBOTS`
+/// after the name of the struct holds for all fields that name none. A field without a title is read, but in no table.
+#[macro_export]
+#[doc(hidden)]
+macro_rules! options {
+    (
+        $(#[$attribute:meta])*
+        pub struct $Name:ident for $all:expr;
+        $(
+            $(#[doc = $doc:literal])+
+            $field:ident : $Type:ty
+            $(= $default:expr)? $(, in $range:expr)? $(, $title:literal)? $(, unit $unit:literal)? $(, else $computed:literal)?
+            $(, for $robots:expr)? ;
+        )*
+    ) => {
+        $(#[$attribute])*
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct $Name {
+            $( $(#[doc = $doc])+ pub $field: $Type, )*
+        }
+
+        impl Default for $Name {
+            #[allow(unused_assignments, unused_mut)]
+            fn default() -> Self {
+                Self { $( $field: $crate::options!(@or (Default::default()) $($default)?), )* }
+            }
+        }
+
+        impl $crate::options::Field for $Name {
+            fn rows(self, _: $crate::options::Texts, _: &$crate::options::Range, table: &mut Vec<$crate::options::OptionInfo>) {
+                $(
+                    let texts = $crate::options::Texts {
+                        name: stringify!($field),
+                        title: $crate::options!(@or ("") $($title)?),
+                        unit: $crate::options!(@or ("") $($unit)?),
+                        meaning: &[$($doc),+],
+                        computed: $crate::options!(@or ("") $($computed)?),
+                        robots: $crate::options!(@or ($all) $($robots)?),
+                    };
+                    let range = &$crate::options!(@or ($crate::options::ANY) $($range)?);
+                    $crate::options::Field::rows(self.$field, texts, range, table);
+                )*
+            }
+
+            fn take(self, _: &'static str, _: &$crate::options::Range, given: &mut $crate::options::Given) -> Self {
+                Self { $( $field: {
+                    let range = &$crate::options!(@or ($crate::options::ANY) $($range)?);
+                    $crate::options::Field::take(self.$field, stringify!($field), range, given)
+                }, )* }
+            }
+
+            fn check_range(&self, _: &'static str, _: &$crate::options::Range) -> Result<(), $crate::error::Error> {
+                $(
+                    let range = &$crate::options!(@or ($crate::options::ANY) $($range)?);
+                    $crate::options::Field::check_range(&self.$field, stringify!($field), range)?;
+                )*
+                Ok(())
+            }
+        }
+
+        impl $crate::options::Options for $Name {}
+    };
+    (@or ($other:expr)) => { $other };
+    (@or ($other:expr) $given:expr) => { $given };
+}
+
+/// Declares an enum whose variants are the words of a choice, in kebab-case.
+#[macro_export]
+#[doc(hidden)]
+macro_rules! choice {
+    ($(#[$attribute:meta])* pub enum $Name:ident { $($body:tt)* }) => {
+        $(#[$attribute])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantNames)]
+        #[strum(serialize_all = "kebab-case")]
+        pub enum $Name { $($body)* }
+
+        impl $crate::options::Choice for $Name {}
+    };
+}

@@ -1,0 +1,83 @@
+//! What every planner grows and counts: its graph, and what it has asked so far.
+
+use super::Counters;
+use crate::graph::{Event, EventKind, Graph, VertexId};
+use crate::problem::Problem;
+use crate::sampling::{Known, Sample, Sampler};
+use crate::space::Space;
+
+/// A graph that grows, with its counters.
+#[derive(Debug, Clone)]
+pub(super) struct Growth<S: Space> {
+    pub graph: Graph<S>,
+    pub counters: Counters,
+}
+
+impl<S: Space> Default for Growth<S> {
+    fn default() -> Self {
+        Self { graph: Graph::default(), counters: Counters::default() }
+    }
+}
+
+impl<S: Space> Growth<S> {
+    /// The state of a vertex.
+    pub fn state(&self, vertex: VertexId) -> S::State {
+        *self.graph.state(vertex)
+    }
+
+    /// Adds an event about a vertex, an edge or a sample.
+    pub fn add_event(
+        &mut self,
+        kind: EventKind,
+        iteration: u32,
+        vertex: Option<VertexId>,
+        other: Option<VertexId>,
+        state: S::State,
+    ) {
+        self.graph.add_event(Event { kind, iteration, vertex, other, state });
+    }
+
+    /// Adds an event about a sample that does not become a vertex.
+    pub fn reject(&mut self, kind: EventKind, iteration: u32, state: S::State) {
+        self.add_event(kind, iteration, None, None, state);
+    }
+
+    /// Draws a sample; `None`, with an event, where the sampler found none.
+    pub fn draw(
+        &mut self,
+        problem: &Problem<S>,
+        iteration: u32,
+        sampler: &mut dyn Sampler<S>,
+    ) -> Option<Sample<S::State>> {
+        let sample = sampler.draw(problem, &mut self.counters.configuration_checks);
+        if sample.known == Known::Useless {
+            self.reject(EventKind::SampleRejected, iteration, sample.state);
+            return None;
+        }
+        Some(sample)
+    }
+
+    /// Draws a sample that is free; `None`, with an event, where the one drawn is not.
+    pub fn draw_free(
+        &mut self,
+        problem: &Problem<S>,
+        iteration: u32,
+        sampler: &mut dyn Sampler<S>,
+    ) -> Option<S::State> {
+        let Sample { state, known } = self.draw(problem, iteration, sampler)?;
+        if known == Known::Nothing {
+            self.counters.configuration_checks += 1;
+            if !problem.validity().is_free(&state) {
+                self.reject(EventKind::SampleRejected, iteration, state);
+                return None;
+            }
+        }
+        Some(state)
+    }
+
+    /// Whether the motion is proven free, counted.
+    pub fn is_motion_free(&mut self, problem: &Problem<S>, from: &S::State, to: &S::State) -> bool {
+        self.counters.motion_checks += 1;
+        problem.validity().is_motion_free(from, to)
+    }
+}

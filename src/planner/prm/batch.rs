@@ -1,0 +1,44 @@
+//! First all samples, then all edges.
+
+use super::connect::Connect;
+use crate::graph::VertexId;
+use crate::planner::Phase;
+use crate::planner::roadmap::{Build, Roadmap, START};
+use crate::problem::Problem;
+use crate::sampling::Sampler;
+use crate::space::Space;
+
+/// Draws samples until the roadmap has enough vertices, then joins one vertex after another to its neighbours. An iteration
+/// tries one sample or joins one vertex.
+pub(super) struct Batch<S: Space> {
+    vertices: usize,
+    sampler: Box<dyn Sampler<S>>,
+    /// The next vertex to join, once all samples are there.
+    next: VertexId,
+    connect: Connect,
+}
+
+impl<S: Space> Batch<S> {
+    /// A builder of a roadmap of so many vertices, its start and goals included.
+    pub fn new(vertices: usize, sampler: Box<dyn Sampler<S>>) -> Self {
+        Self { vertices, sampler, next: START, connect: Connect::default() }
+    }
+}
+
+impl<S: Space> Build<S> for Batch<S> {
+    fn build(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> bool {
+        if roadmap.len() < self.vertices {
+            if let Some(state) = roadmap.growth.draw_free(problem, iteration, &mut *self.sampler) {
+                roadmap.add_vertex(problem.space(), iteration, state);
+            }
+            return false;
+        }
+        self.connect.join(roadmap, problem, iteration, self.next);
+        self.next = VertexId(self.next.0 + 1);
+        self.next.index() == self.vertices
+    }
+
+    fn phase(&self, roadmap: &Roadmap<S>) -> Phase {
+        if roadmap.len() < self.vertices { Phase::Sampling } else { Phase::Connecting }
+    }
+}

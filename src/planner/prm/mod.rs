@@ -1,0 +1,153 @@
+//! The probabilistic roadmap: k-PRM, PRM with a radius, and PRM*, which is k-PRM with a k that grows with the samples.
+//!
+//! Kavraki, Svestka, Latombe and Overmars 1996, "Probabilistic roadmaps for path planning in high-dimensional configuration
+//! spaces"; LaValle 2006, "Planning Algorithms", section 5.6. The start is the first vertex, the goal the second; where there are
+//! several goals, they follow it.
+//!
+//! Where motions have a direction, so have edges (Svestka and Overmars 1997, "Motion planning for carlike robots using a
+//! probabilistic learning approach"): a vertex is joined to the nearest that it leads to and to the nearest that lead to it.
+
+mod batch;
+mod connect;
+mod one_by_one;
+mod resume;
+mod star;
+
+pub use resume::resume;
+pub use star::{NeighbourRule, PrmStarOptions, logarithmic_k, prm_star_k};
+
+use super::Planner;
+use super::groups::{Joined, Limits, Sampling, Searching};
+use super::info::{END, Edges, Grows, IMPROVE, Mark, Method, Preset, PseudocodeLine, line};
+use super::query::SearchRules;
+use super::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, RoadmapPlanner, SAMPLE, SEARCH};
+use crate::error::Error;
+use crate::options::out_of_range;
+use crate::problem::Problem;
+use crate::space::Space;
+use batch::Batch;
+use one_by_one::OneByOne;
+
+/// The number of neighbours where neither it nor a radius is given.
+const DEFAULT_K: usize = 15;
+/// The most motions that a roadmap may try: it keeps what became of each.
+const MOST_MOTIONS: u64 = 20_000_000;
+
+crate::choice! {
+    /// When samples are joined to their neighbours.
+    pub enum Insertion {
+        /// First all samples, then all edges, every pair tried once.
+        Batch,
+        /// Each sample at once, to its neighbours among those before it.
+        OneByOne,
+    }
+}
+
+crate::options! {
+    /// Options of PRM.
+    pub struct PrmOptions for crate::options::ALL;
+    /// How many free samples the roadmap gets: more find narrower ways and shorter paths, but take longer.
+    samples: usize = 2000, in 0.0..=1e6, "Samples";
+    /// To how many nearest neighbours each vertex is joined: too few leave gaps, more shorten paths and take longer.
+    k: Option<usize>, in 1.0..=1000.0, "Neighbours",
+        else "15, or all within the radius where one is given, for up to 4470 samples";
+    /// How far away a neighbour may be: a small radius leaves gaps, a large one joins more and takes longer.
+    radius: Option<f64>, in 1e-6..=1e7, "Radius", unit "distance in the metric",
+        else "none: only the number of neighbours counts";
+    /// Whether edges come in a batch, after all samples, or one by one, each sample joined at once to earlier ones.
+    insertion: Insertion = Insertion::Batch, "Insertion";
+    /// Throws a sample away that can be joined to nothing; only where samples are inserted one by one.
+    discard: bool = false, "Discard unconnected";
+    /// Where samples come from.
+    sampling: Sampling;
+    /// How the roadmap is searched.
+    searching: Searching;
+    /// What its edges are.
+    joined: Joined;
+}
+
+impl Method for PrmOptions {
+    const ID: &'static str = "prm";
+    const TITLE: &'static str = "PRM";
+    const SUMMARY: &'static str =
+        "Scatters free samples, joins each to its nearest neighbours, and searches this roadmap for a path.";
+    const GUARANTEE: &'static str =
+        "Probabilistically complete with a radius: with more samples a path is found where one has room.";
+    const GROWS: Grows = Grows::Roadmap;
+    const PRESETS: &'static [Preset] = &[
+        Preset { id: "thirty-nearest", title: "1000 samples, k = 30", settings: &[("samples", "1000"), ("k", "30")] },
+        Preset {
+            id: "three-nearest",
+            title: "500 joined samples, k = 3",
+            settings: &[("samples", "500"), ("k", "3"), ("insertion", "one-by-one"), ("discard", "true")],
+        },
+    ];
+    const PSEUDOCODE: &'static [PseudocodeLine] = &[
+        BEGIN,
+        SAMPLE,
+        line(1, "if q collides, or is discarded: next sample", &[Mark::Rejected, Mark::Discarded]),
+        KEEP,
+        // Inserted one by one, samples get their edges at once.
+        line(0, "for q of G, for p of its nearest neighbours:", &[Mark::Connecting, Mark::Edge, Mark::Refused]),
+        JOIN,
+        REFUSE,
+        SEARCH,
+        EXPAND,
+        IMPROVE,
+        END,
+    ];
+
+    fn edges(&self) -> Edges<'_> {
+        Edges::Joined(&self.joined)
+    }
+
+    fn limits(&self) -> Limits {
+        self.joined.limits
+    }
+
+    fn search(&self) -> Option<SearchRules> {
+        Some(self.searching.rules())
+    }
+
+    fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
+        let sampler = self.sampling.sampler(problem.space(), seed);
+        // Where there is a radius but no k, all within the radius are neighbours.
+        let all = self.samples + 2;
+        let k = self.k.unwrap_or(if self.radius.is_some() { all } else { DEFAULT_K });
+        check_motions(self.samples, k)?;
+        let connection = Connection { k, radius: self.radius.unwrap_or(f64::INFINITY) };
+        let roadmap = Roadmap::new(problem, connection, self.searching.rules());
+        Ok(match self.insertion {
+            Insertion::Batch if self.discard => {
+                let sentence = "samples can be discarded only where insertion is \"one-by-one\", not \"batch\"";
+                return Err(out_of_range("discard", sentence));
+            }
+            Insertion::Batch => Box::new(batch(problem, roadmap, self.samples, sampler)),
+            Insertion::OneByOne => Box::new(OneByOne::planner(problem, roadmap, self.samples, self.discard, sampler)),
+        })
+    }
+}
+
+/// Refuses roadmaps that would try too many motions.
+fn check_motions(samples: usize, k: usize) -> Result<(), Error> {
+    if samples as u64 * k as u64 <= MOST_MOTIONS {
+        return Ok(());
+    }
+    Err(out_of_range(
+        "samples",
+        format!(
+            "samples times k (without k all samples, where there is a radius) must be at most {MOST_MOTIONS}, not {samples} times {k}"
+        ),
+    ))
+}
+
+/// A PRM whose samples are all drawn before any of them is joined.
+fn batch<S: Space>(
+    problem: &Problem<S>,
+    roadmap: Roadmap<S>,
+    samples: usize,
+    sampler: Box<dyn crate::sampling::Sampler<S>>,
+) -> RoadmapPlanner<S, Batch<S>> {
+    let vertices = samples + roadmap.len();
+    RoadmapPlanner::new(problem, roadmap, Batch::new(vertices, sampler), false)
+}

@@ -1,0 +1,78 @@
+//! Each sample is joined as it comes, to its neighbours among the vertices before it.
+
+use crate::graph::{EventKind, VertexId};
+use crate::nearest::{Direction, Neighbour};
+use crate::planner::Phase;
+use crate::planner::roadmap::{Build, GOAL, Roadmap, RoadmapPlanner, START};
+use crate::problem::Problem;
+use crate::sampling::Sampler;
+use crate::space::Space;
+
+/// Draws samples until the roadmap has enough vertices. An iteration tries one sample and joins it.
+pub(super) struct OneByOne<S: Space> {
+    vertices: usize,
+    /// Whether a sample that connects to nothing is thrown away.
+    discard: bool,
+    sampler: Box<dyn Sampler<S>>,
+    neighbours: Vec<Neighbour>,
+}
+
+impl<S: Space> OneByOne<S> {
+    /// A planner at its beginning: the goals come right after the start, their neighbour.
+    pub fn planner(
+        problem: &Problem<S>,
+        mut roadmap: Roadmap<S>,
+        samples: usize,
+        discard: bool,
+        sampler: Box<dyn Sampler<S>>,
+    ) -> RoadmapPlanner<S, Self> {
+        for (i, goal) in problem.goals().enumerate() {
+            for way in Direction::all(problem.space()) {
+                if way.distance(problem.space(), goal, problem.start()) <= roadmap.connection().radius {
+                    let [from, to] = way.ends(VertexId(GOAL.0 + i as u32), START);
+                    roadmap.try_edge(problem, 0, from, to);
+                }
+            }
+        }
+        let builder = Self { vertices: samples + roadmap.len(), discard, sampler, neighbours: Vec::new() };
+        RoadmapPlanner::new(problem, roadmap, builder, samples == 0)
+    }
+}
+
+impl<S: Space> Build<S> for OneByOne<S> {
+    fn build(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> bool {
+        let Some(state) = roadmap.growth.draw_free(problem, iteration, &mut *self.sampler) else { return false };
+        let space = problem.space();
+        let mut neighbours = Vec::new();
+        for &way in Direction::all(space) {
+            roadmap.neighbours(space, way, &state, false, &mut self.neighbours);
+            neighbours.extend(self.neighbours.iter().map(|neighbour| (way, neighbour.vertex)));
+        }
+        if self.discard {
+            // Whether there will be a vertex is known only after its edges are.
+            neighbours.retain(|&(way, other)| {
+                let other = roadmap.growth.state(other);
+                let [from, to] = way.ends(&state, &other);
+                roadmap.growth.is_motion_free(problem, from, to)
+            });
+            if neighbours.is_empty() {
+                roadmap.growth.reject(EventKind::SampleDiscarded, iteration, state);
+                return false;
+            }
+        }
+        let vertex = roadmap.add_vertex(space, iteration, state);
+        for (way, other) in neighbours {
+            let [from, to] = way.ends(vertex, other);
+            if self.discard {
+                roadmap.growth.graph.add_edge(iteration, from, to);
+            } else {
+                roadmap.try_edge(problem, iteration, from, to);
+            }
+        }
+        roadmap.len() == self.vertices
+    }
+
+    fn phase(&self, _: &Roadmap<S>) -> Phase {
+        Phase::Sampling
+    }
+}

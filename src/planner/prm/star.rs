@@ -1,0 +1,97 @@
+//! PRM*: a k-PRM whose k grows with the number of samples, so that its path nears the shortest.
+//!
+//! Karaman and Frazzoli 2011, "Sampling-based algorithms for optimal motion planning".
+
+use super::{batch, check_motions};
+use crate::error::Error;
+use crate::planner::Planner;
+use crate::planner::groups::{Joined, Limits, Sampling, Searching};
+use crate::planner::info::{END, Edges, Grows, IMPROVE, Mark, Method, PseudocodeLine, line};
+use crate::planner::query::SearchRules;
+use crate::planner::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
+use crate::problem::Problem;
+use crate::space::Space;
+
+crate::choice! {
+    /// How many neighbours a vertex has.
+    pub enum NeighbourRule {
+        /// [`prm_star_k`].
+        KaramanFrazzoli,
+        /// [`logarithmic_k`].
+        LogN,
+    }
+}
+
+crate::options! {
+    /// Options of PRM*.
+    pub struct PrmStarOptions for crate::options::ALL;
+    /// How many free samples the roadmap gets: more find narrower ways and shorter paths, but take longer.
+    samples: usize = 2000, in 0.0..=250_000.0, "Samples";
+    /// How many neighbours for n vertices in d dimensions: e (1 + 1/d) ln n nears the shortest path, ln n is quicker.
+    k_rule: NeighbourRule = NeighbourRule::KaramanFrazzoli, "Rule for neighbours";
+    /// Where samples come from.
+    sampling: Sampling;
+    /// How the roadmap is searched.
+    searching: Searching;
+    /// What its edges are.
+    joined: Joined;
+}
+
+/// The k of PRM* for a finished batch of `vertices` vertices: the least whole number above e (1 + 1/d) ln n.
+pub fn prm_star_k(vertices: usize, dimension: usize) -> usize {
+    let factor = std::f64::consts::E * (1.0 + 1.0 / dimension as f64);
+    libm::floor(factor * libm::log(vertices as f64)) as usize + 1
+}
+
+/// The k of a course report for as many vertices: ln n, rounded up.
+pub fn logarithmic_k(vertices: usize) -> usize {
+    (libm::ceil(libm::log(vertices as f64)) as usize).max(1)
+}
+
+impl Method for PrmStarOptions {
+    const ID: &'static str = "prm-star";
+    const TITLE: &'static str = "PRM*";
+    const SUMMARY: &'static str =
+        "A PRM that takes more neighbours as samples grow: just enough for its path to near the shortest.";
+    const GUARANTEE: &'static str =
+        "Asymptotically optimal by its first rule: with more samples its path nears the shortest.";
+    const GROWS: Grows = Grows::Roadmap;
+    const PSEUDOCODE: &'static [PseudocodeLine] = &[
+        BEGIN,
+        SAMPLE,
+        line(1, "if q collides: next sample", &[Mark::Rejected]),
+        KEEP,
+        line(0, "k ← e (1 + 1/d) ln n, or by the rule chosen", &[]),
+        line(0, "for q of G, for p of its k nearest:", &[Mark::Connecting]),
+        JOIN,
+        REFUSE,
+        SEARCH,
+        EXPAND,
+        IMPROVE,
+        END,
+    ];
+
+    fn edges(&self) -> Edges<'_> {
+        Edges::Joined(&self.joined)
+    }
+
+    fn limits(&self) -> Limits {
+        self.joined.limits
+    }
+
+    fn search(&self) -> Option<SearchRules> {
+        Some(self.searching.rules())
+    }
+
+    fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
+        let sampler = self.sampling.sampler(problem.space(), seed);
+        let vertices = self.samples + 2;
+        let k = match self.k_rule {
+            NeighbourRule::KaramanFrazzoli => prm_star_k(vertices, problem.space().dimension()),
+            NeighbourRule::LogN => logarithmic_k(vertices),
+        };
+        check_motions(self.samples, k)?;
+        let roadmap = Roadmap::new(problem, Connection { k, radius: f64::INFINITY }, self.searching.rules());
+        Ok(Box::new(batch(problem, roadmap, self.samples, sampler)))
+    }
+}

@@ -1,0 +1,36 @@
+//! The configuration space of each robot.
+
+use super::{Arm, Weights};
+use crate::geometry::{Aabb, Point, Polygon};
+use crate::space::{Coordinate, Metric, ProductSpace};
+
+/// The space of an arm: a circle for each joint, or an interval where the arm has limits; angles in radians.
+///
+/// # Panics
+/// Where the arm has more than `N` links.
+pub fn joint_space<const N: usize>(arm: &Arm, metric: Metric) -> ProductSpace<N> {
+    let joints: Vec<Coordinate> = match arm.joint_limits() {
+        Some(limits) => limits.iter().map(|&[low, high]| Coordinate::Interval { low, high }).collect(),
+        None => vec![Coordinate::Circle; arm.links().len()],
+    };
+    ProductSpace::new(&joints, metric)
+}
+
+/// The space of a disc's centre: the bounds, in metres, with the Euclidean metric.
+///
+/// # Panics
+/// Where `N` is less than 2.
+pub fn plane<const N: usize>(bounds: &Aabb) -> ProductSpace<N> {
+    ProductSpace::of_box(&[bounds.min.x, bounds.min.y], &[bounds.max.x, bounds.max.y])
+}
+
+/// The space of a body's placements (x, y, theta): all at which the body can lie within the bounds.
+///
+/// # Panics
+/// Where `N` is less than 3.
+pub fn placements<const N: usize>(shape: &Polygon, weights: Weights, bounds: &Aabb) -> ProductSpace<N> {
+    // An origin outside the shape can lie outside the bounds, by no more than the shape reaches.
+    let sides = if shape.contains(Point::origin()) { *bounds } else { bounds.grown(shape.reach()) };
+    let Weights { translation, rotation } = weights;
+    ProductSpace::of_placements([sides.min.x, sides.min.y], [sides.max.x, sides.max.y], translation, rotation)
+}

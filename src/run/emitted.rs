@@ -1,0 +1,106 @@
+//! Paths and edges as a run reports them: waypoints, for a car the motions between them, and the shape of curved edges.
+
+use crate::control::Motion;
+use crate::graph::{Graph, VertexId};
+use crate::path;
+use crate::problem::Problem;
+use crate::space::Space;
+use crate::steering::Pose;
+
+/// The most that one piece of a traced curve turns, in radians.
+const BEND: f64 = 0.2;
+
+/// The integration steps of one piece of a driven edge.
+const STEPS: u32 = 10;
+
+/// A path from waypoint to waypoint.
+#[derive(Debug, Clone)]
+pub(super) struct EmittedPath<S: Space> {
+    pub states: Vec<S::State>,
+    /// Of a car, from each waypoint to the next.
+    pub motions: Option<Vec<Motion>>,
+}
+
+impl<S: Space> EmittedPath<S> {
+    /// No path.
+    pub fn none(problem: &Problem<S>) -> Self {
+        Self { states: Vec::new(), motions: problem.dynamics().is_some().then(Vec::new) }
+    }
+
+    /// The path through these states: curves are split into their segments, and straight motions where they turn too far.
+    pub fn through(problem: &Problem<S>, states: &[S::State]) -> Self {
+        let Some(dynamics) = problem.dynamics() else {
+            return Self { states: path::split(problem.space(), states), motions: None };
+        };
+        let (mut waypoints, mut motions) = (states.first().copied().into_iter().collect::<Vec<_>>(), Vec::new());
+        for pair in states.windows(2) {
+            for (motion, end) in dynamics.steer(&pair[0], &pair[1]) {
+                motions.push(motion);
+                waypoints.push(end);
+            }
+        }
+        Self { states: waypoints, motions: Some(motions) }
+    }
+
+    /// The path along these vertices of the planner's graph, as it was found.
+    pub fn along(problem: &Problem<S>, graph: &Graph<S>, vertices: &[VertexId]) -> Self {
+        let states: Vec<_> = vertices.iter().map(|&vertex| *graph.state(vertex)).collect();
+        if graph.motions().is_empty() {
+            return Self::through(problem, &states);
+        }
+        // Vertex i of a driven tree is the end of edge i - 1.
+        let motions = vertices.iter().skip(1).map(|vertex| graph.motions()[vertex.index() - 1]).collect();
+        Self { states, motions: Some(motions) }
+    }
+
+    /// The length: of a car along its motions, else in the metric of the space.
+    pub fn length(&self, problem: &Problem<S>) -> f64 {
+        match problem.dynamics().zip(self.motions.as_ref()) {
+            Some((dynamics, motions)) => motions.iter().map(|&motion| dynamics.length(motion)).sum::<f64>() + 0.0,
+            None => path::length(problem.space(), &self.states),
+        }
+    }
+}
+
+/// The motions of an edge.
+pub(super) fn motions<S: Space>(problem: &Problem<S>, graph: &Graph<S>, edge: usize) -> Vec<Motion> {
+    if let Some(&motion) = graph.motions().get(edge) {
+        return vec![motion];
+    }
+    let [from, to] = graph.edges()[edge].map(|vertex| graph.state(vertex));
+    problem
+        .dynamics()
+        .map(|dynamics| dynamics.steer(from, to))
+        .unwrap_or_default()
+        .into_iter()
+        .map(|(motion, _)| motion)
+        .collect()
+}
+
+/// States along a curved edge, both ends included, close enough to be joined by straight lines; empty for a straight edge.
+pub(super) fn trace<S: Space>(problem: &Problem<S>, graph: &Graph<S>, edge: usize) -> Vec<S::State> {
+    let space = problem.space();
+    let [from, to] = graph.edges()[edge].map(|vertex| *graph.state(vertex));
+    let mut states = vec![from];
+    if let Some((&Motion { control, duration }, dynamics)) = graph.motions().get(edge).zip(problem.dynamics()) {
+        let steps = libm::round(duration / dynamics.step()) as u32;
+        states.extend((1..steps.div_ceil(STEPS)).map(|piece| dynamics.drive(&from, control, piece * STEPS)));
+    } else if let Some(curve) = space.curve(&from, &to) {
+        let [x, y, heading] = [0, 1, 2].map(|i| space.coordinates(&from)[i]);
+        let (mut before, mut places) = (0.0, Vec::new());
+        for segment in curve.segments() {
+            let length = segment.length.abs();
+            let pieces = libm::ceil(length * curve.curvature(segment.turn).abs() / BEND).max(1.0) as u32;
+            places.extend((0..pieces).map(|piece| before + length * f64::from(piece) / f64::from(pieces)));
+            before += length;
+        }
+        states.extend(places.into_iter().skip(1).map(|along| {
+            let at = curve.at(Pose { x, y, heading }, along);
+            space.state(&[at.x, at.y, at.heading])
+        }));
+    } else {
+        return Vec::new();
+    }
+    states.push(to);
+    states
+}

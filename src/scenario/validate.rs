@@ -1,0 +1,208 @@
+//! From a document to a checked scenario: the rules of the contract that types cannot hold. The first one broken is the error.
+
+use super::document::{self, Document};
+use super::{FORMAT, Goal, GoalTolerance, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Query, Robot, Scenario, World, base};
+use crate::error::{Code, Error, Number, quoted};
+use crate::geometry::{Aabb, Disc, MIN_MAGNITUDE, Point, Polygon, PolygonFault};
+use crate::json;
+use crate::robot::{Arm, Car, DiscRobot, RigidBody, Target, Weights};
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+use std::collections::BTreeSet;
+
+/// The step of integration where none is given, in seconds.
+const INTEGRATION_STEP: f64 = 0.01;
+
+impl Scenario {
+    /// Reads a scenario from JSON text.
+    ///
+    /// # Errors
+    /// The first rule of the contract that is broken: a stable code, a sentence with the offending value, and its JSON
+    /// pointer. A field that is missing is pointed at where it would stand. Codes: those of [`json::parse`],
+    /// `unknown-format`, `unknown-field`, `missing-field`, `wrong-type`, `unknown-type`, `out-of-range`,
+    /// `wrong-dimension`, `degenerate-polygon`, `duplicate-name`, `base-in-collision` and `too-large`.
+    /// A start or a goal in collision is not refused here but when it is planned for.
+    ///
+    /// # Complexity
+    /// O(n log n) in the length of the text.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        let tree = json::parse(text)?;
+        // First of all, so that another kind of document is called just that.
+        if let Some(format) = tree.get("format").and_then(|format| format.as_str()).filter(|format| *format != FORMAT) {
+            let sentence = format!("the format is {}; \"{FORMAT}\" is understood", quoted(format));
+            return Err(Error::new(Code::UnknownFormat, "/format", sentence));
+        }
+        let Document { format: document::Format::One, name, title, world, robot, queries } = json::read(&tree)?;
+        check_name(&name, "/name")?;
+        let world = checked_world(world)?;
+        let robot = checked_robot(robot)?;
+        if world.bounds.is_none() && !matches!(robot, Robot::Arm(_)) {
+            let sentence = "the field \"bounds\" is missing; only an arm can do without";
+            return Err(Error::new(Code::MissingField, "/world/bounds", sentence));
+        }
+        base::check(&world, &robot)?;
+        let queries = checked_queries(queries, &robot)?;
+        Ok(Self { name, title, world, robot, queries })
+    }
+}
+
+fn check_name(name: &str, pointer: &str) -> Result<(), Error> {
+    if name.is_empty() { Err(Error::new(Code::OutOfRange, pointer, "a name must not be empty")) } else { Ok(()) }
+}
+
+fn point(document::Point(x, y): document::Point) -> Point {
+    Point::new(x.0, y.0)
+}
+
+fn checked_world(world: document::World) -> Result<World, Error> {
+    let bounds = world.bounds.map(checked_bounds).transpose()?;
+    let count = world.obstacles.len();
+    if count > MAX_OBSTACLES {
+        let sentence = format!("there are {count} obstacles; at most {MAX_OBSTACLES} are allowed");
+        return Err(Error::new(Code::TooLarge, "/world/obstacles", sentence));
+    }
+    let mut vertices_left = MAX_VERTICES;
+    let checked = |(i, obstacle)| match obstacle {
+        document::Obstacle::Disc(disc) => {
+            Ok(Obstacle::Disc(Disc { center: point(disc.center), radius: disc.radius.0 }))
+        }
+        document::Obstacle::Polygon(polygon) => {
+            let at = |error: Error| error.under(&format!("/world/obstacles/{i}"));
+            checked_polygon(&polygon, &mut vertices_left).map(Obstacle::Polygon).map_err(at)
+        }
+    };
+    Ok(World { bounds, obstacles: world.obstacles.into_iter().enumerate().map(checked).collect::<Result<_, _>>()? })
+}
+
+fn checked_bounds(bounds: document::Bounds) -> Result<Aabb, Error> {
+    let (min, max) = (point(bounds.min), point(bounds.max));
+    for (axis, low, high) in [("x", min.x, max.x), ("y", min.y, max.y)] {
+        if low >= high {
+            let [low, high] = [low, high].map(Number);
+            let sentence = format!("in {axis} the bounds run from {low} to {high}; min must be less than max");
+            return Err(Error::new(Code::OutOfRange, "/world/bounds", sentence));
+        }
+    }
+    Ok(Aabb { min, max })
+}
+
+/// A simple polygon, whose corners count against those that are left.
+fn checked_polygon(polygon: &document::Polygon, vertices_left: &mut usize) -> Result<Polygon, Error> {
+    let points: Vec<Point> = polygon.vertices.iter().copied().map(point).collect();
+    *vertices_left = vertices_left.checked_sub(points.len()).ok_or_else(|| {
+        let sentence = format!("with this one, the polygons have more than {MAX_VERTICES} vertices");
+        Error::new(Code::TooLarge, "/vertices", sentence)
+    })?;
+    Polygon::new(&points).map_err(|fault| {
+        let sentence = match fault {
+            PolygonFault::Magnitude(i) => {
+                format!("vertex {i} has a coordinate that is neither 0 nor at least {MIN_MAGNITUDE:e} in magnitude")
+            }
+            PolygonFault::TooFewVertices => {
+                format!("a polygon has at least three distinct vertices; of these {} too few differ", points.len())
+            }
+            PolygonFault::ZeroArea => format!("the {} vertices lie on one line", points.len()),
+            PolygonFault::SelfCrossing(i, j) => {
+                format!("the edges from vertex {i} and from vertex {j} touch or cross: the polygon is not simple")
+            }
+        };
+        Error::new(Code::DegeneratePolygon, "/vertices", sentence)
+    })
+}
+
+fn checked_robot(robot: document::Robot) -> Result<Robot, Error> {
+    let made = match robot {
+        document::Robot::Arm(arm) => {
+            let links = arm.links.iter().map(|length| length.0).collect();
+            let limits = arm.joint_limits.map(|limits| limits.iter().map(|pair| pair.map(|limit| limit.0)).collect());
+            Arm::new(point(arm.base), links, arm.radius.0, limits).map(Robot::Arm)
+        }
+        document::Robot::Disc(disc) => DiscRobot::new(disc.radius.0).map(Robot::Disc),
+        document::Robot::RigidBody(body) => checked_shape(&body.shape)
+            .and_then(|shape| Ok(Robot::RigidBody(RigidBody::new(shape, checked_weights(body.metric)?)))),
+        document::Robot::Car(car) => checked_shape(&car.shape).and_then(|shape| {
+            let [speed, steering] = [car.speed.map(|speed| speed.0), car.steering.map(|angle| angle.0)];
+            let step = car.integration_step.map_or(INTEGRATION_STEP, |step| step.0);
+            Car::new(shape, car.wheelbase.0, speed, steering, step, checked_weights(car.metric)?).map(Robot::Car)
+        }),
+    };
+    made.map_err(|error| error.under("/robot"))
+}
+
+fn checked_shape(document::Shape::Polygon(polygon): &document::Shape) -> Result<Polygon, Error> {
+    checked_polygon(polygon, &mut { MAX_VERTICES }).map_err(|error| error.under("/shape"))
+}
+
+fn checked_weights(metric: Option<document::Metric>) -> Result<Weights, Error> {
+    metric.map_or(Ok(Weights::default()), |metric| Weights::new(metric.translation.0, metric.rotation.0))
+}
+
+fn checked_queries(queries: Vec<document::Query>, robot: &Robot) -> Result<Vec<Query>, Error> {
+    let (mut checked, mut names) = (Vec::with_capacity(queries.len()), BTreeSet::new());
+    for (i, query) in queries.into_iter().enumerate() {
+        let query = checked_query(query, robot).map_err(|error| error.under(&format!("/queries/{i}")))?;
+        if !names.insert(query.name.clone()) {
+            let sentence = format!("another query is named {}, too", quoted(&query.name));
+            return Err(Error::new(Code::DuplicateName, format!("/queries/{i}/name"), sentence));
+        }
+        checked.push(query);
+    }
+    Ok(checked)
+}
+
+fn checked_query(query: document::Query, robot: &Robot) -> Result<Query, Error> {
+    let unknown = |field: &str, sentence: String| Err(Error::new(Code::UnknownField, format!("/{field}"), sentence));
+    if query.goal_tolerance.is_some() && robot.placed_shape().is_none() {
+        let robot = if matches!(robot, Robot::Arm(_)) { "an arm" } else { "a disc" };
+        let sentence = format!("goal_tolerance is for rigid bodies and cars; {robot} reaches its goal exactly");
+        return unknown("goal_tolerance", sentence);
+    }
+    if query.target.is_some() && !matches!(robot, Robot::Arm(_)) {
+        return unknown("target", "a target is for the end effector of an arm; other robots have a goal".to_owned());
+    }
+    check_name(&query.name, "/name")?;
+    let start = checked_configuration(&query.start, "/start", robot)?;
+    let goal = match (query.goal, query.target) {
+        (Some(goal), None) => Goal::Configuration(checked_configuration(&goal, "/goal", robot)?),
+        (None, Some(target)) => {
+            let document::Target { point: at, orientation } = read_under(&target, "/target")?;
+            Goal::Target(Target { point: point(at), orientation: orientation.map(|angle| angle.0) })
+        }
+        (Some(_), Some(_)) => return unknown("target", "a query has a goal or a target, not both".to_owned()),
+        (None, None) => return Err(Error::new(Code::MissingField, "/goal", "the field \"goal\" is missing")),
+    };
+    let region = |value| {
+        let document::GoalTolerance { translation, rotation } = read_under(&value, "/goal_tolerance")?;
+        Ok(GoalTolerance { translation: translation.0, rotation: rotation.0 })
+    };
+    let goal_tolerance = query.goal_tolerance.map(region).transpose()?;
+    Ok(Query { name: query.name, start, goal, goal_tolerance })
+}
+
+fn read_under<T: DeserializeOwned>(value: &Value, pointer: &str) -> Result<T, Error> {
+    json::read(value).map_err(|error| error.under(pointer))
+}
+
+/// A configuration of the robot; angles of joints that have limits lie within them.
+fn checked_configuration(
+    configuration: &[super::number::Angle],
+    pointer: &str,
+    robot: &Robot,
+) -> Result<Vec<f64>, Error> {
+    let q: Vec<f64> = configuration.iter().map(|entry| entry.0).collect();
+    if q.len() != robot.dimension() {
+        let sentence = format!("a configuration of this robot has {} entries, not {}", robot.dimension(), q.len());
+        return Err(Error::new(Code::WrongDimension, pointer, sentence));
+    }
+    if let Robot::Arm(arm) = robot {
+        for (i, (angle, &[low, high])) in q.iter().zip(arm.joint_limits().unwrap_or_default()).enumerate() {
+            if !(low..=high).contains(angle) {
+                let [low, high, angle] = [low, high, *angle].map(Number);
+                let sentence =
+                    format!("the angle of joint {i} must, by its limits, be from {low} to {high}, not {angle}");
+                return Err(Error::new(Code::OutOfRange, format!("{pointer}/{i}"), sentence));
+            }
+        }
+    }
+    Ok(q)
+}

@@ -1,0 +1,294 @@
+//! A product of circles, circles cut open, and intervals: the space of arms, discs and bodies.
+//!
+//! LaValle 2006, "Planning Algorithms", sections 4.1.2 and 4.2 (products of circles and intervals) and 5.1.2 (metrics).
+
+use super::{Space, unwind, wrap};
+use std::f64::consts::{PI, TAU};
+
+/// The largest angle below 2 pi.
+const LAST: f64 = TAU.next_down();
+
+/// One coordinate of a configuration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Coordinate {
+    /// An angle that wraps: in (-pi, pi], differences the short way round.
+    Circle,
+    /// A circle cut open at 0: angles in [0, 2 pi), linear, nothing wraps. A naive measure, kept to show why it misleads: 0.1
+    /// and 6.2 are near each other on a circle and far apart here.
+    CutCircle,
+    /// A number between two limits, in radians or metres; linear, nothing wraps.
+    Interval {
+        /// The lower limit.
+        low: f64,
+        /// The upper limit.
+        high: f64,
+    },
+}
+
+/// How the distances of the coordinates make one distance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Metric {
+    /// Their sum.
+    Sum,
+    /// The square root of the sum of their squares.
+    Euclidean,
+    /// Of a placement (x, y, theta): the weighted sum of the Euclidean distance of (x, y) and the turn. With weights greater
+    /// than 0 it is a metric.
+    Placement {
+        /// The weight of a metre.
+        translation: f64,
+        /// The weight of a radian.
+        rotation: f64,
+    },
+}
+
+/// A product of up to `N` circles and intervals. Angles are in radians, lengths in metres.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProductSpace<const N: usize> {
+    dimension: usize,
+    low: [f64; N],
+    high: [f64; N],
+    /// A gap wider than this is shorter the other way round: pi on a circle, infinite on an interval.
+    half: [f64; N],
+    is_cut: [bool; N],
+    metric: Metric,
+}
+
+impl<const N: usize> ProductSpace<N> {
+    /// The space with the given coordinates.
+    ///
+    /// # Panics
+    /// Where there are more than `N` coordinates, or an interval is empty.
+    pub fn new(coordinates: &[Coordinate], metric: Metric) -> Self {
+        assert!(coordinates.len() <= N, "at most {N} coordinates, not {}", coordinates.len());
+        let (zeros, half) = ([0.0; N], [f64::INFINITY; N]);
+        let mut space =
+            Self { dimension: coordinates.len(), low: zeros, high: zeros, half, is_cut: [false; N], metric };
+        for (i, coordinate) in coordinates.iter().enumerate() {
+            match *coordinate {
+                Coordinate::Circle => (space.low[i], space.high[i], space.half[i]) = (-PI, PI, PI),
+                Coordinate::CutCircle => (space.high[i], space.is_cut[i]) = (LAST, true),
+                Coordinate::Interval { low, high } => {
+                    assert!(low < high, "an interval must not be empty");
+                    (space.low[i], space.high[i]) = (low, high);
+                }
+            }
+        }
+        space
+    }
+
+    /// A closed box with the Euclidean metric, in which motions are straight; coordinates in metres.
+    ///
+    /// # Panics
+    /// Where a side is empty, or there are more than `N`.
+    pub fn of_box(low: &[f64], high: &[f64]) -> Self {
+        let sides: Vec<Coordinate> =
+            low.iter().zip(high).map(|(&low, &high)| Coordinate::Interval { low, high }).collect();
+        Self::new(&sides, Metric::Euclidean)
+    }
+
+    /// The placements (x, y, theta) of a body whose origin stays in a box: two intervals in metres, a circle in radians.
+    ///
+    /// # Panics
+    /// Where a side is empty, or `N` is less than 3.
+    pub fn of_placements(low: [f64; 2], high: [f64; 2], translation: f64, rotation: f64) -> Self {
+        let side = |i: usize| Coordinate::Interval { low: low[i], high: high[i] };
+        Self::new(&[side(0), side(1), Coordinate::Circle], Metric::Placement { translation, rotation })
+    }
+
+    /// The same coordinates with every circle cut open at 0: the naive space.
+    #[must_use]
+    pub fn cut_open(&self) -> Self {
+        let coordinate = |i: usize| match self.range(i) {
+            _ if self.is_circle(i) || self.is_cut[i] => Coordinate::CutCircle,
+            [low, high] => Coordinate::Interval { low, high },
+        };
+        Self::new(&(0..self.dimension).map(coordinate).collect::<Vec<_>>(), self.metric)
+    }
+
+    /// Whether coordinate `i` is a circle.
+    pub fn is_circle(&self, i: usize) -> bool {
+        self.half[i] == PI
+    }
+
+    /// The limits of coordinate `i`.
+    pub fn range(&self, i: usize) -> [f64; 2] {
+        [self.low[i], self.high[i]]
+    }
+
+    /// The signed difference of each coordinate from `a` to `b`, the short way round on circles.
+    pub fn difference(&self, a: &[f64; N], b: &[f64; N]) -> [f64; N] {
+        std::array::from_fn(|i| {
+            let d = b[i] - a[i];
+            if d > self.half[i] {
+                d - TAU
+            } else if d < -self.half[i] {
+                d + TAU
+            } else {
+                d
+            }
+        })
+    }
+
+    /// The distance of coordinate `i` alone.
+    #[inline]
+    fn gap(&self, i: usize, a: f64, b: f64) -> f64 {
+        let gap = (a - b).abs();
+        if gap > self.half[i] { TAU - gap } else { gap }
+    }
+}
+
+impl<const N: usize> Space for ProductSpace<N> {
+    type State = [f64; N];
+
+    fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    fn coordinates<'a>(&self, state: &'a [f64; N]) -> &'a [f64] {
+        &state[..self.dimension]
+    }
+
+    fn state(&self, coordinates: &[f64]) -> [f64; N] {
+        let mut state = [0.0; N];
+        for i in 0..self.dimension {
+            state[i] = if self.is_circle(i) {
+                wrap(coordinates[i])
+            } else if self.is_cut[i] {
+                unwind(coordinates[i])
+            } else {
+                coordinates[i] + 0.0
+            };
+        }
+        state
+    }
+
+    #[inline]
+    fn distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
+        let mut sum = 0.0;
+        match self.metric {
+            Metric::Sum => {
+                for i in 0..N {
+                    sum += self.gap(i, a[i], b[i]);
+                }
+                sum
+            }
+            Metric::Euclidean => {
+                for i in 0..N {
+                    let gap = self.gap(i, a[i], b[i]);
+                    sum += gap * gap;
+                }
+                sum.sqrt()
+            }
+            Metric::Placement { translation, rotation } => {
+                let [x, y, turn] = [0, 1, 2].map(|i| self.gap(i, a[i], b[i]));
+                translation * (x * x + y * y).sqrt() + rotation * turn
+            }
+        }
+    }
+
+    fn interpolate(&self, a: &[f64; N], b: &[f64; N], t: f64) -> [f64; N] {
+        if t == 0.0 {
+            return *a;
+        }
+        if t == 1.0 {
+            return *b;
+        }
+        let turn = self.difference(a, b);
+        std::array::from_fn(|i| {
+            let angle = a[i] + t * turn[i];
+            if angle > self.half[i] {
+                angle - TAU
+            } else if angle <= -self.half[i] {
+                angle + TAU
+            } else if self.half[i] == PI {
+                angle + 0.0
+            } else {
+                // `clamp` would bring the standard library's printing of floats along.
+                let angle = if angle < self.low[i] { self.low[i] } else { angle };
+                (if angle > self.high[i] { self.high[i] } else { angle }) + 0.0
+            }
+        })
+    }
+
+    fn at(&self, unit: &[f64]) -> [f64; N] {
+        let mut state = [0.0; N];
+        for (i, angle) in state.iter_mut().enumerate().take(self.dimension) {
+            let along = (self.high[i] - self.low[i]) * unit[i];
+            // From the top on a circle, so that pi can be drawn and -pi cannot.
+            let drawn = if self.is_circle(i) { PI - along } else { self.low[i] + along };
+            *angle = drawn.min(self.high[i]) + 0.0;
+        }
+        state
+    }
+
+    fn contains(&self, state: &[f64; N]) -> bool {
+        (0..self.dimension).all(|i| {
+            let [low, high] = self.range(i);
+            state[i] >= low && state[i] <= high && !(self.is_circle(i) && state[i] == low)
+        })
+    }
+
+    fn extent(&self) -> f64 {
+        let longest = |i: usize| if self.is_circle(i) { PI } else { self.high[i] - self.low[i] };
+        match self.metric {
+            Metric::Sum => (0..self.dimension).map(longest).sum(),
+            Metric::Euclidean => (0..self.dimension).map(|i| longest(i) * longest(i)).sum::<f64>().sqrt(),
+            Metric::Placement { translation, rotation } => {
+                translation * (longest(0) * longest(0) + longest(1) * longest(1)).sqrt() + rotation * longest(2)
+            }
+        }
+    }
+
+    fn turn(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
+        (0..self.dimension).filter(|&i| self.is_circle(i)).map(|i| self.gap(i, a[i], b[i])).fold(0.0, f64::max)
+    }
+
+    fn sweep(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
+        let cut = (0..self.dimension).filter(|&i| self.is_cut[i]);
+        cut.map(|i| self.gap(i, a[i], b[i])).fold(self.turn(a, b), f64::max)
+    }
+
+    #[inline]
+    fn period(&self, i: usize) -> f64 {
+        2.0 * self.half[i]
+    }
+
+    #[inline]
+    fn is_norm_exact(&self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn norm<const L: usize>(&self, mut gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
+        let mut sum = [0.0; L];
+        match self.metric {
+            Metric::Sum => {
+                for i in 0..self.dimension {
+                    let gaps = gap(i);
+                    for lane in 0..L {
+                        sum[lane] += gaps[lane];
+                    }
+                }
+                sum
+            }
+            Metric::Euclidean => {
+                for i in 0..self.dimension {
+                    let gaps = gap(i);
+                    for lane in 0..L {
+                        sum[lane] += gaps[lane] * gaps[lane];
+                    }
+                }
+                sum.map(f64::sqrt)
+            }
+            Metric::Placement { translation, rotation } => {
+                let [x, y, turn] = [gap(0), gap(1), gap(2)];
+                for lane in 0..L {
+                    let far = (x[lane] * x[lane] + y[lane] * y[lane]).sqrt();
+                    sum[lane] = translation * far + rotation * turn[lane];
+                }
+                sum
+            }
+        }
+    }
+}

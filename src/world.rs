@@ -1,0 +1,144 @@
+//! A scenario prepared for planning: from the robot to its configuration space and to what is free in it.
+//!
+//! Runs, viewers' questions, inverse kinematics, nearest neighbours and driving all begin here. Each accepts a
+//! `&`[`Scenario`], which is then prepared for that one use, or a `&`[`PlanningWorld`], which is
+//! prepared once and shared.
+
+mod checker;
+mod configurations;
+
+pub(crate) use checker::Checker;
+pub(crate) use configurations::Configurations;
+
+use crate::collision::{BodyCollision, CollisionWorld};
+use crate::error::{Code, Error};
+use crate::geometry::{Aabb, Polygon};
+use crate::robot::{joint_space, placements, plane};
+use crate::scenario::{Robot, Scenario};
+use crate::space::{MAX_DIMENSION, Metric, MetricKind, MotionSpace, ProductSpace};
+use std::sync::{Arc, OnceLock};
+
+/// The smaller size of states: most robots have no more coordinates. Entries past the dimension are 0 and change no bit. In
+/// WebAssembly one size serves all, which costs a tenth of the speed and saves a tenth of the module.
+pub(crate) const SMALL: usize = if cfg!(target_arch = "wasm32") { MAX_DIMENSION } else { 4 };
+
+/// A scenario and its obstacles prepared for collision queries. Cheap to clone: clones share all of it.
+///
+/// ```
+/// use planarium::run::{self, Options};
+/// use planarium::{inspect::Inspector, scenario::Scenario, world::PlanningWorld};
+///
+/// let world = PlanningWorld::new(Scenario::parse(
+///     r#"{ "format": "planarium-scenario-1", "name": "post",
+///          "world": { "bounds": { "min": [0, 0], "max": [4, 4] },
+///                     "obstacles": [ { "type": "disc", "center": [2, 2], "radius": 0.5 } ] },
+///          "robot": { "type": "disc", "radius": 0.2 },
+///          "queries": [ { "name": "across", "start": [1, 1], "goal": [3, 3] } ] }"#,
+/// )?);
+/// let mut run = run::start(&world, &Options::default())?;
+/// run.step(100_000);
+/// let inspector = Inspector::new(&world);
+/// assert!(run.path().iter().all(|q| inspector.check(q).is_ok_and(|contacts| contacts.is_empty())));
+/// # Ok::<(), planarium::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct PlanningWorld(Arc<Prepared>);
+
+struct Prepared {
+    scenario: Scenario,
+    /// Prepared on first use.
+    collision: OnceLock<CollisionWorld>,
+}
+
+impl PlanningWorld {
+    /// Prepares the scenario; its obstacles on the first query that needs them, in O(n log n).
+    pub fn new(scenario: Scenario) -> Self {
+        Self(Arc::new(Prepared { scenario, collision: OnceLock::new() }))
+    }
+
+    /// The scenario.
+    pub fn scenario(&self) -> &Scenario {
+        &self.0.scenario
+    }
+
+    /// The robot.
+    pub(crate) fn robot(&self) -> &Robot {
+        self.scenario().robot()
+    }
+
+    /// The world's bounds.
+    ///
+    /// # Panics
+    /// Where there are none, which a scenario allows for an arm only.
+    pub(crate) fn bounds(&self) -> &Aabb {
+        self.scenario().world().bounds.as_ref().expect("only an arm does without bounds")
+    }
+
+    /// The obstacles and bounds, prepared.
+    fn collision(&self) -> &CollisionWorld {
+        self.0.collision.get_or_init(|| CollisionWorld::from(self.scenario().world()))
+    }
+
+    /// The robot's space with the named metric: `sum`, `euclidean` or `naive` for an arm, `sum` where none is named. A disc,
+    /// a body and a car have one metric of their own.
+    ///
+    /// # Errors
+    /// `out-of-range` (pointer `/metric`) for another metric of a robot that has one of its own.
+    ///
+    /// # Panics
+    /// Where a configuration has more than `N` numbers.
+    pub(crate) fn space<const N: usize>(&self, metric: Option<MetricKind>) -> Result<ProductSpace<N>, Error> {
+        let refuse = |sentence: String| Err(Error::new(Code::OutOfRange, "/metric", sentence));
+        Ok(match (self.robot(), metric) {
+            (Robot::RigidBody(_) | Robot::Car(_), Some(kind)) => {
+                let word: &str = kind.into();
+                return refuse(format!("the metric of a body is its scenario's, not \"{word}\""));
+            }
+            (Robot::Disc(_), Some(kind @ (MetricKind::Sum | MetricKind::Naive))) => {
+                let word: &str = kind.into();
+                return refuse(format!("the metric of a disc is always euclidean, not \"{word}\""));
+            }
+            (Robot::Arm(arm), Some(MetricKind::Euclidean)) => joint_space(arm, Metric::Euclidean),
+            (Robot::Arm(arm), Some(MetricKind::Naive)) => joint_space(arm, Metric::Euclidean).cut_open(),
+            (Robot::Arm(_), None | Some(MetricKind::Sum))
+            | (Robot::Disc(_), None | Some(MetricKind::Euclidean))
+            | (Robot::RigidBody(_) | Robot::Car(_), None) => self.default_space(),
+        })
+    }
+
+    /// The robot's space with its default metric.
+    ///
+    /// # Panics
+    /// Where a configuration has more than `N` numbers.
+    pub(crate) fn default_space<const N: usize>(&self) -> ProductSpace<N> {
+        match self.robot() {
+            Robot::Arm(arm) => joint_space(arm, Metric::Sum),
+            Robot::Disc(_) => plane(self.bounds()),
+            Robot::RigidBody(body) => placements(body.shape(), body.weights(), self.bounds()),
+            Robot::Car(car) => placements(car.shape(), car.weights(), self.bounds()),
+        }
+    }
+
+    /// What is free for the robot in one of its spaces; `tolerance` is the wanted tolerance as a fraction of the longer side of
+    /// the bounds (of twice an arm's reach where there are none), greater than 0.
+    pub(crate) fn checker<const N: usize>(&self, space: &MotionSpace<N>, tolerance: f64) -> Checker<N> {
+        Checker::new(self.robot(), space, self.collision(), tolerance)
+    }
+
+    /// What is free for a body of this shape, with such a tolerance.
+    pub(crate) fn body(&self, shape: &Polygon, tolerance: f64) -> BodyCollision {
+        BodyCollision::new(shape, self.collision().clone(), tolerance)
+    }
+}
+
+impl From<&Scenario> for PlanningWorld {
+    fn from(scenario: &Scenario) -> Self {
+        Self::new(scenario.clone())
+    }
+}
+
+impl From<&PlanningWorld> for PlanningWorld {
+    fn from(world: &PlanningWorld) -> Self {
+        world.clone()
+    }
+}

@@ -1,0 +1,76 @@
+//! What is free for a robot in one of its spaces, before it is handed to a planner.
+
+use crate::collision::{ArmValidity, BodyCollision, BodyValidity, CollisionWorld, DiscValidity, Driving, Integration};
+use crate::control::Dynamics;
+use crate::scenario::Robot;
+use crate::space::MotionSpace;
+use crate::validity::Validity;
+use std::rc::Rc;
+
+/// Validity and, of a car, dynamics.
+type Checked<S> = (Box<dyn Validity<S>>, Option<Box<dyn Dynamics<S>>>);
+
+/// The collision checker of a robot.
+#[allow(clippy::large_enum_variant, reason = "it is moved once, into the box of `validity`")]
+pub(crate) enum Checker<const N: usize> {
+    Arm(ArmValidity<N>),
+    Disc(DiscValidity),
+    /// A rigid body or a car, and the space of its motions.
+    Body(BodyCollision, MotionSpace<N>),
+}
+
+impl<const N: usize> Checker<N> {
+    pub(super) fn new(robot: &Robot, space: &MotionSpace<N>, world: &CollisionWorld, tolerance: f64) -> Self {
+        let body = |shape| Self::Body(BodyCollision::new(shape, world.clone(), tolerance), space.clone());
+        match robot {
+            Robot::Arm(arm) => Self::Arm(ArmValidity::new(arm, space.product().clone(), world.clone(), tolerance)),
+            Robot::Disc(disc) => Self::Disc(DiscValidity::new(disc, world.clone())),
+            Robot::RigidBody(rigid) => body(rigid.shape()),
+            Robot::Car(car) => body(car.shape()),
+        }
+    }
+
+    /// The same with a tolerance no coarser than half the clearance of either configuration, so that both can be left.
+    #[must_use]
+    pub(crate) fn fitted(self, start: &[f64; N], goal: &[f64; N]) -> Self {
+        match self {
+            Self::Arm(arm) => Self::Arm(arm.fitted(start, goal)),
+            Self::Disc(disc) => Self::Disc(disc),
+            Self::Body(body, space) => {
+                let [start, goal] = [start, goal].map(|q| [q[0], q[1], q[2]]);
+                Self::Body(body.fitted(&start, &goal), space)
+            }
+        }
+    }
+
+    /// The same with the finest tolerance: it proves again whatever was proven with a coarser one.
+    #[must_use]
+    pub(crate) fn finest(self) -> Self {
+        match self {
+            Self::Arm(arm) => Self::Arm(arm.finest()),
+            Self::Disc(disc) => Self::Disc(disc),
+            Self::Body(body, space) => Self::Body(body.finest(), space),
+        }
+    }
+
+    /// The checker as planners see it.
+    pub(crate) fn validity(self) -> Box<dyn Validity<[f64; N]>> {
+        match self {
+            Self::Arm(arm) => Box::new(arm),
+            Self::Disc(disc) => Box::new(disc),
+            Self::Body(body, space) => Box::new(BodyValidity::new(space, Rc::new(body))),
+        }
+    }
+
+    /// The checker and, of a car, its dynamics among the same obstacles: the work of both is counted together.
+    pub(crate) fn with_dynamics(self, robot: &Robot, integration: Integration) -> Checked<[f64; N]> {
+        match (self, robot) {
+            (Self::Body(body, space), Robot::Car(car)) => {
+                let body = Rc::new(body);
+                let dynamics = Driving::new(car, space.clone(), Rc::clone(&body), integration);
+                (Box::new(BodyValidity::new(space, body)), Some(Box::new(dynamics)))
+            }
+            (other, _) => (other.validity(), None),
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! Every test of the crate, in one program: it is linked once, natively and for WebAssembly.
+
+mod common;
+
+#[cfg(not(target_arch = "wasm32"))]
+mod arrows;
+mod blossom;
+mod body_proof;
+mod budget;
+mod catalogue;
+mod clearance;
+#[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
+mod cli;
+#[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
+mod cli_nearest;
+mod control;
+mod directed;
+mod drive;
+mod fleet;
+mod generate;
+mod geometry;
+mod golden;
+mod history;
+mod json;
+mod kept;
+mod limits;
+mod nearest;
+mod nearest_many;
+mod neighbours;
+mod own_space;
+mod pieces;
+mod placed;
+mod planners;
+mod proof;
+mod reach;
+mod reach_follow;
+mod reach_golden;
+mod reach_nearest;
+mod reach_runs;
+mod refused;
+mod roadmap;
+mod sampling;
+mod scenario;
+#[cfg(all(feature = "schema", not(target_arch = "wasm32")))]
+mod schema;
+mod search;
+mod space;
+mod sst;
+mod steering;
+mod targets;
+mod trajectories;
+#[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
+mod truth;
+mod verify;
+mod verify_body;

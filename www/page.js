@@ -129,7 +129,6 @@ export class Page {
     const given = plans?.[0] ?? entry;
     const plan = given ? panel.reads(given.algorithm, given.settings) : panel.plan ?? { algorithm: panel.algorithm, settings: {} };
     const rivals = plans?.slice(1) ?? this.race?.beside(plan) ?? this.rivals;
-    this.studio.order();
     const facts = await this.studio.ask("open", [source, {
       plans: [plan, ...rivals], query, iteration, play, pace, 
       story: { sentence: entry?.story ?? "", algorithm: entry?.algorithm ?? "", isProven: entry?.settings.edge_check !== "sampled" },

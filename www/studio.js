@@ -6,8 +6,11 @@
 /** @import { Fault, State } from "./types.js" */
 /** @typedef {{ resolve: (value: unknown) => void, reject: (fault: StudioError) => void }} Waiting */
 
-/** Orders after which nothing moves that is counted. */
-const QUIET = new Set(["pointer", "resize", "pace", "unpane"]);
+/** Commands after which nothing that is counted moves: they read, or they change how something looks or how fast it goes. */
+const QUIET = new Set([
+  "start", "facts", "curves", "log", "randomSeed", "provide", "thumbnail", "take", "takeStep", "takeEnd", "takeDrop",
+  "pointer", "resize", "pace", "pane", "unpane",
+]);
 
 /** What the worker says has gone wrong. */
 export class StudioError extends Error {
@@ -57,6 +60,7 @@ export class Studio {
   }
 
   /**
+   * Sends a command. States from before one that moves something are old news from here on.
    * @template {keyof Commands} C
    * @param {C} command
    * @param {Parameters<Commands[C]>} args
@@ -64,6 +68,7 @@ export class Studio {
    * @returns {Promise<Awaited<ReturnType<Commands[C]>>>}  rejects with a `StudioError`
    */
   ask(command, args, transfer = []) {
+    if (!QUIET.has(command)) this.order();
     return new Promise((resolve, reject) => {
       const id = this.count++;
       this.waiting.set(id, { resolve: (value) => resolve(/** @type {Awaited<ReturnType<Commands[C]>>} */ (value)), reject });
@@ -71,9 +76,8 @@ export class Studio {
     });
   }
 
-  /** An order whose answer is to be seen. @template {keyof Commands} C @param {C} command @param {Parameters<Commands[C]>} args */
+  /** Sends a command whose result is to be seen. @template {keyof Commands} C @param {C} command @param {Parameters<Commands[C]>} args */
   tell(command, ...args) {
-    if (!QUIET.has(command)) this.order();
     this.ask(command, args).catch((error) => this.onFault(error));
   }
 

@@ -148,7 +148,6 @@ export class DriveControls {
       // The same orders as the fold of the editor: a car is not edited while it is driven.
       byId("editor-fold", HTMLDetailsElement).open = false;
       await page.studio.ask("drive", [["turn", true, page.calm, moment()]]);
-      page.studio.order();
       this.stage.focus({ preventScroll: true });
       this.theatre.scrollIntoView({ block: "start", behavior: page.calm ? "auto" : "smooth" });
     } catch (error) {

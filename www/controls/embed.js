@@ -38,7 +38,7 @@ export function watchParent(page) {
         const { algorithm, settings = {}, query, iteration, play } = order;
         const plans = algorithm ? [{ algorithm, settings }] : undefined;
         await page.open(entry ? await page.sourceOf(entry) : { document: order.document ?? {} }, { entry, plans, query, iteration, play });
-        return told(page.state);
+        return told(await page.arrived());
       }
       case "play": return studio.ask("play", []);
       case "pause": return studio.ask("pause", []);

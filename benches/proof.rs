@@ -5,12 +5,11 @@
 //! `cargo bench --bench proof`; a run pinned to one core is quieter. `-- forests`, `-- many` run one table alone.
 
 use planarium::collision::{ArmValidity, Sampled};
+use planarium::problem::Validity;
 use planarium::random::{Random, Stream};
-use planarium::robot::Arm;
-use planarium::robot::joint_space;
+use planarium::robot::{Arm, joint_space};
 use planarium::scenario::{Robot, Scenario, World};
 use planarium::space::{Metric, ProductSpace, Space};
-use planarium::validity::Validity;
 use std::hint::black_box;
 use std::time::Instant;
 

@@ -7,8 +7,8 @@
 mod arms;
 
 use planarium::geometry::Vector;
+use planarium::ik::{Solver, SolverOptions, Target, follow, nearest_reachable};
 use planarium::random::{Random, Stream};
-use planarium::reach::{Reach, ReachOptions, Target, follow, nearest_reachable};
 use planarium::robot::Arm;
 use planarium::run::Status;
 use planarium::scenario::Scenario;
@@ -51,8 +51,8 @@ impl Cell {
         let mut missed = 0;
         let time = self.time(|_, scenario, q, target| {
             let options =
-                ReachOptions { method: Some(id.to_owned()), start: Some(q.to_vec()), ..ReachOptions::to(target) };
-            let mut run = Reach::new(scenario, &options).expect("a run");
+                SolverOptions { method: Some(id.to_owned()), start: Some(q.to_vec()), ..SolverOptions::to(target) };
+            let mut run = Solver::new(scenario, &options).expect("a run");
             missed += usize::from(run.step(u64::MAX) != Status::Solved);
             run.error()
         });

@@ -3,9 +3,9 @@
 //!
 //! `cargo bench --bench trajectories`; a run pinned to one core is quieter.
 
-use planarium::fleet::Trajectories;
 use planarium::options::Value;
-use planarium::status::Status;
+use planarium::problem::Status;
+use planarium::trajectories::Trajectories;
 use std::time::Instant;
 
 /// Runs of one cell.

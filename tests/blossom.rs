@@ -2,10 +2,9 @@
 
 use crate::common::car_shut_in;
 use crate::common::driven::car;
-use planarium::collision::{BodyCollision, BodyValidity, Driving, Integration};
-use planarium::control::{Control, Dynamics, Motion};
+use planarium::collision::{BodyCollision, BodyValidity, CarDynamics, Integration};
 use planarium::planner::{Blocked, ByControls, GoalTest, Method, Reaching, RrtControlOptions};
-use planarium::problem::Problem;
+use planarium::problem::{Control, Dynamics, Motion, Problem};
 use planarium::random::Random;
 use planarium::robot::placements;
 use planarium::space::{MotionSpace, Space};
@@ -15,7 +14,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 
 /// A dynamics that notes what it is asked.
 struct Noted {
-    driving: Driving<4>,
+    driving: CarDynamics<4>,
     drives: Rc<RefCell<Vec<Asked>>>,
     proofs: Rc<RefCell<Vec<(Asked, u32)>>>,
 }
@@ -64,7 +63,7 @@ fn of_a_blossom_the_one_that_comes_closest_is_kept() {
     let [start, goal] =
         [&world.queries()[0].start, world.queries()[0].configuration().unwrap()].map(|q| space.state(q));
     let collision = Rc::new(BodyCollision::new(car.shape(), world.world(), 1e-4));
-    let driving = || Driving::new(car, space.clone(), Rc::clone(&collision), Integration::Exact);
+    let driving = || CarDynamics::new(car, space.clone(), Rc::clone(&collision), Integration::Exact);
     let oracle = driving();
     for blocked in [Blocked::Cut, Blocked::Refused] {
         let (drives, proofs) = (Rc::default(), Rc::default());

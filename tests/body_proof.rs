@@ -5,9 +5,9 @@ use crate::common::bodies::*;
 use crate::common::seeds;
 use planarium::collision::{BodyCollision, BodyMotion};
 use planarium::geometry::{Disc, Polygon};
+use planarium::problem::Touched;
 use planarium::random::{Random, Stream};
 use planarium::scenario::Obstacle;
-use planarium::validity::Touched;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 

@@ -4,15 +4,14 @@
 use crate::common::bodies::{self, p, rectangle, world};
 use crate::common::{options, parse};
 use planarium::collision::{ArmValidity, BodyCollision, BodyMotion};
-use planarium::control::{Control, Motion};
-use planarium::drive::rollout;
+use planarium::driving::rollout;
 use planarium::geometry::{Disc, Point};
+use planarium::problem::{Control, Motion, Validity};
 use planarium::random::{Random, Stream};
 use planarium::robot::{Arm, joint_space};
 use planarium::run::{self, Status};
 use planarium::scenario::{Obstacle, World};
 use planarium::space::{Metric, ProductSpace, Space};
-use planarium::validity::Validity;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 

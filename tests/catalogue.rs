@@ -172,7 +172,7 @@ fn a_roadmap_gone_on_with_lights_lines_too() {
 #[test]
 fn the_committed_catalogue_is_up_to_date() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/schema/catalogue.json");
-    let text = format!("{:#}\n", planarium::catalogue::catalogue());
+    let text = format!("{:#}\n", planarium::run::catalogue::catalogue());
     if std::env::var_os("PLANARIUM_BLESS").is_some() {
         std::fs::write(path, &text).expect("the file can be written");
     }

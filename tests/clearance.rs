@@ -4,8 +4,8 @@ use planarium::geometry::{
     Polygon, Segment, distance_point_polygon, distance_point_segment, distance_polygon_polygon,
     distance_segment_polygon,
 };
-use planarium::inspect::Inspector;
 use planarium::robot::Part;
+use planarium::run::inspect::Inspector;
 use planarium::scenario::{Obstacle, generate};
 use wasm_bindgen_test::wasm_bindgen_test;
 

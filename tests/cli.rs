@@ -205,7 +205,9 @@ fn a_roadmap_is_saved_and_gone_on_with() {
     }
     let bytes = std::fs::read(place("kept.roadmap")).expect("it is saved");
     let text = std::fs::read_to_string(place("kept.roadmap.json")).expect("it is saved");
-    assert!(bytes.starts_with(&planarium::kept::MAGIC) && text.starts_with("{\"format\":\"planarium-roadmap-2\""));
+    assert!(
+        bytes.starts_with(&planarium::run::storage::MAGIC) && text.starts_with("{\"format\":\"planarium-roadmap-2\"")
+    );
     assert_eq!(text, std::fs::read_to_string(place("kept.text")).expect("it is saved"));
     assert!(std::fs::read_to_string(place("kept.graphml")).expect("it is saved").contains("<graphml "));
     for kept in ["kept.roadmap", "kept.text"] {

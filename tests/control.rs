@@ -2,9 +2,9 @@
 
 use crate::common::driven::{car, driven, edges, is_in_region, steps, vertices_of};
 use crate::common::{DRIVEN, arm_and_wall, begin_with, car_and_wall, car_shut_in, finish, options, parse, seeds};
-use planarium::control::Motion;
 use planarium::path::{Leg, Verdict, verify, verify_legs};
 use planarium::planner::{default_planner, planners};
+use planarium::problem::Motion;
 use planarium::run::{Options, Status, start};
 use planarium::scenario::Scenario;
 use planarium::space::{angular_distance, wrap};

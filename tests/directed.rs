@@ -7,10 +7,9 @@ use planarium::planner::{
     Algorithm, Extend, Insertion, Method, Planner, PrmOptions, Reaching, RrtConnectOptions, RrtOptions, Searching,
     Status,
 };
-use planarium::problem::Problem;
+use planarium::problem::{Contact, Problem, Touched, Validity};
+use planarium::space::steering::{Pose, Steering};
 use planarium::space::{MotionSpace, ProductSpace, Space};
-use planarium::steering::{Pose, Steering};
-use planarium::validity::{Contact, Touched, Validity};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 type State = [f64; 4];

@@ -3,9 +3,9 @@
 use planarium::geometry::{
     Aabb, Disc, Point, Polygon, Segment, distance_point_segment, distance_segment_polygon, intersects_segment_polygon,
 };
-use planarium::inspect::Inspector;
 use planarium::options::Kind;
 use planarium::robot::Part;
+use planarium::run::inspect::Inspector;
 use planarium::run::{Options, Status, Value, start};
 use planarium::scenario::generate::{
     BugTrapOptions, ClutterOptions, DiscsOptions, ForestOptions, GapOptions, MazeOptions, RobotChoice, Turn, bug_trap,

@@ -5,20 +5,17 @@ use crate::common::bodies::*;
 use crate::common::documents::refusal;
 use crate::common::{finish, options, parse, seeds};
 use planarium::collision::{BodyCollision, BodyValidity};
-use planarium::control::{Control, Motion};
-use planarium::drive::rollout;
+use planarium::driving::rollout;
 use planarium::geometry::{Disc, Polygon};
-use planarium::kept::{RoadmapDocument, RoadmapMetric};
-use planarium::path::{Verdict, verify};
+use planarium::path::{ResultDocument, Verdict, verify};
+use planarium::problem::{Control, Motion, Validity};
 use planarium::random::{Random, Stream};
-use planarium::result::ResultDocument;
-use planarium::robot::Weights;
-use planarium::robot::placements;
+use planarium::robot::{Weights, placements};
+use planarium::run::storage::{RoadmapDocument, RoadmapMetric};
 use planarium::run::{self, Status};
 use planarium::scenario::{Obstacle, Scenario};
 use planarium::space::MotionSpace;
-use planarium::steering::Steering;
-use planarium::validity::Validity;
+use planarium::space::steering::Steering;
 use std::rc::Rc;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -181,8 +178,11 @@ fn a_kept_roadmap_says_how_the_car_was_steered() {
         let radius = 0.5 / libm::tan(0.6);
         for &[from, to] in &document.edges {
             let pose = |i: u32| document.rows().nth(i as usize).expect("a vertex");
-            let [a, b] =
-                [from, to].map(|i| planarium::steering::Pose { x: pose(i)[0], y: pose(i)[1], heading: pose(i)[2] });
+            let [a, b] = [from, to].map(|i| planarium::space::steering::Pose {
+                x: pose(i)[0],
+                y: pose(i)[1],
+                heading: pose(i)[2],
+            });
             let steering = if word == "dubins" { Steering::Dubins } else { Steering::ReedsShepp };
             let length = steering.shortest(a, b, radius).length();
             assert!((document.length([from, to]) - length).abs() <= 1e-12 * length);

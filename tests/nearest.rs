@@ -5,8 +5,8 @@ use crate::common::cases;
 use planarium::graph::VertexId;
 use planarium::nearest::{Direction, Forest, ForestParameters, Index, KdTree, LinearScan, Nearest, Neighbour, recall};
 use planarium::random::{Random, Stream};
+use planarium::space::steering::Steering;
 use planarium::space::{Coordinate, Metric, MotionSpace, ProductSpace, Space, gap, gap_to_interval};
-use planarium::steering::Steering;
 use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 

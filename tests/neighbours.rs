@@ -1,10 +1,10 @@
 //! Neighbours of a scenario's robot behind one face: answers, counts, refusals, samples, and golden outcomes; on native, Node and
 //! Chrome alike. `PLANARIUM_BLESS=1 cargo test --test neighbours` writes the golden outcomes anew.
 
-use planarium::catalogue::catalogue;
 use planarium::error::Code;
-use planarium::inspect::{Inspector, MAX_SAMPLES};
-use planarium::neighbours::{Answer, Neighbours, index, indexes, recall};
+use planarium::run::catalogue::catalogue;
+use planarium::run::inspect::{Inspector, MAX_SAMPLES};
+use planarium::run::neighbours::{Answer, Neighbours, index, indexes, recall};
 use planarium::run::{Options, Value, start};
 use planarium::scenario::Scenario;
 use serde_json::{Value as Json, json};

@@ -2,10 +2,9 @@
 
 use planarium::path::Wanted;
 use planarium::planner::{Method, Planner, PrmOptions, RrtConnectOptions};
-use planarium::problem::Problem;
+use planarium::problem::{Contact, Problem, Touched, Validity};
 use planarium::run::{self, Run, Status};
 use planarium::space::Space;
-use planarium::validity::{Contact, Touched, Validity};
 use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 

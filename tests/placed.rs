@@ -1,8 +1,8 @@
 //! Scenarios with rigid bodies and cars: what their documents may hold, and how they are written again.
 
 use crate::common::documents::{ARM, BODY, CAR, DISC, refusal, with};
-use planarium::inspect::Inspector;
 use planarium::robot::{Part, Weights};
+use planarium::run::inspect::Inspector;
 use planarium::scenario::{GoalTolerance, Robot, Scenario};
 use wasm_bindgen_test::wasm_bindgen_test;
 

@@ -5,13 +5,12 @@ use crate::common::{arm_and_wall, arm_of, begin, disc_and_wall, finish, parse, s
 use planarium::collision::{ArmValidity, DiscValidity, Obstacles, Sampled};
 use planarium::geometry::{Aabb, Disc, Point, Polygon, Segment, intersects_segment_polygon};
 use planarium::path::{Verdict, verify};
+use planarium::problem::Validity;
 use planarium::random::{Random, Stream};
-use planarium::robot::{Arm, MAX_LINKS};
-use planarium::robot::{joint_space, plane};
+use planarium::robot::{Arm, MAX_LINKS, joint_space, plane};
 use planarium::run::Status;
 use planarium::scenario::{Obstacle, Robot, Scenario, World};
 use planarium::space::{Metric, ProductSpace, Space};
-use planarium::validity::Validity;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const THICKNESSES: [f64; 7] = [0.5, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
@@ -470,7 +469,7 @@ fn sliding_close_along_a_concave_wall_is_proven() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn configurations_that_make_no_sense_are_refused_before_any_proof() {
-    let inspector = planarium::inspect::Inspector::new(&arm_of(2, true, 0.0));
+    let inspector = planarium::run::inspect::Inspector::new(&arm_of(2, true, 0.0));
     let code = |error: planarium::Error| (error.code().as_str(), error.pointer().to_owned());
     let refused = |a: &[f64], b: &[f64]| code(inspector.first_hit(a, b).expect_err("refused"));
     assert_eq!(refused(&[-1.7e308, 0.0], &[0.0, 0.0]), ("out-of-range", "/a/0".to_owned()));

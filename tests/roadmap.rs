@@ -126,7 +126,7 @@ fn guards_see_no_other_guard_and_links_see_two_components() {
     for seed in 0..seeds(20) {
         let world = arm_of(2, false, 0.02);
         let run = finish(begin_with(&world, "visibility-prm", seed, "failures=150"));
-        let inspector = planarium::inspect::Inspector::new(&world);
+        let inspector = planarium::run::inspect::Inspector::new(&world);
         let vertices = rows(run.as_ref());
         let guards: Vec<usize> = events(run.as_ref(), 5.0).iter().map(|event| event[2] as usize).collect();
         assert_eq!(guards[..2], [0, 1], "start and goal are the first guards");
@@ -200,7 +200,7 @@ fn a_roadmap_answers_again_and_stays_as_it_was() {
         assert_eq!(answer.path[answer.path.len() - 1], goal);
         assert_eq!((run.fingerprint(), run.vertex_count(), run.edge_count()), before, "{planner} keeps its roadmap");
         assert_eq!(run.query(&start, &goal, false).expect("free ends").path, answer.path, "the same again");
-        let inspector = planarium::inspect::Inspector::new(&world);
+        let inspector = planarium::run::inspect::Inspector::new(&world);
         for pair in answer.path.windows(2) {
             assert_eq!(inspector.first_hit(&pair[0], &pair[1]).expect("of this arm"), None);
         }
@@ -260,7 +260,7 @@ fn questions_that_cannot_be_asked_are_refused() {
 #[wasm_bindgen_test(unsupported = test)]
 fn every_kind_of_improvement_shortens_the_path_and_proves_it() {
     for world in [arm_of(3, false, 0.02), disc_and_wall(0.2, 0.3)] {
-        let inspector = planarium::inspect::Inspector::new(&world);
+        let inspector = planarium::run::inspect::Inspector::new(&world);
         let mut shorter = [0; 3];
         for seed in 0..seeds(20) {
             let raw = finish(begin_with(&world, "rrt-connect", seed, "step=0.4"));

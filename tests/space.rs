@@ -1,8 +1,8 @@
 //! The laws that every configuration space obeys, on native, Node and Chrome alike.
 
 use planarium::random::{Random, Stream};
+use planarium::space::steering::Steering;
 use planarium::space::{Coordinate, Metric, MotionSpace, ProductSpace, Space, angular_distance, gap, wrap};
-use planarium::steering::Steering;
 use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 

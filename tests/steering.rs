@@ -3,7 +3,7 @@
 use crate::common::cases;
 use planarium::graph::Fingerprint;
 use planarium::random::{Random, Stream};
-use planarium::steering::{Curve, Pose, Turn, advance, dubins, reeds_shepp, wrap};
+use planarium::space::steering::{Curve, Pose, Turn, advance, dubins, reeds_shepp, wrap};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 

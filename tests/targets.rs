@@ -1,8 +1,8 @@
 //! Queries with a target of the end effector: any configuration that reaches it will do, for every planner.
 
 use crate::common::{SAMPLERS, arm_and_wall, arm_of, begin_with, finish, options, parse, seeds};
-use planarium::inspect::Inspector;
 use planarium::path::{Verdict, verify};
+use planarium::run::inspect::Inspector;
 use planarium::run::{Run, Status, resume, start};
 use planarium::scenario::Scenario;
 use wasm_bindgen_test::wasm_bindgen_test;

@@ -1,8 +1,8 @@
 //! Many trajectories: none crosses another, the same in any slices, on every platform, with the index and without.
 
-use planarium::fleet::{Model, Particle, Trajectories, TrajectoryOptions, halve};
 use planarium::options::{Kind, Options, Value};
-use planarium::status::Status;
+use planarium::problem::Status;
+use planarium::trajectories::{Model, Particle, Trajectories, TrajectoryOptions, halve};
 use serde_json::Value as Json;
 use wasm_bindgen_test::wasm_bindgen_test;
 

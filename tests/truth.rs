@@ -2,8 +2,7 @@
 //! They are not part of this repository; the environment variable `PLANARIUM_SCENARIOS` names their folder.
 
 use crate::common::deep;
-use planarium::path::{Verdict, verify};
-use planarium::result::ResultDocument;
+use planarium::path::{ResultDocument, Verdict, verify};
 use planarium::scenario::Scenario;
 use std::io::Write;
 use std::path::{Path, PathBuf};

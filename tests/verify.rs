@@ -1,8 +1,7 @@
 //! The independent judge of paths, on native, Node and Chrome alike: hand-made paths, valid and not. Ends of motions are
 //! odd, so that no look falls just where an obstacle is.
 
-use planarium::path::{Verdict, verify};
-use planarium::result::ResultDocument;
+use planarium::path::{ResultDocument, Verdict, verify};
 use planarium::scenario::Scenario;
 use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;

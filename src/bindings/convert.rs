@@ -2,8 +2,8 @@
 
 use crate::error::{Code, Error, Number};
 use crate::geometry::Point;
+use crate::ik::{SolverOptions, Target};
 use crate::json::{read, read_tree};
-use crate::reach::{ReachOptions, Target};
 use crate::run::{Options, Value};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -95,12 +95,12 @@ pub(super) fn settings(object: JsValue) -> Result<(Given, u64), Error> {
 }
 
 /// The options of inverse kinematics.
-pub(super) fn reach_options(object: JsValue) -> Result<ReachOptions, Error> {
+pub(super) fn reach_options(object: JsValue) -> Result<SolverOptions, Error> {
     let mut fields = fields(object)?;
     let Some([x, y]) = take::<[f64; 2]>(&mut fields, "target")? else {
         return Err(Error::new(Code::MissingField, "/target", "the target is missing: [x, y]"));
     };
-    Ok(ReachOptions {
+    Ok(SolverOptions {
         target: Target { point: Point::new(x, y), orientation: take(&mut fields, "orientation")? },
         method: take(&mut fields, "method")?,
         start: take(&mut fields, "start")?,

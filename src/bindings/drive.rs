@@ -1,9 +1,9 @@
 //! A drive in JavaScript's hands.
 
 use super::convert::{count, cursor, throw};
-use crate::drive::{Drive, Key, Press};
+use crate::driving::{Drive, Key, Press};
 use crate::error::{Code, Error};
-use crate::validity::Touched;
+use crate::problem::Touched;
 use wasm_bindgen::prelude::*;
 
 /// A car under a driver's hand. Arrays handed out are copies and stay valid.

@@ -1,4 +1,4 @@
-//! The classes and functions that JavaScript sees, thin over [`crate::run`] and [`crate::inspect`]. The package wraps them once
+//! The classes and functions that JavaScript sees, thin over [`crate::run`] and [`crate::run::inspect`]. The package wraps them once
 //! more in JavaScript, where use before `init` and after `free` can be caught.
 //!
 //! Scenarios and roadmaps come in as JSON text, options and records cross as plain objects, tables as typed arrays. Every count comes in as a JavaScript number and is checked; every error is an `Error` with

@@ -1,7 +1,7 @@
 //! An index of configurations in JavaScript's hands.
 
 use super::convert::{count, throw};
-use crate::neighbours::{Answer, Neighbours};
+use crate::run::neighbours::{Answer, Neighbours};
 use wasm_bindgen::prelude::*;
 
 /// An index of configurations. Arrays handed out are copies and stay valid.

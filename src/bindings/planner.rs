@@ -2,11 +2,10 @@
 
 use super::convert::{count, cursor, record, throw};
 use crate::error::{Code, Error};
-use crate::kept::RoadmapDocument;
-use crate::phase::Phase;
-use crate::result::ResultDocument;
+use crate::path::ResultDocument;
+use crate::problem::{Phase, Stats};
+use crate::run::storage::RoadmapDocument;
 use crate::run::{EVENT_HEAD, HISTORY_WIDTH, Run};
-use crate::stats::Stats;
 use std::cell::{Cell, RefCell};
 use wasm_bindgen::prelude::*;
 use web_sys::Performance;

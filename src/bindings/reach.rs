@@ -2,17 +2,17 @@
 
 use super::convert::{count, cursor, record, throw};
 use crate::geometry::Point;
-use crate::reach::{Followed, Nearest, Reach, Target};
+use crate::ik::{Followed, Nearest, Solver, Target};
 use wasm_bindgen::prelude::*;
 
 /// A run of inverse kinematics. Arrays handed out are copies and stay valid.
 #[wasm_bindgen]
 pub struct RawReach {
-    reach: Reach,
+    reach: Solver,
 }
 
 impl RawReach {
-    pub(super) fn new(reach: Reach) -> Self {
+    pub(super) fn new(reach: Solver) -> Self {
         Self { reach }
     }
 }

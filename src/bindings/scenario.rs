@@ -4,16 +4,15 @@ use super::convert::{count, fields, index_options, options, reach_options, recor
 use super::drive::told;
 use super::reach::{followed, near, target};
 use super::{RawDrive, RawNeighbours, RawPlanner, RawReach};
-use crate::control::{Control, Motion};
-use crate::drive::{self, Drive};
-use crate::inspect::{Clearance, Inspector};
-use crate::kept::RoadmapDocument;
-use crate::neighbours;
-use crate::reach::{Reach, arm_of, follow, nearest_reachable};
+use crate::driving::{self, Drive};
+use crate::ik::{Solver, arm_of, follow, nearest_reachable};
+use crate::problem::{Control, Motion, Touched};
 use crate::robot::Part;
 use crate::run;
+use crate::run::inspect::{Clearance, Inspector};
+use crate::run::neighbours;
+use crate::run::storage::RoadmapDocument;
 use crate::scenario::Scenario;
-use crate::validity::Touched;
 use crate::world::PlanningWorld;
 use wasm_bindgen::prelude::*;
 
@@ -193,7 +192,7 @@ impl RawScenario {
     /// One control held for a while: what blocks it (as in the state of a drive), for how long it is free, and then the poses.
     pub fn rollout(&self, q: &[f64], v: f64, phi: f64, duration: f64) -> Result<Vec<f64>, JsValue> {
         let motion = Motion { control: Control { speed: v, steering: phi }, duration };
-        let rollout = drive::rollout(&self.world, q, motion).map_err(throw)?;
+        let rollout = driving::rollout(&self.world, q, motion).map_err(throw)?;
         let mut numbers = vec![told(rollout.blocked), rollout.seconds];
         numbers.extend(rollout.poses.concat());
         Ok(numbers)
@@ -202,7 +201,7 @@ impl RawScenario {
     /// Begins a run of inverse kinematics; `wanted` holds `target`, `orientation`, `method`, `start`, `seed` and the
     /// method's parameters.
     pub fn reach(&self, wanted: JsValue) -> Result<RawReach, JsValue> {
-        let reach = reach_options(wanted).and_then(|wanted| Reach::new(&self.world, &wanted));
+        let reach = reach_options(wanted).and_then(|wanted| Solver::new(&self.world, &wanted));
         reach.map(RawReach::new).map_err(throw)
     }
 

@@ -1,8 +1,8 @@
 //! Many trajectories in JavaScript's hands.
 
 use super::convert::{count, cursor, record, settings, throw};
-use crate::fleet::{self, Trajectories};
-use crate::status::Status;
+use crate::problem::Status;
+use crate::trajectories::{self, Trajectories};
 use wasm_bindgen::prelude::*;
 
 /// Trajectories that do not cross, stepped from outside. Arrays handed out are copies and stay valid.
@@ -71,5 +71,5 @@ impl RawTrajectories {
 /// The places of one particle, at these times.
 #[wasm_bindgen]
 pub fn particle_points(particle: JsValue, times: &[f64]) -> Result<Vec<f64>, JsValue> {
-    settings(particle).and_then(|(given, _)| fleet::particle_points(&given, times)).map_err(throw)
+    settings(particle).and_then(|(given, _)| trajectories::particle_points(&given, times)).map_err(throw)
 }

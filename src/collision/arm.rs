@@ -6,9 +6,9 @@ use super::proof::oracle::{self, PartDistance};
 use super::proof::{MovingArm, Order, Prover, Scene};
 use super::{CollisionWorld, Obstacles, Tolerance};
 use crate::geometry::{Aabb, Segment};
+use crate::problem::{Contact, Touched, Validity};
 use crate::robot::Arm;
 use crate::space::{ProductSpace, Space};
-use crate::validity::{Contact, Touched, Validity};
 use std::cell::RefCell;
 use std::sync::Arc;
 

@@ -6,8 +6,8 @@ use super::proof::oracle::{self, PartDistance};
 use super::proof::{MovingBody, Order, Prover, Scene};
 use super::{BodyMotion, CollisionWorld, Obstacles, Tolerance};
 use crate::geometry::{Aabb, Point, Polygon};
+use crate::problem::{Contact, Touched};
 use crate::robot::LARGEST;
-use crate::validity::{Contact, Touched};
 use std::cell::RefCell;
 use std::sync::Arc;
 

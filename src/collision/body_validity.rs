@@ -1,9 +1,9 @@
 //! What is free for a body that is placed by (x, y, theta), over the space of its placements.
 
 use super::{BodyCollision, BodyMotion, LONGEST_TURN};
+use crate::problem::{Contact, Validity};
+use crate::space::steering::{Curve, wrap};
 use crate::space::{MotionSpace, Space};
-use crate::steering::{Curve, wrap};
-use crate::validity::{Contact, Validity};
 use std::rc::Rc;
 
 /// What is free for a body, in a space of placements (x, y, theta) in which motions are straight or curves that a car follows.

@@ -4,8 +4,8 @@
 use super::obstacles::largest_coordinate;
 use super::{CollisionWorld, Obstacles, Tolerance};
 use crate::geometry::{Aabb, Point, Segment};
+use crate::problem::{Contact, Touched, Validity};
 use crate::robot::DiscRobot;
-use crate::validity::{Contact, Touched, Validity};
 use std::cell::Cell;
 use std::sync::Arc;
 

@@ -1,7 +1,7 @@
 //! Motions tested at a fixed number of configurations, as many planners do: kept by name, to show what that misses.
 
+use crate::problem::{Contact, Validity};
 use crate::space::Space;
-use crate::validity::{Contact, Validity};
 
 /// What is free, but a motion counts as free when so many evenly spaced configurations of it are, its far end included. This proves
 /// nothing: what lies between them is not seen.

@@ -16,7 +16,7 @@ pub use fingerprint::Fingerprint;
 pub use tree::Tree;
 pub use union_find::UnionFind;
 
-use crate::control::Motion;
+use crate::problem::Motion;
 use crate::space::Space;
 
 /// The number of a vertex, from 0 in the order of creation; never reused.

@@ -3,10 +3,12 @@
 mod improve;
 mod partial_shortcut;
 mod reduce;
+mod result;
 mod shortcut;
 mod verify;
 
 pub use improve::{Improvement, Wanted};
+pub use result::{Approximate, ResultDocument};
 pub use verify::{Leg, Verdict, verify, verify_legs};
 
 use crate::space::Space;

@@ -3,11 +3,10 @@
 use super::groups::{Limits, Sampling};
 use super::growth::Growth;
 use super::info::Edges;
-use crate::control::{Control, Dynamics, Motion};
 use crate::error::Error;
 use crate::graph::{Tree, VertexId};
 use crate::options::{CAR, out_of_range};
-use crate::problem::Problem;
+use crate::problem::{Control, Dynamics, Motion, Problem};
 use crate::random::Random;
 use crate::space::Space;
 

@@ -5,8 +5,8 @@ use crate::error::Error;
 use crate::options::{CAR, Choice, out_of_range};
 use crate::random::{Random, Stream};
 use crate::sampling::{BridgeTest, Gaussian, GoalBiased, Halton, Lattice, ObstacleBased, Sampler, Uniform};
+use crate::space::steering::Steering;
 use crate::space::{MetricKind, Space};
-use crate::steering::Steering;
 
 /// The tolerance taken where none is given, as a fraction of the world's longer side.
 pub const DEFAULT_TOLERANCE: f64 = 1e-4;

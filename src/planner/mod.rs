@@ -3,7 +3,6 @@
 //! A planner sees a space and what is free in it, never a robot or an obstacle. It owns its graph and its generator, so
 //! that stepping in any slices gives the same result.
 
-mod active;
 mod driven_tree;
 mod groups;
 mod growth;
@@ -11,6 +10,7 @@ mod info;
 mod prm;
 mod query;
 mod registry;
+mod removable_index;
 mod roadmap;
 mod rrt;
 mod rrt_connect;
@@ -33,8 +33,7 @@ pub use rrt_control::{Controls, Origin, RrtControlOptions};
 pub use sst::SstOptions;
 pub use visibility_prm::VisibilityPrmOptions;
 
-pub use crate::phase::Phase;
-pub use crate::status::Status;
+pub use crate::problem::{Phase, Status};
 
 use crate::graph::{Graph, VertexId};
 use crate::problem::Problem;

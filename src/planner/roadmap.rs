@@ -72,7 +72,7 @@ impl<S: Space> Roadmap<S> {
     pub(super) fn neighbours(
         &mut self,
         space: &S,
-        way: Direction,
+        direction: Direction,
         state: &S::State,
         spare: bool,
         found: &mut Vec<Neighbour>,
@@ -81,9 +81,9 @@ impl<S: Space> Roadmap<S> {
         let Connection { k, radius } = self.connection;
         let k = k + usize::from(spare);
         if k >= self.nearest.len() && radius < f64::INFINITY {
-            self.nearest.within_by(space, way, state, radius, found);
+            self.nearest.within_by(space, direction, state, radius, found);
         } else {
-            self.nearest.k_nearest_by(space, way, state, k, found);
+            self.nearest.k_nearest_by(space, direction, state, k, found);
             found.truncate(found.partition_point(|neighbour| neighbour.distance <= radius));
         }
     }
@@ -104,8 +104,8 @@ impl<S: Space> Roadmap<S> {
     }
 
     /// The search from the start to a goal on the roadmap as it is.
-    fn begin_search(&self, space: &S) -> Ending {
-        Ending::Searching(Query::new(space, &self.growth.graph, &[], &[], START, self.goals(), self.rules))
+    fn begin_search(&self, space: &S) -> RoadmapSearch {
+        RoadmapSearch::Searching(Query::new(space, &self.growth.graph, &[], &[], START, self.goals(), self.rules))
     }
 
     /// Expands one vertex of the search.
@@ -130,14 +130,14 @@ impl<S: Space> Roadmap<S> {
         let [start, goal] = [VertexId(count), VertexId(count + 1)];
         let (mut joined, mut found) = (Vec::new(), Vec::new());
         // Out of the start, and into the goal where that makes a difference.
-        let ways = [Direction::Out, if space.is_symmetric() { Direction::Out } else { Direction::In }];
-        for ((end, vertex), way) in ends.iter().zip([start, goal]).zip(ways) {
-            self.neighbours(space, way, end, false, &mut found);
+        let directions = [Direction::Out, if space.is_symmetric() { Direction::Out } else { Direction::In }];
+        for ((end, vertex), direction) in ends.iter().zip([start, goal]).zip(directions) {
+            self.neighbours(space, direction, end, false, &mut found);
             for neighbour in &found {
                 let other = self.growth.state(neighbour.vertex);
-                let [from, to] = way.ends(end, &other);
+                let [from, to] = direction.ends(end, &other);
                 if self.growth.is_motion_free(problem, from, to) {
-                    joined.push(way.ends(vertex, neighbour.vertex));
+                    joined.push(direction.ends(vertex, neighbour.vertex));
                 }
             }
         }
@@ -187,11 +187,11 @@ pub(super) struct RoadmapPlanner<S: Space, B> {
     roadmap: Roadmap<S>,
     builder: B,
     /// The search, once the roadmap is complete.
-    ending: Option<Ending>,
+    search: Option<RoadmapSearch>,
 }
 
 /// The end of every roadmap planner: the search for a path, and what it came to.
-enum Ending {
+enum RoadmapSearch {
     /// The search goes on.
     Searching(Query),
     /// The path from start to goal; empty where there is none.
@@ -201,34 +201,34 @@ enum Ending {
 impl<S: Space, B: Build<S>> RoadmapPlanner<S, B> {
     /// A planner that goes on with a roadmap; nothing is left to build where it is complete.
     pub fn new(problem: &Problem<S>, roadmap: Roadmap<S>, builder: B, is_complete: bool) -> Self {
-        let ending = is_complete.then(|| roadmap.begin_search(problem.space()));
-        Self { roadmap, builder, ending }
+        let search = is_complete.then(|| roadmap.begin_search(problem.space()));
+        Self { roadmap, builder, search }
     }
 }
 
 impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
-        let Some(ending) = &mut self.ending else {
+        let Some(search) = &mut self.search else {
             if self.builder.build(&mut self.roadmap, problem, iteration) {
-                self.ending = Some(self.roadmap.begin_search(problem.space()));
+                self.search = Some(self.roadmap.begin_search(problem.space()));
             }
             return Status::Running;
         };
-        if let Ending::Searching(query) = ending {
+        if let RoadmapSearch::Searching(query) = search {
             match self.roadmap.search(problem, iteration, query) {
                 Expansion::Vertex(_) => return Status::Running,
-                Expansion::Goal => *ending = Ending::Done(query.path()),
-                Expansion::Nothing => *ending = Ending::Done(Vec::new()),
+                Expansion::Goal => *search = RoadmapSearch::Done(query.path()),
+                Expansion::Nothing => *search = RoadmapSearch::Done(Vec::new()),
             }
         }
         if self.path().is_empty() { Status::Exhausted } else { Status::Solved }
     }
 
     fn phase(&self) -> Phase {
-        match &self.ending {
+        match &self.search {
             None => self.builder.phase(&self.roadmap),
-            Some(Ending::Searching(_)) => Phase::Searching,
-            Some(Ending::Done(_)) => Phase::Done,
+            Some(RoadmapSearch::Searching(_)) => Phase::Searching,
+            Some(RoadmapSearch::Done(_)) => Phase::Done,
         }
     }
 
@@ -237,7 +237,7 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
     }
 
     fn path(&self) -> Vec<VertexId> {
-        if let Some(Ending::Done(path)) = &self.ending { path.clone() } else { Vec::new() }
+        if let Some(RoadmapSearch::Done(path)) = &self.search { path.clone() } else { Vec::new() }
     }
 
     fn counters(&self) -> Counters {

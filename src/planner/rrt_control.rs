@@ -4,18 +4,17 @@
 //! leads exactly to a state that was wished for, so a few controls are tried, a blossom, and the one that comes closest is
 //! kept; and the goal is a region.
 
-use super::active::Active;
 use super::driven_tree::{
     Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, straight_reach, up_to_goal,
 };
 use super::groups::{Limits, Reaching};
 use super::info::{END_NEAR, Edges, Grows, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
+use super::removable_index::RemovableIndex;
 use super::{Counters, Phase, Planner, Status};
-use crate::control::Control;
 use crate::error::Error;
 use crate::graph::{EventKind, Graph, VertexId};
 use crate::options::CAR;
-use crate::problem::Problem;
+use crate::problem::{Control, Problem};
 use crate::random::{Random, Stream};
 use crate::sampling::Sampler;
 use crate::space::Space;
@@ -179,14 +178,14 @@ struct RrtControl<S: Space> {
     late: Option<(u32, Rules)>,
     tree: DrivenTree<S>,
     /// The vertices that may be grown from.
-    open: Active<S>,
+    open: RemovableIndex<S>,
     /// The vertex in the goal region, once there is one.
     arrived: Option<VertexId>,
 }
 
 impl<S: Space> RrtControl<S> {
     fn new(problem: &Problem<S>, options: &RrtControlOptions, seed: u64) -> Result<Self, Error> {
-        let (tree, mut open) = (DrivenTree::new(problem), Active::new());
+        let (tree, mut open) = (DrivenTree::new(problem), RemovableIndex::new());
         open.insert(problem.space(), &tree.growth.graph, ROOT);
         let durations = Durations::new(problem, options.duration_steps, options.shortest_steps)?;
         let early = Rules { durations, reaching: options.reaching };

@@ -5,17 +5,16 @@
 //! vertex that is beaten grows no more, and leaves the tree with its edge once nothing hangs on it. Cost is the length of the
 //! way in the metric of the space, along its arcs.
 
-use super::active::Active;
 use super::driven_tree::{Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, up_to_goal};
 use super::groups::{Limits, Reaching};
 use super::info::{END_NEAR, Edges, Grows, Mark, Method, NONE_FOUND, PseudocodeLine, line};
+use super::removable_index::RemovableIndex;
 use super::{Counters, Phase, Planner, Status};
-use crate::control::Motion;
 use crate::error::Error;
 use crate::graph::{EventKind, Graph, VertexId};
 use crate::nearest::{Index, Nearest, Neighbour};
 use crate::options::CAR;
-use crate::problem::Problem;
+use crate::problem::{Motion, Problem};
 use crate::random::{Random, Stream};
 use crate::sampling::Sampler;
 use crate::space::Space;
@@ -117,7 +116,7 @@ struct Sst<S: Space> {
     children: Vec<u32>,
     is_removed: Vec<bool>,
     /// The vertices that may grow: those that witnesses stand for.
-    active: Active<S>,
+    active: RemovableIndex<S>,
     /// Places, numbered as if they were vertices.
     witnesses: Index<S>,
     /// The vertex that each witness stands for.
@@ -143,7 +142,7 @@ impl<S: Space> Sst<S> {
             costs: vec![0.0],
             children: vec![0],
             is_removed: vec![false],
-            active: Active::new(),
+            active: RemovableIndex::new(),
             witnesses: Index::new(),
             representatives: vec![ROOT],
             best: None,

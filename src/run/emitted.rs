@@ -1,11 +1,10 @@
 //! Paths and edges as a run reports them: waypoints, for a car the motions between them, and the shape of curved edges.
 
-use crate::control::Motion;
 use crate::graph::{Graph, VertexId};
 use crate::path;
-use crate::problem::Problem;
+use crate::problem::{Motion, Problem};
 use crate::space::Space;
-use crate::steering::Pose;
+use crate::space::steering::Pose;
 
 /// The most that one piece of a traced curve turns, in radians.
 const BEND: f64 = 0.2;

@@ -2,20 +2,19 @@
 
 use super::goals::goals;
 use super::resume;
-use super::runner::{Runner, Ticket};
+use super::runner::{RunInfo, Runner};
 use super::{Options, Run};
 use crate::collision::{Integration, Sampled};
 use crate::error::{Code, Error, Number};
-use crate::kept::{RoadmapDocument, RoadmapMetric, fingerprint};
 use crate::path::Wanted;
 use crate::planner;
 use crate::planner::{Connection, EdgeCheck, Edges, Improving, Joined, Planner, PlannerId, PlannerOptions};
-use crate::problem::{Estimate, GoalRegion, Problem};
+use crate::problem::{Estimate, GoalRegion, Problem, Validity};
 use crate::robot::{Arm, Car, Weights};
+use crate::run::storage::{RoadmapDocument, RoadmapMetric, fingerprint};
 use crate::scenario::{GoalTolerance, Robot, Scenario};
+use crate::space::steering::Steering;
 use crate::space::{MAX_DIMENSION, MetricKind, MotionSpace, ProductSpace, Space};
-use crate::steering::Steering;
-use crate::validity::Validity;
 use crate::world::{PlanningWorld, SMALL};
 
 /// The turning radii of steered cars, in metres: wide of all worlds on either side. Beyond, lengths and durations of curves might
@@ -45,7 +44,7 @@ pub fn start_on<S: Space + 'static>(
     improvement: Wanted,
     seed: u64,
 ) -> Box<dyn Run> {
-    let ticket = Ticket {
+    let info = RunInfo {
         scenario: String::new(),
         query: String::new(),
         planner: "custom",
@@ -55,7 +54,7 @@ pub fn start_on<S: Space + 'static>(
         is_sampled: false,
         is_euler: false,
     };
-    Box::new(Runner::new(problem, planner, ticket, None))
+    Box::new(Runner::new(problem, planner, info, None))
 }
 
 /// Begins a run of a planner, from nothing or with a roadmap that was kept.
@@ -82,7 +81,7 @@ pub(super) fn launch(
         Edges::Joined(joined) => (Some(*joined), false),
         Edges::Driven { is_euler } => (None, is_euler),
     };
-    let ticket = Ticket {
+    let info = RunInfo {
         scenario: scenario.name().to_owned(),
         query: query.name.clone(),
         planner: planner.as_str(),
@@ -105,7 +104,7 @@ pub(super) fn launch(
         metric: joined.and_then(|joined| joined.measuring.metric),
         joined,
         settings,
-        ticket,
+        info,
         kept,
         start: &query.start,
         goals: goals(world, query, index, options.seed)?,
@@ -131,7 +130,7 @@ struct Launch<'a> {
     joined: Option<Joined>,
     /// The metric that was asked for.
     metric: Option<MetricKind>,
-    ticket: Ticket,
+    info: RunInfo,
     /// The roadmap to go on with.
     kept: Option<&'a RoadmapDocument>,
     start: &'a [f64],
@@ -153,10 +152,10 @@ impl Launch<'_> {
         let goals: Vec<_> = self.goals.iter().map(|q| space.state(q)).collect();
         let checker = || self.world.checker(&space, self.settings.limits().tolerance);
         let fitted = goals.iter().fold(checker(), |checker, goal| checker.fitted(&start, goal));
-        let integration = if self.ticket.is_euler { Integration::Euler } else { Integration::Exact };
+        let integration = if self.info.is_euler { Integration::Euler } else { Integration::Exact };
         let (validity, dynamics) = fitted.with_dynamics(robot, integration);
 
-        let edge_samples = self.joined.filter(|_| self.ticket.is_sampled).map(|joined| joined.edge_samples);
+        let edge_samples = self.joined.filter(|_| self.info.is_sampled).map(|joined| joined.edge_samples);
         let checked = |proven: Box<dyn Validity<_>>| -> Box<dyn Validity<_>> {
             match edge_samples {
                 Some(samples) => Box::new(Sampled::new(space.clone(), proven, samples)),
@@ -178,7 +177,7 @@ impl Launch<'_> {
             problem = problem.with_dynamics(dynamics);
         }
 
-        let seed = self.ticket.seed;
+        let seed = self.info.seed;
         let planner = match self.kept.zip(self.settings.search()) {
             Some((document, rules)) => {
                 let states = resume::prove(&space, &*checked(checker().finest().validity()), document)?;
@@ -189,7 +188,7 @@ impl Launch<'_> {
         };
         let connection = planner.connection();
         let roadmap = connection.map(|connection| self.empty_document(&space, connection, edge_samples));
-        Ok(Box::new(Runner::new(problem, planner, self.ticket, roadmap)))
+        Ok(Box::new(Runner::new(problem, planner, self.info, roadmap)))
     }
 
     /// How the roadmap of this run will be kept, without vertices and edges.
@@ -211,7 +210,7 @@ impl Launch<'_> {
             scenario: scenario.name().to_owned(),
             fingerprint: fingerprint(scenario),
             circles: (0..space.dimension()).map(|i| space.product().is_circle(i)).collect(),
-            planner: self.ticket.planner.to_owned(),
+            planner: self.info.planner.to_owned(),
             metric,
             k: connection.k as u32,
             radius: connection.radius,

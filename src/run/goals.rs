@@ -1,11 +1,11 @@
 //! The configurations that a query is content with.
 
 use crate::error::{Code, Error, Number};
+use crate::ik::{Solver, SolverOptions, Verdict, arm_of, nearest_reachable};
 use crate::options::Value;
-use crate::reach::{Reach, ReachOptions, Verdict, arm_of, nearest_reachable};
+use crate::problem::Contact;
 use crate::robot::Target;
 use crate::scenario::{Goal, Query, Robot, Scenario};
-use crate::validity::Contact;
 use crate::world::PlanningWorld;
 
 /// How many configurations that reach a target are goals at most: more than there are ways round for an arm of few joints.
@@ -35,13 +35,13 @@ pub(super) fn goals(world: &PlanningWorld, query: &Query, place: usize, seed: u6
     let pointer = format!("/queries/{place}/target");
     let at_target = |error: Error| Error::new(error.code(), pointer.as_str(), error.message());
     let mut wanted = options(scenario, query, target, seed);
-    let mut reach = Reach::new(world, &wanted).map_err(at_target)?;
+    let mut reach = Solver::new(world, &wanted).map_err(at_target)?;
     reach.step(u64::MAX);
     if reach.explain() == Verdict::NotFound {
         // Joints that can hardly move are hard to search, but the exact search knows a configuration.
         let nearest = nearest_reachable(arm_of(scenario)?, target).map_err(at_target)?;
         wanted.start = Some(nearest.configuration[..reach.dimension()].to_vec());
-        reach = Reach::new(world, &wanted).map_err(at_target)?;
+        reach = Solver::new(world, &wanted).map_err(at_target)?;
         reach.step(u64::MAX);
     }
     let dimension = reach.dimension();
@@ -87,7 +87,7 @@ fn readable(value: f64) -> Number {
 }
 
 /// What inverse kinematics is asked.
-fn options(scenario: &Scenario, query: &Query, target: Target, seed: u64) -> ReachOptions {
+fn options(scenario: &Scenario, query: &Query, target: Target, seed: u64) -> SolverOptions {
     let (joints, reach) =
         if let Robot::Arm(arm) = scenario.robot() { (arm.links().len(), arm.reach()) } else { (0, 1.0) };
     let has_closed_form = joints <= 2 + usize::from(target.orientation.is_some());
@@ -99,7 +99,7 @@ fn options(scenario: &Scenario, query: &Query, target: Target, seed: u64) -> Rea
         ("max_iterations", Value::Number(ITERATIONS)),
         ("free_only", Value::Boolean(true)),
     ];
-    ReachOptions {
+    SolverOptions {
         target,
         method: Some(method.to_owned()),
         start: Some(query.start.clone()),

@@ -1,7 +1,7 @@
 //! What a run leaves behind of every iteration, for those who draw how it went.
 
 use super::Phase;
-use crate::stats::Stats;
+use crate::problem::Stats;
 
 /// Numbers of a row of [`Run::take_history`](super::Run::take_history): vertices, edges, events, phase (its number in
 /// [`Phase::ALL`]), configuration checks, motion checks, clearance evaluations, and the length of the best path so far.

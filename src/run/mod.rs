@@ -27,14 +27,18 @@
 //! slice. A run calls its planner once an iteration, and the planner its collision checker once a check, by virtual calls, whose
 //! cost is small against the work they do: so a planner is compiled once a space, whatever the robot.
 
+pub mod catalogue;
 mod emitted;
 mod factory;
 mod goals;
 mod history;
+pub mod inspect;
+pub mod neighbours;
 mod options;
 mod questions;
 mod resume;
 mod runner;
+pub mod storage;
 
 pub use factory::{start, start_on};
 pub use history::HISTORY_WIDTH;
@@ -45,9 +49,9 @@ pub use crate::options::Value;
 pub use crate::planner::{Phase, PlannerInfo, Preset, Status, planners};
 
 use crate::error::Error;
-use crate::kept::RoadmapDocument;
-use crate::result::ResultDocument;
-use crate::stats::Stats;
+use crate::path::ResultDocument;
+use crate::problem::Stats;
+use crate::run::storage::RoadmapDocument;
 
 /// Columns of an event row before its configuration: kind, iteration, vertex, other vertex.
 pub const EVENT_HEAD: usize = 4;

@@ -3,14 +3,14 @@
 use super::factory::{launch, only_metric};
 use super::{Options, Run};
 use crate::error::{Code, Error, quoted};
-use crate::kept::{RoadmapDocument, RoadmapMetric, damaged, fingerprint};
 use crate::options::{Choice, Options as _, Value, out_of_range, refusal};
 use crate::planner::{EdgeCheck, Grows, Improving, Limits, PlannerId, PlannerOptions, Searching};
+use crate::problem::Validity;
 use crate::robot::Car;
+use crate::run::storage::{RoadmapDocument, RoadmapMetric, damaged, fingerprint};
 use crate::scenario::Robot;
+use crate::space::steering::Steering;
 use crate::space::{MetricKind, Space};
-use crate::steering::Steering;
-use crate::validity::Validity;
 use crate::world::PlanningWorld;
 
 /// Begins a run of the planner that built the roadmap, with the roadmap as it was kept: start and goals of the query are its

@@ -3,22 +3,19 @@
 use super::emitted::{self, EmittedPath};
 use super::history::History;
 use super::{EVENT_HEAD, Run, questions};
-use crate::control::Motion;
 use crate::error::{Code, Error};
-use crate::kept::RoadmapDocument;
-use crate::path::{self, Improvement, Wanted};
+use crate::path::{self, Approximate, Improvement, ResultDocument, Wanted};
 use crate::planner::{Phase, Planner, Status};
-use crate::problem::Problem;
-use crate::result::{Approximate, ResultDocument};
+use crate::problem::{Motion, Problem, Stats};
+use crate::run::storage::RoadmapDocument;
 use crate::space::Space;
-use crate::stats::Stats;
 
 /// The name under which the answer to a further question stands.
 const ASKED: &str = "asked";
 
 /// The names and numbers that a run carries into its result.
 #[derive(Debug, Clone)]
-pub(super) struct Ticket {
+pub(super) struct RunInfo {
     pub scenario: String,
     pub query: String,
     pub planner: &'static str,
@@ -34,7 +31,7 @@ pub(super) struct Ticket {
 pub(super) struct Runner<S: Space> {
     problem: Problem<S>,
     planner: Box<dyn Planner<S>>,
-    ticket: Ticket,
+    info: RunInfo,
     /// How the roadmap is kept, its vertices and edges left out; `None` of planners that build none.
     kept: Option<RoadmapDocument>,
     /// Iterations of the planner.
@@ -45,18 +42,28 @@ pub(super) struct Runner<S: Space> {
     /// A row for every iteration, where that was asked for.
     history: Option<History>,
     /// Clearances evaluated and motions left unproven for viewers, not for the run.
-    looked: [u64; 2],
+    viewer_work: [u64; 2],
 }
 
 impl<S: Space> Runner<S> {
     pub(super) fn new(
         problem: Problem<S>,
         planner: Box<dyn Planner<S>>,
-        ticket: Ticket,
+        info: RunInfo,
         kept: Option<RoadmapDocument>,
     ) -> Self {
         let status = Status::Running;
-        Self { problem, planner, ticket, kept, iteration: 0, status, improvement: None, history: None, looked: [0; 2] }
+        Self {
+            problem,
+            planner,
+            info,
+            kept,
+            iteration: 0,
+            status,
+            improvement: None,
+            history: None,
+            viewer_work: [0; 2],
+        }
     }
 
     /// One iteration: of the planner, or an attempt at improving its path.
@@ -73,7 +80,7 @@ impl<S: Space> Runner<S> {
         self.status = self.planner.iterate(&self.problem, self.iteration);
         match self.status {
             Status::Solved => self.accept(),
-            Status::Running if self.iteration == self.ticket.max_iterations || self.planner.graph().is_full() => {
+            Status::Running if self.iteration == self.info.max_iterations || self.planner.graph().is_full() => {
                 self.status = Status::Exhausted;
                 if self.planner.phase() == Phase::Improving {
                     self.accept();
@@ -85,7 +92,7 @@ impl<S: Space> Runner<S> {
 
     /// Takes the planner's path as it is now.
     fn accept(&mut self) {
-        let improvement = Improvement::new(self.found(), self.ticket.wanted, self.ticket.seed);
+        let improvement = Improvement::new(self.found(), self.info.wanted, self.info.seed);
         self.status = if improvement.is_done() { Status::Solved } else { Status::Running };
         self.improvement = Some(improvement);
     }
@@ -149,18 +156,18 @@ impl<S: Space> Runner<S> {
 
     fn document(&self, query: &str, status: Status, path: EmittedPath<S>) -> ResultDocument {
         ResultDocument {
-            scenario: self.ticket.scenario.clone(),
+            scenario: self.info.scenario.clone(),
             query: query.to_owned(),
-            planner: self.ticket.planner.to_owned(),
-            seed: self.ticket.seed,
+            planner: self.info.planner.to_owned(),
+            seed: self.info.seed,
             status,
             path: self.rows(&path.states),
             length: path.length(&self.problem),
             motions: path.motions,
-            integration: self.ticket.is_euler.then(|| "euler".to_owned()),
+            integration: self.info.is_euler.then(|| "euler".to_owned()),
             stats: self.stats(),
             fingerprint: self.fingerprint(),
-            edge_check: self.ticket.is_sampled.then(|| "sampled".to_owned()),
+            edge_check: self.info.is_sampled.then(|| "sampled".to_owned()),
             coverage: self.planner.coverage(),
             approximate: None,
         }
@@ -220,7 +227,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn max_iterations(&self) -> u64 {
-        u64::from(self.ticket.max_iterations)
+        u64::from(self.info.max_iterations)
     }
 
     fn dimension(&self) -> usize {
@@ -306,7 +313,7 @@ impl<S: Space> Run for Runner<S> {
         let before = work();
         let hits = motions.iter().map(|[from, to]| validity.first_hit(from, to).unwrap_or(1.0)).collect();
         let after = work();
-        (0..2).for_each(|i| self.looked[i] += after[i] - before[i]);
+        (0..2).for_each(|i| self.viewer_work[i] += after[i] - before[i]);
         Ok(hits)
     }
 
@@ -321,8 +328,8 @@ impl<S: Space> Run for Runner<S> {
             motion_checks: counters.motion_checks + improvement_checks,
             nearest_queries: counters.nearest_queries,
             visited: counters.visited,
-            clearance_evaluations: self.problem.validity().clearance_evaluations() - self.looked[0],
-            unproven_motions: self.problem.validity().unproven_motions() - self.looked[1],
+            clearance_evaluations: self.problem.validity().clearance_evaluations() - self.viewer_work[0],
+            unproven_motions: self.problem.validity().unproven_motions() - self.viewer_work[1],
             build_seconds: 0.0,
             search_seconds: 0.0,
         }
@@ -333,7 +340,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn result(&self) -> ResultDocument {
-        let document = self.document(&self.ticket.query, self.status, self.emitted());
+        let document = self.document(&self.info.query, self.status, self.emitted());
         ResultDocument { approximate: self.approximate(), ..document }
     }
 
@@ -354,7 +361,7 @@ impl<S: Space> Run for Runner<S> {
         }
         let keep = keep.then_some(self.iteration);
         let Some(roadmap) = self.planner.roadmap() else {
-            let sentence = format!("{} builds no roadmap that could be asked again", self.ticket.planner);
+            let sentence = format!("{} builds no roadmap that could be asked again", self.info.planner);
             return Err(Error::new(Code::Unsupported, "", sentence));
         };
         let answer = roadmap.answer(&self.problem, ends, keep);

@@ -6,7 +6,7 @@
 //!
 //! - `product.rs`: [`ProductSpace`], its coordinates and its metrics. LaValle 2006, "Planning Algorithms", chapters 4 (products
 //!   of circles and intervals) and 5.1 (metrics, weights of rotation);
-//! - `motion.rs`: [`MotionSpace`], straight motions or the curves of [`steering`](crate::steering);
+//! - `motion.rs`: [`MotionSpace`], straight motions or the curves of [`steering`];
 //! - `angle.rs`, `gap.rs`: distances on a line and on a circle, exact enough to bound a kd-tree.
 //!
 //! A state is a small `Copy` value in canonical form: finite, angles of circles in (-pi, pi], never -0. Arrays of `N` numbers
@@ -15,6 +15,7 @@
 mod gap;
 mod motion;
 mod product;
+pub mod steering;
 
 pub use crate::geometry::{angular_distance, unwind, wrap};
 pub use gap::{gap, gap_to_interval};
@@ -22,7 +23,7 @@ pub use motion::MotionSpace;
 pub use product::{Coordinate, Metric, ProductSpace};
 
 use crate::random::Random;
-use crate::steering::Curve;
+use crate::space::steering::Curve;
 
 /// The metrics of joints and discs that can be chosen by name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantNames)]
@@ -52,7 +53,7 @@ pub const MAX_DIMENSION: usize = 8;
 /// use planarium::planner::{Method, Planner, RrtConnectOptions, Status};
 /// use planarium::problem::Problem;
 /// use planarium::space::Space;
-/// use planarium::validity::{Contact, Touched, Validity};
+/// use planarium::problem::{Contact, Touched, Validity};
 ///
 /// /// The unit square with the taxicab metric.
 /// struct Streets;
@@ -205,7 +206,7 @@ pub trait Space {
     }
 
     /// The curve that the motion from `a` to `b` follows, in spaces of steered motions; `None` where motions are straight in the
-    /// coordinates. It ends at `b` but for rounding: see [`steering`](crate::steering).
+    /// coordinates. It ends at `b` but for rounding: see [`steering`].
     fn curve(&self, a: &Self::State, b: &Self::State) -> Option<Curve> {
         let _ = (a, b);
         None

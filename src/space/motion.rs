@@ -1,7 +1,7 @@
 //! A product space whose motions are straight, or the curves of a car.
 
 use super::{ProductSpace, Space, gap};
-use crate::steering::{Curve, Pose, Steering};
+use crate::space::steering::{Curve, Pose, Steering};
 
 /// A [`ProductSpace`] with its motions. Without steering, motions and distances are those of the product, to the bit. With
 /// steering a state is a placement (x, y, heading) and a motion is the shortest curve that a car can follow; distances are

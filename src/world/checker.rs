@@ -1,10 +1,11 @@
 //! What is free for a robot in one of its spaces, before it is handed to a planner.
 
-use crate::collision::{ArmValidity, BodyCollision, BodyValidity, CollisionWorld, DiscValidity, Driving, Integration};
-use crate::control::Dynamics;
+use crate::collision::{
+    ArmValidity, BodyCollision, BodyValidity, CarDynamics, CollisionWorld, DiscValidity, Integration,
+};
+use crate::problem::{Dynamics, Validity};
 use crate::scenario::Robot;
 use crate::space::MotionSpace;
-use crate::validity::Validity;
 use std::rc::Rc;
 
 /// Validity and, of a car, dynamics.
@@ -67,7 +68,7 @@ impl<const N: usize> Checker<N> {
         match (self, robot) {
             (Self::Body(body, space), Robot::Car(car)) => {
                 let body = Rc::new(body);
-                let dynamics = Driving::new(car, space.clone(), Rc::clone(&body), integration);
+                let dynamics = CarDynamics::new(car, space.clone(), Rc::clone(&body), integration);
                 (Box::new(BodyValidity::new(space, body)), Some(Box::new(dynamics)))
             }
             (other, _) => (other.validity(), None),

@@ -1,8 +1,8 @@
 //! Random arms and targets for the tests of inverse kinematics.
 
 use planarium::geometry::Point;
+use planarium::ik::{Target, orientation};
 use planarium::random::Random;
-use planarium::reach::{Target, orientation};
 use planarium::robot::Arm;
 use planarium::scenario::Scenario;
 use planarium::space::angular_distance;

@@ -26,7 +26,7 @@ const asked = golden("golden-neighbours");
 /** @type {import("./golden.mjs").TrajectoryCase[]} */
 const tracks = golden("golden-trajectories");
 /** @type {import("./golden.mjs").ReachCase[]} */
-const reaches = golden("golden-reach");
+const reaches = golden("golden-ik");
 const expected = [cases, asked, tracks, reaches].map((some) => some.map(({ outcome }) => outcome));
 
 test("golden outcomes in Node", () => {

@@ -1,9 +1,8 @@
 //! `planarium list`: what there is to choose from, and what the error codes mean.
 
-use crate::Answer;
 use crate::arguments::List;
-use crate::files;
-use planarium::catalogue::catalogue;
+use crate::{Answer, files};
+use planarium::run::catalogue::catalogue;
 use serde_json::Value;
 use std::fmt::Write;
 

@@ -1,16 +1,14 @@
 //! `planarium nearest`: the configurations of a list that are nearest to a target, with a clock.
 
-use crate::Answer;
 use crate::arguments::Nearest;
-use crate::{files, npy};
-use planarium::Error;
+use crate::{Answer, files, npy};
 use planarium::error::Code;
-use planarium::inspect::Inspector;
-use planarium::json;
-use planarium::neighbours::{self, Neighbours, index, recall};
 use planarium::run::Value;
+use planarium::run::inspect::Inspector;
+use planarium::run::neighbours::{self, Neighbours, index, recall};
 use planarium::scenario::Scenario;
 use planarium::world::PlanningWorld;
+use planarium::{Error, json};
 use serde::Serialize;
 use std::time::{Duration, Instant};
 

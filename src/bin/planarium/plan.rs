@@ -1,13 +1,11 @@
 //! `planarium plan`: drives a run in short slices, with a clock.
 
-use crate::Answer;
 use crate::arguments::Plan;
-use crate::files;
 use crate::progress::Progress;
-use crate::roadmap;
+use crate::{Answer, files, roadmap};
 use planarium::Error;
 use planarium::error::Code;
-use planarium::result::ResultDocument;
+use planarium::path::ResultDocument;
 use planarium::run::{self, Options, Phase, Run, Status, Value};
 use planarium::scenario::Scenario;
 use std::time::{Duration, Instant};

@@ -1,10 +1,9 @@
 //! `planarium reach`: inverse kinematics.
 
-use crate::Answer;
 use crate::arguments::Reach as Arguments;
-use crate::files;
+use crate::{Answer, files};
 use planarium::geometry::Point;
-use planarium::reach::{Reach, ReachOptions, Target};
+use planarium::ik::{Solver, SolverOptions, Target};
 use planarium::run::{Status, Value};
 use planarium::scenario::Scenario;
 
@@ -14,14 +13,14 @@ pub fn reach(arguments: &Arguments) -> Answer {
     let set = arguments.set.iter().map(|(key, value)| (key.clone(), Value::from_text(value)));
     let solutions = arguments.solutions.map(|most| ("solutions".to_owned(), Value::Number(most as f64)));
     let [x, y] = arguments.target;
-    let options = ReachOptions {
+    let options = SolverOptions {
         target: Target { point: Point::new(x, y), orientation: arguments.orientation },
         method: arguments.method.clone(),
         start: arguments.start.clone().map(|start| start.0),
         seed: arguments.seed,
         parameters: set.chain(solutions).collect(),
     };
-    let mut run = Reach::new(&scenario, &options)?;
+    let mut run = Solver::new(&scenario, &options)?;
     run.step(u64::MAX);
     files::write(&run.result().to_json(), arguments.out.as_deref())?;
     let (found, verdict) = (run.solutions().len(), run.explain());

@@ -3,7 +3,7 @@
 use crate::arguments::RoadmapFormat;
 use crate::files;
 use planarium::Error;
-use planarium::kept::RoadmapDocument;
+use planarium::run::storage::RoadmapDocument;
 use std::path::Path;
 
 /// Reads a roadmap in either form that can be read.

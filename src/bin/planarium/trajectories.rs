@@ -1,14 +1,10 @@
 //! `planarium trajectories`: many trajectories that do not cross, with the time that each took.
 
-use crate::Answer;
-use crate::arguments;
-use crate::files;
-use planarium::Error;
-use planarium::fleet::Trajectories;
-use planarium::fleet::TrajectoriesResult;
-use planarium::json;
+use crate::{Answer, arguments, files};
 use planarium::options::Value;
-use planarium::status::Status;
+use planarium::problem::Status;
+use planarium::trajectories::{Trajectories, TrajectoriesResult};
+use planarium::{Error, json};
 use serde::Serialize;
 use std::fmt::Write;
 use std::time::Instant;

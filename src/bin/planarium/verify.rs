@@ -1,12 +1,10 @@
 //! `planarium verify`: the independent judge.
 
-use crate::Answer;
 use crate::arguments::Verify;
-use crate::files;
+use crate::{Answer, files};
 use planarium::Error;
 use planarium::error::Code;
-use planarium::path::{self, Verdict};
-use planarium::result::ResultDocument;
+use planarium::path::{self, ResultDocument, Verdict};
 use planarium::scenario::Scenario;
 
 /// Judges, prints the verdict; yes where the result is valid.

@@ -2,8 +2,8 @@
 
 use super::body::{self, Leg};
 use super::{LENGTH, Scale, Seen, difference};
-use crate::control::Motion;
-use crate::result::ResultDocument;
+use crate::path::ResultDocument;
+use crate::problem::Motion;
 use crate::robot::Car;
 use crate::scenario::World;
 

@@ -25,10 +25,10 @@ pub use body::Leg;
 
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Point, Polygon};
-use crate::result::ResultDocument;
+use crate::path::ResultDocument;
+use crate::problem::Status;
 use crate::robot::{LARGEST, Target};
 use crate::scenario::{Goal, GoalTolerance, Obstacle, Query, Robot, Scenario, World};
-use crate::status::Status;
 use std::f64::consts::{PI, TAU};
 
 /// How near the first and the last waypoint must be to the start and the goal, in radians or metres a coordinate.

@@ -1,0 +1,96 @@
+//! The document that a run ends with: what was asked, the path, its length, the work, and a fingerprint of the growth.
+
+use crate::error::{Code, Error};
+use crate::json;
+use crate::problem::{Motion, Stats, Status};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize};
+
+/// The result of a plan, in the order and under the names of its JSON form. Numbers are written with the fewest digits
+/// that parse back to the same bits.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ResultDocument {
+    /// The name of the scenario.
+    pub scenario: String,
+    /// The name of the query.
+    pub query: String,
+    /// The id of the planner.
+    pub planner: String,
+    /// The seed, at most 2^53 - 1.
+    pub seed: u64,
+    /// How the run ended.
+    pub status: Status,
+    /// The waypoints, one configuration each, from the start to the goal; empty unless solved.
+    pub path: Vec<Vec<f64>>,
+    /// Of a car, what leads from each waypoint to the next along an exact arc: one fewer than there are waypoints.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub motions: Option<Vec<Motion>>,
+    /// `euler` where motions were computed by Euler's steps: the path is a picture, not a proof. Absent where they are exact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub integration: Option<String>,
+    /// The sum of the space's distances along the path, of a car along its arcs; 0 without one.
+    #[serde(deserialize_with = "json::not_negative")]
+    pub length: f64,
+    /// The work done.
+    pub stats: Stats,
+    /// A hash over every vertex, edge and event; 16 lower-case hex digits in JSON.
+    #[serde(with = "json::hex")]
+    pub fingerprint: u64,
+    /// `sampled` where edges were only looked at in places: the path is not proven. Absent where it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub edge_check: Option<String>,
+    /// The estimated share of the free space that a visibility roadmap covers; absent for other planners, and where a kept one
+    /// was gone on with.
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "share")]
+    pub coverage: Option<f64>,
+    /// How far an RRT came that gave up; absent otherwise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub approximate: Option<Approximate>,
+}
+
+/// An approximate answer: the path to the vertex nearest to the goal. It does not reach the goal.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Approximate {
+    /// The waypoints from the start on.
+    pub path: Vec<Vec<f64>>,
+    /// Of a car, what leads from each to the next.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub motions: Option<Vec<Motion>>,
+    /// How far from the goal it ends, in the metric of the space.
+    #[serde(deserialize_with = "json::not_negative")]
+    pub goal_distance: f64,
+}
+
+impl ResultDocument {
+    /// Reads a result document.
+    ///
+    /// # Errors
+    /// With the pointer of the offending value: the codes of [`json::parse`], `unknown-field`, `missing-field`,
+    /// `wrong-type`, `not-finite`, `out-of-range` (a seed or a count above 2^53 - 1 or with a fraction, a negative length or
+    /// time), and `invalid-result` for a status or a fingerprint that is none. Whether the path is any good is for
+    /// [`verify`](crate::path::verify) to say.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        json::read(&json::parse(text)?).map_err(|error| match error.pointer() {
+            "/status" | "/fingerprint" if error.code() == Code::OutOfRange => {
+                Error::new(Code::InvalidResult, error.pointer(), error.message())
+            }
+            _ => error,
+        })
+    }
+
+    /// The document as one line of JSON.
+    pub fn to_json(&self) -> String {
+        json::to_string(self)
+    }
+}
+
+/// Reads a share, from 0 to 1.
+fn share<'de, D: Deserializer<'de>>(source: D) -> Result<Option<f64>, D::Error> {
+    let share = f64::deserialize(source)?;
+    if (0.0..=1.0).contains(&share) {
+        return Ok(Some(share));
+    }
+    Err(D::Error::custom(format!("a share must lie within [0, 1], not {share}")))
+}

@@ -1,0 +1,86 @@
+//! An index of the vertices that may still be grown from: others have been taken out of it.
+
+use crate::graph::{Graph, VertexId};
+use crate::nearest::{Index, Nearest, Neighbour};
+use crate::space::Space;
+
+/// Vertices of a graph, some taken out. Those taken out stay in the index below, passed over, until they are half of it:
+/// then it is built anew. So a removal costs O(log n) in the long run.
+pub(super) struct RemovableIndex<S: Space> {
+    index: Index<S>,
+    /// The vertices of the index, in the order in which they came.
+    members: Vec<VertexId>,
+    /// Whether a vertex is in, by its number.
+    is_in: Vec<bool>,
+    len: usize,
+}
+
+impl<S: Space> RemovableIndex<S> {
+    pub fn new() -> Self {
+        Self { index: Index::new(), members: Vec::new(), is_in: Vec::new(), len: 0 }
+    }
+
+    /// Adds a vertex that has not been in.
+    pub fn insert(&mut self, space: &S, graph: &Graph<S>, vertex: VertexId) {
+        self.index.insert(space, vertex, *graph.state(vertex));
+        self.members.push(vertex);
+        self.is_in.resize(self.is_in.len().max(vertex.index() + 1), false);
+        self.is_in[vertex.index()] = true;
+        self.len += 1;
+    }
+
+    /// Takes a vertex out that is in.
+    pub fn remove(&mut self, space: &S, graph: &Graph<S>, vertex: VertexId) {
+        self.is_in[vertex.index()] = false;
+        self.len -= 1;
+        if 2 * self.len < self.members.len() {
+            self.members.retain(|vertex| self.is_in[vertex.index()]);
+            self.index = Index::new();
+            for &vertex in &self.members {
+                self.index.insert(space, vertex, *graph.state(vertex));
+            }
+        }
+    }
+
+    /// Whether no vertex is in.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Whether the vertex is in.
+    pub fn contains(&self, vertex: VertexId) -> bool {
+        self.is_in.get(vertex.index()) == Some(&true)
+    }
+
+    /// The vertex nearest to the state, ties by number; `None` where all are out.
+    pub fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
+        let first = self.index.nearest(space, state)?;
+        if self.contains(first.vertex) {
+            return Some(first);
+        }
+        let mut found = Vec::new();
+        self.k_nearest(space, state, 1, &mut found);
+        found.first().copied()
+    }
+
+    /// The `k` vertices nearest to the state (all, where there are fewer), nearest first, into `found`.
+    pub fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
+        let mut asked = k;
+        loop {
+            self.index.k_nearest(space, state, asked, found);
+            let all = found.len();
+            found.retain(|neighbour| self.contains(neighbour.vertex));
+            found.truncate(k);
+            if found.len() == k || all < asked {
+                return;
+            }
+            asked *= 2;
+        }
+    }
+
+    /// Every vertex no farther from the state than the radius, nearest first, into `found`.
+    pub fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
+        self.index.within(space, state, radius, found);
+        found.retain(|neighbour| self.contains(neighbour.vertex));
+    }
+}

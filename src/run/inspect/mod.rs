@@ -1,0 +1,170 @@
+//! Questions about a scenario outside any run: is a configuration free and why not, where is the robot, what does its
+//! configuration space look like. For viewers; planners ask through [`Validity`].
+
+mod clearance;
+mod samples;
+
+use clearance::Boundary;
+pub use clearance::Clearance;
+pub use samples::MAX_SAMPLES;
+
+use crate::error::{Code, Error, Number};
+use crate::geometry::{Aabb, Point};
+use crate::planner::DEFAULT_TOLERANCE;
+use crate::problem::{Contact, Validity};
+use crate::robot::Part;
+use crate::scenario::{Obstacle, Robot};
+use crate::space::{MAX_DIMENSION, MotionSpace, ProductSpace, Space};
+use crate::world::{Configurations, PlanningWorld};
+
+/// The most cells that a picture of the configuration space has on a side.
+pub const MAX_CELLS: usize = 4096;
+
+/// Answers questions about one scenario. Every configuration must have the robot's number of finite entries up to 1e6 in size,
+/// else the error is `wrong-dimension`, `not-finite` or `out-of-range` with the entry's pointer; the ends of a motion must lie
+/// within the joint limits as well. Motions are judged with the default tolerance, which a run may refine.
+pub struct Inspector {
+    world: PlanningWorld,
+    configurations: Configurations,
+    validity: Box<dyn Validity<[f64; MAX_DIMENSION]>>,
+    obstacles: Vec<Boundary>,
+}
+
+impl Inspector {
+    /// Prepares to answer questions about the scenario, with the default metric and tolerance.
+    pub fn new(scenario: impl Into<PlanningWorld>) -> Self {
+        let world = scenario.into();
+        let configurations = Configurations::of(&world);
+        let validity = world.checker(&MotionSpace::new(configurations.space().clone()), DEFAULT_TOLERANCE).validity();
+        let obstacles = world.scenario().world().obstacles.iter().map(Boundary::of_obstacle).collect();
+        Self { world, configurations, validity, obstacles }
+    }
+
+    fn space(&self) -> &ProductSpace<MAX_DIMENSION> {
+        self.configurations.space()
+    }
+
+    /// How many numbers a configuration has.
+    pub fn dimension(&self) -> usize {
+        self.space().dimension()
+    }
+
+    /// The box worth drawing: the bounds, or else all obstacles and all that the arm can reach.
+    pub fn extent(&self) -> Aabb {
+        let world = self.world.scenario().world();
+        let Robot::Arm(arm) = self.world.robot() else { return *self.world.bounds() };
+        let reachable = Aabb::of(arm.base(), arm.base()).grown(arm.reach() + arm.radius());
+        let everything = || world.obstacles.iter().map(Obstacle::aabb).fold(reachable, |all, one| all.union(&one));
+        world.bounds.unwrap_or_else(everything)
+    }
+
+    /// For every coordinate, whether it wraps.
+    pub fn circles(&self) -> Vec<bool> {
+        (0..self.dimension()).map(|i| self.space().is_circle(i)).collect()
+    }
+
+    /// Every part of the robot that touches something at `q`, and what; empty where `q` is free.
+    ///
+    /// # Errors
+    /// Of the configuration: see [`Inspector`].
+    pub fn check(&self, q: &[f64]) -> Result<Vec<Contact>, Error> {
+        self.configurations.refuse(q, "")?;
+        Ok(self.validity.contacts(&self.space().state(q)))
+    }
+
+    /// The parts of the robot at `q`.
+    ///
+    /// # Errors
+    /// Of the configuration: see [`Inspector`].
+    pub fn footprint(&self, q: &[f64]) -> Result<Vec<Part>, Error> {
+        self.configurations.refuse(q, "")?;
+        Ok(self.world.robot().footprint(q))
+    }
+
+    /// The tip of the arm, the centre of the disc, or the origin of the body's frame, at `q`.
+    ///
+    /// # Errors
+    /// Of the configuration: see [`Inspector`].
+    pub fn end_effector(&self, q: &[f64]) -> Result<Point, Error> {
+        self.configurations.refuse(q, "")?;
+        Ok(match self.world.robot() {
+            Robot::Arm(arm) => arm.end_effector(q),
+            Robot::Disc(_) | Robot::RigidBody(_) | Robot::Car(_) => Point::new(q[0], q[1]),
+        })
+    }
+
+    /// The configuration a fraction `t` in [0, 1] along the motion from `a` to `b`.
+    ///
+    /// # Errors
+    /// Of the configurations (pointers `/a` and `/b`), and `out-of-range` for another `t`.
+    pub fn interpolate(&self, a: &[f64], b: &[f64], t: f64) -> Result<Vec<f64>, Error> {
+        self.refuse_motion(a, b)?;
+        if !(0.0..=1.0).contains(&t) {
+            return Err(Error::new(Code::OutOfRange, "/t", format!("t must lie within [0, 1], not {}", Number(t))));
+        }
+        let space = self.space();
+        Ok(space.coordinates(&space.interpolate(&space.state(a), &space.state(b), t)).to_vec())
+    }
+
+    /// The distance from `a` to `b` in the default metric: radians summed over joints, or metres.
+    ///
+    /// # Errors
+    /// Of the configurations (pointers `/a` and `/b`).
+    pub fn distance(&self, a: &[f64], b: &[f64]) -> Result<f64, Error> {
+        self.refuse_motion(a, b)?;
+        Ok(self.space().distance(&self.space().state(a), &self.space().state(b)))
+    }
+
+    /// Where, as a fraction, the motion from `a` to `b` first cannot be proven free; `None` where all of it is proven.
+    ///
+    /// # Errors
+    /// Of the configurations (pointers `/a` and `/b`).
+    pub fn first_hit(&self, a: &[f64], b: &[f64]) -> Result<Option<f64>, Error> {
+        self.refuse_motion(a, b)?;
+        Ok(self.validity.first_hit(&self.space().state(a), &self.space().state(b)))
+    }
+
+    /// The angles that the picture of the configuration space shows: low and high of each of the two joints.
+    ///
+    /// # Errors
+    /// `unsupported` for anything but an arm of two links.
+    pub fn configuration_space_range(&self) -> Result<[[f64; 2]; 2], Error> {
+        match self.world.robot() {
+            Robot::Arm(_) if self.dimension() == 2 => Ok([self.space().range(0), self.space().range(1)]),
+            _ => Err(Error::new(Code::Unsupported, "", "only an arm of two links has a square of configurations")),
+        }
+    }
+
+    /// The configuration space of an arm of two links as a picture: one byte a cell, 1 for collision, looked up at the
+    /// centre of the cell; row by row from the lowest angle of the second joint, each row from the lowest of the first.
+    ///
+    /// # Errors
+    /// `unsupported` for another robot; `out-of-range` for fewer than 1 or more than [`MAX_CELLS`] cells a side.
+    pub fn configuration_space(&self, width: usize, height: usize) -> Result<Vec<u8>, Error> {
+        let range = self.configuration_space_range()?;
+        for (pointer, cells) in [("/width", width), ("/height", height)] {
+            if cells == 0 || cells > MAX_CELLS {
+                let sentence = format!("a picture has 1 to {MAX_CELLS} cells a side, not {cells}");
+                return Err(Error::new(Code::OutOfRange, pointer, sentence));
+            }
+        }
+        let center = |joint: usize, cell: usize, cells: usize| {
+            let [low, high] = range[joint];
+            low + (high - low) * ((cell as f64 + 0.5) / cells as f64)
+        };
+        let mut cells = Vec::with_capacity(width * height);
+        for row in 0..height {
+            for column in 0..width {
+                let q = [center(0, column, width), center(1, row, height)];
+                cells.push(u8::from(!self.validity.is_free(&self.space().state(&q))));
+            }
+        }
+        Ok(cells)
+    }
+
+    /// Refuses ends that are no configurations, or lie outside the joint limits.
+    fn refuse_motion(&self, a: &[f64], b: &[f64]) -> Result<(), Error> {
+        self.configurations.refuse_outside(a, "/a")?;
+        self.configurations.refuse_outside(b, "/b")
+    }
+}

@@ -1,0 +1,89 @@
+//! The metric that a roadmap was built in.
+
+use super::damaged;
+use crate::error::Error;
+use crate::space::steering::Steering;
+use serde::{Deserialize, Serialize};
+
+/// The metric of a roadmap, with all that it takes to compute the length of an edge.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum RoadmapMetric {
+    /// The sum of the turns of the joints.
+    Sum,
+    /// The root of the sum of their squares, or the distance of two points.
+    Euclidean,
+    /// The same as if no joint went round.
+    Naive,
+    /// Of placements (x, y, theta): the weighted sum of how far they lie apart and how far one is turned against the other.
+    Placement {
+        /// The weight of a metre.
+        translation: f64,
+        /// The weight of a radian.
+        rotation: f64,
+    },
+    /// Of placements of a car: the length of the shortest forward curve.
+    Dubins {
+        /// The turning radius, in metres.
+        radius: f64,
+    },
+    /// The same of the shortest curve with cusps.
+    ReedsShepp {
+        /// The turning radius, in metres.
+        radius: f64,
+    },
+}
+
+impl RoadmapMetric {
+    /// The length of the curves of a car that turns no tighter than `radius` metres.
+    pub fn of_curves(steering: Steering, radius: f64) -> Self {
+        match steering {
+            Steering::Dubins => RoadmapMetric::Dubins { radius },
+            Steering::ReedsShepp => RoadmapMetric::ReedsShepp { radius },
+        }
+    }
+
+    /// How the car is steered, and its turning radius, where edges are curves.
+    pub fn curves(self) -> Option<(Steering, f64)> {
+        match self {
+            RoadmapMetric::Dubins { radius } => Some((Steering::Dubins, radius)),
+            RoadmapMetric::ReedsShepp { radius } => Some((Steering::ReedsShepp, radius)),
+            RoadmapMetric::Sum | RoadmapMetric::Euclidean | RoadmapMetric::Naive | RoadmapMetric::Placement { .. } => {
+                None
+            }
+        }
+    }
+}
+
+impl RoadmapMetric {
+    /// The JSON form.
+    pub(super) fn to_json(self) -> String {
+        serde_json::to_string(&self).expect("words and numbers are JSON")
+    }
+
+    /// Reads the JSON form.
+    pub(super) fn parse(text: &str) -> Result<Self, Error> {
+        serde_json::from_str(text).map_err(|_| damaged("/metric", format!("{text} is no metric of a roadmap")))
+    }
+
+    /// Refuses weights and radii that make no metric.
+    pub(super) fn check(self) -> Result<(), Error> {
+        let is_sound = match self {
+            RoadmapMetric::Sum | RoadmapMetric::Euclidean | RoadmapMetric::Naive => true,
+            RoadmapMetric::Placement { translation, rotation } => {
+                [translation, rotation].iter().all(|weight| weight.is_finite() && *weight >= 0.0)
+            }
+            RoadmapMetric::Dubins { radius } | RoadmapMetric::ReedsShepp { radius } => {
+                radius.is_finite() && radius > 0.0
+            }
+        };
+        if is_sound { Ok(()) } else { Err(damaged("/metric", format!("{self} is no metric"))) }
+    }
+}
+
+/// The JSON form, words without their quotes.
+impl std::fmt::Display for RoadmapMetric {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.to_json().trim_matches('"'))
+    }
+}

@@ -1,0 +1,113 @@
+//! Whether two trajectories share a point, for any motion with bounded acceleration: by halving both until their chords tell.
+//!
+//! A stretch of h seconds whose acceleration is at most A departs from its chord, driven at constant speed, by at most
+//! A h^2 / 8. Two stretches whose chords are farther apart than both departures and the slack are apart. Else the stretch that
+//! departs more is halved; every halving takes the departure to a quarter. Pairs whose departures together are below the
+//! slack and that are still not proven apart are too close to call: they count as crossing. So apart is proven, and refused
+//! without a crossing are only trajectories within two slacks of each other, or pairs that exceed the budget.
+//!
+//! Most crossings are known earlier: where the ends of each chord lie on different sides of the other's line, farther from it than
+//! the other departs, each stretch leads through the strip about the other chord from side to side. In the parallelogram that
+//! the strips have in common the two then join opposite sides, and so they cross.
+
+use super::particle::Particle;
+use crate::geometry::{Point, Segment, distance_point_segment, distance_segment_segment};
+
+/// A crossing is looked for more closely until its place is known to so many slacks.
+const NEAR: f64 = 1e6;
+
+/// What halving came to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Halving {
+    /// A point of the first trajectory where the second comes too close; `None` where the two are proven apart.
+    pub meeting: Option<Point>,
+    /// Pairs of stretches looked at.
+    pub pairs: u64,
+}
+
+/// A stretch of a trajectory in time, with its chord and how far it may depart from it.
+#[derive(Clone, Copy)]
+struct Interval {
+    from: f64,
+    to: f64,
+    chord: Segment,
+    departure: f64,
+}
+
+impl Interval {
+    fn new(particle: &Particle, from: f64, to: f64, chord: Segment) -> Self {
+        let length = to - from;
+        Self { from, to, chord, departure: particle.acceleration(to) * length * length / 8.0 }
+    }
+
+    fn whole(particle: &Particle) -> Self {
+        let chord = Segment::new(particle.start, particle.place(particle.duration));
+        let mut whole = Self::new(particle, 0.0, particle.duration, chord);
+        if particle.is_straight() {
+            whole.departure = 0.0;
+        }
+        whole
+    }
+
+    fn halves(&self, particle: &Particle) -> [Self; 2] {
+        let time = 0.5 * (self.from + self.to);
+        let middle = particle.place(time);
+        let first = Self::new(particle, self.from, time, Segment::new(self.chord.a, middle));
+        [first, Self::new(particle, time, self.to, Segment::new(middle, self.chord.b))]
+    }
+}
+
+/// Whether the trajectories come within `eta` metres of each other, `eta` greater than 0; gives up after `budget` pairs of
+/// stretches, which counts as crossing. The first stretches in time are looked at first.
+pub fn halve(a: &Particle, b: &Particle, eta: f64, budget: u64) -> Halving {
+    let mut open = vec![(Interval::whole(a), Interval::whole(b))];
+    let mut pairs = 0;
+    while let Some((s, t)) = open.pop() {
+        pairs += 1;
+        let departures = s.departure + t.departure;
+        if distance_segment_segment(&s.chord, &t.chord) > departures + eta {
+            continue;
+        }
+        let is_found = departures <= NEAR * eta && is_crossed(&s, &t) && is_crossed(&t, &s);
+        if is_found || departures <= eta || pairs >= budget {
+            return Halving { meeting: Some(nearest_place(&s.chord, &t.chord)), pairs };
+        }
+        if s.departure >= t.departure {
+            let [first, second] = s.halves(a);
+            open.extend([(second, t), (first, t)]);
+        } else {
+            let [first, second] = t.halves(b);
+            open.extend([(s, second), (s, first)]);
+        }
+    }
+    Halving { meeting: None, pairs }
+}
+
+/// Whether the first stretch leads from one side of the strip about the second's chord to the other.
+fn is_crossed(s: &Interval, t: &Interval) -> bool {
+    let along = t.chord.b - t.chord.a;
+    let (from, to) = (along.perp(&(s.chord.a - t.chord.a)), along.perp(&(s.chord.b - t.chord.a)));
+    // Twice the departure: far more than rounding takes away.
+    let strip = 2.0 * t.departure * along.norm();
+    (from > strip && to < -strip) || (from < -strip && to > strip)
+}
+
+/// Where the first segment crosses the second, or the end of one that is nearest to the other.
+pub(super) fn nearest_place(s: &Segment, t: &Segment) -> Point {
+    let (u, v) = (s.b - s.a, t.b - t.a);
+    let across = u.perp(&v);
+    let (along_s, along_t) = ((t.a - s.a).perp(&v) / across, (t.a - s.a).perp(&u) / across);
+    // Not numbers where the segments are parallel.
+    if (0.0..=1.0).contains(&along_s) && (0.0..=1.0).contains(&along_t) {
+        return s.a + u * along_s;
+    }
+    let ends = [(s.a, t), (s.b, t), (t.a, s), (t.b, s)];
+    let gap = |&(p, other): &(Point, &Segment)| distance_point_segment(p, other);
+    let mut nearest = ends[0];
+    for end in ends {
+        if gap(&end) < gap(&nearest) {
+            nearest = end;
+        }
+    }
+    nearest.0
+}

@@ -1,0 +1,212 @@
+//! Many random trajectories, added one by one: each that crosses none of the earlier ones is accepted.
+//!
+//! An iteration draws one trajectory, finds the earlier ones that may be near it, and tests it against them in the order of
+//! their numbers. It is accepted where it is proven apart from all; else the first that it crosses is kept with it.
+
+use super::grid::Grid;
+use super::meeting::{meeting, slack};
+use super::options::{IndexKind, TrajectoryOptions};
+use super::particle::Particle;
+use super::refused::Refused;
+use super::tally::Tally;
+use super::track::Track;
+use crate::error::Error;
+use crate::geometry::Point;
+use crate::graph::Fingerprint;
+use crate::json;
+use crate::options::Value;
+use crate::problem::Status;
+use crate::random::{Random, Stream};
+use serde::Serialize;
+
+/// Trajectories that do not cross, as a value that is stepped. What is accepted and what is refused is append-only.
+#[derive(Debug, Clone)]
+pub struct Trajectories {
+    options: TrajectoryOptions,
+    seed: u64,
+    random: Random,
+    grid: Grid,
+    scale: f64,
+    accepted: Vec<Track>,
+    refused: Vec<Refused>,
+    tries: Vec<u32>,
+    /// Refused since the last that was accepted.
+    failures: u32,
+    near: Vec<u32>,
+    tally: Tally,
+    fingerprint: Fingerprint,
+}
+
+impl Trajectories {
+    /// Begins with options given by name and a seed, from 0 to 2^53 - 1.
+    ///
+    /// # Errors
+    /// Those of [`TrajectoryOptions::new`].
+    pub fn new(given: &[(String, Value)], seed: u64) -> Result<Self, Error> {
+        let options = TrajectoryOptions::new(given, seed)?;
+        let scale = options.half_side + options.fastest * options.duration;
+        let grid = Grid::new(options.half_side, options.count, 2.0 * slack(scale));
+        Ok(Self {
+            random: Random::new(seed, Stream::Particles),
+            grid,
+            scale,
+            options,
+            seed,
+            accepted: Vec::new(),
+            refused: Vec::new(),
+            tries: Vec::new(),
+            failures: 0,
+            near: Vec::new(),
+            tally: Tally::default(),
+            fingerprint: Fingerprint::new(),
+        })
+    }
+
+    /// Does at most `iterations` iterations, one trajectory tried each; none once all are accepted or the budget is spent.
+    pub fn step(&mut self, iterations: u64) -> Status {
+        for _ in 0..iterations {
+            if self.status() != Status::Running {
+                break;
+            }
+            self.iterate();
+        }
+        self.status()
+    }
+
+    /// `Solved` once as many are accepted as were asked for, `Exhausted` once the iterations are spent before.
+    pub fn status(&self) -> Status {
+        if self.accepted.len() >= self.options.count {
+            Status::Solved
+        } else if self.tally.iterations >= self.options.max_iterations {
+            Status::Exhausted
+        } else {
+            Status::Running
+        }
+    }
+
+    fn iterate(&mut self) {
+        self.tally.iterations += 1;
+        let track = Track::new(self.draw(), self.scale);
+        match self.first_crossed(&track) {
+            None => {
+                self.fingerprint.integer(0);
+                self.fingerprint.numbers(&track.particle.numbers());
+                if self.options.index == IndexKind::Grid {
+                    self.grid.insert(&track);
+                }
+                self.accepted.push(track);
+                self.tries.push(self.failures + 1);
+                self.failures = 0;
+            }
+            Some((other, place)) => {
+                let refused = Refused { particle: track.particle, other, place };
+                self.fingerprint.integer(1);
+                self.fingerprint.numbers(&refused.numbers());
+                self.refused.push(refused);
+                self.failures += 1;
+            }
+        }
+    }
+
+    /// A random trajectory. Every draw is made whatever the ranges are, so that changing one leaves the others alone.
+    fn draw(&mut self) -> Particle {
+        let random = &mut self.random;
+        let mut between = |low: f64, high: f64| low + random.uniform() * (high - low) + 0.0;
+        let TrajectoryOptions { model, half_side, spread, duration, .. } = self.options;
+        let (speeds, turn_rates) = (self.options.speeds(), self.options.turn_rates());
+        let (x, y) = (between(-half_side, half_side), between(-half_side, half_side));
+        let theta = between(-spread, spread);
+        let speed = between(speeds[0], speeds[1]);
+        let turn_rate = between(turn_rates[0], turn_rates[1]);
+        Particle { model, start: Point::new(x, y), theta, speed, turn_rate, duration }
+    }
+
+    /// The first of the accepted trajectories that this one crosses, and where.
+    fn first_crossed(&mut self, track: &Track) -> Option<(u32, Point)> {
+        let Self { grid, accepted, near, tally, .. } = self;
+        if self.options.index == IndexKind::Grid {
+            grid.near(track, near);
+            near.sort_unstable();
+        } else {
+            near.clear();
+            near.extend(0..accepted.len() as u32);
+        }
+        let eta = slack(self.scale);
+        near.iter().find_map(|&i| Some((i, meeting(track, &accepted[i as usize], eta, tally)?)))
+    }
+
+    /// The options.
+    pub fn options(&self) -> &TrajectoryOptions {
+        &self.options
+    }
+
+    /// How many are accepted.
+    pub fn accepted_count(&self) -> usize {
+        self.accepted.len()
+    }
+
+    /// How many are refused.
+    pub fn refused_count(&self) -> usize {
+        self.refused.len()
+    }
+
+    /// The accepted trajectories from number `row` on, in the order they were accepted; none where there are fewer.
+    pub fn accepted_since(&self, row: usize) -> impl ExactSizeIterator<Item = &Particle> {
+        self.accepted.get(row..).unwrap_or_default().iter().map(|track| &track.particle)
+    }
+
+    /// The refused trajectories from number `row` on, in the order they were tried; none where there are fewer.
+    pub fn refused_since(&self, row: usize) -> &[Refused] {
+        self.refused.get(row..).unwrap_or_default()
+    }
+
+    /// Of every accepted trajectory: how many were tried for it, itself included.
+    pub fn tries(&self) -> &[u32] {
+        &self.tries
+    }
+
+    /// What was looked at so far.
+    pub fn tally(&self) -> Tally {
+        self.tally
+    }
+
+    /// 64-bit FNV-1a over all that was tried, in order: 0 and the six numbers of what was accepted, 1 and the nine of what was
+    /// refused. It does not depend on the index.
+    pub fn fingerprint(&self) -> u64 {
+        self.fingerprint.value()
+    }
+
+    /// The counts as a document.
+    pub fn result(&self) -> TrajectoriesResult {
+        TrajectoriesResult {
+            model: self.options.model.as_str(),
+            seed: self.seed,
+            status: self.status(),
+            accepted: self.accepted.len(),
+            refused: self.refused.len(),
+            tally: self.tally,
+            fingerprint: self.fingerprint(),
+        }
+    }
+}
+
+/// What came of a run, as it is written in JSON.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TrajectoriesResult {
+    /// How particles move: `arc` or `spiral`.
+    pub model: &'static str,
+    /// The seed.
+    pub seed: u64,
+    /// How the run ended.
+    pub status: Status,
+    /// How many trajectories are accepted.
+    pub accepted: usize,
+    /// How many are refused.
+    pub refused: usize,
+    /// The work done.
+    #[serde(flatten)]
+    pub tally: Tally,
+    /// A hash over all that was tried: [`Trajectories::fingerprint`].
+    #[serde(with = "json::hex")]
+    pub fingerprint: u64,
+}

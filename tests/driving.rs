@@ -1,0 +1,286 @@
+//! The keyboard car: keys, steps, stops, replay, rollout.
+
+use crate::common;
+
+use crate::common::parse;
+use planarium::driving::{Drive, Key, MAX_STEPS, Press, rollout};
+use planarium::geometry::arc_pose;
+use planarium::problem::{Control, Motion, Touched};
+use planarium::random::{Random, Stream};
+use planarium::robot::Part;
+use planarium::scenario::Scenario;
+use planarium::space::angular_distance;
+use std::f64::consts::PI;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// The reports' car in a box of side 2, a wall to the right of it.
+fn road() -> Scenario {
+    car("[-0.5, 0.5]", "[-0.7853981633974483, 0.7853981633974483]")
+}
+
+fn car(speed: &str, steering: &str) -> Scenario {
+    parse(&format!(
+        r#"{{ "format": "planarium-scenario-1", "name": "road",
+            "world": {{ "bounds": {{ "min": [0, 0], "max": [2, 2] }}, "obstacles": [
+                {{ "type": "disc", "center": [0.2, 1.8], "radius": 0.05 }},
+                {{ "type": "polygon", "vertices": [[1.5, 0], [1.6, 0], [1.6, 1.2], [1.5, 1.2]] }} ] }},
+            "robot": {{ "type": "car", "shape": {{ "type": "polygon",
+                "vertices": [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]] }},
+                "wheelbase": 0.2, "speed": {speed}, "steering": {steering} }},
+            "queries": [ {{ "name": "home", "start": [0.5, 0.5, 0], "goal": [1.8, 0.5, 0],
+                "goal_tolerance": {{ "translation": 0.1, "rotation": 0.5 }} }} ] }}"#
+    ))
+}
+
+fn drive() -> Drive {
+    Drive::new(&road(), None).expect("a drive")
+}
+
+fn press(drive: &mut Drive, keys: &[Key]) {
+    for &key in keys {
+        drive.press(key).expect("a key");
+    }
+}
+
+fn bits(drive: &Drive) -> Vec<u64> {
+    drive.trace().iter().flatten().map(|number| number.to_bits()).collect()
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn it_starts_at_rest_and_keys_change_the_control_within_its_limits() {
+    let mut drive = drive();
+    assert_eq!(drive.control(), Control { speed: 0.0, steering: 0.0 });
+    drive.tick(100).expect("time");
+    assert_eq!((drive.pose(), drive.steps(), drive.trace().len()), ([0.5, 0.5, 0.0], 100, 1));
+    press(&mut drive, &[Key::Faster; 3]);
+    assert_eq!(drive.control().speed, 0.3);
+    press(&mut drive, &[Key::Faster; 9]);
+    assert_eq!(drive.control().speed, 0.5);
+    press(&mut drive, &[Key::Slower]);
+    assert_eq!(drive.control().speed, 0.4, "what is pressed at the limit is not remembered");
+    press(&mut drive, &[Key::Left, Key::Left, Key::Keep]);
+    assert_eq!(drive.control(), Control { speed: 0.4, steering: PI / 6.0 });
+    press(&mut drive, &[Key::Left; 7]);
+    assert_eq!(drive.control().steering, PI / 4.0);
+    press(&mut drive, &[Key::Right; 3]);
+    assert_eq!(drive.control().steering, 0.0);
+    press(&mut drive, &[Key::Slower; 30]);
+    assert_eq!(drive.control().speed, -0.5);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn straight_on_is_found_again_behind_limits_that_are_no_multiple_of_a_press() {
+    let mut drive = Drive::new(&car("[-0.25, 0.31]", "[-0.4, 0.7]"), None).expect("a drive");
+    press(&mut drive, &[Key::Left; 8]);
+    assert_eq!(drive.control().steering, 0.7);
+    press(&mut drive, &[Key::Right; 3]);
+    assert_eq!(drive.control().steering, 0.0);
+    press(&mut drive, &[Key::Slower; 5]);
+    assert_eq!(drive.control().speed, -0.25);
+    press(&mut drive, &[Key::Faster; 3]);
+    assert_eq!(drive.control().speed, 0.0);
+    press(&mut drive, &[Key::Faster; 9]);
+    assert_eq!(drive.control().speed, 0.31);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_car_that_has_no_slow_speed_can_stand_all_the_same() {
+    let mut drive = Drive::new(&car("[0.25, 0.5]", "[0.1, 0.7]"), None).expect("a drive");
+    assert_eq!(drive.control(), Control { speed: 0.0, steering: 0.1 });
+    press(&mut drive, &[Key::Slower]);
+    assert_eq!(drive.control().speed, 0.0);
+    press(&mut drive, &[Key::Faster]);
+    assert_eq!(drive.control().speed, 0.25);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn each_step_is_an_exact_arc() {
+    let mut drive = drive();
+    press(&mut drive, &[Key::Faster, Key::Faster, Key::Left]);
+    drive.tick(150).expect("time");
+    assert_eq!(drive.blocked(), None);
+    let [x, y, theta] = drive.pose();
+    let turn_rate = 0.2 * f64::tan(PI / 12.0) / 0.2;
+    let [ex, ey, etheta] = arc_pose([0.5, 0.5, 0.0], 0.2, turn_rate, 1.5);
+    assert!((x - ex).abs() < 1e-12 && (y - ey).abs() < 1e-12 && angular_distance(theta, etheta) < 1e-12);
+    // The same by integration in steps a thousand times finer, as a driver would write it who knows no arc.
+    let (mut px, mut py, mut angle) = (0.5, 0.5, 0.0);
+    for _ in 0..150_000 {
+        px += 0.2 * f64::cos(angle) * 1e-5;
+        py += 0.2 * f64::sin(angle) * 1e-5;
+        angle += turn_rate * 1e-5;
+    }
+    assert!((x - px).abs() < 1e-5 && (y - py).abs() < 1e-5 && (theta - angle).abs() < 1e-9, "{x} {px} {y} {py}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_same_keys_at_the_same_steps_give_the_same_bits_however_the_steps_are_cut() {
+    let keys =
+        [(0, Key::Faster), (0, Key::Faster), (40, Key::Left), (90, Key::Faster), (130, Key::Right), (131, Key::Right)];
+    let run = |slice: u64| {
+        let mut drive = drive();
+        for (at, key) in keys {
+            while drive.steps() < at {
+                drive.tick(slice.min(at - drive.steps())).expect("time");
+            }
+            drive.press(key).expect("a key");
+        }
+        while drive.steps() < 200 {
+            drive.tick(slice.min(200 - drive.steps())).expect("time");
+        }
+        drive
+    };
+    let whole = bits(&run(u64::from(u32::MAX).min(MAX_STEPS)));
+    assert_eq!(whole.len(), 3 * 201);
+    for slice in [1, 3, 33] {
+        assert_eq!(bits(&run(slice)), whole, "in slices of {slice}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn it_stops_before_an_obstacle_says_which_and_can_back_off() {
+    let mut drive = drive();
+    press(&mut drive, &[Key::Faster; 5]);
+    press(&mut drive, &[Key::Left]);
+    press(&mut drive, &[Key::Right]);
+    drive.tick(1000).expect("time");
+    assert_eq!(drive.blocked(), Some(Some(Touched::Obstacle(1))));
+    assert_eq!(drive.control().speed, 0.0);
+    let [x, ..] = drive.pose();
+    assert!(x > 1.395 - 1e-9 && x < 1.4, "within a step of the wall at 1.5: {x}");
+    assert_eq!(drive.steps(), 1000, "time goes on while it stands");
+    let stood = drive.pose();
+    press(&mut drive, &[Key::Faster]);
+    drive.tick(5).expect("time");
+    drive.tick(5).expect("time");
+    assert_eq!(drive.blocked(), Some(Some(Touched::Obstacle(1))), "it may come a little nearer, and stops again");
+    assert!(drive.pose()[0] - stood[0] < 5e-3);
+    press(&mut drive, &[Key::Slower]);
+    assert!(drive.blocked().is_some());
+    drive.tick(10).expect("time");
+    assert_eq!(drive.blocked(), None);
+    assert!(drive.pose()[0] < stood[0]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn it_stops_at_the_bounds() {
+    let mut drive = drive();
+    press(&mut drive, &[Key::Slower; 5]);
+    drive.tick(1000).expect("time");
+    assert_eq!(drive.blocked(), Some(Some(Touched::Bounds)));
+    assert!(drive.pose()[0] >= 0.1 - 1e-9);
+}
+
+/// Whether the car of [`road`] touches nothing, by its outline in small pieces against the shapes as they are written there.
+fn is_clear(pose: &[f64; 3]) -> bool {
+    let scenario = road();
+    let [Part::Polygon { vertices }] = &scenario.robot().footprint(pose)[..] else {
+        panic!("a car is one polygon");
+    };
+    (0..4).all(|i| {
+        let (a, b) = (vertices[i], vertices[(i + 1) % 4]);
+        (0..=100).all(|piece| {
+            let at = a + (b - a) * (f64::from(piece) / 100.0);
+            let in_wall = (1.5..=1.6).contains(&at.x) && (0.0..=1.2).contains(&at.y);
+            let in_disc = f64::hypot(at.x - 0.2, at.y - 1.8) <= 0.05;
+            let is_inside = at.x >= -1e-9 && at.x <= 2.0 + 1e-9 && at.y >= -1e-9 && at.y <= 2.0 + 1e-9;
+            is_inside && !in_wall && !in_disc
+        })
+    })
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn no_pose_of_a_wild_drive_touches_anything() {
+    let mut random = Random::new(5, Stream::Scenario);
+    for _ in 0..common::seeds(40) {
+        let mut drive = drive();
+        for _ in 0..60 {
+            let key = Key::ALL[(random.uniform() * 4.0) as usize];
+            drive.press(key).expect("a key");
+            drive.tick(20).expect("time");
+        }
+        for pose in drive.trace() {
+            assert!(is_clear(pose), "{pose:?}");
+        }
+        let mut again = Drive::new(&road(), None).expect("a drive");
+        again.replay(drive.record(), drive.steps()).expect("a record");
+        assert_eq!(bits(&again), bits(&drive));
+        assert_eq!(
+            (again.record(), again.steps(), again.blocked(), again.control()),
+            (drive.record(), drive.steps(), drive.blocked(), drive.control())
+        );
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_replay_stops_where_it_is_told() {
+    let record = [Press { step: 0, key: Key::Faster }, Press { step: 10, key: Key::Slower }];
+    let mut drive = drive();
+    drive.replay(&record, 5).expect("a record");
+    assert_eq!((drive.steps(), drive.record().len(), drive.control().speed), (5, 1, 0.1));
+    drive.replay(&record, 50).expect("a record");
+    assert_eq!((drive.steps(), drive.record().len(), drive.trace().len()), (50, 2, 11));
+    let refused = drive.replay(&[record[1], record[0]], 50).expect_err("the wrong order");
+    assert_eq!((refused.code().as_str(), refused.pointer()), ("out-of-range", "/record/1/step"));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_rollout_is_the_arc_up_to_what_it_hits() {
+    let hold = |speed, steering, duration| {
+        rollout(&road(), &[0.5, 0.5, 0.0], Motion { control: Control { speed, steering }, duration })
+    };
+    let free = hold(0.5, PI / 4.0, 1.234).expect("a rollout");
+    assert_eq!((free.poses.len(), free.seconds, free.blocked), (125, 1.234, None));
+    let end = arc_pose([0.5, 0.5, 0.0], 0.5, 0.5 * libm::tan(PI / 4.0) / 0.2, 1.234);
+    let last = free.poses[124];
+    assert!((0..2).all(|i| (last[i] - end[i]).abs() < 1e-15) && angular_distance(last[2], end[2]) < 1e-15);
+    let hit = hold(0.5, 0.0, 10.0).expect("a rollout");
+    assert_eq!(hit.blocked, Some(Some(Touched::Obstacle(1))));
+    assert!((hit.seconds - 1.79).abs() < 0.011 && hit.poses.len() == (hit.seconds * 100.0 + 1.5) as usize);
+    assert_eq!(hold(0.0, 0.0, 0.0).expect("a rollout").poses, vec![[0.5, 0.5, 0.0]]);
+    for (speed, steering, duration, pointer) in [
+        (0.6, 0.0, 1.0, "/v"),
+        (0.1, 1.0, 1.0, "/phi"),
+        (0.1, 0.0, -1.0, "/duration"),
+        (0.1, 0.0, 1e9, "/duration"),
+        (f64::NAN, 0.0, 1.0, "/v"),
+        (0.1, f64::INFINITY, 1.0, "/phi"),
+    ] {
+        assert_eq!(hold(speed, steering, duration).expect_err("bad input").pointer(), pointer);
+    }
+    let inside =
+        rollout(&road(), &[1.5, 0.5, 0.0], Motion { control: Control { speed: 0.1, steering: 0.0 }, duration: 1.0 });
+    let inside = inside.expect("a rollout that goes nowhere");
+    assert_eq!((inside.poses.len(), inside.blocked), (1, Some(Some(Touched::Obstacle(1)))));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_wrong_is_refused() {
+    let code = |result: Result<Drive, planarium::Error>| {
+        let error = result.err().expect("an error");
+        (error.code().as_str(), error.pointer().to_owned())
+    };
+    let refused = |code: &'static str, pointer: &str| (code, pointer.to_owned());
+    assert_eq!(code(Drive::new(&road(), Some(&[0.0, 0.0]))), refused("wrong-dimension", "/q"));
+    assert_eq!(code(Drive::new(&road(), Some(&[0.0, f64::NAN, 0.0]))), refused("not-finite", "/q/1"));
+    assert_eq!(code(Drive::new(&road(), Some(&[0.0, 1e7, 0.0]))), refused("out-of-range", "/q/1"));
+    assert_eq!(code(Drive::new(&road(), Some(&[1.5, 0.5, 0.0]))), refused("start-in-collision", "/q"));
+    assert_eq!(code(Drive::new(&common::disc_and_wall(0.1, 0.1), None)), refused("unsupported", ""));
+    assert_eq!(drive().tick(MAX_STEPS + 1).expect_err("too long").code().as_str(), "out-of-range");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_drive_ends_after_a_million_steps() {
+    let mut drive = Drive::new(&car("[-0.5, 0.5]", "[-1.5, 1.5]"), Some(&[0.8, 1.0, 0.0])).expect("a drive");
+    press(&mut drive, &[Key::Faster]);
+    press(&mut drive, &[Key::Left; 6]);
+    // A car that turns on the spot, almost, drives as long as it is let.
+    if cfg!(target_arch = "wasm32") {
+        return;
+    }
+    drive.tick(MAX_STEPS).expect("a million steps");
+    assert_eq!(drive.trace().len() as u64, MAX_STEPS + 1);
+    assert_eq!(drive.tick(1).expect_err("one more").code().as_str(), "too-large");
+    drive.replay(&[], 0).expect("anew");
+    assert_eq!(drive.trace().len(), 1);
+}

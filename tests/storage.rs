@@ -1,0 +1,566 @@
+//! Roadmaps kept: written and read bit for bit, asked again with the same answers, refused where they are damaged, belong
+//! elsewhere, or hold what is not free.
+
+use crate::common;
+
+use crate::common::{
+    arm_and_wall, arm_of, begin_with, disc_and_wall, finish, options, parse, seeds, thick_arm_and_wall,
+};
+use planarium::Error;
+use planarium::run::storage::{MAGIC, RoadmapDocument, RoadmapMetric, fingerprint};
+use planarium::run::{self, Options, Run, Status, Value};
+use planarium::scenario::Scenario;
+use quick_xml::escape::unescape;
+use quick_xml::events::Event;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// Every way to build a roadmap, small.
+const ROADMAPS: &[(&str, &str)] = &[
+    ("prm", "samples=120 k=8"),
+    ("prm", "samples=120 k=6 insertion=one-by-one discard=true"),
+    ("prm", "samples=120 radius=1.2 metric=naive"),
+    ("prm", "samples=60 k=5 metric=euclidean edge_check=sampled edge_samples=7"),
+    ("prm-star", "samples=80"),
+    ("visibility-prm", "failures=40 tolerance=0.01"),
+];
+
+fn kept(scenario: &Scenario, planner: &str, seed: u64, settings: &str) -> RoadmapDocument {
+    let run = finish(begin_with(scenario, planner, seed, &common::fitting(scenario, settings)));
+    run.roadmap().expect("this planner builds one")
+}
+
+fn resume(scenario: &Scenario, document: &RoadmapDocument) -> Result<Box<dyn Run>, Error> {
+    run::resume(scenario, &options(&document.planner, 0, ""), document)
+}
+
+/// The error, by code and pointer.
+#[track_caller]
+fn refusal<T>(result: Result<T, Error>) -> (String, String) {
+    let error = result.err().expect("this is to be refused");
+    assert!(error.message().len() > 8, "{error}");
+    (error.code().as_str().to_owned(), error.pointer().to_owned())
+}
+
+fn worlds() -> Vec<Scenario> {
+    vec![
+        arm_and_wall(0.1),
+        thick_arm_and_wall(0.2),
+        arm_of(3, true, 0.02),
+        arm_of(6, false, 0.0),
+        disc_and_wall(0.3, 0.2),
+    ]
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn both_forms_come_back_bit_for_bit() {
+    for world in worlds() {
+        for &(planner, settings) in ROADMAPS {
+            let document = kept(&world, planner, 3, settings);
+            let (text, bytes) = (document.to_json(), document.to_bytes());
+            for form in [text.as_bytes(), &bytes[..]] {
+                let found = RoadmapDocument::read(form).unwrap_or_else(|error| panic!("{error}"));
+                assert_eq!(found, document);
+                let bits =
+                    |document: &RoadmapDocument| document.vertices.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+                assert_eq!(bits(&found), bits(&document));
+                assert_eq!((found.to_json(), found.to_bytes()), (text.clone(), bytes.clone()));
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_document_tells_how_the_roadmap_was_built() {
+    let world = arm_and_wall(0.1);
+    let run = finish(begin_with(&world, "prm", 1, "samples=50 radius=1.5 k=9 metric=naive"));
+    let document = run.roadmap().expect("a roadmap");
+    assert_eq!((document.scenario.as_str(), document.planner.as_str()), ("arm-and-wall", "prm"));
+    assert_eq!((document.metric, document.k, document.radius), (RoadmapMetric::Naive, 9, 1.5));
+    assert_eq!((document.circles.as_slice(), document.edge_samples), (&[false, false][..], None));
+    assert_eq!((document.fingerprint, document.tolerance), (fingerprint(&world), 1e-4));
+    assert_eq!((document.vertices.clone(), document.edges.concat()), (run.vertices_since(0), run.edges_since(0)));
+    let star = kept(&world, "prm-star", 1, "samples=50 edge_check=sampled edge_samples=5");
+    assert_eq!((star.metric, star.circles.as_slice()), (RoadmapMetric::Sum, &[true, true][..]));
+    assert_eq!((star.k as usize, star.edge_samples), (planarium::planner::prm_star_k(52, 2), Some(5)));
+    let disc = kept(&disc_and_wall(0.2, 0.3), "visibility-prm", 1, "failures=30");
+    assert_eq!(
+        (disc.metric, disc.circles.as_slice(), disc.radius),
+        (RoadmapMetric::Euclidean, &[false; 2][..], f64::INFINITY)
+    );
+    for planner in ["rrt", "rrt-connect"] {
+        assert!(finish(begin_with(&world, planner, 1, "")).roadmap().is_none(), "a tree is no roadmap");
+    }
+}
+
+/// A free configuration that is no vertex of any roadmap here.
+fn free(world: &Scenario, number: usize) -> Vec<f64> {
+    let inspector = planarium::run::inspect::Inspector::new(world);
+    let at = |k: usize| (0..inspector.dimension()).map(|i| (0.37 * k as f64 + 0.61 * i as f64 + 0.2) % 3.0).collect();
+    let is_free = |q: &Vec<f64>| inspector.check(q).expect("within the limits").is_empty();
+    (1..).map(at).filter(is_free).nth(number).expect("much is free")
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_same_query_finds_the_same_path_and_so_does_every_further_question() {
+    for world in worlds() {
+        for &(planner, settings) in ROADMAPS {
+            for seed in 0..seeds(12).min(3) {
+                let mut before = finish(begin_with(&world, planner, seed, &common::fitting(&world, settings)));
+                let document = before.roadmap().expect("a roadmap");
+                let after = resume(&world, &document).unwrap_or_else(|error| panic!("{planner} {settings}: {error}"));
+                let mut after = finish(after);
+                assert_eq!(after.status(), before.status(), "{planner} {settings} seed {seed}");
+                assert_eq!((after.path(), after.length().to_bits()), (before.path(), before.length().to_bits()));
+                assert_eq!(after.roadmap(), Some(document), "kept again it is the same");
+                let [from, to] = [free(&world, 1), free(&world, 2)];
+                let [one, other] =
+                    [&mut before, &mut after].map(|run| run.query(&from, &to, true).expect("both are free"));
+                assert_eq!(
+                    (&one.path, one.length.to_bits(), one.status),
+                    (&other.path, other.length.to_bits(), other.status)
+                );
+                assert_eq!(one.edge_check, other.edge_check, "sampled stays named");
+                // What was kept by a question is kept again.
+                assert_eq!(before.roadmap(), after.roadmap());
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn another_query_of_the_same_world_is_joined_and_proven() {
+    let elsewhere = |q: &str| {
+        let text = arm_and_wall(0.1).to_json_string().replace("[-0.6,-0.2]", q).replace("\"round\"", "\"other\"");
+        parse(&text.replace("arm-and-wall", "renamed"))
+    };
+    let world = arm_and_wall(0.1);
+    for seed in 0..seeds(10) {
+        let document = kept(&world, "prm", seed, "samples=200 k=8");
+        // Start kept, goal new; the same the other way round; both new.
+        for (q, both) in [("[-1.4,0.3]", false), ("[-1.4,0.3]", true)] {
+            let other = elsewhere(q);
+            let other = if both { parse(&other.to_json_string().replace("[0.6,0.2]", "[0.9,-0.1]")) } else { other };
+            assert_eq!(fingerprint(&other), fingerprint(&world), "name and queries do not matter");
+            let run = finish(resume(&other, &document).unwrap_or_else(|error| panic!("{error}")));
+            let joined = document.vertex_count() + if both { 2 } else { 1 };
+            assert_eq!((run.vertex_count(), run.status()), (joined, Status::Solved), "seed {seed}");
+            let query = &other.queries()[0];
+            assert_eq!(
+                (&run.path()[0], run.path().last()),
+                (&query.start, query.configuration().map(<[f64]>::to_vec).as_ref())
+            );
+            assert_eq!(run.vertices_since(0)[..4], [&query.start[..], query.configuration().unwrap()].concat());
+            let verdict = planarium::path::verify(&other, &run.result()).expect("of this scenario");
+            assert!(matches!(verdict, planarium::path::Verdict::Valid { .. }), "{verdict:?}");
+            let mut edges: Vec<_> = run.roadmap().expect("a roadmap").edges;
+            edges.iter_mut().for_each(|edge| edge.sort_unstable());
+            let count = edges.len();
+            edges.sort_unstable();
+            edges.dedup();
+            assert_eq!((edges.len(), count > document.edges.len()), (count, true), "no edge twice, and new ones");
+        }
+        let back = Scenario::parse(&world.to_json_string().replace("[0.6,0.2]", "[-1.4,0.3]")).expect("a scenario");
+        let run = finish(resume(&back, &document).expect("the goal is kept"));
+        assert_eq!((run.vertex_count(), run.status()), (document.vertex_count() + 1, Status::Solved));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_resumed_run_is_sliced_like_any_other_and_searches_as_it_is_told() {
+    let world = arm_of(3, true, 0.02);
+    let document = kept(&world, "prm", 2, "samples=150 k=8");
+    let settings = "search=dijkstra cost=hops shortcut=30 reduce=true max_iterations=5000 metric=sum k=8";
+    let begin = || run::resume(&world, &options("prm", 4, settings), &document).expect("all of it may be given");
+    let whole = finish(begin());
+    let mut sliced = begin();
+    while sliced.step(1) == Status::Running {}
+    assert_eq!((sliced.path(), sliced.fingerprint()), (whole.path(), whole.fingerprint()));
+    assert_eq!(whole.max_iterations(), 5000);
+    let plain = finish(resume(&world, &document).expect("it goes on"));
+    assert!(whole.length() < plain.length(), "{} after {}: shortcuts shorten", whole.length(), plain.length());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_contradicts_the_document_is_refused() {
+    let world = arm_and_wall(0.1);
+    let document = kept(&world, "prm", 1, "samples=40 k=6");
+    for (planner, settings, code, pointer) in [
+        ("rrt-connect", "", "out-of-range", "/algorithm"),
+        ("prm-star", "", "out-of-range", "/algorithm"),
+        ("prm", "metric=naive", "out-of-range", "/metric"),
+        ("prm", "k=7", "out-of-range", "/k"),
+        ("prm", "radius=2", "out-of-range", "/radius"),
+        ("prm", "tolerance=0.001", "out-of-range", "/tolerance"),
+        ("prm", "edge_check=sampled", "out-of-range", "/edge_check"),
+        ("prm", "edge_samples=20", "unsupported", "/edge_samples"),
+        ("prm", "samples=40", "unsupported", "/samples"),
+        ("prm", "sampler=halton", "unsupported", "/sampler"),
+        ("prm", "speed=3", "unknown-parameter", "/speed"),
+        ("prm", "shortcut=-1", "out-of-range", "/shortcut"),
+    ] {
+        let found = refusal(run::resume(&world, &options(planner, 0, settings), &document));
+        assert_eq!(found, (code.to_owned(), pointer.to_owned()), "{planner} {settings}");
+    }
+    let unknown = Options { query: Some("nowhere".to_owned()), ..options("prm", 0, "") };
+    assert_eq!(refusal(run::resume(&world, &unknown, &document)).0, "unknown-query");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_roadmap_of_another_world_or_robot_is_refused() {
+    let world = arm_and_wall(0.1);
+    let document = kept(&world, "prm", 1, "samples=40 k=6");
+    let text = world.to_json_string();
+    let others = [
+        arm_and_wall(0.1f64.next_up()),
+        thick_arm_and_wall(0.1),
+        arm_of(2, false, 0.0),
+        disc_and_wall(0.0, 0.1),
+        parse(&text.replace("[1,0.8]", "[1,0.81]")),
+    ];
+    for other in others {
+        assert_eq!(refusal(resume(&other, &document)), ("other-scenario".to_owned(), "/fingerprint".to_owned()));
+    }
+    // Another way to write the same world is the same world.
+    assert!(resume(&parse(&text.replace("0.8", "8e-1")), &document).is_ok());
+}
+
+/// A small document, for tests that go through each of its bytes.
+fn small() -> (Scenario, RoadmapDocument) {
+    let world = arm_and_wall(0.1);
+    let document = kept(&world, "prm", 1, "samples=6 k=3");
+    assert!(document.edges.len() > 4);
+    (world, document)
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn no_byte_can_change_unnoticed() {
+    let (_, document) = small();
+    let bytes = document.to_bytes();
+    for at in 0..bytes.len() {
+        for flip in [1, 0x10, 0x80, 0xff] {
+            let mut damaged = bytes.clone();
+            damaged[at] ^= flip;
+            assert_eq!(refusal(RoadmapDocument::read(&damaged)).0, "invalid-roadmap", "byte {at}");
+        }
+    }
+    let text = document.to_json().into_bytes();
+    for at in 0..text.len() {
+        for replacement in [text[at] ^ 1, b'0', b' '] {
+            let mut damaged = text.clone();
+            damaged[at] = replacement;
+            // What reads as the same document (a space between two fields) is the same; nothing else is read.
+            match RoadmapDocument::read(&damaged) {
+                Ok(found) => assert_eq!(found, document, "byte {at}"),
+                Err(error) => assert!(!error.message().is_empty()),
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_file_cut_short_or_too_long_is_refused() {
+    let (_, document) = small();
+    let (bytes, text) = (document.to_bytes(), document.to_json());
+    for length in 0..bytes.len() {
+        assert_eq!(refusal(RoadmapDocument::read(&bytes[..length])).0, "invalid-roadmap", "{length} bytes");
+    }
+    for length in 0..text.len() {
+        refusal(RoadmapDocument::read(&text.as_bytes()[..length]));
+    }
+    assert_eq!(refusal(RoadmapDocument::read(&[&bytes[..], &[0]].concat())).0, "invalid-roadmap");
+    assert_eq!(refusal(RoadmapDocument::read(document.to_graphml().as_bytes())).0, "invalid-roadmap");
+    assert_eq!(refusal(RoadmapDocument::from_bytes(text.as_bytes())).0, "invalid-roadmap");
+}
+
+/// The bytes with another word at a place, and a checksum that fits.
+fn forged(bytes: &[u8], at: usize, word: u32) -> Vec<u8> {
+    let mut payload = bytes[..bytes.len() - 8].to_vec();
+    payload[at..at + 4].copy_from_slice(&word.to_le_bytes());
+    let mut hash = planarium::graph::Fingerprint::new();
+    hash.bytes(&payload);
+    payload.extend(hash.value().to_le_bytes());
+    payload
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_header_that_lies_with_a_fitting_checksum_is_refused_and_nothing_is_allocated_for_it() {
+    let (_, document) = small();
+    let bytes = document.to_bytes();
+    assert_eq!(bytes[..8], MAGIC);
+    let rows = 8 * document.vertices.len() + 8 * document.edges.len() + 8;
+    let counts = bytes.len() - rows - 8;
+    let name = MAGIC.len() + 4 + 4 + 2 + 8 + 4 + 4 + 8 + 8;
+    assert_eq!(forged(&bytes, counts, document.vertex_count() as u32), bytes, "this is where the counts stand");
+    assert_eq!(forged(&bytes, name, document.scenario.len() as u32), bytes, "and this the length of the name");
+    for at in [12, name, counts, counts + 4] {
+        for lie in [0, 1, 3, 9, 1000, u32::MAX / 2, u32::MAX] {
+            let lying = forged(&bytes, at, lie);
+            if lying != bytes {
+                assert_eq!(refusal(RoadmapDocument::from_bytes(&lying)).0, "invalid-roadmap", "{lie} at {at}");
+            }
+        }
+    }
+    assert_eq!(refusal(RoadmapDocument::from_bytes(&forged(&bytes, 8, 1))).1, "/format");
+}
+
+/// A change to a document, and the pointer of what is wrong with it then.
+type Change<'a> = (&'a dyn Fn(&mut RoadmapDocument), &'a str);
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_document_that_contradicts_itself_is_refused_in_every_form_where_it_does() {
+    let (world, document) = small();
+    let count = document.vertex_count() as u32;
+    let changes: &[Change] = &[
+        (&|d| d.edges[1][0] = count, "/edges/1/0"),
+        (&|d| d.edges[2] = [0, u32::MAX], "/edges/2/1"),
+        (&|d| d.k = 0, "/k"),
+        (&|d| d.k = u32::MAX, "/k"),
+        (&|d| d.radius = -1.0, "/radius"),
+        (&|d| d.tolerance = 0.0, "/tolerance"),
+    ];
+    for (change, pointer) in changes {
+        let mut changed = document.clone();
+        change(&mut changed);
+        let wanted = ("invalid-roadmap".to_owned(), (*pointer).to_owned());
+        assert_eq!(refusal(RoadmapDocument::read(&changed.to_bytes())), wanted);
+        assert_eq!(refusal(RoadmapDocument::read(changed.to_json().as_bytes())), wanted);
+        assert_eq!(refusal(resume(&world, &changed)), wanted, "nor can a program hand it over");
+    }
+    let mut infinite = document.clone();
+    infinite.vertices[3] = f64::NAN;
+    assert_eq!(refusal(RoadmapDocument::read(&infinite.to_bytes())).1, "/vertices/1/1");
+    infinite.circles.push(true);
+    assert_eq!(refusal(resume(&world, &infinite)).0, "invalid-roadmap");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn json_is_refused_where_it_is_wrong() {
+    let (_, document) = small();
+    let text = document.to_json();
+    let row = |i: usize| format!("[{:?},{:?}]", document.vertices[2 * i], document.vertices[2 * i + 1]);
+    let changes = [
+        ("roadmap-2", "roadmap-1", "invalid-roadmap", "/format"),
+        ("\"dimension\":2", "\"dimension\":3", "invalid-roadmap", "/circles"),
+        ("\"dimension\":2", "\"dimension\":9", "out-of-range", "/dimension"),
+        ("[true,true]", "[true,1]", "wrong-type", "/circles/1"),
+        ("\"k\":3", "\"k\":3.5", "out-of-range", "/k"),
+        ("\"k\":3", "\"k\":4", "invalid-roadmap", "/checksum"),
+        ("\"radius\":null", "\"radius\":0", "invalid-roadmap", "/radius"),
+        ("\"radius\":null", "\"radius\":\"\"", "wrong-type", "/radius"),
+        ("\"proven\"", "\"guessed\"", "invalid-roadmap", "/edge_check"),
+        ("\"proven\"", "\"sampled\"", "invalid-roadmap", "/edge_samples"),
+        ("\"proven\"", "\"proven\",\"edge_samples\":4", "invalid-roadmap", "/edge_samples"),
+        ("\"sum\"", "\"euclidean\"", "invalid-roadmap", "/checksum"),
+        (&row(2), "[0.5]", "invalid-roadmap", "/vertices/2"),
+        (&row(2), "[0.5,null]", "wrong-type", "/vertices/2/1"),
+        (&row(2), "[0.5,0.25]", "invalid-roadmap", "/checksum"),
+        ("\"edges\":[[", "\"edges\":[[1,2,3],[", "wrong-dimension", "/edges/0"),
+        ("\"edges\":[[", "\"edges\":[[-1,2],[", "out-of-range", "/edges/0/0"),
+        ("\"edges\":[[", "\"edges\":[[1,99],[", "invalid-roadmap", "/edges/0/1"),
+        ("\"checksum\":\"", "\"checksum\":\"A", "invalid-roadmap", "/checksum"),
+        ("\"fingerprint\":\"", "\"fingerprint\":\"0", "invalid-roadmap", "/fingerprint"),
+        ("\"tolerance\"", "\"colour\"", "unknown-field", "/colour"),
+        ("\"planner\":\"prm\",", "", "missing-field", "/planner"),
+    ];
+    for (piece, replacement, code, pointer) in changes {
+        assert!(text.contains(piece), "{piece} does not stand in {text}");
+        let found = refusal(RoadmapDocument::parse(&text.replacen(piece, replacement, 1)));
+        assert_eq!(found, (code.to_owned(), pointer.to_owned()), "{piece} -> {replacement}");
+    }
+    // The order of fields and the space between them do not matter.
+    let tree = planarium::json::parse(&text).expect("an object");
+    let turned = tree.to_string().replace(",\"", " ,\n \"");
+    assert!(turned.starts_with("{\"checksum\""), "the order of the alphabet");
+    assert_eq!(RoadmapDocument::read(format!("\n {turned}").as_bytes()), Ok(document));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_not_free_is_refused_though_its_checksum_fits() {
+    for world in [arm_and_wall(1e-6), disc_and_wall(0.3, 1e-6), thick_arm_and_wall(1e-3)] {
+        let inspector = planarium::run::inspect::Inspector::new(&world);
+        let document = kept(&world, "prm", 5, "samples=60 k=6");
+        let row = |i: u32| document.rows().nth(i as usize).expect("a vertex");
+        let mut forged = 0;
+        for other in 2..document.vertex_count() as u32 {
+            if inspector.first_hit(row(0), row(other)).expect("in range").is_none() {
+                continue;
+            }
+            let mut lie = document.clone();
+            lie.edges.push([0, other]);
+            let read = RoadmapDocument::read(&lie.to_bytes()).expect("nothing is damaged");
+            let place = format!("/edges/{}", document.edges.len());
+            assert_eq!(refusal(resume(&world, &read)), ("invalid-roadmap".to_owned(), place));
+            forged += 1;
+        }
+        assert!(forged > 3, "{forged} edges cross the wall");
+    }
+    let (world, document) = small();
+    // Through the wall; off the circle; a zero that is not canonical.
+    for bad in [[-0.05, 0.0], [0.0, 7.0], [-0.0, 1.0], [0.0, -std::f64::consts::PI]] {
+        let mut lie = document.clone();
+        lie.edges.clear();
+        lie.vertices[6..8].copy_from_slice(&bad);
+        let expected = ("invalid-roadmap".to_owned(), "/vertices/3".to_owned());
+        assert_eq!(refusal(resume(&world, &lie)), expected, "{bad:?}");
+    }
+    for (change, pointer) in [
+        (&(|d: &mut RoadmapDocument| d.planner = "rrt".to_owned()) as &dyn Fn(&mut RoadmapDocument), "/planner"),
+        (&|d| d.metric = RoadmapMetric::Dubins { radius: 0.0 }, "/metric"),
+        (&|d| d.metric = RoadmapMetric::Placement { translation: f64::NAN, rotation: 1.0 }, "/metric"),
+        (&|d| d.tolerance = 7.0, "/tolerance"),
+        (&|d| d.circles[1] = false, "/circles/1"),
+    ] {
+        let mut lie = document.clone();
+        change(&mut lie);
+        assert_eq!(refusal(resume(&world, &lie)), ("invalid-roadmap".to_owned(), pointer.to_owned()));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn edges_proven_beside_a_tight_start_are_proven_again_beside_any_other() {
+    // The wall's end lies 1e-7 from the tip of the start, so that the tolerance is finer than another query would ask for.
+    let tight = parse(
+        r#"{ "format": "planarium-scenario-1", "name": "tight",
+            "world": { "obstacles": [ { "type": "disc", "center": [1.2000001, 0], "radius": 0.2 } ] },
+            "robot": { "type": "arm", "base": [0, 0], "links": [1] },
+            "queries": [ { "name": "q", "start": [0.0], "goal": [2.0] } ] }"#,
+    );
+    let settings = "samples=300 k=12 tolerance=0.1";
+    let document = kept(&tight, "prm", 1, settings);
+    let start_edges = document.edges.iter().filter(|edge| edge.contains(&0)).count();
+    assert!(start_edges > 0, "the start can be left");
+    let far = parse(&tight.to_json_string().replace("[0]", "[-2]"));
+    let coarse = kept(&far, "prm", 1, settings);
+    assert!(coarse.edges.len() < document.edges.len(), "a coarser tolerance refuses some of them");
+    let run = finish(resume(&far, &document).expect("all of it is free"));
+    assert!(run.edge_count() >= document.edges.len());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn sampled_edges_are_sampled_again_and_stay_named() {
+    let thin = arm_and_wall(0.01);
+    let settings = "samples=150 k=8 edge_check=sampled edge_samples=4";
+    let document = kept(&thin, "prm", 2, settings);
+    let run = finish(resume(&thin, &document).expect("free where it was looked at"));
+    assert_eq!(run.result().edge_check.as_deref(), Some("sampled"));
+    // Passed off as proven it is refused: some edge jumps through the wall.
+    let lie = RoadmapDocument { edge_samples: None, ..document.clone() };
+    let (code, pointer) = refusal(resume(&thin, &lie));
+    assert!(code == "invalid-roadmap" && pointer.starts_with("/edges/"), "{code} {pointer}");
+    let finer = RoadmapDocument { edge_samples: Some(1000), ..document };
+    assert_eq!(refusal(resume(&thin, &finer)).0, "invalid-roadmap");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn any_numbers_of_neighbours_and_vertices_can_be_gone_on_with() {
+    let world = arm_and_wall(0.1);
+    let document = kept(&world, "prm", 1, "samples=40 k=6");
+    let most = RoadmapDocument { k: 20_000_000, ..document.clone() };
+    assert_eq!(finish(resume(&world, &most).expect("k beyond all vertices")).vertex_count(), 42);
+    let empty = RoadmapDocument { vertices: Vec::new(), edges: Vec::new(), ..document };
+    let run = finish(resume(&world, &empty).expect("no vertex at all"));
+    assert_eq!((run.vertex_count(), run.status()), (2, Status::Exhausted));
+    assert_eq!(RoadmapDocument::read(&empty.to_bytes()), Ok(empty.clone()));
+    assert_eq!(RoadmapDocument::read(empty.to_json().as_bytes()), Ok(empty));
+    // Half built it can be kept too; then nothing is joined yet but what the query needs.
+    let mut half = begin_with(&world, "prm", 1, "samples=40 k=6");
+    half.step(30);
+    let half = half.roadmap().expect("as far as it is built");
+    assert!(half.edges.is_empty() && half.vertex_count() > 2);
+    assert_eq!(finish(resume(&world, &half).expect("it goes on")).vertex_count(), half.vertex_count());
+}
+
+/// A tag: its name, its attributes, and the text that follows it.
+type Tag = (String, Vec<(String, String)>, String);
+
+/// The tags of well-formed XML, in order.
+fn tags(xml: &str) -> Vec<Tag> {
+    let mut reader = quick_xml::Reader::from_str(xml);
+    let mut found: Vec<Tag> = Vec::new();
+    // Line breaks between tags are not part of any value.
+    let mut is_open = false;
+    loop {
+        match reader.read_event().expect("well-formed") {
+            Event::Start(tag) | Event::Empty(tag) => {
+                let name = tag.name().into_inner();
+                let pairs = tag.attributes().map(|pair| {
+                    let pair = pair.expect("an attribute");
+                    (pair.key.into_inner().to_owned(), pair.value.into_owned())
+                });
+                found.push((name.to_owned(), pairs.collect(), String::new()));
+                is_open = true;
+            }
+            Event::Text(text) if is_open => found.last_mut().expect("a tag").2 += &text.xml10_content(),
+            Event::Text(text) => assert!(text.trim().is_empty(), "{text:?} stands between tags"),
+            Event::GeneralRef(entity) => {
+                let name = format!("&{};", &*entity);
+                found.last_mut().expect("a tag").2 += &unescape(&name).expect("a known entity");
+            }
+            Event::Eof => return found,
+            Event::End(_) => is_open = false,
+            Event::Decl(_) => {}
+            other => panic!("{other:?} is not expected"),
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn graphml_is_well_formed_and_tells_coordinates_and_lengths() {
+    let distance = |a: &[f64], b: &[f64]| -> f64 {
+        a.iter().zip(b).map(|(a, b)| planarium::space::angular_distance(*a, *b)).sum()
+    };
+    let mut document = kept(&arm_of(3, false, 0.0), "prm", 1, "samples=60 k=6");
+    document.scenario = "<&\"'> \u{1}\u{fffe}\r ]]> \u{e9}\u{1f916}".to_owned();
+    let tags = tags(&document.to_graphml());
+    let named = |wanted: &str| tags.iter().filter(|(name, ..)| name == wanted).collect::<Vec<_>>();
+    let attribute =
+        |(_, pairs, _): &Tag, key: &str| pairs.iter().find(|(name, _)| name == key).expect("an attribute").1.clone();
+    let keys: Vec<String> = named("key").into_iter().map(|tag| attribute(tag, "id")).collect();
+    assert_eq!(keys, ["scenario", "planner", "metric", "q0", "q1", "q2", "weight"]);
+    assert!(named("data").into_iter().all(|tag| keys.contains(&attribute(tag, "key"))), "every key is declared");
+    assert_eq!(attribute(named("graph")[0], "edgedefault"), "undirected");
+    let data = |key: &str| -> Vec<String> {
+        named("data").into_iter().filter(|tag| attribute(tag, "key") == key).map(|tag| tag.2.clone()).collect()
+    };
+    assert_eq!(data("scenario"), ["<&\"'> \u{fffd}\u{fffd}\r ]]> \u{e9}\u{1f916}"]);
+    for i in 0..3 {
+        let written: Vec<u64> =
+            data(&format!("q{i}")).iter().map(|x| x.parse::<f64>().expect("a number").to_bits()).collect();
+        assert_eq!(written, document.rows().map(|row| row[i].to_bits()).collect::<Vec<_>>());
+    }
+    let ends: Vec<String> =
+        named("edge").into_iter().flat_map(|tag| [attribute(tag, "source"), attribute(tag, "target")]).collect();
+    assert_eq!(ends, document.edges.iter().flatten().map(|vertex| format!("n{vertex}")).collect::<Vec<_>>());
+    assert_eq!(named("node").len(), document.vertex_count());
+    let weights: Vec<f64> = data("weight").iter().map(|x| x.parse().expect("a number")).collect();
+    let row = |i: u32| document.rows().nth(i as usize).expect("a vertex");
+    assert_eq!(weights, document.edges.iter().map(|&[a, b]| distance(row(a), row(b))).collect::<Vec<_>>());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn lengths_of_edges_are_those_of_the_path() {
+    for (world, settings) in [
+        (arm_and_wall(0.1), "samples=150 k=8 metric=sum"),
+        (arm_and_wall(0.1), "samples=150 k=8 metric=euclidean"),
+        (arm_and_wall(0.1), "samples=150 k=8 metric=naive"),
+        (disc_and_wall(0.2, 0.3), "samples=250 k=8"),
+    ] {
+        let run = finish(begin_with(&world, "prm", 2, settings));
+        let (document, path) = (run.roadmap().expect("a roadmap"), run.path());
+        assert_eq!(run.status(), Status::Solved);
+        let vertex = |q: &Vec<f64>| document.rows().position(|row| row == q).expect("short steps need no split") as u32;
+        let sum: f64 =
+            path.windows(2).map(|pair| document.length([vertex(&pair[0]), vertex(&pair[1])])).fold(0.0, |a, b| a + b);
+        assert_eq!(sum.to_bits(), run.length().to_bits(), "{settings}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn values_given_again_count_by_what_they_are() {
+    let world = arm_and_wall(0.1);
+    let document = kept(&world, "prm", 1, "samples=40 k=6 edge_check=sampled edge_samples=9");
+    let parameters = [("edge_samples", Value::Number(9.0)), ("metric", Value::Text("sum".to_owned()))];
+    let parameters = parameters.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+    let options = Options { parameters, ..options("prm", 0, "edge_check=sampled") };
+    assert!(run::resume(&world, &options, &document).is_ok());
+}

@@ -180,17 +180,29 @@ test("a moving picture has as many frames as were asked for, and ends with what 
   assert.ok(last < 3 && last < middle && middle < first, `the mean differences to the picture are ${moving.means}`);
 }));
 
+/**
+ * Begins a moving picture and clicks a button as soon as it is being made: a click from outside may come after its end.
+ * @param {import("playwright-core").Page} page @param {string} id
+ */
+const clickWhileMade = (page, id) => page.evaluate((button) => new Promise((resolve) => {
+  const progress = /** @type {HTMLElement} */ (document.getElementById("take-progress"));
+  new MutationObserver((_, observer) => {
+    if (progress.hidden) return;
+    observer.disconnect();
+    document.getElementById(button)?.click();
+    resolve(undefined);
+  }).observe(progress, { attributeFilter: ["hidden"] });
+  document.getElementById("take-gif")?.click();
+}), id);
+
 test("a moving picture can be cancelled, and is not gone on with when another run begins", () => onPausedPage(async (page) => {
   await finish(page);
   await unfold(page, "take");
   await page.selectOption("#take-frames", "96");
-  await page.click("#take-gif");
-  await page.click("#take-cancel");
+  await clickWhileMade(page, "take-cancel");
   await page.waitForFunction(() => document.getElementById("take-told")?.textContent === "Cancelled.");
   assert.equal(await page.locator("#take-progress").isVisible(), false);
-  await page.click("#take-gif");
-  await page.waitForSelector("#take-progress");
-  await page.click("#reset");
+  await clickWhileMade(page, "reset");
   await page.waitForSelector("#notice[data-code=run-replaced]");
   await page.click("#step-10");
   assert.equal((await atRest(page)).iterations, 10);

@@ -181,12 +181,17 @@ impl<M: Moving> Prover<M> {
         let eta = scene.tolerance.eta;
         let mut is_clear = true;
         for part in 0..self.moving.parts() {
-            let depth = scene.bounds.as_ref().map_or(f64::INFINITY, |bounds| self.moving.depth(part, bounds));
-            if depth < -1.5 * eta {
-                return Some(false);
+            let around = self.moving.swept_box(part, 0.0);
+            if let Some(bounds) = &scene.bounds
+                && !(bounds.contains(around.min) && bounds.contains(around.max))
+            {
+                let depth = self.moving.depth(part, bounds);
+                if depth < -1.5 * eta {
+                    return Some(false);
+                }
+                is_clear &= depth >= -0.5 * eta;
             }
-            is_clear &= depth >= -0.5 * eta;
-            let near = self.moving.swept_box(part, 0.0).grown(0.5 * eta);
+            let near = around.grown(0.5 * eta);
             let (part, margin) = (self.moving.part(part, state), self.moving.margin());
             let touches = |obstacle: usize| {
                 self.evaluations += 1;

@@ -1,4 +1,4 @@
-//! What can be chosen about many trajectories.
+//! The options of many trajectories.
 
 use super::particle::{MOST_TURNING, Model};
 use crate::error::Error;
@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 impl Choice for Model {}
 
 crate::choice! {
-    /// Which earlier trajectories a new one is tested against.
+    /// The earlier trajectories that a new one is tested against.
     pub enum IndexKind {
         /// Those that share a cell of a grid with it.
         Grid,
@@ -46,7 +46,7 @@ crate::options! {
 }
 
 impl TrajectoryOptions {
-    /// The options given by name, checked with the seed, 0 to 2^53 - 1, and defaults for the rest.
+    /// The options given by name, checked together with the seed, 0 to 2^53 - 1; defaults for the rest.
     ///
     /// # Errors
     /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`.

@@ -112,13 +112,23 @@ pub fn rollout(scenario: impl Into<PlanningWorld>, q: &[f64], motion: Motion) ->
     let road = Road::new(&scenario.into())?;
     let start = road.pose(q, "/q")?;
     let Motion { control, duration } = motion;
-    check_control(&road, control)?;
-    check_finite(duration, "/duration")?;
     let step = road.car().integration_step();
-    if duration < 0.0 || duration > step * MAX_STEPS as f64 {
-        let [most, given] = [step * MAX_STEPS as f64, duration].map(Number);
-        let sentence = format!("the duration must lie within [0, {most}] seconds, not {given}");
-        return Err(Error::new(Code::OutOfRange, "/duration", sentence));
+    let ranges = [
+        ("/v", "v", control.speed, road.car().speed()),
+        ("/phi", "phi", control.steering, road.car().steering()),
+        ("/duration", "the duration in seconds", duration, [0.0, step * MAX_STEPS as f64]),
+    ];
+    for (pointer, name, value, [low, high]) in ranges {
+        if !value.is_finite() {
+            let sentence = format!("the number at {pointer} must be finite, not {}", Number(value));
+            return Err(Error::new(Code::NotFinite, pointer, sentence));
+        }
+        // A car may always stand still.
+        if !(low..=high).contains(&value) && (pointer, value) != ("/v", 0.0) {
+            let [low, high, value] = [low, high, value].map(Number);
+            let sentence = format!("{name} must lie within [{low}, {high}], not {value}");
+            return Err(Error::new(Code::OutOfRange, pointer, sentence));
+        }
     }
     let mut rollout = Rollout { poses: vec![start], seconds: 0.0, blocked: None };
     if let Some(contact) = road.contacts(&start).first() {
@@ -141,30 +151,4 @@ pub fn rollout(scenario: impl Into<PlanningWorld>, q: &[f64], motion: Motion) ->
         rollout.seconds = until;
     }
     Ok(rollout)
-}
-
-/// Refuses a control beyond the limits of the car.
-fn check_control(road: &Road, control: Control) -> Result<(), Error> {
-    let named = [
-        ("/v", "v", control.speed, road.car().speed(), control.speed == 0.0),
-        ("/phi", "phi", control.steering, road.car().steering(), false),
-    ];
-    for (pointer, name, value, [low, high], is_allowed) in named {
-        check_finite(value, pointer)?;
-        if !is_allowed && !(low..=high).contains(&value) {
-            let [low, high, value] = [low, high, value].map(Number);
-            let sentence = format!("{name} must lie within [{low}, {high}], not {value}");
-            return Err(Error::new(Code::OutOfRange, pointer, sentence));
-        }
-    }
-    Ok(())
-}
-
-/// Refuses a number that is not finite.
-fn check_finite(value: f64, pointer: &str) -> Result<(), Error> {
-    if value.is_finite() {
-        return Ok(());
-    }
-    let sentence = format!("the number at {pointer} must be finite, not {}", Number(value));
-    Err(Error::new(Code::NotFinite, pointer, sentence))
 }

@@ -2,7 +2,7 @@
 
 use super::joints::Joints;
 use crate::error::{Code, Error, Number};
-use crate::robot::{Arm, LARGEST, MAX_LINKS, Target};
+use crate::robot::{Arm, LARGEST, MAX_LINKS, Target, check_range};
 use crate::space::wrap;
 
 /// Errors below this fraction of the reach and the coordinates are rounding.
@@ -159,11 +159,11 @@ impl Target {
     /// pointer `/orientation`, for an orientation of an arm of one link, whose position fixes its orientation.
     pub(super) fn checked(mut self, arm: &Arm) -> Result<Self, Error> {
         for i in 0..2 {
-            check(self.point[i], &format!("/target/{i}"), "a coordinate of the target")?;
+            check_range(&format!("/target/{i}"), "a coordinate of the target", self.point[i], -LARGEST)?;
             self.point[i] += 0.0;
         }
         if let Some(angle) = &mut self.orientation {
-            check(*angle, "/orientation", "the orientation")?;
+            check_range("/orientation", "the orientation", *angle, -LARGEST)?;
             *angle = wrap(*angle);
             if arm.links().len() < 2 {
                 let sentence =
@@ -173,20 +173,6 @@ impl Target {
         }
         Ok(self)
     }
-}
-
-/// Refuses a number that is not finite, or beyond 1e6 in size.
-fn check(value: f64, pointer: &str, what: &str) -> Result<(), Error> {
-    if !value.is_finite() {
-        let sentence = format!("{what} must be a finite number, not {}", Number(value));
-        return Err(Error::new(Code::NotFinite, pointer, sentence));
-    }
-    if value.abs() > LARGEST {
-        let [most, value] = [LARGEST, value].map(Number);
-        let sentence = format!("{what} must lie within [-{most}, {most}], not {value}");
-        return Err(Error::new(Code::OutOfRange, pointer, sentence));
-    }
-    Ok(())
 }
 
 /// A configuration of the arm, checked and in canonical form: angles of circles in (-pi, pi].
@@ -202,7 +188,7 @@ pub(super) fn configuration(arm: &Arm, q: &[f64], pointer: &str) -> Result<[f64;
     let mut angles = [0.0; MAX_LINKS];
     for (i, &angle) in q.iter().enumerate() {
         let pointer = format!("{pointer}/{i}");
-        check(angle, &pointer, "a joint angle")?;
+        check_range(&pointer, "a joint angle", angle, -LARGEST)?;
         if let Some(limits) = arm.joint_limits() {
             let [low, high] = limits[i];
             if !(low..=high).contains(&angle) {

@@ -9,7 +9,7 @@ use strum::VariantArray;
 /// The largest turn of a particle over its duration, and its largest heading, in radians: rounding stays below the slack.
 pub const MOST_TURNING: f64 = 100.0;
 
-/// The largest coordinate, travel, speed, turn rate and duration of a particle, in metres, radians and seconds.
+/// The largest travel and time of a particle, in metres and seconds.
 const LARGEST: f64 = 1e6;
 
 /// How a particle moves.
@@ -59,23 +59,9 @@ impl Particle {
     /// # Errors
     /// `not-finite` or `out-of-range`, with the pointer `/x`, `/y`, `/theta`, `/v`, `/w` or `/duration`.
     pub fn check(&self) -> Result<(), Error> {
-        let Self { start, theta, speed, turn_rate, duration, .. } = *self;
-        let ranges = [
-            ("x", start.x, -LARGEST, LARGEST),
-            ("y", start.y, -LARGEST, LARGEST),
-            ("theta", theta, -MOST_TURNING, MOST_TURNING),
-            ("v", speed, 0.0, LARGEST),
-            ("w", turn_rate, -LARGEST, LARGEST),
-            ("duration", duration, 0.0, LARGEST),
-        ];
-        for (name, value, min, max) in ranges {
-            if !(min..=max).contains(&value) {
-                let code = if value.is_finite() { Code::OutOfRange } else { Code::NotFinite };
-                let [min, max, value] = [min, max, value].map(Number);
-                let sentence = format!("{name} must lie within [{min}, {max}], not {value}");
-                return Err(Error::new(code, format!("/{name}"), sentence));
-            }
-        }
+        let Self { model, start, theta, speed, turn_rate, duration } = *self;
+        ParticleOptions { model, x: start.x, y: start.y, theta, v: speed, w: turn_rate }.check()?;
+        check_time(duration, "/duration")?;
         let too_long = |what: &str, value: f64, most: f64| {
             let sentence = format!("{what} x duration must be at most {}, not {}", Number(most), Number(value));
             Err(Error::new(Code::OutOfRange, "/duration", sentence))
@@ -175,13 +161,17 @@ pub fn particle_points(given: &[(String, Value)], times: &[f64]) -> Result<Vec<f
     let particle = Particle { model, start: Point::new(x, y), theta, speed: v, turn_rate: w, duration: 0.0 };
     let mut points = Vec::with_capacity(2 * times.len());
     for (i, &time) in times.iter().enumerate() {
-        if !(0.0..=LARGEST).contains(&time) {
-            let code = if time.is_finite() { Code::OutOfRange } else { Code::NotFinite };
-            let sentence = format!("a time must lie within [0, {LARGEST}] seconds, not {time}");
-            return Err(Error::new(code, format!("/times/{i}"), sentence));
-        }
+        check_time(time, &format!("/times/{i}"))?;
         let position = particle.position(time);
         points.extend([position.x + 0.0, position.y + 0.0]);
     }
     Ok(points)
+}
+
+fn check_time(time: f64, pointer: &str) -> Result<(), Error> {
+    if (0.0..=LARGEST).contains(&time) {
+        return Ok(());
+    }
+    let code = if time.is_finite() { Code::OutOfRange } else { Code::NotFinite };
+    Err(Error::new(code, pointer, format!("a time must lie within [0, {LARGEST}] seconds, not {}", Number(time))))
 }

@@ -45,11 +45,8 @@ pub fn read(name: &str) -> Result<String, Error> {
 /// The bytes of the file; of standard input for `-`.
 pub fn read_bytes(name: &str) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
-    let result = if name == "-" {
-        io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)
-    } else {
-        std::fs::read(name)
-    };
+    let result =
+        if name == "-" { io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes) } else { std::fs::read(name) };
     result.map_err(|error| failed("read", name, &error))
 }
 
@@ -68,9 +65,8 @@ pub fn write_bytes(bytes: &[u8], name: &str) -> Result<(), Error> {
 
 /// Writes the text and a line break to standard output. A closed pipe is not an error.
 pub fn print(text: &str) -> Result<(), Error> {
-    let unwritten = |why: &dyn Display| {
-        Err(Error::new(Code::File, "", format!("cannot write to standard output: {why}")))
-    };
+    let unwritten =
+        |why: &dyn Display| Err(Error::new(Code::File, "", format!("cannot write to standard output: {why}")));
     if WAS_CLOSED.load(Ordering::Relaxed) {
         return unwritten(&"it is closed");
     }

@@ -64,7 +64,9 @@ fn spawn(line: &str) -> Child {
     static WRITTEN: Once = Once::new();
     WRITTEN.call_once(|| {
         let firs = include_str!("../www/scenes/firs.json");
-        [("room.json", ROOM), ("arm.json", ARM), ("firs.json", firs)].map(|(name, text)| file(name, text));
+        for (name, text) in [("room.json", ROOM), ("arm.json", ARM), ("firs.json", firs)] {
+            file(name, text);
+        }
     });
     let mut command = Command::new(env!("CARGO_BIN_EXE_planarium"));
     command.args(line.split_whitespace()).current_dir(env!("CARGO_TARGET_TMPDIR"));
@@ -222,7 +224,7 @@ fn a_roadmap_is_saved_and_continued_with() {
         ("room.json --save-roadmap saved.roadmap", "unsupported", ""),
         ("room.json --roadmap-format json", "usage", ""),
         ("room.json --save-roadmap saved.roadmap --roadmap-format png", "usage", ""),
-        ("saved.other.json --roadmap saved.roadmap", "other-scenario", "@other"),
+        ("saved.other.json --roadmap saved.roadmap", "other-scenario", "/fingerprint"),
         ("- --roadmap -", "usage", ""),
     ] {
         planarium(&format!("plan {arguments}")).refuses(code, pointer);
@@ -251,7 +253,7 @@ fn verify_distinguishes_valid_from_invalid() {
         (r#""query":"around""#, r#""query":"sideways""#, "unknown-query", "/query"),
         (r#""scenario":"room""#, r#""scenario":"hall""#, "invalid-result", "/scenario"),
         (r#""vertices":"#, r#""vertexes":"#, "unknown-field", "/stats/vertexes"),
-        (r#"]],"#, r#"]"#, "invalid-json", "@json"),
+        (r#"]],"#, r#"]"#, "invalid-json", "/path"),
     ] {
         let text = planned.replacen(from, to, 1);
         assert_ne!(text, planned, "{from} occurs");
@@ -369,7 +371,8 @@ fn list_describes_planners_parameters_and_error_codes() {
             let is_choice = option["kind"] == "choice";
             assert!(if is_choice { option["default"] == option["choices"][0] } else { option["default"].is_number() });
         }
-        ["name", "meaning"].map(|key| words(&generator["options"], key));
+        words(&generator["options"], "name");
+        words(&generator["options"], "meaning");
     }
     let known: Vec<&str> = planarium::error::Code::ALL.iter().map(|code| code.as_str()).collect();
     assert_eq!((known.len(), known[0], known[26]), (27, "invalid-json", "usage"));
@@ -430,15 +433,14 @@ fn wrong_input_exits_2_with_code_and_pointer() {
         ("nearest firs.json --target 0", "wrong-dimension", "/target"),
         ("nearest firs.json --target 0,1e7", "out-of-range", "/target/1"),
         ("nearest firs.json --target nan,0", "not-finite", "/target/0"),
-        ("nearest firs.json --target 0,0 --index ball-tree", "out-of-range", "@1"),
+        ("nearest firs.json --target 0,0 --index ball-tree", "out-of-range", "/index"),
         ("nearest firs.json --target 0,0 --set trees=3", "unknown-parameter", "/trees"),
-        ("nearest firs.json --target 0,0 --samples 2000000", "out-of-range", "@2"),
-        ("nearest firs.json --target 0,0 --within -1", "out-of-range", "@3"),
+        ("nearest firs.json --target 0,0 --samples 2000000", "out-of-range", "/n"),
+        ("nearest firs.json --target 0,0 --within -1", "out-of-range", "/radius"),
         ("nearest firs.json --target 0,x", "usage", ""),
         ("nearest firs.json --k 3", "usage", ""),
         ("nearest firs.json --target 0,0 --k 3 --within 2", "usage", ""),
     ] {
-        println!("{line}");
         planarium(line).refuses(code, pointer);
     }
     // Without any argument the help is the message.

@@ -213,7 +213,7 @@ fn tangent_circles_are_judged_by_their_gap() {
         let (r, s) = (draws.magnitude(-5.0, 0.5), draws.magnitude(-5.0, 0.5));
         let gap = draws.sign() * draws.magnitude(-10.0, -1.0);
         let (center, direction) = ([draws.within(-1.0, 1.0), draws.within(-1.0, 1.0)], draws.within(-PI, PI));
-        // Outside: the centres r + s + gap apart. Inside: |r - s| - gap apart, where the circles have so much room.
+        // Outside: the centres r + s + gap apart. Inside: |r - s| - gap apart, if the circles are large enough.
         let outside = draws.0.below(2) == 0;
         let apart = if outside { r + s + gap } else { (r - s).abs() - gap };
         if apart <= 0.0 || gap.abs() > r.min(s) {

@@ -1,7 +1,7 @@
 //! Golden outcomes of inverse kinematics: every method, with and without limits and orientations, the same bits natively, in Node
 //! and in Chrome.
 
-use crate::common::check_golden;
+use crate::common::golden;
 use planarium::geometry::Point;
 use planarium::ik::{Solver, SolverOptions, Target, follow, nearest_reachable};
 use planarium::run::Value;
@@ -70,5 +70,5 @@ fn outcome(case: &Json) -> Json {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_case_of_inverse_kinematics_has_its_golden_outcome() {
-    check_golden("golden-ik.json", include_str!("golden-ik.json"), 30, outcome);
+    golden::check("golden-ik.json", include_str!("golden-ik.json"), 30, outcome);
 }

@@ -57,7 +57,7 @@ fn two_links_reach_with_the_elbow_on_either_side() {
     assert_near(&closed(&arm, target(0.0, 0.2, None)), &[&[right, PI]], 1e-7);
     assert!(closed(&arm, target(0.0, 1.800001, None)).is_empty());
     assert!(closed(&arm, target(0.0, 0.199999, None)).is_empty());
-    // Two links of one length fold back to the base, whatever the first angle: that of the start is kept.
+    // Two links of one length fold back to the base, whatever the first angle: that of the start is used.
     assert_near(&closed_from(&free(&[0.7, 0.7]), target(0.0, 0.0, None), Some(vec![0.4, 1.0])), &[&[0.4, PI]], 0.0);
     assert!(closed(&arm, target(0.0, 0.0, None)).is_empty());
     // One link.

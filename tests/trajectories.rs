@@ -1,6 +1,6 @@
 //! Many trajectories: none crosses another, the same in any slices, on every platform, with the index and without.
 
-use crate::common::{check_golden, given};
+use crate::common::{given, golden};
 use planarium::options::{Kind, Options, Value};
 use planarium::problem::Status;
 use planarium::trajectories::{Model, Particle, Trajectories, TrajectoryOptions, halve};
@@ -33,7 +33,7 @@ fn outcome(case: &Json) -> Json {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_case_has_its_golden_outcome() {
-    check_golden("golden-trajectories.json", include_str!("golden-trajectories.json"), 10, outcome);
+    golden::check("golden-trajectories.json", include_str!("golden-trajectories.json"), 10, outcome);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -18,7 +18,7 @@ const LARGEST: f64 = 1e6;
 )]
 #[strum(serialize_all = "kebab-case")]
 pub enum Model {
-    /// x' = v cos theta, y' = v sin theta, theta' = w: a circular arc, straight where w is 0.
+    /// x' = v cos theta, y' = v sin theta, theta' = w: a circular arc, straight if w is 0.
     Arc,
     /// p(t) = p(0) + v t (cos(theta + w t), sin(theta + w t)): a spiral of Archimedes about its start. It results if the current
     /// heading is mistaken for the direction of the whole motion.

@@ -110,12 +110,12 @@ impl Trajectories {
     fn draw(&mut self) -> Particle {
         let random = &mut self.random;
         let mut between = |low: f64, high: f64| low + random.uniform() * (high - low) + 0.0;
-        let TrajectoryOptions { model, half_side, spread, duration, .. } = self.options;
-        let (speeds, turn_rates) = (self.options.speeds(), self.options.turn_rates());
+        let TrajectoryOptions { model, half_side, spread, slowest, fastest, duration, .. } = self.options;
+        let TrajectoryOptions { least_turn_rate, greatest_turn_rate, .. } = self.options;
         let (x, y) = (between(-half_side, half_side), between(-half_side, half_side));
         let theta = between(-spread, spread);
-        let speed = between(speeds[0], speeds[1]);
-        let turn_rate = between(turn_rates[0], turn_rates[1]);
+        let speed = between(slowest, fastest);
+        let turn_rate = between(least_turn_rate, greatest_turn_rate);
         Particle { model, start: Point::new(x, y), theta, speed, turn_rate, duration }
     }
 

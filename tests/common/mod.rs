@@ -3,10 +3,10 @@ pub mod arms;
 pub mod bodies;
 pub mod documents;
 pub mod driven;
+pub mod golden;
 
 use planarium::run::{self, Options, Run, Value};
 use planarium::scenario::Scenario;
-use serde_json::Value as Json;
 
 /// Whether properties are tested at full depth: natively, with `PLANARIUM_DEEP=1`.
 pub fn deep() -> bool {
@@ -187,23 +187,6 @@ pub fn fitting(scenario: &Scenario, settings: &str) -> String {
     let is_disc = matches!(scenario.robot(), planarium::scenario::Robot::Disc(_));
     let fits = |setting: &&str| !(is_disc && setting.starts_with("metric="));
     settings.split_whitespace().filter(fits).collect::<Vec<_>>().join(" ")
-}
-
-/// Compares each of at least so many cases of a golden file of tests/ with its outcome; with `PLANARIUM_BLESS=1` writes the outcomes instead, after a
-/// change that is meant to change results.
-pub fn check_golden(file: &str, text: &str, at_least: usize, outcome: fn(&Json) -> Json) {
-    let mut cases: Vec<Json> = serde_json::from_str(text).expect("the golden file is JSON");
-    assert!(cases.len() >= at_least, "{file} has {} cases", cases.len());
-    let is_blessing = cfg!(not(target_arch = "wasm32")) && std::env::var_os("PLANARIUM_BLESS").is_some();
-    for case in &mut cases {
-        let found = outcome(case);
-        assert!(is_blessing || found == case["outcome"], "{found} {case}");
-        case["outcome"] = found;
-    }
-    if is_blessing {
-        let text = serde_json::to_string_pretty(&cases).expect("JSON") + "\n";
-        std::fs::write(format!("{}/tests/{file}", env!("CARGO_MANIFEST_DIR")), text).expect("written");
-    }
 }
 
 /// Runs to the end.

@@ -81,10 +81,10 @@ fn parameters(fields: Map<String, Json>) -> Given {
     fields.iter().map(|(name, value)| (name.clone(), Value::from(value))).collect()
 }
 
-/// The id of an index, if any, and its parameters.
-pub(super) fn index_options(object: JsValue) -> Result<(Option<String>, Given), Error> {
+/// The field of this name, if any, and the remaining fields as options by name.
+pub(super) fn split<T: DeserializeOwned>(object: JsValue, name: &str) -> Result<(Option<T>, Given), Error> {
     let mut fields = fields(object)?;
-    Ok((take(&mut fields, "index")?, parameters(fields)))
+    Ok((take(&mut fields, name)?, parameters(fields)))
 }
 
 /// The options of a run.
@@ -96,13 +96,6 @@ pub(super) fn options(object: JsValue) -> Result<Options, Error> {
         seed: take(&mut fields, "seed")?.unwrap_or(0),
         parameters: parameters(fields),
     })
-}
-
-/// Settings of a table and the seed, 0 by default.
-pub(super) fn settings(object: JsValue) -> Result<(Given, u64), Error> {
-    let mut fields = fields(object)?;
-    let seed = take(&mut fields, "seed")?.unwrap_or(0);
-    Ok((parameters(fields), seed))
 }
 
 /// The options of inverse kinematics.

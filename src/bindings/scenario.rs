@@ -1,6 +1,6 @@
 //! A scenario for JavaScript.
 
-use super::convert::{count, fields, index_options, options, reach_options, record, size};
+use super::convert::{count, fields, options, reach_options, record, size, split};
 use super::drive::obstruction;
 use super::reach::{followed, near, target};
 use super::{RawDrive, RawNeighbours, RawPlanner, RawReach};
@@ -133,7 +133,7 @@ impl RawScenario {
 
     /// An empty index of configurations; `wanted` holds `index` and the parameters of that.
     pub fn neighbours(&self, wanted: JsValue) -> Result<RawNeighbours, Error> {
-        let (id, parameters) = index_options(wanted)?;
+        let (id, parameters) = split::<String>(wanted, "index")?;
         neighbours::index(&self.world, id.as_deref(), &parameters).map(RawNeighbours)
     }
 

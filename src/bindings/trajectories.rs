@@ -1,6 +1,6 @@
 //! Many trajectories for JavaScript.
 
-use super::convert::{count, cursor, digits, record, settings};
+use super::convert::{count, cursor, digits, record, split};
 use crate::Error;
 use crate::trajectories::{self, Trajectories};
 use wasm_bindgen::prelude::*;
@@ -13,8 +13,8 @@ pub struct RawTrajectories(Trajectories);
 impl RawTrajectories {
     /// Starts a run with options.
     pub fn begin(options: JsValue) -> Result<RawTrajectories, Error> {
-        let (given, seed) = settings(options)?;
-        Trajectories::new(&given, seed).map(Self)
+        let (seed, given) = split(options, "seed")?;
+        Trajectories::new(&given, seed.unwrap_or(0)).map(Self)
     }
 
     /// Does at most `n` iterations.
@@ -52,5 +52,5 @@ getters! { RawTrajectories(self)
 /// The positions of one particle at these times.
 #[wasm_bindgen]
 pub fn particle_points(particle: JsValue, times: &[f64]) -> Result<Vec<f64>, Error> {
-    trajectories::particle_points(&settings(particle)?.0, times)
+    trajectories::particle_points(&split::<u64>(particle, "seed")?.1, times)
 }

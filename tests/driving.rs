@@ -35,9 +35,10 @@ fn drive() -> Drive {
     Drive::new(&road(), None).expect("a drive")
 }
 
-fn press(drive: &mut Drive, keys: &[Key]) {
-    for &key in keys {
-        drive.press(key).expect("a key");
+/// Presses the keys of a text: faster, slower, left, right, keep.
+fn press(drive: &mut Drive, keys: &str) {
+    for key in keys.chars() {
+        drive.press(Key::ALL["+-lr=".find(key).expect("a key")]).expect("a drive of few keys");
     }
 }
 
@@ -47,57 +48,43 @@ fn bits(drive: &Drive) -> Vec<u64> {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn keys_change_the_control_within_its_limits() {
-    use Key::{Faster, Keep, Left, Right, Slower};
-    let pi = "[-0.7853981633974483, 0.7853981633974483]";
-    // Limits of speed and steering angle; keys, each so often, and the control after them.
-    type Step = (&'static [(Key, usize)], f64, f64);
-    let cases: [(&str, &str, &[Step]); 3] = [
-        (
-            "[-0.5, 0.5]",
-            pi,
-            &[
-                (&[], 0.0, 0.0),
-                (&[(Faster, 3)], 0.3, 0.0),
-                (&[(Faster, 9)], 0.5, 0.0),
-                // Presses at the limit are not counted.
-                (&[(Slower, 1)], 0.4, 0.0),
-                (&[(Left, 2), (Keep, 1)], 0.4, PI / 6.0),
-                (&[(Left, 7)], 0.4, PI / 4.0),
-                (&[(Right, 3)], 0.4, 0.0),
-                (&[(Slower, 30)], -0.5, 0.0),
-            ],
-        ),
-        // Zero is reached again from limits that are no multiple of a press.
-        (
-            "[-0.25, 0.31]",
-            "[-0.4, 0.7]",
-            &[
-                (&[(Left, 8)], 0.0, 0.7),
-                (&[(Right, 3)], 0.0, 0.0),
-                (&[(Slower, 5)], -0.25, 0.0),
-                (&[(Faster, 3)], 0.0, 0.0),
-                (&[(Faster, 9)], 0.31, 0.0),
-            ],
-        ),
-        // A car that cannot drive slowly can stand still.
-        ("[0.25, 0.5]", "[0.1, 0.7]", &[(&[], 0.0, 0.1), (&[(Slower, 1)], 0.0, 0.1), (&[(Faster, 1)], 0.25, 0.1)]),
-    ];
-    for (speeds, angles, steps) in cases {
-        let mut drive = Drive::new(&car(speeds, angles), None).expect("a drive");
-        for &(keys, speed, steering) in steps {
-            keys.iter().for_each(|&(key, count)| press(&mut drive, &vec![key; count]));
-            assert_eq!(drive.control(), Control { speed, steering }, "{keys:?} in {speeds} {angles}");
-        }
-    }
     let mut drive = drive();
     drive.tick(100).expect("time");
     assert_eq!((drive.pose(), drive.steps(), drive.trace().len()), ([0.5, 0.5, 0.0], 100, 1), "it starts at rest");
+    // Limits of speed and steering angle, keys, and the control after them; without limits the drive goes on.
+    for (limits, keys, speed, steering) in [
+        (Some(["[-0.5, 0.5]", "[-0.7853981633974483, 0.7853981633974483]"]), "", 0.0, 0.0),
+        (None, "+++", 0.3, 0.0),
+        (None, "+++++++++", 0.5, 0.0),
+        // Presses at the limit are not counted.
+        (None, "-", 0.4, 0.0),
+        (None, "ll=", 0.4, PI / 6.0),
+        (None, "lllllll", 0.4, PI / 4.0),
+        (None, "rrr", 0.4, 0.0),
+        (None, "------------------------------", -0.5, 0.0),
+        // Zero is reached again from limits that are no multiple of a press.
+        (Some(["[-0.25, 0.31]", "[-0.4, 0.7]"]), "llllllll", 0.0, 0.7),
+        (None, "rrr", 0.0, 0.0),
+        (None, "-----", -0.25, 0.0),
+        (None, "+++", 0.0, 0.0),
+        (None, "+++++++++", 0.31, 0.0),
+        // A car that cannot drive slowly can stand still.
+        (Some(["[0.25, 0.5]", "[0.1, 0.7]"]), "", 0.0, 0.1),
+        (None, "-", 0.0, 0.1),
+        (None, "+", 0.25, 0.1),
+    ] {
+        if let Some([speeds, angles]) = limits {
+            drive = Drive::new(&car(speeds, angles), None).expect("a drive");
+        }
+        press(&mut drive, keys);
+        assert_eq!(drive.control(), Control { speed, steering }, "{keys}");
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn each_step_is_an_exact_arc() {
     let mut drive = drive();
-    press(&mut drive, &[Key::Faster, Key::Faster, Key::Left]);
+    press(&mut drive, "++l");
     drive.tick(150).expect("time");
     assert_eq!(drive.blocked(), None);
     let [x, y, theta] = drive.pose();
@@ -141,9 +128,7 @@ fn the_same_keys_at_the_same_steps_give_the_same_bits_however_the_steps_are_cut(
 #[wasm_bindgen_test(unsupported = test)]
 fn it_stops_before_an_obstacle_reports_it_and_can_back_off() {
     let mut drive = drive();
-    press(&mut drive, &[Key::Faster; 5]);
-    press(&mut drive, &[Key::Left]);
-    press(&mut drive, &[Key::Right]);
+    press(&mut drive, "+++++lr");
     drive.tick(1000).expect("time");
     assert_eq!(drive.blocked(), Some(Some(Touched::Obstacle(1))));
     assert_eq!(drive.control().speed, 0.0);
@@ -151,12 +136,12 @@ fn it_stops_before_an_obstacle_reports_it_and_can_back_off() {
     assert!(x > 1.395 - 1e-9 && x < 1.4, "within a step of the wall at 1.5: {x}");
     assert_eq!(drive.steps(), 1000, "time goes on while it stands");
     let stood = drive.pose();
-    press(&mut drive, &[Key::Faster]);
+    press(&mut drive, "+");
     drive.tick(5).expect("time");
     drive.tick(5).expect("time");
     assert_eq!(drive.blocked(), Some(Some(Touched::Obstacle(1))), "it may come a little nearer, and stops again");
     assert!(drive.pose()[0] - stood[0] < 5e-3);
-    press(&mut drive, &[Key::Slower]);
+    press(&mut drive, "-");
     assert!(drive.blocked().is_some());
     drive.tick(10).expect("time");
     assert_eq!(drive.blocked(), None);
@@ -166,7 +151,7 @@ fn it_stops_before_an_obstacle_reports_it_and_can_back_off() {
 #[wasm_bindgen_test(unsupported = test)]
 fn it_stops_at_the_bounds() {
     let mut drive = drive();
-    press(&mut drive, &[Key::Slower; 5]);
+    press(&mut drive, "-----");
     drive.tick(1000).expect("time");
     assert_eq!(drive.blocked(), Some(Some(Touched::Bounds)));
     assert!(drive.pose()[0] >= 0.1 - 1e-9);
@@ -273,8 +258,7 @@ fn bad_input_is_refused_with_code_and_pointer() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_drive_ends_after_a_million_steps() {
     let mut drive = Drive::new(&car("[-0.5, 0.5]", "[-1.5, 1.5]"), Some(&[0.8, 1.0, 0.0])).expect("a drive");
-    press(&mut drive, &[Key::Faster]);
-    press(&mut drive, &[Key::Left; 6]);
+    press(&mut drive, "+llllll");
     // It drives in a small circle, without end.
     if cfg!(target_arch = "wasm32") {
         return;

@@ -7,10 +7,10 @@
 
 /// Declares methods of a class without arguments, each by the value that it returns.
 macro_rules! getters {
-    ($Class:ident($self:ident) $( #[doc = $doc:literal] $name:ident: $Type:ty = $value:expr; )*) => {
+    ($Class:ident($self:ident) $( $(#[doc = $doc:literal])? $name:ident: $Type:ty = $value:expr; )*) => {
         #[wasm_bindgen]
         impl $Class {
-            $( #[doc = $doc] pub fn $name(&$self) -> $Type { $value } )*
+            $( $(#[doc = $doc])? pub fn $name(&$self) -> $Type { $value } )*
         }
     };
 }

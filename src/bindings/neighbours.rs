@@ -22,7 +22,6 @@ impl RawNeighbours {
         self.0.add(rows)
     }
 
-    /// The number of configurations.
     pub fn size(&self) -> usize {
         self.0.len()
     }

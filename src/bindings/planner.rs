@@ -158,23 +158,18 @@ impl RawPlanner {
 getters! { RawPlanner(self)
     /// 0 while running, 1 if solved, 2 if exhausted.
     status: u8 = self.run.borrow().status() as u8;
-    /// The number of the phase.
     phase: u8 = self.run.borrow().phase() as u8;
     /// The rows recorded since the last call, `history_width` numbers each.
     take_history: Vec<f64> = self.run.borrow_mut().take_history();
     /// Numbers a row of the history.
     history_width: usize = HISTORY_WIDTH;
-    /// Iterations made so far.
     iterations: f64 = self.run.borrow().iterations() as f64;
     /// Numbers a configuration.
     dimension: usize = self.run.borrow().dimension();
     /// Numbers an event row.
     event_width: usize = EVENT_HEAD + self.dimension();
-    /// Vertices so far.
     vertex_count: usize = self.run.borrow().vertex_count();
-    /// Edges so far.
     edge_count: usize = self.run.borrow().edge_count();
-    /// Events so far.
     event_count: usize = self.run.borrow().event_count();
     /// The configurations at which the run may end, in rows of `dimension`.
     goals: Vec<f64> = self.run.borrow().goals().concat();
@@ -182,9 +177,7 @@ getters! { RawPlanner(self)
     path: Vec<f64> = self.run.borrow().path().concat();
     /// The path as the planner found it, in the same form.
     raw_path: Vec<f64> = self.run.borrow().raw_path().concat();
-    /// The counts of work.
     stats: JsValue = record(&self.timed(self.run.borrow().stats()));
-    /// The result document.
     result: JsValue = {
         let result = self.run.borrow().result();
         record(&ResultDocument { stats: self.timed(result.stats), ..result })

@@ -45,11 +45,8 @@ getters! { RawReach(self)
         let counts = [self.0.iterations(), u64::from(self.0.restarts())].into_iter().chain(rows.map(|rows| rows as u64));
         [self.0.error(), self.0.manipulability()].into_iter().chain(counts.map(|count| count as f64)).collect()
     };
-    /// The last iterate.
     configuration: Vec<f64> = self.0.configuration()[..self.0.dimension()].to_vec();
-    /// The outcome so far.
     verdict: JsValue = record(&self.0.explain());
-    /// The result document.
     result: JsValue = record(&self.0.result());
     /// 16 hexadecimal digits over every iterate and solution.
     fingerprint: String = digits(self.0.fingerprint());

@@ -167,7 +167,6 @@ impl RawScenario {
 }
 
 getters! { RawScenario(self)
-    /// The name.
     name: String = self.world.scenario().name().to_owned();
     /// The title for people.
     title: String = self.world.scenario().title().to_owned();

@@ -43,7 +43,6 @@ getters! { RawTrajectories(self)
     counts: Vec<f64> = vec![self.0.tally().iterations as f64, self.0.accepted_count() as f64, self.0.refused_count() as f64];
     /// How many were tried for each accepted one.
     tries: Vec<u32> = self.0.tries().to_vec();
-    /// The result document.
     result: JsValue = record(&self.0.result());
     /// 16 hexadecimal digits over everything tried.
     fingerprint: String = digits(self.0.fingerprint());

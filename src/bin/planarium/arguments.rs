@@ -165,7 +165,6 @@ impl Given {
     }
 }
 
-/// The format of a roadmap in a file.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum RoadmapFormat {
     Json,

@@ -58,7 +58,6 @@ pub fn write(document: &str, file: Option<&str>) -> Result<(), Error> {
     }
 }
 
-/// Writes the bytes to the file.
 pub fn write_bytes(bytes: &[u8], name: &str) -> Result<(), Error> {
     std::fs::write(name, bytes).map_err(|error| failed("write", name, &error))
 }

@@ -8,7 +8,6 @@ use planarium::run::Value;
 use planarium::scenario::generate;
 use serde_json::{Map, json};
 
-/// Generates a scenario and prints its document.
 pub fn generate(arguments: &Generate) -> Answer {
     let mut options = Map::from_iter([("seed".to_owned(), json!(arguments.given.seed))]);
     for (key, value) in &arguments.given.set {

@@ -7,7 +7,6 @@ use npyz::{DType, Deserialize, NpyFile, NpyHeader, Order, TypeChar};
 pub struct Table {
     /// How many numbers a row has.
     pub width: usize,
-    /// The numbers.
     pub numbers: Vec<f64>,
 }
 

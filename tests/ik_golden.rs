@@ -32,8 +32,7 @@ fn options(given: &Json) -> SolverOptions {
         match (name.as_str(), value) {
             ("target" | "orientation" | "method", _) => (),
             ("seed", seed) => options.seed = seed.as_u64().expect("a seed"),
-            (_, Json::Bool(on)) => options.parameters.push((name.clone(), Value::Boolean(*on))),
-            (_, value) => options.parameters.push((name.clone(), Value::Number(number(value)))),
+            (_, value) => options.parameters.push((name.clone(), Value::from(value))),
         }
     }
     options

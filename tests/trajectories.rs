@@ -22,11 +22,8 @@ fn particles(trajectories: &Trajectories) -> Vec<Particle> {
 
 /// The outcome of a golden case.
 fn outcome(case: &Json) -> Json {
-    let given = case["options"].as_object().expect("options").iter().map(|(name, value)| {
-        let value = value.as_f64().map_or_else(|| Value::Text(value.as_str().expect("a word").into()), Value::Number);
-        (name.clone(), value)
-    });
-    let given: Vec<_> = given.collect();
+    let options = case["options"].as_object().expect("options").iter();
+    let given: Vec<_> = options.map(|(name, value)| (name.clone(), Value::from(value))).collect();
     let done = finish(Trajectories::new(&given, case["seed"].as_u64().expect("a seed")).expect("options in range"));
     serde_json::to_value(done.result()).expect("a document")
 }

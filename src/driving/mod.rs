@@ -28,10 +28,9 @@ pub struct Press {
 pub struct Drive {
     road: Road,
     levels: Levels,
-    start: [f64; 3],
-    pose: [f64; 3],
     steps: u64,
     blocked: Option<Option<Touched>>,
+    /// The start, and the pose after each step that moved the car.
     trace: Vec<[f64; 3]>,
     record: Vec<Press>,
 }
@@ -56,13 +55,12 @@ impl Drive {
         }
         let road = road.fitted(&start);
         let levels = Levels::new(road.car());
-        let trace = vec![start];
-        Ok(Self { road, levels, start, pose: start, steps: 0, blocked: None, trace, record: Vec::new() })
+        Ok(Self { road, levels, steps: 0, blocked: None, trace: vec![start], record: Vec::new() })
     }
 
     /// The pose of the car: x, y in metres, theta in radians.
     pub fn pose(&self) -> [f64; 3] {
-        self.pose
+        self.trace[self.trace.len() - 1]
     }
 
     /// The current control.
@@ -130,10 +128,8 @@ impl Drive {
                 return Err(too_long("steps in motion"));
             }
             self.steps += 1;
-            let step = self.step();
-            match self.road.ahead(&self.pose, control, step) {
+            match self.road.ahead(&self.pose(), control, self.step()) {
                 Ok(next) => {
-                    self.pose = next;
                     self.trace.push(next);
                     self.blocked = None;
                 }
@@ -157,8 +153,8 @@ impl Drive {
             return Err(Error::new(Code::OutOfRange, format!("/record/{i}/step"), sentence));
         }
         self.levels = Levels::new(self.road.car());
-        (self.pose, self.steps, self.blocked) = (self.start, 0, None);
-        self.trace = vec![self.start];
+        (self.steps, self.blocked) = (0, None);
+        self.trace.truncate(1);
         self.record.clear();
         for press in record.iter().filter(|press| press.step <= steps) {
             self.tick(press.step - self.steps)?;

@@ -65,10 +65,14 @@ fn turn_of(task: &Task, deviation: &Deviation) -> f64 {
     if deviation.turn > (task.finest / task.reach).max(least).min(most) { deviation.turn } else { 0.0 }
 }
 
-/// The configuration alone.
 pub(super) fn nearest_configuration(task: &Task) -> [f64; MAX_LINKS] {
-    let mut search = Search::new(task);
-    search.all();
+    let (zeros, count, rest) = ([0.0; MAX_LINKS], task.joints.count, task.joints.rest());
+    let (point, best) = (task.point, None);
+    let mut search = Search { task, rest, q: zeros, count, point, last: None, best, best_q: zeros, is_done: false };
+    match task.orientation {
+        None => search.prefix(0, 0.0, [0.0; 2], false),
+        Some(wanted) => search.oriented(count - 1, point, wanted),
+    }
     if search.best.is_some() { search.best_q } else { farthest_turned(task) }
 }
 
@@ -123,21 +127,7 @@ struct Search<'a> {
     is_done: bool,
 }
 
-impl<'a> Search<'a> {
-    fn new(task: &'a Task) -> Self {
-        let (rest, zeros) = (task.joints.rest(), [0.0; MAX_LINKS]);
-        let count = task.joints.count;
-        let (best, best_q) = (None, zeros);
-        Self { task, rest, q: zeros, count, point: task.point, last: None, best, best_q, is_done: false }
-    }
-
-    fn all(&mut self) {
-        match self.task.orientation {
-            None => self.prefix(0, 0.0, [0.0; 2], false),
-            Some(wanted) => self.oriented(self.task.joints.count - 1, self.task.point, wanted),
-        }
-    }
-
+impl Search<'_> {
     /// The link after `joint` must have the absolute angle `wanted` and end at `point`; all later joints are known.
     fn oriented(&mut self, joint: usize, point: [f64; 2], wanted: f64) {
         let (sin, cos) = libm::sincos(wanted);

@@ -357,10 +357,9 @@ fn list_describes_everything_in_the_catalogue() {
             for option in rows(&entry[options]) {
                 let is_number = option["kind"] == "integer" || option["kind"] == "number";
                 assert!(!is_number || option["min"].as_f64() <= option["max"].as_f64(), "{option}");
-                assert!(
-                    option["kind"] != "choice" || rows(&option["choices"]).contains(&option["default"]),
-                    "{option}"
-                );
+                let (default, is_choice) = (&option["default"], option["kind"] == "choice");
+                let is_first = if is_choice { *default == option["choices"][0] } else { default.is_number() };
+                assert!(field != "generators" || is_first, "{option}");
             }
         }
     }

@@ -1,5 +1,5 @@
-//! What it costs to prove a motion of a body free: a rectangle in random clutter, nanoseconds a motion, grouped by outcome.
-//! "distances" is the simple twin of the proof; "sampled" looks every hundredth of the longer side of the bounds and proves
+//! The cost of proving a motion of a body free: a rectangle in random clutter, nanoseconds a motion, grouped by outcome.
+//! "distances" is the simple variant of the proof; "sampled" checks every hundredth of the longer side of the bounds and proves
 //! nothing.
 //!
 //! `cargo bench --bench body`; a run pinned to one core is quieter. `-- 0.3` runs motions of that length alone, `-- proof` the fast
@@ -13,11 +13,11 @@ use std::f64::consts::{PI, TAU};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Passes over the motions, of which the quickest counts: the one that others disturbed least.
+/// Passes over the motions, of which the fastest counts: the least disturbed one.
 const PASSES: usize = 9;
 /// Motions a world.
 const MOTIONS: usize = 1000;
-/// Looks of the check that proves nothing are so far apart, in metres and in radians alike.
+/// The distance between the samples of the check that proves nothing, in metres and in radians alike.
 const RESOLUTION: f64 = 0.01;
 
 fn main() {
@@ -74,7 +74,7 @@ fn measure(
             }
         }
     }
-    // Where there was none the mean is not a number.
+    // Not a number for an empty group.
     let of = |sum: f64, group: usize| if counts[group] == 0 { f64::NAN } else { sum / counts[group] as f64 };
     let mut columns = format!("{} of {} |", counts[0], counts[0] + counts[1]);
     [0, 1].iter().for_each(|&group| columns += &format!(" {:.1} |", of(pairs[group] as f64, group)));
@@ -94,7 +94,7 @@ fn nanoseconds(motions: &[BodyMotion], passes: usize, check: impl Fn(&BodyMotion
     (0..passes).map(pass).fold(f64::INFINITY, f64::min)
 }
 
-/// Looks from coarse to fine, as `Sampled` takes them.
+/// Samples from coarse to fine, like `Sampled`.
 fn are_samples_free(collision: &BodyCollision, motion: &BodyMotion) -> bool {
     let (a, b) = (motion.at(0.0), motion.at(1.0));
     let length = ((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1])).sqrt() + 0.1 * (b[2] - a[2]).abs();
@@ -106,7 +106,7 @@ fn are_samples_free(collision: &BodyCollision, motion: &BodyMotion) -> bool {
     })
 }
 
-/// Motions of this length from free placements: short ways to anywhere with a turn of up to a radian, or arcs of any radius.
+/// Motions of this length from free placements: straight ones in any direction with a turn of up to a radian, or arcs of any radius.
 fn motions(collision: &BodyCollision, length: f64, is_arc: bool, seed: u64) -> Vec<BodyMotion> {
     let mut random = Random::new(seed, Stream::Samples);
     let mut motions = Vec::new();
@@ -126,7 +126,7 @@ fn motions(collision: &BodyCollision, length: f64, is_arc: bool, seed: u64) -> V
     motions
 }
 
-/// Polygons anywhere in the unit square, together as large whatever their number; every other one concave where wanted.
+/// Polygons anywhere in the unit square, of the same total size whatever their number; every other one concave if wanted.
 fn clutter(count: usize, is_concave: bool, seed: u64) -> World {
     let mut random = Random::new(seed, Stream::Scenario);
     let size = 0.4 / (count as f64).sqrt();

@@ -1,4 +1,4 @@
-//! Inverse kinematics: microseconds to a target, by method and links; the nearest point; following a hand.
+//! Inverse kinematics: microseconds to a target, by method and links; the nearest point; following a target.
 //!
 //! `cargo bench --bench reach` prints a table. A run pinned to one core is quieter.
 
@@ -15,10 +15,10 @@ use planarium::scenario::Scenario;
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Targets a cell.
+/// Targets for each entry of the table.
 const TARGETS: usize = 2000;
 
-/// Arms of one kind, each with a configuration, a target within reach and its world.
+/// Arms of one kind, each with its world, a configuration and a target within reach.
 struct Cell {
     cases: Vec<(Arm, Scenario, Vec<f64>, Target)>,
 }
@@ -34,7 +34,7 @@ impl Cell {
         Self { cases: (0..TARGETS).map(|_| case()).collect() }
     }
 
-    /// Median and 99th percentile in microseconds of doing it for each case.
+    /// The median and the 99th percentile of the time for each case, in microseconds.
     fn time(&self, mut work: impl FnMut(&Arm, &Scenario, &[f64], Target) -> f64) -> String {
         let mut times: Vec<f64> = Vec::with_capacity(self.cases.len());
         for (arm, scenario, q, target) in &self.cases {
@@ -46,7 +46,7 @@ impl Cell {
         format!("{:.1} / {:.0}", times[TARGETS / 2], times[TARGETS * 99 / 100])
     }
 
-    /// The same of a method, with the share of targets reached where that is not all.
+    /// The same of a method, with the number of targets missed, if any.
     fn method(&self, id: &str) -> String {
         let mut missed = 0;
         let time = self.time(|_, scenario, q, target| {

@@ -1,4 +1,4 @@
-//! The reports' roadmaps and RRT-Connect on generated triangle forests: milliseconds, medians.
+//! The roadmaps of the course reports and RRT-Connect on generated triangle forests: milliseconds, medians.
 //!
 //! `cargo bench --bench reports` prints a table; `-- --json` the same as JSON. A run pinned to one core is quieter.
 
@@ -6,18 +6,20 @@ use planarium::run::{Options, Run, Status, Value, start};
 use planarium::scenario::Scenario;
 use std::time::Instant;
 
-/// Forests a size of arm.
+/// Forests for each number of links.
 const FORESTS: u64 = 5;
 
+/// Roadmaps for each forest.
+const REPEATS: u64 = 7;
+
 fn main() {
-    let repeats = 7;
     println!("| planner | arm | median ms | quartiles | solved | motions | edges or vertices |");
     println!("|---|---|---|---|---|---|---|");
     for links in [2u64, 3, 4] {
         let forests: Vec<Scenario> = (0..FORESTS).map(|seed| forest(links, seed)).collect();
         let samples = (300 * links - 200) as f64;
         let roadmap = [("samples", samples), ("k", 30.0)];
-        let runs = forests.iter().flat_map(|world| (0..repeats).map(move |seed| time(world, "prm", seed, &roadmap)));
+        let runs = forests.iter().flat_map(|world| (0..REPEATS).map(move |seed| time(world, "prm", seed, &roadmap)));
         row("k-PRM", links, runs.collect());
         let runs = forests.iter().flat_map(|world| (0..100).map(move |seed| time(world, "rrt-connect", seed, &[])));
         row("RRT-Connect", links, runs.collect());

@@ -1,9 +1,9 @@
-//! How surely bodies and cars arrive: every query of a folder of scenarios, every planner that applies, a hundred seeds, with
-//! shipped defaults; every path judged by the verifier.
+//! The success rate of bodies and cars: every query of a folder of scenarios, every planner that applies, a hundred seeds, with
+//! default options; every path checked by the verifier.
 //!
 //! `cargo bench --bench seeds -- FOLDER` (or `PLANARIUM_SCENARIOS`) prints a table; `--seeds N` takes so many, `--only TEXT`
 //! those rows whose scenario, query or planner contains the text, and `--out DIR` writes one result in ten with the file of
-//! its scenario, for judges of other houses. Milliseconds are for comparison within one table.
+//! its scenario, for other verifiers. Milliseconds are for comparison within one table.
 
 use planarium::path::{Verdict, verify};
 use planarium::run::{Options, Status, Value, planners, start};
@@ -11,27 +11,23 @@ use planarium::scenario::{Robot, Scenario};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// Who plans: the name it goes by in the table, the planner, and what is set besides the defaults.
+/// A row of the table: its name, the planner, and the options besides the defaults.
 type Arm = (String, &'static str, Vec<(String, Value)>);
 
-/// Every planner that applies to the robot, with its defaults; where it steers along curves, with both kinds; then the presets of
-/// the course reports.
+/// Every planner that applies to the robot, with its defaults, or with both kinds of curves if it steers along curves; then the
+/// presets of the course reports.
 fn arms(robot: &Robot) -> Vec<Arm> {
     let fitting = planners().into_iter().filter(|info| info.robots.contains(&robot.kind()));
     let mut arms = Vec::new();
     for info in fitting {
-        let is_steered = !info.is_driven;
-        if !matches!(robot, Robot::Car(_)) || !is_steered {
+        if !matches!(robot, Robot::Car(_)) || info.is_driven {
             arms.push((info.title.to_owned(), info.id, Vec::new()));
-            let presets = info
-                .presets
-                .iter()
-                .map(|preset| (format!("{}: {}", info.title, preset.title), info.id, preset.parameters()));
-            arms.extend(presets);
+            let name = |title| format!("{}: {title}", info.title);
+            arms.extend(info.presets.iter().map(|preset| (name(preset.title), info.id, preset.parameters())));
             continue;
         }
         for (name, word) in [("Reeds-Shepp", "reeds-shepp"), ("Dubins", "dubins")] {
-            // Guards see only where motions can be made back.
+            // Visibility graphs need motions that can be reversed.
             if (info.id, word) != ("visibility-prm", "dubins") {
                 let steering = ("steering".to_owned(), Value::Text(word.to_owned()));
                 arms.push((format!("{}, {name}", info.title), info.id, vec![steering]));
@@ -53,17 +49,15 @@ fn main() {
         println!("Name a folder of scenarios, or set PLANARIUM_SCENARIOS.");
         return;
     };
-    let mut files: Vec<PathBuf> = std::fs::read_dir(&arguments.folder)
-        .expect("the folder can be read")
-        .map(|file| file.expect("so can its files").path())
-        .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
-        .collect();
+    let entries = std::fs::read_dir(&arguments.folder).expect("the folder can be read");
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.expect("so can its entries").path()).collect();
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
     files.sort();
     println!("| scenario, query | planner | solved | median ms | slowest ms | median iterations | length |");
     println!("|---|---|---|---|---|---|---|");
     for file in files {
         let text = std::fs::read_to_string(&file).expect("the file is text");
-        // Lists of configurations are no scenarios.
+        // Lists of configurations are not scenarios.
         let Ok(scenario) = Scenario::parse(&text) else { continue };
         if scenario.robot().placed_shape().is_none() {
             continue;

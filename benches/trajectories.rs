@@ -1,5 +1,5 @@
-//! Many trajectories: microseconds per accepted one against how many are accepted, with the grid and without; the fastest of a
-//! few runs, since a busy machine only adds.
+//! Many trajectories: microseconds per accepted one against the number of accepted ones, with the grid and without; the fastest of
+//! a few runs, since other work on the machine only adds time.
 //!
 //! `cargo bench --bench trajectories`; a run pinned to one core is quieter.
 
@@ -8,7 +8,7 @@ use planarium::problem::Status;
 use planarium::trajectories::Trajectories;
 use std::time::Instant;
 
-/// Runs of one cell.
+/// Runs for each entry of a table.
 const RUNS: usize = 15;
 
 fn main() {
@@ -41,7 +41,7 @@ fn total(options: &[(String, Value)]) -> f64 {
     begun.elapsed().as_secs_f64() * 1e3
 }
 
-/// Microseconds and tries per accepted trajectory on the way to each of these counts.
+/// Microseconds and tries per accepted trajectory between each of these counts and the one before.
 fn growth(index: &str, ends: &[usize]) -> Vec<(f64, f64)> {
     let mut times = vec![Vec::new(); ends.len()];
     let mut tries = vec![0.0; ends.len()];

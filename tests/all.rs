@@ -11,8 +11,6 @@ mod catalogue;
 mod clearance;
 #[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
 mod cli;
-#[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
-mod cli_nearest;
 mod control;
 mod crossing;
 mod directed;
@@ -25,7 +23,6 @@ mod ik;
 mod ik_follow;
 mod ik_golden;
 mod ik_nearest;
-mod ik_runs;
 mod json;
 mod limits;
 mod nearest;

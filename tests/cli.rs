@@ -1,21 +1,26 @@
-//! The command line as a person or a script meets it: the real program, its output, its exit codes.
+//! The command line: the program itself, its output, its exit codes.
 
 use serde_json::{Value, json};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
+use std::sync::Once;
 
-/// A disc in a room with a wall that has a gap, and one query behind a closed wall.
+/// A disc between walls, one with a gap: a query around it, one behind the closed wall, and one whose goal is in that wall.
 const ROOM: &str = r#"{
     "format": "planarium-scenario-1", "name": "room",
     "world": { "bounds": {"min": [0, 0], "max": [4, 2]}, "obstacles": [
         {"type": "polygon", "vertices": [[1, 0], [1.1, 0], [1.1, 1.5], [1, 1.5]]},
         {"type": "polygon", "vertices": [[3, 0], [3.1, 0], [3.1, 2], [3, 2]]} ] },
     "robot": {"type": "disc", "radius": 0.1},
-    "queries": [ {"name": "around", "start": [0.5, 0.5], "goal": [2, 0.5]}, {"name": "cut off", "start": [0.5, 0.5], "goal": [3.5, 1]},
-                 {"name": "in the wall", "start": [0.5, 0.5], "goal": [3.05, 1]} ] }"#;
+    "queries": [ {"name": "around", "start": [0.5, 0.5], "goal": [2, 0.5]}, {"name": "cut-off", "start": [0.5, 0.5], "goal": [3.5, 1]},
+                 {"name": "in-wall", "start": [0.5, 0.5], "goal": [3.05, 1]} ] }"#;
 
-/// What a finished program left behind.
+/// An arm of two links with limits.
+const ARM: &str = r#"{ "format": "planarium-scenario-1", "name": "arm", "world": { "obstacles": [] },
+    "robot": { "type": "arm", "base": [0, 0], "links": [1, 0.8], "joint_limits": [[-3, 3], [-2, 2]] }, "queries": [] }"#;
+
+/// The exit code and the output of a finished program.
 struct Finished {
     code: i32,
     stdout: String,
@@ -29,76 +34,82 @@ impl Finished {
             .unwrap_or_else(|error| panic!("{error}: {:?} {:?}", self.stdout, self.stderr))
     }
 
-    /// The code and the pointer of the error that standard output holds, with exit code 2 and a word on standard error.
+    /// Checks the error on standard output, with exit code 2 and a message on standard error.
     #[track_caller]
-    fn error(&self) -> (String, String) {
-        let document = self.json();
-        let error = document["error"].as_object().expect("an error");
-        assert_eq!(self.code, 2, "{document}");
+    fn refuses(&self, code: &str, pointer: &str) {
+        let error = &self.json()["error"];
+        assert_eq!((self.code, &error["code"], &error["pointer"]), (2, &json!(code), &json!(pointer)), "{error}");
         assert!(self.stderr.starts_with("error: "), "{:?}", self.stderr);
-        let text = |key: &str| error[key].as_str().expect("a string").to_owned();
-        assert!(text("message").len() > 8, "{document}");
-        (text("code"), text("pointer"))
+        assert!(error["message"].as_str().is_some_and(|message| message.len() > 8), "{error}");
     }
 }
 
-fn spawn(arguments: &[&str]) -> Child {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_planarium"));
-    command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    command.spawn().expect("the program starts")
+/// A file of the folder in which the program runs.
+fn path(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
 }
 
-fn planarium_with(arguments: &[&str], input: &str) -> Finished {
-    let mut child = spawn(arguments);
+/// Writes a file there; returns its name.
+fn file(name: &str, contents: impl AsRef<[u8]>) -> &str {
+    std::fs::write(path(name), contents).expect("the folder for test files can be written");
+    name
+}
+
+fn text_of(name: &str) -> String {
+    std::fs::read_to_string(path(name)).expect("it is written")
+}
+
+/// Starts the program with the words of a line, in a folder with room.json, arm.json and firs.json.
+fn spawn(line: &str) -> Child {
+    static WRITTEN: Once = Once::new();
+    WRITTEN.call_once(|| {
+        let firs = include_str!("../www/scenes/firs.json");
+        for (name, text) in [("room.json", ROOM), ("arm.json", ARM), ("firs.json", firs)] {
+            file(name, text);
+        }
+    });
+    let mut command = Command::new(env!("CARGO_BIN_EXE_planarium"));
+    command.args(line.split_whitespace()).current_dir(env!("CARGO_TARGET_TMPDIR"));
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
+}
+
+fn planarium_with(line: &str, input: &str) -> Finished {
+    let mut child = spawn(line);
     // A program that refuses its arguments reads nothing: then the pipe is closed, and that is fine.
     let _ = child.stdin.take().expect("a pipe").write_all(input.as_bytes());
     let output = child.wait_with_output().expect("the program ends");
     let text = |bytes| String::from_utf8(bytes).expect("text");
-    Finished {
-        code: output.status.code().expect("no signal"),
-        stdout: text(output.stdout),
-        stderr: text(output.stderr),
-    }
+    let code = output.status.code().expect("no signal");
+    Finished { code, stdout: text(output.stdout), stderr: text(output.stderr) }
 }
 
-fn planarium(arguments: &[&str]) -> Finished {
-    planarium_with(arguments, "")
-}
-
-/// The path of a file with this text, of its own for each name.
-fn file(name: &str, text: &str) -> String {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    std::fs::write(&path, text).expect("the folder for test files can be written");
-    path.into_os_string().into_string().expect("the folder's name is text")
+fn planarium(line: &str) -> Finished {
+    planarium_with(line, "")
 }
 
 #[test]
 fn plan_prints_the_result_document() {
-    let room = file("plan.json", ROOM);
-    for (planner, query) in [("rrt-connect", None), ("prm", Some("around"))] {
-        let mut arguments = vec!["plan", &room, "--planner", planner, "--seed", "3"];
-        arguments.extend(query.into_iter().flat_map(|name| ["--query", name]));
-        let finished = planarium(&arguments);
+    for (planner, query) in [("rrt-connect", ""), ("prm", "--query around")] {
+        let finished = planarium(&format!("plan room.json --planner {planner} --seed 3 {query}"));
         let result = finished.json();
-        assert_eq!((finished.code, result["status"].as_str()), (0, Some("solved")), "{}", finished.stderr);
+        assert_eq!((finished.code, &result["status"]), (0, &json!("solved")), "{}", finished.stderr);
         assert!(finished.stderr.starts_with("solved: "), "{}", finished.stderr);
-        assert!(!finished.stderr.contains('\u{1b}'), "no progress bar where nobody looks: {:?}", finished.stderr);
+        assert!(!finished.stderr.contains('\u{1b}'), "no progress bar without a terminal: {:?}", finished.stderr);
         assert_eq!(finished.stdout.lines().count(), 1, "one line of JSON");
         let names = [("scenario", "room"), ("query", "around"), ("planner", planner)];
         names.into_iter().for_each(|(key, name)| assert_eq!(result[key], name));
         assert_eq!(result["seed"], 3);
         let path = result["path"].as_array().expect("a path");
-        assert_eq!((&path[0], &path[path.len() - 1]), (&serde_json::json!([0.5, 0.5]), &serde_json::json!([2, 0.5])));
+        assert_eq!((&path[0], &path[path.len() - 1]), (&json!([0.5, 0.5]), &json!([2, 0.5])));
         assert!(result["length"].as_f64().expect("a length") > 2.0, "over the wall");
         assert_eq!(result["fingerprint"].as_str().expect("digits").len(), 16);
-        let stats = &result["stats"];
-        for count in ["iterations", "vertices", "edges", "motion_checks", "nearest_queries", "clearance_evaluations"] {
-            assert!(stats[count].as_u64().expect(count) > 0, "{count}: {stats}");
-        }
-        assert!(stats["build_seconds"].as_f64().expect("seconds") > 0.0, "{stats}");
+        let positive = |names: &[&str]| {
+            names.iter().for_each(|&name| assert!(result["stats"][name].as_f64() > Some(0.0), "{name}: {result}"));
+        };
+        positive(&["iterations", "vertices", "edges", "motion_checks", "nearest_queries", "clearance_evaluations"]);
+        positive(&["build_seconds"]);
         if planner == "prm" {
-            assert!(stats["search_seconds"].as_f64().expect("seconds") > 0.0, "{stats}");
-            assert!(stats["visited"].as_u64().expect("a count") > 0, "{stats}");
+            positive(&["search_seconds", "visited"]);
         }
         assert!(result.get("motions").is_none(), "motions are for cars");
     }
@@ -106,9 +117,8 @@ fn plan_prints_the_result_document() {
 
 #[test]
 fn a_seed_decides_all_but_the_seconds() {
-    let room = file("seed.json", ROOM);
     let run = |seed: &str| {
-        let mut result = planarium(&["plan", &room, "--planner", "prm", "--seed", seed, "--set", "samples=300"]).json();
+        let mut result = planarium(&format!("plan room.json --planner prm --seed {seed} --set samples=300")).json();
         result["stats"]["build_seconds"] = 0.into();
         result["stats"]["search_seconds"] = 0.into();
         result
@@ -116,47 +126,40 @@ fn a_seed_decides_all_but_the_seconds() {
     assert_eq!(run("5"), run("5"));
     assert_ne!(run("5")["fingerprint"], run("6")["fingerprint"]);
     let drawn = run("random");
-    assert_eq!(run(&drawn["seed"].to_string()), drawn, "the result tells the seed that was drawn");
+    assert_eq!(run(&drawn["seed"].to_string()), drawn, "the result contains the seed that was drawn");
     assert_ne!(run("random")["seed"], drawn["seed"]);
 }
 
 #[test]
 fn parameters_reach_the_planner() {
-    let room = file("set.json", ROOM);
-    let finished =
-        planarium(&["plan", &room, "--planner", "prm", "--set", "samples=150", "--set", "k=7", "--set", "shortcut=40"]);
+    let plain = "plan room.json --planner prm --set samples=150 --set k=7";
+    let finished = planarium(&format!("{plain} --set shortcut=40"));
     let result = finished.json();
-    assert_eq!((finished.code, result["stats"]["vertices"].as_u64()), (0, Some(152)));
-    let plain = planarium(&["plan", &room, "--planner", "prm", "--set", "samples=150", "--set", "k=7"]).json();
-    assert!(result["length"].as_f64() < plain["length"].as_f64(), "shortcuts shorten");
+    assert_eq!((finished.code, &result["stats"]["vertices"]), (0, &json!(152)));
+    assert!(result["length"].as_f64() < planarium(plain).json()["length"].as_f64(), "shortcuts shorten");
     assert!(result["stats"]["search_seconds"].as_f64().expect("seconds") > 0.0);
 }
 
 #[test]
 fn an_impossible_query_exhausts_its_budget() {
-    let room = file("impossible.json", ROOM);
-    let cut_off = ["plan", &room, "--query", "cut off"];
-    let finished = planarium(&[&cut_off[..], &["--max-iterations", "500"]].concat());
+    let finished = planarium("plan room.json --query cut-off --max-iterations 500");
     let result = finished.json();
-    assert_eq!((finished.code, result["status"].as_str()), (1, Some("exhausted")));
-    assert_eq!(result["stats"]["iterations"], 500);
-    assert_eq!(result["path"], serde_json::json!([]));
+    assert_eq!((finished.code, &result["status"]), (1, &json!("exhausted")));
+    assert_eq!((&result["stats"]["iterations"], &result["path"]), (&json!(500), &json!([])));
     assert_eq!(result["length"].as_f64().map(f64::to_bits), Some(0), "0, not -0");
     assert!(finished.stderr.starts_with("exhausted: "), "{}", finished.stderr);
 }
 
 #[test]
-fn time_stops_a_run_and_the_result_tells_how_far_it_came() {
-    let room = file("time.json", ROOM);
-    let cut_off = ["plan", &room, "--query", "cut off"];
+fn time_stops_a_run_and_the_result_contains_the_iterations() {
+    let cut_off = "plan room.json --query cut-off";
     // A busy machine may stop the program while it runs; one try in five must keep to its time.
     let mut shortest = f64::INFINITY;
     let mut result = Value::Null;
     for _ in 0..5 {
-        let timed = planarium(&[&cut_off[..], &["--max-seconds", "0.2", "--max-iterations", "4000000000"]].concat());
+        let timed = planarium(&format!("{cut_off} --max-seconds 0.2 --max-iterations 4000000000"));
         result = timed.json();
-        assert_eq!((timed.code, result["status"].as_str()), (1, Some("running")));
-        assert_eq!(result["path"], serde_json::json!([]));
+        assert_eq!((timed.code, &result["status"], &result["path"]), (1, &json!("running"), &json!([])));
         assert!(timed.stderr.starts_with("running: "), "{}", timed.stderr);
         let seconds = result["stats"]["build_seconds"].as_f64().expect("seconds");
         assert!(seconds > 0.1, "0.2 s were given, {seconds} s used");
@@ -168,163 +171,144 @@ fn time_stops_a_run_and_the_result_tells_how_far_it_came() {
     assert!(shortest < 0.25, "0.2 s were given, {shortest} s taken");
 
     // The iterations made, given as a budget, grow the same trees.
-    let iterations = result["stats"]["iterations"].as_u64().expect("a count").to_string();
-    let counted = planarium(&[&cut_off[..], &["--max-iterations", &iterations]].concat()).json();
-    assert_eq!(counted["status"], "exhausted");
-    assert_eq!(counted["fingerprint"], result["fingerprint"]);
+    let iterations = &result["stats"]["iterations"];
+    let counted = planarium(&format!("{cut_off} --max-iterations {iterations}")).json();
+    assert_eq!((&counted["status"], &counted["fingerprint"]), (&json!("exhausted"), &result["fingerprint"]));
 
-    let none = planarium(&[&cut_off[..], &["--max-seconds", "0"]].concat()).json();
-    assert_eq!((none["status"].as_str(), none["stats"]["iterations"].as_u64()), (Some("running"), Some(0)));
+    let none = planarium(&format!("{cut_off} --max-seconds 0")).json();
+    assert_eq!((&none["status"], &none["stats"]["iterations"]), (&json!("running"), &json!(0)));
 }
 
 #[test]
 fn time_that_is_up_while_a_path_is_improved_leaves_the_path() {
-    let room = file("improved.json", ROOM);
-    let improved = planarium(&["plan", &room, "--set", "shortcut=1000000", "--max-seconds", "0.3"]);
+    let improved = planarium("plan room.json --set shortcut=1000000 --max-seconds 0.3");
     let result = improved.json();
-    assert_eq!((improved.code, result["status"].as_str()), (0, Some("solved")), "{}", improved.stderr);
+    assert_eq!((improved.code, &result["status"]), (0, &json!("solved")), "{}", improved.stderr);
     assert!(result["path"].as_array().is_some_and(|path| path.len() >= 2));
 }
 
 #[test]
-fn a_roadmap_is_saved_and_gone_on_with() {
-    let room = file("kept.json", ROOM);
-    let place = |name: &str| {
-        PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name).into_os_string().into_string().expect("text")
-    };
-    let build = ["plan", &room, "--planner", "prm", "--set", "samples=300", "--set", "k=9", "--save-roadmap"];
+fn a_roadmap_is_saved_and_continued_with() {
+    let build = "plan room.json --planner prm --set samples=300 --set k=9 --save-roadmap";
     let mut planned = Value::Null;
-    for (name, format) in
-        [("kept.roadmap", None), ("kept.roadmap.json", None), ("kept.graphml", None), ("kept.text", Some("json"))]
-    {
-        let name = place(name);
-        let format = format.map_or(vec![], |format| vec!["--roadmap-format", format]);
-        let finished = planarium(&[&build[..], &[&name], &format].concat());
+    for to in ["saved.roadmap", "saved.roadmap.json", "saved.graphml", "saved.text --roadmap-format json"] {
+        let finished = planarium(&format!("{build} {to}"));
         planned = finished.json();
         assert_eq!(finished.code, 0, "{}", finished.stderr);
     }
-    let bytes = std::fs::read(place("kept.roadmap")).expect("it is saved");
-    let text = std::fs::read_to_string(place("kept.roadmap.json")).expect("it is saved");
-    assert!(
-        bytes.starts_with(&planarium::run::storage::MAGIC) && text.starts_with("{\"format\":\"planarium-roadmap-2\"")
-    );
-    assert_eq!(text, std::fs::read_to_string(place("kept.text")).expect("it is saved"));
-    assert!(std::fs::read_to_string(place("kept.graphml")).expect("it is saved").contains("<graphml "));
-    for kept in ["kept.roadmap", "kept.text"] {
-        let resumed = planarium(&["plan", &room, "--roadmap", &place(kept), "--save-roadmap", &place("kept.again")]);
+    let bytes = std::fs::read(path("saved.roadmap")).expect("it is saved");
+    let text = text_of("saved.roadmap.json");
+    assert!(bytes.starts_with(&planarium::run::storage::MAGIC));
+    assert!(text.starts_with("{\"format\":\"planarium-roadmap-2\"") && text == text_of("saved.text"));
+    assert!(text_of("saved.graphml").contains("<graphml "));
+    for saved in ["saved.roadmap", "saved.text"] {
+        let resumed = planarium(&format!("plan room.json --roadmap {saved} --save-roadmap saved.again"));
         let result = resumed.json();
-        assert_eq!((resumed.code, &result["planner"]), (0, &Value::from("prm")), "{}", resumed.stderr);
+        assert_eq!((resumed.code, &result["planner"]), (0, &json!("prm")), "{}", resumed.stderr);
         assert_eq!((&result["path"], &result["length"]), (&planned["path"], &planned["length"]));
-        assert!(result["stats"]["motion_checks"] == 0, "nothing is left to join: {result}");
-        assert_eq!(std::fs::read(place("kept.again")).expect("it is saved"), bytes);
+        assert!(result["stats"]["motion_checks"] == 0, "nothing is left to connect: {result}");
+        assert_eq!(std::fs::read(path("saved.again")).expect("it is saved"), bytes);
     }
-    let piped = planarium_with(&["plan", &room, "--roadmap", "-", "--query", "cut off"], &text);
-    assert_eq!((piped.code, piped.json()["status"].as_str()), (1, Some("exhausted")), "a question of its own");
+    let piped = planarium_with("plan room.json --roadmap - --query cut-off", &text);
+    assert_eq!((piped.code, &piped.json()["status"]), (1, &json!("exhausted")), "a query of its own");
 
-    let damaged = file("kept.damaged", &text.replacen("\"k\":9", "\"k\":8", 1));
-    let other = file("kept.other.json", &ROOM.replacen("[3.1, 2]", "[3.2, 2]", 1));
-    let kept = place("kept.roadmap");
-    let cases: &[(&[&str], &str, &str)] = &[
-        (&["--roadmap", &damaged], "invalid-roadmap", "/checksum"),
-        (&["--roadmap", &place("kept.graphml")], "invalid-roadmap", ""),
-        (&["--roadmap", "no such file"], "file", ""),
-        (&["--roadmap", &kept, "--planner", "rrt-connect"], "out-of-range", "/algorithm"),
-        (&["--roadmap", &kept, "--set", "k=8"], "out-of-range", "/k"),
-        (&["--roadmap", &kept, "--save-roadmap", "/no/such/folder/roadmap"], "file", ""),
-        (&["--save-roadmap", &kept], "unsupported", ""),
-        (&["--roadmap-format", "json"], "usage", ""),
-        (&["--save-roadmap", &kept, "--roadmap-format", "png"], "usage", ""),
-    ];
-    for (arguments, code, pointer) in cases {
-        let (found, pointed) = planarium(&[&["plan", &room], *arguments].concat()).error();
-        assert_eq!((found.as_str(), pointed.as_str()), (*code, *pointer), "{arguments:?}");
+    file("saved.damaged", text.replacen("\"k\":9", "\"k\":8", 1));
+    file("saved.other.json", ROOM.replacen("[3.1, 2]", "[3.2, 2]", 1));
+    for (arguments, code, pointer) in [
+        ("room.json --roadmap saved.damaged", "invalid-roadmap", "/checksum"),
+        ("room.json --roadmap saved.graphml", "invalid-roadmap", ""),
+        ("room.json --roadmap no-such-file", "file", ""),
+        ("room.json --roadmap saved.roadmap --planner rrt-connect", "out-of-range", "/algorithm"),
+        ("room.json --roadmap saved.roadmap --set k=8", "out-of-range", "/k"),
+        ("room.json --roadmap saved.roadmap --save-roadmap /no/such/folder/roadmap", "file", ""),
+        ("room.json --save-roadmap saved.roadmap", "unsupported", ""),
+        ("room.json --roadmap-format json", "usage", ""),
+        ("room.json --save-roadmap saved.roadmap --roadmap-format png", "usage", ""),
+        ("saved.other.json --roadmap saved.roadmap", "other-scenario", "/fingerprint"),
+        ("- --roadmap -", "usage", ""),
+    ] {
+        planarium(&format!("plan {arguments}")).refuses(code, pointer);
     }
-    assert_eq!(planarium(&["plan", &other, "--roadmap", &kept]).error().0, "other-scenario");
-    assert_eq!(planarium(&["plan", "-", "--roadmap", "-"]).error().0, "usage");
 }
 
 #[test]
-fn verify_tells_valid_from_not() {
-    let room = file("verify.json", ROOM);
-    let planned = planarium(&["plan", &room]).stdout;
-    let result = file("verify.result.json", &planned);
-    let valid = planarium(&["verify", &room, &result]);
+fn verify_distinguishes_valid_from_invalid() {
+    let planned = planarium("plan room.json").stdout;
+    file("verify.result.json", &planned);
+    let valid = planarium("verify room.json verify.result.json");
     let verdict = valid.json();
-    assert_eq!((valid.code, verdict["valid"].as_bool()), (0, Some(true)), "{verdict}");
+    assert_eq!((valid.code, &verdict["valid"]), (0, &json!(true)), "{verdict}");
     assert!(verdict["waypoints"].as_u64() > Some(2) && verdict["looks"].as_u64() > Some(1), "{verdict}");
     assert!(verdict["clearance"].as_f64().expect("there are obstacles") > 0.0, "{verdict}");
     assert!(valid.stderr.starts_with("valid: "), "{}", valid.stderr);
 
     let mut straight: Value = serde_json::from_str(&planned).expect("a result");
-    straight["path"] = serde_json::json!([[0.5, 0.5], [2.0, 0.5]]);
-    straight["length"] = 1.5.into();
-    let invalid = planarium_with(&["verify", &room, "-"], &straight.to_string());
-    let verdict = invalid.json();
-    assert_eq!((invalid.code, verdict["valid"].as_bool()), (1, Some(false)), "{verdict}");
-    assert_eq!(verdict["why"], "edge 0 touches obstacle 0");
+    (straight["path"], straight["length"]) = (json!([[0.5, 0.5], [2.0, 0.5]]), json!(1.5));
+    let invalid = planarium_with("verify room.json -", &straight.to_string());
+    assert_eq!((invalid.code, invalid.json()), (1, json!({ "valid": false, "why": "edge 0 touches obstacle 0" })));
     assert!(invalid.stderr.contains("edge 0 touches obstacle 0"), "{}", invalid.stderr);
 
-    let errors = [
-        (r#""seed":0"#, r#""seed":-4"#, ("out-of-range", "/seed")),
-        (r#""query":"around""#, r#""query":"sideways""#, ("unknown-query", "/query")),
-        (r#""scenario":"room""#, r#""scenario":"hall""#, ("invalid-result", "/scenario")),
-        (r#""vertices":"#, r#""vertexes":"#, ("unknown-field", "/stats/vertexes")),
-        (r#"]],"#, r#"]"#, ("invalid-json", "")),
-    ];
-    for (from, to, (code, pointer)) in errors {
+    for (from, to, code, pointer) in [
+        (r#""seed":0"#, r#""seed":-4"#, "out-of-range", "/seed"),
+        (r#""query":"around""#, r#""query":"sideways""#, "unknown-query", "/query"),
+        (r#""scenario":"room""#, r#""scenario":"hall""#, "invalid-result", "/scenario"),
+        (r#""vertices":"#, r#""vertexes":"#, "unknown-field", "/stats/vertexes"),
+        (r#"]],"#, r#"]"#, "invalid-json", "/path"),
+    ] {
         let text = planned.replacen(from, to, 1);
         assert_ne!(text, planned, "{from} occurs");
-        let error = planarium_with(&["verify", &room, "-"], &text).error();
-        assert_eq!(error.0, code, "{to}");
-        assert!(code == "invalid-json" || error.1 == pointer, "{to}: {}", error.1);
+        planarium_with("verify room.json -", &text).refuses(code, pointer);
     }
-    assert_eq!(planarium(&["verify", "-", "-"]).error(), ("usage".into(), String::new()));
+    planarium("verify - -").refuses("usage", "");
 }
 
 #[test]
-fn a_pipeline_of_generate_plan_and_verify_holds_together() {
-    let kinds: [&[&str]; 7] = [
-        &["forest", "--set", "links=3", "--seed", "2"],
-        &["clutter", "--seed", "4"],
-        &["clutter", "--set", "robot=arm", "--set", "links=2", "--seed", "5"],
-        &["discs", "--set", "count=12", "--seed", "1"],
-        &["maze", "--set", "difficulty=easy", "--seed", "2"],
-        &["gap", "--set", "width=0.3", "--seed", "3"],
-        &["bug-trap", "--set", "mouth=0.3", "--set", "turn=quarter", "--seed", "4"],
-    ];
-    for (i, kind) in kinds.into_iter().enumerate() {
-        let generated = planarium(&[&["generate"], kind].concat());
-        assert_eq!((generated.code, generated.stderr.as_str()), (0, ""), "{kind:?}");
+fn generate_plan_and_verify_form_a_pipeline() {
+    for (i, kind) in [
+        "forest --set links=3 --seed 2",
+        "clutter --seed 4",
+        "clutter --set robot=arm --set links=2 --seed 5",
+        "discs --set count=12 --seed 1",
+        "maze --set difficulty=easy --seed 2",
+        "gap --set width=0.3 --seed 3",
+        "bug-trap --set mouth=0.3 --set turn=quarter --seed 4",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let generate = format!("generate {kind}");
+        let generated = planarium(&generate);
+        assert_eq!((generated.code, generated.stderr.as_str()), (0, ""), "{kind}");
         assert_eq!(generated.json()["format"], "planarium-scenario-1");
-        assert_eq!(generated.stdout, planarium(&[&["generate"], kind].concat()).stdout, "a seed is a scenario");
-        let scenario = file(&format!("pipeline.{i}.json"), "");
-        assert_eq!(planarium(&[&["generate"], kind, &["--out", &scenario]].concat()).stdout, "", "to the file instead");
-        assert_eq!(std::fs::read_to_string(&scenario).expect("written"), generated.stdout);
+        assert_eq!(generated.stdout, planarium(&generate).stdout, "a seed is a scenario");
+        let scenario = format!("pipeline.{i}.json");
+        assert_eq!(planarium(&format!("{generate} --out {scenario}")).stdout, "", "to the file instead");
+        assert_eq!(text_of(&scenario), generated.stdout);
         for planner in ["prm", "rrt-connect"] {
-            let planned = planarium_with(&["plan", "-", "--planner", planner], &generated.stdout);
-            assert_eq!(planned.code, 0, "{kind:?} {planner}: {}", planned.stderr);
-            let verdict = planarium_with(&["verify", &scenario, "-"], &planned.stdout);
-            assert_eq!(verdict.code, 0, "{kind:?} {planner}: {}", verdict.stdout);
-            let result = file(&format!("pipeline.{i}.{planner}.json"), "");
-            let quiet = planarium(&["plan", &scenario, "--planner", planner, "--out", &result]);
+            let planned = planarium_with(&format!("plan - --planner {planner}"), &generated.stdout);
+            assert_eq!(planned.code, 0, "{kind} {planner}: {}", planned.stderr);
+            let verdict = planarium_with(&format!("verify {scenario} -"), &planned.stdout);
+            assert_eq!(verdict.code, 0, "{kind} {planner}: {}", verdict.stdout);
+            let result = format!("pipeline.{i}.{planner}.json");
+            let quiet = planarium(&format!("plan {scenario} --planner {planner} --out {result}"));
             assert_eq!((quiet.code, quiet.stdout.as_str()), (0, ""));
-            let verdict = planarium_with(&["verify", "-", &result], &generated.stdout);
-            assert_eq!(verdict.code, 0, "{kind:?} {planner}: {}", verdict.stdout);
+            let verdict = planarium_with(&format!("verify - {result}"), &generated.stdout);
+            assert_eq!(verdict.code, 0, "{kind} {planner}: {}", verdict.stdout);
         }
     }
 }
 
 #[test]
 fn trajectories_prints_counts_and_writes_a_row_for_each() {
-    let table = file("tracks.csv", "");
-    let done = planarium(&["trajectories", "--set", "count=120", "--seed", "5", "--csv", &table]);
+    let line = "trajectories --set count=120 --seed 5";
+    let done = planarium(&format!("{line} --csv tracks.csv"));
     assert_eq!((done.code, done.stderr.as_str()), (0, ""));
     let result = done.json();
     assert_eq!((&result["status"], &result["accepted"], &result["seed"]), (&json!("solved"), &json!(120), &json!(5)));
     assert!(result["seconds"].as_f64().expect("seconds") > 0.0);
-    let text = std::fs::read_to_string(&table).expect("written");
+    let text = text_of("tracks.csv");
     let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
-    assert_eq!(rows[0], "x,y,theta,v,w,duration,tries,microseconds,average_of_20".split(',').collect::<Vec<_>>());
+    assert_eq!(text.lines().next(), Some("x,y,theta,v,w,duration,tries,microseconds,average_of_20"));
     assert_eq!(rows.len(), 121);
     let number = |row: usize, column: usize| rows[row][column].parse::<f64>().expect("a number");
     let tries: f64 = (1..=120).map(|row| number(row, 6)).sum();
@@ -332,247 +316,190 @@ fn trajectories_prints_counts_and_writes_a_row_for_each() {
     let mean = (1..=20).map(|row| number(row, 7)).sum::<f64>() / 20.0;
     assert!((number(20, 8) - mean).abs() < 0.01 && rows[19][8].is_empty(), "the mean begins with the twentieth");
     // The same seed, the same rows; and a square too small for so many.
-    let again = planarium(&["trajectories", "--set", "count=120", "--seed", "5"]).json();
-    assert_eq!(again["fingerprint"], result["fingerprint"]);
-    let crowded = planarium(&["trajectories", "--set", "half_side=0.1", "--set", "max_iterations=500"]);
+    assert_eq!(planarium(line).json()["fingerprint"], result["fingerprint"]);
+    let crowded = planarium("trajectories --set half_side=0.1 --set max_iterations=500");
     assert_eq!((crowded.code, &crowded.json()["status"]), (1, &json!("exhausted")));
 }
 
 #[test]
 fn reach_prints_solutions_or_how_near_the_arm_can_come() {
-    let arm = r#"{ "format": "planarium-scenario-1", "name": "arm", "world": { "obstacles": [] },
-        "robot": { "type": "arm", "base": [0, 0], "links": [1, 0.8], "joint_limits": [[-3, 3], [-2, 2]] }, "queries": [] }"#;
-    let arm = file("reach.json", arm);
-    let reached =
-        planarium(&["reach", &arm, "--target", "1,-0.5", "--solutions", "2", "--seed", "3", "--start", "0.5,-1e-1"]);
+    let reached = planarium("reach arm.json --target 1,-0.5 --solutions 2 --seed 3 --start 0.5,-1e-1");
     let result = reached.json();
-    assert_eq!(
-        (reached.code, result["status"].as_str(), result["seed"].as_u64()),
-        (0, Some("solved"), Some(3)),
-        "{result}"
-    );
+    assert_eq!((reached.code, &result["status"], &result["seed"]), (0, &json!("solved"), &json!(3)), "{result}");
     assert_eq!(result["solutions"].as_array().map(Vec::len), Some(2));
     assert!(reached.stderr.starts_with("reached: 2 solutions"), "{}", reached.stderr);
-    let by_name = |method: &str| {
-        planarium(&[
-            "reach",
-            &arm,
-            "--target=-1,0.5",
-            "--orientation",
-            "2.5",
-            "--method",
-            method,
-            "--set",
-            "restarts=3",
-        ])
-    };
-    let far = by_name("newton");
-    assert_eq!((far.code, far.json()["verdict"]["verdict"].as_str()), (1, Some("out-of-reach")));
-    assert!(far.json()["verdict"]["nearest"]["distance"].as_f64().is_some_and(|distance| distance > 0.0));
-    let error = |code: &str, pointer: &str| (code.to_owned(), pointer.to_owned());
-    assert_eq!(by_name("magic").error(), error("out-of-range", "/method"));
-    let refused = |arguments: &[&str]| planarium(&[&["reach", &arm], arguments].concat()).error();
-    assert_eq!(refused(&["--target", "1,nan"]), error("not-finite", "/target/1"));
-    assert_eq!(refused(&["--target", "1"]), error("usage", ""));
-    assert_eq!(refused(&[]), error("usage", ""));
-    assert_eq!(refused(&["--target", "1,0", "--start", "0"]), error("wrong-dimension", "/start"));
-    assert_eq!(refused(&["--target", "1,0", "--start", "0,2.5"]), error("out-of-range", "/start/1"));
-    assert_eq!(refused(&["--target", "1,0", "--set", "speed=1"]), error("unknown-parameter", "/speed"));
-    let disc = planarium_with(&["reach", "-", "--target", "1,0"], ROOM);
-    assert_eq!(disc.error(), error("unsupported", ""));
-    let tables = planarium(&["list"]);
-    for method in planarium(&["list", "--json"]).json()["reach_methods"].as_array().expect("methods") {
-        assert!(tables.stdout.contains(method["id"].as_str().expect("an id")));
-        assert!(tables.stdout.contains(method["summary"].as_str().expect("a summary")));
-    }
+    let far = planarium("reach arm.json --target=-1,0.5 --orientation 2.5 --method newton --set restarts=3");
+    let verdict = &far.json()["verdict"];
+    assert_eq!((far.code, &verdict["verdict"]), (1, &json!("out-of-reach")));
+    assert!(verdict["nearest"]["distance"].as_f64().is_some_and(|distance| distance > 0.0));
 }
 
 #[test]
-fn list_tells_planners_parameters_and_error_codes() {
-    let tables = planarium(&["list"]);
-    let listed = planarium(&["list", "--json"]).json();
+fn list_describes_everything_in_the_catalogue() {
+    let listed = planarium("list --json").json();
+    assert_eq!(listed, planarium::run::catalogue::catalogue());
+    let tables = planarium("list");
     assert_eq!((tables.code, tables.stderr.as_str()), (0, ""));
-    let names = |rows: &Value, key: &str| -> Vec<String> {
-        rows.as_array().expect("rows").iter().map(|row| row[key].as_str().expect(key).to_owned()).collect()
+    let rows = |rows: &Value| -> Vec<Value> { rows.as_array().expect("rows").clone() };
+    // The words of a field of all rows, each of which is in the tables too.
+    let words = |list: &Value, key: &str| -> Vec<String> {
+        let words: Vec<_> = rows(list).iter().map(|row| row[key].as_str().expect(key).to_owned()).collect();
+        words.iter().for_each(|word| assert!(!word.is_empty() && tables.stdout.contains(word.as_str()), "{word}"));
+        words
     };
-    let ids = names(&listed["planners"], "id");
-    assert!(ids.iter().any(|id| id == "prm") && ids.iter().any(|id| id == "rrt-connect"), "{ids:?}");
-    for planner in listed["planners"].as_array().expect("planners") {
-        for parameter in planner["parameters"].as_array().expect("parameters") {
-            assert!(!parameter["meaning"].as_str().expect("a meaning").is_empty());
-            let numeric = parameter["kind"] == "integer" || parameter["kind"] == "number";
-            assert!(!numeric || parameter["min"].as_f64() <= parameter["max"].as_f64(), "{parameter}");
-        }
-        for line in planner["pseudocode"].as_array().expect("pseudo-code") {
-            assert!(line["text"].as_str().is_some_and(|text| !text.is_empty()) && line["indent"].is_u64(), "{line}");
-            assert!(line["lit_by"].as_array().expect("marks").iter().all(Value::is_string), "{line}");
-        }
-        let parameters = names(&planner["parameters"], "name");
-        assert!(parameters.iter().any(|name| name == "max_iterations"), "{parameters:?}");
-        parameters.iter().for_each(|name| assert!(tables.stdout.contains(name.as_str()), "{name}"));
-    }
-    let generators = names(&listed["generators"], "id");
-    assert_eq!(generators, ["forest", "clutter", "discs", "maze", "gap", "bug-trap"]);
-    for generator in listed["generators"].as_array().expect("generators") {
-        for option in generator["options"].as_array().expect("options") {
-            let is_choice = option["kind"] == "choice";
-            assert!(if is_choice { option["default"] == option["choices"][0] } else { option["default"].is_number() });
-            for word in ["name", "meaning"].map(|key| option[key].as_str().expect(key)) {
-                assert!(!word.is_empty() && tables.stdout.contains(word), "{word}");
+    for (field, options) in [("planners", "parameters"), ("reach_methods", "parameters"), ("generators", "options")] {
+        words(&listed[field], "id");
+        words(&listed[field], "summary");
+        for entry in rows(&listed[field]) {
+            words(&entry[options], "meaning");
+            let names = words(&entry[options], "name");
+            assert!(field == "generators" || names.iter().any(|name| name == "max_iterations"), "{entry}");
+            for option in rows(&entry[options]) {
+                let is_number = option["kind"] == "integer" || option["kind"] == "number";
+                assert!(!is_number || option["min"].as_f64() <= option["max"].as_f64(), "{option}");
+                let (default, is_choice) = (&option["default"], option["kind"] == "choice");
+                let is_first = if is_choice { *default == option["choices"][0] } else { default.is_number() };
+                assert!(field != "generators" || is_first, "{option}");
             }
         }
     }
-    generators.iter().for_each(|id| assert!(tables.stdout.contains(id.as_str()), "{id}"));
-    let codes = names(&listed["errors"], "code");
+    assert_eq!(words(&listed["generators"], "id"), ["forest", "clutter", "discs", "maze", "gap", "bug-trap"]);
     let known: Vec<&str> = planarium::error::Code::ALL.iter().map(|code| code.as_str()).collect();
     assert_eq!((known.len(), known[0], known[26]), (27, "invalid-json", "usage"));
-    assert_eq!(codes, known, "every code once, in order");
-    codes.iter().for_each(|code| assert!(tables.stdout.contains(code.as_str()), "{code}"));
-    ids.iter().for_each(|id| assert!(tables.stdout.contains(id.as_str()), "{id}"));
+    assert_eq!(words(&listed["errors"], "code"), known, "every code once, in order");
 }
 
 #[test]
 fn wrong_input_exits_2_with_code_and_pointer() {
-    let room = file("errors.json", ROOM);
-    let missing = format!("{room}.missing");
-    let unwritable = format!("{room}/out.json");
-    let cases: &[(&[&str], &str, &str)] = &[
-        (&["plan", &missing], "file", ""),
-        (&["plan", &room, "--out", &unwritable], "file", ""),
-        (&["plan", &room, "--planner", "dijkstra"], "unknown-planner", "/algorithm"),
-        (&["plan", &room, "--query", "nowhere"], "unknown-query", "/query"),
-        (&["plan", &room, "--query", "in the wall"], "goal-in-collision", "/queries/2/goal"),
-        (&["plan", &room, "--set", "n=3"], "unknown-parameter", "/n"),
-        (&["plan", &room, "--set", "k=3"], "unknown-parameter", "/k"),
-        (&["plan", &room, "--planner", "prm", "--set", "k=0"], "out-of-range", "/k"),
-        (&["plan", &room, "--planner", "prm", "--set", "k=1.5"], "out-of-range", "/k"),
-        (&["plan", &room, "--planner", "prm", "--set", "k=many"], "wrong-type", "/k"),
-        (&["plan", &room, "--set", "step=nan"], "not-finite", "/step"),
-        (&["plan", &room, "--set", "metric=manhattan"], "out-of-range", "/metric"),
-        (&["plan", &room, "--set", "shortcut=1", "--set", "shortcut=2"], "duplicate-field", "/shortcut"),
-        (&["plan", &room, "--max-iterations", "0"], "out-of-range", "/max_iterations"),
-        (&["plan", &room, "--set", "k"], "usage", ""),
-        (&["plan", &room, "--set", "=3"], "usage", ""),
-        (&["plan", &room, "--seed", "-1"], "usage", ""),
-        (&["plan", &room, "--seed", "9007199254740992"], "usage", ""),
-        (&["plan", &room, "--seed", "1.5"], "usage", ""),
-        (&["plan", &room, "--max-seconds", "-1"], "usage", ""),
-        (&["plan", &room, "--max-seconds", "nan"], "usage", ""),
-        (&["plan", &room, "--max-iterations", "-1"], "usage", ""),
-        (&["plan", &room, "--speed", "9"], "usage", ""),
-        (&["plan"], "usage", ""),
-        (&["verify", &room], "usage", ""),
-        (&["verify", &room, &missing], "file", ""),
-        (&["dance"], "usage", ""),
-        (&["generate", "desert"], "unknown-generator", ""),
-        (&["generate", "forest", "--set", "links=99"], "out-of-range", "/links"),
-        (&["generate", "forest", "--set", "trees=9"], "unknown-field", "/trees"),
-        (&["generate", "maze", "--set", "difficulty=brutal"], "out-of-range", "/difficulty"),
-        (&["generate", "maze", "--set", "thickness=thin"], "wrong-type", "/thickness"),
-        (&["generate", "gap", "--set", "robot=arm", "--set", "width=0"], "out-of-range", "/width"),
-        (&["generate", "bug-trap", "--set", "mouth=nan"], "not-finite", "/mouth"),
-        (&["generate", "discs", "--set", "count=200", "--set", "gap=0.2"], "out-of-range", "/count"),
-        (&["generate", "forest", "--set", "seed=1"], "duplicate-field", "/seed"),
-        (&["trajectories", "--set", "count=0"], "out-of-range", "/count"),
-        (&["trajectories", "--set", "colour=red"], "unknown-parameter", "/colour"),
-        (&["trajectories", "--set", "slowest=2"], "out-of-range", "/slowest"),
-        (&["trajectories", "--set", "count=5", "--csv", "/no/such/folder/tracks.csv"], "file", ""),
-    ];
-    for (arguments, code, pointer) in cases {
-        let finished = planarium(arguments);
-        let (found, place) = finished.error();
-        assert_eq!((found.as_str(), place.as_str()), (*code, *pointer), "{arguments:?}: {}", finished.stdout);
+    for (line, code, pointer) in [
+        ("plan missing.json", "file", ""),
+        ("plan room.json --out room.json/out.json", "file", ""),
+        ("plan room.json --planner dijkstra", "unknown-planner", "/algorithm"),
+        ("plan room.json --query nowhere", "unknown-query", "/query"),
+        ("plan room.json --query in-wall", "goal-in-collision", "/queries/2/goal"),
+        ("plan room.json --set n=3", "unknown-parameter", "/n"),
+        ("plan room.json --set k=3", "unknown-parameter", "/k"),
+        ("plan room.json --planner prm --set k=0", "out-of-range", "/k"),
+        ("plan room.json --planner prm --set k=1.5", "out-of-range", "/k"),
+        ("plan room.json --planner prm --set k=many", "wrong-type", "/k"),
+        ("plan room.json --set step=nan", "not-finite", "/step"),
+        ("plan room.json --set metric=manhattan", "out-of-range", "/metric"),
+        ("plan room.json --set shortcut=1 --set shortcut=2", "duplicate-field", "/shortcut"),
+        ("plan room.json --max-iterations 0", "out-of-range", "/max_iterations"),
+        ("plan room.json --set k", "usage", ""),
+        ("plan room.json --set =3", "usage", ""),
+        ("plan room.json --seed -1", "usage", ""),
+        ("plan room.json --seed 9007199254740992", "usage", ""),
+        ("plan room.json --seed 1.5", "usage", ""),
+        ("plan room.json --max-seconds -1", "usage", ""),
+        ("plan room.json --max-seconds nan", "usage", ""),
+        ("plan room.json --max-iterations -1", "usage", ""),
+        ("plan room.json --speed 9", "usage", ""),
+        ("plan", "usage", ""),
+        ("verify room.json", "usage", ""),
+        ("verify room.json missing.json", "file", ""),
+        ("dance", "usage", ""),
+        ("generate desert", "unknown-generator", ""),
+        ("generate forest --set links=99", "out-of-range", "/links"),
+        ("generate forest --set trees=9", "unknown-field", "/trees"),
+        ("generate maze --set difficulty=brutal", "out-of-range", "/difficulty"),
+        ("generate maze --set thickness=thin", "wrong-type", "/thickness"),
+        ("generate gap --set robot=arm --set width=0", "out-of-range", "/width"),
+        ("generate bug-trap --set mouth=nan", "not-finite", "/mouth"),
+        ("generate discs --set count=200 --set gap=0.2", "out-of-range", "/count"),
+        ("generate forest --set seed=1", "duplicate-field", "/seed"),
+        ("trajectories --set count=0", "out-of-range", "/count"),
+        ("trajectories --set colour=red", "unknown-parameter", "/colour"),
+        ("trajectories --set slowest=2", "out-of-range", "/slowest"),
+        ("trajectories --set count=5 --csv /no/such/folder/tracks.csv", "file", ""),
+        ("reach arm.json --target=-1,0.5 --method magic", "out-of-range", "/method"),
+        ("reach arm.json --target 1,nan", "not-finite", "/target/1"),
+        ("reach arm.json --target 1", "usage", ""),
+        ("reach arm.json", "usage", ""),
+        ("reach arm.json --target 1,0 --start 0", "wrong-dimension", "/start"),
+        ("reach arm.json --target 1,0 --start 0,2.5", "out-of-range", "/start/1"),
+        ("reach arm.json --target 1,0 --set speed=1", "unknown-parameter", "/speed"),
+        ("reach room.json --target 1,0", "unsupported", ""),
+        ("nearest firs.json --target 0", "wrong-dimension", "/target"),
+        ("nearest firs.json --target 0,1e7", "out-of-range", "/target/1"),
+        ("nearest firs.json --target nan,0", "not-finite", "/target/0"),
+        ("nearest firs.json --target 0,0 --index ball-tree", "out-of-range", "/index"),
+        ("nearest firs.json --target 0,0 --set trees=3", "unknown-parameter", "/trees"),
+        ("nearest firs.json --target 0,0 --samples 2000000", "out-of-range", "/n"),
+        ("nearest firs.json --target 0,0 --within -1", "out-of-range", "/radius"),
+        ("nearest firs.json --target 0,x", "usage", ""),
+        ("nearest firs.json --k 3", "usage", ""),
+        ("nearest firs.json --target 0,0 --k 3 --within 2", "usage", ""),
+    ] {
+        planarium(line).refuses(code, pointer);
     }
     // Without any argument the help is the message.
-    let bare = planarium(&[]);
-    assert_eq!((bare.code, bare.json()["error"]["code"].as_str()), (2, Some("usage")));
+    let bare = planarium("");
+    assert_eq!((bare.code, &bare.json()["error"]["code"]), (2, &json!("usage")));
     assert!(bare.stderr.contains("Usage: planarium"), "{}", bare.stderr);
 }
 
 #[test]
 fn wrong_scenarios_exit_2_with_code_and_pointer() {
-    let cases = [
-        ("{", "invalid-json", ""),
-        (&ROOM.replacen("scenario-1", "scenario-9", 1), "unknown-format", "/format"),
-        (&ROOM.replacen("\"radius\": 0.1", "\"radius\": -0.1", 1), "out-of-range", "/robot/radius"),
-        (&ROOM.replacen("\"radius\": 0.1", "\"radius\": 1e999", 1), "invalid-json", "/robot/radius"),
-        (&ROOM.replacen("[3, 0]", "[3, \"0\"]", 1), "wrong-type", "/world/obstacles/1/vertices/0/1"),
-        (&ROOM.replacen("\"cut off\"", "\"around\"", 1), "duplicate-name", "/queries/1/name"),
-        (&ROOM.replacen("[3.5, 1]", "[3.5]", 1), "wrong-dimension", "/queries/1/goal"),
-        (&ROOM.replacen("\"queries\"", "\"questions\"", 1), "unknown-field", "/questions"),
-    ];
-    for (text, code, pointer) in cases {
-        let (found, place) = planarium_with(&["plan", "-"], text).error();
-        assert_eq!((found.as_str(), place.as_str()), (code, pointer), "{text}");
-        let (found, place) = planarium_with(&["verify", "-", "/dev/null"], text).error();
-        assert_eq!((found.as_str(), place.as_str()), (code, pointer), "{text}");
+    for (from, to, code, pointer) in [
+        (ROOM, "{", "invalid-json", ""),
+        ("scenario-1", "scenario-9", "unknown-format", "/format"),
+        ("\"radius\": 0.1", "\"radius\": -0.1", "out-of-range", "/robot/radius"),
+        ("\"radius\": 0.1", "\"radius\": 1e999", "invalid-json", "/robot/radius"),
+        ("[3, 0]", "[3, \"0\"]", "wrong-type", "/world/obstacles/1/vertices/0/1"),
+        ("\"cut-off\"", "\"around\"", "duplicate-name", "/queries/1/name"),
+        ("[3.5, 1]", "[3.5]", "wrong-dimension", "/queries/1/goal"),
+        ("\"queries\"", "\"questions\"", "unknown-field", "/questions"),
+    ] {
+        let text = ROOM.replacen(from, to, 1);
+        planarium_with("plan -", &text).refuses(code, pointer);
+        planarium_with("verify - /dev/null", &text).refuses(code, pointer);
     }
 }
 
 #[test]
-fn a_collision_is_told_by_name() {
-    let finished = planarium_with(&["plan", "-", "--query", "in the wall"], ROOM);
+fn the_message_names_the_collision() {
+    let finished = planarium("plan room.json --query in-wall");
     let document = finished.json();
     let message = document["error"]["message"].as_str().expect("a message");
-    assert!(message.contains("part 0 touches obstacle 1"), "{message}");
-    assert!(finished.stderr.contains("part 0 touches obstacle 1"), "{}", finished.stderr);
+    assert!([message, &finished.stderr].iter().all(|text| text.contains("part 0 touches obstacle 1")), "{message}");
 }
 
 #[test]
-fn help_is_there_for_every_command() {
-    let version = planarium(&["--version"]);
+fn every_command_has_a_help() {
+    let version = planarium("--version");
     assert_eq!((version.code, version.stdout.trim()), (0, concat!("planarium ", env!("CARGO_PKG_VERSION"))));
-    let commands: [&[&str]; 7] = [
-        &["--help"],
-        &["plan", "--help"],
-        &["verify", "-h"],
-        &["list", "-h"],
-        &["generate", "-h"],
-        &["trajectories", "-h"],
-        &["help"],
-    ];
-    for arguments in commands {
-        let help = planarium(arguments);
-        assert_eq!((help.code, help.stderr.as_str()), (0, ""), "{arguments:?}");
+    for line in ["--help", "plan --help", "verify -h", "list -h", "generate -h", "trajectories -h", "help"] {
+        let help = planarium(line);
+        assert_eq!((help.code, help.stderr.as_str()), (0, ""), "{line}");
         assert!(help.stdout.contains("Examples:") && help.stdout.contains("Usage: planarium"), "{}", help.stdout);
     }
-    let plan = planarium(&["plan", "--help"]).stdout;
-    for option in [
-        "--query",
-        "--planner",
-        "--seed",
-        "--set",
-        "--max-iterations",
-        "--max-seconds",
-        "--roadmap",
-        "--save-roadmap",
-        "--out",
-    ] {
-        assert!(plan.contains(option), "{option}");
-    }
+    let plan = planarium("plan --help").stdout;
+    let options = "--query --planner --seed --set --max-iterations --max-seconds --roadmap --save-roadmap --out";
+    options.split(' ').for_each(|option| assert!(plan.contains(option), "{option}"));
 }
 
 #[test]
-fn a_reader_that_goes_away_is_no_reason_to_panic() {
-    for arguments in [&["plan", "-"][..], &["plan", "-", "--query", "in the wall"], &["verify", "-", "/dev/null"]] {
-        let mut child = spawn(arguments);
+fn a_closed_pipe_does_not_panic() {
+    for (line, code) in [("plan -", 0), ("plan - --query in-wall", 2), ("verify - /dev/null", 2)] {
+        let mut child = spawn(line);
         drop(child.stdout.take());
         child.stdin.take().expect("a pipe").write_all(ROOM.as_bytes()).expect("it reads");
         let output = child.wait_with_output().expect("the program ends");
         let stderr = String::from_utf8_lossy(&output.stderr);
-        assert!(!stderr.contains("panicked") && !stderr.contains("cannot write"), "{arguments:?}: {stderr}");
-        assert_eq!(output.status.code(), Some(if arguments.len() == 2 { 0 } else { 2 }), "{arguments:?}: {stderr}");
+        assert!(!stderr.contains("panicked") && !stderr.contains("cannot write"), "{line}: {stderr}");
+        assert_eq!(output.status.code(), Some(code), "{line}: {stderr}");
     }
 }
 
 #[cfg(target_os = "linux")]
 #[test]
 fn a_result_that_is_lost_is_an_error() {
-    let (room, kept) = (file("lost.json", ROOM), file("kept.json", ""));
-    let program = env!("CARGO_BIN_EXE_planarium");
+    file("lost.json", ROOM);
     let run = |rest: &str| {
-        let line = format!("'{program}' plan '{room}' --query around {rest}");
-        let output = Command::new("sh").args(["-c", &line]).output().expect("a shell");
+        let line = format!("'{}' plan lost.json --query around {rest}", env!("CARGO_BIN_EXE_planarium"));
+        let mut command = Command::new("sh");
+        let output = command.args(["-c", &line]).current_dir(env!("CARGO_TARGET_TMPDIR")).output().expect("a shell");
         (output.status.code().expect("no signal"), String::from_utf8_lossy(&output.stderr).into_owned())
     };
     for closed in [">&-", ">/dev/full"] {
@@ -580,14 +507,87 @@ fn a_result_that_is_lost_is_an_error() {
         assert_eq!(code, 2, "{closed}: {stderr}");
         assert!(stderr.contains("error: cannot write to standard output"), "{closed}: {stderr}");
     }
-    assert_eq!(run(&format!("--out '{kept}' >&-")).0, 0, "nothing is lost");
-    assert_eq!(run(">/dev/null").0, 0, "nobody wants it");
+    assert_eq!(run("--out lost.result.json >&-").0, 0, "nothing is lost");
+    assert_eq!(run(">/dev/null").0, 0, "it is discarded on purpose");
 }
 
 #[cfg(feature = "schema")]
 #[test]
 fn the_schema_is_printed() {
-    let schema = planarium(&["schema"]);
-    assert_eq!(schema.code, 0);
-    assert_eq!(schema.json(), planarium::scenario::schema());
+    let schema = planarium("schema");
+    assert_eq!((schema.code, schema.json()), (0, planarium::scenario::schema()));
+}
+
+/// An array file of NumPy.
+fn npy(kind: &str, fortran: &str, shape: &str, data: &[u8]) -> Vec<u8> {
+    let mut header = format!("{{'descr': '{kind}', 'fortran_order': {fortran}, 'shape': ({shape}), }}");
+    while (10 + header.len() + 1) % 64 != 0 {
+        header.push(' ');
+    }
+    header.push('\n');
+    let length = (header.len() as u16).to_le_bytes();
+    [b"\x93NUMPY\x01\x00".as_slice(), &length, header.as_bytes(), data].concat()
+}
+
+#[test]
+fn nearest_prints_indices_and_distances_nearest_first() {
+    const LIST: [[f64; 2]; 5] = [[3.0, 0.0], [-3.0, 0.5], [0.0, 0.0], [-3.0, 0.0], [3.0, 0.0]];
+    let columns: Vec<f64> = (0..2).flat_map(|axis| LIST.map(|row| row[axis])).collect();
+    let little = |numbers: &[f64]| numbers.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>();
+    let big: Vec<u8> = LIST.concat().iter().flat_map(|&x| (x as f32).to_be_bytes()).collect();
+    file("nearest.json", json!(LIST).to_string());
+    file("c.npy", npy("<f8", "False", "5, 2", &little(&LIST.concat())));
+    file("f.npy", npy("<f8", "True", "5, 2", &little(&columns)));
+    file("big.npy", npy(">f4", "False", "5, 2", &big));
+    for name in ["nearest.json", "c.npy", "f.npy", "big.npy"] {
+        for index in ["linear", "kd-tree", "forest"] {
+            let line = format!("nearest firs.json --configurations {name} --target -3,0 --k 4 --index {index}");
+            let finished = planarium(&line);
+            let answer = finished.json();
+            assert_eq!((finished.code, &answer["indices"]), (0, &json!([3, 0, 4, 1])), "{answer}");
+            assert!(!finished.stderr.is_empty(), "a summary for people");
+            let gap = 2.0 * std::f64::consts::PI - 6.0;
+            assert_eq!(answer["distances"], json!([0, gap, gap, 0.5]));
+            assert_eq!((&answer["configurations"], &answer["visited"]), (&json!(5), &json!(5)));
+            assert_eq!(answer.get("recall"), (index == "forest").then_some(&json!(1)));
+            assert!(["query_seconds", "build_seconds"].iter().all(|&key| answer[key].as_f64() > Some(0.0)), "{answer}");
+        }
+    }
+    let indices =
+        |rest: &str| planarium(&format!("nearest firs.json --configurations {rest}")).json()["indices"].take();
+    let naive = indices("nearest.json --target -0.1,0 --k 5 --metric naive");
+    assert_eq!(naive, json!([3, 1, 0, 4, 2]), "-0.1 is read as 6.18");
+    assert_eq!(indices("nearest.json --target -3,0 --within 0.3"), json!([3, 0, 4]));
+}
+
+#[test]
+fn nearest_draws_by_seed_and_the_tree_visits_few() {
+    let [scan, tree] = ["linear", "kd-tree"].map(|index| {
+        let drawn = "nearest firs.json --samples 20000 --seed 7 --free --target 3.14,0 --k 10 --index";
+        planarium(&format!("{drawn} {index}")).json()
+    });
+    assert_eq!((&scan["indices"], &scan["distances"]), (&tree["indices"], &tree["distances"]));
+    assert_eq!(scan["visited"], 20000);
+    assert!(tree["visited"].as_u64().expect("a count") < 1000, "{}", tree["visited"]);
+}
+
+#[test]
+fn lists_of_configurations_are_checked() {
+    let array = |kind: &str, shape: &str, bytes: usize| npy(kind, "False", shape, &vec![0; bytes]);
+    for (name, contents, code, pointer) in [
+        ("word.npy", array("<U4", "5, 2", 160), "file", ""),
+        ("short.npy", array("<f8", "5, 2", 79), "file", ""),
+        ("flat.npy", array("<f8", "10,", 80), "file", ""),
+        ("huge.npy", array("<f8", "4611686018427387904, 8", 80), "file", ""),
+        ("wide.npy", array("<f8", "5, 3", 120), "wrong-dimension", "/rows"),
+        ("n1.json", b"[[0, 0], [1]]".to_vec(), "wrong-dimension", "/rows/1"),
+        ("n2.json", b"[[0, 0], 1]".to_vec(), "wrong-type", "/rows/1"),
+        ("n3.json", b"[[0, 0], [1, \"a\"]]".to_vec(), "wrong-type", "/rows/1/1"),
+        ("n4.json", b"{}".to_vec(), "wrong-type", "/rows"),
+        ("n5.json", b"[[0, 0], [1, 1e7]]".to_vec(), "out-of-range", "/rows/1/1"),
+        ("n6.json", b"[[0, 0".to_vec(), "invalid-json", "/0"),
+    ] {
+        file(name, contents);
+        planarium(&format!("nearest firs.json --configurations {name} --target 0,0")).refuses(code, pointer);
+    }
 }

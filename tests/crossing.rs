@@ -1,4 +1,4 @@
-//! Particles, and when two trajectories cross: closed forms against halving, and both against what is known.
+//! Particles, and whether two trajectories cross: closed forms against halving, and both against known cases.
 
 use crate::common::cases;
 use planarium::geometry::Point;
@@ -7,7 +7,7 @@ use planarium::trajectories::{MOST_TURNING, Model, Particle, crossing, halve};
 use std::f64::consts::PI;
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// Enough pairs of stretches for every pair of trajectories here.
+/// Enough pairs of intervals for every pair of trajectories here.
 const PLENTY: u64 = 20_000_000;
 
 fn particle(model: Model, [x, y, theta, speed, turn_rate, duration]: [f64; 6]) -> Particle {
@@ -35,8 +35,8 @@ fn crosses(a: &Particle, b: &Particle) -> bool {
     answer.is_some()
 }
 
-/// The closed forms and halving agree, but for what lies within a few slacks: apart is proven again with a hundredth of the
-/// slack, crossing stays crossing with five slacks.
+/// Whether two trajectories cross, by closed forms and by halving: apart is proven again with a hundredth of the slack, crossing
+/// stays crossing with five slacks.
 #[track_caller]
 fn judged(a: &Particle, b: &Particle) -> bool {
     let eta = 1e-12 * scale(a, b);
@@ -45,6 +45,15 @@ fn judged(a: &Particle, b: &Particle) -> bool {
     assert!(again.pairs < PLENTY, "the oracle gave up on {a:?} {b:?}");
     assert_eq!(answer, again.meeting.is_some(), "{a:?} {b:?}");
     answer
+}
+
+/// How many of so many drawn pairs cross, each judged by closed forms and by halving.
+fn crossings(cases: usize, mut draw: impl FnMut(usize) -> [Particle; 2]) -> usize {
+    let is_crossing = |case: &usize| {
+        let [a, b] = draw(*case);
+        judged(&a, &b)
+    };
+    (0..cases).filter(is_crossing).count()
 }
 
 struct Draws(Random);
@@ -58,7 +67,7 @@ impl Draws {
         low + self.0.uniform() * (high - low)
     }
 
-    /// A number from 10^low to 10^high, all orders of magnitude alike.
+    /// A number from 10^low to 10^high, uniform in its logarithm.
     fn magnitude(&mut self, low: f64, high: f64) -> f64 {
         libm::pow(10.0, self.within(low, high))
     }
@@ -69,29 +78,29 @@ impl Draws {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_spiral_has_the_points_that_are_printed_for_it() {
+fn the_spiral_has_its_published_points() {
     let spiral = particle(Model::Spiral, [0.0, 0.0, 0.0, 1.0, PI / 4.0, 1.0]);
-    let first = spiral.place(0.1);
+    let first = spiral.position(0.1);
     assert!((first.x - 0.0996917333733128).abs() < 1e-15 && (first.y - 0.007845909572784495).abs() < 1e-15, "{first}");
-    assert!((spiral.place(0.2).x - 0.19753766811902757).abs() < 1e-15);
-    assert_eq!(spiral.place(0.0), Point::origin());
+    assert!((spiral.position(0.2).x - 0.19753766811902757).abs() < 1e-15);
+    assert_eq!(spiral.position(0.0), Point::origin());
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_arc_keeps_its_radius_and_loses_nothing_where_it_hardly_turns() {
+fn the_arc_has_its_radius_and_loses_no_digits_if_it_hardly_turns() {
     let half = arc([1.0, 2.0, 0.0, PI, PI, 1.0]);
     // Half a circle of radius 1 to the left: across from the start.
-    assert!((half.place(1.0) - Point::new(1.0, 4.0)).norm() < 1e-15);
+    assert!((half.position(1.0) - Point::new(1.0, 4.0)).norm() < 1e-15);
     for time in [0.1, 0.37, 0.9] {
-        assert!(((half.place(time) - Point::new(1.0, 3.0)).norm() - 1.0).abs() < 1e-15);
+        assert!(((half.position(time) - Point::new(1.0, 3.0)).norm() - 1.0).abs() < 1e-15);
     }
     for turn_rate in [1e-300, 1e-17, 1e-12, 1e-9, 1e-6] {
-        let place = arc([0.0, 0.0, 0.0, 1.0, turn_rate, 1.0]).place(1.0);
+        let place = arc([0.0, 0.0, 0.0, 1.0, turn_rate, 1.0]).position(1.0);
         // y = (1 - cos w) / w = w / 2 - w^3 / 24 + ...
         let y = turn_rate / 2.0 - turn_rate * turn_rate * turn_rate / 24.0;
         assert!((place.y - y).abs() <= 1e-15 * y && (place.x - 1.0).abs() < 1e-12, "{turn_rate} {place}");
     }
-    assert_eq!(arc([0.0, 0.0, 0.0, 1.0, 0.0, 1.0]).place(0.5), Point::new(0.5, 0.0));
+    assert_eq!(arc([0.0, 0.0, 0.0, 1.0, 0.0, 1.0]).position(0.5), Point::new(0.5, 0.0));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -145,7 +154,7 @@ fn contact_is_crossing_and_the_smallest_gap_is_not() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn what_is_the_same_or_overlaps_crosses() {
+fn equal_and_overlapping_trajectories_cross() {
     for &model in Model::ALL {
         for turn_rate in [0.0, 1e-15, 0.4, -3.0, 20.0] {
             let one = particle(model, [0.3, -0.2, 1.1, 0.8, turn_rate, 1.0]);
@@ -166,9 +175,8 @@ fn what_is_the_same_or_overlaps_crosses() {
 #[wasm_bindgen_test(unsupported = test)]
 fn random_trajectories_are_judged_alike_by_closed_forms_and_by_halving() {
     let mut draws = Draws::new(1);
-    let (mut crossing, mut apart) = (0, 0);
-    for i in 0..cases(20_000) {
-        let [a, b] = [(); 2].map(|()| {
+    let crossing = crossings(cases(20_000), |i| {
+        [(); 2].map(|()| {
             let kind = draws.0.below(5);
             let turn_rate = if kind == 0 { 0.0 } else { draws.within(-PI, PI) };
             let speed = if kind == 1 { 0.0 } else { draws.within(0.0, 2.0) };
@@ -176,28 +184,25 @@ fn random_trajectories_are_judged_alike_by_closed_forms_and_by_halving() {
             let model = if i % 3 == 0 { Model::Spiral } else { Model::Arc };
             let place = [draws.within(-1.0, 1.0), draws.within(-1.0, 1.0)];
             particle(model, [place[0], place[1], draws.within(-PI, PI), speed, turn_rate, duration])
-        });
-        if judged(&a, &b) { crossing += 1 } else { apart += 1 }
-    }
-    assert!(crossing > cases(1000) && apart > cases(2000), "{crossing} {apart}");
+        })
+    });
+    assert!(crossing > cases(1000) && cases(20_000) - crossing > cases(2000), "{crossing}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn radii_and_turns_of_all_sizes_are_judged_alike() {
     let mut draws = Draws::new(2);
-    let mut crossing = 0;
-    for _ in 0..cases(20_000) {
+    let crossing = crossings(cases(20_000), |_| {
         // Both pass near one point, so that about half of them cross there.
         let near = [draws.within(-1.0, 1.0), draws.within(-1.0, 1.0)];
-        let [a, b] = [(); 2].map(|()| {
+        [(); 2].map(|()| {
             let length = draws.magnitude(-6.0, 0.5);
             let turn = draws.sign() * draws.magnitude(-16.0, 1.5);
             let (theta, before) = (draws.within(-PI, PI), draws.within(-0.2, 1.2) * length);
             let start = [near[0] - before * libm::cos(theta), near[1] - before * libm::sin(theta)];
             arc([start[0], start[1], theta, length, turn, 1.0])
-        });
-        crossing += usize::from(judged(&a, &b));
-    }
+        })
+    });
     assert!(crossing > cases(1000) && crossing < cases(20_000), "{crossing}");
 }
 
@@ -208,7 +213,7 @@ fn tangent_circles_are_judged_by_their_gap() {
         let (r, s) = (draws.magnitude(-5.0, 0.5), draws.magnitude(-5.0, 0.5));
         let gap = draws.sign() * draws.magnitude(-10.0, -1.0);
         let (center, direction) = ([draws.within(-1.0, 1.0), draws.within(-1.0, 1.0)], draws.within(-PI, PI));
-        // Outside: the centres r + s + gap apart. Inside: |r - s| - gap apart, where the circles have so much room.
+        // Outside: the centres r + s + gap apart. Inside: |r - s| - gap apart, if the circles are large enough.
         let outside = draws.0.below(2) == 0;
         let apart = if outside { r + s + gap } else { (r - s).abs() - gap };
         if apart <= 0.0 || gap.abs() > r.min(s) {
@@ -225,7 +230,7 @@ fn tangent_circles_are_judged_by_their_gap() {
 fn arcs_that_end_at_a_gap_from_another_are_judged_by_the_gap() {
     let mut draws = Draws::new(4);
     for _ in 0..cases(20_000) {
-        // A ray from the centre of a whole circle, which begins at the gap from it, inside or outside; straight or bent.
+        // A ray from the centre of a whole circle that begins at the gap from it, inside or outside; straight or bent.
         let (r, gap) = (draws.magnitude(-4.0, 0.5), draws.sign() * draws.magnitude(-9.8, -1.0));
         let (center, direction) = ([draws.within(-1.0, 1.0), draws.within(-1.0, 1.0)], draws.within(-PI, PI));
         let circle = about(center, r, draws.within(-PI, PI), 6.5);
@@ -243,18 +248,16 @@ fn arcs_that_end_at_a_gap_from_another_are_judged_by_the_gap() {
 #[wasm_bindgen_test(unsupported = test)]
 fn nearly_concentric_and_nearly_equal_circles_are_judged_alike() {
     let mut draws = Draws::new(5);
-    let (mut crossing, mut tried) = (0, 0);
-    for _ in 0..cases(1000) {
+    let tried = cases(1000);
+    let crossing = crossings(tried, |_| {
         let r = draws.within(0.5, 1.5);
-        // Such gaps that halving, which needs about 1 / sqrt(gap) stretches, can tell.
+        // Gaps that halving, which needs about 1 / sqrt(gap) intervals, can decide.
         let (shift, growth) = (draws.magnitude(-7.0, -1.0), draws.sign() * draws.magnitude(-7.0, -1.0));
         let direction = draws.within(-PI, PI);
         let other = [shift * libm::cos(direction), shift * libm::sin(direction)];
         let a = about([0.0, 0.0], r, draws.within(-PI, PI), draws.sign() * draws.within(0.5, 7.0));
-        let b = about(other, r + growth, draws.within(-PI, PI), draws.sign() * draws.within(0.5, 7.0));
-        tried += 1;
-        crossing += usize::from(judged(&a, &b));
-    }
+        [a, about(other, r + growth, draws.within(-PI, PI), draws.sign() * draws.within(0.5, 7.0))]
+    });
     assert!(crossing > tried / 10 && crossing < tried, "{crossing} of {tried}");
 }
 
@@ -269,35 +272,13 @@ fn arcs_that_share_an_end_cross_whatever_their_sizes() {
         });
         assert!(crosses(&a, &b), "{a:?} {b:?}");
         // One begins where the other ends, up to rounding.
-        let end = a.place(a.duration);
+        let end = a.position(a.duration);
         assert!(crosses(&a, &Particle { start: end, ..b }), "{a:?} {b:?}");
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_place_of_a_crossing_lies_on_both() {
-    let mut draws = Draws::new(7);
-    let mut seen = 0;
-    for i in 0..cases(2000) {
-        let model = if i % 2 == 0 { Model::Arc } else { Model::Spiral };
-        let [a, b] = [(); 2].map(|()| {
-            let place = [draws.within(-0.3, 0.3), draws.within(-0.3, 0.3)];
-            let turn_rate = if draws.0.below(4) == 0 { 0.0 } else { draws.within(-PI, PI) };
-            particle(model, [place[0], place[1], draws.within(-PI, PI), draws.within(0.0, 1.0), turn_rate, 1.0])
-        });
-        let Some(place) = crossing(&a, &b).expect("in range") else { continue };
-        seen += 1;
-        for one in [a, b] {
-            let nearest =
-                (0..=2000).map(|k| (one.place(f64::from(k) / 2000.0) - place).norm()).fold(f64::MAX, f64::min);
-            assert!(nearest < 2e-3, "{nearest} {a:?} {b:?}");
-        }
-    }
-    assert!(seen > cases(20), "{seen}");
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn halving_never_calls_apart_what_samples_see_together() {
+fn halving_never_reports_as_apart_what_samples_find_together() {
     let mut draws = Draws::new(8);
     for i in 0..cases(1000) {
         let model = if i % 2 == 0 { Model::Arc } else { Model::Spiral };
@@ -307,7 +288,7 @@ fn halving_never_calls_apart_what_samples_see_together() {
         });
         // Places 1/200 s apart are at most 1/200 m of the arc apart, ten times that of the spiral: within a quarter of that
         // of each other somewhere, a gap of five times that is seen.
-        let places = |one: &Particle| (0..=200).map(|k| one.place(f64::from(k) / 200.0)).collect::<Vec<_>>();
+        let places = |one: &Particle| (0..=200).map(|k| one.position(f64::from(k) / 200.0)).collect::<Vec<_>>();
         let (p, q) = (places(&a), places(&b));
         let nearest = p.iter().flat_map(|p| q.iter().map(move |q| (p - q).norm())).fold(f64::MAX, f64::min);
         let apart = halve(&a, &b, 1e-12, PLENTY).meeting.is_none();

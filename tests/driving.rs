@@ -1,7 +1,6 @@
-//! The keyboard car: keys, steps, stops, replay, rollout.
+//! The car driven by keys: keys, steps, stops, replay, rollout.
 
 use crate::common;
-
 use crate::common::parse;
 use planarium::driving::{Drive, Key, MAX_STEPS, Press, rollout};
 use planarium::geometry::arc_pose;
@@ -36,9 +35,10 @@ fn drive() -> Drive {
     Drive::new(&road(), None).expect("a drive")
 }
 
-fn press(drive: &mut Drive, keys: &[Key]) {
-    for &key in keys {
-        drive.press(key).expect("a key");
+/// Presses the keys of a text: faster, slower, left, right, keep.
+fn press(drive: &mut Drive, keys: &str) {
+    for key in keys.chars() {
+        drive.press(Key::ALL["+-lr=".find(key).expect("a key")]).expect("a drive of few keys");
     }
 }
 
@@ -47,63 +47,51 @@ fn bits(drive: &Drive) -> Vec<u64> {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn it_starts_at_rest_and_keys_change_the_control_within_its_limits() {
+fn keys_change_the_control_within_its_limits() {
     let mut drive = drive();
-    assert_eq!(drive.control(), Control { speed: 0.0, steering: 0.0 });
     drive.tick(100).expect("time");
-    assert_eq!((drive.pose(), drive.steps(), drive.trace().len()), ([0.5, 0.5, 0.0], 100, 1));
-    press(&mut drive, &[Key::Faster; 3]);
-    assert_eq!(drive.control().speed, 0.3);
-    press(&mut drive, &[Key::Faster; 9]);
-    assert_eq!(drive.control().speed, 0.5);
-    press(&mut drive, &[Key::Slower]);
-    assert_eq!(drive.control().speed, 0.4, "what is pressed at the limit is not remembered");
-    press(&mut drive, &[Key::Left, Key::Left, Key::Keep]);
-    assert_eq!(drive.control(), Control { speed: 0.4, steering: PI / 6.0 });
-    press(&mut drive, &[Key::Left; 7]);
-    assert_eq!(drive.control().steering, PI / 4.0);
-    press(&mut drive, &[Key::Right; 3]);
-    assert_eq!(drive.control().steering, 0.0);
-    press(&mut drive, &[Key::Slower; 30]);
-    assert_eq!(drive.control().speed, -0.5);
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn straight_on_is_found_again_behind_limits_that_are_no_multiple_of_a_press() {
-    let mut drive = Drive::new(&car("[-0.25, 0.31]", "[-0.4, 0.7]"), None).expect("a drive");
-    press(&mut drive, &[Key::Left; 8]);
-    assert_eq!(drive.control().steering, 0.7);
-    press(&mut drive, &[Key::Right; 3]);
-    assert_eq!(drive.control().steering, 0.0);
-    press(&mut drive, &[Key::Slower; 5]);
-    assert_eq!(drive.control().speed, -0.25);
-    press(&mut drive, &[Key::Faster; 3]);
-    assert_eq!(drive.control().speed, 0.0);
-    press(&mut drive, &[Key::Faster; 9]);
-    assert_eq!(drive.control().speed, 0.31);
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn a_car_that_has_no_slow_speed_can_stand_all_the_same() {
-    let mut drive = Drive::new(&car("[0.25, 0.5]", "[0.1, 0.7]"), None).expect("a drive");
-    assert_eq!(drive.control(), Control { speed: 0.0, steering: 0.1 });
-    press(&mut drive, &[Key::Slower]);
-    assert_eq!(drive.control().speed, 0.0);
-    press(&mut drive, &[Key::Faster]);
-    assert_eq!(drive.control().speed, 0.25);
+    assert_eq!((drive.pose(), drive.steps(), drive.trace().len()), ([0.5, 0.5, 0.0], 100, 1), "it starts at rest");
+    // Limits of speed and steering angle, keys, and the control after them; without limits the drive goes on.
+    for (limits, keys, speed, steering) in [
+        (Some(["[-0.5, 0.5]", "[-0.7853981633974483, 0.7853981633974483]"]), "", 0.0, 0.0),
+        (None, "+++", 0.3, 0.0),
+        (None, "+++++++++", 0.5, 0.0),
+        // Presses at the limit are not counted.
+        (None, "-", 0.4, 0.0),
+        (None, "ll=", 0.4, PI / 6.0),
+        (None, "lllllll", 0.4, PI / 4.0),
+        (None, "rrr", 0.4, 0.0),
+        (None, "------------------------------", -0.5, 0.0),
+        // Zero is reached again from limits that are no multiple of a press.
+        (Some(["[-0.25, 0.31]", "[-0.4, 0.7]"]), "llllllll", 0.0, 0.7),
+        (None, "rrr", 0.0, 0.0),
+        (None, "-----", -0.25, 0.0),
+        (None, "+++", 0.0, 0.0),
+        (None, "+++++++++", 0.31, 0.0),
+        // A car that cannot drive slowly can stand still.
+        (Some(["[0.25, 0.5]", "[0.1, 0.7]"]), "", 0.0, 0.1),
+        (None, "-", 0.0, 0.1),
+        (None, "+", 0.25, 0.1),
+    ] {
+        if let Some([speeds, angles]) = limits {
+            drive = Drive::new(&car(speeds, angles), None).expect("a drive");
+        }
+        press(&mut drive, keys);
+        assert_eq!(drive.control(), Control { speed, steering }, "{keys}");
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn each_step_is_an_exact_arc() {
     let mut drive = drive();
-    press(&mut drive, &[Key::Faster, Key::Faster, Key::Left]);
+    press(&mut drive, "++l");
     drive.tick(150).expect("time");
     assert_eq!(drive.blocked(), None);
     let [x, y, theta] = drive.pose();
     let turn_rate = 0.2 * f64::tan(PI / 12.0) / 0.2;
     let [ex, ey, etheta] = arc_pose([0.5, 0.5, 0.0], 0.2, turn_rate, 1.5);
     assert!((x - ex).abs() < 1e-12 && (y - ey).abs() < 1e-12 && angular_distance(theta, etheta) < 1e-12);
-    // The same by integration in steps a thousand times finer, as a driver would write it who knows no arc.
+    // The same by Euler integration in steps a thousand times finer.
     let (mut px, mut py, mut angle) = (0.5, 0.5, 0.0);
     for _ in 0..150_000 {
         px += 0.2 * f64::cos(angle) * 1e-5;
@@ -138,11 +126,9 @@ fn the_same_keys_at_the_same_steps_give_the_same_bits_however_the_steps_are_cut(
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn it_stops_before_an_obstacle_says_which_and_can_back_off() {
+fn it_stops_before_an_obstacle_reports_it_and_can_back_off() {
     let mut drive = drive();
-    press(&mut drive, &[Key::Faster; 5]);
-    press(&mut drive, &[Key::Left]);
-    press(&mut drive, &[Key::Right]);
+    press(&mut drive, "+++++lr");
     drive.tick(1000).expect("time");
     assert_eq!(drive.blocked(), Some(Some(Touched::Obstacle(1))));
     assert_eq!(drive.control().speed, 0.0);
@@ -150,12 +136,12 @@ fn it_stops_before_an_obstacle_says_which_and_can_back_off() {
     assert!(x > 1.395 - 1e-9 && x < 1.4, "within a step of the wall at 1.5: {x}");
     assert_eq!(drive.steps(), 1000, "time goes on while it stands");
     let stood = drive.pose();
-    press(&mut drive, &[Key::Faster]);
+    press(&mut drive, "+");
     drive.tick(5).expect("time");
     drive.tick(5).expect("time");
     assert_eq!(drive.blocked(), Some(Some(Touched::Obstacle(1))), "it may come a little nearer, and stops again");
     assert!(drive.pose()[0] - stood[0] < 5e-3);
-    press(&mut drive, &[Key::Slower]);
+    press(&mut drive, "-");
     assert!(drive.blocked().is_some());
     drive.tick(10).expect("time");
     assert_eq!(drive.blocked(), None);
@@ -165,7 +151,7 @@ fn it_stops_before_an_obstacle_says_which_and_can_back_off() {
 #[wasm_bindgen_test(unsupported = test)]
 fn it_stops_at_the_bounds() {
     let mut drive = drive();
-    press(&mut drive, &[Key::Slower; 5]);
+    press(&mut drive, "-----");
     drive.tick(1000).expect("time");
     assert_eq!(drive.blocked(), Some(Some(Touched::Bounds)));
     assert!(drive.pose()[0] >= 0.1 - 1e-9);
@@ -213,7 +199,7 @@ fn no_pose_of_a_wild_drive_touches_anything() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_replay_stops_where_it_is_told() {
+fn a_replay_stops_at_the_given_step() {
     let record = [Press { step: 0, key: Key::Faster }, Press { step: 10, key: Key::Slower }];
     let mut drive = drive();
     drive.replay(&record, 5).expect("a record");
@@ -248,33 +234,32 @@ fn a_rollout_is_the_arc_up_to_what_it_hits() {
     ] {
         assert_eq!(hold(speed, steering, duration).expect_err("bad input").pointer(), pointer);
     }
-    let inside =
-        rollout(&road(), &[1.5, 0.5, 0.0], Motion { control: Control { speed: 0.1, steering: 0.0 }, duration: 1.0 });
-    let inside = inside.expect("a rollout that goes nowhere");
+    let motion = Motion { control: Control { speed: 0.1, steering: 0.0 }, duration: 1.0 };
+    let inside = rollout(&road(), &[1.5, 0.5, 0.0], motion).expect("a rollout that goes nowhere");
     assert_eq!((inside.poses.len(), inside.blocked), (1, Some(Some(Touched::Obstacle(1)))));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn what_is_wrong_is_refused() {
-    let code = |result: Result<Drive, planarium::Error>| {
-        let error = result.err().expect("an error");
-        (error.code().as_str(), error.pointer().to_owned())
-    };
-    let refused = |code: &'static str, pointer: &str| (code, pointer.to_owned());
-    assert_eq!(code(Drive::new(&road(), Some(&[0.0, 0.0]))), refused("wrong-dimension", "/q"));
-    assert_eq!(code(Drive::new(&road(), Some(&[0.0, f64::NAN, 0.0]))), refused("not-finite", "/q/1"));
-    assert_eq!(code(Drive::new(&road(), Some(&[0.0, 1e7, 0.0]))), refused("out-of-range", "/q/1"));
-    assert_eq!(code(Drive::new(&road(), Some(&[1.5, 0.5, 0.0]))), refused("start-in-collision", "/q"));
-    assert_eq!(code(Drive::new(&common::disc_and_wall(0.1, 0.1), None)), refused("unsupported", ""));
+fn bad_input_is_refused_with_code_and_pointer() {
+    let cases: [(Scenario, Option<&[f64]>, &str, &str); 5] = [
+        (road(), Some(&[0.0, 0.0]), "wrong-dimension", "/q"),
+        (road(), Some(&[0.0, f64::NAN, 0.0]), "not-finite", "/q/1"),
+        (road(), Some(&[0.0, 1e7, 0.0]), "out-of-range", "/q/1"),
+        (road(), Some(&[1.5, 0.5, 0.0]), "start-in-collision", "/q"),
+        (common::disc_and_wall(0.1, 0.1), None, "unsupported", ""),
+    ];
+    for (scenario, start, code, pointer) in cases {
+        let error = Drive::new(&scenario, start).err().expect("an error");
+        assert_eq!((error.code().as_str(), error.pointer()), (code, pointer));
+    }
     assert_eq!(drive().tick(MAX_STEPS + 1).expect_err("too long").code().as_str(), "out-of-range");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_drive_ends_after_a_million_steps() {
     let mut drive = Drive::new(&car("[-0.5, 0.5]", "[-1.5, 1.5]"), Some(&[0.8, 1.0, 0.0])).expect("a drive");
-    press(&mut drive, &[Key::Faster]);
-    press(&mut drive, &[Key::Left; 6]);
-    // A car that turns on the spot, almost, drives as long as it is let.
+    press(&mut drive, "+llllll");
+    // It drives in a small circle, without end.
     if cfg!(target_arch = "wasm32") {
         return;
     }

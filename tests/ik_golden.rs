@@ -1,6 +1,7 @@
-//! Golden outcomes of inverse kinematics: the same bits on native, Node and Chrome, and tomorrow. `PLANARIUM_BLESS=1 cargo test
-//! --test reach_golden` writes them anew after a change that is meant to change results.
+//! Golden outcomes of inverse kinematics: every method, with and without limits and orientations, the same bits natively, in Node
+//! and in Chrome.
 
+use crate::common::golden;
 use planarium::geometry::Point;
 use planarium::ik::{Solver, SolverOptions, Target, follow, nearest_reachable};
 use planarium::run::Value;
@@ -8,9 +9,7 @@ use planarium::scenario::{Robot, Scenario, generate::generate};
 use serde_json::{Value as Json, json};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-const GOLDEN: &str = include_str!("golden-ik.json");
-
-/// How many times the hand moves on its way to the target.
+/// The number of steps of the followed target.
 const MOVES: u32 = 20;
 
 fn scenario(case: &Json) -> Scenario {
@@ -33,14 +32,13 @@ fn options(given: &Json) -> SolverOptions {
         match (name.as_str(), value) {
             ("target" | "orientation" | "method", _) => (),
             ("seed", seed) => options.seed = seed.as_u64().expect("a seed"),
-            (_, Json::Bool(on)) => options.parameters.push((name.clone(), Value::Boolean(*on))),
-            (_, value) => options.parameters.push((name.clone(), Value::Number(number(value)))),
+            (_, value) => options.parameters.push((name.clone(), Value::from(value))),
         }
     }
     options
 }
 
-/// What a case comes to: the run, how near the arm can come, and where it is when it has followed a hand to the target.
+/// The outcome of a case: the run, how near the arm can come, and its configuration after following to the target.
 fn outcome(case: &Json) -> Json {
     let scenario = scenario(case);
     let options = options(&case["reach"]);
@@ -48,14 +46,13 @@ fn outcome(case: &Json) -> Json {
     let start = run.configuration();
     run.step(u64::MAX);
     let Robot::Arm(arm) = scenario.robot() else { panic!("an arm") };
-    let links = arm.links().len();
     let nearest = nearest_reachable(arm, options.target).expect("a target");
-    let (mut q, from) = (start, arm.end_effector(&start));
+    let (mut q, from) = (start[..run.dimension()].to_vec(), arm.end_effector(&start));
     let mut distance = 0.0;
     for step in 1..=MOVES {
         let part = f64::from(step) / f64::from(MOVES);
         let point = from + (options.target.point - from) * part;
-        let moved = follow(arm, &q[..links], Target { point, ..options.target }).expect("it follows");
+        let moved = follow(arm, &q, Target { point, ..options.target }).expect("it follows");
         (q, distance) = (moved.configuration, moved.distance);
     }
     json!({
@@ -65,30 +62,12 @@ fn outcome(case: &Json) -> Json {
         "solutions": run.solutions().len(),
         "rejected": run.rejected().len(),
         "fingerprint": format!("{:016x}", run.fingerprint()),
-        "nearest": { "configuration": nearest.configuration[..links], "distance": nearest.distance },
-        "followed": { "configuration": q[..links], "distance": distance },
+        "nearest": { "configuration": nearest.configuration, "distance": nearest.distance },
+        "followed": { "configuration": q, "distance": distance },
     })
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_case_of_inverse_kinematics_has_its_golden_outcome() {
-    let cases: Vec<Json> = serde_json::from_str(GOLDEN).expect("the golden file is JSON");
-    assert!(cases.len() >= 30, "every method, with and without limits and orientations");
-    #[cfg(not(target_arch = "wasm32"))]
-    if std::env::var_os("PLANARIUM_BLESS").is_some() {
-        let blessed: Vec<Json> = cases
-            .iter()
-            .map(|case| {
-                let mut case = case.clone();
-                case["outcome"] = outcome(&case);
-                case
-            })
-            .collect();
-        let text = serde_json::to_string_pretty(&blessed).expect("JSON") + "\n";
-        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden-ik.json"), text).expect("written");
-        return;
-    }
-    for case in &cases {
-        assert_eq!(outcome(case), case["outcome"], "{case}");
-    }
+    golden::check("golden-ik.json", include_str!("golden-ik.json"), 30, outcome);
 }

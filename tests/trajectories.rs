@@ -1,20 +1,11 @@
 //! Many trajectories: none crosses another, the same in any slices, on every platform, with the index and without.
 
+use crate::common::{given, golden};
 use planarium::options::{Kind, Options, Value};
 use planarium::problem::Status;
 use planarium::trajectories::{Model, Particle, Trajectories, TrajectoryOptions, halve};
 use serde_json::Value as Json;
 use wasm_bindgen_test::wasm_bindgen_test;
-
-const GOLDEN: &str = include_str!("golden-trajectories.json");
-
-fn given(options: &str) -> Vec<(String, Value)> {
-    let setting = |setting: &str| {
-        let (name, value) = setting.split_once('=').expect("name=value");
-        (name.to_owned(), Value::from_text(value))
-    };
-    options.split_whitespace().map(setting).collect()
-}
 
 fn begin(options: &str, seed: u64) -> Trajectories {
     Trajectories::new(&given(options), seed).unwrap_or_else(|error| panic!("{error}"))
@@ -29,32 +20,17 @@ fn particles(trajectories: &Trajectories) -> Vec<Particle> {
     trajectories.accepted_since(0).copied().collect()
 }
 
-/// What a golden case comes to.
+/// The outcome of a golden case.
 fn outcome(case: &Json) -> Json {
-    let given = case["options"].as_object().expect("options").iter().map(|(name, value)| {
-        let value = value.as_f64().map_or_else(|| Value::Text(value.as_str().expect("a word").into()), Value::Number);
-        (name.clone(), value)
-    });
-    let given: Vec<_> = given.collect();
+    let options = case["options"].as_object().expect("options").iter();
+    let given: Vec<_> = options.map(|(name, value)| (name.clone(), Value::from(value))).collect();
     let done = finish(Trajectories::new(&given, case["seed"].as_u64().expect("a seed")).expect("options in range"));
     serde_json::to_value(done.result()).expect("a document")
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_case_has_its_golden_outcome() {
-    let cases: Vec<Json> = serde_json::from_str(GOLDEN).expect("the golden file is JSON");
-    assert!(cases.len() >= 10, "both models, with and without the index, crowded and solved");
-    #[cfg(not(target_arch = "wasm32"))]
-    if std::env::var_os("PLANARIUM_BLESS").is_some() {
-        let bless = |case: &Json| serde_json::json!({ "options": case["options"], "seed": case["seed"], "outcome": outcome(case) });
-        let blessed: Vec<Json> = cases.iter().map(bless).collect();
-        let text = serde_json::to_string_pretty(&blessed).expect("JSON") + "\n";
-        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden-trajectories.json"), text).expect("written");
-        return;
-    }
-    for case in &cases {
-        assert_eq!(outcome(case), case["outcome"], "{case}");
-    }
+    golden::check("golden-trajectories.json", include_str!("golden-trajectories.json"), 10, outcome);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -71,7 +47,7 @@ fn slices_do_not_change_the_result() {
         let before = whole.fingerprint();
         let mut whole = whole;
         whole.step(100);
-        assert_eq!(whole.fingerprint(), before, "nothing more is done once it has ended");
+        assert_eq!(whole.fingerprint(), before, "no more is done once it has ended");
         assert_ne!(finish(begin(options, 6)).fingerprint(), before);
     }
 }
@@ -99,35 +75,29 @@ fn the_index_changes_nothing_but_the_work() {
     }
 }
 
-/// Every pair of accepted ones is judged by halving, which knows neither the index nor the closed forms; every refused one must
-/// meet the one it names within a few slacks.
+/// Every pair of accepted ones is judged by halving, which uses neither the index nor the closed forms; every refused one must
+/// meet the one it names within a few slacks, and their common point must lie on both.
 fn check_all_pairs(options: &str, seed: u64) {
     let done = finish(begin(options, seed));
     let accepted = particles(&done);
     let eta = 1e-14;
     for (i, a) in accepted.iter().enumerate() {
         for b in &accepted[..i] {
-            let judged = halve(a, b, eta, 100_000_000);
-            assert_eq!(judged.meeting, None, "{options}: {a:?} {b:?}");
+            assert_eq!(halve(a, b, eta, 100_000_000).meeting, None, "{options}: {a:?} {b:?}");
         }
     }
     for refused in done.refused_since(0) {
         let other = &accepted[refused.other as usize];
         assert!(halve(&refused.particle, other, 3e-11, 100_000_000).meeting.is_some(), "{options}: {refused:?}");
-        let places =
-            |one: &Particle| (0..=3000).map(|k| one.place(one.duration * f64::from(k) / 3000.0)).collect::<Vec<_>>();
         for one in [&refused.particle, other] {
-            let nearest = places(one).iter().map(|p| (p - refused.place).norm()).fold(f64::MAX, f64::min);
+            let positions = (0..=3000).map(|k| one.position(one.duration * f64::from(k) / 3000.0));
+            let nearest = positions.map(|p| (p - refused.point).norm()).fold(f64::MAX, f64::min);
             assert!(nearest < 1e-3 * (1.0 + one.speed * one.duration * 5.0), "{options}: {nearest} {refused:?}");
         }
     }
     // Only those refused since the last that was accepted belong to none.
-    let last = done.tries().iter().map(|&tries| u64::from(tries)).sum::<u64>();
-    assert!(if done.status() == Status::Solved {
-        last == done.tally().iterations
-    } else {
-        last <= done.tally().iterations
-    });
+    let (last, all) = (done.tries().iter().map(|&tries| u64::from(tries)).sum::<u64>(), done.tally().iterations);
+    assert!(last == all || last < all && done.status() != Status::Solved);
     assert_eq!(done.accepted_count() + done.refused_count(), done.tally().iterations as usize);
 }
 
@@ -139,10 +109,11 @@ fn no_pair_of_accepted_trajectories_crosses() {
     check_all_pairs("count=150 fastest=8 least_turn_rate=-20 greatest_turn_rate=20 max_iterations=1500", 2);
     check_all_pairs("count=100 slowest=2 fastest=2 least_turn_rate=7 greatest_turn_rate=9 max_iterations=1500", 3);
     check_all_pairs("count=200 least_turn_rate=-1e-9 greatest_turn_rate=1e-9", 4);
+    check_all_pairs("count=150 fastest=4 least_turn_rate=0 greatest_turn_rate=0 max_iterations=1500", 5);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn draws_lie_in_their_ranges_and_changing_one_range_leaves_the_others_alone() {
+fn draws_lie_in_their_ranges_and_changing_one_range_does_not_affect_the_others() {
     let options =
         "count=300 half_side=2 spread=1 slowest=0.2 fastest=0.4 least_turn_rate=-1 greatest_turn_rate=2 duration=0.5";
     let done = finish(begin(options, 9));
@@ -170,7 +141,7 @@ fn draws_lie_in_their_ranges_and_changing_one_range_leaves_the_others_alone() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_crowded_square_is_exhausted_and_says_so() {
+fn a_crowded_square_is_exhausted() {
     let done = finish(begin("count=1000 half_side=0.2 slowest=1 max_iterations=2000", 0));
     assert_eq!(done.status(), Status::Exhausted);
     assert_eq!(done.tally().iterations, 2000);
@@ -180,7 +151,7 @@ fn a_crowded_square_is_exhausted_and_says_so() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn cursors_give_what_is_new() {
+fn cursors_return_the_new_rows() {
     let mut trajectories = begin("", 2);
     trajectories.step(400);
     let (accepted, refused) = (trajectories.accepted_count(), trajectories.refused_count());
@@ -228,7 +199,7 @@ fn bad_options_are_refused_with_code_and_pointer() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_table_tells_all_and_its_extremes_are_in_range() {
+fn the_table_is_complete_and_its_extremes_are_in_range() {
     for info in TrajectoryOptions::table() {
         assert!(info.title.len() > 3 && info.meaning.ends_with('.'), "{}", info.name);
         match (info.kind, info.default) {

@@ -10,7 +10,7 @@ use planarium::scenario::Scenario;
 use std::io::{BufRead, Write};
 use std::time::Instant;
 
-/// Iterations between two looks at the clock.
+/// Iterations between two readings of the clock.
 const SLICE: u64 = 32;
 
 fn main() {

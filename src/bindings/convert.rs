@@ -1,4 +1,4 @@
-//! Between JavaScript's values and ours.
+//! Conversions between JavaScript's values and ours.
 
 use crate::error::{Code, Error, Number};
 use crate::geometry::Point;
@@ -11,14 +11,16 @@ use serde_json::{Map, Value as Json};
 use serde_wasm_bindgen::{Deserializer, Serializer};
 use wasm_bindgen::prelude::*;
 
-/// The JavaScript error for ours: an `Error` with `code` and `pointer`.
-pub(super) fn throw(error: Error) -> JsValue {
-    let thrown = JsValue::from(js_sys::Error::new(error.message()));
-    for (key, value) in [("code", error.code().as_str()), ("pointer", error.pointer())] {
-        // Setting a property of a fresh object cannot fail.
-        let _ = js_sys::Reflect::set(&thrown, &key.into(), &value.into());
+/// An `Error` with `code` and `pointer`.
+impl From<Error> for JsValue {
+    fn from(error: Error) -> Self {
+        let thrown = JsValue::from(js_sys::Error::new(error.message()));
+        for (key, value) in [("code", error.code().as_str()), ("pointer", error.pointer())] {
+            // Setting a property of a fresh object cannot fail.
+            let _ = js_sys::Reflect::set(&thrown, &key.into(), &value.into());
+        }
+        thrown
     }
-    thrown
 }
 
 /// A whole number from 0 to 2^53 - 1.
@@ -32,18 +34,27 @@ pub(super) fn count(value: f64, name: &str) -> Result<u64, Error> {
 }
 
 /// A cursor into `length` rows.
-pub(super) fn cursor(value: f64, length: usize) -> Result<usize, JsValue> {
-    let row = count(value, "row").map_err(throw)?;
+pub(super) fn cursor(value: f64, length: usize) -> Result<usize, Error> {
+    let row = count(value, "row")?;
     if row > length as u64 {
         let sentence = format!("row {row} lies behind the last of {length} rows");
-        return Err(throw(Error::new(Code::OutOfRange, "/row", sentence)));
+        return Err(Error::new(Code::OutOfRange, "/row", sentence));
     }
     Ok(row as usize)
 }
 
+/// A count that saturates: more than this machine can count is beyond every limit too.
+pub(super) fn size(value: f64, name: &str) -> Result<usize, Error> {
+    count(value, name).map(|count| usize::try_from(count).unwrap_or(usize::MAX))
+}
+
+/// 16 hexadecimal digits.
+pub(super) fn digits(fingerprint: u64) -> String {
+    format!("{fingerprint:016x}")
+}
+
 /// A record as a JavaScript object of plain values.
 pub(super) fn record<T: Serialize + ?Sized>(value: &T) -> JsValue {
-    // JSON has no infinity either: records hold none.
     value.serialize(&Serializer::json_compatible()).expect("a record has a form in JavaScript")
 }
 
@@ -56,7 +67,7 @@ pub(super) fn fields(object: JsValue) -> Result<Map<String, Json>, Error> {
     }
 }
 
-/// Takes the field out and reads it, where it is there.
+/// Removes the field and reads it, if present.
 fn take<T: DeserializeOwned>(fields: &mut Map<String, Json>, name: &str) -> Result<Option<T>, Error> {
     let value = fields.remove(name);
     value.map(|value| read(&value)).transpose().map_err(|error| error.under(&format!("/{name}")))
@@ -70,10 +81,10 @@ fn parameters(fields: Map<String, Json>) -> Given {
     fields.iter().map(|(name, value)| (name.clone(), Value::from(value))).collect()
 }
 
-/// The id of an index, if any, and its parameters.
-pub(super) fn index_options(object: JsValue) -> Result<(Option<String>, Given), Error> {
+/// The field of this name, if any, and the remaining fields as options by name.
+pub(super) fn split<T: DeserializeOwned>(object: JsValue, name: &str) -> Result<(Option<T>, Given), Error> {
     let mut fields = fields(object)?;
-    Ok((take(&mut fields, "index")?, parameters(fields)))
+    Ok((take(&mut fields, name)?, parameters(fields)))
 }
 
 /// The options of a run.
@@ -85,13 +96,6 @@ pub(super) fn options(object: JsValue) -> Result<Options, Error> {
         seed: take(&mut fields, "seed")?.unwrap_or(0),
         parameters: parameters(fields),
     })
-}
-
-/// Settings of a table and the seed, 0 where there is none.
-pub(super) fn settings(object: JsValue) -> Result<(Given, u64), Error> {
-    let mut fields = fields(object)?;
-    let seed = take(&mut fields, "seed")?.unwrap_or(0);
-    Ok((parameters(fields), seed))
 }
 
 /// The options of inverse kinematics.

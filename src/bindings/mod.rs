@@ -1,8 +1,19 @@
-//! The classes and functions that JavaScript sees, thin over [`crate::run`] and [`crate::run::inspect`]. The package wraps them once
-//! more in JavaScript, where use before `init` and after `free` can be caught.
+//! The classes and functions that JavaScript sees, thin over [`crate::run`] and [`crate::run::inspect`]. The package wraps them
+//! once more in JavaScript, where use before `init` and after `free` can be caught.
 //!
-//! Scenarios and roadmaps come in as JSON text, options and records cross as plain objects, tables as typed arrays. Every count comes in as a JavaScript number and is checked; every error is an `Error` with
-//! `code` and `pointer`.
+//! Scenarios and roadmaps come in as JSON text, options and records cross as plain objects, tables as typed arrays, which are
+//! copies and stay valid. Every count comes in as a JavaScript number and is checked; every error is an `Error` with `code` and
+//! `pointer`.
+
+/// Declares methods of a class without arguments, each by the value that it returns.
+macro_rules! getters {
+    ($Class:ident($self:ident) $( $(#[doc = $doc:literal])? $name:ident: $Type:ty = $value:expr; )*) => {
+        #[wasm_bindgen]
+        impl $Class {
+            $( $(#[doc = $doc])? pub fn $name(&$self) -> $Type { $value } )*
+        }
+    };
+}
 
 mod convert;
 mod drive;
@@ -19,10 +30,11 @@ pub use reach::RawReach;
 pub use scenario::RawScenario;
 pub use trajectories::{RawTrajectories, particle_points};
 
+use crate::Error;
 use wasm_bindgen::prelude::*;
 
 /// A fresh seed.
 #[wasm_bindgen]
-pub fn random_seed() -> Result<f64, JsValue> {
-    Ok(crate::random::random_seed().map_err(convert::throw)? as f64)
+pub fn random_seed() -> Result<f64, Error> {
+    crate::random::random_seed().map(|seed| seed as f64)
 }

@@ -1,6 +1,6 @@
-//! A planning run in JavaScript's hands.
+//! A planning run for JavaScript.
 
-use super::convert::{count, cursor, record, throw};
+use super::convert::{count, cursor, digits, record};
 use crate::error::{Code, Error};
 use crate::path::ResultDocument;
 use crate::problem::{Phase, Stats};
@@ -10,10 +10,10 @@ use std::cell::{Cell, RefCell};
 use wasm_bindgen::prelude::*;
 use web_sys::Performance;
 
-/// A planning run. Arrays handed out are copies and stay valid.
+/// A planning run.
 #[wasm_bindgen]
 pub struct RawPlanner {
-    // A clock that a caller has replaced may ask the planner: no borrow is held while the clock is read.
+    // A clock that a caller has replaced may call the planner: no borrow is held while the clock is read.
     run: RefCell<Box<dyn Run>>,
     /// Milliseconds spent building and searching.
     spent: Cell<[f64; 2]>,
@@ -26,7 +26,7 @@ extern "C" {
     static PERFORMANCE: Performance;
 }
 
-/// The most iterations between two looks at the clock: cheap iterations still outweigh the look, expensive ones do not stall.
+/// The most iterations between two readings of the clock: cheap iterations outweigh the reading, expensive ones do not stall.
 const LONGEST_SLICE: u64 = 64;
 
 impl RawPlanner {
@@ -34,7 +34,7 @@ impl RawPlanner {
         Self { run: RefCell::new(run), spent: Cell::default() }
     }
 
-    /// Steps in slices; the time of a slice counts for the phase it began in. A slice doubles while two of it would fit a
+    /// Steps in slices; the time of a slice counts for the phase it began in. A slice doubles while twice its time fits a
     /// quarter of the budget, halves when it took more than that, and starts from one iteration in each phase, since the costs
     /// of phases differ by a factor of a hundred. So the budget, in milliseconds, is exceeded by less than a quarter.
     fn advance(&self, iterations: u64, budget: f64) -> u8 {
@@ -70,23 +70,23 @@ impl RawPlanner {
         self.status()
     }
 
-    /// What was counted, with the time spent.
+    /// The counts with the time spent.
     fn timed(&self, stats: Stats) -> Stats {
         let [build_seconds, search_seconds] = self.spent.get().map(|milliseconds| milliseconds / 1000.0);
         Stats { build_seconds, search_seconds, ..stats }
     }
 
-    fn document(&self) -> Result<RoadmapDocument, JsValue> {
-        let sentence = "this planner builds no roadmap that could be kept";
-        self.run.borrow().roadmap().ok_or_else(|| throw(Error::new(Code::Unsupported, "", sentence)))
+    fn document(&self) -> Result<RoadmapDocument, Error> {
+        let sentence = "this planner builds no roadmap that could be saved";
+        self.run.borrow().roadmap().ok_or_else(|| Error::new(Code::Unsupported, "", sentence))
     }
 }
 
 #[wasm_bindgen]
 impl RawPlanner {
     /// Makes at most `iterations` iterations; returns the status.
-    pub fn step(&self, iterations: f64) -> Result<u8, JsValue> {
-        Ok(self.advance(count(iterations, "n").map_err(throw)?, f64::INFINITY))
+    pub fn step(&self, iterations: f64) -> Result<u8, Error> {
+        Ok(self.advance(count(iterations, "n")?, f64::INFINITY))
     }
 
     /// Makes iterations for about `milliseconds`, one at least; returns the status.
@@ -94,144 +94,94 @@ impl RawPlanner {
         self.advance(u64::MAX, milliseconds)
     }
 
-    /// Takes the path as it is while it is being improved.
+    /// Ends the improvement of the path.
     pub fn finish(&self) {
         self.run.borrow_mut().finish();
     }
 
-    /// Asks a built roadmap for another path; returns a result document.
-    pub fn query(&self, start: &[f64], goal: &[f64], keep: bool) -> Result<JsValue, JsValue> {
-        self.run.borrow_mut().query(start, goal, keep).map(|result| record(&result)).map_err(throw)
+    /// Queries a built roadmap for another path; returns a result document.
+    pub fn query(&self, start: &[f64], goal: &[f64], keep: bool) -> Result<JsValue, Error> {
+        self.run.borrow_mut().query(start, goal, keep).map(|result| record(&result))
     }
 
     /// The roadmap as JSON text.
-    pub fn roadmap_text(&self) -> Result<String, JsValue> {
+    pub fn roadmap_text(&self) -> Result<String, Error> {
         Ok(self.document()?.to_json())
     }
 
     /// The roadmap in its binary form.
-    pub fn roadmap_bytes(&self) -> Result<Vec<u8>, JsValue> {
+    pub fn roadmap_bytes(&self) -> Result<Vec<u8>, Error> {
         Ok(self.document()?.to_bytes())
     }
 
     /// The roadmap as GraphML.
-    pub fn roadmap_graphml(&self) -> Result<String, JsValue> {
+    pub fn roadmap_graphml(&self) -> Result<String, Error> {
         Ok(self.document()?.to_graphml())
     }
 
-    /// 0 where the run goes on, 1 where it is solved, 2 where it is exhausted.
-    pub fn status(&self) -> u8 {
-        self.run.borrow().status() as u8
-    }
-
-    /// What the run is busy with: the number of the phase.
-    pub fn phase(&self) -> u8 {
-        self.run.borrow().phase() as u8
-    }
-
-    /// Has every iteration leave a row behind.
-    pub fn record(&self) -> Result<(), JsValue> {
-        self.run.borrow_mut().record().map_err(throw)
-    }
-
-    /// The rows left behind since the last call, `history_width` numbers each.
-    pub fn take_history(&self) -> Vec<f64> {
-        self.run.borrow_mut().take_history()
-    }
-
-    /// Numbers a row of the history.
-    pub fn history_width(&self) -> usize {
-        HISTORY_WIDTH
-    }
-
-    /// Iterations made so far.
-    pub fn iterations(&self) -> f64 {
-        self.run.borrow().iterations() as f64
-    }
-
-    /// Numbers a configuration.
-    pub fn dimension(&self) -> usize {
-        self.run.borrow().dimension()
-    }
-
-    /// Numbers an event row.
-    pub fn event_width(&self) -> usize {
-        EVENT_HEAD + self.run.borrow().dimension()
-    }
-
-    /// Vertices so far.
-    pub fn vertex_count(&self) -> usize {
-        self.run.borrow().vertex_count()
-    }
-
-    /// Edges so far.
-    pub fn edge_count(&self) -> usize {
-        self.run.borrow().edge_count()
-    }
-
-    /// Events so far.
-    pub fn event_count(&self) -> usize {
-        self.run.borrow().event_count()
+    /// Records a row for every iteration from now on.
+    pub fn record(&self) -> Result<(), Error> {
+        self.run.borrow_mut().record()
     }
 
     /// The vertices from row `row` on, `dimension` numbers each.
-    pub fn vertices_since(&self, row: f64) -> Result<Vec<f64>, JsValue> {
-        Ok(self.run.borrow().vertices_since(cursor(row, self.run.borrow().vertex_count())?))
+    pub fn vertices_since(&self, row: f64) -> Result<Vec<f64>, Error> {
+        Ok(self.run.borrow().vertices_since(cursor(row, self.vertex_count())?))
     }
 
     /// The edges from row `row` on, two vertex numbers each.
-    pub fn edges_since(&self, row: f64) -> Result<Vec<u32>, JsValue> {
-        Ok(self.run.borrow().edges_since(cursor(row, self.run.borrow().edge_count())?))
+    pub fn edges_since(&self, row: f64) -> Result<Vec<u32>, Error> {
+        Ok(self.run.borrow().edges_since(cursor(row, self.edge_count())?))
     }
 
-    /// What is done along the edges from row `row` on: edge, speed, steering angle, duration each.
-    pub fn motions_since(&self, row: f64) -> Result<Vec<f64>, JsValue> {
-        Ok(self.run.borrow().motions_since(cursor(row, self.run.borrow().edge_count())?))
+    /// The motions along the edges from row `row` on: edge, speed, steering angle, duration each.
+    pub fn motions_since(&self, row: f64) -> Result<Vec<f64>, Error> {
+        Ok(self.run.borrow().motions_since(cursor(row, self.edge_count())?))
     }
 
-    /// What the edges from row `row` on look like that are not straight: edge and configuration each.
-    pub fn traces_since(&self, row: f64) -> Result<Vec<f64>, JsValue> {
-        Ok(self.run.borrow().traces_since(cursor(row, self.run.borrow().edge_count())?))
+    /// The curves of the edges from row `row` on that are not straight: edge and configuration each.
+    pub fn traces_since(&self, row: f64) -> Result<Vec<f64>, Error> {
+        Ok(self.run.borrow().traces_since(cursor(row, self.edge_count())?))
     }
 
     /// The events from row `row` on, `event_width` numbers each.
-    pub fn events_since(&self, row: f64) -> Result<Vec<f64>, JsValue> {
-        Ok(self.run.borrow().events_since(cursor(row, self.run.borrow().event_count())?))
+    pub fn events_since(&self, row: f64) -> Result<Vec<f64>, Error> {
+        Ok(self.run.borrow().events_since(cursor(row, self.event_count())?))
     }
 
-    /// The configurations that the run may end at, in rows of `dimension`.
-    pub fn goals(&self) -> Vec<f64> {
-        self.run.borrow().goals().concat()
+    /// For rows of two configurations, from and to, the fraction at which the motion is first refused; 1 if it is free.
+    pub fn first_hits(&self, ends: &[f64]) -> Result<Vec<f64>, Error> {
+        self.run.borrow_mut().first_hits(ends)
     }
+}
 
+getters! { RawPlanner(self)
+    /// 0 while running, 1 if solved, 2 if exhausted.
+    status: u8 = self.run.borrow().status() as u8;
+    phase: u8 = self.run.borrow().phase() as u8;
+    /// The rows recorded since the last call, `history_width` numbers each.
+    take_history: Vec<f64> = self.run.borrow_mut().take_history();
+    /// Numbers a row of the history.
+    history_width: usize = HISTORY_WIDTH;
+    iterations: f64 = self.run.borrow().iterations() as f64;
+    /// Numbers a configuration.
+    dimension: usize = self.run.borrow().dimension();
+    /// Numbers an event row.
+    event_width: usize = EVENT_HEAD + self.dimension();
+    vertex_count: usize = self.run.borrow().vertex_count();
+    edge_count: usize = self.run.borrow().edge_count();
+    event_count: usize = self.run.borrow().event_count();
+    /// The configurations at which the run may end, in rows of `dimension`.
+    goals: Vec<f64> = self.run.borrow().goals().concat();
     /// The path, `dimension` numbers a waypoint; empty until solved.
-    pub fn path(&self) -> Vec<f64> {
-        self.run.borrow().path().concat()
-    }
-
+    path: Vec<f64> = self.run.borrow().path().concat();
     /// The path as the planner found it, in the same form.
-    pub fn raw_path(&self) -> Vec<f64> {
-        self.run.borrow().raw_path().concat()
-    }
-
-    /// For rows of two configurations, from and to, the fraction where the motion is first refused; 1 where it is free.
-    pub fn first_hits(&self, ends: &[f64]) -> Result<Vec<f64>, JsValue> {
-        self.run.borrow_mut().first_hits(ends).map_err(throw)
-    }
-
-    /// What was counted.
-    pub fn stats(&self) -> JsValue {
-        record(&self.timed(self.run.borrow().stats()))
-    }
-
-    /// The result document.
-    pub fn result(&self) -> JsValue {
+    raw_path: Vec<f64> = self.run.borrow().raw_path().concat();
+    stats: JsValue = record(&self.timed(self.run.borrow().stats()));
+    result: JsValue = {
         let result = self.run.borrow().result();
         record(&ResultDocument { stats: self.timed(result.stats), ..result })
-    }
-
+    };
     /// 16 hexadecimal digits over every vertex, edge and event.
-    pub fn fingerprint(&self) -> String {
-        format!("{:016x}", self.run.borrow().fingerprint())
-    }
+    fingerprint: String = digits(self.run.borrow().fingerprint());
 }

@@ -1,75 +1,55 @@
-//! Many trajectories in JavaScript's hands.
+//! Many trajectories for JavaScript.
 
-use super::convert::{count, cursor, record, settings, throw};
-use crate::problem::Status;
+use super::convert::{count, cursor, digits, record, split};
+use crate::Error;
 use crate::trajectories::{self, Trajectories};
 use wasm_bindgen::prelude::*;
 
-/// Trajectories that do not cross, stepped from outside. Arrays handed out are copies and stay valid.
+/// A run that adds trajectories that do not cross.
 #[wasm_bindgen]
-pub struct RawTrajectories {
-    trajectories: Trajectories,
-}
+pub struct RawTrajectories(Trajectories);
 
 #[wasm_bindgen]
 impl RawTrajectories {
-    /// Begins, with options.
-    pub fn begin(options: JsValue) -> Result<RawTrajectories, JsValue> {
-        let begun = settings(options).and_then(|(given, seed)| Trajectories::new(&given, seed));
-        begun.map(|trajectories| Self { trajectories }).map_err(throw)
+    /// Starts a run with options.
+    pub fn begin(options: JsValue) -> Result<RawTrajectories, Error> {
+        let (seed, given) = split(options, "seed")?;
+        Trajectories::new(&given, seed.unwrap_or(0)).map(Self)
     }
 
     /// Does at most `n` iterations.
-    pub fn advance(&mut self, n: f64) -> Result<(), JsValue> {
-        self.trajectories.step(count(n, "n").map_err(throw)?);
+    pub fn advance(&mut self, n: f64) -> Result<(), Error> {
+        self.0.step(count(n, "n")?);
         Ok(())
     }
 
-    /// 0 while it goes on, 1 once all are accepted, 2 where the iterations are spent before.
-    pub fn status(&self) -> u8 {
-        match self.trajectories.status() {
-            Status::Running => 0,
-            Status::Solved => 1,
-            Status::Exhausted => 2,
-        }
-    }
-
-    /// Iterations made, how many are accepted, how many refused.
-    pub fn counts(&self) -> Vec<f64> {
-        let done = &self.trajectories;
-        vec![done.tally().iterations as f64, done.accepted_count() as f64, done.refused_count() as f64]
-    }
-
     /// The accepted ones from row `row` on, six numbers each.
-    pub fn accepted_since(&self, row: f64) -> Result<Vec<f64>, JsValue> {
-        let from = cursor(row, self.trajectories.accepted_count())?;
-        Ok(self.trajectories.accepted_since(from).flat_map(|particle| particle.numbers()).collect())
+    pub fn accepted_since(&self, row: f64) -> Result<Vec<f64>, Error> {
+        let from = cursor(row, self.0.accepted_count())?;
+        Ok(self.0.accepted_since(from).flat_map(|particle| particle.numbers()).collect())
     }
 
     /// The refused ones from row `row` on, nine numbers each.
-    pub fn refused_since(&self, row: f64) -> Result<Vec<f64>, JsValue> {
-        let from = cursor(row, self.trajectories.refused_count())?;
-        Ok(self.trajectories.refused_since(from).iter().flat_map(|refused| refused.numbers()).collect())
-    }
-
-    /// Of every accepted one: how many were tried for it.
-    pub fn tries(&self) -> Vec<u32> {
-        self.trajectories.tries().to_vec()
-    }
-
-    /// The result document.
-    pub fn result(&self) -> JsValue {
-        record(&self.trajectories.result())
-    }
-
-    /// 16 hexadecimal digits over all that was tried.
-    pub fn fingerprint(&self) -> String {
-        format!("{:016x}", self.trajectories.fingerprint())
+    pub fn refused_since(&self, row: f64) -> Result<Vec<f64>, Error> {
+        let from = cursor(row, self.0.refused_count())?;
+        Ok(self.0.refused_since(from).iter().flat_map(|refused| refused.numbers()).collect())
     }
 }
 
-/// The places of one particle, at these times.
+getters! { RawTrajectories(self)
+    /// 0 while running, 1 once all are accepted, 2 if the iterations are spent before.
+    status: u8 = self.0.status() as u8;
+    /// Iterations made, the number of accepted and of refused ones.
+    counts: Vec<f64> = vec![self.0.tally().iterations as f64, self.0.accepted_count() as f64, self.0.refused_count() as f64];
+    /// How many were tried for each accepted one.
+    tries: Vec<u32> = self.0.tries().to_vec();
+    result: JsValue = record(&self.0.result());
+    /// 16 hexadecimal digits over everything tried.
+    fingerprint: String = digits(self.0.fingerprint());
+}
+
+/// The positions of one particle at these times.
 #[wasm_bindgen]
-pub fn particle_points(particle: JsValue, times: &[f64]) -> Result<Vec<f64>, JsValue> {
-    settings(particle).and_then(|(given, _)| trajectories::particle_points(&given, times)).map_err(throw)
+pub fn particle_points(particle: JsValue, times: &[f64]) -> Result<Vec<f64>, Error> {
+    trajectories::particle_points(&split::<u64>(particle, "seed")?.1, times)
 }

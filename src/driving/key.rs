@@ -1,17 +1,17 @@
-//! The keys of the keyboard car, and the control that they make.
+//! The keys that drive a car, and the control that results.
 
 use crate::problem::Control;
 use crate::robot::Car;
 use std::f64::consts::PI;
 use strum::{FromRepr, IntoStaticStr, VariantArray};
 
-/// What one press changes the speed by, in metres a second.
+/// The change of the speed by one press, in metres per second.
 pub const SPEED_PRESS: f64 = 0.1;
 
-/// What one press changes the steering angle by, in radians.
+/// The change of the steering angle by one press, in radians.
 pub const STEERING_PRESS: f64 = PI / 12.0;
 
-/// A key that a driver presses.
+/// A key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, FromRepr, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 #[repr(u8)]
@@ -38,8 +38,8 @@ impl Key {
     }
 }
 
-/// How often each pair of keys was pressed, and what that means. Counted in presses, so that a tenth thrice is three tenths and
-/// straight on is found again after a limit that is no multiple of a press.
+/// Speed and steering angle, counted in presses: three times a tenth is three tenths, and zero is reached again after a limit that
+/// is no multiple of a press.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Levels {
     speed: i64,
@@ -54,7 +54,7 @@ impl Levels {
         Self { speed: 0, steering: 0, speeds: car.speed(), angles: car.steering() }
     }
 
-    /// The control: what was pressed, within the limits of the car. A car may always stand.
+    /// The control within the limits of the car. A car may always stand still.
     pub(super) fn control(&self) -> Control {
         let [low, high] = self.speeds;
         let speed = if self.speed == 0 { 0.0 } else { (self.speed as f64 / 10.0).max(low).min(high) };
@@ -75,16 +75,15 @@ impl Levels {
         self.steering = within(self.steering, self.angles, STEERING_PRESS);
     }
 
-    /// The car stands; its wheels stay.
+    /// Stops the car; the steering angle stays.
     pub(super) fn stop(&mut self) {
         self.speed = 0;
     }
 }
 
-/// A number of presses brought back to the first that reaches a limit: pressing on at a limit is not remembered. 0 is always
-/// within.
+/// The number of presses, limited to the first that reaches a limit: further presses are not counted. 0 is always within.
 fn within(presses: i64, [low, high]: [f64; 2], press: f64) -> i64 {
-    // A limit that is a multiple but for rounding is reached by that many presses.
+    // A limit that is a multiple except for rounding is reached by that many presses.
     let most = libm::ceil(high.max(0.0) / press - 1e-9) as i64;
     let least = libm::floor(low.min(0.0) / press + 1e-9) as i64;
     presses.clamp(least, most)

@@ -1,14 +1,12 @@
-//! A car in its world under a driver's hand: keys change its control, time goes by in fixed steps, and each step is an exact arc
-//! that is proven free before it is taken. No clock is read: whoever drives says how many steps have gone by, so the same keys at
-//! the same steps give the same bits however fast pictures are drawn.
+//! A car driven by keys: keys change its control, time advances in fixed steps, and each step is an exact arc that is proven free
+//! before it is made. No clock is read: the caller advances the steps, so the same keys at the same steps give the same bits
+//! whatever the frame rate.
 
 mod key;
 mod road;
-mod rollout;
 
 pub use key::{Key, SPEED_PRESS, STEERING_PRESS};
-pub use road::MAX_STEPS;
-pub use rollout::{Rollout, rollout};
+pub use road::{MAX_STEPS, Rollout, rollout};
 
 use crate::error::{Code, Error, Number};
 use crate::problem::{Control, Touched};
@@ -19,21 +17,20 @@ use road::Road;
 /// A key pressed while driving.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Press {
-    /// How many steps had gone by.
+    /// The number of steps before it.
     pub step: u64,
-    /// Which key.
+    /// The key.
     pub key: Key,
 }
 
-/// A drive: a car that starts at rest, and is steered by keys. It stops where the next step cannot be proven free, and says at
-/// what; it can be driven on from there by any control that is free.
+/// A car that starts at rest and is driven by keys. It stops if the next step cannot be proven free, and reports the obstruction;
+/// from there it can be driven on by any control that is free.
 pub struct Drive {
     road: Road,
     levels: Levels,
-    start: [f64; 3],
-    pose: [f64; 3],
     steps: u64,
     blocked: Option<Option<Touched>>,
+    /// The start, and the pose after each step that moved the car.
     trace: Vec<[f64; 3]>,
     record: Vec<Press>,
 }
@@ -42,14 +39,14 @@ impl Drive {
     /// A drive from `start`, a configuration (x, y, theta), or from the start of the scenario's first query.
     ///
     /// # Errors
-    /// `unsupported` where the robot is no car; `unknown-query` where there is neither a start nor a query;
+    /// `unsupported` if the robot is not a car; `unknown-query` if there is neither a start nor a query;
     /// `wrong-dimension`, `not-finite`, `out-of-range` of the configuration, with pointers below `/q`; `start-in-collision`.
     pub fn new(scenario: impl Into<PlanningWorld>, start: Option<&[f64]>) -> Result<Self, Error> {
         let world = scenario.into();
         let road = Road::new(&world)?;
         let query = world.scenario().queries().first().map(|query| query.start.as_slice());
         let Some(start) = start.or(query) else {
-            return Err(Error::new(Code::UnknownQuery, "/q", "without a query it must be said where the car starts"));
+            return Err(Error::new(Code::UnknownQuery, "/q", "without a query the car needs a start"));
         };
         let start = road.pose(start, "/q")?;
         if let Some(contact) = road.contacts(&start).first() {
@@ -58,21 +55,20 @@ impl Drive {
         }
         let road = road.fitted(&start);
         let levels = Levels::new(road.car());
-        let trace = vec![start];
-        Ok(Self { road, levels, start, pose: start, steps: 0, blocked: None, trace, record: Vec::new() })
+        Ok(Self { road, levels, steps: 0, blocked: None, trace: vec![start], record: Vec::new() })
     }
 
-    /// Where the car is: x, y in metres, theta in radians.
+    /// The pose of the car: x, y in metres, theta in radians.
     pub fn pose(&self) -> [f64; 3] {
-        self.pose
+        self.trace[self.trace.len() - 1]
     }
 
-    /// The control that is held.
+    /// The current control.
     pub fn control(&self) -> Control {
         self.levels.control()
     }
 
-    /// Steps that have gone by, standing or driving.
+    /// The number of steps so far, standing or driving.
     pub fn steps(&self) -> u64 {
         self.steps
     }
@@ -82,18 +78,18 @@ impl Drive {
         self.road.car().integration_step()
     }
 
-    /// Was the car stopped, and not moved since? What it would have touched, `Some(None)` where it would have come too near
-    /// to something to be proven free without touching it.
+    /// The obstruction, if the car was stopped and has not moved since: what it would have touched, or `Some(None)` if it would only
+    /// have come too near to something to be proven free.
     pub fn blocked(&self) -> Option<Option<Touched>> {
         self.blocked
     }
 
-    /// Where the car has been: the start, and the pose after each step that moved it.
+    /// The start, and the pose after each step that moved the car.
     pub fn trace(&self) -> &[[f64; 3]] {
         &self.trace
     }
 
-    /// The keys pressed so far, in their order.
+    /// The keys pressed so far, in order.
     pub fn record(&self) -> &[Press] {
         &self.record
     }
@@ -111,15 +107,15 @@ impl Drive {
         Ok(())
     }
 
-    /// Lets `n` steps go by. A step that cannot be proven free is not taken: the car stands still where it is, its wheels
-    /// turned as they were. O(n) where it drives, O(1) where it stands.
+    /// Advances by `n` steps. A step that cannot be proven free is not made: the car stops, its steering angle unchanged. O(n) while
+    /// it drives, O(1) while it stands.
     ///
     /// # Errors
-    /// `out-of-range` for more than [`MAX_STEPS`] steps at once; `too-large` where the drive would become longer than that
-    /// many steps in motion: nothing moves any more, and a new drive must begin.
+    /// `out-of-range` for more than [`MAX_STEPS`] steps at once; `too-large` if the drive would have more than that many steps in
+    /// motion: the car does not move any more, and a new drive must begin.
     pub fn tick(&mut self, n: u64) -> Result<(), Error> {
         if n > MAX_STEPS {
-            let sentence = format!("at most {MAX_STEPS} steps go by at once, not {}", Number(n as f64));
+            let sentence = format!("at most {MAX_STEPS} steps are made at once, not {}", Number(n as f64));
             return Err(Error::new(Code::OutOfRange, "/n", sentence));
         }
         for done in 0..n {
@@ -132,10 +128,8 @@ impl Drive {
                 return Err(too_long("steps in motion"));
             }
             self.steps += 1;
-            let step = self.step();
-            match self.road.ahead(&self.pose, control, step) {
+            match self.road.ahead(&self.pose(), control, self.step()) {
                 Ok(next) => {
-                    self.pose = next;
                     self.trace.push(next);
                     self.blocked = None;
                 }
@@ -148,19 +142,19 @@ impl Drive {
         Ok(())
     }
 
-    /// Begins anew at the start, and drives as recorded until `steps` have gone by: presses at the same steps give the same
-    /// bits. Presses after `steps` are not made.
+    /// Restarts, and drives as recorded until `steps` have passed: presses at the same steps give the same bits. Presses after
+    /// `steps` are ignored.
     ///
     /// # Errors
-    /// `out-of-range` where the presses are not in the order of their steps; those of [`Drive::press`] and [`Drive::tick`].
+    /// `out-of-range` if the presses are not in the order of their steps; those of [`Drive::press`] and [`Drive::tick`].
     pub fn replay(&mut self, record: &[Press], steps: u64) -> Result<(), Error> {
         if let Some(i) = (1..record.len()).find(|&i| record[i].step < record[i - 1].step) {
             let sentence = format!("press {i} comes at step {}, before the one that it follows", record[i].step);
             return Err(Error::new(Code::OutOfRange, format!("/record/{i}/step"), sentence));
         }
         self.levels = Levels::new(self.road.car());
-        (self.pose, self.steps, self.blocked) = (self.start, 0, None);
-        self.trace = vec![self.start];
+        (self.steps, self.blocked) = (0, None);
+        self.trace.truncate(1);
         self.record.clear();
         for press in record.iter().filter(|press| press.step <= steps) {
             self.tick(press.step - self.steps)?;

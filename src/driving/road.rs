@@ -1,9 +1,9 @@
-//! What lies before a car: is the next arc proven free, and what would it touch.
+//! The arcs of a car in its world: whether they are proven free, and the obstacles that they would touch.
 
 use crate::collision::{BodyCollision, BodyMotion, LONGEST_DRIVE};
 use crate::error::{Code, Error, Number};
 use crate::geometry::arc_pose;
-use crate::problem::{Contact, Control, Touched};
+use crate::problem::{Contact, Control, Motion, Touched};
 use crate::robot::Car;
 use crate::scenario::Robot;
 use crate::space::wrap;
@@ -12,14 +12,14 @@ use crate::world::{Configurations, PlanningWorld};
 /// The most steps in motion of a drive or a rollout, and the most keys of a drive.
 pub const MAX_STEPS: u64 = 1_000_000;
 
-/// How near to an obstacle the car may be driven: as a fraction of the world's longer side. Finer than planners go, since a
-/// driver who scrapes past something is proven a few millimetres at a time.
+/// How near to an obstacle the car may be driven: as a fraction of the world's longer side. Finer than planners use, since only
+/// a few millimetres are proven at a time.
 const TOLERANCE: f64 = 1e-7;
 
-/// Places looked at along a step that is refused, to see what it touches, and steps beyond it.
+/// Poses checked along a refused step, to find the obstacle, and as many beyond it.
 const LOOKS: u32 = 8;
 
-/// A car and all that it can touch.
+/// A car and everything that it can touch.
 pub(super) struct Road {
     car: Car,
     configurations: Configurations,
@@ -28,7 +28,7 @@ pub(super) struct Road {
 
 impl Road {
     /// # Errors
-    /// `unsupported` where the robot is no car.
+    /// `unsupported` if the robot is not a car.
     pub(super) fn new(world: &PlanningWorld) -> Result<Self, Error> {
         let Robot::Car(car) = world.robot() else {
             let sentence = format!("only a car can be driven, not the robot {}", world.robot().kind());
@@ -57,20 +57,20 @@ impl Road {
         Ok([q[0] + 0.0, q[1] + 0.0, wrap(q[2])])
     }
 
-    /// What the car touches at a pose; empty where it is free.
+    /// The contacts of the car at a pose; empty if it is free.
     pub(super) fn contacts(&self, pose: &[f64; 3]) -> Vec<Contact> {
         self.collision.contacts(pose)
     }
 
-    /// The pose after so many seconds under the control.
-    pub(super) fn after(&self, from: &[f64; 3], control: Control, seconds: f64) -> [f64; 3] {
+    /// The pose after this duration under the control.
+    fn after(&self, from: &[f64; 3], control: Control, seconds: f64) -> [f64; 3] {
         let turn_rate = self.car.turn_rate(control.speed, control.steering);
         let [x, y, theta] = arc_pose(*from, control.speed, turn_rate, seconds);
         [x + 0.0, y + 0.0, wrap(theta)]
     }
 
-    /// The pose after so many seconds under the control, where all of the arc to it is proven free; else what it touches,
-    /// `None` where it only comes too near to something to be proven.
+    /// The pose after this duration under the control, if all of the arc to it is proven free; else the obstacle that it touches,
+    /// `None` if it only comes too near to one to be proven.
     pub(super) fn ahead(&self, from: &[f64; 3], control: Control, seconds: f64) -> Result<[f64; 3], Option<Touched>> {
         let turn_rate = self.car.turn_rate(control.speed, control.steering);
         let arc = BodyMotion::Arc { from: *from, speed: control.speed, turn_rate, duration: seconds };
@@ -80,7 +80,7 @@ impl Road {
         }
     }
 
-    /// What an arc that is refused touches first: looked for in places along it, and a little beyond.
+    /// The first obstacle that a refused arc touches, among poses along it and beyond.
     fn touched(&self, from: &[f64; 3], control: Control, seconds: f64) -> Option<Touched> {
         (0..=2 * LOOKS).find_map(|i| {
             let at = self.after(from, control, seconds * f64::from(i) / f64::from(LOOKS));
@@ -89,11 +89,66 @@ impl Road {
     }
 }
 
-/// Refuses a number that is not finite.
-pub(super) fn check_finite(value: f64, pointer: &str) -> Result<(), Error> {
-    if value.is_finite() {
-        return Ok(());
+/// The poses of a control held for a duration.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rollout {
+    /// The start, the pose after each whole step that is proven free, and after the rest of a step at the end: (x, y, theta)
+    /// in metres and radians.
+    pub poses: Vec<[f64; 3]>,
+    /// The duration that is proven free, in seconds: the requested one, unless it was blocked.
+    pub seconds: f64,
+    /// The obstruction: see [`super::Drive::blocked`].
+    pub blocked: Option<Option<Touched>>,
+}
+
+/// The motion from `q`, step by step. Each pose is computed from the start, so that rounding does not accumulate.
+/// O(duration / step).
+///
+/// # Errors
+/// `unsupported` if the robot is not a car; `wrong-dimension`, `not-finite` or `out-of-range` with the pointers `/q`, `/v`,
+/// `/phi` and `/duration`: a control beyond the limits of the car (which may always stand still), a duration that is negative or
+/// longer than [`MAX_STEPS`] steps.
+pub fn rollout(scenario: impl Into<PlanningWorld>, q: &[f64], motion: Motion) -> Result<Rollout, Error> {
+    let road = Road::new(&scenario.into())?;
+    let start = road.pose(q, "/q")?;
+    let Motion { control, duration } = motion;
+    let step = road.car().integration_step();
+    let ranges = [
+        ("/v", "v", control.speed, road.car().speed()),
+        ("/phi", "phi", control.steering, road.car().steering()),
+        ("/duration", "the duration in seconds", duration, [0.0, step * MAX_STEPS as f64]),
+    ];
+    for (pointer, name, value, [low, high]) in ranges {
+        if !value.is_finite() {
+            let sentence = format!("the number at {pointer} must be finite, not {}", Number(value));
+            return Err(Error::new(Code::NotFinite, pointer, sentence));
+        }
+        // A car may always stand still.
+        if !(low..=high).contains(&value) && (pointer, value) != ("/v", 0.0) {
+            let [low, high, value] = [low, high, value].map(Number);
+            let sentence = format!("{name} must lie within [{low}, {high}], not {value}");
+            return Err(Error::new(Code::OutOfRange, pointer, sentence));
+        }
     }
-    let sentence = format!("the number at {pointer} must be finite, not {}", Number(value));
-    Err(Error::new(Code::NotFinite, pointer, sentence))
+    let mut rollout = Rollout { poses: vec![start], seconds: 0.0, blocked: None };
+    if let Some(contact) = road.contacts(&start).first() {
+        rollout.blocked = Some(Some(contact.with));
+        return Ok(rollout);
+    }
+    let road = road.fitted(&start);
+    let mut from = start;
+    for i in 1u32.. {
+        if rollout.seconds >= duration {
+            break;
+        }
+        let until = duration.min(step * f64::from(i));
+        if let Err(touched) = road.ahead(&from, control, until - rollout.seconds) {
+            rollout.blocked = Some(touched);
+            break;
+        }
+        from = road.after(&start, control, until);
+        rollout.poses.push(from);
+        rollout.seconds = until;
+    }
+    Ok(rollout)
 }

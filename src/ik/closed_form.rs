@@ -5,19 +5,19 @@ use super::task::Task;
 use crate::error::{Code, Error};
 use crate::robot::MAX_LINKS;
 
-/// Two solutions whose elbows are no farther apart than this, in radians, are one: the arm is straight or folded.
+/// Below this angle of the elbow from straight or folded, in radians, the two solutions are one.
 const MERGED: f64 = 1e-7;
 
-/// Every configuration that reaches the target, within the limits, as near to `near` as whole turns bring it: none where it is
-/// out of reach, two where the elbow can be on either side (first bent counter-clockwise), one where the arm is straight or
-/// folded. Where two links of one length fold back to the base, any first angle does, and that of `near` is taken. With an
-/// orientation the last link is where it must be, and the others reach for its joint. No error is above `tolerance`, in metres and
-/// radians; of targets that can be reached exactly it is below 1e-12 of the reach and the base's coordinates. Where the limits
-/// leave none of these, the exact search has the last word: near folded arms the first angle follows from rounding alone, and
-/// another one may do. O(1).
+/// Every configuration that reaches the target, within the limits, as near to `near` as whole turns bring it: none if it is
+/// out of reach, two if the elbow can be on either side (first bent counter-clockwise), one if the arm is straight or
+/// folded. If two links of one length fold back to the base, any first angle is a solution, and that of `near` is used. An
+/// orientation fixes the last link, and the others reach for its joint. No error is above `tolerance`, in metres and radians; for
+/// targets that can be reached exactly it is below 1e-12 of the reach and the base's coordinates. If the limits leave none of
+/// these, the exact search decides: near folded arms the first angle follows from rounding alone, and another one may be valid.
+/// O(1).
 ///
 /// # Errors
-/// `unsupported`, pointer `/method`, for arms of more joints than that.
+/// `unsupported`, pointer `/method`, for arms of more joints.
 pub(super) fn closed_form(
     task: &Task,
     near: &[f64; MAX_LINKS],
@@ -30,7 +30,7 @@ pub(super) fn closed_form(
         2 => elbows([task.links[0], task.links[1]], wrist, near[0], &mut found),
         _ => {
             let sentence =
-                "there is a closed form for 1 or 2 links, or for 2 or 3 with an orientation; take another method";
+                "there is a closed form for 1 or 2 links, or for 2 or 3 with an orientation; choose another method";
             return Err(Error::new(Code::Unsupported, "/method", sentence));
         }
     }
@@ -58,7 +58,7 @@ pub(super) fn closed_form(
     Ok(solutions)
 }
 
-/// Both pairs of angles of two links that reach for a point at the distance r, by Heron's formula in factors: nothing cancels
+/// Both pairs of angles of two links that reach a point at the distance r, by Heron's formula in factors: nothing cancels
 /// near the rim of the ring or near its centre.
 fn elbows([a, b]: [f64; 2], [x, y]: [f64; 2], any: f64, found: &mut Vec<[f64; 2]>) {
     let r = (x * x + y * y).sqrt();
@@ -68,7 +68,7 @@ fn elbows([a, b]: [f64; 2], [x, y]: [f64; 2], any: f64, found: &mut Vec<[f64; 2]
         }
         return;
     }
-    // Four times the area of the triangle; outside the ring, by more than rounding or less, the arm is straight or folded.
+    // Four times the area of the triangle; outside the ring the arm is straight or folded.
     let area = ((a + b + r) * (a + b - r) * (r + (a - b)) * (r - (a - b))).max(0.0).sqrt();
     let towards = libm::atan2(y, x);
     let shoulder = libm::atan2(area, r * r + (a - b) * (a + b));

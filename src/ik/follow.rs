@@ -1,40 +1,38 @@
-//! An arm that follows a hand: from where it is, smoothly to a configuration whose tip is at the target, or as near as it can be.
+//! An arm that follows a moving target: smoothly from its configuration to one whose tip is at the target, or as near as it can be.
 
-use super::damped_least_squares::DampedLeastSquares;
 use super::gradient_descent::GradientDescent;
+use super::iterative::{DampedLeastSquares, Method};
 use super::kinematics::manipulability;
-use super::method::Method;
-use super::target::{Target, configuration};
-use super::task::Task;
+use super::task::{Task, configuration};
 use crate::error::Error;
 use crate::geometry::Point;
-use crate::robot::{Arm, MAX_LINKS};
+use crate::robot::{Arm, MAX_LINKS, Target};
 
-/// The most updates of one way down.
+/// The most updates of one descent.
 const UPDATES: usize = 80;
 
-/// An error that falls by less than this part has settled.
+/// An error that falls by less than this fraction has settled.
 const SETTLED: f64 = 1e-7;
 
-/// A target counts as reached within this part of the reach, and no nearer than rounding allows.
+/// A target counts as reached within this fraction of the reach, and no nearer than rounding allows.
 const NEAR: f64 = 1e-9;
 
-/// Bending an arm helps where the squared error becomes less than this part of what it was.
+/// Bending an arm helps if the squared error falls below this fraction.
 const HELPS: f64 = 0.99;
 
-/// How far a straight arm is bent to get it going, as a part of what the target asks for.
+/// How far a straight arm is bent before it can be drawn in, relative to the angle that the target requires.
 const BEND: f64 = 0.3;
 
-/// Where an arm is that has followed a hand.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// An arm that has followed a target.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Followed {
-    /// The configuration; entries past the last joint are 0.
-    pub configuration: [f64; MAX_LINKS],
-    /// Where the tip is, in metres.
+    /// The configuration, in radians.
+    pub configuration: Vec<f64>,
+    /// The position of the tip, in metres.
     pub point: Point,
-    /// How far it is from the target, in metres.
+    /// Its distance from the target, in metres.
     pub distance: f64,
-    /// How far the last link is from the wanted orientation, in radians.
+    /// The rotation from the last link to the wanted orientation, in radians.
     pub turn: f64,
     /// Whether both are within 1e-9 of the reach, or of a radian.
     pub is_reached: bool,
@@ -43,8 +41,8 @@ pub struct Followed {
 }
 
 /// Moves the arm from `q` towards the target by damped least squares, within its limits. Small changes of the target make small
-/// changes of the joints, wherever that is possible; beyond the arm's reach it stretches towards the target. Limits can hold it
-/// back where another way of reaching would be nearer: then it stays on its own way. At most 320 updates, each O(links).
+/// changes of the joints, wherever that is possible; beyond the arm's reach it stretches towards the target. If the limits hold
+/// it back, it does not jump to a different configuration that would be nearer. At most 320 updates, each O(links).
 ///
 /// # Errors
 /// `wrong-dimension`, `not-finite`, `out-of-range` of the configuration, pointers below `/q`; of the target as in
@@ -56,8 +54,8 @@ pub fn follow(arm: &Arm, q: &[f64], target: Target) -> Result<Followed, Error> {
     let enough = task.finest.max(1e-3 * NEAR * task.reach);
     let mut at = settled(&task, approached(&task, q, enough), enough);
     if task.deviation(&at).error() > enough {
-        // A straight arm that is to be drawn in has no direction to go by the linear model: it has to be bent first. Where that
-        // does not help, it stays as it was.
+        // The linear model of a straight arm has no direction that draws it in: it has to be bent first. If that does not help,
+        // it stays as it was.
         let other = settled(&task, approached(&task, bent(&task, &at), enough), enough);
         if task.deviation(&other).square() < HELPS * task.deviation(&at).square() {
             at = other;
@@ -66,7 +64,7 @@ pub fn follow(arm: &Arm, q: &[f64], target: Target) -> Result<Followed, Error> {
     let end = wanted.deviation(&at);
     let near = wanted.finest.max(NEAR * wanted.reach);
     Ok(Followed {
-        configuration: at,
+        configuration: at[..task.joints.count].to_vec(),
         point: arm.end_effector(&at),
         distance: end.distance,
         turn: end.turn,
@@ -94,8 +92,8 @@ fn approached(task: &Task, q: [f64; MAX_LINKS], enough: f64) -> [f64; MAX_LINKS]
     at
 }
 
-/// The nearest place to a target that limits keep out of reach, where damped least squares only creep: gradient descent from
-/// where they have led, and of that the best.
+/// The nearest configuration to a target that the limits keep out of reach, where damped least squares converge slowly: the best
+/// of a gradient descent from `q`.
 fn settled(task: &Task, q: [f64; MAX_LINKS], enough: f64) -> [f64; MAX_LINKS] {
     let (mut best, mut least, mut at) = (q, task.deviation(&q).square(), q);
     let mut method = GradientDescent::default();
@@ -115,7 +113,7 @@ fn settled(task: &Task, q: [f64; MAX_LINKS], enough: f64) -> [f64; MAX_LINKS] {
     best
 }
 
-/// The task with its target drawn to the ring that the arm could reach without limits.
+/// The task with its target moved to the ring that the arm could reach without limits.
 fn drawn_in(task: &Task) -> Task {
     let mut task = task.clone();
     let ([x, y], count) = task.wrist();
@@ -128,15 +126,15 @@ fn drawn_in(task: &Task) -> Task {
     task
 }
 
-/// The configuration with every joint but the first bent a little to the side where its limits leave more room, the less the
-/// nearer the target is.
+/// The configuration with every joint but the first bent a little to the side with the larger remaining range, the less the nearer
+/// the target is.
 fn bent(task: &Task, q: &[f64; MAX_LINKS]) -> [f64; MAX_LINKS] {
     let joints = &task.joints;
     let angle = BEND * (task.deviation(q).distance / task.reach).min(1.0).sqrt();
     let mut bent = *q;
     for i in 1..joints.count {
         let [low, high] = joints.range(i);
-        let side = if !joints.is_circle() && high - q[i] < q[i] - low { -angle } else { angle };
+        let side = if !joints.are_circles && high - q[i] < q[i] - low { -angle } else { angle };
         bent[i] = joints.hold(i, q[i] + side);
     }
     bent

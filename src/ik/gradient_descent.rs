@@ -1,14 +1,14 @@
 //! Gradient descent on the squared error, with a line search.
 
-use super::method::{Method, widest};
+use super::iterative::{Method, widest};
 use super::task::{Linear, Task};
 use crate::robot::MAX_LINKS;
 
 /// The most that a joint turns in one update, in radians.
-const LARGEST_TURN: f64 = 1.0;
+const LARGEST: f64 = 1.0;
 
-/// The part of the fall promised by the gradient that an update must bring (Armijo 1966, "Minimization of functions having
-/// Lipschitz continuous first partial derivatives").
+/// The fraction of the decrease predicted by the gradient that an update must achieve (Armijo 1966, "Minimization of functions
+/// having Lipschitz continuous first partial derivatives").
 const PROMISED: f64 = 1e-4;
 
 /// How many squared errors a new one is compared with.
@@ -17,21 +17,21 @@ const REMEMBERED: usize = 8;
 /// How often a step is halved.
 const HALVINGS: usize = 40;
 
-/// The first step is this part of the one that the linear model holds for best.
+/// The first step is this fraction of the optimal one of the linear model.
 const RELAXED: f64 = 0.8;
 
-/// Gradient descent: the joints turn against the gradient of half the squared error. A joint at a limit that would be left
-/// stands still, the others are held within theirs. The length of a step is what the last one teaches about the curvature
-/// (Barzilai and Borwein 1988, "Two-point step size gradient methods"), halved until the squared error is enough below the
-/// largest of the last eight (Grippo, Lampariello and Lucidi 1986, "A nonmonotone line search technique for Newton's method"):
-/// so the error may rise for a while, which takes it through narrow valleys many times faster than if it had to fall at every
-/// step. Linear, and slow where one direction is much harder to move in than another. O(links) a trial step.
+/// Gradient descent: the joints turn against the gradient of half the squared error. A joint at a limit that it would leave
+/// stands still, the others are held within theirs. The step length follows from the curvature along the last step (Barzilai and
+/// Borwein 1988, "Two-point step size gradient methods"), halved until the squared error is sufficiently below the largest of the
+/// last eight (Grippo, Lampariello and Lucidi 1986, "A nonmonotone line search technique for Newton's method"): the error may
+/// rise for a while, which takes it through narrow valleys many times faster than a monotone decrease. Linear, and slow if the
+/// problem is badly conditioned. O(links) a trial step.
 #[derive(Default)]
 pub(super) struct GradientDescent {
     /// The last squared errors, and how many there were.
     squares: [f64; REMEMBERED],
     count: usize,
-    /// The configuration before, and the way down from there.
+    /// The previous configuration and the descent direction there.
     last: Option<([f64; MAX_LINKS], [f64; MAX_LINKS])>,
 }
 
@@ -42,16 +42,15 @@ impl Method for GradientDescent {
         for i in 0..joints.count {
             downhill[i] = (0..model.rows).map(|row| model.jacobian[row][i] * model.vector[row]).sum();
             let [low, high] = joints.range(i);
-            if !joints.is_circle() && (downhill[i] < 0.0 && q[i] <= low || downhill[i] > 0.0 && q[i] >= high) {
+            if !joints.are_circles && (downhill[i] < 0.0 && q[i] <= low || downhill[i] > 0.0 && q[i] >= high) {
                 downhill[i] = 0.0;
             }
         }
         let learned = self.last.and_then(|last| learned_step(task, q, &downhill, &last));
-        let mut step = learned.or_else(|| best_step(&model, &downhill))?.min(LARGEST_TURN / widest(&downhill));
+        let mut step = learned.or_else(|| best_step(&model, &downhill))?.min(LARGEST / widest(&downhill));
         self.squares[self.count % REMEMBERED] = before;
         self.count += 1;
-        let largest =
-            self.squares[..self.count.min(REMEMBERED)].iter().fold(0.0, |most: f64, square| most.max(*square));
+        let largest = self.squares.iter().take(self.count).fold(0.0, |most: f64, square| most.max(*square));
         for _ in 0..HALVINGS {
             let mut next = [0.0; MAX_LINKS];
             let mut promised = 0.0;
@@ -73,16 +72,12 @@ impl Method for GradientDescent {
         (self.last, self.count) = (None, 0);
     }
 
-    fn patience(&self) -> u32 {
-        60
-    }
-
-    fn progress(&self) -> f64 {
-        0.97
+    fn patience(&self) -> (u32, f64) {
+        (60, 0.97)
     }
 }
 
-/// The step downhill that is best for the linear model, shortened a little; `None` where nothing moves.
+/// The best step downhill for the linear model, shortened a little; `None` if nothing moves.
 #[inline(never)]
 fn best_step(model: &Linear, downhill: &[f64; MAX_LINKS]) -> Option<f64> {
     let moved = |row: usize| -> f64 { (0..MAX_LINKS).map(|i| model.jacobian[row][i] * downhill[i]).sum() };
@@ -91,7 +86,7 @@ fn best_step(model: &Linear, downhill: &[f64; MAX_LINKS]) -> Option<f64> {
     (change > 0.0).then(|| RELAXED * steepness / change)
 }
 
-/// The step that fits how the way downhill has changed since the last configuration; `None` where it curves the wrong way.
+/// The step that fits the change of the descent direction since the last configuration; `None` if the curvature is not positive.
 #[inline(never)]
 fn learned_step(
     task: &Task,

@@ -1,7 +1,10 @@
-//! The methods that exist, with their options.
+//! The methods and their options, and the options of a run.
 
 use crate::error::{Code, Error, quoted};
 use crate::options::{OptionInfo, Options, Value};
+use crate::random::MAX_SEED;
+use crate::robot::{Arm, Target};
+use crate::scenario::{Robot, Scenario};
 use strum::{IntoStaticStr, VariantArray};
 
 /// The most updates of a run.
@@ -15,88 +18,82 @@ pub enum MethodId {
     ClosedForm,
     /// Newton and Raphson's.
     Newton,
-    /// Damped least squares, taken where none is named.
+    /// Damped least squares, the default.
     DampedLeastSquares,
     /// Gradient descent.
     GradientDescent,
 }
 
-/// What there is to know about a method before it runs.
+/// The description of a method.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MethodInfo {
     /// The id, in kebab-case, the same everywhere.
     pub id: &'static str,
     /// The name for people.
     pub title: &'static str,
-    /// What it does, in one sentence.
+    /// A summary, in one sentence.
     pub summary: &'static str,
     /// Its options.
     pub parameters: Vec<OptionInfo>,
 }
 
 crate::options! {
-    /// What solutions are looked for.
+    /// Which solutions are searched for.
     pub struct Finding for &["arm"];
-    /// How many distinct solutions are looked for; fewer may be found.
+    /// How many distinct solutions are searched for; fewer may be found.
     solutions: u64 = 1, in 1.0..=100.0, "Solutions wanted";
-    /// Takes only solutions at which the arm touches nothing, and keeps the others apart.
+    /// Accepts only solutions at which the arm touches nothing, and lists the others apart.
     free_only: bool = false, "Free ones only";
-    /// Two solutions are distinct where some joint differs by more than this, whole turns aside.
+    /// Two solutions are distinct if some joint differs by more than this, modulo whole turns.
     separation: Option<f64>, in 1e-6..=3.0, "Separation", unit "rad",
         else "0.001, or 0.5 for an arm with more joints than the target needs, which has infinitely many solutions";
 }
 
 crate::options! {
-    /// Starts of methods that go from one configuration to the next.
+    /// Random starts.
     pub struct Starting for &["arm"];
-    /// How often a random start is drawn, where the last one led nowhere or another solution is wanted.
+    /// How often a random start is drawn when the last one led nowhere or another solution is wanted.
     restarts: u64 = 200, in 0.0..=10_000.0, "Restarts at most";
+}
+
+crate::options! {
+    /// When a run has reached its target, and when it ends.
+    pub struct Stopping for &["arm"];
+    /// How far from the target the tip may end, in metres, and its orientation, in radians; rounding sets a floor for large arms.
+    tolerance: f64 = 1e-9, in 1e-12..=1.0, "Tolerance", unit "m, rad";
+    /// After how many iterations the run ends: one is an update of the joints, or the drawing of a new start.
+    max_iterations: u64 = 10_000, in 0.0..=MOST_ITERATIONS, "Iterations at most";
 }
 
 crate::options! {
     /// Options of the closed form.
     pub struct ClosedFormOptions for &["arm"];
-    /// How far from the target the tip may end, in metres, and its orientation, in radians; rounding sets a floor for large arms.
-    tolerance: f64 = 1e-9, in 1e-12..=1.0, "Tolerance", unit "m, rad";
-    /// After how many iterations the run ends: one is an update of the joints, or the drawing of a new start.
-    max_iterations: u64 = 10_000, in 0.0..=MOST_ITERATIONS, "Iterations at most";
-    /// What is looked for.
+    /// When it ends.
+    stopping: Stopping;
+    /// What is searched for.
     finding: Finding;
 }
 
 crate::options! {
-    /// Options of the iterative methods.
+    /// Options of Newton's method and of damped least squares.
     pub struct IterativeOptions for &["arm"];
-    /// How far from the target the tip may end, in metres, and its orientation, in radians; rounding sets a floor for large arms.
-    tolerance: f64 = 1e-9, in 1e-12..=1.0, "Tolerance", unit "m, rad";
-    /// After how many iterations the run ends: one is an update of the joints, or the drawing of a new start.
-    max_iterations: u64 = 10_000, in 0.0..=MOST_ITERATIONS, "Iterations at most";
+    /// When it ends.
+    stopping: Stopping;
     /// Where it starts.
     starting: Starting;
-    /// What is looked for.
+    /// What is searched for.
     finding: Finding;
 }
 
 crate::options! {
     /// Options of gradient descent.
     pub struct GradientDescentOptions for &["arm"];
-    /// How far from the target the tip may end, in metres, and its orientation, in radians; rounding sets a floor for large arms.
-    tolerance: f64 = 1e-4, in 1e-12..=1.0, "Tolerance", unit "m, rad";
-    /// After how many iterations the run ends: one is an update of the joints, or the drawing of a new start.
-    max_iterations: u64 = 50_000, in 0.0..=MOST_ITERATIONS, "Iterations at most";
+    /// When it ends.
+    stopping: Stopping = Stopping { tolerance: 1e-4, max_iterations: 50_000 };
     /// Where it starts.
     starting: Starting;
-    /// What is looked for.
+    /// What is searched for.
     finding: Finding;
-}
-
-/// The options of any method.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Settings {
-    pub tolerance: f64,
-    pub max_iterations: u64,
-    pub restarts: u64,
-    pub finding: Finding,
 }
 
 impl MethodId {
@@ -108,7 +105,7 @@ impl MethodId {
     /// The method with the given id, or the default.
     ///
     /// # Errors
-    /// `out-of-range`, pointer `/method`, naming those that exist.
+    /// `out-of-range`, pointer `/method`.
     pub fn of(id: Option<&str>) -> Result<Self, Error> {
         let Some(id) = id else { return Ok(MethodId::DampedLeastSquares) };
         Self::VARIANTS.iter().copied().find(|method| method.as_str() == id).ok_or_else(|| {
@@ -117,49 +114,95 @@ impl MethodId {
         })
     }
 
-    /// What there is to know about it.
+    /// Its description.
     pub fn info(self) -> MethodInfo {
         let (title, summary, parameters) = match self {
             MethodId::ClosedForm => (
                 "Closed form",
-                "Computes the angles of up to two joints at once, elbow on either side; a given orientation fixes one joint more.",
+                "Computes the angles of up to two joints directly, elbow on either side; a given orientation fixes one joint more.",
                 ClosedFormOptions::table(),
             ),
             MethodId::Newton => (
                 "Newton-Raphson",
-                "Follows the tangent to the target by the pseudo-inverse of the Jacobian: quick, and wild near singular arms.",
+                "Solves the linear model by the pseudo-inverse of the Jacobian: fast, but unstable near singular configurations.",
                 IterativeOptions::table(),
             ),
             MethodId::DampedLeastSquares => (
                 "Damped least squares",
-                "Weighs the error against the turn of the joints, so that it stays calm where the arm is nearly singular.",
+                "Weighs the error against the rotation of the joints, which keeps it stable near singular configurations.",
                 IterativeOptions::table(),
             ),
             MethodId::GradientDescent => (
                 "Gradient descent",
-                "Turns every joint downhill, as far as the error falls: simple, without any inverse, and slow at the end.",
+                "Turns every joint against the gradient while the error falls: simple, without any inverse, and slow near the target.",
                 GradientDescentOptions::table(),
             ),
         };
         MethodInfo { id: self.as_str(), title, summary, parameters }
     }
 
-    /// Its options, given by name.
-    pub(super) fn read(self, given: &[(String, Value)]) -> Result<Settings, Error> {
+    /// Its options, given by name; without restarts for the closed form.
+    pub(super) fn read(self, given: &[(String, Value)]) -> Result<(Stopping, u64, Finding), Error> {
         Ok(match self {
             MethodId::ClosedForm => {
-                let ClosedFormOptions { tolerance, max_iterations, finding } = Options::read(given)?;
-                Settings { tolerance, max_iterations, restarts: 0, finding }
+                let ClosedFormOptions { stopping, finding } = Options::read(given)?;
+                (stopping, 0, finding)
             }
             MethodId::Newton | MethodId::DampedLeastSquares => {
-                let IterativeOptions { tolerance, max_iterations, starting, finding } = Options::read(given)?;
-                Settings { tolerance, max_iterations, restarts: starting.restarts, finding }
+                let IterativeOptions { stopping, starting, finding } = Options::read(given)?;
+                (stopping, starting.restarts, finding)
             }
             MethodId::GradientDescent => {
-                let GradientDescentOptions { tolerance, max_iterations, starting, finding } = Options::read(given)?;
-                Settings { tolerance, max_iterations, restarts: starting.restarts, finding }
+                let GradientDescentOptions { stopping, starting, finding } = Options::read(given)?;
+                (stopping, starting.restarts, finding)
             }
         })
+    }
+}
+
+/// The target, method, start, seed and parameters of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SolverOptions {
+    /// The target of the tip.
+    pub target: Target,
+    /// The id of the method; damped least squares by default.
+    pub method: Option<String>,
+    /// The first start; by default the start of the scenario's first query, or without a query all joints at 0 or as near to it
+    /// as the limits allow.
+    pub start: Option<Vec<f64>>,
+    /// The seed of the other starts, up to 2^53 - 1.
+    pub seed: u64,
+    /// Parameters by name; the rest take their defaults.
+    pub parameters: Vec<(String, Value)>,
+}
+
+impl SolverOptions {
+    /// All defaults, for a target.
+    pub fn to(target: Target) -> Self {
+        Self { target, method: None, start: None, seed: 0, parameters: Vec::new() }
+    }
+
+    /// Refuses a seed that JavaScript could not hold.
+    pub(super) fn check_seed(&self) -> Result<(), Error> {
+        if self.seed <= MAX_SEED {
+            return Ok(());
+        }
+        let sentence = format!("a seed lies within [0, {MAX_SEED}], not {}", self.seed);
+        Err(Error::new(Code::OutOfRange, "/seed", sentence))
+    }
+}
+
+/// The arm of the scenario.
+///
+/// # Errors
+/// `unsupported` if the robot is not an arm.
+pub fn arm_of(scenario: &Scenario) -> Result<&Arm, Error> {
+    match scenario.robot() {
+        Robot::Arm(arm) => Ok(arm),
+        other => {
+            let sentence = format!("only an arm reaches for a target; this robot is of type {}", other.kind());
+            Err(Error::new(Code::Unsupported, "", sentence))
+        }
     }
 }
 

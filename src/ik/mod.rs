@@ -1,38 +1,28 @@
-//! Inverse kinematics of planar arms: which joint angles bring the tip to a target. One file a method.
+//! Inverse kinematics of planar arms: joint angles that bring the tip to a target.
 //!
 //! A target is a point, or a point and an orientation of the last link. [`Solver`] is a run that is stepped like a planner and
-//! finds one or several configurations; [`follow`] has an arm follow a hand; [`nearest_reachable`] tells, exactly, how near an arm
-//! can come to a target, and a target counts as out of reach on that ground alone.
+//! finds one or several configurations; [`follow`] moves an arm after a moving target; [`nearest_reachable`] computes exactly how
+//! near an arm can come to a target. A target counts as out of reach only if that distance is not zero.
 
 mod closed_form;
-mod damped_least_squares;
 mod follow;
 mod gradient_descent;
+mod iterative;
 mod joints;
 mod kinematics;
-mod method;
 mod methods;
 mod nearest;
-mod newton;
-mod options;
-mod report;
+mod result;
 mod run;
-mod singular;
-mod solutions;
-mod target;
 mod task;
-mod verdict;
 
+pub use crate::robot::Target;
 pub use follow::{Followed, follow};
 pub use kinematics::{jacobian, manipulability, orientation, singular_values};
 pub use methods::{
     ClosedFormOptions, Finding, GradientDescentOptions, IterativeOptions, MOST_ITERATIONS, MethodId, MethodInfo,
-    Starting, methods,
+    SolverOptions, Starting, Stopping, arm_of, methods,
 };
 pub use nearest::{Nearest, nearest_reachable};
-pub use options::{SolverOptions, arm_of};
-pub use report::{NearestDocument, RejectedDocument, SolverResult, SolverStats, Touching, VerdictDocument};
+pub use result::{Reason, Rejected, SolverResult, SolverStats, Verdict};
 pub use run::{Iterate, Solver};
-pub use solutions::Rejected;
-pub use target::Target;
-pub use verdict::{Reason, Verdict};

@@ -1,47 +1,47 @@
 //! The point nearest to a target that an arm can reach, exactly, with limits.
 //!
-//! Where the tip is as near as it gets, and not there, every joint that could still turn lies on one line with the tip and the
-//! target, and all others stand at a limit. So the links between two such joints are one rigid link along that line, forwards
-//! or backwards, and there are finitely many such configurations. Where the target can be reached, some configuration that
-//! reaches it has the least angle of the first joint that is not at a limit; there all later free joints lie on one line with the tip in
-//! the same way, and the first joint, the rigid link from it and that line make a triangle with the target. All of these are
-//! tried, and each is judged by where it really takes the tip, so nothing is said to be reached that is not.
+//! If the tip is as near as possible to a target that it cannot reach, every joint that could still turn is collinear with the tip
+//! and the target, and all others are at a limit. The links between two such joints form one rigid link along that line, forwards
+//! or backwards, and there are finitely many such configurations. If the target can be reached, some configuration that
+//! reaches it has the least angle of the first joint that is not at a limit; then all later free joints are collinear with the tip
+//! in the same way, and the first joint, the rigid link from it and that line form a triangle with the target. All of these
+//! configurations are tried, and each is measured by the actual position of the tip, so nothing is reported as reached that is not.
 //!
-//! An orientation that is wanted moves the target to the last joint. Where that joint then is at a limit, the link before has
-//! a wanted orientation too, and so on inwards.
+//! A wanted orientation moves the target to the last joint. If that joint is then at a limit, the link before has a wanted
+//! orientation too, and so on inwards.
 //!
-//! O(4^links) with limits, O(2^links) without, pruned by what the limits refuse.
+//! O(4^links) with limits, O(2^links) without, pruned by the limits.
 //!
 //! Sources: that the joints line up on the border of the workspace is in Kumar and Waldron 1981, "The workspaces of a mechanical
 //! manipulator"; limits in Haug, Luh, Adkins and Wang 1996, "Numerical algorithms for mapping boundaries of manipulator workspaces".
 
-use super::target::Target;
 use super::task::{Deviation, Task};
 use crate::error::Error;
 use crate::geometry::Point;
-use crate::robot::{Arm, MAX_LINKS};
+use crate::robot::{Arm, MAX_LINKS, Target};
+use serde::Serialize;
 use std::f64::consts::PI;
 
-/// Turns of the last link up to the first, in radians, are rounding: of sums of eight angles up to 100. Far from the origin that of
-/// coordinates turns it more, up to the second.
+/// Rotations of the last link up to the first, in radians, are rounding: of sums of eight angles up to 100. Far from the origin the
+/// rounding of coordinates rotates it more, up to the second.
 const SAME: [f64; 2] = [1e-11, 1e-6];
 
 /// How near an arm can come to a target.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Nearest {
-    /// A configuration that comes that near; entries past the last joint are 0.
-    pub configuration: [f64; MAX_LINKS],
-    /// Where the tip then is, in metres.
+    /// A configuration that comes that near, in radians.
+    pub configuration: Vec<f64>,
+    /// The position of the tip there, in metres.
     pub point: Point,
-    /// How far that is from the target, in metres.
+    /// Its distance from the target, in metres.
     pub distance: f64,
-    /// How far the last link then is from the wanted orientation, in radians: 0 unless the limits allow that orientation
-    /// nowhere, and then as little as they allow; the distance is the least among configurations of this orientation.
+    /// The rotation from the last link there to the wanted orientation, in radians: 0 unless the limits do not allow that
+    /// orientation anywhere, and then as little as they allow; the distance is the least among configurations of this orientation.
     pub turn: f64,
 }
 
 /// The point nearest to the target that the arm can reach, with a configuration. With an orientation: among the points that it
-/// can reach in that orientation, or where the limits allow it nowhere, in the nearest one that they do.
+/// can reach in that orientation, or in the nearest one that the limits allow.
 ///
 /// # Errors
 /// Of the target: `not-finite`, `out-of-range`, `unsupported` (see [`Target`]).
@@ -54,25 +54,30 @@ pub fn nearest_reachable(arm: &Arm, target: Target) -> Result<Nearest, Error> {
 pub(super) fn nearest(arm: &Arm, task: &Task) -> Nearest {
     let q = nearest_configuration(task);
     let deviation = task.deviation(&q);
-    let turn = told_turn(task, &deviation);
-    Nearest { configuration: q, point: arm.end_effector(&q), distance: deviation.distance, turn }
+    let turn = turn_of(task, &deviation);
+    let configuration = q[..task.joints.count].to_vec();
+    Nearest { configuration, point: arm.end_effector(&q), distance: deviation.distance, turn }
 }
 
-/// How far the last link is from the wanted orientation, 0 where that is rounding.
-fn told_turn(task: &Task, deviation: &Deviation) -> f64 {
+/// The rotation from the last link to the wanted orientation, 0 if it is rounding.
+fn turn_of(task: &Task, deviation: &Deviation) -> f64 {
     let [least, most] = SAME;
     if deviation.turn > (task.finest / task.reach).max(least).min(most) { deviation.turn } else { 0.0 }
 }
 
-/// The configuration alone.
 pub(super) fn nearest_configuration(task: &Task) -> [f64; MAX_LINKS] {
-    let mut search = Search::new(task);
-    search.all();
+    let (zeros, count, rest) = ([0.0; MAX_LINKS], task.joints.count, task.joints.rest());
+    let (point, best) = (task.point, None);
+    let mut search = Search { task, rest, q: zeros, count, point, last: None, best, best_q: zeros, is_done: false };
+    match task.orientation {
+        None => search.prefix(0, 0.0, [0.0; 2], false),
+        Some(wanted) => search.oriented(count - 1, point, wanted),
+    }
     if search.best.is_some() { search.best_q } else { farthest_turned(task) }
 }
 
-/// Where no configuration has the wanted orientation: all joints at their low limits, or all at their high ones, whichever
-/// turns the last link nearer to it.
+/// If no configuration has the wanted orientation: all joints at their low limits, or all at their high ones, whichever
+/// rotates the last link nearer to it.
 fn farthest_turned(task: &Task) -> [f64; MAX_LINKS] {
     let ends = [0, 1].map(|end| {
         let mut q = [0.0; MAX_LINKS];
@@ -84,10 +89,10 @@ fn farthest_turned(task: &Task) -> [f64; MAX_LINKS] {
     if ends[1].1 < ends[0].1 { ends[1].0 } else { ends[0].0 }
 }
 
-/// What is done with a line of joints once it reaches the tip.
+/// How a line of joints is completed once it reaches the tip.
 #[derive(Clone, Copy)]
 enum Purpose {
-    /// The line runs through the target: it ends so far from it, and begins there.
+    /// The line runs through the target, at this distance from its beginning.
     Approach { away: f64 },
     /// The line is the third side of a triangle.
     Triangle(Corner),
@@ -97,7 +102,7 @@ enum Purpose {
 #[derive(Clone, Copy)]
 struct Corner {
     joint: usize,
-    place: [f64; 2],
+    position: [f64; 2],
     /// The absolute angle of the link before the joint.
     before: f64,
     line: usize,
@@ -114,30 +119,16 @@ struct Search<'a> {
     q: [f64; MAX_LINKS],
     count: usize,
     point: [f64; 2],
-    /// The joint after the first `count`, and the absolute angle that its link must have.
+    /// The joint after the first `count`, and the required absolute angle of its link.
     last: Option<(usize, f64)>,
-    /// How far the best is off: metres, and radians times the reach.
+    /// The error of the best: metres, and radians times the reach.
     best: Option<f64>,
     best_q: [f64; MAX_LINKS],
     is_done: bool,
 }
 
-impl<'a> Search<'a> {
-    fn new(task: &'a Task) -> Self {
-        let (rest, zeros) = (task.joints.rest(), [0.0; MAX_LINKS]);
-        let count = task.joints.count;
-        let (best, best_q) = (None, zeros);
-        Self { task, rest, q: zeros, count, point: task.point, last: None, best, best_q, is_done: false }
-    }
-
-    fn all(&mut self) {
-        match self.task.orientation {
-            None => self.prefix(0, 0.0, [0.0; 2], false),
-            Some(wanted) => self.oriented(self.task.joints.count - 1, self.task.point, wanted),
-        }
-    }
-
-    /// The link after `joint` has to have the absolute angle `wanted` and to end at `point`; all later joints are known.
+impl Search<'_> {
+    /// The link after `joint` must have the absolute angle `wanted` and end at `point`; all later joints are known.
     fn oriented(&mut self, joint: usize, point: [f64; 2], wanted: f64) {
         let (sin, cos) = libm::sincos(wanted);
         let length = self.task.links[joint];
@@ -152,42 +143,42 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Joints before `joint` stand still, the link before it at the absolute angle `before`. `is_cut` where one of them is a
-    /// circle, which is at its end nowhere but where it was cut open.
-    fn prefix(&mut self, joint: usize, before: f64, place: [f64; 2], is_cut: bool) {
+    /// Joints before `joint` are fixed, the link before it at the absolute angle `before`. `is_cut` if one of them is a circle,
+    /// which has no limits but the angle at which it was cut open.
+    fn prefix(&mut self, joint: usize, before: f64, position: [f64; 2], is_cut: bool) {
         if self.is_done {
             return;
         }
         if joint == self.count {
             return self.judge();
         }
-        self.triangles(joint, before, place);
+        self.triangles(joint, before, position);
         if !is_cut {
-            let [x, y] = [self.point[0] - place[0], self.point[1] - place[1]];
+            let [x, y] = [self.point[0] - position[0], self.point[1] - position[1]];
             let away = (x * x + y * y).sqrt();
-            // At the target itself, any direction is the direction to it.
+            // At the target itself, any direction leads to it.
             let direction = if away > 0.0 { libm::atan2(y, x) } else { before + self.rest[joint] };
             self.line(joint, Some(before - direction), 0.0, Purpose::Approach { away });
         }
         if self.task.joints.turns_around(joint) {
-            self.stop(joint, self.rest[joint], before, place, true);
+            self.stop(joint, self.rest[joint], before, position, true);
         } else {
             for limit in self.task.joints.range(joint) {
-                self.stop(joint, limit, before, place, is_cut);
+                self.stop(joint, limit, before, position, is_cut);
             }
         }
     }
 
-    fn stop(&mut self, joint: usize, angle: f64, before: f64, place: [f64; 2], is_cut: bool) {
+    fn stop(&mut self, joint: usize, angle: f64, before: f64, position: [f64; 2], is_cut: bool) {
         self.q[joint] = angle;
         let (sin, cos) = libm::sincos(before + angle);
         let length = self.task.links[joint];
-        self.prefix(joint + 1, before + angle, [place[0] + length * cos, place[1] + length * sin], is_cut);
+        self.prefix(joint + 1, before + angle, [position[0] + length * cos, position[1] + length * sin], is_cut);
     }
 
     /// Every rigid link from `joint` to the first joint of a line.
-    fn triangles(&mut self, joint: usize, before: f64, place: [f64; 2]) {
-        let corner = Corner { joint, place, before, line: 0, length: 0.0, angle: 0.0, end: 0.0 };
+    fn triangles(&mut self, joint: usize, before: f64, position: [f64; 2]) {
+        let corner = Corner { joint, position, before, line: 0, length: 0.0, angle: 0.0, end: 0.0 };
         self.rigid(joint, [self.task.links[joint], 0.0], 0.0, &mut |search, line, length, angle, end| {
             if line < search.count {
                 search.line(line, None, 0.0, Purpose::Triangle(Corner { line, length, angle, end, ..corner }));
@@ -196,7 +187,8 @@ impl<'a> Search<'a> {
     }
 
     /// Every rigid link that begins with the link after `joint`, all joints in it at limits: `vector` so far, from the first
-    /// link, whose own angle is 0; `end` the angle of the last. `then` is told where it ends, its length, its angle and `end`.
+    /// link, whose own angle is 0; `end` the angle of the last. Calls `then` with the joint at its end, its length, its angle and
+    /// `end`.
     fn rigid(
         &mut self,
         joint: usize,
@@ -219,7 +211,7 @@ impl<'a> Search<'a> {
     }
 
     /// Joints from `joint` on lie on a line, along which the tip of the links before is `along`, and the angle of the last of
-    /// those to the line is `before`, where that is known.
+    /// those to the line is `before`, if known.
     fn line(&mut self, joint: usize, before: Option<f64>, along: f64, purpose: Purpose) {
         if self.is_done {
             return;
@@ -235,8 +227,8 @@ impl<'a> Search<'a> {
         }
         self.rigid(joint, [self.task.links[joint], 0.0], 0.0, &mut |search, next, length, angle, end| {
             for (sign, turned) in [(1.0, -angle), (-1.0, PI - angle)] {
-                // The joints of the rigid link are set already, and are not touched by what comes after.
-                let kept = search.q;
+                // The joints of the rigid link are set already; the recursion does not change them.
+                let saved = search.q;
                 match before {
                     None => search.q[joint] = turned,
                     Some(before) => match search.task.joints.fit(joint, turned - before, search.rest[joint]) {
@@ -245,16 +237,16 @@ impl<'a> Search<'a> {
                     },
                 }
                 search.line(next, Some(turned + end), along + sign * length, purpose);
-                search.q = kept;
+                search.q = saved;
             }
         });
     }
 
-    /// The line has reached the tip, `along` from where it began.
+    /// The line has reached the tip, `along` from its beginning.
     fn finish(&mut self, along: f64, purpose: Purpose) {
         match purpose {
             Purpose::Approach { away } => {
-                // Judging is dear; rounding may make it a little better than it looks here.
+                // `judge` is expensive; rounding may make the result a little better than it seems here.
                 if self.best.is_none_or(|best| (away - along).abs() < best + self.task.finest) {
                     self.judge();
                 }
@@ -263,12 +255,12 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Closes the triangle of the rigid link, the line and the way to the target, on either side.
+    /// Closes the triangle of the rigid link, the line and the segment to the target, on either side.
     fn close(&mut self, corner: Corner, along: f64) {
-        let [x, y] = [self.point[0] - corner.place[0], self.point[1] - corner.place[1]];
+        let [x, y] = [self.point[0] - corner.position[0], self.point[1] - corner.position[1]];
         let (r, a, b) = ((x * x + y * y).sqrt(), corner.length, along.abs());
         let square = (a + b + r) * (a + b - r) * (r + (a - b)) * (r - (a - b));
-        // Straight or folded triangles are lines through the target, which are found as such.
+        // Degenerate triangles are lines through the target, which are found as such.
         if !(square > 0.0 && b > 0.0) {
             return;
         }
@@ -290,7 +282,7 @@ impl<'a> Search<'a> {
         self.q[corner.line] = turned;
     }
 
-    /// Where the configuration really takes the tip.
+    /// Measures the actual error of the configuration.
     fn judge(&mut self) {
         let mut q = self.q;
         if let Some((joint, wanted)) = self.last {
@@ -301,9 +293,9 @@ impl<'a> Search<'a> {
             }
         }
         let q = self.task.joints.hold_all(&q);
-        // An angle held at its limit may be off by a little: so configurations of the very orientation come first.
+        // An angle held at its limit may be off by a little, so configurations of the exact orientation come first.
         let deviation = self.task.deviation(&q);
-        let turn = told_turn(self.task, &deviation);
+        let turn = turn_of(self.task, &deviation);
         let error = deviation.distance + self.task.reach * turn;
         if self.best.is_none_or(|best| error < best) {
             (self.best, self.best_q) = (Some(error), q);

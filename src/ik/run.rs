@@ -1,36 +1,31 @@
 //! A run: iterations of a method from one start after another, until enough solutions are found or the budget is spent.
 
 use super::closed_form::closed_form;
-use super::damped_least_squares::DampedLeastSquares;
 use super::gradient_descent::GradientDescent;
+use super::iterative::{DampedLeastSquares, Method, Newton};
 use super::kinematics::manipulability;
-use super::method::Method;
-use super::methods::{MethodId, Settings};
+use super::methods::{MethodId, SolverOptions, Stopping, arm_of};
 use super::nearest::nearest;
-use super::newton::Newton;
-use super::options::{SolverOptions, arm_of};
-use super::solutions::{Rejected, are_same};
-use super::target::{Target, configuration};
-use super::task::Task;
-use super::verdict::Verdict;
+use super::result::{Rejected, SolverResult, SolverStats, Verdict};
+use super::task::{Task, configuration};
 use crate::error::Error;
 use crate::graph::Fingerprint;
 use crate::problem::{Status, Validity};
 use crate::random::{Random, Stream};
-use crate::robot::{Arm, MAX_LINKS};
-use crate::space::MotionSpace;
+use crate::robot::{Arm, MAX_LINKS, Target};
+use crate::space::{MotionSpace, angular_distance};
 use crate::world::PlanningWorld;
 
-/// Any tolerance serves: only configurations are checked, no motions.
+/// Unused, since only configurations are checked, no motions.
 const TOLERANCE: f64 = 1e-4;
 
-/// Solutions nearer to each other than this, in radians, are one; and those of an arm with joints to spare.
+/// Solutions nearer to each other than this, in radians, are one; the second holds for redundant arms.
 const SEPARATION: [f64; 2] = [1e-3, 0.5];
 
 /// One iterate of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Iterate {
-    /// How many starts were drawn before: 0 for the start that was given. For the closed form, the number of the solution.
+    /// How many starts were drawn before: 0 for the given start. For the closed form, the index of the solution.
     pub restart: u32,
     /// The distance of the tip from the target in metres, or of its orientation in radians, whichever is larger.
     pub error: f64,
@@ -38,16 +33,16 @@ pub struct Iterate {
     pub configuration: [f64; MAX_LINKS],
 }
 
-/// Where the next iterate comes from.
+/// The source of the next iterate.
 enum Strategy {
     /// From one configuration to the next.
     Iterative { method: Box<dyn Method>, random: Random },
-    /// Through the solutions that are known already; the first not yet looked at.
+    /// The solutions, known already, and the index of the first not yet visited.
     Listed { solutions: Vec<[f64; MAX_LINKS]>, next: usize },
 }
 
-/// A search for configurations of an arm that bring its tip to a target: a value that is stepped. In any slices it gives the same
-/// result; all that it finds is kept, in the order in which it was found.
+/// A search for configurations of an arm that bring its tip to a target: a value that is stepped. The result does not depend on
+/// the slices; everything found is saved, in the order in which it was found.
 pub struct Solver {
     arm: Arm,
     task: Task,
@@ -57,21 +52,18 @@ pub struct Solver {
     seed: u64,
     strategy: Strategy,
     validity: Option<Box<dyn Validity<[f64; MAX_LINKS]>>>,
-    tolerance: f64,
+    stopping: Stopping,
     separation: f64,
-    max_iterations: u64,
     max_restarts: u64,
     wanted: u64,
     status: Status,
-    iterations: u64,
-    restarts: u32,
-    configuration_checks: u64,
+    stats: SolverStats,
     /// Whether the next iteration draws a new start.
     is_over: bool,
     /// The smallest error that counted as progress, and how many updates ago.
     mark: (f64, u32),
     iterates: Vec<Iterate>,
-    solutions: Vec<[f64; MAX_LINKS]>,
+    solutions: Vec<Vec<f64>>,
     rejected: Vec<Rejected>,
 }
 
@@ -79,8 +71,8 @@ impl Solver {
     /// A run for the scenario's arm. The start is its first iterate, and may be a solution already.
     ///
     /// # Errors
-    /// `unsupported` where the robot is no arm, the arm has one link and an orientation is wanted, or it has no closed form
-    /// (pointer `/method`); `out-of-range` for an unknown method or a seed beyond 2^53 - 1; of the target (pointers
+    /// `unsupported` if the robot is not an arm, if the arm has one link and an orientation is wanted, or if it has no closed
+    /// form (pointer `/method`); `out-of-range` for an unknown method or a seed beyond 2^53 - 1; of the target (pointers
     /// `/target/0`, `/target/1`, `/orientation`), of the start (below `/start`) and of parameters (`/name`): `not-finite`,
     /// `out-of-range`, `wrong-dimension`, `wrong-type`, `unknown-parameter`.
     pub fn new(scenario: impl Into<PlanningWorld>, options: &SolverOptions) -> Result<Self, Error> {
@@ -90,44 +82,41 @@ impl Solver {
         let id = MethodId::of(options.method.as_deref())?;
         options.check_seed()?;
         let target = options.target.checked(arm)?;
-        let Settings { tolerance, max_iterations, restarts, finding } = id.read(&options.parameters)?;
+        let (mut stopping, max_restarts, finding) = id.read(&options.parameters)?;
         let task = Task::new(arm, &target);
         let query = scenario.queries().first().map(|query| query.start.as_slice());
-        let start = match (&options.start, query) {
-            (Some(start), _) => configuration(arm, start, "/start")?,
-            (None, Some(start)) => configuration(arm, start, "/start")?,
-            (None, None) => task.joints.rest(),
+        let start = match options.start.as_deref().or(query) {
+            Some(start) => configuration(arm, start, "/start")?,
+            None => task.joints.rest(),
         };
         let iterative =
             |method: Box<dyn Method>| Strategy::Iterative { method, random: Random::new(options.seed, Stream::Starts) };
-        let tolerance = tolerance.max(task.finest);
+        stopping.tolerance = stopping.tolerance.max(task.finest);
         let strategy = match id {
-            MethodId::ClosedForm => Strategy::Listed { solutions: closed_form(&task, &start, tolerance)?, next: 0 },
+            MethodId::ClosedForm => {
+                Strategy::Listed { solutions: closed_form(&task, &start, stopping.tolerance)?, next: 0 }
+            }
             MethodId::Newton => iterative(Box::new(Newton)),
             MethodId::GradientDescent => iterative(Box::<GradientDescent>::default()),
             MethodId::DampedLeastSquares => iterative(Box::new(DampedLeastSquares::new())),
         };
-        let needed = if target.orientation.is_some() { 3 } else { 2 };
+        let needed = 2 + usize::from(target.orientation.is_some());
         let separation = SEPARATION[usize::from(arm.links().len() > needed)];
-        let space = || MotionSpace::new(world.default_space());
-        let validity = finding.free_only.then(|| world.checker(&space(), TOLERANCE).validity());
-        let mut reach = Self {
+        let validity = || world.checker(&MotionSpace::new(world.default_space()), TOLERANCE).validity();
+        let mut solver = Self {
             arm: arm.clone(),
             target,
             scenario: scenario.name().to_owned(),
             method: id.as_str(),
             seed: options.seed,
             strategy,
-            validity,
-            tolerance,
+            validity: finding.free_only.then(validity),
+            stopping,
             separation: finding.separation.unwrap_or(separation),
-            max_iterations,
-            max_restarts: restarts,
+            max_restarts,
             wanted: finding.solutions,
             status: Status::Running,
-            iterations: 0,
-            restarts: 0,
-            configuration_checks: 0,
+            stats: SolverStats::default(),
             is_over: false,
             mark: (f64::INFINITY, 0),
             iterates: Vec::new(),
@@ -135,27 +124,24 @@ impl Solver {
             rejected: Vec::new(),
             task,
         };
-        match &reach.strategy {
-            Strategy::Iterative { .. } => reach.arrive(&start),
-            Strategy::Listed { .. } => reach.note(&start),
+        match &solver.strategy {
+            Strategy::Iterative { .. } => solver.arrive(&start),
+            Strategy::Listed { .. } => solver.note(&start),
         }
-        Ok(reach)
+        Ok(solver)
     }
 
     /// Does at most `n` iterations, none once the run has ended.
     pub fn step(&mut self, n: u64) -> Status {
-        for _ in 0..n {
+        let budget = self.stopping.max_iterations;
+        for _ in 0..n.min(budget - self.stats.iterations) {
             if self.status != Status::Running {
                 break;
             }
-            if self.iterations >= self.max_iterations {
-                self.end();
-                break;
-            }
-            self.iterations += 1;
+            self.stats.iterations += 1;
             self.iterate();
         }
-        if self.iterations >= self.max_iterations {
+        if self.stats.iterations >= budget {
             self.end();
         }
         self.status
@@ -169,7 +155,7 @@ impl Solver {
                     return self.end();
                 };
                 *next += 1;
-                self.restarts = *next as u32 - 1;
+                self.stats.restarts = *next as u32 - 1;
                 return self.arrive(&solution);
             }
             Strategy::Iterative { .. } if self.is_over => None,
@@ -181,13 +167,13 @@ impl Solver {
         }
     }
 
-    /// Draws a new start, where there may be one more.
+    /// Draws a new start, unless the limit of restarts is reached.
     fn restart(&mut self) {
-        if u64::from(self.restarts) >= self.max_restarts {
+        if u64::from(self.stats.restarts) >= self.max_restarts {
             return self.end();
         }
         if let Strategy::Iterative { method, random } = &mut self.strategy {
-            self.restarts += 1;
+            self.stats.restarts += 1;
             (self.mark, self.is_over) = ((f64::INFINITY, 0), false);
             method.begin();
             let q = self.task.joints.draw(random);
@@ -195,42 +181,43 @@ impl Solver {
         }
     }
 
-    /// Keeps the configuration, and its error.
+    /// Records the configuration and its error.
     fn note(&mut self, q: &[f64; MAX_LINKS]) {
         let error = self.task.deviation(q).error();
-        self.iterates.push(Iterate { restart: self.restarts, error, configuration: *q });
+        self.iterates.push(Iterate { restart: self.stats.restarts, error, configuration: *q });
     }
 
-    /// The run is at `q`: is it a solution, and does its start still lead anywhere?
+    /// Moves the run to `q`: saves a solution, and gives up a start without progress.
     fn arrive(&mut self, q: &[f64; MAX_LINKS]) {
         self.note(q);
         let error = self.error();
-        if error <= self.tolerance {
+        if error <= self.stopping.tolerance {
             self.is_over = true;
             return self.find(q);
         }
         if let Strategy::Iterative { method, .. } = &self.strategy {
-            self.mark =
-                if error < method.progress() * self.mark.0 { (error, 0) } else { (self.mark.0, self.mark.1 + 1) };
-            self.is_over = self.mark.1 >= method.patience();
+            let (patience, progress) = method.patience();
+            self.mark = if error < progress * self.mark.0 { (error, 0) } else { (self.mark.0, self.mark.1 + 1) };
+            self.is_over = self.mark.1 >= patience;
         }
     }
 
-    /// Takes a solution, unless it is known, or in collision where that is not wanted.
+    /// Saves a solution, unless it is known; apart if it is in collision and only free ones are wanted.
     fn find(&mut self, q: &[f64; MAX_LINKS]) {
-        let separation = self.separation;
-        let is_known = |known: &[f64; MAX_LINKS]| are_same(known, q, separation);
-        if self.solutions.iter().any(is_known) || self.rejected.iter().any(|one| is_known(&one.configuration)) {
+        let configuration = q[..self.dimension()].to_vec();
+        let mut known = self.solutions.iter().chain(self.rejected.iter().map(|one| &one.configuration));
+        let is_same = |known: &Vec<f64>| known.iter().zip(q).all(|(&a, &b)| angular_distance(a, b) <= self.separation);
+        if known.any(is_same) {
             return;
         }
         if let Some(validity) = &self.validity {
-            self.configuration_checks += 1;
+            self.stats.configuration_checks += 1;
             let contacts = validity.contacts(q);
             if !contacts.is_empty() {
-                return self.rejected.push(Rejected { configuration: *q, contacts });
+                return self.rejected.push(Rejected { configuration, contacts });
             }
         }
-        self.solutions.push(*q);
+        self.solutions.push(configuration);
         if self.solutions.len() as u64 >= self.wanted {
             self.end();
         }
@@ -242,87 +229,67 @@ impl Solver {
         }
     }
 
-    /// Where the run stands. It is solved once as many solutions are found as are wanted, or any when the budget is spent.
+    /// The status. It is solved once as many solutions are found as are wanted, or if any is found when the budget is spent.
     pub fn status(&self) -> Status {
         self.status
     }
 
-    /// How many joints a configuration has.
+    /// The number of joints.
     pub fn dimension(&self) -> usize {
         self.task.joints.count
     }
 
-    /// Where the run is: its last iterate.
+    /// The last iterate; entries past the last joint are 0.
     pub fn configuration(&self) -> [f64; MAX_LINKS] {
         self.iterates.last().map_or([0.0; MAX_LINKS], |iterate| iterate.configuration)
     }
 
-    /// The error there.
+    /// The error of the last iterate.
     pub fn error(&self) -> f64 {
         self.iterates.last().map_or(f64::INFINITY, |iterate| iterate.error)
     }
 
-    /// The manipulability there, in square metres: see [`manipulability`].
+    /// The manipulability of the last iterate, in square metres: see [`manipulability`].
     pub fn manipulability(&self) -> f64 {
         manipulability(&self.arm, &self.configuration()[..self.dimension()])
     }
 
-    /// Every configuration so far: the start, one after each iteration but one that ended the run.
+    /// Every configuration so far: the start, and one after each iteration except one that ended the run.
     pub fn iterates(&self) -> &[Iterate] {
         &self.iterates
     }
 
     /// The distinct solutions in the order in which they were found.
-    pub fn solutions(&self) -> &[[f64; MAX_LINKS]] {
+    pub fn solutions(&self) -> &[Vec<f64>] {
         &self.solutions
     }
 
-    /// Distinct configurations that reach the target in collision, where only free ones are wanted.
+    /// Distinct configurations that reach the target in collision, if only free ones are wanted.
     pub fn rejected(&self) -> &[Rejected] {
         &self.rejected
     }
 
-    /// How large the error of a solution may be: the parameter, but at least 1e-12 of the reach and the base's coordinates.
+    /// The largest error of a solution: the parameter, but at least 1e-12 of the reach and the base's coordinates.
     pub fn tolerance(&self) -> f64 {
-        self.tolerance
+        self.stopping.tolerance
     }
 
-    /// The name of the scenario.
-    pub fn scenario(&self) -> &str {
-        &self.scenario
-    }
-
-    /// The id of the method.
-    pub fn method(&self) -> &'static str {
-        self.method
-    }
-
-    /// The target, its orientation in (-pi, pi].
-    pub fn target(&self) -> Target {
-        self.target
-    }
-
-    /// The seed.
-    pub fn seed(&self) -> u64 {
-        self.seed
-    }
-
-    /// Solutions tested for collision so far.
-    pub fn configuration_checks(&self) -> u64 {
-        self.configuration_checks
+    /// The work so far.
+    pub fn stats(&self) -> SolverStats {
+        self.stats
     }
 
     /// Iterations made so far.
     pub fn iterations(&self) -> u64 {
-        self.iterations
+        self.stats.iterations
     }
 
     /// Starts drawn so far.
     pub fn restarts(&self) -> u32 {
-        self.restarts
+        self.stats.restarts
     }
 
-    /// What has come of the run. O(4^links) at worst where nothing has been found: see [`nearest_reachable`](super::nearest_reachable).
+    /// The outcome so far. O(4^links) at worst if nothing has been found: see [`nearest_reachable`](super::nearest_reachable).
     pub fn explain(&self) -> Verdict {
         if !self.solutions.is_empty() {
             return Verdict::Reached;
@@ -330,10 +297,10 @@ impl Solver {
         if let Some(first) = self.rejected.first() {
             return Verdict::InCollision { contacts: first.contacts.clone() };
         }
-        Verdict::of(&self.task, nearest(&self.arm, &self.task), self.tolerance, self.status)
+        Verdict::of(&self.task, nearest(&self.arm, &self.task), self.stopping.tolerance, self.status)
     }
 
-    /// 64-bit FNV-1a over every iterate, solution and rejected configuration, each kind in the order in which it was made.
+    /// 64-bit FNV-1a over every iterate, solution and rejected configuration, each kind in the order in which it was found.
     pub fn fingerprint(&self) -> u64 {
         let mut hash = Fingerprint::new();
         let count = self.dimension();
@@ -343,9 +310,27 @@ impl Solver {
             hash.numbers(&iterate.configuration[..count]);
         }
         hash.integer(self.solutions.len() as u64);
-        self.solutions.iter().for_each(|q| hash.numbers(&q[..count]));
+        self.solutions.iter().for_each(|q| hash.numbers(q));
         hash.integer(self.rejected.len() as u64);
-        self.rejected.iter().for_each(|one| hash.numbers(&one.configuration[..count]));
+        self.rejected.iter().for_each(|one| hash.numbers(&one.configuration));
         hash.value()
+    }
+
+    /// The result as a document.
+    pub fn result(&self) -> SolverResult {
+        SolverResult {
+            scenario: self.scenario.clone(),
+            method: self.method,
+            target: self.target.point.into(),
+            orientation: self.target.orientation,
+            seed: self.seed,
+            status: self.status,
+            solutions: self.solutions.clone(),
+            rejected: self.rejected.clone(),
+            verdict: self.explain(),
+            tolerance: self.tolerance(),
+            stats: self.stats,
+            fingerprint: self.fingerprint(),
+        }
     }
 }

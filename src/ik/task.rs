@@ -1,14 +1,14 @@
-//! An arm and a target: how far the tip is from it, and how it moves with the joints.
+//! An arm and a target: the deviation of the tip from the target, and how it moves with the joints.
 
 use super::joints::Joints;
-use super::target::Target;
-use crate::robot::{Arm, MAX_LINKS};
+use crate::error::{Code, Error, Number};
+use crate::robot::{Arm, LARGEST, MAX_LINKS, Target, check_range};
 use crate::space::wrap;
 
 /// Errors below this fraction of the reach and the coordinates are rounding.
 const FINEST: f64 = 1e-12;
 
-/// What a radian of the orientation counts against a metre of the tip, as a part of the reach.
+/// The weight of a radian of the orientation against a metre of the tip, as a fraction of the reach.
 const LEVER: f64 = 0.3;
 
 /// An arm with its base moved to the origin, and a target.
@@ -16,28 +16,27 @@ const LEVER: f64 = 0.3;
 pub(super) struct Task {
     /// The lengths of the links, in metres; 0 past the last.
     pub links: [f64; MAX_LINKS],
-    /// The joints.
     pub joints: Joints,
     /// The sum of the lengths, in metres.
     pub reach: f64,
-    /// What a radian of the orientation counts, in metres.
+    /// The weight of a radian of the orientation, in metres.
     pub lever: f64,
-    /// The target from the base, in metres.
+    /// The target relative to the base, in metres.
     pub point: [f64; 2],
     /// The wanted absolute angle of the last link, in (-pi, pi].
     pub orientation: Option<f64>,
-    /// The smallest error that means something: 1e-12 times the reach plus the largest coordinate of the base.
+    /// The smallest meaningful error: 1e-12 times the reach plus the largest coordinate of the base.
     pub finest: f64,
 }
 
 /// How far a configuration is from the target.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Deviation {
-    /// From the tip to the target in metres, and where an orientation is wanted the turn to it times the lever; else 0.
+    /// From the tip to the target in metres, and the rotation to the wanted orientation times the lever; 0 without one.
     pub vector: [f64; 3],
-    /// How far the tip is from the point, in metres.
+    /// From the tip to the point, in metres.
     pub distance: f64,
-    /// How far the last link has to turn, in radians, 0 or more.
+    /// The rotation that the last link lacks, in radians, 0 or more.
     pub turn: f64,
 }
 
@@ -47,7 +46,7 @@ impl Deviation {
         self.distance.max(self.turn)
     }
 
-    /// The square of the vector.
+    /// The squared norm of the vector.
     pub fn square(&self) -> f64 {
         let [x, y, z] = self.vector;
         x * x + y * y + z * z
@@ -57,7 +56,7 @@ impl Deviation {
 /// The linear model of a task at a configuration.
 #[derive(Debug, Clone)]
 pub(super) struct Linear {
-    /// What is missing: see [`Deviation`].
+    /// See [`Deviation`].
     pub vector: [f64; 3],
     /// How the tip (metres) and the last link (radians times the lever) move with each joint (radians).
     pub jacobian: [[f64; MAX_LINKS]; 3],
@@ -84,27 +83,27 @@ impl Task {
         }
     }
 
-    /// The places of the joints from the base, and of the tip.
+    /// The positions of the joints relative to the base, and of the tip.
     #[inline(never)]
-    pub fn places(&self, q: &[f64; MAX_LINKS]) -> [[f64; 2]; MAX_LINKS + 1] {
-        let mut places = [[0.0; 2]; MAX_LINKS + 1];
+    fn positions(&self, q: &[f64; MAX_LINKS]) -> [[f64; 2]; MAX_LINKS + 1] {
+        let mut positions = [[0.0; 2]; MAX_LINKS + 1];
         let mut angle = 0.0;
         for i in 0..self.joints.count {
             angle += q[i];
             let (sin, cos) = libm::sincos(angle);
-            places[i + 1] = [places[i][0] + self.links[i] * cos, places[i][1] + self.links[i] * sin];
+            let [x, y] = positions[i];
+            positions[i + 1] = [x + self.links[i] * cos, y + self.links[i] * sin];
         }
-        places
+        positions
     }
 
     /// How far the configuration is from the target. O(links).
     #[inline(never)]
     pub fn deviation(&self, q: &[f64; MAX_LINKS]) -> Deviation {
-        self.deviation_at(q, &self.places(q))
+        self.deviation_at(q, self.positions(q)[self.joints.count])
     }
 
-    fn deviation_at(&self, q: &[f64; MAX_LINKS], places: &[[f64; 2]; MAX_LINKS + 1]) -> Deviation {
-        let tip = places[self.joints.count];
+    fn deviation_at(&self, q: &[f64; MAX_LINKS], tip: [f64; 2]) -> Deviation {
         let [x, y] = [self.point[0] - tip[0], self.point[1] - tip[1]];
         let turn = self.orientation.map_or(0.0, |wanted| wrap(wanted - q.iter().sum::<f64>()));
         Deviation { vector: [x, y, self.lever * turn], distance: (x * x + y * y).sqrt(), turn: turn.abs() }
@@ -112,22 +111,22 @@ impl Task {
 
     /// The linear model at the configuration. O(links).
     pub fn linear(&self, q: &[f64; MAX_LINKS]) -> Linear {
-        let places = self.places(q);
+        let positions = self.positions(q);
         let count = self.joints.count;
-        let (mut jacobian, tip) = ([[0.0; MAX_LINKS]; 3], places[count]);
+        let (mut jacobian, tip) = ([[0.0; MAX_LINKS]; 3], positions[count]);
         for i in 0..count {
-            jacobian[0][i] = places[i][1] - tip[1];
-            jacobian[1][i] = tip[0] - places[i][0];
+            jacobian[0][i] = positions[i][1] - tip[1];
+            jacobian[1][i] = tip[0] - positions[i][0];
             if self.orientation.is_some() {
                 jacobian[2][i] = self.lever;
             }
         }
         let rows = if self.orientation.is_some() { 3 } else { 2 };
-        Linear { vector: self.deviation_at(q, &places).vector, jacobian, rows }
+        Linear { vector: self.deviation_at(q, tip).vector, jacobian, rows }
     }
 
-    /// The nearest and the farthest that the tip of the first `count` links can be from the base where nothing limits the
-    /// joints, in metres: a ring.
+    /// The inner and the outer radius, in metres, of the ring that the tip of the first `count` links can reach without joint
+    /// limits.
     pub fn ring(&self, count: usize) -> [f64; 2] {
         let (mut sum, mut longest) = (0.0, 0.0);
         for &link in &self.links[..count] {
@@ -137,8 +136,8 @@ impl Task {
         [(longest - (sum - longest)).max(0.0), sum]
     }
 
-    /// Where the last joint has to be for a wanted orientation, from the base; the target where there is none. And the number
-    /// of the links that bring it there.
+    /// The position of the last joint that a wanted orientation requires, relative to the base, or the target without one; and
+    /// the number of links up to it.
     pub fn wrist(&self) -> ([f64; 2], usize) {
         let count = self.joints.count;
         match self.orientation {
@@ -150,4 +149,57 @@ impl Task {
             }
         }
     }
+}
+
+impl Target {
+    /// Checks a target for this arm; brings its orientation into (-pi, pi].
+    ///
+    /// # Errors
+    /// `not-finite` or `out-of-range` (beyond 1e6), pointers `/target/0`, `/target/1` and `/orientation`; `unsupported`,
+    /// pointer `/orientation`, for an orientation of an arm of one link, whose position fixes its orientation.
+    pub(super) fn checked(mut self, arm: &Arm) -> Result<Self, Error> {
+        for i in 0..2 {
+            check_range(&format!("/target/{i}"), "a coordinate of the target", self.point[i], -LARGEST)?;
+            self.point[i] += 0.0;
+        }
+        if let Some(angle) = &mut self.orientation {
+            check_range("/orientation", "the orientation", *angle, -LARGEST)?;
+            *angle = wrap(*angle);
+            if arm.links().len() < 2 {
+                let sentence =
+                    "an arm of one link cannot be asked for an orientation: the position of its tip fixes it";
+                return Err(Error::new(Code::Unsupported, "/orientation", sentence));
+            }
+        }
+        Ok(self)
+    }
+}
+
+/// A configuration of the arm, checked and in canonical form: angles of circles in (-pi, pi].
+///
+/// # Errors
+/// `wrong-dimension`, `not-finite` or `out-of-range` (beyond 1e6, or outside the limits), with pointers below `pointer`.
+pub(super) fn configuration(arm: &Arm, q: &[f64], pointer: &str) -> Result<[f64; MAX_LINKS], Error> {
+    let count = arm.links().len();
+    if q.len() != count {
+        let sentence = format!("a configuration of this arm has {count} numbers, not {}", q.len());
+        return Err(Error::new(Code::WrongDimension, pointer, sentence));
+    }
+    let mut angles = [0.0; MAX_LINKS];
+    for (i, &angle) in q.iter().enumerate() {
+        let pointer = format!("{pointer}/{i}");
+        check_range(&pointer, "a joint angle", angle, -LARGEST)?;
+        if let Some(limits) = arm.joint_limits() {
+            let [low, high] = limits[i];
+            if !(low..=high).contains(&angle) {
+                let [low, high, angle] = [low, high, angle].map(Number);
+                let sentence = format!("joint {i} must lie within its limits [{low}, {high}], not {angle}");
+                return Err(Error::new(Code::OutOfRange, pointer, sentence));
+            }
+            angles[i] = angle + 0.0;
+        } else {
+            angles[i] = wrap(angle);
+        }
+    }
+    Ok(angles)
 }

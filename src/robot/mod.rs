@@ -18,6 +18,7 @@ pub use car::Car;
 pub use disc::DiscRobot;
 pub use footprint::Part;
 pub use range::LARGEST;
+pub(crate) use range::check_range;
 pub use space::{joint_space, placements, plane};
 pub use target::Target;
 pub use weights::Weights;

@@ -12,7 +12,7 @@ pub(super) fn not_finite(pointer: &str, what: &str, value: f64) -> Error {
 }
 
 /// Returns an error unless the value is finite and within [low, 1e6].
-pub(super) fn check_range(pointer: &str, what: &str, value: f64, low: f64) -> Result<(), Error> {
+pub(crate) fn check_range(pointer: &str, what: &str, value: f64, low: f64) -> Result<(), Error> {
     if !value.is_finite() {
         return Err(not_finite(pointer, what, value));
     }

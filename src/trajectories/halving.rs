@@ -1,31 +1,31 @@
-//! Whether two trajectories share a point, for any motion with bounded acceleration: by halving both until their chords tell.
+//! Whether two trajectories share a point, for any motion with bounded acceleration: by halving both until their chords decide.
 //!
-//! A stretch of h seconds whose acceleration is at most A departs from its chord, driven at constant speed, by at most
-//! A h^2 / 8. Two stretches whose chords are farther apart than both departures and the slack are apart. Else the stretch that
-//! departs more is halved; every halving takes the departure to a quarter. Pairs whose departures together are below the
-//! slack and that are still not proven apart are too close to call: they count as crossing. So apart is proven, and refused
-//! without a crossing are only trajectories within two slacks of each other, or pairs that exceed the budget.
+//! Over an interval of h seconds with an acceleration of at most A, a trajectory departs from its chord, driven at constant speed,
+//! by at most A h^2 / 8. Two intervals whose chords are farther apart than both departures and the slack are apart. Else the
+//! interval that departs more is halved, which divides its departure by four. Pairs whose departures together are below the
+//! slack and that are still not proven apart count as crossing. So apart is proven, and the only trajectories refused
+//! without a crossing are within two slacks of each other, or exceed the budget.
 //!
-//! Most crossings are known earlier: where the ends of each chord lie on different sides of the other's line, farther from it than
-//! the other departs, each stretch leads through the strip about the other chord from side to side. In the parallelogram that
-//! the strips have in common the two then join opposite sides, and so they cross.
+//! Most crossings are found earlier: if the ends of each chord lie on different sides of the other's line, farther from it than
+//! the other departs, each interval leads through the strip about the other chord from side to side. In the parallelogram that
+//! the strips have in common the two then connect opposite sides, and so they cross.
 
 use super::particle::Particle;
 use crate::geometry::{Point, Segment, distance_point_segment, distance_segment_segment};
 
-/// A crossing is looked for more closely until its place is known to so many slacks.
+/// A crossing is refined until its position is known to so many slacks.
 const NEAR: f64 = 1e6;
 
-/// What halving came to.
+/// The result of halving.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Halving {
-    /// A point of the first trajectory where the second comes too close; `None` where the two are proven apart.
+    /// A point of the first trajectory where the second comes too close; `None` if the two are proven apart.
     pub meeting: Option<Point>,
-    /// Pairs of stretches looked at.
+    /// Pairs of intervals examined.
     pub pairs: u64,
 }
 
-/// A stretch of a trajectory in time, with its chord and how far it may depart from it.
+/// An interval of time, with the chord of the trajectory over it and a bound on the departure from the chord.
 #[derive(Clone, Copy)]
 struct Interval {
     from: f64,
@@ -41,7 +41,7 @@ impl Interval {
     }
 
     fn whole(particle: &Particle) -> Self {
-        let chord = Segment::new(particle.start, particle.place(particle.duration));
+        let chord = Segment::new(particle.start, particle.position(particle.duration));
         let mut whole = Self::new(particle, 0.0, particle.duration, chord);
         if particle.is_straight() {
             whole.departure = 0.0;
@@ -51,14 +51,14 @@ impl Interval {
 
     fn halves(&self, particle: &Particle) -> [Self; 2] {
         let time = 0.5 * (self.from + self.to);
-        let middle = particle.place(time);
+        let middle = particle.position(time);
         let first = Self::new(particle, self.from, time, Segment::new(self.chord.a, middle));
         [first, Self::new(particle, time, self.to, Segment::new(middle, self.chord.b))]
     }
 }
 
 /// Whether the trajectories come within `eta` metres of each other, `eta` greater than 0; gives up after `budget` pairs of
-/// stretches, which counts as crossing. The first stretches in time are looked at first.
+/// intervals, which counts as crossing. Earlier intervals are examined first.
 pub fn halve(a: &Particle, b: &Particle, eta: f64, budget: u64) -> Halving {
     let mut open = vec![(Interval::whole(a), Interval::whole(b))];
     let mut pairs = 0;
@@ -70,7 +70,7 @@ pub fn halve(a: &Particle, b: &Particle, eta: f64, budget: u64) -> Halving {
         }
         let is_found = departures <= NEAR * eta && is_crossed(&s, &t) && is_crossed(&t, &s);
         if is_found || departures <= eta || pairs >= budget {
-            return Halving { meeting: Some(nearest_place(&s.chord, &t.chord)), pairs };
+            return Halving { meeting: Some(nearest_point(&s.chord, &t.chord)), pairs };
         }
         if s.departure >= t.departure {
             let [first, second] = s.halves(a);
@@ -83,31 +83,27 @@ pub fn halve(a: &Particle, b: &Particle, eta: f64, budget: u64) -> Halving {
     Halving { meeting: None, pairs }
 }
 
-/// Whether the first stretch leads from one side of the strip about the second's chord to the other.
+/// Whether the first interval leads from one side of the strip about the second's chord to the other.
 fn is_crossed(s: &Interval, t: &Interval) -> bool {
     let along = t.chord.b - t.chord.a;
     let (from, to) = (along.perp(&(s.chord.a - t.chord.a)), along.perp(&(s.chord.b - t.chord.a)));
-    // Twice the departure: far more than rounding takes away.
+    // Twice the departure: far more than rounding.
     let strip = 2.0 * t.departure * along.norm();
     (from > strip && to < -strip) || (from < -strip && to > strip)
 }
 
-/// Where the first segment crosses the second, or the end of one that is nearest to the other.
-pub(super) fn nearest_place(s: &Segment, t: &Segment) -> Point {
+/// The point where the first segment crosses the second, or the end of one that is nearest to the other.
+pub(super) fn nearest_point(s: &Segment, t: &Segment) -> Point {
     let (u, v) = (s.b - s.a, t.b - t.a);
     let across = u.perp(&v);
     let (along_s, along_t) = ((t.a - s.a).perp(&v) / across, (t.a - s.a).perp(&u) / across);
-    // Not numbers where the segments are parallel.
+    // Not numbers if the segments are parallel.
     if (0.0..=1.0).contains(&along_s) && (0.0..=1.0).contains(&along_t) {
         return s.a + u * along_s;
     }
     let ends = [(s.a, t), (s.b, t), (t.a, s), (t.b, s)];
     let gap = |&(p, other): &(Point, &Segment)| distance_point_segment(p, other);
-    let mut nearest = ends[0];
-    for end in ends {
-        if gap(&end) < gap(&nearest) {
-            nearest = end;
-        }
-    }
-    nearest.0
+    ends.into_iter()
+        .reduce(|nearest, end| if gap(&end) < gap(&nearest) { end } else { nearest })
+        .map_or(s.a, |end| end.0)
 }

@@ -1,4 +1,4 @@
-//! What can be chosen about many trajectories.
+//! The options of many trajectories.
 
 use super::particle::{MOST_TURNING, Model};
 use crate::error::Error;
@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 impl Choice for Model {}
 
 crate::choice! {
-    /// Which earlier trajectories a new one is tested against.
+    /// The earlier trajectories that a new one is tested against.
     pub enum IndexKind {
         /// Those that share a cell of a grid with it.
         Grid,
@@ -46,7 +46,7 @@ crate::options! {
 }
 
 impl TrajectoryOptions {
-    /// The options given by name, checked with the seed, 0 to 2^53 - 1, and defaults for the rest.
+    /// The options given by name, checked together with the seed, 0 to 2^53 - 1; defaults for the rest.
     ///
     /// # Errors
     /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`.
@@ -55,28 +55,21 @@ impl TrajectoryOptions {
         if seed > MAX_SEED {
             return Err(out_of_range("seed", format!("seed must lie within [0, {MAX_SEED}], not {seed}")));
         }
-        let pairs =
-            [("slowest", "fastest", options.speeds()), ("least_turn_rate", "greatest_turn_rate", options.turn_rates())];
-        for (name, greatest, [low, high]) in pairs {
+        let Self { slowest, fastest, least_turn_rate, greatest_turn_rate, duration, .. } = options;
+        let pairs = [
+            ("slowest", slowest, "fastest", fastest),
+            ("least_turn_rate", least_turn_rate, "greatest_turn_rate", greatest_turn_rate),
+        ];
+        for (name, low, greatest, high) in pairs {
             if low > high {
                 return Err(out_of_range(name, format!("{name} must be at most {greatest}, {high}, not {low}")));
             }
         }
-        let turn = options.turn_rates().map(f64::abs).into_iter().fold(0.0, f64::max) * options.duration;
+        let turn = least_turn_rate.abs().max(greatest_turn_rate.abs()) * duration;
         if turn > MOST_TURNING {
             let sentence = format!("the longest turn must be at most {MOST_TURNING} radians, not {turn}");
             return Err(out_of_range("duration", sentence));
         }
         Ok(options)
-    }
-
-    /// The least and the greatest speed, in metres a second.
-    pub fn speeds(&self) -> [f64; 2] {
-        [self.slowest, self.fastest]
-    }
-
-    /// The least and the greatest turn rate, in radians a second.
-    pub fn turn_rates(&self) -> [f64; 2] {
-        [self.least_turn_rate, self.greatest_turn_rate]
     }
 }

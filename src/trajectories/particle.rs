@@ -1,13 +1,15 @@
-//! A particle with constant speed and constant turn rate.
+//! A particle with constant speed and constant turn rate, and its positions over time.
 
 use crate::error::{Code, Error, Number};
 use crate::geometry::{Point, arc_pose};
+use crate::options::{Options, Value};
+use std::f64::consts::FRAC_PI_4;
 use strum::VariantArray;
 
-/// How far a particle may turn over its duration, in radians, and how large its heading may be: rounding stays below the slack.
+/// The largest turn of a particle over its duration, and its largest heading, in radians: rounding stays below the slack.
 pub const MOST_TURNING: f64 = 100.0;
 
-/// The largest coordinate, travel, speed, turn rate and duration of a particle, in metres, radians and seconds.
+/// The largest travel and time of a particle, in metres and seconds.
 const LARGEST: f64 = 1e6;
 
 /// How a particle moves.
@@ -16,10 +18,10 @@ const LARGEST: f64 = 1e6;
 )]
 #[strum(serialize_all = "kebab-case")]
 pub enum Model {
-    /// x' = v cos theta, y' = v sin theta, theta' = w: a circular arc, straight where w is 0.
+    /// x' = v cos theta, y' = v sin theta, theta' = w: a circular arc, straight if w is 0.
     Arc,
-    /// p(t) = p(0) + v t (cos(theta + w t), sin(theta + w t)): a spiral of Archimedes about its start. A rule met in place of
-    /// the arc where the heading of the moment is taken for that of the whole way.
+    /// p(t) = p(0) + v t (cos(theta + w t), sin(theta + w t)): a spiral of Archimedes about its start. It results if the current
+    /// heading is mistaken for the direction of the whole motion.
     Spiral,
 }
 
@@ -33,12 +35,12 @@ impl Model {
     }
 }
 
-/// A particle: where it starts, how it moves, for how long.
+/// A particle: its start, its motion and its duration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Particle {
-    /// How it moves.
+    /// The rule of its motion.
     pub model: Model,
-    /// Where it starts, in metres.
+    /// Its start, in metres.
     pub start: Point,
     /// Its first heading, in radians.
     pub theta: f64,
@@ -46,34 +48,20 @@ pub struct Particle {
     pub speed: f64,
     /// Its turn rate, in radians a second, counter-clockwise.
     pub turn_rate: f64,
-    /// How long it moves, in seconds; at least 0.
+    /// The duration of its motion, in seconds; at least 0.
     pub duration: f64,
 }
 
 impl Particle {
-    /// Refuses what is out of range: coordinates, turn rates, speeds, durations and speed x duration up to a million, speed
+    /// Checks the ranges: coordinates, turn rates, speeds, durations and speed x duration up to a million, speed
     /// and duration not negative, the heading and turn rate x duration up to [`MOST_TURNING`] radians.
     ///
     /// # Errors
     /// `not-finite` or `out-of-range`, with the pointer `/x`, `/y`, `/theta`, `/v`, `/w` or `/duration`.
     pub fn check(&self) -> Result<(), Error> {
-        let Self { start, theta, speed, turn_rate, duration, .. } = *self;
-        let ranges = [
-            ("x", start.x, -LARGEST, LARGEST),
-            ("y", start.y, -LARGEST, LARGEST),
-            ("theta", theta, -MOST_TURNING, MOST_TURNING),
-            ("v", speed, 0.0, LARGEST),
-            ("w", turn_rate, -LARGEST, LARGEST),
-            ("duration", duration, 0.0, LARGEST),
-        ];
-        for (name, value, min, max) in ranges {
-            if !(min..=max).contains(&value) {
-                let code = if value.is_finite() { Code::OutOfRange } else { Code::NotFinite };
-                let [min, max, value] = [min, max, value].map(Number);
-                let sentence = format!("{name} must lie within [{min}, {max}], not {value}");
-                return Err(Error::new(code, format!("/{name}"), sentence));
-            }
-        }
+        let Self { model, start, theta, speed, turn_rate, duration } = *self;
+        ParticleOptions { model, x: start.x, y: start.y, theta, v: speed, w: turn_rate }.check()?;
+        check_time(duration, "/duration")?;
         let too_long = |what: &str, value: f64, most: f64| {
             let sentence = format!("{what} x duration must be at most {}, not {}", Number(most), Number(value));
             Err(Error::new(Code::OutOfRange, "/duration", sentence))
@@ -88,10 +76,10 @@ impl Particle {
         Ok(())
     }
 
-    /// Where it is at `time` seconds. Exact but for rounding: the arc is a chord, written so that nothing cancels where the
-    /// turn is small.
+    /// Its position at `time` seconds. Exact except for rounding: the arc is computed by its chord, and nothing cancels if the turn
+    /// is small.
     #[inline(never)]
-    pub fn place(&self, time: f64) -> Point {
+    pub fn position(&self, time: f64) -> Point {
         let Self { start, theta, speed, turn_rate, .. } = *self;
         match self.model {
             Model::Arc => {
@@ -111,12 +99,12 @@ impl Particle {
         [self.start.x, self.start.y, self.theta, self.speed, self.turn_rate, self.duration]
     }
 
-    /// How far it is from its start at most, in metres.
+    /// The length of its motion, in metres.
     pub(super) fn travel(&self) -> f64 {
         self.speed * self.duration
     }
 
-    /// The largest coordinate plus the travel, in metres: what the slack is measured by.
+    /// The largest coordinate plus the travel, in metres: the slack is relative to it.
     pub(super) fn scale(&self) -> f64 {
         self.start.x.abs().max(self.start.y.abs()) + self.travel()
     }
@@ -144,4 +132,46 @@ impl Particle {
             Model::Spiral => self.speed * (1.0 + self.turn_rate.abs() * self.duration),
         }
     }
+}
+
+crate::options! {
+    /// A particle.
+    pub struct ParticleOptions for &[];
+    /// The rule of its motion.
+    model: Model = Model::Arc, "Motion";
+    /// Its start.
+    x: f64 = 0.0, in -1e6..=1e6, "x", unit "m";
+    /// Its start.
+    y: f64 = 0.0, in -1e6..=1e6, "y", unit "m";
+    /// Its first heading.
+    theta: f64 = 0.0, in -100.0..=100.0, "Heading", unit "rad";
+    /// Its speed.
+    v: f64 = 1.0, in 0.0..=1e6, "Speed", unit "m/s";
+    /// Its turn rate, counter-clockwise.
+    w: f64 = FRAC_PI_4, in -1e6..=1e6, "Turn rate", unit "rad/s";
+}
+
+/// The positions, x and y each, of a particle at these times, in seconds. The particle is given by `model` ("arc" or "spiral"), `x`,
+/// `y`, `theta`, `v` and `w`; defaults are 0, but 1 m/s and pi / 4 rad/s.
+///
+/// # Errors
+/// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name` or `/times/i`.
+pub fn particle_points(given: &[(String, Value)], times: &[f64]) -> Result<Vec<f64>, Error> {
+    let ParticleOptions { model, x, y, theta, v, w } = Options::read(given)?;
+    let particle = Particle { model, start: Point::new(x, y), theta, speed: v, turn_rate: w, duration: 0.0 };
+    let mut points = Vec::with_capacity(2 * times.len());
+    for (i, &time) in times.iter().enumerate() {
+        check_time(time, &format!("/times/{i}"))?;
+        let position = particle.position(time);
+        points.extend([position.x + 0.0, position.y + 0.0]);
+    }
+    Ok(points)
+}
+
+fn check_time(time: f64, pointer: &str) -> Result<(), Error> {
+    if (0.0..=LARGEST).contains(&time) {
+        return Ok(());
+    }
+    let code = if time.is_finite() { Code::OutOfRange } else { Code::NotFinite };
+    Err(Error::new(code, pointer, format!("a time must lie within [0, {LARGEST}] seconds, not {}", Number(time))))
 }

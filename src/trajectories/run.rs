@@ -1,14 +1,12 @@
 //! Many random trajectories, added one by one: each that crosses none of the earlier ones is accepted.
 //!
 //! An iteration draws one trajectory, finds the earlier ones that may be near it, and tests it against them in the order of
-//! their numbers. It is accepted where it is proven apart from all; else the first that it crosses is kept with it.
+//! their indices. It is accepted if it is proven apart from all; else the first that it crosses is recorded with it.
 
+use super::crossing::{meeting, slack};
 use super::grid::Grid;
-use super::meeting::{meeting, slack};
 use super::options::{IndexKind, TrajectoryOptions};
 use super::particle::Particle;
-use super::refused::Refused;
-use super::tally::Tally;
 use super::track::Track;
 use crate::error::Error;
 use crate::geometry::Point;
@@ -19,7 +17,7 @@ use crate::problem::Status;
 use crate::random::{Random, Stream};
 use serde::Serialize;
 
-/// Trajectories that do not cross, as a value that is stepped. What is accepted and what is refused is append-only.
+/// Trajectories that do not cross, as a value that is stepped. The accepted and the refused ones are append-only.
 #[derive(Debug, Clone)]
 pub struct Trajectories {
     options: TrajectoryOptions,
@@ -38,7 +36,7 @@ pub struct Trajectories {
 }
 
 impl Trajectories {
-    /// Begins with options given by name and a seed, from 0 to 2^53 - 1.
+    /// Starts with options given by name and a seed, from 0 to 2^53 - 1.
     ///
     /// # Errors
     /// Those of [`TrajectoryOptions::new`].
@@ -73,7 +71,7 @@ impl Trajectories {
         self.status()
     }
 
-    /// `Solved` once as many are accepted as were asked for, `Exhausted` once the iterations are spent before.
+    /// `Solved` once the requested number is accepted, `Exhausted` if the iterations are spent before.
     pub fn status(&self) -> Status {
         if self.accepted.len() >= self.options.count {
             Status::Solved
@@ -98,8 +96,8 @@ impl Trajectories {
                 self.tries.push(self.failures + 1);
                 self.failures = 0;
             }
-            Some((other, place)) => {
-                let refused = Refused { particle: track.particle, other, place };
+            Some((other, point)) => {
+                let refused = Refused { particle: track.particle, other, point };
                 self.fingerprint.integer(1);
                 self.fingerprint.numbers(&refused.numbers());
                 self.refused.push(refused);
@@ -108,20 +106,20 @@ impl Trajectories {
         }
     }
 
-    /// A random trajectory. Every draw is made whatever the ranges are, so that changing one leaves the others alone.
+    /// A random trajectory. Every draw is made whatever the ranges are, so that changing one range does not affect the others.
     fn draw(&mut self) -> Particle {
         let random = &mut self.random;
         let mut between = |low: f64, high: f64| low + random.uniform() * (high - low) + 0.0;
-        let TrajectoryOptions { model, half_side, spread, duration, .. } = self.options;
-        let (speeds, turn_rates) = (self.options.speeds(), self.options.turn_rates());
+        let TrajectoryOptions { model, half_side, spread, slowest, fastest, duration, .. } = self.options;
+        let TrajectoryOptions { least_turn_rate, greatest_turn_rate, .. } = self.options;
         let (x, y) = (between(-half_side, half_side), between(-half_side, half_side));
         let theta = between(-spread, spread);
-        let speed = between(speeds[0], speeds[1]);
-        let turn_rate = between(turn_rates[0], turn_rates[1]);
+        let speed = between(slowest, fastest);
+        let turn_rate = between(least_turn_rate, greatest_turn_rate);
         Particle { model, start: Point::new(x, y), theta, speed, turn_rate, duration }
     }
 
-    /// The first of the accepted trajectories that this one crosses, and where.
+    /// The first of the accepted trajectories that this one crosses, and a common point.
     fn first_crossed(&mut self, track: &Track) -> Option<(u32, Point)> {
         let Self { grid, accepted, near, tally, .. } = self;
         if self.options.index == IndexKind::Grid {
@@ -135,11 +133,6 @@ impl Trajectories {
         near.iter().find_map(|&i| Some((i, meeting(track, &accepted[i as usize], eta, tally)?)))
     }
 
-    /// The options.
-    pub fn options(&self) -> &TrajectoryOptions {
-        &self.options
-    }
-
     /// How many are accepted.
     pub fn accepted_count(&self) -> usize {
         self.accepted.len()
@@ -150,28 +143,28 @@ impl Trajectories {
         self.refused.len()
     }
 
-    /// The accepted trajectories from number `row` on, in the order they were accepted; none where there are fewer.
+    /// The accepted trajectories from index `row` on, in the order they were accepted; none if there are fewer.
     pub fn accepted_since(&self, row: usize) -> impl ExactSizeIterator<Item = &Particle> {
         self.accepted.get(row..).unwrap_or_default().iter().map(|track| &track.particle)
     }
 
-    /// The refused trajectories from number `row` on, in the order they were tried; none where there are fewer.
+    /// The refused trajectories from index `row` on, in the order they were tried; none if there are fewer.
     pub fn refused_since(&self, row: usize) -> &[Refused] {
         self.refused.get(row..).unwrap_or_default()
     }
 
-    /// Of every accepted trajectory: how many were tried for it, itself included.
+    /// For every accepted trajectory: how many were tried for it, itself included.
     pub fn tries(&self) -> &[u32] {
         &self.tries
     }
 
-    /// What was looked at so far.
+    /// The work so far.
     pub fn tally(&self) -> Tally {
         self.tally
     }
 
-    /// 64-bit FNV-1a over all that was tried, in order: 0 and the six numbers of what was accepted, 1 and the nine of what was
-    /// refused. It does not depend on the index.
+    /// 64-bit FNV-1a over everything tried, in order: 0 and the six numbers of an accepted trajectory, 1 and the nine of a refused
+    /// one. It does not depend on the index.
     pub fn fingerprint(&self) -> u64 {
         self.fingerprint.value()
     }
@@ -190,14 +183,14 @@ impl Trajectories {
     }
 }
 
-/// What came of a run, as it is written in JSON.
+/// The result of a run, as it is written in JSON.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TrajectoriesResult {
-    /// How particles move: `arc` or `spiral`.
+    /// The rule of motion: `arc` or `spiral`.
     pub model: &'static str,
     /// The seed.
     pub seed: u64,
-    /// How the run ended.
+    /// The status at the end.
     pub status: Status,
     /// How many trajectories are accepted.
     pub accepted: usize,
@@ -206,7 +199,39 @@ pub struct TrajectoriesResult {
     /// The work done.
     #[serde(flatten)]
     pub tally: Tally,
-    /// A hash over all that was tried: [`Trajectories::fingerprint`].
+    /// A hash over everything tried: [`Trajectories::fingerprint`].
     #[serde(with = "json::hex")]
     pub fingerprint: u64,
+}
+
+/// Counts of work, the same on every platform. All but the first depend on the index.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub struct Tally {
+    /// Trajectories tried.
+    pub iterations: u64,
+    /// Pairs of boxes around whole trajectories that were compared.
+    pub boxes: u64,
+    /// Pairs of trajectories that were tested themselves.
+    pub pairs: u64,
+    /// Pairs of intervals examined by halving.
+    pub stretches: u64,
+}
+
+/// A trajectory that crosses an earlier one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Refused {
+    /// The trajectory.
+    pub particle: Particle,
+    /// The first of the accepted trajectories that it crosses, by its index.
+    pub other: u32,
+    /// A point where it crosses it, or comes too close.
+    pub point: Point,
+}
+
+impl Refused {
+    /// Nine numbers: x, y, theta, v, w, duration, the index of the other, and the point.
+    pub fn numbers(&self) -> [f64; 9] {
+        let [x, y, theta, v, w, duration] = self.particle.numbers();
+        [x, y, theta, v, w, duration, f64::from(self.other), self.point.x, self.point.y]
+    }
 }

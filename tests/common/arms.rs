@@ -1,13 +1,40 @@
-//! Random arms and targets for the tests of inverse kinematics.
+//! Arms and targets for the tests of inverse kinematics.
 
 use planarium::geometry::Point;
-use planarium::ik::{Target, orientation};
+use planarium::ik::{Solver, SolverOptions, Target, orientation};
 use planarium::random::Random;
 use planarium::robot::Arm;
 use planarium::scenario::Scenario;
 use planarium::space::angular_distance;
 
-/// An arm of that many links of 0.2 to 1.2 m, with limits of 0.4 to 7 rad a joint where they are wanted.
+/// An arm at the origin without limits.
+pub fn free(links: &[f64]) -> Arm {
+    Arm::new(Point::origin(), links.to_vec(), 0.0, None).expect("an arm")
+}
+
+/// An arm at the origin with limits.
+pub fn limited(links: &[f64], limits: &[[f64; 2]]) -> Arm {
+    Arm::new(Point::origin(), links.to_vec(), 0.0, Some(limits.to_vec())).expect("an arm")
+}
+
+/// A target without an orientation.
+pub fn at(x: f64, y: f64) -> Target {
+    Target { point: Point::new(x, y), orientation: None }
+}
+
+/// The target that the configuration reaches, with its orientation if that is wanted.
+pub fn target_of(arm: &Arm, q: &[f64], is_oriented: bool) -> Target {
+    Target { point: arm.end_effector(q), orientation: is_oriented.then(|| orientation(q)) }
+}
+
+/// A run to its end.
+pub fn solve(scenario: &Scenario, options: &SolverOptions) -> Solver {
+    let mut run = Solver::new(scenario, options).expect("a run");
+    run.step(u64::MAX);
+    run
+}
+
+/// A random arm of that many links of 0.2 to 1.2 m, with limits of 0.4 to 7 rad a joint if they are wanted.
 pub fn arm(random: &mut Random, links: usize, has_limits: bool) -> Arm {
     let lengths = (0..links).map(|_| 0.2 + random.uniform()).collect();
     let mut interval = || {
@@ -26,19 +53,18 @@ pub fn configuration(random: &mut Random, arm: &Arm) -> Vec<f64> {
     (0..arm.links().len()).map(&mut angle).collect()
 }
 
-/// A target that a configuration within the limits reaches, with its orientation where that is wanted.
+/// A target that a configuration within the limits reaches, with its orientation if that is wanted.
 pub fn reachable(random: &mut Random, arm: &Arm, is_oriented: bool) -> Target {
-    let q = configuration(random, arm);
-    Target { point: arm.end_effector(&q), orientation: is_oriented.then(|| orientation(&q)) }
+    target_of(arm, &configuration(random, arm), is_oriented)
 }
 
-/// How far the arm is from the target at `q`: metres and radians.
+/// The deviation of the arm at `q` from the target: metres and radians.
 pub fn deviation(arm: &Arm, q: &[f64], target: &Target) -> [f64; 2] {
     let turn = target.orientation.map_or(0.0, |wanted| angular_distance(wanted, orientation(q)));
     [(arm.end_effector(q) - target.point).norm(), turn]
 }
 
-/// Whether every joint is within its limits to the bit, or in canonical form on its circle, and what follows the last is 0.
+/// Whether every joint is within its limits to the bit, or in canonical form on its circle, and all entries past the last are 0.
 pub fn is_within(arm: &Arm, q: &[f64]) -> bool {
     let links = arm.links().len();
     let is_fine = |i: usize| match arm.joint_limits() {
@@ -52,10 +78,7 @@ pub fn is_within(arm: &Arm, q: &[f64]) -> bool {
 
 /// A world of that arm, with these obstacles as JSON.
 pub fn scenario(arm: &Arm, obstacles: &str) -> Scenario {
-    let limits = match arm.joint_limits() {
-        Some(limits) => format!(r#", "joint_limits": {limits:?}"#),
-        None => String::new(),
-    };
+    let limits = arm.joint_limits().map_or(String::new(), |limits| format!(r#", "joint_limits": {limits:?}"#));
     let text = format!(
         r#"{{ "format": "planarium-scenario-1", "name": "arm", "world": {{ "obstacles": [{obstacles}] }},
             "robot": {{ "type": "arm", "base": [{:?}, {:?}], "links": {:?}, "radius": {:?}{limits} }}, "queries": [] }}"#,

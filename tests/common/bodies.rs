@@ -54,6 +54,11 @@ pub fn drawn(center: Point, turn: f64, corners: &[[f64; 2]]) -> Vec<Point> {
     corners.iter().map(|&[u, v]| p(center.x + u * cos - v * sin, center.y + u * sin + v * cos)).collect()
 }
 
+/// A rectangle, half its length and half its width.
+fn bar(u: f64, v: f64) -> [[f64; 2]; 4] {
+    [[-u, -v], [u, -v], [u, v], [-u, v]]
+}
+
 /// A U that is open upwards, walls of the given thickness.
 pub fn u_shape(size: f64, thickness: f64) -> [[f64; 2]; 8] {
     let (a, t) = (size, thickness);
@@ -68,7 +73,7 @@ pub fn random_obstacle(random: &mut Random, center: Point, scale: f64) -> Obstac
         1 => round(center, size, 4 + random.below(6) as usize, turn),
         2 => {
             let (u, v) = (3.0 * size, scale * libm::pow(10.0, -1.5 - 4.5 * random.uniform()) / 2.0);
-            drawn(center, turn, &[[-u, -v], [u, -v], [u, v], [-u, v]])
+            drawn(center, turn, &bar(u, v))
         }
         3 => return Obstacle::Disc(Disc { center, radius: size }),
         4 => star(center, size, 3 + random.below(4) as usize, turn),
@@ -83,12 +88,8 @@ pub fn random_body(random: &mut Random, scale: f64) -> Polygon {
     let off = [0.0, 1.0, 3.0][random.below(3) as usize] * size;
     let (center, turn) = (p(off * random.uniform(), off * random.uniform()), 6.0 * random.uniform());
     let corners = match random.below(6) {
-        0 => drawn(center, 0.0, &[[-size, -0.5 * size], [size, -0.5 * size], [size, 0.5 * size], [-size, 0.5 * size]]),
-        1 => drawn(
-            center,
-            turn,
-            &[[-size, -0.01 * size], [size, -0.01 * size], [size, 0.01 * size], [-size, 0.01 * size]],
-        ),
+        0 => drawn(center, 0.0, &bar(size, 0.5 * size)),
+        1 => drawn(center, turn, &bar(size, 0.01 * size)),
         2 => round(center, size, 3 + random.below(6) as usize, turn),
         3 => drawn(
             center,

@@ -1,4 +1,4 @@
-//! Documents that are right, and changes to them that are not.
+//! Valid documents, and invalid changes to them.
 
 use planarium::Error;
 use planarium::scenario::Scenario;
@@ -26,7 +26,6 @@ pub const DISC: &str = r#"{
 }"#;
 
 /// A document with every field that a scenario with a rigid body may have.
-#[allow(dead_code)] // Not every test that has these documents is about bodies.
 pub const BODY: &str = r#"{
   "format": "planarium-scenario-1", "name": "body", "title": "A body",
   "world": {"bounds": {"min": [0, 0], "max": [2, 2]}, "obstacles": [{"type": "disc", "center": [1, 1], "radius": 0.3}]},
@@ -36,7 +35,6 @@ pub const BODY: &str = r#"{
 }"#;
 
 /// The same with a car.
-#[allow(dead_code)]
 pub const CAR: &str = r#"{
   "format": "planarium-scenario-1", "name": "car", "title": "A car",
   "world": {"bounds": {"min": [0, 0], "max": [2, 2]}, "obstacles": [{"type": "disc", "center": [1, 1], "radius": 0.3}]},
@@ -46,13 +44,13 @@ pub const CAR: &str = r#"{
   "queries": [{"name": "across", "start": [0.2, 0.2, 0], "goal": [1.8, 1.8, -1], "goal_tolerance": {"translation": 0.1, "rotation": 0.5}}]
 }"#;
 
-/// A change to the first place where a piece of a document stands.
+/// The document with the first occurrence of a piece replaced.
 pub fn with(document: &str, piece: &str, replacement: &str) -> String {
-    assert!(document.contains(piece), "{piece} does not stand in {document}");
+    assert!(document.contains(piece), "{piece} does not occur in {document}");
     document.replacen(piece, replacement, 1)
 }
 
-/// The error of a document that is wrong.
+/// The error of an invalid document.
 pub fn refusal(document: &str) -> Error {
     match Scenario::parse(document) {
         Err(error) => error,

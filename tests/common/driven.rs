@@ -1,4 +1,4 @@
-//! Trees that are driven, as viewers see them, recomputed by simple means.
+//! Trees of driven motions, as viewers see them, recomputed in a simple manner.
 
 use planarium::geometry::arc_pose;
 use planarium::graph::EventKind;
@@ -40,14 +40,14 @@ pub fn edges(run: &dyn Run) -> Vec<Edge> {
     ends.as_chunks().0.iter().zip(motions.as_chunks().0).enumerate().map(edge).collect()
 }
 
-/// How many steps of integration an edge has.
+/// The number of integration steps of an edge.
 pub fn steps(car: &Car, edge: &Edge) -> u32 {
     let steps = (edge.duration / car.integration_step()).round();
     assert_eq!((steps * car.integration_step()).to_bits(), edge.duration.to_bits(), "whole steps: {edge:?}");
     steps as u32
 }
 
-/// Where so many steps of the edge lead.
+/// The pose after so many steps of the edge.
 pub fn driven(car: &Car, from: [f64; 3], edge: &Edge, steps: u32) -> [f64; 3] {
     let duration = f64::from(steps) * car.integration_step();
     let [x, y, theta] = arc_pose(from, edge.speed, car.turn_rate(edge.speed, edge.steering), duration);

@@ -1,24 +1,25 @@
-//! What several tests share: small worlds and runs to the end.
+//! Shared by several tests: small worlds and runs to the end.
 pub mod arms;
 pub mod bodies;
 pub mod documents;
 pub mod driven;
+pub mod golden;
 
 use planarium::run::{self, Options, Run, Value};
 use planarium::scenario::Scenario;
 
-/// Whether laws are tried at full depth: natively, with `PLANARIUM_DEEP=1`.
+/// Whether properties are tested at full depth: natively, with `PLANARIUM_DEEP=1`.
 pub fn deep() -> bool {
     cfg!(not(target_arch = "wasm32")) && std::env::var_os("PLANARIUM_DEEP").is_some_and(|value| value == "1")
 }
 
-/// How many seeds a law is tried on: all in a deep run, a quarter natively and at most ten in WebAssembly, but ten where there are.
+/// How many seeds a property is tested on: all in a deep run, a quarter natively and at most ten in WebAssembly, but at least ten.
 pub fn seeds(all: u64) -> u64 {
     let bounded = if cfg!(target_arch = "wasm32") { 10 } else { (all / 4).max(10) };
     if deep() { all } else { all.min(bounded) }
 }
 
-/// How many random cases a law is tried on: all in a deep run, a quarter natively, a fortieth in WebAssembly.
+/// How many random cases a property is tested on: all in a deep run, a quarter natively, a fortieth in WebAssembly.
 pub fn cases(all: usize) -> usize {
     let part = if cfg!(target_arch = "wasm32") { 40 } else { 4 };
     if deep() { all } else { all.div_ceil(part) }
@@ -27,29 +28,26 @@ pub fn cases(all: usize) -> usize {
 /// A two-link arm at the origin whose plane is cut by a wall of the given thickness to the right of the base: the straight
 /// motion from above the wall to below it is blocked, the way round the back is free.
 pub fn arm_and_wall(thickness: f64) -> Scenario {
-    let half = thickness / 2.0;
-    parse(&format!(
-        r#"{{ "format": "planarium-scenario-1", "name": "arm-and-wall",
-            "world": {{ "obstacles": [ {{ "type": "polygon",
-                "vertices": [[0.7, -{half:e}], [3, -{half:e}], [3, {half:e}], [0.7, {half:e}]] }} ] }},
-            "robot": {{ "type": "arm", "base": [0, 0], "links": [1, 0.8] }},
-            "queries": [ {{ "name": "round", "start": [0.6, 0.2], "goal": [-0.6, -0.2] }} ] }}"#
-    ))
+    arm_at_wall(thickness, "", 0.0)
 }
 
-/// The same with links of radius 0.05.
+/// The same with links of radius 0.05, within bounds.
 pub fn thick_arm_and_wall(thickness: f64) -> Scenario {
-    let half = thickness / 2.0;
+    arm_at_wall(thickness, r#""bounds": { "min": [-2, -2], "max": [2, 2] },"#, 0.05)
+}
+
+fn arm_at_wall(thickness: f64, bounds: &str, radius: f64) -> Scenario {
+    let (half, prefix) = (thickness / 2.0, if radius > 0.0 { "thick-" } else { "" });
     parse(&format!(
-        r#"{{ "format": "planarium-scenario-1", "name": "thick-arm-and-wall",
-            "world": {{ "bounds": {{ "min": [-2, -2], "max": [2, 2] }}, "obstacles": [ {{ "type": "polygon",
+        r#"{{ "format": "planarium-scenario-1", "name": "{prefix}arm-and-wall",
+            "world": {{ {bounds} "obstacles": [ {{ "type": "polygon",
                 "vertices": [[0.7, -{half:e}], [3, -{half:e}], [3, {half:e}], [0.7, {half:e}]] }} ] }},
-            "robot": {{ "type": "arm", "base": [0, 0], "links": [1, 0.8], "radius": 0.05 }},
+            "robot": {{ "type": "arm", "base": [0, 0], "links": [1, 0.8], "radius": {radius:?} }},
             "queries": [ {{ "name": "round", "start": [0.6, 0.2], "goal": [-0.6, -0.2] }} ] }}"#
     ))
 }
 
-/// A disc of the given radius in a box of side 10, cut by a wall of the given thickness with a door of width 1 near the top.
+/// A disc of the given radius in a box of side 10, cut by a wall of the given thickness with a gap of width 1 near the top.
 pub fn disc_and_wall(radius: f64, thickness: f64) -> Scenario {
     let (left, right) = (5.0 - thickness / 2.0, 5.0 + thickness / 2.0);
     parse(&format!(
@@ -79,7 +77,7 @@ pub fn arm_of(links: usize, limits: bool, radius: f64) -> Scenario {
     let length = 1.6 / links as f64;
     let list = |x: &str| vec![x; links].join(",");
     let limits = if limits { format!(r#", "joint_limits": [{}]"#, list("[-3.5, 3.5]")) } else { String::new() };
-    // A single link sweeps past everything within its reach, so for it nothing may stand below.
+    // A single link sweeps past everything within its reach, so for it the lower side is free.
     let below = match links {
         1 => "",
         _ => {
@@ -97,22 +95,23 @@ pub fn arm_of(links: usize, limits: bool, radius: f64) -> Scenario {
     ))
 }
 
-/// A car, 0.2 by 0.1, in a box of side 2 that is cut by a wall of the given thickness, with a door of width 0.5 above it.
+/// A car, 0.2 by 0.1, in a box of side 2 that is cut by a wall of the given thickness, with a gap of width 0.5 above it.
 pub fn car_and_wall(thickness: f64) -> Scenario {
-    car_in(&format!("[[{:?}, 0], [{:?}, 0], [1, 1.5], [{:?}, 1.5]]", 1.0 - thickness, 1.0, 1.0 - thickness))
+    car_at_wall(thickness, 1.5)
 }
 
-/// The same with a wall of that thickness that has no door.
+/// The same with a wall of that thickness without a gap.
 pub fn car_shut_in(thickness: f64) -> Scenario {
-    car_in(&format!("[[{:?}, 0], [{:?}, 0], [1, 2], [{:?}, 2]]", 1.0 - thickness, 1.0, 1.0 - thickness))
+    car_at_wall(thickness, 2.0)
 }
 
-/// The same with this polygon.
-fn car_in(wall: &str) -> Scenario {
+fn car_at_wall(thickness: f64, height: f64) -> Scenario {
+    let left = 1.0 - thickness;
     parse(&format!(
         r#"{{ "format": "planarium-scenario-1", "name": "car",
             "world": {{ "bounds": {{ "min": [0, 0], "max": [2, 2] }},
-                "obstacles": [ {{ "type": "polygon", "vertices": {wall} }}, {{ "type": "disc", "center": [1.5, 1.3], "radius": 0.1 }} ] }},
+                "obstacles": [ {{ "type": "polygon", "vertices": [[{left:?}, 0], [1, 0], [1, {height:?}], [{left:?}, {height:?}]] }},
+                    {{ "type": "disc", "center": [1.5, 1.3], "radius": 0.1 }} ] }},
             "robot": {{ "type": "car", "wheelbase": 0.2, "speed": [-0.5, 0.5], "steering": [-0.75, 0.75],
                 "shape": {{ "type": "polygon", "vertices": [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]] }} }},
             "queries": [ {{ "name": "through", "start": [0.4, 0.3, 0], "goal": [1.6, 0.4, 0],
@@ -133,12 +132,12 @@ pub const DRIVEN: &[(&str, &str)] = &[
     ("sst", "shortest_steps=50 blocked=refused sampler=goal-biased"),
 ];
 
-/// Parses a scenario that is right.
+/// Parses a valid scenario.
 pub fn parse(text: &str) -> Scenario {
     Scenario::parse(text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-/// Begins a run of the scenario's first query.
+/// Starts a run of the scenario's first query.
 pub fn begin(scenario: &Scenario, planner: &str, seed: u64, parameters: &[(&str, f64)]) -> Box<dyn Run> {
     let parameters = parameters.iter().map(|&(name, value)| (name.to_owned(), Value::Number(value))).collect();
     let options = Options { planner: Some(planner.to_owned()), query: None, seed, parameters };
@@ -152,11 +151,16 @@ pub fn begin_with(scenario: &Scenario, planner: &str, seed: u64, settings: &str)
 
 /// Options with settings as a line of `name=value`.
 pub fn options(planner: &str, seed: u64, settings: &str) -> Options {
-    let parameters = settings.split_whitespace().map(|setting| {
+    Options { planner: Some(planner.to_owned()), query: None, seed, parameters: given(settings) }
+}
+
+/// Settings given as a line of `name=value`.
+pub fn given(settings: &str) -> Vec<(String, Value)> {
+    let setting = |setting: &str| {
         let (name, value) = setting.split_once('=').expect("name=value");
         (name.to_owned(), Value::from_text(value))
-    });
-    Options { planner: Some(planner.to_owned()), query: None, seed, parameters: parameters.collect() }
+    };
+    settings.split_whitespace().map(setting).collect()
 }
 
 /// Every planner with settings that show its features, small enough for many runs.

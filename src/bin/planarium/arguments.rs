@@ -2,6 +2,7 @@
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use planarium::random::{MAX_SEED, random_seed};
+use planarium::run::Value;
 
 /// Motion planning that a person can watch: stepping planners with proven edges.
 #[derive(Parser)]
@@ -14,7 +15,7 @@ use planarium::random::{MAX_SEED, random_seed};
     after_help = "\
 JSON goes to standard output, messages to standard error.
 Exit codes: 0 solved or valid; 1 not solved or not valid; 2 the input is wrong, and standard output
-holds {\"error\": {\"code\", \"message\", \"pointer\"}}. `planarium list` tells what the codes mean.
+holds {\"error\": {\"code\", \"message\", \"pointer\"}}. `planarium list` explains the codes.
 
 Examples:
   planarium generate forest --set links=3 --seed 4 --out forest.json
@@ -32,9 +33,9 @@ pub enum Command {
     Plan(Plan),
     /// Find joint angles that bring the tip of an arm to a target and print the result document
     Reach(Reach),
-    /// Judge a result against its scenario, independently of the planners
+    /// Verify a result against its scenario, independently of the planners
     Verify(Verify),
-    /// Find the configurations nearest to a target, among those of a list or drawn by seed
+    /// Find the configurations nearest to a target, in a list or among random ones
     Nearest(Nearest),
     /// List the planners and the indexes with their parameters, the generators with their options, and the error codes
     List(List),
@@ -61,40 +62,36 @@ pub struct Plan {
     /// The scenario, a JSON file; - reads it from standard input
     pub file: String,
 
-    /// The query to answer, by name [default: the first of the scenario]
+    /// The query, by name [default: the first of the scenario]
     #[arg(long, value_name = "NAME")]
     pub query: Option<String>,
 
-    /// The planner, by id; `planarium list` shows them all [default: rrt-connect, of a car rrt-control; with a roadmap the one that built it]
+    /// The planner, by id; see `planarium list` [default: rrt-connect, for a car rrt-control; with a roadmap the one that built it]
     #[arg(long, value_name = "ID")]
     pub planner: Option<String>,
 
-    /// The seed: with scenario, planner and parameters it decides every bit of the result; "random" draws one, which the result tells
-    #[arg(long, value_name = "N|random", default_value_t = 0, allow_negative_numbers = true, value_parser = seed)]
-    pub seed: u64,
+    #[command(flatten)]
+    pub given: Given,
 
-    /// Set a parameter of the planner; may be repeated
-    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
-    pub set: Vec<(String, String)>,
-
-    /// Give up after so many iterations; the same as --set max_iterations=N
+    /// The most iterations; the same as --set max_iterations=N
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub max_iterations: Option<u64>,
 
-    /// Stop after so many seconds with status "running"; the result tells the iterations made
+    /// Stop after this many seconds with status "running"; the result contains the iterations made
     #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = seconds)]
     pub max_seconds: Option<f64>,
 
-    /// Go on with a roadmap that was saved for the same world and robot, proven again, instead of building one; - reads it
+    /// Continue with a roadmap saved for the same world and robot, which is proven again, instead of building one; - reads it
     /// from standard input
     #[arg(long, value_name = "FILE")]
     pub roadmap: Option<String>,
 
-    /// Save the roadmap, as far as it is built when the run ends (prm, prm-star and visibility-prm)
+    /// Save the roadmap when the run ends (prm, prm-star and visibility-prm)
     #[arg(long, value_name = "FILE")]
     pub save_roadmap: Option<String>,
 
-    /// How to save it [default: json for FILE.json, graphml for FILE.graphml, else binary]; graphml is for other programs
+    /// The format of the saved roadmap [default: json for FILE.json, graphml for FILE.graphml, else binary]; graphml is for other
+    /// programs
     #[arg(long, value_name = "FORMAT", requires = "save_roadmap")]
     pub roadmap_format: Option<RoadmapFormat>,
 
@@ -105,7 +102,7 @@ pub struct Plan {
 
 #[derive(Args)]
 #[command(after_help = "\
-Where the target is out of reach, the result tells why, and the nearest point that can be reached.
+If the target is out of reach, the result contains the reason and the nearest point that can be reached.
 Exit codes: 0 reached; 1 not reached; 2 the input is wrong.
 
 Examples:
@@ -116,33 +113,28 @@ pub struct Reach {
     /// The scenario, a JSON file; - reads it from standard input
     pub file: String,
 
-    /// Where the tip is to be, in metres
+    /// The target of the tip, in metres
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true, value_parser = point)]
     pub target: [f64; 2],
 
-    /// The absolute angle that the last link is to have, in radians [default: any]
+    /// The absolute angle of the last link, in radians [default: any]
     #[arg(long, value_name = "PHI", allow_negative_numbers = true)]
     pub orientation: Option<f64>,
 
-    /// The method, by id; `planarium list` shows them all [default: damped-least-squares]
+    /// The method, by id; see `planarium list` [default: damped-least-squares]
     #[arg(long, value_name = "ID")]
     pub method: Option<String>,
 
-    /// The joint angles to start from, in radians [default: the start of the first query, else 0 as far as limits allow]
+    /// The joint angles of the start, in radians [default: the start of the first query, else 0 as far as limits allow]
     #[arg(long, value_name = "Q1,Q2,..", allow_hyphen_values = true, value_parser = angles)]
     pub start: Option<Angles>,
 
-    /// The seed of further starts: with all else it decides every bit of the result; "random" draws one, which the result tells
-    #[arg(long, value_name = "N|random", default_value_t = 0, allow_negative_numbers = true, value_parser = seed)]
-    pub seed: u64,
+    #[command(flatten)]
+    pub given: Given,
 
-    /// How many distinct solutions to look for; the same as --set solutions=N
+    /// The number of distinct solutions to search for; the same as --set solutions=N
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub solutions: Option<u64>,
-
-    /// Set a parameter of the method; may be repeated
-    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
-    pub set: Vec<(String, String)>,
 
     /// Write the result to this file instead of standard output
     #[arg(long, value_name = "FILE")]
@@ -153,7 +145,26 @@ pub struct Reach {
 #[derive(Clone)]
 pub struct Angles(pub Vec<f64>);
 
-/// The forms of a roadmap in a file.
+/// The arguments of every command that draws random numbers and has options.
+#[derive(Args)]
+pub struct Given {
+    /// The seed: together with the scenario and all options it decides every bit of the result; "random" draws one, which is printed
+    /// with the result
+    #[arg(long, value_name = "N|random", default_value_t = 0, allow_negative_numbers = true, value_parser = seed)]
+    pub seed: u64,
+
+    /// Set an option; may be repeated; see `planarium list`
+    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
+    pub set: Vec<(String, Value)>,
+}
+
+impl Given {
+    /// The options, with one that has an argument of its own.
+    pub fn parameters(&self, name: &str, value: Option<Value>) -> Vec<(String, Value)> {
+        self.set.iter().cloned().chain(value.map(|value| (name.to_owned(), value))).collect()
+    }
+}
+
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum RoadmapFormat {
     Json,
@@ -164,7 +175,7 @@ pub enum RoadmapFormat {
 #[derive(Args)]
 #[command(after_help = "\
 Prints {\"valid\": true, \"waypoints\", \"looks\", \"clearance\"} or {\"valid\": false, \"why\"}.
-Clearance is the smallest distance to an obstacle that was seen, in metres; null without obstacles.
+Clearance is the smallest distance to an obstacle found, in metres; null without obstacles.
 Exit codes: 0 valid; 1 not valid; 2 the input is wrong.
 
 Examples:
@@ -174,48 +185,47 @@ pub struct Verify {
     /// The scenario, a JSON file; - reads it from standard input
     pub file: String,
 
-    /// The result document to judge; - reads it from standard input
+    /// The result document; - reads it from standard input
     pub result: String,
 }
 
 #[derive(Args)]
 #[command(after_help = "\
-Prints {\"indices\", \"distances\", \"visited\", \"build_seconds\", \"query_seconds\", ...}, nearest first, ties by number; of a
-forest also \"recall\", the part of the true nearest that it found. query_seconds is the middle of many repetitions.
+Prints {\"indices\", \"distances\", \"visited\", \"build_seconds\", \"query_seconds\", ...}, nearest first, ties by index; for a
+forest also \"recall\", the fraction of the true nearest that it found. query_seconds is the median of many repetitions.
 
 Examples:
   planarium nearest arm.json --samples 100000 --target 3.14,0 --k 10
   planarium nearest arm.json --configurations list.npy --target 3.14,0 --k 5 --index linear --metric naive
   planarium nearest arm.json --samples 20000 --target 0,0 --k 20 --index forest --set trees=4")]
 pub struct Nearest {
-    /// The scenario, whose robot it is; a JSON file; - reads it from standard input
+    /// The scenario, a JSON file; - reads it from standard input
     pub file: String,
 
-    /// The configurations: JSON, an array of arrays of numbers, or an array file of NumPy; - reads them from standard input
+    /// The configurations: JSON, an array of arrays of numbers, or a NumPy array file; - reads them from standard input
     #[arg(long, value_name = "LIST", conflicts_with_all = ["samples", "seed", "free"])]
     pub configurations: Option<String>,
 
-    /// Draw so many configurations uniformly [default: 1000]
+    /// The number of configurations drawn uniformly [default: 1000]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub samples: Option<u64>,
 
-    /// The seed of the configurations drawn; "random" draws one, which the result tells
-    #[arg(long, value_name = "N|random", default_value_t = 0, allow_negative_numbers = true, value_parser = seed)]
-    pub seed: u64,
+    #[command(flatten)]
+    pub given: Given,
 
-    /// Keep only configurations that are free
+    /// Draw only configurations that are free
     #[arg(long)]
     pub free: bool,
 
-    /// The configuration whose neighbours are wanted
+    /// The configuration whose neighbours are searched for
     #[arg(long, value_name = "Q1,Q2,...", required = true, allow_hyphen_values = true, value_delimiter = ',')]
     pub target: Vec<f64>,
 
-    /// How many neighbours [default: 1]
+    /// The number of neighbours [default: 1]
     #[arg(long, value_name = "K", allow_negative_numbers = true, conflicts_with = "within")]
     pub k: Option<usize>,
 
-    /// All neighbours no farther than this, instead of so many
+    /// All neighbours within this distance, instead of a number of them
     #[arg(long, value_name = "RADIUS", allow_negative_numbers = true)]
     pub within: Option<f64>,
 
@@ -226,10 +236,6 @@ pub struct Nearest {
     /// The metric of an arm: sum, euclidean or naive [default: sum]
     #[arg(long, value_name = "NAME")]
     pub metric: Option<String>,
-
-    /// Set a parameter of the index; may be repeated
-    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
-    pub set: Vec<(String, String)>,
 }
 
 #[derive(Args)]
@@ -245,23 +251,18 @@ pub struct List {
 
 #[derive(Args)]
 #[command(after_help = "\
-`planarium list` shows the generators and the options of each.
+`planarium list` describes the generators and their options.
 
 Examples:
   planarium generate forest --set links=4 --seed 1
   planarium generate maze --set difficulty=hard --seed 3
   planarium generate clutter --set robot=arm --set links=3 --seed 2 --out clutter.json")]
 pub struct Generate {
-    /// What to generate: forest, clutter, discs, maze, gap or bug-trap
+    /// The generator: forest, clutter, discs, maze, gap or bug-trap
     pub kind: String,
 
-    /// The seed: with the options it decides every bit of the scenario; "random" draws one, which the scenario's name tells
-    #[arg(long, value_name = "N|random", default_value_t = 0, allow_negative_numbers = true, value_parser = seed)]
-    pub seed: u64,
-
-    /// Set an option of the generator; may be repeated
-    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
-    pub set: Vec<(String, String)>,
+    #[command(flatten)]
+    pub given: Given,
 
     /// Write the scenario to this file instead of standard output
     #[arg(long, value_name = "FILE")]
@@ -270,21 +271,16 @@ pub struct Generate {
 
 #[derive(Args)]
 #[command(after_help = "\
-`planarium list` shows the options. The CSV has a row for every accepted trajectory: x, y, theta, v, w,
+`planarium list` describes the options. The CSV has a row for every accepted trajectory: x, y, theta, v, w,
 duration, how many were tried for it, the microseconds that took, and their moving average over 20.
-Exit codes: 0 as many are accepted as were asked for; 1 not; 2 the input is wrong.
+Exit codes: 0 the requested number is accepted; 1 not; 2 the input is wrong.
 
 Examples:
   planarium trajectories
   planarium trajectories --set model=spiral --set count=500 --seed 3 --csv trajectories.csv")]
 pub struct Trajectories {
-    /// The seed: with the options it decides every bit of the result; "random" draws one, which the result tells
-    #[arg(long, value_name = "N|random", default_value_t = 0, allow_negative_numbers = true, value_parser = seed)]
-    pub seed: u64,
-
-    /// Set an option; may be repeated
-    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
-    pub set: Vec<(String, String)>,
+    #[command(flatten)]
+    pub given: Given,
 
     /// Write a row for every accepted trajectory to this file
     #[arg(long, value_name = "FILE")]
@@ -292,9 +288,9 @@ pub struct Trajectories {
 }
 
 /// Reads KEY=VALUE.
-fn setting(text: &str) -> Result<(String, String), String> {
+fn setting(text: &str) -> Result<(String, Value), String> {
     match text.split_once('=') {
-        Some((key, value)) if !key.is_empty() => Ok((key.to_owned(), value.to_owned())),
+        Some((key, value)) if !key.is_empty() => Ok((key.to_owned(), Value::from_text(value))),
         _ => Err("a setting reads KEY=VALUE".to_owned()),
     }
 }
@@ -308,21 +304,15 @@ fn seed(text: &str) -> Result<u64, String> {
     seed.ok_or_else(|| "a seed is an integer from 0 to 2^53 - 1, or \"random\"".to_owned())
 }
 
-/// Reads numbers with commas between them.
-fn numbers(text: &str) -> Result<Vec<f64>, String> {
+/// Reads Q1,Q2,...
+fn angles(text: &str) -> Result<Angles, String> {
     let number = |part: &str| part.trim().parse().map_err(|_| format!("{part:?} is not a number"));
-    text.split(',').map(number).collect()
+    text.split(',').map(number).collect::<Result<_, _>>().map(Angles)
 }
 
 /// Reads X,Y.
 fn point(text: &str) -> Result<[f64; 2], String> {
-    let numbers = numbers(text)?;
-    numbers.try_into().map_err(|_| "a point reads X,Y".to_owned())
-}
-
-/// Reads Q1,Q2,...
-fn angles(text: &str) -> Result<Angles, String> {
-    numbers(text).map(Angles)
+    angles(text)?.0.try_into().map_err(|_| "a point reads X,Y".to_owned())
 }
 
 /// Reads a number of seconds, 0 or more.

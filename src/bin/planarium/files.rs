@@ -1,33 +1,56 @@
 //! Reading and writing: files, standard input and output.
 
-use crate::stdout;
 use planarium::Error;
 use planarium::error::Code;
+use planarium::scenario::Scenario;
+use std::fmt::Display;
 use std::io::{self, ErrorKind, Read, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Whether standard output was closed from the start; stays `false` on platforms where this is not known.
+///
+/// Rust's runtime opens `/dev/null` in place of a closed standard output before `main`: output is lost without an error. So the
+/// descriptor is checked before the runtime starts.
+static WAS_CLOSED: AtomicBool = AtomicBool::new(false);
+
+/// Run by the C runtime before `main`.
+#[cfg(target_os = "linux")]
+#[allow(unsafe_code)] // The attribute alone: the function has the required type and does nothing unsafe.
+#[used]
+#[unsafe(link_section = ".init_array")]
+static CHECK: extern "C" fn() = {
+    extern "C" fn check() {
+        // Without /proc nothing is known.
+        let is_closed =
+            std::fs::exists("/proc/self/fd").unwrap_or(false) && std::fs::symlink_metadata("/proc/self/fd/1").is_err();
+        WAS_CLOSED.store(is_closed, Ordering::Relaxed);
+    }
+    check
+};
+
+/// The scenario of the file. `other` is the name of a second input and its file, which cannot both be standard input.
+pub fn scenario(name: &str, other: Option<(&str, &str)>) -> Result<Scenario, Error> {
+    if let Some((what, "-")) = other.filter(|_| name == "-") {
+        let sentence = format!("scenario and {what} cannot both come from standard input");
+        return Err(Error::new(Code::Usage, "", sentence));
+    }
+    Scenario::parse(&read(name)?)
+}
 
 /// The text of the file; of standard input for `-`.
 pub fn read(name: &str) -> Result<String, Error> {
-    let text = if name == "-" {
-        let mut text = String::new();
-        io::stdin().lock().read_to_string(&mut text).map(|_| text)
-    } else {
-        std::fs::read_to_string(name)
-    };
-    text.map_err(|error| unreadable(name, &error))
+    String::from_utf8(read_bytes(name)?).map_err(|_| failed("read", name, &"it is not valid UTF-8"))
 }
 
 /// The bytes of the file; of standard input for `-`.
 pub fn read_bytes(name: &str) -> Result<Vec<u8>, Error> {
-    let bytes = if name == "-" {
-        let mut bytes = Vec::new();
-        io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)
-    } else {
-        std::fs::read(name)
-    };
-    bytes.map_err(|error| unreadable(name, &error))
+    let mut bytes = Vec::new();
+    let result =
+        if name == "-" { io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes) } else { std::fs::read(name) };
+    result.map_err(|error| failed("read", name, &error))
 }
 
-/// Writes the document and a line break to the file, or to standard output where no file is named.
+/// Writes the document and a line break to the file, or to standard output if no file is named.
 pub fn write(document: &str, file: Option<&str>) -> Result<(), Error> {
     match file {
         Some(name) => write_bytes(format!("{document}\n").as_bytes(), name),
@@ -35,35 +58,30 @@ pub fn write(document: &str, file: Option<&str>) -> Result<(), Error> {
     }
 }
 
-/// Writes the bytes to the file.
 pub fn write_bytes(bytes: &[u8], name: &str) -> Result<(), Error> {
-    std::fs::write(name, bytes)
-        .map_err(|error| Error::new(Code::File, "", format!("cannot write {}: {error}", quoted(name))))
+    std::fs::write(name, bytes).map_err(|error| failed("write", name, &error))
 }
 
-/// Writes the text and a line break to standard output. A reader that has gone away is no error.
+/// Writes the text and a line break to standard output. A closed pipe is not an error.
 pub fn print(text: &str) -> Result<(), Error> {
-    if stdout::was_closed() {
-        return Err(Error::new(Code::File, "", "cannot write to standard output: it is closed"));
+    let unwritten =
+        |why: &dyn Display| Err(Error::new(Code::File, "", format!("cannot write to standard output: {why}")));
+    if WAS_CLOSED.load(Ordering::Relaxed) {
+        return unwritten(&"it is closed");
     }
     let mut out = io::stdout().lock();
     match writeln!(out, "{text}").and_then(|()| out.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(Error::new(Code::File, "", format!("cannot write to standard output: {error}")))
-        }
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => unwritten(&error),
         _ => Ok(()),
     }
 }
 
-/// Tells a person something, on standard error. Where that is closed, nobody listens.
+/// Prints a message on standard error. A closed standard error is not an error.
 pub fn say(message: &str) {
     let _ = writeln!(io::stderr().lock(), "{message}");
 }
 
-fn unreadable(name: &str, error: &io::Error) -> Error {
-    Error::new(Code::File, "", format!("cannot read {}: {error}", quoted(name)))
-}
-
-fn quoted(name: &str) -> String {
-    if name == "-" { "standard input".to_owned() } else { format!("{name:?}") }
+fn failed(what: &str, name: &str, why: &dyn Display) -> Error {
+    let quoted = if name == "-" { "standard input".to_owned() } else { format!("{name:?}") };
+    Error::new(Code::File, "", format!("cannot {what} {quoted}: {why}"))
 }

@@ -1,4 +1,4 @@
-//! `planarium list`: what there is to choose from, and what the error codes mean.
+//! `planarium list`: planners, methods, indexes, generators and their options, and the error codes.
 
 use crate::arguments::List;
 use crate::{Answer, files};
@@ -48,7 +48,7 @@ fn push_entry(text: &mut String, entry: &Value, options: &str) {
     }
     for option in rows(&entry[options]) {
         push_option(text, option, 15);
-        // What the planner says of itself need not be said again.
+        // Not repeated if it holds for all robots of the planner.
         if rows(&entry["robots"]).iter().any(|robot| !rows(&option["robots"]).contains(robot)) {
             let _ = writeln!(text, "    {:<15} (for robots of type {} only)", "", words(&option["robots"], ", "));
         }
@@ -61,10 +61,10 @@ fn push_entry(text: &mut String, entry: &Value, options: &str) {
     }
 }
 
-/// What an option means, and what values it takes.
+/// The meaning and the values of an option.
 fn push_option(text: &mut String, option: &Value, width: usize) {
-    let _ = writeln!(text, "    {:<width$} {}", word(&option["name"]), word(&option["meaning"]));
-    let _ = writeln!(text, "    {:<width$} {}", "", values(option));
+    let (name, meaning) = (word(&option["name"]), word(&option["meaning"]));
+    let _ = writeln!(text, "    {name:<width$} {meaning}\n    {:<width$} {}", "", values(option));
 }
 
 /// Type, range, unit and default in words.

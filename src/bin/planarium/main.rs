@@ -11,10 +11,7 @@ mod list;
 mod nearest;
 mod npy;
 mod plan;
-mod progress;
 mod reach;
-mod roadmap;
-mod stdout;
 mod trajectories;
 mod verify;
 
@@ -24,14 +21,14 @@ use planarium::Error;
 use planarium::error::Code;
 use std::process::ExitCode;
 
-/// What a command that ran without error has to say: yes is exit code 0, no is 1.
+/// The result of a command without an error: true is exit code 0, false is 1.
 type Answer = Result<bool, Error>;
 
 fn main() -> ExitCode {
     let answer = match Arguments::try_parse() {
         Ok(arguments) => run(&arguments.command),
         Err(error) if !error.use_stderr() => {
-            // Help or version, as asked for. Nothing is wrong where nobody reads it.
+            // Help or version, as requested. A closed pipe is not an error.
             let _ = error.print();
             return ExitCode::SUCCESS;
         }

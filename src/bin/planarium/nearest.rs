@@ -1,4 +1,4 @@
-//! `planarium nearest`: the configurations of a list that are nearest to a target, with a clock.
+//! `planarium nearest`: the configurations nearest to a target, with the time of a query.
 
 use crate::arguments::Nearest;
 use crate::{Answer, files, npy};
@@ -6,17 +6,16 @@ use planarium::error::Code;
 use planarium::run::Value;
 use planarium::run::inspect::Inspector;
 use planarium::run::neighbours::{self, Neighbours, index, recall};
-use planarium::scenario::Scenario;
 use planarium::world::PlanningWorld;
 use planarium::{Error, json};
 use serde::Serialize;
 use std::time::{Duration, Instant};
 
-/// A question is repeated for so long, or so often, whichever comes first: one alone is over before a clock has moved.
+/// A query is repeated for this duration or this often, whichever comes first: a single one is too short for the clock.
 const MEASURED: Duration = Duration::from_millis(50);
 const REPEATS: usize = 1001;
 
-/// What is printed.
+/// The printed document.
 #[derive(Serialize)]
 struct Found<'a> {
     scenario: &'a str,
@@ -36,17 +35,12 @@ struct Found<'a> {
     query_seconds: f64,
 }
 
-/// Finds and prints; yes, always.
+/// Finds and prints the neighbours; always true.
 pub fn nearest(arguments: &Nearest) -> Answer {
-    if arguments.file == "-" && arguments.configurations.as_deref() == Some("-") {
-        let sentence = "scenario and configurations cannot both come from standard input";
-        return Err(Error::new(Code::Usage, "", sentence));
-    }
-    let world = PlanningWorld::new(Scenario::parse(&files::read(&arguments.file)?)?);
+    let list = arguments.configurations.as_deref().map(|name| ("configurations", name));
+    let world = PlanningWorld::new(files::scenario(&arguments.file, list)?);
     let rows = rows(arguments, &Inspector::new(&world))?;
-    let metric = arguments.metric.iter().map(|word| ("metric".to_owned(), Value::Text(word.clone())));
-    let set = arguments.set.iter().map(|(key, value)| (key.clone(), Value::from_text(value)));
-    let parameters: Vec<_> = metric.chain(set).collect();
+    let parameters = arguments.given.parameters("metric", arguments.metric.clone().map(Value::Text));
 
     let mut held = index(&world, Some(&arguments.index), &parameters)?;
     let started = Instant::now();
@@ -76,7 +70,7 @@ pub fn nearest(arguments: &Nearest) -> Answer {
         index: &arguments.index,
         metric: arguments.metric.as_deref(),
         configurations: held.len(),
-        seed: arguments.configurations.is_none().then_some(arguments.seed),
+        seed: arguments.configurations.is_none().then_some(arguments.given.seed),
         target: &arguments.target,
         indices: answer.neighbours.iter().map(|neighbour| neighbour.vertex.0).collect(),
         distances: answer.neighbours.iter().map(|neighbour| neighbour.distance).collect(),
@@ -86,19 +80,15 @@ pub fn nearest(arguments: &Nearest) -> Answer {
         query_seconds,
     };
     files::print(&json::to_string(&document))?;
-    let told = format!(
-        "{} of {} configurations, {} visited, {:.3} us a question after {:.3} ms",
-        answer.neighbours.len(),
-        held.len(),
-        answer.visited,
-        1e6 * query_seconds,
-        1e3 * build_seconds
-    );
-    files::say(&told);
+    let (found, count, visited) = (answer.neighbours.len(), held.len(), answer.visited);
+    let [query, build] = [1e6 * query_seconds, 1e3 * build_seconds];
+    files::say(&format!(
+        "{found} of {count} configurations, {visited} visited, {query:.3} us a query after {build:.3} ms"
+    ));
     Ok(true)
 }
 
-/// The same error, of the configuration that is called `target` here.
+/// The same error, about the configuration that is called `target` here.
 fn name_target(error: Error) -> Error {
     match error.pointer().strip_prefix("/q") {
         Some(rest) => Error::new(error.code(), format!("/target{rest}"), error.message()),
@@ -106,7 +96,7 @@ fn name_target(error: Error) -> Error {
     }
 }
 
-/// How long it takes, in the middle of many times.
+/// The median time of many repetitions.
 fn median_seconds(work: impl Fn() -> Result<(), Error>) -> Result<f64, Error> {
     let (begun, mut seconds) = (Instant::now(), Vec::new());
     while seconds.len() < REPEATS && (seconds.is_empty() || begun.elapsed() < MEASURED) {
@@ -118,27 +108,26 @@ fn median_seconds(work: impl Fn() -> Result<(), Error>) -> Result<f64, Error> {
     Ok(seconds[seconds.len() / 2])
 }
 
-/// The configurations: of the list, or drawn.
+/// The configurations: those of the list, or random ones.
 fn rows(arguments: &Nearest, inspector: &Inspector) -> Result<Vec<f64>, Error> {
     let Some(name) = &arguments.configurations else {
-        return inspector.samples(arguments.samples.unwrap_or(1000), arguments.seed, arguments.free);
+        return inspector.samples(arguments.samples.unwrap_or(1000), arguments.given.seed, arguments.free);
     };
     let dimension = inspector.dimension();
     let bytes = files::read_bytes(name)?;
-    let is_other = |width: usize| {
+    let other_width = |pointer: String, width: usize| {
         let sentence = format!("a configuration of this robot has {dimension} numbers, not {width}");
-        Error::new(Code::WrongDimension, "/rows", sentence)
+        Err(Error::new(Code::WrongDimension, pointer, sentence))
     };
+    let unreadable = |why: &str| Error::new(Code::File, "", format!("{name:?} {why}"));
     if npy::is_npy(&bytes) {
-        let table =
-            npy::read(&bytes).map_err(|why| Error::new(Code::File, "", format!("{name:?} is not read: {why}")))?;
-        return if table.width == dimension { Ok(table.numbers) } else { Err(is_other(table.width)) };
+        let table = npy::read(&bytes).map_err(|why| unreadable(&format!("cannot be read: {why}")))?;
+        return if table.width == dimension { Ok(table.numbers) } else { other_width("/rows".into(), table.width) };
     }
-    let text = String::from_utf8(bytes)
-        .map_err(|_| Error::new(Code::File, "", format!("{name:?} holds neither JSON nor an array of NumPy")))?;
+    let text = String::from_utf8(bytes).map_err(|_| unreadable("contains neither JSON nor a NumPy array"))?;
     let list: Vec<Vec<f64>> = json::read(&json::parse(&text)?).map_err(|error| error.under("/rows"))?;
     if let Some(i) = list.iter().position(|row| row.len() != dimension) {
-        return Err(Error::new(Code::WrongDimension, format!("/rows/{i}"), is_other(list[i].len()).message()));
+        return other_width(format!("/rows/{i}"), list[i].len());
     }
     Ok(list.concat())
 }

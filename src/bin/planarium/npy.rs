@@ -7,13 +7,12 @@ use npyz::{DType, Deserialize, NpyFile, NpyHeader, Order, TypeChar};
 pub struct Table {
     /// How many numbers a row has.
     pub width: usize,
-    /// The numbers.
     pub numbers: Vec<f64>,
 }
 
 const MAGIC: &[u8] = b"\x93NUMPY";
 
-/// Whether the bytes begin as such a file does.
+/// Whether the bytes begin like such a file.
 pub fn is_npy(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC)
 }
@@ -21,7 +20,7 @@ pub fn is_npy(bytes: &[u8]) -> bool {
 /// Reads rows of numbers.
 ///
 /// # Errors
-/// What is wrong with the file, in a sentence.
+/// A sentence about the file.
 pub fn read(bytes: &[u8]) -> Result<Table, String> {
     // npyz reserves memory for a header of any length, up to 4 GB.
     if let Some(&[2..=u8::MAX, _, a, b, c, d]) = bytes.get(MAGIC.len()..MAGIC.len() + 6)

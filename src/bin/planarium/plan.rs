@@ -1,32 +1,39 @@
 //! `planarium plan`: drives a run in short slices, with a clock.
 
-use crate::arguments::Plan;
-use crate::progress::Progress;
-use crate::{Answer, files, roadmap};
+use crate::arguments::{Plan, RoadmapFormat};
+use crate::{Answer, files};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use planarium::Error;
 use planarium::error::Code;
 use planarium::path::ResultDocument;
+use planarium::run::storage::RoadmapDocument;
 use planarium::run::{self, Options, Phase, Run, Status, Value};
-use planarium::scenario::Scenario;
+use std::io::{IsTerminal, stderr};
+use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// How long a slice of iterations should take: short against the limit of time.
+/// The target duration of a slice of iterations: short against the time limit.
 const SLICE: Duration = Duration::from_micros(500);
 
 /// The most iterations of a slice: few against the phases of a planner, enough that the clock costs nothing.
 const MOST: u64 = 16;
 
-/// Plans, prints the result; yes where it is solved.
+/// The time between two updates of the progress bar.
+const REDRAW: Duration = Duration::from_millis(100);
+
+/// Plans and prints the result; true if it is solved.
 pub fn plan(arguments: &Plan) -> Answer {
-    if arguments.file == "-" && arguments.roadmap.as_deref() == Some("-") {
-        let sentence = "scenario and roadmap cannot both come from standard input";
-        return Err(Error::new(Code::Usage, "", sentence));
-    }
-    let scenario = Scenario::parse(&files::read(&arguments.file)?)?;
-    let kept = arguments.roadmap.as_deref().map(roadmap::read).transpose()?;
-    let options = options(arguments);
-    let mut run = match &kept {
-        Some(document) => run::resume(&scenario, &options, document)?,
+    let saved = arguments.roadmap.as_deref();
+    let scenario = files::scenario(&arguments.file, saved.map(|name| ("roadmap", name)))?;
+    let most = arguments.max_iterations.map(|most| Value::Number(most as f64));
+    let options = Options {
+        planner: arguments.planner.clone(),
+        query: arguments.query.clone(),
+        seed: arguments.given.seed,
+        parameters: arguments.given.parameters("max_iterations", most),
+    };
+    let mut run = match saved {
+        Some(name) => run::resume(&scenario, &options, &RoadmapDocument::read(&files::read_bytes(name)?)?)?,
         None => run::start(&scenario, &options)?,
     };
     if arguments.save_roadmap.is_some() && run.roadmap().is_none() {
@@ -34,30 +41,19 @@ pub fn plan(arguments: &Plan) -> Answer {
         return Err(Error::new(Code::Unsupported, "", sentence));
     }
     let result = drive(run.as_mut(), arguments.max_seconds);
-    // Before the result: on standard output an error stands alone.
+    // Before the result: standard output holds either a result or an error.
     if let (Some(name), Some(document)) = (&arguments.save_roadmap, run.roadmap()) {
-        roadmap::write(&document, name, arguments.roadmap_format)?;
+        write_roadmap(&document, name, arguments.roadmap_format)?;
     }
     files::write(&result.to_json(), arguments.out.as_deref())?;
     files::say(&summary(&result));
     Ok(result.status == Status::Solved)
 }
 
-fn options(arguments: &Plan) -> Options {
-    let set = arguments.set.iter().map(|(key, value)| (key.clone(), Value::from_text(value)));
-    let most = arguments.max_iterations.map(|most| ("max_iterations".to_owned(), Value::Number(most as f64)));
-    Options {
-        planner: arguments.planner.clone(),
-        query: arguments.query.clone(),
-        seed: arguments.seed,
-        parameters: set.chain(most).collect(),
-    }
-}
-
-/// Steps until the run ends or the time is up, and measures: the search of the graph and the shortening of the path apart
-/// from the growth. A phase may end within a slice, so each time is right to a slice.
+/// Steps until the run ends or the time is up, and measures the search of the graph and the shortening of the path apart from the
+/// growth. A phase may end within a slice, so each time is accurate to a slice.
 fn drive(run: &mut dyn Run, max_seconds: Option<f64>) -> ResultDocument {
-    let mut progress = Progress::new(run);
+    let (bar, mut drawn) = (progress_bar(run), Instant::now());
     let (mut build, mut search) = (Duration::ZERO, Duration::ZERO);
     let is_up = |spent: Duration| max_seconds.is_some_and(|most| spent.as_secs_f64() >= most);
     let begin = Instant::now();
@@ -69,17 +65,21 @@ fn drive(run: &mut dyn Run, max_seconds: Option<f64>) -> ResultDocument {
         let took = before.elapsed();
         *spent += took;
         iterations = next_slice(iterations, took);
-        progress.show(run);
+        if drawn.elapsed() >= REDRAW {
+            drawn = Instant::now();
+            bar.set_message(format!("{}, {} vertices", run.phase().as_str(), run.vertex_count()));
+            bar.set_position(run.iterations());
+        }
     }
-    progress.finish();
-    // A path that is only being improved is a path.
+    bar.finish_and_clear();
+    // The time may be up while a path is being improved.
     run.finish();
     let mut result = run.result();
     (result.stats.build_seconds, result.stats.search_seconds) = (build.as_secs_f64(), search.as_secs_f64());
     result
 }
 
-/// How many iterations to do next, after so many took that long.
+/// The iterations of the next slice, after this many took this long.
 fn next_slice(iterations: u64, took: Duration) -> u64 {
     let longer = if took * 2 <= SLICE { iterations * 2 } else { iterations };
     let fitting = if took > SLICE { iterations / 2 } else { longer };
@@ -95,4 +95,27 @@ fn summary(result: &ResultDocument) -> String {
         Status::Running => "running: the time is up, no path found yet".to_owned(),
     };
     format!("{found}; {} iterations, {} vertices, {seconds:.3} s", stats.iterations, stats.vertices)
+}
+
+/// A progress bar on standard error, hidden unless that is a terminal.
+fn progress_bar(run: &dyn Run) -> ProgressBar {
+    let target = if stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+    let style = ProgressStyle::with_template("{bar:30} {human_pos}/{human_len} iterations  {elapsed}  {msg}")
+        .expect("the template is well-formed");
+    ProgressBar::with_draw_target(Some(run.max_iterations()), target).with_style(style)
+}
+
+/// Writes a roadmap in the given format, or in that of the file's extension.
+fn write_roadmap(document: &RoadmapDocument, name: &str, format: Option<RoadmapFormat>) -> Result<(), Error> {
+    let extension = Path::new(name).extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    let format = format.unwrap_or_else(|| match extension.to_ascii_lowercase().as_str() {
+        "json" => RoadmapFormat::Json,
+        "graphml" => RoadmapFormat::Graphml,
+        _ => RoadmapFormat::Binary,
+    });
+    match format {
+        RoadmapFormat::Json => files::write(&document.to_json(), Some(name)),
+        RoadmapFormat::Binary => files::write_bytes(&document.to_bytes(), name),
+        RoadmapFormat::Graphml => files::write_bytes(document.to_graphml().as_bytes(), name),
+    }
 }

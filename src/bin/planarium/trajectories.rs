@@ -1,7 +1,6 @@
 //! `planarium trajectories`: many trajectories that do not cross, with the time that each took.
 
 use crate::{Answer, arguments, files};
-use planarium::options::Value;
 use planarium::problem::Status;
 use planarium::trajectories::{Trajectories, TrajectoriesResult};
 use planarium::{Error, json};
@@ -9,10 +8,10 @@ use serde::Serialize;
 use std::fmt::Write;
 use std::time::Instant;
 
-/// The moving average is taken over so many.
+/// The width of the moving average.
 const WINDOW: usize = 20;
 
-/// What is printed.
+/// The printed document.
 #[derive(Serialize)]
 struct Timed {
     #[serde(flatten)]
@@ -22,8 +21,7 @@ struct Timed {
 
 /// Tries trajectories until all are accepted or the iterations are spent, and prints counts and seconds.
 pub fn trajectories(arguments: &arguments::Trajectories) -> Answer {
-    let given: Vec<_> = arguments.set.iter().map(|(key, value)| (key.clone(), Value::from_text(value))).collect();
-    let mut trajectories = Trajectories::new(&given, arguments.seed)?;
+    let mut trajectories = Trajectories::new(&arguments.given.set, arguments.given.seed)?;
     let mut microseconds = Vec::new();
     let begun = Instant::now();
     let mut last = begun;
@@ -43,7 +41,7 @@ pub fn trajectories(arguments: &arguments::Trajectories) -> Answer {
     Ok(trajectories.status() == Status::Solved)
 }
 
-/// Writes a row for every accepted trajectory; the average begins once there are as many as it is taken over.
+/// Writes a row for every accepted trajectory; the average begins with the twentieth.
 fn write_rows(trajectories: &Trajectories, microseconds: &[f64], name: &str) -> Result<(), Error> {
     let mut text = String::from("x,y,theta,v,w,duration,tries,microseconds,average_of_20\n");
     for (i, (particle, tries)) in trajectories.accepted_since(0).zip(trajectories.tries()).enumerate() {

@@ -1,35 +1,34 @@
 //! Whether two trajectories share a point: closed forms for points, segments and arcs, halving for the rest.
 //!
 //! **Closed forms.** Two closed curves of constant curvature are nearest to each other at an end of one of them, or on their
-//! line of centres (for a segment: on the normal through the centre), or where their circles intersect. So few candidates
-//! decide: those on the smaller circle that the arc holds, each tested against the other curve, and the ends of both. They cross
-//! where a candidate comes within the slack of the other curve.
+//! line of centres (for a segment: on the normal through the centre), or at an intersection of their circles. So few candidates
+//! decide: those on the smaller circle that the arc contains, each tested against the other curve, and the ends of both. The curves
+//! cross if a candidate comes within the slack of the other curve.
 //!
 //! **Why rounding cannot hide a crossing.** An intersection is found along the smaller circle, of radius r, from its angle
-//! to the line of centres, whose cosine is ((d - R)(d + R) + r^2) / (2 d r). The factor d - R is off by some units in the last
-//! place of S; so the cosine is off by so much times (d + R) / (2 d r), and the found point is off the larger circle by
+//! to the line of centres, whose cosine is ((d - R)(d + R) + r^2) / (2 d r). The factor d - R has an error of some units in the
+//! last place of S; so the error of the cosine is (d + R) / (2 d r) times that, and the found point is off the larger circle by
 //! that times d r / R: at most three times the error of d - R, however small r is. Along the smaller circle the distance from
-//! the larger one is monotone between the line of centres and its other side. So where a crossing and the point found for it lie
-//! on different sides of an end, that end is as near to the other circle; and where the cosine is just beyond 1, the point on
-//! the line of centres is. Ends are tested against the other curve, hence a rounded yes or no at the end of an arc moves
+//! the larger one is monotone between the line of centres and its other side. So if a crossing and the point found for it lie
+//! on different sides of an end, that end is as near to the other circle; and if the cosine is just beyond 1, the point on
+//! the line of centres is. Ends are tested against the other curve, hence a rounded decision at the end of an arc changes
 //! distances by rounding only. Concentric arcs, equal or not, are nearest at an end as well. Radii are at most 64 S here, so
-//! a centre is off by about 65 S times 2^-52, 1.5e-14 S, and each distance by about three times that: far below the slack
+//! a centre has an error of about 65 S times 2^-52, 1.5e-14 S, and each distance about three times that: far below the slack
 //! of 1e-12 S.
 
-use super::arc::Arc;
-use super::halving::{halve, nearest_place};
+use super::halving::{halve, nearest_point};
 use super::particle::Particle;
-use super::tally::Tally;
-use super::track::{Shape, Track};
+use super::run::Tally;
+use super::track::{Arc, Shape, Track};
 use crate::geometry::{Point, Segment, Vector, distance_point_segment, distance_segment_segment};
 
-/// The slack, as a part of the scale.
-pub(super) const SLACK: f64 = 1e-12;
+/// The slack, as a fraction of the scale.
+const SLACK: f64 = 1e-12;
 
 /// The least slack, in metres: squares of longer lengths do not underflow.
 const SMALLEST: f64 = 1e-150;
 
-/// How many pairs of stretches are looked at before a pair of trajectories counts as crossing.
+/// How many pairs of intervals are examined before a pair of trajectories counts as crossing.
 const BUDGET: u64 = 20_000;
 
 /// The slack in a world of that scale, in metres.
@@ -37,9 +36,9 @@ pub(super) fn slack(scale: f64) -> f64 {
     (SLACK * scale).max(SMALLEST)
 }
 
-/// Where two trajectories cross or touch: a point of the first within the slack of the second, in the closed form one of the
-/// smaller circle; `None` where they are proven apart. Trajectories within a few slacks, and spirals that would take too long
-/// to tell apart, count as crossing.
+/// A point in which two trajectories cross or touch: a point of the first within the slack of the second, in the closed form one
+/// of the smaller circle; `None` if they are proven apart. Trajectories within a few slacks, and spirals that would take too long
+/// to prove apart, count as crossing.
 ///
 /// # Errors
 /// Those of [`Particle::check`], below `/0` or `/1`.
@@ -51,7 +50,7 @@ pub fn crossing(first: &Particle, second: &Particle) -> Result<Option<Point>, cr
     Ok(meeting(&first, &second, slack(scale), &mut Tally::default()))
 }
 
-/// The same for trajectories made ready in one world with that slack; counts what was looked at.
+/// The same for trajectories prepared in one world with that slack; counts the work.
 #[inline(never)]
 pub(super) fn meeting(a: &Track, b: &Track, eta: f64, tally: &mut Tally) -> Option<Point> {
     tally.boxes += 1;
@@ -74,12 +73,12 @@ pub(super) fn meeting(a: &Track, b: &Track, eta: f64, tally: &mut Tally) -> Opti
     }
 }
 
-/// Where two segments meet.
+/// A common point of two segments.
 fn segments(s: &Segment, t: &Segment, eta: f64) -> Option<Point> {
-    (distance_segment_segment(s, t) <= eta).then(|| nearest_place(s, t))
+    (distance_segment_segment(s, t) <= eta).then(|| nearest_point(s, t))
 }
 
-/// Where a segment and an arc meet.
+/// A common point of a segment and an arc.
 fn segment_arc(s: &Segment, along: Vector, arc: &Arc, eta: f64) -> Option<Point> {
     let normal = Vector::new(-along.y, along.x);
     let away = normal.dot(&(s.a - arc.center));
@@ -92,7 +91,7 @@ fn segment_arc(s: &Segment, along: Vector, arc: &Arc, eta: f64) -> Option<Point>
         .or_else(|| [s.a, s.b].into_iter().find(|&p| arc.distance(p) <= eta))
 }
 
-/// Where two arcs meet, the smaller one first.
+/// A common point of two arcs, the smaller one first.
 fn arcs(small: &Arc, large: &Arc, eta: f64) -> Option<Point> {
     let between = large.center - small.center;
     let apart = between.norm();
@@ -108,17 +107,17 @@ fn arcs(small: &Arc, large: &Arc, eta: f64) -> Option<Point> {
         .or_else(|| [large.start, large.end].into_iter().find(|&p| small.distance(p) <= eta))
 }
 
-/// Which candidate on the arc comes within the slack of the other curve: the intersections, `cosine` away from the direction
+/// The first candidate on the arc within the slack of the other curve: the intersections, `cosine` away from the direction
 /// `towards` the other curve, then the two points on the line of centres.
 fn on_circle(arc: &Arc, towards: Vector, cosine: f64, eta: f64, distance: &dyn Fn(Point) -> f64) -> Option<Point> {
     let across = Vector::new(-towards.y, towards.x);
-    // Not a number where the circles are concentric; then there is nothing to intersect.
+    // Not a number if the circles are concentric; then they do not intersect.
     let is_there = cosine.abs() <= 1.0;
     let sine = if is_there { ((1.0 - cosine) * (1.0 + cosine)).sqrt() } else { 0.0 };
     let intersections = [towards * cosine + across * sine, towards * cosine - across * sine];
     let candidates = [(is_there, intersections[0]), (is_there, intersections[1]), (true, towards), (true, -towards)];
     candidates.into_iter().find_map(|(is_there, direction)| {
         let p = arc.center + direction * arc.radius;
-        (is_there && arc.holds(direction) && distance(p) <= eta).then_some(p)
+        (is_there && arc.contains(direction) && distance(p) <= eta).then_some(p)
     })
 }

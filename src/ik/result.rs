@@ -1,0 +1,181 @@
+//! The outcome of a run, as values and in JSON.
+
+use super::nearest::Nearest;
+use super::task::Task;
+use crate::json;
+use crate::problem::{Contact, Status, Touched};
+use serde::{Serialize, Serializer};
+use strum::IntoStaticStr;
+
+/// The outcome of a run. In JSON: `verdict`, the word of [`Verdict::as_str`]; `reason` and `nearest` of a target out of reach, else
+/// null; and `touching`, the contacts of the first solution if all are in collision, else null.
+#[derive(Debug, Clone, PartialEq, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum Verdict {
+    /// A solution was found.
+    Reached,
+    /// Only solutions in collision were found.
+    InCollision {
+        /// Every touching pair at the first of them.
+        contacts: Vec<Contact>,
+    },
+    /// No configuration reaches the target.
+    OutOfReach {
+        /// The reason.
+        reason: Reason,
+        /// How near the arm can come.
+        nearest: Nearest,
+    },
+    /// The target can be reached, and the run continues.
+    Running,
+    /// The target can be reached, but the budget is spent without a solution.
+    NotFound,
+}
+
+/// Why a target is out of reach.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum Reason {
+    /// It is farther from the base than the stretched arm.
+    TooFar,
+    /// It is nearer to the base than the folded arm.
+    TooNear,
+    /// The joint limits keep the tip away.
+    Limits,
+    /// The joint limits do not allow the wanted orientation anywhere.
+    Orientation,
+}
+
+impl Reason {
+    /// The reason as it is printed, in kebab-case.
+    pub fn as_str(self) -> &'static str {
+        self.into()
+    }
+}
+
+impl Verdict {
+    /// The verdict on a task without any solution, by how near the arm can come.
+    pub(super) fn of(task: &Task, nearest: Nearest, tolerance: f64, status: Status) -> Self {
+        if nearest.distance <= tolerance && nearest.turn <= tolerance {
+            return if status == Status::Running { Verdict::Running } else { Verdict::NotFound };
+        }
+        let ([x, y], count) = task.wrist();
+        let ([inner, outer], r) = (task.ring(count), (x * x + y * y).sqrt());
+        let reason = if nearest.turn > tolerance {
+            Reason::Orientation
+        } else if r > outer {
+            Reason::TooFar
+        } else if r < inner {
+            Reason::TooNear
+        } else {
+            Reason::Limits
+        };
+        Verdict::OutOfReach { reason, nearest }
+    }
+
+    /// The verdict as it is printed: `reached`, `in-collision`, `out-of-reach`, `running` or `not-found`.
+    pub fn as_str(&self) -> &'static str {
+        self.into()
+    }
+}
+
+impl Serialize for Verdict {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        struct Document<'a> {
+            verdict: &'static str,
+            reason: Option<Reason>,
+            nearest: Option<&'a Nearest>,
+            touching: Option<Contacts<'a>>,
+        }
+        #[derive(Serialize)]
+        struct Contacts<'a>(#[serde(serialize_with = "touching")] &'a [Contact]);
+        let mut document = Document { verdict: self.as_str(), reason: None, nearest: None, touching: None };
+        match self {
+            Verdict::OutOfReach { reason, nearest } => {
+                (document.reason, document.nearest) = (Some(*reason), Some(nearest));
+            }
+            Verdict::InCollision { contacts } => document.touching = Some(Contacts(contacts)),
+            Verdict::Reached | Verdict::Running | Verdict::NotFound => (),
+        }
+        document.serialize(serializer)
+    }
+}
+
+/// A configuration that reaches the target but is in collision.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Rejected {
+    /// The joint angles, in radians.
+    pub configuration: Vec<f64>,
+    /// The links and the obstacles that they touch; in JSON `touching`, each a `part` and an `obstacle`, an index or `bounds`.
+    #[serde(rename = "touching", serialize_with = "touching")]
+    pub contacts: Vec<Contact>,
+}
+
+/// A contact as it is written in JSON.
+#[derive(Serialize)]
+struct Touching {
+    part: usize,
+    #[serde(serialize_with = "touched")]
+    obstacle: Touched,
+}
+
+fn touched<S: Serializer>(what: &Touched, serializer: S) -> Result<S::Ok, S::Error> {
+    match what {
+        Touched::Obstacle(i) => serializer.serialize_u64(*i as u64),
+        Touched::Bounds => serializer.serialize_str("bounds"),
+    }
+}
+
+fn touching<S: Serializer>(contacts: &[Contact], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(contacts.iter().map(|&Contact { part, with }| Touching { part, obstacle: with }))
+}
+
+/// The result document of a run.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SolverResult {
+    /// The name of the scenario.
+    pub scenario: String,
+    /// The id of the method.
+    pub method: &'static str,
+    /// The target of the tip, in metres.
+    pub target: [f64; 2],
+    /// The wanted angle of the last link, in radians, if any.
+    pub orientation: Option<f64>,
+    /// The seed.
+    pub seed: u64,
+    /// The status at the end.
+    pub status: Status,
+    /// The configurations that reach the target, in radians.
+    pub solutions: Vec<Vec<f64>>,
+    /// Those in collision, if only free ones were wanted.
+    pub rejected: Vec<Rejected>,
+    /// The outcome.
+    pub verdict: Verdict,
+    /// How far from the target the tip may end, in metres.
+    pub tolerance: f64,
+    /// The work done.
+    pub stats: SolverStats,
+    /// A hash over every iterate and solution.
+    #[serde(with = "json::hex")]
+    pub fingerprint: u64,
+}
+
+/// The work of a run.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct SolverStats {
+    /// Iterations made.
+    pub iterations: u64,
+    /// Starts drawn, besides the first.
+    pub restarts: u32,
+    /// Solutions tested for collision.
+    pub configuration_checks: u64,
+}
+
+impl SolverResult {
+    /// The document as one line of JSON.
+    pub fn to_json(&self) -> String {
+        json::to_string(self)
+    }
+}

@@ -51,7 +51,7 @@ fn answers<S: Space>(name: &str, index: &impl Nearest<S>, space: &S, from: &S::S
 
 /// Grows every exact index by the same states and, on the way and at the end, asks each the same questions.
 fn agrees<S: Space>(name: &str, space: &S, states: &[S::State], asked: &[S::State]) {
-    let (mut linear, mut tree, mut index) = (LinearScan::new(), KdTree::new(), Index::new());
+    let (mut linear, mut tree, mut index) = (LinearScan::default(), KdTree::default(), Index::default());
     for (i, &state) in states.iter().enumerate() {
         let vertex = VertexId(i as u32);
         linear.insert(space, vertex, state);
@@ -186,7 +186,7 @@ fn the_order_of_insertion_changes_nothing() {
 #[wasm_bindgen_test(unsupported = test)]
 fn questions_between_insertions_see_what_was_inserted() {
     for (name, space) in spaces() {
-        let (mut linear, mut tree) = (LinearScan::new(), KdTree::new());
+        let (mut linear, mut tree) = (LinearScan::default(), KdTree::default());
         let (mut one, mut other) = (Vec::new(), Vec::new());
         let asked = samples(&space, 14, cases(2000));
         for (i, (&state, from)) in samples(&space, 13, asked.len()).iter().zip(&asked).enumerate() {
@@ -218,9 +218,9 @@ fn an_empty_index_and_no_neighbours_are_no_trouble() {
         assert!(found.is_empty());
     }
     for (_, space) in spaces() {
-        empty(&LinearScan::new(), &space);
-        empty(&KdTree::new(), &space);
-        empty(&Index::new(), &space);
+        empty(&LinearScan::default(), &space);
+        empty(&KdTree::default(), &space);
+        empty(&Index::default(), &space);
         empty(&Forest::new(ForestParameters::default(), 1), &space);
     }
 }
@@ -398,7 +398,7 @@ fn steered_motions_have_the_neighbours_of_a_plain_scan_in_either_direction() {
         // At random, on a lattice where most are ties, many times the same, and hardly any.
         let sets = [samples(&space, 21, 1500), lattice, (0..300).map(|i| few[i * i % 4]).collect(), few.clone()];
         for states in &sets {
-            let mut index = Index::new();
+            let mut index = Index::default();
             for (i, &state) in states.iter().enumerate() {
                 index.insert(&space, VertexId(3 * i as u32 + 1), state);
             }
@@ -429,6 +429,6 @@ fn steered_motions_have_the_neighbours_of_a_plain_scan_in_either_direction() {
                 }
             }
         }
-        assert_eq!(Index::new().nearest_by(&space, Direction::Out, &few[0]), None);
+        assert_eq!(Index::default().nearest_by(&space, Direction::Out, &few[0]), None);
     }
 }

@@ -82,7 +82,7 @@ fn ask<S: Space>(name: &str, space: &S, ranges: &[[f64; 2]], questions: usize, s
         let (kind, n) = (round % 4, size(MOST, &mut random));
         round += 1;
         let states = set(space, ranges, kind, n, &mut random);
-        let (mut scan, mut tree, mut index) = (LinearScan::new(), KdTree::new(), Index::new());
+        let (mut scan, mut tree, mut index) = (LinearScan::default(), KdTree::default(), Index::default());
         for (i, &state) in (0..).zip(&states) {
             scan.insert(space, VertexId(i), state);
             tree.insert(space, VertexId(i), state);
@@ -197,7 +197,7 @@ fn a_hundred_thousand_clustered_gridded_or_twice_there() {
         let mut random = Random::new(4000 + seed, Stream::Samples);
         for kind in 0..4 {
             let states = set(space, &ranges, kind, n, &mut random);
-            let (mut scan, mut tree, mut index) = (LinearScan::new(), KdTree::new(), Index::new());
+            let (mut scan, mut tree, mut index) = (LinearScan::default(), KdTree::default(), Index::default());
             for (i, &state) in (0..).zip(&states) {
                 scan.insert(space, VertexId(i), state);
                 tree.insert(space, VertexId(i), state);

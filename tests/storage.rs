@@ -276,7 +276,7 @@ fn a_file_cut_short_or_too_long_is_refused() {
 fn forged(bytes: &[u8], at: usize, word: u32) -> Vec<u8> {
     let mut payload = bytes[..bytes.len() - 8].to_vec();
     payload[at..at + 4].copy_from_slice(&word.to_le_bytes());
-    let mut hash = planarium::graph::Fingerprint::new();
+    let mut hash = planarium::graph::Fingerprint::default();
     hash.bytes(&payload);
     payload.extend(hash.value().to_le_bytes());
     payload

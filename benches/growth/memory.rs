@@ -77,7 +77,7 @@ pub fn print(is_quick: bool) {
     });
     let in_graph = row("vertex in the graph: state 32, birth 4", n, held, most);
     let (index, held, most) = measure(|| {
-        let mut index = Index::<Arm>::new();
+        let mut index = Index::<Arm>::default();
         for (i, &state) in states.iter().enumerate() {
             index.insert(&space, VertexId(i as u32), state);
         }

@@ -4,18 +4,14 @@
 #[derive(Debug, Clone, Copy)]
 pub struct Fingerprint(u64);
 
+/// The hash of nothing.
 impl Default for Fingerprint {
     fn default() -> Self {
-        Self::new()
+        Self(0xcbf2_9ce4_8422_2325)
     }
 }
 
 impl Fingerprint {
-    /// The hash of nothing.
-    pub fn new() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
-    }
-
     /// Adds bytes.
     pub fn bytes(&mut self, bytes: &[u8]) {
         for &byte in bytes {

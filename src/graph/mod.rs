@@ -123,7 +123,7 @@ impl<S: Space> Graph<S> {
     /// birth), then all edges (both ends, birth), then the controlled motions along them, if any (speed, steering, duration), then all
     /// events. O(size).
     pub fn fingerprint(&self, space: &S) -> u64 {
-        let mut hash = Fingerprint::new();
+        let mut hash = Fingerprint::default();
         for (state, &birth) in self.states.iter().zip(&self.vertex_births) {
             hash.numbers(space.coordinates(state));
             hash.integer(u64::from(birth));

@@ -269,12 +269,6 @@ impl<S: Space> Nearest<S> for Forest<S> {
         self.states.len()
     }
 
-    fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
-        let mut found = Vec::new();
-        self.k_nearest(space, state, 1, &mut found);
-        found.pop()
-    }
-
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
         let mut closest = Closest::new(found, k, f64::INFINITY, k <= 16);
         let enough = self.parameters.candidates.max(k);

@@ -2,7 +2,6 @@
 
 use super::groups::{Limits, Sampling};
 use super::growth::Growth;
-use super::info::Edges;
 use crate::error::Error;
 use crate::graph::{Tree, VertexId};
 use crate::options::{CAR, out_of_range};
@@ -61,13 +60,6 @@ crate::options! {
     sampling: Sampling;
     /// When a run ends.
     limits: Limits;
-}
-
-impl ByControls {
-    /// What edges are.
-    pub(super) fn edges(&self) -> Edges<'static> {
-        Edges::Driven { is_euler: self.integration == IntegrationKind::Euler }
-    }
 }
 
 /// For how many steps a control is held: drawn uniformly from `shortest` to `longest`, both at least 1.

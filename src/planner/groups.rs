@@ -1,8 +1,10 @@
 //! Options that planners share, and what they make of them.
 
-use super::query::{Algorithm, Cost, Heuristic, SearchRules};
+use super::growth::Growth;
+use super::query::{Algorithm, Cost, Heuristic};
 use crate::error::Error;
 use crate::options::{CAR, Choice, out_of_range};
+use crate::problem::Problem;
 use crate::random::{Random, Stream};
 use crate::sampling::{BridgeTest, Gaussian, GoalBiased, Halton, Lattice, ObstacleBased, Sampler, Uniform};
 use crate::space::steering::Steering;
@@ -53,12 +55,12 @@ impl Sampling {
         let random = Random::new(seed, Stream::Samples);
         let spread = self.spread.unwrap_or(DEFAULT_SPREAD * space.extent() / space.dimension() as f64);
         match self.sampler {
-            SamplerKind::Uniform => Box::new(Uniform::new(random)),
+            SamplerKind::Uniform => Box::new(Uniform(random)),
             SamplerKind::Halton => Box::new(Halton::new(random)),
             SamplerKind::Lattice => Box::new(Lattice::new(space.dimension(), random)),
-            SamplerKind::Gaussian => Box::new(Gaussian::new(random, spread)),
-            SamplerKind::Bridge => Box::new(BridgeTest::new(random, spread)),
-            SamplerKind::ObstacleBased => Box::new(ObstacleBased::new(random)),
+            SamplerKind::Gaussian => Box::new(Gaussian { random, deviation: spread }),
+            SamplerKind::Bridge => Box::new(BridgeTest { random, deviation: spread }),
+            SamplerKind::ObstacleBased => Box::new(ObstacleBased(random)),
             SamplerKind::GoalBiased => Box::new(GoalBiased::new(random, spread)),
         }
     }
@@ -73,12 +75,6 @@ crate::options! {
     cost: Cost = Cost::Metric, "Cost of an edge";
     /// How A* guesses the rest of the way: close guesses expand fewer vertices; metric-as-hops may miss the best.
     heuristic: Heuristic = Heuristic::Metric, "Heuristic";
-}
-
-impl Searching {
-    pub(super) fn rules(&self) -> SearchRules {
-        SearchRules { algorithm: self.search, cost: self.cost, heuristic: self.heuristic }
-    }
 }
 
 crate::choice! {
@@ -148,13 +144,34 @@ crate::options! {
     goal_every: Option<u32>, in 1.0..=1e6, "Goal every n-th time", else "never: the goal bias decides";
 }
 
-impl Reaching {
-    /// Whether the tree grows towards the goal in this iteration.
-    pub(super) fn is_due(&self, iteration: u32, random: &mut Random) -> bool {
-        match self.goal_every {
+/// What a tree grows towards: samples, and now and then a goal, each of several in turn.
+pub(super) struct Aim<S: Space> {
+    pub reaching: Reaching,
+    sampler: Box<dyn Sampler<S>>,
+    /// Decides when a goal is due.
+    random: Random,
+    /// How many goals were drawn.
+    goals: usize,
+}
+
+impl<S: Space> Aim<S> {
+    pub fn new(reaching: Reaching, sampling: &Sampling, space: &S, seed: u64) -> Self {
+        let random = Random::new(seed, Stream::Bias);
+        Self { reaching, sampler: sampling.sampler(space, seed), random, goals: 0 }
+    }
+
+    /// The next target; `None`, with an event, if the sampler found none.
+    pub fn next(&mut self, problem: &Problem<S>, iteration: u32, growth: &mut Growth<S>) -> Option<S::State> {
+        let Reaching { goal_bias, goal_every } = self.reaching;
+        let is_due = match goal_every {
             Some(n) => iteration.is_multiple_of(n),
-            None => self.goal_bias > 0.0 && random.uniform() < self.goal_bias,
+            None => goal_bias > 0.0 && self.random.uniform() < goal_bias,
+        };
+        if !is_due {
+            return Some(growth.draw(problem, iteration, &mut *self.sampler)?.state);
         }
+        self.goals = self.goals.wrapping_add(1);
+        Some(*problem.goal_in_turn(self.goals - 1))
     }
 }
 

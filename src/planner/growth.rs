@@ -1,15 +1,29 @@
 //! What every planner grows and counts: its graph, and what it has asked so far.
 
-use super::Counters;
 use crate::graph::{Event, EventKind, Graph, VertexId};
 use crate::problem::Problem;
 use crate::sampling::{Known, Sample, Sampler};
 use crate::space::Space;
 
+/// What a planner has done so far.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Configurations checked on their own.
+    pub configuration_checks: u64,
+    /// Motions checked.
+    pub motion_checks: u64,
+    /// Nearest-neighbour queries.
+    pub nearest_queries: u64,
+    /// Vertices expanded by a search.
+    pub visited: u64,
+}
+
 /// A graph that grows, with its counters.
 #[derive(Debug, Clone)]
-pub(super) struct Growth<S: Space> {
+pub struct Growth<S: Space> {
+    /// Vertices, edges and events.
     pub graph: Graph<S>,
+    /// What was counted.
     pub counters: Counters,
 }
 

@@ -1,8 +1,6 @@
 //! What the file of a planner declares beside its algorithm, on the type of its options.
 
-use super::Planner;
-use super::groups::{Joined, Limits};
-use super::query::SearchRules;
+use super::{ByControls, Planner};
 use crate::error::Error;
 use crate::options::{OptionInfo, Options, Value};
 use crate::problem::Problem;
@@ -21,18 +19,6 @@ pub enum Grows {
     Trees,
 }
 
-/// What the edges of a planner are.
-#[derive(Debug, Clone, Copy)]
-pub enum Edges<'a> {
-    /// Motions of the space from one given state to another.
-    Joined(&'a Joined),
-    /// Drives by controls, which end where they end: the goal is a region.
-    Driven {
-        /// Whether drives are integrated by Euler's steps and not exactly.
-        is_euler: bool,
-    },
-}
-
 /// A planner as its file declares it: constants for help and documents, and how a run begins. The implementing type holds its
 /// options.
 pub trait Method: Options {
@@ -46,8 +32,6 @@ pub trait Method: Options {
     const GUARANTEE: &'static str;
     /// What it grows.
     const GROWS: Grows;
-    /// Whether its edges are drives by controls.
-    const IS_DRIVEN: bool = false;
     /// Whether every motion must be possible in both directions.
     const NEEDS_SYMMETRY: bool = false;
     /// The types of robots that it plans for, as in documents.
@@ -57,15 +41,9 @@ pub trait Method: Options {
     /// How it works, line by line.
     const PSEUDOCODE: &'static [PseudocodeLine];
 
-    /// What its edges are.
-    fn edges(&self) -> Edges<'_>;
-
-    /// The limits of a run.
-    fn limits(&self) -> Limits;
-
-    /// How its roadmap is searched, of planners that grow one.
-    fn search(&self) -> Option<SearchRules> {
-        None
+    /// Whether edges are controlled motions: the options contain [`ByControls`].
+    fn is_driven() -> bool {
+        Self::default().group::<ByControls>().is_some()
     }
 
     /// The planner at its beginning.
@@ -109,7 +87,7 @@ impl PlannerInfo {
             summary: M::SUMMARY,
             guarantee: M::GUARANTEE,
             grows: M::GROWS,
-            is_driven: M::IS_DRIVEN,
+            is_driven: M::is_driven(),
             pseudocode: M::PSEUDOCODE,
             robots: M::ROBOTS,
             presets: M::PRESETS,

@@ -22,9 +22,10 @@ pub use driven_tree::{Blocked, ByControls, Durations, GoalTest, IntegrationKind}
 pub use groups::{
     DEFAULT_TOLERANCE, EdgeCheck, Improving, Joined, Limits, Measuring, Reaching, SamplerKind, Sampling, Searching,
 };
-pub use info::{Edges, Grows, Mark, Method, PlannerInfo, Preset, PseudocodeLine};
+pub use growth::{Counters, Growth};
+pub use info::{Grows, Mark, Method, PlannerInfo, Preset, PseudocodeLine};
 pub use prm::{Insertion, NeighbourRule, PrmOptions, PrmStarOptions, logarithmic_k, prm_star_k, resume};
-pub use query::{Algorithm, Cost, Heuristic, SearchRules};
+pub use query::{Algorithm, Cost, Heuristic};
 pub use registry::{PlannerId, PlannerOptions, default_planner, planners};
 pub use roadmap::{Answer, Connection, Roadmap};
 pub use rrt::{Extend, RrtOptions};
@@ -39,19 +40,6 @@ use crate::graph::{Graph, VertexId};
 use crate::problem::Problem;
 use crate::space::Space;
 
-/// What a planner has asked so far.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Counters {
-    /// Configurations checked on their own.
-    pub configuration_checks: u64,
-    /// Motions checked.
-    pub motion_checks: u64,
-    /// Nearest-neighbour queries.
-    pub nearest_queries: u64,
-    /// Vertices expanded by a search.
-    pub visited: u64,
-}
-
 /// A planner over a space: a value that is stepped.
 pub trait Planner<S: Space> {
     /// Does one iteration, number `iteration` (from 1): a sample tried, a vertex connected, a vertex expanded, with a bounded
@@ -61,14 +49,16 @@ pub trait Planner<S: Space> {
     /// What the planner is busy with.
     fn phase(&self) -> Phase;
 
-    /// All that has grown so far.
-    fn graph(&self) -> &Graph<S>;
+    /// The graph and the counters so far.
+    fn growth(&self) -> &Growth<S>;
+
+    /// The graph so far.
+    fn graph(&self) -> &Graph<S> {
+        &self.growth().graph
+    }
 
     /// The vertices of the path from start to goal, once solved; empty before.
     fn path(&self) -> Vec<VertexId>;
-
-    /// What was asked so far.
-    fn counters(&self) -> Counters;
 
     /// The vertices of the path from the start to the vertex nearest to the goal, of planners that have one; else empty.
     fn approximate_path(&self) -> Vec<VertexId> {

@@ -1,5 +1,6 @@
 //! A search of a roadmap for a path: which search, what an edge costs, what estimates the rest.
 
+use super::groups::Searching;
 use super::roadmap::state;
 use crate::graph::search::{BestFirst, Bidirectional, BreadthFirst, Expansion, Goals, View, Walker};
 use crate::graph::{Adjacency, Graph, VertexId};
@@ -45,23 +46,6 @@ crate::choice! {
     }
 }
 
-/// How a roadmap is searched. Where edges cost 1, estimates are divided by the longest edge, so that they stay admissible.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct SearchRules {
-    /// Which search.
-    pub algorithm: Algorithm,
-    /// What an edge costs; breadth-first searches always count hops.
-    pub cost: Cost,
-    /// What estimates the rest, in A*.
-    pub heuristic: Heuristic,
-}
-
-impl Default for SearchRules {
-    fn default() -> Self {
-        Self { algorithm: Algorithm::AStar, cost: Cost::Metric, heuristic: Heuristic::Metric }
-    }
-}
-
 /// Less than 1 by more than the rounding of an estimate, so that no estimate exceeds a true cost.
 const BELOW: f64 = 1.0 - 1e-12;
 
@@ -69,7 +53,7 @@ const BELOW: f64 = 1.0 - 1e-12;
 pub(super) struct Query {
     adjacency: Adjacency,
     walker: Box<dyn Walker>,
-    rules: SearchRules,
+    rules: Searching,
     goals: Goals,
     /// What estimates are multiplied with.
     scale: f64,
@@ -86,10 +70,10 @@ impl Query {
         more: &[S::State],
         start: VertexId,
         goals: Goals,
-        rules: SearchRules,
+        rules: Searching,
     ) -> Self {
         let vertices = graph.states().len() + more.len();
-        let walker: Box<dyn Walker> = match rules.algorithm {
+        let walker: Box<dyn Walker> = match rules.search {
             Algorithm::AStar | Algorithm::Dijkstra => Box::new(BestFirst::new(vertices, start, goals.clone())),
             Algorithm::BreadthFirst => Box::new(BreadthFirst::new(vertices, start, goals.clone())),
             Algorithm::Bidirectional => Box::new(Bidirectional::new(vertices, start, goals.clone())),
@@ -118,7 +102,7 @@ impl Query {
             (goals.start.0..goals.end.0).map(|goal| estimate(VertexId(goal))).fold(f64::INFINITY, f64::min)
         };
         let cost = |a, b| if rules.cost == Cost::Metric { distance(a, b) } else { 1.0 };
-        let heuristic = |vertex| match (rules.algorithm, rules.heuristic, problem.end_effector()) {
+        let heuristic = |vertex| match (rules.search, rules.heuristic, problem.end_effector()) {
             (Algorithm::AStar, Heuristic::Metric | Heuristic::MetricAsHops, _) => {
                 scale * least(&|goal| distance(vertex, goal))
             }

@@ -1,11 +1,9 @@
 //! The planners that exist: one line each. Their files declare everything else.
 
 use super::Planner;
-use super::groups::Limits;
-use super::info::{Edges, Grows, Method, PlannerInfo};
-use super::query::SearchRules;
+use super::info::{Grows, Method, PlannerInfo};
 use crate::error::{Code, Error, quoted};
-use crate::options::{Options, Value};
+use crate::options::{Field, Options, Value};
 use crate::problem::Problem;
 use crate::space::Space;
 
@@ -53,7 +51,7 @@ macro_rules! registry {
 
             /// Whether its edges are drives by controls.
             pub fn is_driven(self) -> bool {
-                match self { $(PlannerId::$Variant => <$Options>::IS_DRIVEN,)* }
+                match self { $(PlannerId::$Variant => <$Options>::is_driven(),)* }
             }
 
             /// Whether every motion must be possible in both directions.
@@ -87,19 +85,9 @@ macro_rules! registry {
         }
 
         impl PlannerOptions {
-            /// What its edges are.
-            pub fn edges(&self) -> Edges<'_> {
-                match self { $(PlannerOptions::$Variant(options) => options.edges(),)* }
-            }
-
-            /// The limits of a run.
-            pub fn limits(&self) -> Limits {
-                match self { $(PlannerOptions::$Variant(options) => options.limits(),)* }
-            }
-
-            /// How its roadmap is searched, of planners that grow one.
-            pub fn search(&self) -> Option<SearchRules> {
-                match self { $(PlannerOptions::$Variant(options) => options.search(),)* }
+            /// The group of options of this type, if the planner has it.
+            pub fn group<G: 'static>(&self) -> Option<&G> {
+                match self { $(PlannerOptions::$Variant(options) => options.group(),)* }
             }
 
             /// The planner at its beginning.

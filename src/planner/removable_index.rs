@@ -15,11 +15,13 @@ pub(super) struct RemovableIndex<S: Space> {
     len: usize,
 }
 
-impl<S: Space> RemovableIndex<S> {
-    pub fn new() -> Self {
-        Self { index: Index::new(), members: Vec::new(), is_in: Vec::new(), len: 0 }
+impl<S: Space> Default for RemovableIndex<S> {
+    fn default() -> Self {
+        Self { index: Index::default(), members: Vec::new(), is_in: Vec::new(), len: 0 }
     }
+}
 
+impl<S: Space> RemovableIndex<S> {
     /// Adds a vertex that has not been in.
     pub fn insert(&mut self, space: &S, graph: &Graph<S>, vertex: VertexId) {
         self.index.insert(space, vertex, *graph.state(vertex));
@@ -35,7 +37,7 @@ impl<S: Space> RemovableIndex<S> {
         self.len -= 1;
         if 2 * self.len < self.members.len() {
             self.members.retain(|vertex| self.is_in[vertex.index()]);
-            self.index = Index::new();
+            self.index = Index::default();
             for &vertex in &self.members {
                 self.index.insert(space, vertex, *graph.state(vertex));
             }

@@ -1,10 +1,11 @@
 //! What all roadmap planners share: vertices with their neighbours, edges that are proven before they are added, and
 //! questions asked again and again. In a space that is not symmetric an edge leads from its first vertex to its second only.
 
+use super::groups::Searching;
 use super::growth::Growth;
 use super::info::{Mark, PseudocodeLine, line};
-use super::query::{Query, SearchRules};
-use super::{Counters, Phase, Planner, Status};
+use super::query::Query;
+use super::{Phase, Planner, Status};
 use crate::graph::search::{Expansion, Goals};
 use crate::graph::{EventKind, Graph, VertexId};
 use crate::nearest::{Direction, Index, Nearest, Neighbour};
@@ -33,14 +34,14 @@ pub struct Roadmap<S: Space> {
     goals: u32,
     nearest: Index<S>,
     connection: Connection,
-    rules: SearchRules,
+    rules: Searching,
 }
 
 impl<S: Space> Roadmap<S> {
     /// A roadmap of the start and the goals alone.
-    pub fn new(problem: &Problem<S>, connection: Connection, rules: SearchRules) -> Self {
+    pub fn new(problem: &Problem<S>, connection: Connection, rules: Searching) -> Self {
         let goals = problem.goals().len() as u32;
-        let mut roadmap = Self { growth: Growth::default(), goals, nearest: Index::new(), connection, rules };
+        let mut roadmap = Self { growth: Growth::default(), goals, nearest: Index::default(), connection, rules };
         for state in std::iter::once(problem.start()).chain(problem.goals()) {
             roadmap.add_vertex(problem.space(), 0, *state);
         }
@@ -232,16 +233,12 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
         }
     }
 
-    fn graph(&self) -> &Graph<S> {
-        self.roadmap.graph()
+    fn growth(&self) -> &Growth<S> {
+        &self.roadmap.growth
     }
 
     fn path(&self) -> Vec<VertexId> {
         if let Some(RoadmapSearch::Done(path)) = &self.search { path.clone() } else { Vec::new() }
-    }
-
-    fn counters(&self) -> Counters {
-        self.roadmap.growth.counters
     }
 
     fn coverage(&self) -> Option<f64> {

@@ -4,16 +4,14 @@
 //! kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 5.5. The goal is vertex 1 from the beginning, but in
 //! the tree only once it is reached; where there are several they are the vertices from 1 on, and it reaches for each in turn.
 
-use super::groups::{Joined, Limits, Reaching, Sampling, step_in};
+use super::groups::{Aim, Joined, Reaching, Sampling, step_in};
 use super::growth::Growth;
-use super::info::{END_NEAR, Edges, Grows, IMPROVE, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
-use super::{Counters, Phase, Planner, Status};
+use super::info::{END_NEAR, Grows, IMPROVE, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
+use super::{Phase, Planner, Status};
 use crate::error::Error;
-use crate::graph::{EventKind, Graph, Tree, VertexId};
+use crate::graph::{EventKind, Tree, VertexId};
 use crate::nearest::{Index, Nearest};
 use crate::problem::Problem;
-use crate::random::{Random, Stream};
-use crate::sampling::Sampler;
 use crate::space::Space;
 
 /// The first goal.
@@ -86,16 +84,25 @@ impl Method for RrtOptions {
         END_NEAR,
     ];
 
-    fn edges(&self) -> Edges<'_> {
-        Edges::Joined(&self.joined)
-    }
-
-    fn limits(&self) -> Limits {
-        self.joined.limits
-    }
-
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
-        Ok(Box::new(Rrt::new(problem, self, seed)?))
+        let space = problem.space();
+        let (mut growth, mut tree, mut nearest) = (Growth::default(), Tree::default(), Index::default());
+        let start = growth.graph.add_vertex(0, *problem.start());
+        for goal in problem.goals() {
+            growth.graph.add_vertex(0, *goal);
+        }
+        tree.add_root(start);
+        nearest.insert(space, start, *problem.start());
+        Ok(Box::new(Rrt {
+            step: step_in(self.step, space.extent())?,
+            extend: self.extend,
+            aim: Aim::new(self.reaching, &self.sampling, space, seed),
+            growth,
+            tree,
+            nearest,
+            closest: (start, problem.distance_to_goal(problem.start())),
+            arrived: None,
+        }))
     }
 }
 
@@ -103,55 +110,17 @@ impl Method for RrtOptions {
 struct Rrt<S: Space> {
     step: f64,
     extend: Extend,
-    reaching: Reaching,
-    sampler: Box<dyn Sampler<S>>,
-    /// Decides when it reaches for the goal.
-    random: Random,
+    aim: Aim<S>,
     growth: Growth<S>,
     tree: Tree,
     nearest: Index<S>,
     /// The vertex of the tree nearest to a goal, and how far it is.
     closest: (VertexId, f64),
-    /// How often it has reached for a goal.
-    reaches: usize,
     /// The goal that was reached.
     arrived: Option<VertexId>,
 }
 
 impl<S: Space> Rrt<S> {
-    fn new(problem: &Problem<S>, options: &RrtOptions, seed: u64) -> Result<Self, Error> {
-        let space = problem.space();
-        let (mut growth, mut tree, mut nearest) = (Growth::default(), Tree::default(), Index::new());
-        let start = growth.graph.add_vertex(0, *problem.start());
-        for goal in problem.goals() {
-            growth.graph.add_vertex(0, *goal);
-        }
-        tree.add_root(start);
-        nearest.insert(space, start, *problem.start());
-        Ok(Self {
-            step: step_in(options.step, space.extent())?,
-            extend: options.extend,
-            reaching: options.reaching,
-            sampler: options.sampling.sampler(space, seed),
-            random: Random::new(seed, Stream::Bias),
-            growth,
-            tree,
-            nearest,
-            closest: (start, problem.distance_to_goal(problem.start())),
-            reaches: 0,
-            arrived: None,
-        })
-    }
-
-    /// Where to grow this time; `None` where the sampler has nothing.
-    fn target(&mut self, problem: &Problem<S>, iteration: u32) -> Option<S::State> {
-        if self.reaching.is_due(iteration, &mut self.random) {
-            self.reaches = self.reaches.wrapping_add(1);
-            return Some(*problem.goal_in_turn(self.reaches - 1));
-        }
-        Some(self.growth.draw(problem, iteration, &mut *self.sampler)?.state)
-    }
-
     /// The state to grow to from `origin` towards `target`, where that motion is proven free.
     fn steer(&mut self, problem: &Problem<S>, origin: &S::State, target: &S::State) -> Result<S::State, S::State> {
         let space = problem.space();
@@ -214,7 +183,7 @@ impl<S: Space> Planner<S> for Rrt<S> {
             return Status::Solved;
         }
         let space = problem.space();
-        let Some(target) = self.target(problem, iteration) else { return Status::Running };
+        let Some(target) = self.aim.next(problem, iteration, &mut self.growth) else { return Status::Running };
         self.growth.counters.nearest_queries += 1;
         let near = self.nearest.nearest(space, &target).expect("a tree has a root").vertex;
         let origin = self.growth.state(near);
@@ -249,8 +218,8 @@ impl<S: Space> Planner<S> for Rrt<S> {
         if self.arrived.is_some() { Phase::Done } else { Phase::Growing }
     }
 
-    fn graph(&self) -> &Graph<S> {
-        &self.growth.graph
+    fn growth(&self) -> &Growth<S> {
+        &self.growth
     }
 
     fn path(&self) -> Vec<VertexId> {
@@ -259,9 +228,5 @@ impl<S: Space> Planner<S> for Rrt<S> {
 
     fn approximate_path(&self) -> Vec<VertexId> {
         self.tree.from_root(self.closest.0)
-    }
-
-    fn counters(&self) -> Counters {
-        self.growth.counters
     }
 }

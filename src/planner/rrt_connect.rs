@@ -6,12 +6,12 @@
 //! "Planning Algorithms", section 5.5.3). Where motions have a direction, the goal's tree grows against it: its motions
 //! lead from new vertices to it. Several goals are roots of one forest.
 
-use super::groups::{Joined, Limits, Sampling, step_in};
+use super::groups::{Joined, Sampling, step_in};
 use super::growth::Growth;
-use super::info::{END, Edges, Grows, IMPROVE, Mark, Method, NONE_FOUND, PseudocodeLine, line};
-use super::{Counters, Phase, Planner, Status};
+use super::info::{END, Grows, IMPROVE, Mark, Method, NONE_FOUND, PseudocodeLine, line};
+use super::{Phase, Planner, Status};
 use crate::error::Error;
-use crate::graph::{EventKind, Graph, Tree, VertexId};
+use crate::graph::{EventKind, Tree, VertexId};
 use crate::nearest::{Direction, Index, Nearest};
 use crate::problem::Problem;
 use crate::sampling::Sampler;
@@ -51,16 +51,20 @@ impl Method for RrtConnectOptions {
         END,
     ];
 
-    fn edges(&self) -> Edges<'_> {
-        Edges::Joined(&self.joined)
-    }
-
-    fn limits(&self) -> Limits {
-        self.joined.limits
-    }
-
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
-        Ok(Box::new(RrtConnect::new(problem, self, seed)?))
+        let mut planner = RrtConnect {
+            step: step_in(self.step, problem.space().extent())?,
+            sampler: self.sampling.sampler(problem.space(), seed),
+            growth: Growth::default(),
+            forest: Tree::default(),
+            trees: [Index::default(), Index::default()],
+            bridge: None,
+        };
+        let roots = std::iter::once((0, problem.start())).chain(problem.goals().map(|goal| (1, goal)));
+        for (tree, root) in roots {
+            planner.add_vertex(problem.space(), tree, 0, None, *root);
+        }
+        Ok(Box::new(planner))
     }
 }
 
@@ -88,22 +92,6 @@ enum Step<S> {
 }
 
 impl<S: Space> RrtConnect<S> {
-    fn new(problem: &Problem<S>, options: &RrtConnectOptions, seed: u64) -> Result<Self, Error> {
-        let mut planner = Self {
-            step: step_in(options.step, problem.space().extent())?,
-            sampler: options.sampling.sampler(problem.space(), seed),
-            growth: Growth::default(),
-            forest: Tree::default(),
-            trees: [Index::new(), Index::new()],
-            bridge: None,
-        };
-        let roots = std::iter::once((0, problem.start())).chain(problem.goals().map(|goal| (1, goal)));
-        for (tree, root) in roots {
-            planner.add_vertex(problem.space(), tree, 0, None, *root);
-        }
-        Ok(planner)
-    }
-
     /// The direction of motions between the states that a tree grows to and its vertices.
     fn way(space: &S, tree: usize) -> Direction {
         if tree == 0 || space.is_symmetric() { Direction::In } else { Direction::Out }
@@ -209,8 +197,8 @@ impl<S: Space> Planner<S> for RrtConnect<S> {
         if self.bridge.is_some() { Phase::Done } else { Phase::Growing }
     }
 
-    fn graph(&self) -> &Graph<S> {
-        &self.growth.graph
+    fn growth(&self) -> &Growth<S> {
+        &self.growth
     }
 
     fn path(&self) -> Vec<VertexId> {
@@ -218,9 +206,5 @@ impl<S: Space> Planner<S> for RrtConnect<S> {
         let mut path = self.forest.from_root(start_side);
         path.extend(self.forest.to_root(goal_side));
         path
-    }
-
-    fn counters(&self) -> Counters {
-        self.growth.counters
     }
 }

@@ -7,16 +7,16 @@
 use super::driven_tree::{
     Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, straight_reach, up_to_goal,
 };
-use super::groups::{Limits, Reaching};
-use super::info::{END_NEAR, Edges, Grows, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
+use super::groups::{Aim, Reaching};
+use super::growth::Growth;
+use super::info::{END_NEAR, Grows, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
 use super::removable_index::RemovableIndex;
-use super::{Counters, Phase, Planner, Status};
+use super::{Phase, Planner, Status};
 use crate::error::Error;
-use crate::graph::{EventKind, Graph, VertexId};
+use crate::graph::{EventKind, VertexId};
 use crate::options::CAR;
 use crate::problem::{Control, Problem};
 use crate::random::{Random, Stream};
-use crate::sampling::Sampler;
 use crate::space::Space;
 
 /// How many of the nearest vertices are asked whether they see the sample.
@@ -92,7 +92,6 @@ impl Method for RrtControlOptions {
     const SUMMARY: &'static str = "Drives a tree from the start: its vertex nearest to a sample tries controls, the best of them becomes an edge.";
     const GUARANTEE: &'static str = "None: a tree that always keeps the best of several controls may get stuck.";
     const GROWS: Grows = Grows::Tree;
-    const IS_DRIVEN: bool = true;
     const ROBOTS: &'static [&'static str] = CAR;
     const PRESETS: &'static [Preset] = &[
         Preset { id: "blossom-1", title: "Blossom of 1", settings: &blossom("1") },
@@ -140,42 +139,36 @@ impl Method for RrtControlOptions {
         END_NEAR,
     ];
 
-    fn edges(&self) -> Edges<'_> {
-        self.driving.edges()
-    }
-
-    fn limits(&self) -> Limits {
-        self.driving.limits
-    }
-
     /// # Panics
     /// Where the problem has no dynamics.
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
-        Ok(Box::new(RrtControl::new(problem, self, seed)?))
+        let (tree, mut open) = (DrivenTree::new(problem), RemovableIndex::default());
+        open.insert(problem.space(), &tree.growth.graph, ROOT);
+        let early = Durations::new(problem, self.duration_steps, self.shortest_steps)?;
+        Ok(Box::new(RrtControl {
+            options: *self,
+            aim: Aim::new(self.reaching, &self.driving.sampling, problem.space(), seed),
+            controls: Random::new(seed, Stream::Controls),
+            early,
+            late: late(self, early)?,
+            tree,
+            open,
+            arrived: None,
+        }))
     }
-}
-
-/// How the tree grows in some of the iterations.
-#[derive(Debug, Clone, Copy)]
-struct Rules {
-    /// How long controls are held.
-    durations: Durations,
-    /// When it reaches for the goal.
-    reaching: Reaching,
 }
 
 /// The planner. An iteration takes one sample, or the goal, and tries one blossom: as many motions as it has controls, and
 /// up to 32 more to see the sample where that is asked for.
 struct RrtControl<S: Space> {
     options: RrtControlOptions,
-    sampler: Box<dyn Sampler<S>>,
-    /// Decides when it reaches for the goal.
-    bias: Random,
+    aim: Aim<S>,
     /// Draws controls and durations.
     controls: Random,
-    early: Rules,
-    /// From this iteration on, where something is different then.
-    late: Option<(u32, Rules)>,
+    /// How long controls are held.
+    early: Durations,
+    /// From this iteration on, if something is different then: how long controls are held, and when the goal is due.
+    late: Option<(u32, Durations, Reaching)>,
     tree: DrivenTree<S>,
     /// The vertices that may be grown from.
     open: RemovableIndex<S>,
@@ -184,45 +177,10 @@ struct RrtControl<S: Space> {
 }
 
 impl<S: Space> RrtControl<S> {
-    fn new(problem: &Problem<S>, options: &RrtControlOptions, seed: u64) -> Result<Self, Error> {
-        let (tree, mut open) = (DrivenTree::new(problem), RemovableIndex::new());
-        open.insert(problem.space(), &tree.growth.graph, ROOT);
-        let durations = Durations::new(problem, options.duration_steps, options.shortest_steps)?;
-        let early = Rules { durations, reaching: options.reaching };
-        let [bias, controls] = [Stream::Bias, Stream::Controls].map(|stream| Random::new(seed, stream));
-        Ok(Self {
-            options: *options,
-            sampler: options.driving.sampling.sampler(problem.space(), seed),
-            bias,
-            controls,
-            early,
-            late: late(options, early)?,
-            tree,
-            open,
-            arrived: None,
-        })
-    }
-
     fn arrive(&mut self, iteration: u32, vertex: VertexId, state: S::State) -> Status {
         self.tree.growth.add_event(EventKind::SolutionFound, iteration, Some(vertex), None, state);
         self.arrived = Some(vertex);
         Status::Solved
-    }
-
-    /// How the tree grows in this iteration.
-    fn rules(&self, iteration: u32) -> Rules {
-        match self.late {
-            Some((from, late)) if iteration >= from => late,
-            _ => self.early,
-        }
-    }
-
-    /// Where to grow this time; `None` where the sampler has nothing.
-    fn target(&mut self, problem: &Problem<S>, iteration: u32) -> Option<S::State> {
-        if self.rules(iteration).reaching.is_due(iteration, &mut self.bias) {
-            return Some(*problem.goal());
-        }
-        Some(self.tree.growth.draw(problem, iteration, &mut *self.sampler)?.state)
     }
 
     /// The vertex to grow from; `None` where none sees the target.
@@ -242,7 +200,7 @@ impl<S: Space> RrtControl<S> {
 
     /// How long controls are held from here.
     fn durations(&self, problem: &Problem<S>, from: &S::State, iteration: u32) -> Durations {
-        let Rules { durations, .. } = self.rules(iteration);
+        let durations = self.late.filter(|late| iteration >= late.0).map_or(self.early, |late| late.1);
         let Some(least) = self.options.near_goal_steps else { return durations };
         let reach = straight_reach(problem, f64::from(durations.longest) * dynamics(problem).step());
         let part = problem.space().distance(from, problem.goal()) / reach;
@@ -292,20 +250,18 @@ impl<S: Space> RrtControl<S> {
     }
 }
 
-/// What is different in the last quarter of the iterations, if anything is, and from which on.
-fn late(options: &RrtControlOptions, early: Rules) -> Result<Option<(u32, Rules)>, Error> {
-    let RrtControlOptions { late_duration_steps: longest, late_goal_every: every, .. } = *options;
+/// What is different in the last quarter of the iterations, if anything is, and from which iteration on.
+fn late(options: &RrtControlOptions, early: Durations) -> Result<Option<(u32, Durations, Reaching)>, Error> {
+    let RrtControlOptions { late_duration_steps: longest, late_goal_every: every, reaching, .. } = *options;
     if longest.is_none() && every.is_none() {
         return Ok(None);
     }
-    let longest = longest.unwrap_or(early.durations.longest);
-    let durations = Durations { shortest: early.durations.shortest.min(longest), longest };
+    let longest = longest.unwrap_or(early.longest);
+    let durations =
+        Durations { shortest: early.shortest.min(longest), longest }.with_shortest(options.shortest_steps)?;
+    let reaching = Reaching { goal_every: every.or(reaching.goal_every), ..reaching };
     let most = options.driving.limits.max_iterations;
-    let rules = Rules {
-        durations: durations.with_shortest(options.shortest_steps)?,
-        reaching: Reaching { goal_every: every.or(early.reaching.goal_every), ..early.reaching },
-    };
-    Ok(Some((most - most / 4 + 1, rules)))
+    Ok(Some((most - most / 4 + 1, durations, reaching)))
 }
 
 /// Which is the closest, the first of them.
@@ -324,7 +280,12 @@ impl<S: Space> Planner<S> for RrtControl<S> {
         if self.open.is_empty() {
             return Status::Exhausted;
         }
-        let Some(target) = self.target(problem, iteration) else { return Status::Running };
+        if let Some((from, _, reaching)) = self.late
+            && iteration == from
+        {
+            self.aim.reaching = reaching;
+        }
+        let Some(target) = self.aim.next(problem, iteration, &mut self.tree.growth) else { return Status::Running };
         let Some(origin) = self.origin(problem, &target) else {
             self.tree.growth.reject(EventKind::SampleDiscarded, iteration, target);
             return Status::Running;
@@ -352,8 +313,8 @@ impl<S: Space> Planner<S> for RrtControl<S> {
         if self.arrived.is_some() { Phase::Done } else { Phase::Growing }
     }
 
-    fn graph(&self) -> &Graph<S> {
-        &self.tree.growth.graph
+    fn growth(&self) -> &Growth<S> {
+        &self.tree.growth
     }
 
     fn path(&self) -> Vec<VertexId> {
@@ -362,9 +323,5 @@ impl<S: Space> Planner<S> for RrtControl<S> {
 
     fn approximate_path(&self) -> Vec<VertexId> {
         self.tree.tree.from_root(self.tree.closest(|_| true))
-    }
-
-    fn counters(&self) -> Counters {
-        self.tree.growth.counters
     }
 }

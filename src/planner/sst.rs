@@ -6,17 +6,17 @@
 //! way in the metric of the space, along its arcs.
 
 use super::driven_tree::{Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, up_to_goal};
-use super::groups::{Limits, Reaching};
-use super::info::{END_NEAR, Edges, Grows, Mark, Method, NONE_FOUND, PseudocodeLine, line};
+use super::groups::{Aim, Reaching};
+use super::growth::Growth;
+use super::info::{END_NEAR, Grows, Mark, Method, NONE_FOUND, PseudocodeLine, line};
 use super::removable_index::RemovableIndex;
-use super::{Counters, Phase, Planner, Status};
+use super::{Phase, Planner, Status};
 use crate::error::Error;
-use crate::graph::{EventKind, Graph, VertexId};
+use crate::graph::{EventKind, VertexId};
 use crate::nearest::{Index, Nearest, Neighbour};
 use crate::options::CAR;
 use crate::problem::{Motion, Problem};
 use crate::random::{Random, Stream};
-use crate::sampling::Sampler;
 use crate::space::Space;
 
 /// Of the space's extent, the selection radius where none is given.
@@ -56,7 +56,6 @@ impl Method for SstOptions {
     const GUARANTEE: &'static str =
         "Asymptotically near-optimal where random controls have room: as near the shortest as its radii allow.";
     const GROWS: Grows = Grows::Tree;
-    const IS_DRIVEN: bool = true;
     const ROBOTS: &'static [&'static str] = CAR;
     const PSEUDOCODE: &'static [PseudocodeLine] = &[
         line(0, "T ← {start}; repeat:", &[]),
@@ -73,18 +72,31 @@ impl Method for SstOptions {
         END_NEAR,
     ];
 
-    fn edges(&self) -> Edges<'_> {
-        self.driving.edges()
-    }
-
-    fn limits(&self) -> Limits {
-        self.driving.limits
-    }
-
     /// # Panics
     /// Where the problem has no dynamics.
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
-        Ok(Box::new(Sst::new(problem, self, seed)?))
+        let space = problem.space();
+        let mut sst = Sst {
+            options: *self,
+            selection_radius: self.selection_radius.unwrap_or(DEFAULT_SELECTION * space.extent()),
+            pruning_radius: self.pruning_radius.unwrap_or(DEFAULT_PRUNING * space.extent()),
+            durations: Durations::new(problem, self.duration_steps, Some(self.shortest_steps))?,
+            aim: Aim::new(self.reaching, &self.driving.sampling, space, seed),
+            controls: Random::new(seed, Stream::Controls),
+            tree: DrivenTree::new(problem),
+            costs: vec![0.0],
+            children: vec![0],
+            is_removed: vec![false],
+            active: RemovableIndex::default(),
+            witnesses: Index::default(),
+            representatives: vec![ROOT],
+            best: None,
+            is_done: false,
+            found: Vec::new(),
+        };
+        sst.active.insert(space, &sst.tree.growth.graph, ROOT);
+        sst.witnesses.insert(space, VertexId(0), *problem.start());
+        Ok(Box::new(sst))
     }
 }
 
@@ -104,9 +116,7 @@ struct Sst<S: Space> {
     /// No two witnesses are nearer to each other.
     pruning_radius: f64,
     durations: Durations,
-    sampler: Box<dyn Sampler<S>>,
-    /// Decides when it reaches for the goal.
-    bias: Random,
+    aim: Aim<S>,
     /// Draws controls and durations.
     controls: Random,
     tree: DrivenTree<S>,
@@ -127,43 +137,8 @@ struct Sst<S: Space> {
 }
 
 impl<S: Space> Sst<S> {
-    fn new(problem: &Problem<S>, options: &SstOptions, seed: u64) -> Result<Self, Error> {
-        let space = problem.space();
-        let [bias, controls] = [Stream::Bias, Stream::Controls].map(|stream| Random::new(seed, stream));
-        let mut sst = Self {
-            options: *options,
-            selection_radius: options.selection_radius.unwrap_or(DEFAULT_SELECTION * space.extent()),
-            pruning_radius: options.pruning_radius.unwrap_or(DEFAULT_PRUNING * space.extent()),
-            durations: Durations::new(problem, options.duration_steps, Some(options.shortest_steps))?,
-            sampler: options.driving.sampling.sampler(space, seed),
-            bias,
-            controls,
-            tree: DrivenTree::new(problem),
-            costs: vec![0.0],
-            children: vec![0],
-            is_removed: vec![false],
-            active: RemovableIndex::new(),
-            witnesses: Index::new(),
-            representatives: vec![ROOT],
-            best: None,
-            is_done: false,
-            found: Vec::new(),
-        };
-        sst.active.insert(space, &sst.tree.growth.graph, ROOT);
-        sst.witnesses.insert(space, VertexId(0), *problem.start());
-        Ok(sst)
-    }
-
     fn cost(&self, vertex: VertexId) -> f64 {
         self.costs[vertex.index()]
-    }
-
-    /// Where to grow this time; `None` where the sampler has nothing.
-    fn target(&mut self, problem: &Problem<S>, iteration: u32) -> Option<S::State> {
-        if self.options.reaching.is_due(iteration, &mut self.bias) {
-            return Some(*problem.goal());
-        }
-        Some(self.tree.growth.draw(problem, iteration, &mut *self.sampler)?.state)
     }
 
     /// The vertex to grow from: the cheapest that is near, ties by number.
@@ -286,7 +261,7 @@ impl<S: Space> Planner<S> for Sst<S> {
             self.arrive(iteration, ROOT, *problem.start());
             self.is_done = true;
         } else if !self.is_done
-            && let Some(target) = self.target(problem, iteration)
+            && let Some(target) = self.aim.next(problem, iteration, &mut self.tree.growth)
         {
             let origin = self.origin(problem, &target);
             self.try_drive(problem, iteration, origin);
@@ -303,8 +278,8 @@ impl<S: Space> Planner<S> for Sst<S> {
         }
     }
 
-    fn graph(&self) -> &Graph<S> {
-        &self.tree.growth.graph
+    fn growth(&self) -> &Growth<S> {
+        &self.tree.growth
     }
 
     fn path(&self) -> Vec<VertexId> {
@@ -313,9 +288,5 @@ impl<S: Space> Planner<S> for Sst<S> {
 
     fn approximate_path(&self) -> Vec<VertexId> {
         self.tree.tree.from_root(self.tree.closest(|vertex| !self.is_removed[vertex.index()]))
-    }
-
-    fn counters(&self) -> Counters {
-        self.tree.growth.counters
     }
 }

@@ -5,9 +5,8 @@
 //! m samples in a row that made no guard the free space is covered but for an estimated share of 1/m. What sees must be seen: the
 //! space has to be symmetric.
 
-use super::groups::{Joined, Limits, Sampling, Searching};
-use super::info::{END, Edges, Grows, IMPROVE, Mark, Method, PseudocodeLine, line};
-use super::query::SearchRules;
+use super::groups::{Joined, Sampling, Searching};
+use super::info::{END, Grows, IMPROVE, Mark, Method, PseudocodeLine, line};
 use super::roadmap::{Build, Connection, EXPAND, Roadmap, RoadmapPlanner, SEARCH, START};
 use super::{Phase, Planner};
 use crate::error::Error;
@@ -56,24 +55,12 @@ impl Method for VisibilityPrmOptions {
         END,
     ];
 
-    fn edges(&self) -> Edges<'_> {
-        Edges::Joined(&self.joined)
-    }
-
-    fn limits(&self) -> Limits {
-        self.joined.limits
-    }
-
-    fn search(&self) -> Option<SearchRules> {
-        Some(self.searching.rules())
-    }
-
     /// # Panics
     /// Where the space is not symmetric.
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         assert!(problem.space().is_symmetric(), "guards see only where motions can be made back");
         let connection = Connection { k: MOST_GUARDS, radius: f64::INFINITY };
-        let mut roadmap = Roadmap::new(problem, connection, self.searching.rules());
+        let mut roadmap = Roadmap::new(problem, connection, self.searching);
         let mut guarding = Guarding {
             sampler: self.sampling.sampler(problem.space(), seed),
             guards: Vec::new(),

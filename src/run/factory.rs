@@ -8,7 +8,10 @@ use crate::collision::{Integration, Sampled};
 use crate::error::{Code, Error, Number};
 use crate::path::Wanted;
 use crate::planner;
-use crate::planner::{Connection, EdgeCheck, Edges, Improving, Joined, Planner, PlannerId, PlannerOptions};
+use crate::planner::{
+    ByControls, Connection, EdgeCheck, Improving, IntegrationKind, Joined, Limits, Planner, PlannerId, PlannerOptions,
+    Searching,
+};
 use crate::problem::{Estimate, GoalRegion, Problem, Validity};
 use crate::robot::{Arm, Car, Weights};
 use crate::run::storage::{RoadmapDocument, RoadmapMetric, fingerprint};
@@ -77,19 +80,17 @@ pub(super) fn launch(
             format!("{} needs a goal_tolerance in the query", planner.as_str()),
         ));
     }
-    let (joined, is_euler) = match settings.edges() {
-        Edges::Joined(joined) => (Some(*joined), false),
-        Edges::Driven { is_euler } => (None, is_euler),
-    };
+    let joined = settings.group::<Joined>().copied();
+    let limits = settings.group::<Limits>().copied().unwrap_or_default();
     let info = RunInfo {
         scenario: scenario.name().to_owned(),
         query: query.name.clone(),
         planner: planner.as_str(),
         seed: options.seed,
-        max_iterations: settings.limits().max_iterations,
+        max_iterations: limits.max_iterations,
         wanted: joined.map(|joined| wanted(&joined.improving)).unwrap_or_default(),
         is_sampled: joined.is_some_and(|joined| joined.edge_check == EdgeCheck::Sampled),
-        is_euler,
+        is_euler: settings.group::<ByControls>().is_some_and(|by| by.integration == IntegrationKind::Euler),
     };
     if !matches!(scenario.robot(), Robot::Car(_))
         && let Some(steering) = joined.and_then(|joined| joined.steering)
@@ -103,6 +104,7 @@ pub(super) fn launch(
         planner,
         metric: joined.and_then(|joined| joined.measuring.metric),
         joined,
+        tolerance: limits.tolerance,
         settings,
         info,
         kept,
@@ -128,6 +130,7 @@ struct Launch<'a> {
     settings: PlannerOptions,
     /// The options of its edges, where they are not driven.
     joined: Option<Joined>,
+    tolerance: f64,
     /// The metric that was asked for.
     metric: Option<MetricKind>,
     info: RunInfo,
@@ -150,7 +153,7 @@ impl Launch<'_> {
         };
         let start = space.state(self.start);
         let goals: Vec<_> = self.goals.iter().map(|q| space.state(q)).collect();
-        let checker = || self.world.checker(&space, self.settings.limits().tolerance);
+        let checker = || self.world.checker(&space, self.tolerance);
         let fitted = goals.iter().fold(checker(), |checker, goal| checker.fitted(&start, goal));
         let integration = if self.info.is_euler { Integration::Euler } else { Integration::Exact };
         let (validity, dynamics) = fitted.with_dynamics(robot, integration);
@@ -178,11 +181,11 @@ impl Launch<'_> {
         }
 
         let seed = self.info.seed;
-        let planner = match self.kept.zip(self.settings.search()) {
-            Some((document, rules)) => {
+        let planner = match self.kept.zip(self.settings.group::<Searching>()) {
+            Some((document, searching)) => {
                 let states = resume::prove(&space, &*checked(checker().finest().validity()), document)?;
                 let connection = Connection { k: document.k as usize, radius: document.radius };
-                planner::resume(&problem, connection, rules, &states, &document.edges)
+                planner::resume(&problem, connection, *searching, &states, &document.edges)
             }
             None => self.settings.begin(&problem, seed)?,
         };
@@ -215,7 +218,7 @@ impl Launch<'_> {
             k: connection.k as u32,
             radius: connection.radius,
             edge_samples,
-            tolerance: self.settings.limits().tolerance,
+            tolerance: self.tolerance,
             vertices: Vec::new(),
             edges: Vec::new(),
         }

@@ -19,8 +19,7 @@
 //!
 //! # Files
 //! - `factory.rs`: from scenario and options to a run ([`start`]); `goals.rs`: the goals of a query with a target;
-//! - `runner.rs`: the one implementation of [`Run`]; `emitted.rs`: paths and edges as they are reported; `history.rs`: a row an
-//!   iteration;
+//! - `runner.rs`: the one implementation of [`Run`]; `emitted.rs`: paths and edges as they are reported;
 //! - `resume.rs`: a run on a roadmap that was kept; `questions.rs`: configurations that callers ask about.
 //!
 //! Inside, planners are generic over the space and compiled for each; outside, a `Box<dyn Run>` costs one virtual call a
@@ -31,7 +30,6 @@ pub mod catalogue;
 mod emitted;
 mod factory;
 mod goals;
-mod history;
 pub mod inspect;
 pub mod neighbours;
 mod options;
@@ -41,7 +39,6 @@ mod runner;
 pub mod storage;
 
 pub use factory::{start, start_on};
-pub use history::HISTORY_WIDTH;
 pub use options::Options;
 pub use resume::resume;
 
@@ -55,6 +52,10 @@ use crate::run::storage::RoadmapDocument;
 
 /// Columns of an event row before its configuration: kind, iteration, vertex, other vertex.
 pub const EVENT_HEAD: usize = 4;
+
+/// Numbers of a row of [`Run::take_history`]: vertices, edges, events, phase (its number in [`Phase::ALL`]), configuration
+/// checks, motion checks, clearance evaluations, and the length of the best path so far.
+pub const HISTORY_WIDTH: usize = 8;
 
 /// A planning run: a value that is stepped and looked at. Rows are numbered from 0 in the order of creation.
 pub trait Run {

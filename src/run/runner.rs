@@ -1,8 +1,7 @@
 //! A planner at work on a problem, its path improved afterwards where that is asked for.
 
 use super::emitted::{self, EmittedPath};
-use super::history::History;
-use super::{EVENT_HEAD, Run, questions};
+use super::{EVENT_HEAD, HISTORY_WIDTH, Run, questions};
 use crate::error::{Code, Error};
 use crate::path::{self, Approximate, Improvement, ResultDocument, Wanted};
 use crate::planner::{Phase, Planner, Status};
@@ -39,8 +38,8 @@ pub(super) struct Runner<S: Space> {
     status: Status,
     /// The path being improved, once the planner has solved the problem.
     improvement: Option<Improvement<S>>,
-    /// A row for every iteration, where that was asked for.
-    history: Option<History>,
+    /// The rows of recorded iterations that were not taken yet; `None` if iterations are not recorded.
+    history: Option<Vec<f64>>,
     /// Clearances evaluated and motions left unproven for viewers, not for the run.
     viewer_work: [u64; 2],
 }
@@ -52,18 +51,8 @@ impl<S: Space> Runner<S> {
         info: RunInfo,
         kept: Option<RoadmapDocument>,
     ) -> Self {
-        let status = Status::Running;
-        Self {
-            problem,
-            planner,
-            info,
-            kept,
-            iteration: 0,
-            status,
-            improvement: None,
-            history: None,
-            viewer_work: [0; 2],
-        }
+        let (iteration, status, improvement, history, viewer_work) = (0, Status::Running, None, None, [0; 2]);
+        Self { problem, planner, info, kept, iteration, status, improvement, history, viewer_work }
     }
 
     /// One iteration: of the planner, or an attempt at improving its path.
@@ -106,13 +95,19 @@ impl<S: Space> Runner<S> {
         if path.states.is_empty() { f64::INFINITY } else { path.length(&self.problem) }
     }
 
-    /// Notes how things stand, where that is wanted.
-    fn note(&mut self) {
-        let cost = self.cost();
-        let (stats, events, phase) = (self.stats(), self.event_count(), self.phase());
-        if let Some(history) = &mut self.history {
-            history.add(&stats, events, phase, cost);
-        }
+    /// A row of the history: the present state of the run.
+    fn history_row(&self) -> [f64; HISTORY_WIDTH] {
+        let stats = self.stats();
+        [
+            stats.vertices as f64,
+            stats.edges as f64,
+            self.event_count() as f64,
+            f64::from(self.phase() as u8),
+            stats.configuration_checks as f64,
+            stats.motion_checks as f64,
+            stats.clearance_evaluations as f64,
+            self.cost(),
+        ]
     }
 
     /// The states of the planner's path, as it found it; none until then.
@@ -180,7 +175,8 @@ impl<S: Space> Run for Runner<S> {
         while left > 0 && self.status == Status::Running {
             self.iterate();
             if self.history.is_some() {
-                self.note();
+                let row = self.history_row();
+                self.history.get_or_insert_default().extend(row);
             }
             left -= 1;
         }
@@ -219,7 +215,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn take_history(&mut self) -> Vec<f64> {
-        self.history.as_mut().map(History::take).unwrap_or_default()
+        self.history.as_mut().map(std::mem::take).unwrap_or_default()
     }
 
     fn iterations(&self) -> u64 {
@@ -318,7 +314,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn stats(&self) -> Stats {
-        let counters = self.planner.counters();
+        let counters = self.planner.growth().counters;
         let improvement_checks = self.improvement.as_ref().map_or(0, Improvement::motion_checks);
         Stats {
             iterations: self.iterations(),

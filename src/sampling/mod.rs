@@ -1,23 +1,14 @@
-//! Where the next sample of the configuration space is taken: any planner works with any sampler. One file a sampler.
+//! Samplers of the configuration space: any planner works with any of them.
 //!
-//! Some samplers make collision checks of their own: they return what they learned about the sample.
+//! Some samplers check for collisions: they return what they learned about the sample.
 
-mod bridge;
-mod gaussian;
-mod goal_biased;
-mod halton;
-mod lattice;
-mod obstacle_based;
-mod shifted;
-mod uniform;
+mod obstacles;
+mod random;
+mod sequences;
 
-pub use bridge::BridgeTest;
-pub use gaussian::Gaussian;
-pub use goal_biased::GoalBiased;
-pub use halton::{Halton, radical_inverse};
-pub use lattice::Lattice;
-pub use obstacle_based::ObstacleBased;
-pub use uniform::Uniform;
+pub use obstacles::{BridgeTest, Gaussian, ObstacleBased};
+pub use random::{GoalBiased, Uniform};
+pub use sequences::{Halton, Lattice, radical_inverse};
 
 use crate::problem::Problem;
 use crate::random::Random;
@@ -37,9 +28,9 @@ pub enum Known {
 /// A sample of the space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample<S> {
-    /// Where.
+    /// The state.
     pub state: S,
-    /// What the sampler found out about it.
+    /// What the sampler learned about it.
     pub known: Known,
 }
 

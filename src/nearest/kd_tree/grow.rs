@@ -2,7 +2,6 @@
 
 use super::{Branch, KdTree, LANES, LEAF, LEAF_PACKS, Leaf, MAX_DEPTH, Node, Sides, lane};
 use crate::graph::VertexId;
-use crate::space::Space;
 
 /// States taken out of the tree, to be put back in another shape.
 struct Entries {
@@ -23,7 +22,7 @@ impl Entries {
     }
 }
 
-impl<S: Space> KdTree<S> {
+impl KdTree {
     /// Sets up the empty tree for the given weights, one per coordinate.
     pub(super) fn start(&mut self, weights: Vec<f64>) {
         self.packs.dimension = weights.len();

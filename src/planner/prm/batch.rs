@@ -3,7 +3,7 @@
 use super::connect::Connect;
 use crate::graph::VertexId;
 use crate::planner::Phase;
-use crate::planner::roadmap::{Build, Roadmap, START};
+use crate::planner::roadmap::{Build, Roadmap, RoadmapPlanner, START};
 use crate::problem::Problem;
 use crate::sampling::Sampler;
 use crate::space::Space;
@@ -11,6 +11,7 @@ use crate::space::Space;
 /// Draws samples until the roadmap has enough vertices, then joins one vertex after another to its neighbours. An iteration
 /// tries one sample or joins one vertex.
 pub(super) struct Batch<S: Space> {
+    /// How many vertices the roadmap gets, start and goals included.
     vertices: usize,
     sampler: Box<dyn Sampler<S>>,
     /// The next vertex to join, once all samples are there.
@@ -19,9 +20,16 @@ pub(super) struct Batch<S: Space> {
 }
 
 impl<S: Space> Batch<S> {
-    /// A builder of a roadmap of so many vertices, its start and goals included.
-    pub fn new(vertices: usize, sampler: Box<dyn Sampler<S>>) -> Self {
-        Self { vertices, sampler, next: START, connect: Connect::default() }
+    /// A planner at its beginning.
+    pub fn planner(
+        problem: &Problem<S>,
+        roadmap: Roadmap<S>,
+        samples: usize,
+        sampler: Box<dyn Sampler<S>>,
+    ) -> RoadmapPlanner<S, Self> {
+        let vertices = samples + roadmap.len();
+        let builder = Self { vertices, sampler, next: START, connect: Connect::default() };
+        RoadmapPlanner::new(problem, roadmap, builder, false)
     }
 }
 

@@ -17,10 +17,9 @@ pub use resume::resume;
 pub use star::{NeighbourRule, PrmStarOptions, logarithmic_k, prm_star_k};
 
 use super::Planner;
-use super::groups::{Joined, Limits, Sampling, Searching};
-use super::info::{END, Edges, Grows, IMPROVE, Mark, Method, Preset, PseudocodeLine, line};
-use super::query::SearchRules;
-use super::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, RoadmapPlanner, SAMPLE, SEARCH};
+use super::groups::{Joined, Sampling, Searching};
+use super::info::{END, Grows, IMPROVE, Mark, Method, Preset, PseudocodeLine, line};
+use super::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
 use crate::error::Error;
 use crate::options::out_of_range;
 use crate::problem::Problem;
@@ -97,18 +96,6 @@ impl Method for PrmOptions {
         END,
     ];
 
-    fn edges(&self) -> Edges<'_> {
-        Edges::Joined(&self.joined)
-    }
-
-    fn limits(&self) -> Limits {
-        self.joined.limits
-    }
-
-    fn search(&self) -> Option<SearchRules> {
-        Some(self.searching.rules())
-    }
-
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let sampler = self.sampling.sampler(problem.space(), seed);
         // Where there is a radius but no k, all within the radius are neighbours.
@@ -116,13 +103,13 @@ impl Method for PrmOptions {
         let k = self.k.unwrap_or(if self.radius.is_some() { all } else { DEFAULT_K });
         check_motions(self.samples, k)?;
         let connection = Connection { k, radius: self.radius.unwrap_or(f64::INFINITY) };
-        let roadmap = Roadmap::new(problem, connection, self.searching.rules());
+        let roadmap = Roadmap::new(problem, connection, self.searching);
         Ok(match self.insertion {
             Insertion::Batch if self.discard => {
                 let sentence = "samples can be discarded only where insertion is \"one-by-one\", not \"batch\"";
                 return Err(out_of_range("discard", sentence));
             }
-            Insertion::Batch => Box::new(batch(problem, roadmap, self.samples, sampler)),
+            Insertion::Batch => Box::new(Batch::planner(problem, roadmap, self.samples, sampler)),
             Insertion::OneByOne => Box::new(OneByOne::planner(problem, roadmap, self.samples, self.discard, sampler)),
         })
     }
@@ -139,15 +126,4 @@ fn check_motions(samples: usize, k: usize) -> Result<(), Error> {
             "samples times k (without k all samples, where there is a radius) must be at most {MOST_MOTIONS}, not {samples} times {k}"
         ),
     ))
-}
-
-/// A PRM whose samples are all drawn before any of them is joined.
-fn batch<S: Space>(
-    problem: &Problem<S>,
-    roadmap: Roadmap<S>,
-    samples: usize,
-    sampler: Box<dyn crate::sampling::Sampler<S>>,
-) -> RoadmapPlanner<S, Batch<S>> {
-    let vertices = samples + roadmap.len();
-    RoadmapPlanner::new(problem, roadmap, Batch::new(vertices, sampler), false)
 }

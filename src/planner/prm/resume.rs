@@ -2,7 +2,7 @@
 
 use super::connect::Connect;
 use crate::graph::VertexId;
-use crate::planner::query::SearchRules;
+use crate::planner::groups::Searching;
 use crate::planner::roadmap::{Build, Connection, Roadmap, RoadmapPlanner};
 use crate::planner::{Phase, Planner};
 use crate::problem::Problem;
@@ -24,7 +24,7 @@ struct Resumed {
 pub fn resume<S: Space + 'static>(
     problem: &Problem<S>,
     connection: Connection,
-    rules: SearchRules,
+    rules: Searching,
     states: &[S::State],
     edges: &[[u32; 2]],
 ) -> Box<dyn Planner<S>> {

@@ -2,12 +2,12 @@
 //!
 //! Karaman and Frazzoli 2011, "Sampling-based algorithms for optimal motion planning".
 
-use super::{batch, check_motions};
+use super::batch::Batch;
+use super::check_motions;
 use crate::error::Error;
 use crate::planner::Planner;
-use crate::planner::groups::{Joined, Limits, Sampling, Searching};
-use crate::planner::info::{END, Edges, Grows, IMPROVE, Mark, Method, PseudocodeLine, line};
-use crate::planner::query::SearchRules;
+use crate::planner::groups::{Joined, Sampling, Searching};
+use crate::planner::info::{END, Grows, IMPROVE, Mark, Method, PseudocodeLine, line};
 use crate::planner::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
 use crate::problem::Problem;
 use crate::space::Space;
@@ -71,18 +71,6 @@ impl Method for PrmStarOptions {
         END,
     ];
 
-    fn edges(&self) -> Edges<'_> {
-        Edges::Joined(&self.joined)
-    }
-
-    fn limits(&self) -> Limits {
-        self.joined.limits
-    }
-
-    fn search(&self) -> Option<SearchRules> {
-        Some(self.searching.rules())
-    }
-
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let sampler = self.sampling.sampler(problem.space(), seed);
         let vertices = self.samples + 2;
@@ -91,7 +79,7 @@ impl Method for PrmStarOptions {
             NeighbourRule::LogN => logarithmic_k(vertices),
         };
         check_motions(self.samples, k)?;
-        let roadmap = Roadmap::new(problem, Connection { k, radius: f64::INFINITY }, self.searching.rules());
-        Ok(Box::new(batch(problem, roadmap, self.samples, sampler)))
+        let roadmap = Roadmap::new(problem, Connection { k, radius: f64::INFINITY }, self.searching);
+        Ok(Box::new(Batch::planner(problem, roadmap, self.samples, sampler)))
     }
 }

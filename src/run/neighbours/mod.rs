@@ -2,7 +2,6 @@
 //! metrics, behind one object-safe face. For viewers and for measuring; planners hold an index of their own.
 
 mod factory;
-mod held;
 mod table;
 
 pub use crate::nearest::{Neighbour, recall};

@@ -109,7 +109,7 @@ impl RoadmapDocument {
 }
 
 fn hash(bytes: &[u8]) -> u64 {
-    let mut hash = Fingerprint::new();
+    let mut hash = Fingerprint::default();
     hash.bytes(bytes);
     hash.value()
 }

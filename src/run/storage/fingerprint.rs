@@ -30,7 +30,7 @@ const ORDER: &[&str] = &[
 /// 64-bit FNV-1a over world and robot of the scenario in their normal form: scenarios that differ in name, title or queries
 /// alone have the same. Numbers count by their bits, so that no way of writing them matters. O(size).
 pub fn fingerprint(scenario: &Scenario) -> u64 {
-    let mut hash = Fingerprint::new();
+    let mut hash = Fingerprint::default();
     for value in [serde_json::to_value(scenario.world()), serde_json::to_value(scenario.robot())] {
         add(&mut hash, &value.expect("world and robot have a form in JSON"));
     }

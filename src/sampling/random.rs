@@ -1,24 +1,35 @@
-//! Samples that gather about the goal (LaValle 2006, "Planning Algorithms", section 5.5.1, on biasing).
+//! Random samples: uniform ones, and some about the goal.
 
 use super::{Known, Sample, Sampler, near};
 use crate::problem::Problem;
 use crate::random::Random;
 use crate::space::Space;
 
+/// The uniform distribution over the space.
+#[derive(Debug, Clone)]
+pub struct Uniform(pub Random);
+
+impl<S: Space> Sampler<S> for Uniform {
+    fn draw(&mut self, problem: &Problem<S>, _: &mut u64) -> Sample<S::State> {
+        Sample { state: problem.space().sample(&mut self.0), known: Known::Nothing }
+    }
+}
+
 /// One in this many samples is drawn near the goal.
 const ONE_IN: u64 = 5;
 
-/// Uniform samples, but every fifth on average normally distributed about the goal, or about each of the goals in turn.
+/// Uniform samples, but every fifth on average normally distributed about the goal, or about each of the goals in turn (LaValle
+/// 2006, "Planning Algorithms", section 5.5.1, on biasing).
 #[derive(Debug, Clone)]
 pub struct GoalBiased {
     random: Random,
     deviation: f64,
-    /// How many fell near a goal.
+    /// How many were drawn near a goal.
     count: usize,
 }
 
 impl GoalBiased {
-    /// About the goal every coordinate deviates by `deviation` (radians or metres).
+    /// Near the goal every coordinate has the standard deviation `deviation` (radians or metres).
     pub fn new(random: Random, deviation: f64) -> Self {
         Self { random, deviation, count: 0 }
     }

@@ -29,7 +29,6 @@ mod ik_runs;
 mod json;
 mod limits;
 mod nearest;
-mod nearest_many;
 mod neighbours;
 mod own_space;
 mod pieces;

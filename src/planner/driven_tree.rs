@@ -1,4 +1,4 @@
-//! A tree whose edges are driven: what the planners by controls have in common.
+//! A tree whose edges are controlled motions: what the planners by controls share.
 
 use super::groups::{Limits, Sampling};
 use super::growth::Growth;
@@ -15,12 +15,12 @@ pub(super) const ROOT: VertexId = VertexId(0);
 /// The longest duration of a control, in steps of integration.
 pub const MOST_STEPS: f64 = 10_000.0;
 
-/// Of the space's extent, how far the fastest straight drive of the longest duration goes where none is given: for the cars
-/// of the course reports that is their 2.5 s.
+/// The default longest duration: the fastest straight motion covers this fraction of the space's extent. For the cars of the
+/// course reports that is their 2.5 s.
 const DEFAULT_DRIVE: f64 = 0.3;
 
 crate::choice! {
-    /// Where the goal is looked for.
+    /// Where the goal is tested for.
     pub enum GoalTest {
         /// After each step along an edge; the edge ends where the goal is met.
         Along,
@@ -30,7 +30,7 @@ crate::choice! {
 }
 
 crate::choice! {
-    /// What becomes of a motion that cannot be proven free to its end.
+    /// What happens to a motion that cannot be proven free to its end.
     pub enum Blocked {
         /// It ends with the last step that is proven free.
         Cut,
@@ -40,7 +40,7 @@ crate::choice! {
 }
 
 crate::choice! {
-    /// How drives are integrated.
+    /// How controlled motions are integrated.
     pub enum IntegrationKind {
         /// Exact arcs, proven free.
         Exact,
@@ -52,9 +52,9 @@ crate::choice! {
 crate::options! {
     /// Options of all planners by controls.
     pub struct ByControls for CAR;
-    /// After each step along an edge, which ends where it meets the goal region, or only at the ends of edges.
-    goal_test: GoalTest = GoalTest::Along, "Goal looked for";
-    /// Exact arcs, proven free, or explicit Euler steps, looked at one by one: neither exact nor proven, to compare.
+    /// Tests every step of an edge, which then ends in the goal region, or only the ends of edges.
+    goal_test: GoalTest = GoalTest::Along, "Goal test";
+    /// Exact arcs, proven free, or explicit Euler steps, checked one by one: neither exact nor proven, to compare.
     integration: IntegrationKind = IntegrationKind::Exact, "Integration";
     /// Where samples come from.
     sampling: Sampling;

@@ -22,9 +22,9 @@ crate::choice! {
     pub enum Extend {
         /// One step at most.
         Step,
-        /// Half the way, or all of it where that is a step at most.
+        /// Half the distance, or all of it if that is at most a step.
         Half,
-        /// All the way, or to the last place before an obstacle that is proven free.
+        /// All of the distance, or to the last point before an obstacle that is proven free.
         UntilObstacle,
     }
 }
@@ -32,10 +32,10 @@ crate::choice! {
 crate::options! {
     /// Options of RRT.
     pub struct RrtOptions for crate::options::ALL;
-    /// How far the tree grows at once, and how near it tries the goal: short steps find bends, long ones are quick.
+    /// Longest step of the tree, and distance at which it tries the goal: short steps follow bends, long ones are fast.
     step: Option<f64>, in 1e-6..=1e7, "Step", unit "distance in the metric",
         else "a fifth of the largest distance in the space";
-    /// How far the tree grows towards a sample: one step, half the way, or until just before an obstacle.
+    /// How far the tree grows towards a sample: one step, half the distance, or until just before an obstacle.
     extend: Extend = Extend::Step, "Growth";
     /// When the tree grows towards the goal.
     reaching: Reaching;
@@ -49,14 +49,14 @@ impl Method for RrtOptions {
     const ID: &'static str = "rrt";
     const TITLE: &'static str = "RRT";
     const SUMMARY: &'static str =
-        "Grows a tree from the start: again and again its nearest vertex takes a step towards a random sample.";
+        "Grows a tree from the start: the vertex nearest to a random sample takes a step towards it, repeatedly.";
     const GUARANTEE: &'static str =
-        "Probabilistically complete: with more iterations a path is found where one has room; paths are not short.";
+        "Probabilistically complete: more iterations find any path that has clearance; paths are not short.";
     const GROWS: Grows = Grows::Tree;
     const PRESETS: &'static [Preset] = &[
         Preset {
             id: "half-way",
-            title: "Half the way",
+            title: "Half the distance",
             settings: &[("extend", "half"), ("goal_bias", "0.05"), ("max_iterations", "1000")],
         },
         Preset {

@@ -1,4 +1,4 @@
-//! RRT-Connect: two trees that reach for each other.
+//! RRT-Connect: two trees that grow towards each other.
 //!
 //! Kuffner and LaValle 2000, "RRT-Connect: an efficient approach to single-query path planning". The smaller tree grows
 //! one step towards a sample; the other then grows step by step towards what was added until it arrives or is refused.
@@ -20,7 +20,7 @@ use crate::space::Space;
 crate::options! {
     /// Options of RRT-Connect.
     pub struct RrtConnectOptions for crate::options::ALL;
-    /// How far a tree grows at once: short steps find their way round bends, long ones cross open space quickly.
+    /// Longest step of a tree: short steps follow bends, long ones cross open space quickly.
     step: Option<f64>, in 1e-6..=1e7, "Step", unit "distance in the metric",
         else "a fifth of the largest distance in the space";
     /// Where samples come from.
@@ -33,9 +33,9 @@ impl Method for RrtConnectOptions {
     const ID: &'static str = "rrt-connect";
     const TITLE: &'static str = "RRT-Connect";
     const SUMMARY: &'static str =
-        "Grows one tree from the start and one from the goal, each reaching for the other, until they meet.";
+        "Grows one tree from the start and one from the goal, each towards the other, until they meet.";
     const GUARANTEE: &'static str =
-        "Probabilistically complete: with more iterations a path is found where one has room; paths are not short.";
+        "Probabilistically complete: more iterations find any path that has clearance; paths are not short.";
     const GROWS: Grows = Grows::Trees;
     const PSEUDOCODE: &'static [PseudocodeLine] = &[
         line(0, "two trees, {start} and {goal}; repeat:", &[]),
@@ -152,7 +152,7 @@ impl<S: Space> RrtConnect<S> {
         Step::Advanced(self.add_vertex(space, tree, iteration, Some(from), next))
     }
 
-    /// Grows a tree step by step towards a vertex of the other tree; answers the vertex next to it on arrival.
+    /// Grows a tree step by step towards a vertex of the other tree; returns the vertex next to it on arrival.
     fn connect(&mut self, problem: &Problem<S>, iteration: u32, tree: usize, target: VertexId) -> Option<VertexId> {
         let state = self.growth.state(target);
         let mut from = self.nearest(problem.space(), tree, &state);

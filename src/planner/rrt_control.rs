@@ -1,8 +1,7 @@
-//! RRT by controls: a tree that is driven into the space.
+//! RRT by controls: a tree of controlled motions.
 //!
-//! LaValle and Kuffner 2001, "Randomized kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 14.4.3. Nothing
-//! leads exactly to a state that was wished for, so a few controls are tried, a blossom, and the one that comes closest is
-//! kept; and the goal is a region.
+//! LaValle and Kuffner 2001, "Randomized kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 14.4.3. No
+//! control leads exactly to a given state, so several are tried, and the one that ends closest is kept; the goal is a region.
 
 use super::driven_tree::{
     Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, straight_reach, up_to_goal,
@@ -19,11 +18,11 @@ use crate::problem::{Control, Problem};
 use crate::random::{Random, Stream};
 use crate::space::Space;
 
-/// How many of the nearest vertices are asked whether they see the sample.
+/// How many of the nearest vertices are checked for a free motion to the sample.
 const MOST_LOOKS: usize = 32;
 
 crate::choice! {
-    /// Which vertex is grown from.
+    /// Which vertex is extended.
     pub enum Origin {
         /// The nearest to the sample.
         Nearest,
@@ -45,37 +44,37 @@ crate::choice! {
 crate::options! {
     /// Options of RRT by controls.
     pub struct RrtControlOptions for CAR;
-    /// Random ones, of which the best is kept, or full speed straight, left and right, both ways, all of them kept.
+    /// Random ones, of which the best is kept, or full speed ahead and back, straight, left and right, all kept.
     controls: Controls = Controls::Random, "Controls";
-    /// How many random controls are tried at once: more aim better, but a tree that aims too well gets stuck.
-    blossom: u32 = 1, in 1.0..=100.0, "Blossom";
-    /// How long a control is held at most: short drives find bends, long ones cross open space quickly.
-    duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Duration at most", unit "steps of integration",
-        else "as many as the fastest straight drive of 0.3 times the largest distance takes";
-    /// How long a control is held at least: durations are drawn between this and the longest.
-    shortest_steps: Option<u32>, in 1.0..=MOST_STEPS, "Duration at least", unit "steps of integration",
-        else "as many as duration_steps: all drives last equally long";
-    /// Durations shrink in proportion where a drive could pass the goal, but not below this many steps.
-    near_goal_steps: Option<u32>, in 1.0..=MOST_STEPS, "Least near the goal", unit "steps of integration",
+    /// Number of random controls tried per extension: more aim better, but a greedy tree gets stuck.
+    blossom: u32 = 1, in 1.0..=100.0, "Controls tried";
+    /// Longest time a control is held: short motions follow bends, long ones cross open space quickly.
+    duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Longest duration", unit "steps of integration",
+        else "as many as the fastest straight motion of 0.3 times the largest distance takes";
+    /// Shortest time a control is held: durations are drawn between this and the longest.
+    shortest_steps: Option<u32>, in 1.0..=MOST_STEPS, "Shortest duration", unit "steps of integration",
+        else "as many as duration_steps: all motions last equally long";
+    /// Near the goal durations shrink in proportion to the distance, but not below this many steps.
+    near_goal_steps: Option<u32>, in 1.0..=MOST_STEPS, "Shortest near goal", unit "steps of integration",
         else "none: durations are the same everywhere";
-    /// A drive towards an obstacle is cut where its last free step ends, or refused as a whole.
-    blocked: Blocked = Blocked::Cut, "A blocked drive";
-    /// The vertex nearest to the sample grows, or the nearest that sees it: the straight motion there is free.
-    nearest: Origin = Origin::Nearest, "Grown from";
-    /// Each vertex grows only once; when all have grown, the planner gives up.
+    /// A blocked motion ends after its last free step (cut), or is rejected as a whole (refused).
+    blocked: Blocked = Blocked::Cut, "Blocked motion";
+    /// Extends the vertex nearest to the sample, or the nearest from which the straight motion to it is free.
+    nearest: Origin = Origin::Nearest, "Extended vertex";
+    /// Extends each vertex only once; when all were extended, the planner gives up.
     once: bool = false, "Only once";
     /// When the tree grows towards the goal.
     reaching: Reaching;
-    /// The longest duration in the last quarter of the iterations: short drives meet a small goal region better.
+    /// The longest duration in the last quarter of the iterations: short motions hit a small goal region better.
     late_duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Late duration", unit "steps of integration",
         else "as before";
-    /// Grows towards the goal every so many iterations in the last quarter of them.
+    /// Grows towards the goal every n-th iteration in the last quarter of them.
     late_goal_every: Option<u32>, in 1.0..=1e6, "Late goal", else "as before";
-    /// What all planners by controls take.
+    /// Options of all planners by controls.
     driving: ByControls;
 }
 
-/// The settings of the report with blossoms of several sizes.
+/// The settings of the report with several numbers of controls.
 const fn blossom(count: &'static str) -> [(&'static str, &'static str); 5] {
     [
         ("blossom", count),
@@ -89,7 +88,7 @@ const fn blossom(count: &'static str) -> [(&'static str, &'static str); 5] {
 impl Method for RrtControlOptions {
     const ID: &'static str = "rrt-control";
     const TITLE: &'static str = "RRT by controls";
-    const SUMMARY: &'static str = "Drives a tree from the start: its vertex nearest to a sample tries controls, the best of them becomes an edge.";
+    const SUMMARY: &'static str = "Kinodynamic RRT: tries controls from the vertex nearest to a sample and keeps the one that ends closest to it.";
     const GUARANTEE: &'static str = "None: a tree that always keeps the best of several controls may get stuck.";
     const GROWS: Grows = Grows::Tree;
     const ROBOTS: &'static [&'static str] = CAR;
@@ -140,7 +139,7 @@ impl Method for RrtControlOptions {
     ];
 
     /// # Panics
-    /// Where the problem has no dynamics.
+    /// If the problem has no dynamics.
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let (tree, mut open) = (DrivenTree::new(problem), RemovableIndex::default());
         open.insert(problem.space(), &tree.growth.graph, ROOT);

@@ -27,24 +27,24 @@ const DEFAULT_PRUNING: f64 = 0.03;
 crate::options! {
     /// Options of SST.
     pub struct SstOptions for CAR;
-    /// Of the vertices so near to a sample, the cheapest grows: a large radius betters paths, a small one explores.
+    /// The cheapest vertex within this distance of a sample grows: large radii shorten paths, small ones explore.
     selection_radius: Option<f64>, in 0.0..=1e7, "Selection radius", unit "distance in the metric",
         else "0.06 times the largest distance in the space";
-    /// Of the vertices about so near to each other, only the cheapest grows: a large radius makes the tree sparse.
+    /// Of the vertices within about this distance of each other, only the cheapest grows: large radii prune more.
     pruning_radius: Option<f64>, in 0.0..=1e7, "Pruning radius", unit "distance in the metric",
         else "0.03 times the largest distance in the space";
-    /// For how many iterations the tree grows on once it has a path, to find shorter ones.
+    /// Number of further iterations once there is a path, to find shorter ones.
     improve_iterations: u32 = 0, in 0.0..=1e9, "Improve for";
-    /// How long a control is held at most: short drives find bends, long ones cross open space quickly.
-    duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Duration at most", unit "steps of integration",
-        else "as many as the fastest straight drive of 0.3 times the largest distance takes";
-    /// How long a control is held at least: durations are drawn between this and the longest.
-    shortest_steps: u32 = 1, in 1.0..=MOST_STEPS, "Duration at least", unit "steps of integration";
-    /// A drive towards an obstacle is cut where its last free step ends, or refused as a whole.
-    blocked: Blocked = Blocked::Cut, "A blocked drive";
+    /// Longest time a control is held: short motions follow bends, long ones cross open space quickly.
+    duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Longest duration", unit "steps of integration",
+        else "as many as the fastest straight motion of 0.3 times the largest distance takes";
+    /// Shortest time a control is held: durations are drawn between this and the longest.
+    shortest_steps: u32 = 1, in 1.0..=MOST_STEPS, "Shortest duration", unit "steps of integration";
+    /// A blocked motion ends after its last free step (cut), or is rejected as a whole (refused).
+    blocked: Blocked = Blocked::Cut, "Blocked motion";
     /// When the tree grows towards the goal.
     reaching: Reaching;
-    /// What all planners by controls take.
+    /// Options of all planners by controls.
     driving: ByControls;
 }
 
@@ -52,9 +52,9 @@ impl Method for SstOptions {
     const ID: &'static str = "sst";
     const TITLE: &'static str = "SST";
     const SUMMARY: &'static str =
-        "Drives a sparse tree: of all vertices near each other only the cheapest grows; it can go on to better paths.";
+        "Kinodynamic and sparse: of vertices near each other only the cheapest grows; it can go on to shorter paths.";
     const GUARANTEE: &'static str =
-        "Asymptotically near-optimal where random controls have room: as near the shortest as its radii allow.";
+        "Asymptotically near-optimal if random controls have clearance: as near the shortest as its radii allow.";
     const GROWS: Grows = Grows::Tree;
     const ROBOTS: &'static [&'static str] = CAR;
     const PSEUDOCODE: &'static [PseudocodeLine] = &[
@@ -73,7 +73,7 @@ impl Method for SstOptions {
     ];
 
     /// # Panics
-    /// Where the problem has no dynamics.
+    /// If the problem has no dynamics.
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let space = problem.space();
         let mut sst = Sst {

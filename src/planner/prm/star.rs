@@ -1,4 +1,4 @@
-//! PRM*: a k-PRM whose k grows with the number of samples, so that its path nears the shortest.
+//! PRM*: a k-PRM whose k grows with the number of samples, so that its path approaches the shortest.
 //!
 //! Karaman and Frazzoli 2011, "Sampling-based algorithms for optimal motion planning".
 
@@ -25,10 +25,10 @@ crate::choice! {
 crate::options! {
     /// Options of PRM*.
     pub struct PrmStarOptions for crate::options::ALL;
-    /// How many free samples the roadmap gets: more find narrower ways and shorter paths, but take longer.
+    /// Number of free samples: more find narrower passages and shorter paths but take longer.
     samples: usize = 2000, in 0.0..=250_000.0, "Samples";
-    /// How many neighbours for n vertices in d dimensions: e (1 + 1/d) ln n nears the shortest path, ln n is quicker.
-    k_rule: NeighbourRule = NeighbourRule::KaramanFrazzoli, "Rule for neighbours";
+    /// Neighbours for n vertices in d dimensions: e (1 + 1/d) ln n for near-optimal paths, or ln n for speed.
+    k_rule: NeighbourRule = NeighbourRule::KaramanFrazzoli, "Neighbour rule";
     /// Where samples come from.
     sampling: Sampling;
     /// How the roadmap is searched.
@@ -52,9 +52,9 @@ impl Method for PrmStarOptions {
     const ID: &'static str = "prm-star";
     const TITLE: &'static str = "PRM*";
     const SUMMARY: &'static str =
-        "A PRM that takes more neighbours as samples grow: just enough for its path to near the shortest.";
+        "A PRM with enough neighbours, more as samples grow, for the path to approach the shortest.";
     const GUARANTEE: &'static str =
-        "Asymptotically optimal by its first rule: with more samples its path nears the shortest.";
+        "Asymptotically optimal by its first rule: with more samples the path approaches the shortest.";
     const GROWS: Grows = Grows::Roadmap;
     const PSEUDOCODE: &'static [PseudocodeLine] = &[
         BEGIN,

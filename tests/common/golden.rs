@@ -1,0 +1,33 @@
+//! Scenes of the pages, and golden files: cases with the outcome that each had.
+
+use planarium::scenario::Scenario;
+use serde_json::Value as Json;
+
+/// A scene of the pages.
+pub fn scene(name: &str) -> Scenario {
+    macro_rules! text {
+        ($($scene:literal),*) => {
+            match name {
+                $($scene => include_str!(concat!("../../www/scenes/", $scene, ".json")),)*
+                other => panic!("no scene {other}"),
+            }
+        };
+    }
+    let text = text!("corner", "firs", "locked", "pick", "rings", "shelf", "stones", "tentacle", "thicket", "turn");
+    Scenario::parse(text).expect("our own scenes are right")
+}
+
+/// Compares the outcome of every case of a golden file, given by name and text; `PLANARIUM_BLESS=1` writes them anew.
+pub fn check(file: &str, text: &str, least: usize, outcome: impl Fn(&Json) -> Json) {
+    let mut cases: Vec<Json> = serde_json::from_str(text).expect("the golden file is JSON");
+    assert!(cases.len() >= least, "{file} has {} cases", cases.len());
+    #[cfg(not(target_arch = "wasm32"))]
+    if std::env::var_os("PLANARIUM_BLESS").is_some() {
+        cases.iter_mut().for_each(|case| case["outcome"] = outcome(case));
+        let text = serde_json::to_string_pretty(&cases).expect("JSON") + "\n";
+        return std::fs::write(format!("{}/tests/{file}", env!("CARGO_MANIFEST_DIR")), text).expect("written");
+    }
+    for case in &mut cases {
+        assert_eq!(outcome(case), case["outcome"], "{case}");
+    }
+}

@@ -1,7 +1,7 @@
 //! Options of planners, generators and other methods: a typed struct and its table in one declaration.
 //!
 //! [`options!`](crate::options!) declares a struct whose fields are options. Each field is given by its type, its default, its
-//! range, its title for people and, as its documentation, its meaning. From that follow the struct itself, its defaults, reading
+//! range, its title and, as its documentation, its meaning. From that follow the struct itself, its defaults, reading
 //! values by name ([`Options::read`]) and the table that help texts and controls are made from ([`Options::table`]). A field
 //! whose type is another such struct contributes all options of it: a group that several tables share. The texts of a table
 //! are not part of what reads values.
@@ -22,7 +22,7 @@ pub const ALL: &[&str] = &["arm", "disc", "rigid_body", "car"];
 /// The robot that is moved by controls.
 pub const CAR: &[&str] = &["car"];
 
-/// What values an option takes.
+/// The values that an option takes.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub enum Kind {
     /// A whole number within the range.
@@ -47,13 +47,13 @@ pub struct OptionInfo {
     pub kind: Kind,
     /// The unit; empty for counts and words.
     pub unit: &'static str,
-    /// The default; `None` where it depends on the rest.
+    /// The default; `None` if it depends on the rest.
     pub default: Option<Value>,
-    /// What the default is where it depends on the rest, in words.
+    /// The default in words if it depends on the rest.
     pub computed: &'static str,
-    /// What it means, in one sentence.
+    /// Its meaning, in one sentence.
     pub meaning: String,
-    /// The types of robots that it is for, as in documents; it has no effect on others. Empty where there is no robot.
+    /// The types of robots that it is for, as in documents; it has no effect on others. Empty if there is no robot.
     pub robots: &'static [&'static str],
 }
 
@@ -66,12 +66,12 @@ pub enum Value {
     Text(String),
     /// Yes or no.
     Boolean(bool),
-    /// What no option takes, by what it is.
+    /// A value that no option takes, by its kind.
     Other(&'static str),
 }
 
 impl Value {
-    /// The value that a text stands for: a number where it reads as one, true or false, else a word.
+    /// The value of a text: a number if it can be parsed as one, true or false, else a word.
     pub fn from_text(text: &str) -> Self {
         match text {
             "true" => Value::Boolean(true),
@@ -213,7 +213,7 @@ pub trait Options: Field + Default + Copy {
 
 /// The type of a single value.
 pub trait Single: Copy + 'static {
-    /// What values it takes.
+    /// The values that it takes.
     fn kind(range: &Range) -> Kind;
 
     /// From a value of that kind.
@@ -346,7 +346,7 @@ fn check(name: &str, kind: &Kind, value: &Value) -> Result<(), Error> {
 
 /// Declares a struct of options. A field is
 /// `name: Type = default, in range, "Title", unit "unit", else "a default that depends on the rest", for ROBOTS;`
-/// where all but name and type may be left out: a type `Option<T>` has the default `None`, a group its own. `for ROBOTS`
+/// in which all but name and type may be left out: a type `Option<T>` has the default `None`, a group its own. `for ROBOTS`
 /// after the name of the struct holds for all fields that name none. A field without a title is read, but in no table.
 #[macro_export]
 #[doc(hidden)]

@@ -13,7 +13,7 @@ use std::convert::Infallible;
 /// The largest seed: 2^53 - 1, the largest integer that JavaScript holds exactly.
 pub const MAX_SEED: u64 = (1 << 53) - 1;
 
-/// What a stream of random numbers is for. Streams of one seed never overlap: each lies 2^192 draws behind the last.
+/// What a stream of random numbers is for. Streams of one seed never overlap: each begins 2^192 draws after the last.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stream {
     /// Samples of the configuration space.
@@ -22,13 +22,13 @@ pub enum Stream {
     Scenario = 1,
     /// Which shortcuts of a path are tried.
     Shortcut = 2,
-    /// When a tree reaches for the goal.
+    /// When a tree grows towards the goal.
     Bias = 3,
     /// The planes of an approximate index.
     Projections = 4,
     /// Which controls are tried, and for how long.
     Controls = 5,
-    /// Where a search for joint angles starts anew.
+    /// Where a search for joint angles restarts.
     Starts = 6,
     /// Which trajectories of particles are tried.
     Particles = 7,
@@ -59,7 +59,7 @@ impl Random {
     }
 
     /// A number from the standard normal distribution (Marsaglia and Bray 1964, "A convenient method for generating normal
-    /// variables"; the second number of a pair is not kept).
+    /// variables"; the second number of a pair is dropped).
     pub fn normal(&mut self) -> f64 {
         loop {
             let (x, y) = (2.0 * self.uniform() - 1.0, 2.0 * self.uniform() - 1.0);

@@ -1,4 +1,4 @@
-//! Who is joined to whom: compressed rows over the edges of a graph.
+//! The neighbours of the vertices of a graph: compressed rows over its edges.
 
 use super::VertexId;
 
@@ -6,7 +6,7 @@ use super::VertexId;
 #[derive(Debug, Clone, Default)]
 pub struct Adjacency {
     successors: Rows,
-    /// Where edges have a direction, the vertices that lead to each; else they are the same.
+    /// If edges have a direction, the vertices that lead to each; else they are the same.
     predecessors: Option<Rows>,
 }
 
@@ -18,7 +18,7 @@ struct Rows {
 }
 
 impl Rows {
-    /// Lists for every edge the vertex at one end under that at the other; from which end to which is given, by index.
+    /// Lists for every edge the vertex at one end under that at the other, for the given pairs of ends.
     fn new(vertices: usize, edges: [&[[VertexId; 2]]; 2], ends: &[[usize; 2]]) -> Self {
         let mut starts = vec![0u32; vertices + 1];
         for edge in edges.into_iter().flatten() {

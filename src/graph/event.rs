@@ -2,10 +2,10 @@
 
 use super::VertexId;
 
-/// What kind of event it is; the number is the one that viewers see.
+/// The kind of an event; viewers see its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EventKind {
-    /// A sample in collision was thrown away; the state is the sample.
+    /// A sample in collision was rejected; the state is the sample.
     SampleRejected = 0,
     /// A motion could not be proven free: from the vertex to the state (of the other vertex, if there is one), or, in a tree
     /// that grows against the direction of its motions, from the state to the vertex.
@@ -14,7 +14,7 @@ pub enum EventKind {
     VertexExpanded = 2,
     /// A solution was found at the vertex.
     SolutionFound = 3,
-    /// A free sample was thrown away: it connects to nothing, or to nothing new; the state is the sample.
+    /// A free sample was discarded: it connects to nothing, or to nothing new; the state is the sample.
     SampleDiscarded = 4,
     /// The vertex became a guard of a visibility roadmap.
     GuardAdded = 5,

@@ -11,7 +11,7 @@ const SCANS: bool = !cfg!(target_arch = "wasm32");
 const MOST_SCANNED: usize = 8192;
 
 /// A linear scan for few states and a kd-tree for many. Which one runs depends only on the number of states, neighbours and
-/// dimensions; both return the same bits. Where the norm of the space is only a lower bound on distances, candidates are
+/// dimensions; both return the same bits. If the norm of the space is only a lower bound on distances, candidates are
 /// found by the norm and ranked by their distance. The methods of [`Nearest`] are about motions to the state ([`Direction::In`]);
 /// the methods ending in `_by` take the direction.
 #[derive(Debug, Clone)]
@@ -31,14 +31,14 @@ impl<S: Space> Default for Index<S> {
 }
 
 impl<S: Space> Index<S> {
-    /// The vertex nearest to `state` by motions in the given direction; `None` where the index is empty.
+    /// The vertex nearest to `state` by motions in the given direction; `None` if the index is empty.
     pub fn nearest_by(&self, space: &S, direction: Direction, state: &S::State) -> Option<Neighbour> {
         let mut found = Vec::with_capacity(1);
         self.k_nearest_by(space, direction, state, 1, &mut found);
         found.pop()
     }
 
-    /// The `k` vertices nearest to `state` by motions in the given direction (all, where there are fewer), nearest first, into `found`.
+    /// The `k` vertices nearest to `state` by motions in the given direction (all, if there are fewer), nearest first, into `found`.
     pub fn k_nearest_by(
         &self,
         space: &S,
@@ -77,13 +77,13 @@ impl<S: Space> Index<S> {
         visited
     }
 
-    /// The neighbour that a candidate of the tree stands for.
+    /// The neighbour of a candidate of the tree.
     fn neighbour(&self, space: &S, direction: Direction, state: &S::State, candidate: &Neighbour) -> Neighbour {
         let (vertex, other) = &self.entries[candidate.vertex.index()];
         Neighbour { distance: direction.distance(space, state, other), vertex: *vertex }
     }
 
-    /// The `k` nearest where the norm is a lower bound: takes candidates by their bounds, in batches that grow, and ranks them
+    /// The `k` nearest if the norm is a lower bound: takes candidates by their bounds, in batches that grow, and ranks them
     /// by their distances until every bound left exceeds the worst distance found. The result is that of a plain scan, ties by
     /// vertex number; how many distances are computed depends on how tight the bound is.
     fn rank(&self, space: &S, direction: Direction, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {

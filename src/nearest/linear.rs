@@ -7,7 +7,7 @@ use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
 
-/// Up to this many neighbours are kept sorted; a guess does not pay for so few.
+/// Up to this many neighbours stay sorted; a guess does not pay for so few.
 const SORTED: usize = 4;
 
 /// How many packs are scanned at a time.
@@ -40,7 +40,7 @@ impl LinearScan {
     /// A distance within which probably at least `k` states lie, and not many more: a quantile of the distances to the first
     /// states. Infinite if there are too few states for a guess to pay.
     fn guess<S: Space>(&self, space: &S, from: &[f64], k: usize) -> f64 {
-        if k <= SORTED || self.len < 4 * SAMPLE || self.len < 8 * k {
+        if k <= SORTED || self.len < 4 * SAMPLE || self.len / 8 < k {
             return f64::INFINITY;
         }
         let mut bits = [0; SAMPLE];

@@ -52,7 +52,7 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// The directions to be told apart in a space: in a symmetric one both are the same.
+    /// The directions of a space: both are the same in a symmetric one.
     pub fn all<S: Space>(space: &S) -> &'static [Self] {
         if space.is_symmetric() { &[Direction::Out] } else { &[Direction::Out, Direction::In] }
     }
@@ -87,15 +87,15 @@ pub trait Nearest<S: Space> {
         self.len() == 0
     }
 
-    /// The vertex nearest to `state`; `None` where the index is empty.
+    /// The vertex nearest to `state`; `None` if the index is empty.
     fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
         let mut found = Vec::with_capacity(1);
         self.k_nearest(space, state, 1, &mut found);
         found.pop()
     }
 
-    /// The `k` vertices nearest to `state` (all, where there are fewer), nearest first, into `found`. Returns how many vertices were
-    /// visited: those whose distance, or a lower bound on it where distances are expensive, was computed.
+    /// The `k` vertices nearest to `state` (all, if there are fewer), nearest first, into `found`. Returns how many vertices were
+    /// visited: those whose distance, or a lower bound on it if distances are expensive, was computed.
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize;
 
     /// Every vertex no farther from `state` than `radius`, nearest first, into `found`. Returns how many vertices were visited.

@@ -44,7 +44,7 @@ crate::options! {
     pub struct Sampling for crate::options::ALL;
     /// Where samples fall: anywhere, evenly (halton, lattice), near, between or on obstacles, or around the goal.
     sampler: SamplerKind = SamplerKind::Uniform, "Sampler";
-    /// Standard deviation of gaussian, bridge and goal-biased samples: less keeps them nearer to obstacles or the goal.
+    /// Standard deviation of gaussian, bridge and goal-biased samples: less keeps them nearer to obstacles or goal.
     spread: Option<f64>, in 1e-6..=1e6, "Spread", unit "rad or m",
         else "a twentieth of the largest distance in the space, divided by its dimension";
 }

@@ -1,6 +1,6 @@
 //! Planners, one file an algorithm, all behind one small trait; each file declares the planner's options and pseudo-code, too.
 //!
-//! A planner sees a space and what is free in it, never a robot or an obstacle. It owns its graph and its generator, so
+//! A planner sees a space and its free states, never a robot or an obstacle. It owns its graph and its generator, so
 //! that stepping in any slices gives the same result.
 
 mod driven_tree;
@@ -46,7 +46,7 @@ pub trait Planner<S: Space> {
     /// number of motion checks. Called only while the status is `Running`.
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status;
 
-    /// What the planner is busy with.
+    /// The present phase.
     fn phase(&self) -> Phase;
 
     /// The graph and the counters so far.
@@ -57,25 +57,25 @@ pub trait Planner<S: Space> {
         &self.growth().graph
     }
 
-    /// The vertices of the path from start to goal, once solved; empty before.
+    /// The vertices of the path from start to goal; empty until solved.
     fn path(&self) -> Vec<VertexId>;
 
-    /// The vertices of the path from the start to the vertex nearest to the goal, of planners that have one; else empty.
+    /// The vertices of the path from the start to the vertex nearest to the goal, for planners that have one; else empty.
     fn approximate_path(&self) -> Vec<VertexId> {
         Vec::new()
     }
 
-    /// The estimated share of the free space that the roadmap covers, of planners that know.
+    /// The estimated share of the free space that the roadmap covers, for planners that estimate it.
     fn coverage(&self) -> Option<f64> {
         None
     }
 
-    /// To which others a vertex is joined, of planners that build a roadmap.
+    /// The neighbours that vertices are connected to, for planners that build a roadmap.
     fn connection(&self) -> Option<Connection> {
         None
     }
 
-    /// The roadmap, of planners that build one: it answers further questions.
+    /// The roadmap, for planners that build one: it can be queried again.
     fn roadmap(&mut self) -> Option<&mut Roadmap<S>> {
         None
     }

@@ -1,4 +1,4 @@
-//! A search of a roadmap for a path: which search, what an edge costs, what estimates the rest.
+//! A search of a roadmap for a path: algorithm, cost of an edge, estimate of the remaining cost.
 
 use super::groups::Searching;
 use super::roadmap::state;
@@ -32,13 +32,13 @@ crate::choice! {
 }
 
 crate::choice! {
-    /// What estimates the cost to the goal in A*.
+    /// The estimate of the cost to the goal in A*.
     pub enum Heuristic {
         /// The distance in the metric.
         Metric,
-        /// How far the end effector is from where it must be, scaled so that it never exceeds the distance.
+        /// The distance of the end effector from its goal, scaled so that it never exceeds the distance in the metric.
         EndEffector,
-        /// The distance in the metric taken for a number of hops, as a course report had it: not admissible, so the path may have
+        /// The distance in the metric as a number of hops, as in a course report: not admissible, so the path may have
         /// more edges than it needs.
         MetricAsHops,
         /// 0.
@@ -55,12 +55,12 @@ pub(super) struct Query {
     walker: Box<dyn Walker>,
     rules: Searching,
     goals: Goals,
-    /// What estimates are multiplied with.
+    /// The factor of estimates.
     scale: f64,
 }
 
 impl Query {
-    /// A search over the graph's edges and `joined` ones, along their direction where the space is not symmetric, from one vertex
+    /// A search over the graph's edges and `joined` ones, along their direction if the space is not symmetric, from one vertex
     /// to any of the goals; `more` are the states of vertices numbered
     /// after the graph's.
     pub fn new<S: Space>(
@@ -97,7 +97,7 @@ impl Query {
         let at = |vertex| state(graph, more, vertex);
         let distance = |a: VertexId, b: VertexId| space.distance(at(a), at(b));
         let (goals, scale, rules) = (&self.goals, self.scale, self.rules);
-        // The least estimate of all goals is an estimate, too.
+        // The least estimate over all goals is an estimate, too.
         let least = |estimate: &dyn Fn(VertexId) -> f64| {
             (goals.start.0..goals.end.0).map(|goal| estimate(VertexId(goal))).fold(f64::INFINITY, f64::min)
         };

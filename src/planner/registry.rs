@@ -1,4 +1,4 @@
-//! The planners that exist: one line each. Their files declare everything else.
+//! The planners: one line each. Their files declare everything else.
 
 use super::Planner;
 use super::info::{Grows, Method, PlannerInfo};
@@ -17,12 +17,12 @@ registry! {
     Sst(super::sst::SstOptions),
 }
 
-/// The planner that is taken where none is named, for a robot of this type.
+/// The default planner for a robot of this type.
 pub fn default_planner(robot: &str) -> &'static str {
     if robot == "car" { super::RrtControlOptions::ID } else { super::RrtConnectOptions::ID }
 }
 
-/// Everything that has to name each planner: which one is chosen, with its options.
+/// Everything that names each planner: its type, and its type with options.
 macro_rules! registry {
     ($($Variant:ident($Options:ty),)*) => {
         /// A planner by its type alone.
@@ -49,7 +49,7 @@ macro_rules! registry {
                 match self { $(PlannerId::$Variant => <$Options>::GROWS,)* }
             }
 
-            /// Whether its edges are drives by controls.
+            /// Whether its edges are controlled motions.
             pub fn is_driven(self) -> bool {
                 match self { $(PlannerId::$Variant => <$Options>::is_driven(),)* }
             }
@@ -59,7 +59,7 @@ macro_rules! registry {
                 match self { $(PlannerId::$Variant => <$Options>::NEEDS_SYMMETRY,)* }
             }
 
-            /// What there is to know about it.
+            /// Its description.
             pub fn info(self) -> PlannerInfo {
                 match self { $(PlannerId::$Variant => PlannerInfo::of::<$Options>(),)* }
             }
@@ -93,7 +93,7 @@ macro_rules! registry {
             /// The planner at its beginning.
             ///
             /// # Errors
-            /// `out-of-range`, with the pointer of the option, where options do not fit the space or each other.
+            /// `out-of-range`, with the pointer of the option, if options do not fit the space or each other.
             pub fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
                 match self { $(PlannerOptions::$Variant(options) => options.begin(problem, seed),)* }
             }

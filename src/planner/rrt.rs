@@ -2,7 +2,7 @@
 //!
 //! LaValle 1998, "Rapidly-exploring random trees: a new tool for path planning"; LaValle and Kuffner 2001, "Randomized
 //! kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 5.5. The goal is vertex 1 from the beginning, but in
-//! the tree only once it is reached; where there are several they are the vertices from 1 on, and it reaches for each in turn.
+//! the tree only once it is reached; several goals are the vertices from 1 on, and the tree grows towards each in turn.
 
 use super::groups::{Aim, Joined, Reaching, Sampling, step_in};
 use super::growth::Growth;
@@ -106,7 +106,7 @@ impl Method for RrtOptions {
     }
 }
 
-/// The planner. An iteration takes one sample: one motion towards it, and one to the goal where that is a step at most.
+/// The planner. An iteration takes one sample: one motion towards it, and one to the goal if it is at most a step away.
 struct Rrt<S: Space> {
     step: f64,
     extend: Extend,
@@ -114,14 +114,14 @@ struct Rrt<S: Space> {
     growth: Growth<S>,
     tree: Tree,
     nearest: Index<S>,
-    /// The vertex of the tree nearest to a goal, and how far it is.
+    /// The vertex of the tree nearest to a goal, and its distance.
     closest: (VertexId, f64),
     /// The goal that was reached.
     arrived: Option<VertexId>,
 }
 
 impl<S: Space> Rrt<S> {
-    /// The state to grow to from `origin` towards `target`, where that motion is proven free.
+    /// The state to grow to from `origin` towards `target` if that motion is proven free; else the state of the refused motion.
     fn steer(&mut self, problem: &Problem<S>, origin: &S::State, target: &S::State) -> Result<S::State, S::State> {
         let space = problem.space();
         let distance = space.distance(origin, target);
@@ -137,7 +137,7 @@ impl<S: Space> Rrt<S> {
             self.growth.counters.motion_checks += 1;
             let hit = problem.validity().first_hit(origin, target).unwrap_or(0.0);
             let last = space.interpolate(origin, target, hit);
-            // Proven anew: rounding may have moved it off the motion that was proven up to there.
+            // Proven again: rounding may have moved it off the motion that was proven.
             if last != *origin && self.growth.is_motion_free(problem, origin, &last) {
                 return Ok(last);
             }
@@ -154,7 +154,7 @@ impl<S: Space> Rrt<S> {
         self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), other, state);
     }
 
-    /// The goal that is nearest to the state, the first of those equally near, and how far it is.
+    /// The goal nearest to the state, ties by number, and its distance.
     fn nearest_goal(&self, problem: &Problem<S>, state: &S::State) -> (VertexId, f64) {
         let mut nearest = (GOAL, f64::INFINITY);
         for (i, goal) in problem.goals().enumerate() {
@@ -166,7 +166,7 @@ impl<S: Space> Rrt<S> {
         nearest
     }
 
-    /// Joins a goal to the tree.
+    /// Adds a goal to the tree.
     fn arrive(&mut self, iteration: u32, from: VertexId, goal: VertexId) -> Status {
         self.add_edge(iteration, from, goal);
         let state = self.growth.state(goal);

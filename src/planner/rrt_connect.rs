@@ -1,9 +1,9 @@
 //! RRT-Connect: two trees that grow towards each other.
 //!
 //! Kuffner and LaValle 2000, "RRT-Connect: an efficient approach to single-query path planning". The smaller tree grows
-//! one step towards a sample; the other then grows step by step towards what was added until it arrives or is refused.
-//! Trees are kept in balance: the smaller one takes the sample, the start's tree where they are equal (LaValle 2006,
-//! "Planning Algorithms", section 5.5.3). Where motions have a direction, the goal's tree grows against it: its motions
+//! one step towards a sample; the other then grows step by step towards the new vertex until it arrives or is refused.
+//! The trees stay balanced: the smaller one takes the sample, the start's tree if they are equal (LaValle 2006,
+//! "Planning Algorithms", section 5.5.3). If motions have a direction, the goal's tree grows against it: its motions
 //! lead from new vertices to it. Several goals are roots of one forest.
 
 use super::groups::{Joined, Sampling, step_in};
@@ -77,7 +77,7 @@ struct RrtConnect<S: Space> {
     forest: Tree,
     /// The start's tree, then the goal's.
     trees: [Index<S>; 2],
-    /// Where the trees met: a vertex of the start's tree, one of the goal's.
+    /// The vertices at which the trees met: one of the start's tree, one of the goal's.
     bridge: Option<[VertexId; 2]>,
 }
 
@@ -85,7 +85,7 @@ struct RrtConnect<S: Space> {
 enum Step<S> {
     /// The motion is not free.
     Refused,
-    /// A vertex was added on the way.
+    /// A vertex was added.
     Advanced(VertexId),
     /// The motion to the target itself is free; nothing was added yet.
     Arrived(S),

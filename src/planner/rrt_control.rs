@@ -34,7 +34,7 @@ crate::choice! {
 crate::choice! {
     /// Which controls are tried.
     pub enum Controls {
-        /// Random ones; the one that comes closest to the sample is kept.
+        /// Random ones; the one that ends closest to the sample is kept.
         Random,
         /// The six of Reeds and Shepp; all that are free are kept.
         ReedsShepp,
@@ -157,8 +157,8 @@ impl Method for RrtControlOptions {
     }
 }
 
-/// The planner. An iteration takes one sample, or the goal, and tries one blossom: as many motions as it has controls, and
-/// up to 32 more to see the sample where that is asked for.
+/// The planner. An iteration takes one sample, or the goal, and tries several controls, a motion each, and
+/// up to 32 more to find a vertex that sees the sample.
 struct RrtControl<S: Space> {
     options: RrtControlOptions,
     aim: Aim<S>,
@@ -169,7 +169,7 @@ struct RrtControl<S: Space> {
     /// From this iteration on, if something is different then: how long controls are held, and when the goal is due.
     late: Option<(u32, Durations, Reaching)>,
     tree: DrivenTree<S>,
-    /// The vertices that may be grown from.
+    /// The vertices that may be extended.
     open: RemovableIndex<S>,
     /// The vertex in the goal region, once there is one.
     arrived: Option<VertexId>,
@@ -182,7 +182,7 @@ impl<S: Space> RrtControl<S> {
         Status::Solved
     }
 
-    /// The vertex to grow from; `None` where none sees the target.
+    /// The vertex to extend; `None` if none sees the target.
     fn origin(&mut self, problem: &Problem<S>, target: &S::State) -> Option<VertexId> {
         self.tree.growth.counters.nearest_queries += 1;
         let space = problem.space();
@@ -197,7 +197,7 @@ impl<S: Space> RrtControl<S> {
         })
     }
 
-    /// How long controls are held from here.
+    /// How long controls are held from this state.
     fn durations(&self, problem: &Problem<S>, from: &S::State, iteration: u32) -> Durations {
         let durations = self.late.filter(|late| iteration >= late.0).map_or(self.early, |late| late.1);
         let Some(least) = self.options.near_goal_steps else { return durations };
@@ -210,7 +210,7 @@ impl<S: Space> RrtControl<S> {
         Durations { shortest: shrunk(durations.shortest), longest: shrunk(durations.longest) }
     }
 
-    /// The drives from the vertex that are kept.
+    /// The motions from the vertex that become edges.
     fn blossom(
         &mut self,
         problem: &Problem<S>,
@@ -238,7 +238,7 @@ impl<S: Space> RrtControl<S> {
             let cut: Vec<_> = cut.collect();
             return closest(&cut).map(|i| cut[i].1).into_iter().collect();
         }
-        // What ends farther away need not be proven.
+        // Motions that end farther away need not be proven.
         let mut drives: Vec<_> = drives.collect();
         while let Some(i) = closest(&drives) {
             if let Some(drive) = self.tree.prove(problem, from, drives.remove(i).1, blocked) {
@@ -263,7 +263,7 @@ fn late(options: &RrtControlOptions, early: Durations) -> Result<Option<(u32, Du
     Ok(Some((most - most / 4 + 1, durations, reaching)))
 }
 
-/// Which is the closest, the first of them.
+/// The index of the closest, the first of them.
 fn closest<T>(measured: &[(f64, T)]) -> Option<usize> {
     (0..measured.len()).min_by(|&a, &b| measured[a].0.total_cmp(&measured[b].0).then(a.cmp(&b)))
 }

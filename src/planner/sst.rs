@@ -1,9 +1,9 @@
 //! SST: a sparse tree of driven edges, in which of all vertices near each other only the cheapest may grow.
 //!
 //! Li, Littlefield and Bekris 2016, "Asymptotically optimal sampling-based kinodynamic planning". Witnesses are scattered over
-//! the space as the tree reaches it, no two nearer than the pruning radius; each stands for the cheapest vertex near it. A
-//! vertex that is beaten grows no more, and leaves the tree with its edge once nothing hangs on it. Cost is the length of the
-//! way in the metric of the space, along its arcs.
+//! the space as the tree reaches it, no two nearer than the pruning radius; each represents the cheapest vertex near it. A
+//! vertex that is no longer the cheapest does not grow, and is removed with its edge once it has no children. Cost is the length of the
+//! path in the metric of the space, along its arcs.
 
 use super::driven_tree::{Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, up_to_goal};
 use super::groups::{Aim, Reaching};
@@ -19,9 +19,9 @@ use crate::problem::{Motion, Problem};
 use crate::random::{Random, Stream};
 use crate::space::Space;
 
-/// Of the space's extent, the selection radius where none is given.
+/// The default selection radius, as a fraction of the space's extent.
 const DEFAULT_SELECTION: f64 = 0.06;
-/// Of the space's extent, the pruning radius where none is given.
+/// The default pruning radius, as a fraction of the space's extent.
 const DEFAULT_PRUNING: f64 = 0.03;
 
 crate::options! {
@@ -100,18 +100,18 @@ impl Method for SstOptions {
     }
 }
 
-/// The cheapest way to the goal region so far.
+/// The cheapest path to the goal region so far.
 #[derive(Debug, Clone, Copy)]
 struct Best {
     vertex: VertexId,
-    /// In which iteration there was a first one.
+    /// The iteration that found the first path.
     since: u32,
 }
 
 /// The planner. An iteration takes one sample, or the goal, and tries one random control for one random while.
 struct Sst<S: Space> {
     options: SstOptions,
-    /// Of the vertices so near to a sample, the cheapest is grown from; the nearest vertex where there is none.
+    /// The cheapest vertex within this distance of a sample is extended; the nearest vertex if there is none.
     selection_radius: f64,
     /// No two witnesses are nearer to each other.
     pruning_radius: f64,
@@ -120,16 +120,16 @@ struct Sst<S: Space> {
     /// Draws controls and durations.
     controls: Random,
     tree: DrivenTree<S>,
-    /// The length of the way to each vertex.
+    /// The length of the path to each vertex.
     costs: Vec<f64>,
-    /// How many vertices hang on each.
+    /// The number of children of each vertex.
     children: Vec<u32>,
     is_removed: Vec<bool>,
-    /// The vertices that may grow: those that witnesses stand for.
+    /// The vertices that may grow: the representatives of the witnesses.
     active: RemovableIndex<S>,
-    /// Places, numbered as if they were vertices.
+    /// States, numbered as if they were vertices.
     witnesses: Index<S>,
-    /// The vertex that each witness stands for.
+    /// The representative of each witness.
     representatives: Vec<VertexId>,
     best: Option<Best>,
     is_done: bool,
@@ -141,7 +141,7 @@ impl<S: Space> Sst<S> {
         self.costs[vertex.index()]
     }
 
-    /// The vertex to grow from: the cheapest that is near, ties by number.
+    /// The vertex to extend: the cheapest that is near, ties by number.
     fn origin(&mut self, problem: &Problem<S>, target: &S::State) -> VertexId {
         self.tree.growth.counters.nearest_queries += 1;
         let space = problem.space();
@@ -151,7 +151,7 @@ impl<S: Space> Sst<S> {
         cheapest.unwrap_or_else(|| self.active.nearest(space, target).expect("a witness stands for one").vertex)
     }
 
-    /// The witness of a state: the nearest, or a new one where that is too far; and whether it is new.
+    /// The witness of a state: the nearest, or a new one if that is too far; and whether it is new.
     fn witness(&mut self, problem: &Problem<S>, state: &S::State) -> (usize, bool) {
         self.tree.growth.counters.nearest_queries += 1;
         let nearest = self.witnesses.nearest(problem.space(), state).expect("the start has one");
@@ -180,7 +180,7 @@ impl<S: Space> Sst<S> {
         vertex
     }
 
-    /// Has the witness stand for the vertex, and the one that it stood for grow no more.
+    /// Makes the vertex the representative of the witness; the former one grows no more.
     fn replace(&mut self, problem: &Problem<S>, iteration: u32, (witness, is_new): (usize, bool), vertex: VertexId) {
         let (space, graph) = (problem.space(), &self.tree.growth.graph);
         self.active.insert(space, graph, vertex);
@@ -193,7 +193,7 @@ impl<S: Space> Sst<S> {
         self.prune(iteration, beaten);
     }
 
-    /// Takes the vertex out of the tree where it is a leaf that grows no more, and then its parent likewise, and so on. The end
+    /// Removes the vertex from the tree if it is a leaf that grows no more, then its parent likewise, and so on. The end
     /// of the best path stays.
     fn prune(&mut self, iteration: u32, vertex: VertexId) {
         let mut leaf = Some(vertex);
@@ -209,7 +209,7 @@ impl<S: Space> Sst<S> {
         }
     }
 
-    /// Takes the vertex for the end of the best path.
+    /// Makes the vertex the end of the best path.
     fn arrive(&mut self, iteration: u32, vertex: VertexId, state: S::State) {
         self.tree.growth.add_event(EventKind::SolutionFound, iteration, Some(vertex), None, state);
         let earlier = self.best;
@@ -233,7 +233,7 @@ impl<S: Space> Sst<S> {
         let (drive, is_there) = up_to_goal(problem, &from, drive, self.options.driving.goal_test);
         let duration = f64::from(drive.steps) * dynamics.step();
         let cost = self.cost(origin) + dynamics.length(Motion { control, duration });
-        // What costs as much as the best path leads to no better one.
+        // A path that already costs as much as the best one cannot become better.
         let is_cheap = self.best.is_none_or(|best| cost < self.cost(best.vertex));
         if is_cheap {
             let (witness, is_new) = self.witness(problem, &drive.end);

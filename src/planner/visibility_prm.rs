@@ -91,10 +91,10 @@ struct Guarding<S: Space> {
     sampler: Box<dyn Sampler<S>>,
     guards: Vec<VertexId>,
     components: UnionFind,
-    /// After how many samples in a row without a new guard the roadmap is complete.
+    /// The number of samples in a row without a new guard after which the roadmap is complete.
     most_failures: u32,
     failures: u32,
-    /// For every component whether this sample has seen it, by the iteration that did.
+    /// The last iteration whose sample was seen by each component.
     seen: Vec<u32>,
 }
 
@@ -105,13 +105,13 @@ impl<S: Space> Guarding<S> {
         self.guards.push(vertex);
     }
 
-    /// Prepares for a vertex that is a component of its own.
+    /// Adds a component for the next vertex.
     fn add_component(&mut self) {
         self.components.add();
         self.seen.push(0);
     }
 
-    /// Of every component the first guard that sees the state.
+    /// The first guard of every component that sees the state.
     fn visible_guards(
         &mut self,
         roadmap: &mut Roadmap<S>,

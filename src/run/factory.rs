@@ -1,4 +1,4 @@
-//! From a scenario and options to a run: where the names of robots and options become types.
+//! From a scenario and options to a run: names of robots and options become types.
 
 use super::goals::goals;
 use super::resume;
@@ -20,7 +20,7 @@ use crate::space::steering::Steering;
 use crate::space::{MAX_DIMENSION, MetricKind, MotionSpace, ProductSpace, Space};
 use crate::world::{PlanningWorld, SMALL};
 
-/// The turning radii of steered cars, in metres: wide of all worlds on either side. Beyond, lengths and durations of curves might
+/// The turning radii of steered cars, in metres: far beyond all worlds on either side. Outside, lengths and durations of curves might
 /// overflow.
 const TURNING_RADII: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
 /// The slowest that a steered car may be at its fastest, in metres a second, for the same reason.
@@ -60,7 +60,7 @@ pub fn start_on<S: Space + 'static>(
     Box::new(Runner::new(problem, planner, info, None))
 }
 
-/// Begins a run of a planner, from nothing or with a roadmap that was kept.
+/// Begins a run of a planner, from nothing or with a saved roadmap.
 pub(super) fn launch(
     world: &PlanningWorld,
     options: &Options,
@@ -117,27 +117,27 @@ pub(super) fn launch(
     run.map_err(|error| if in_query(&error) { error.under(&format!("/queries/{index}")) } else { error })
 }
 
-/// What is to be done to a path.
+/// The improvements of a path.
 fn wanted(improving: &Improving) -> Wanted {
     let Improving { reduce, shortcut, partial_shortcut } = *improving;
     Wanted { reduce, shortcuts: shortcut, partial_shortcuts: partial_shortcut }
 }
 
-/// All that a run is made from.
+/// Everything that a run is made from.
 struct Launch<'a> {
     world: &'a PlanningWorld,
     planner: PlannerId,
     settings: PlannerOptions,
-    /// The options of its edges, where they are not driven.
+    /// The options of its edges, if they are not controlled motions.
     joined: Option<Joined>,
     tolerance: f64,
-    /// The metric that was asked for.
+    /// The metric that was requested.
     metric: Option<MetricKind>,
     info: RunInfo,
-    /// The roadmap to go on with.
+    /// The roadmap to continue with.
     kept: Option<&'a RoadmapDocument>,
     start: &'a [f64],
-    /// The configurations to reach any one of, one at least; several only of arms.
+    /// The goals, any of which may be reached: at least one; several only for arms.
     goals: Vec<Vec<f64>>,
     goal_tolerance: Option<GoalTolerance>,
 }
@@ -194,7 +194,7 @@ impl Launch<'_> {
         Ok(Box::new(Runner::new(problem, planner, self.info, roadmap)))
     }
 
-    /// How the roadmap of this run will be kept, without vertices and edges.
+    /// The document of this run's roadmap, without vertices and edges.
     fn empty_document<const N: usize>(
         &self,
         space: &MotionSpace<N>,
@@ -275,7 +275,7 @@ fn goal_region<const N: usize>(
     GoalRegion { contains: Box::new(contains), reach }
 }
 
-/// The metric of a robot that has only one and is not steered, as a roadmap is kept with it.
+/// The metric of a robot that has only one and is not steered, as roadmaps name it.
 pub(super) fn only_metric(robot: &Robot) -> RoadmapMetric {
     match robot.placed_shape() {
         Some((_, Weights { translation, rotation })) => RoadmapMetric::Placement { translation, rotation },
@@ -283,7 +283,7 @@ pub(super) fn only_metric(robot: &Robot) -> RoadmapMetric {
     }
 }
 
-/// How far apart two configurations of the arm are at least, from where the end effector is: joint j turns what lies beyond
+/// A lower bound on the distance of two configurations of the arm from those of the end effector: joint j turns what lies beyond
 /// it, which reaches r_j at most, so the end effector moves at most sum r_j |turn j|, which is at most r_1 times their sum,
 /// and at most the root of sum r_j^2 times the root of the sum of their squares (Cauchy and Schwarz).
 fn from_end_effector<const N: usize>(arm: &Arm, is_sum: bool) -> Estimate<[f64; N]> {

@@ -1,4 +1,4 @@
-//! Going on with a roadmap that was kept: whether it belongs here, whether all of it is free, and what may be asked of it.
+//! Continuing with a saved roadmap: whether it fits the scenario, whether all of it is free, and which options it admits.
 
 use super::factory::{launch, only_metric};
 use super::{Options, Run};
@@ -13,19 +13,19 @@ use crate::space::steering::Steering;
 use crate::space::{MetricKind, Space};
 use crate::world::PlanningWorld;
 
-/// Begins a run of the planner that built the roadmap, with the roadmap as it was kept: start and goals of the query are its
-/// first vertices, joined to their neighbours unless the roadmap has them already, and it is searched. Nothing grows any
-/// more, whatever was left to build. Every vertex is looked at and every edge proven again before; a roadmap whose edges were
-/// sampled is sampled again, and stays named as such.
+/// Begins a run of the planner that built the roadmap, with the roadmap as it was saved: start and goals of the query are its
+/// first vertices, connected to their neighbours unless the roadmap has them already, and it is searched. Nothing else
+/// grows, whatever was left to build. Before, every vertex is checked and every edge proven again; a roadmap whose edges were
+/// sampled is sampled again, and still named as such.
 ///
 /// How the roadmap was built is the document's: `options` name its planner, how to search, and what to do with the path.
 /// Parameters that the document holds (`metric`, `steering`, `k`, `radius`, `edge_check`, `edge_samples`, `tolerance`) may be given
 /// again.
 ///
 /// # Errors
-/// `other-scenario` where world or robot are not those that the roadmap was built for; `invalid-roadmap`, with a pointer into
-/// the JSON form, where the document contradicts itself, a vertex lies outside the space or in collision, or an edge is not
-/// free; `out-of-range` where another planner or another value of what the document holds is given, `unsupported` for
+/// `other-scenario` if world or robot are not those that the roadmap was built for; `invalid-roadmap`, with a pointer into
+/// the JSON form, if the document contradicts itself, a vertex lies outside the space or in collision, or an edge is not
+/// free; `out-of-range` if another planner or another value of what the document holds is given, `unsupported` for
 /// parameters of a growth that is over; and those of [`start`](super::start).
 pub fn resume(
     scenario: impl Into<PlanningWorld>,
@@ -106,7 +106,7 @@ fn settings(
     all.extend(document.edge_samples.map(|places| number("edge_samples", f64::from(places))));
     planner.read(&all).map_err(|error| damaged(error.pointer(), error.message()))?;
     let held = [&all[..], &[number("k", f64::from(document.k)), number("radius", document.radius)]].concat();
-    // What does not say how a roadmap is built but what is done with it.
+    // Options about the use of a roadmap, not about its construction.
     let is_free = |name: &str| Searching::has(name) || Improving::has(name) || Limits::has(name);
     for (name, value) in &options.parameters {
         let is_known = planner.has_option(name);
@@ -125,7 +125,7 @@ fn settings(
     planner.read(&all)
 }
 
-/// The states of the vertices, each looked at, every edge proven as `validity` proves.
+/// The states of the vertices; checks every vertex and proves every edge by `validity`.
 ///
 /// # Errors
 /// `invalid-roadmap` with the pointer of the first vertex or edge that is not free.

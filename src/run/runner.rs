@@ -1,4 +1,4 @@
-//! A planner at work on a problem, its path improved afterwards where that is asked for.
+//! A run of a planner on a problem; its path is improved afterwards if requested.
 
 use super::emitted::{self, EmittedPath};
 use super::{EVENT_HEAD, HISTORY_WIDTH, Run, questions};
@@ -9,7 +9,7 @@ use crate::problem::{Motion, Problem, Stats};
 use crate::run::storage::RoadmapDocument;
 use crate::space::Space;
 
-/// The name under which the answer to a further question stands.
+/// The name of further queries in result documents.
 const ASKED: &str = "asked";
 
 /// The names and numbers that a run carries into its result.
@@ -31,7 +31,7 @@ pub(super) struct Runner<S: Space> {
     problem: Problem<S>,
     planner: Box<dyn Planner<S>>,
     info: RunInfo,
-    /// How the roadmap is kept, its vertices and edges left out; `None` of planners that build none.
+    /// The document of the roadmap without vertices and edges; `None` for planners that build none.
     kept: Option<RoadmapDocument>,
     /// Iterations of the planner.
     iteration: u32,
@@ -137,7 +137,7 @@ impl<S: Space> Runner<S> {
         states.iter().map(|state| self.problem.space().coordinates(state).to_vec()).collect()
     }
 
-    /// The path to the vertex nearest to the goal, of planners that have one, where they gave up.
+    /// The path to the vertex nearest to the goal, for planners that have one, if they gave up.
     fn approximate(&self) -> Option<Approximate> {
         let vertices = self.planner.approximate_path();
         if self.status != Status::Exhausted || vertices.is_empty() {
@@ -347,7 +347,7 @@ impl<S: Space> Run for Runner<S> {
     fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error> {
         let ends = questions::ends(self.problem.space(), start, goal)?;
         self.problem.check_ends(&ends[0], &ends[1])?;
-        // What still grows counts its own vertices: guests would be taken for them.
+        // A builder counts the vertices of its roadmap: these would be counted as well.
         if keep && self.status == Status::Running && self.improvement.is_none() {
             let sentence = format!(
                 "start and goal can be kept once the roadmap is built and searched, not while {}",

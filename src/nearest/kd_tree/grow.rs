@@ -3,7 +3,7 @@
 use super::{Branch, KdTree, LANES, LEAF, LEAF_PACKS, Leaf, MAX_DEPTH, Node, Sides, lane};
 use crate::graph::VertexId;
 
-/// States taken out of the tree, to be put back in another shape.
+/// States of a subtree that is rebuilt.
 struct Entries {
     dimension: usize,
     numbers: Vec<f64>,
@@ -73,15 +73,10 @@ impl KdTree {
         if let Some((parent, node)) = lopsided {
             let extra = (len == LEAF).then_some((vertex, coordinates));
             let new = self.rebuild(node, extra);
-            self.hang(parent, new);
-        }
-    }
-
-    /// Replaces a child of `parent`, or the root.
-    fn hang(&mut self, parent: Option<(Node, usize)>, node: Node) {
-        match parent {
-            Some((branch, side)) => self.branches[branch.index()].children[side] = node,
-            None => self.root = node,
+            match parent {
+                Some((branch, side)) => self.branches[branch.index()].children[side] = new,
+                None => self.root = new,
+            }
         }
     }
 

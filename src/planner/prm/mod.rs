@@ -1,11 +1,11 @@
 //! The probabilistic roadmap: k-PRM, PRM with a radius, and PRM*, which is k-PRM with a k that grows with the samples.
 //!
 //! Kavraki, Svestka, Latombe and Overmars 1996, "Probabilistic roadmaps for path planning in high-dimensional configuration
-//! spaces"; LaValle 2006, "Planning Algorithms", section 5.6. The start is the first vertex, the goal the second; where there are
+//! spaces"; LaValle 2006, "Planning Algorithms", section 5.6. The start is the first vertex, the goal the second; if there are
 //! several goals, they follow it.
 //!
-//! Where motions have a direction, so have edges (Svestka and Overmars 1997, "Motion planning for carlike robots using a
-//! probabilistic learning approach"): a vertex is joined to the nearest that it leads to and to the nearest that lead to it.
+//! If motions have a direction, so have edges (Svestka and Overmars 1997, "Motion planning for carlike robots using a
+//! probabilistic learning approach"): a vertex is connected to the nearest that it leads to and to the nearest that lead to it.
 
 mod batch;
 mod connect;

@@ -1,4 +1,4 @@
-//! A roadmap that exists is searched again: start and goals are joined to it, and nothing else grows.
+//! An existing roadmap is searched again: start and goals are connected to it, and nothing else grows.
 
 use super::connect::Connect;
 use crate::graph::VertexId;
@@ -8,19 +8,19 @@ use crate::planner::{Phase, Planner};
 use crate::problem::Problem;
 use crate::space::Space;
 
-/// Joins the ends that the roadmap does not have yet, one an iteration.
+/// Connects the ends that the roadmap does not have yet, one an iteration.
 struct Resumed {
-    /// The ends left to join, the next one last.
+    /// The ends left to connect, the next one last.
     left: Vec<VertexId>,
     connect: Connect,
 }
 
-/// A planner whose roadmap exists, proven: it draws no samples, joins start and goals to their neighbours and searches. A
-/// vertex of the roadmap that is the start or a goal is that one and stays joined as it was; all others come after these
+/// A planner whose roadmap exists and is proven: it draws no samples, connects start and goals to their neighbours and searches. A
+/// vertex of the roadmap that is the start or a goal becomes that end and keeps its edges; all others come after these
 /// ends, in their order. O(states + edges), and the index of neighbours.
 ///
 /// # Panics
-/// Where an edge names a vertex that does not exist.
+/// If an edge names a vertex that does not exist.
 pub fn resume<S: Space + 'static>(
     problem: &Problem<S>,
     connection: Connection,

@@ -1,4 +1,4 @@
-//! Configurations drawn by lot.
+//! Random configurations.
 
 use super::Inspector;
 use crate::error::{Code, Error, Number};
@@ -8,16 +8,16 @@ use crate::space::Space;
 /// The most configurations that are drawn at once.
 pub const MAX_SAMPLES: u64 = 1_000_000;
 
-/// After so many draws in a row that are in collision no free configuration is looked for any more.
+/// The number of draws in a row in collision after which the search for a free configuration ends.
 const PATIENCE: u32 = 100_000;
 
 impl Inspector {
     /// Rows of `n` configurations drawn uniformly from the space of the robot, all of them or only those that are free: the
-    /// same that a planner of this seed draws with its uniform sampler. O(n) draws and, where they must be free, as many
+    /// same that a planner of this seed draws with its uniform sampler. O(n) draws and, if they must be free, as many
     /// checks as it takes.
     ///
     /// # Errors
-    /// `out-of-range` for more than [`MAX_SAMPLES`] or another seed than 0 to 2^53 - 1; `unsupported` where 100,000 draws in a
+    /// `out-of-range` for more than [`MAX_SAMPLES`] or another seed than 0 to 2^53 - 1; `unsupported` if 100,000 draws in a
     /// row are in collision.
     pub fn samples(&self, n: u64, seed: u64, is_free: bool) -> Result<Vec<f64>, Error> {
         for (pointer, given, most) in [("/n", n, MAX_SAMPLES), ("/seed", seed, MAX_SEED)] {

@@ -1,4 +1,4 @@
-//! From a scenario and parameters to an index: where names become types.
+//! From a scenario and parameters to an index: names become types.
 
 use super::table::{ExactOptions, ForestOptions, IndexId};
 use super::{Answer, MAX_CONFIGURATIONS, MAX_PLACES, Neighbours};
@@ -10,7 +10,7 @@ use crate::random::{Random, Stream};
 use crate::space::{MAX_DIMENSION, MotionSpace, Space};
 use crate::world::{Configurations, PlanningWorld, SMALL};
 
-/// An empty index of configurations of the scenario's robot: `linear`, `kd-tree` (where none is named) or `forest`, with the
+/// An empty index of configurations of the scenario's robot: `linear`, `kd-tree` (the default) or `forest`, with the
 /// parameters of [`super::indexes`]. The same planes follow from the same seed.
 ///
 /// # Errors
@@ -62,12 +62,12 @@ fn held<const N: usize>(world: &PlanningWorld, wanted: Wanted) -> Result<Box<dyn
     })
 }
 
-/// An index with the space that it is of, and what may go in.
+/// An index with its space and the configurations that it may hold.
 struct Held<S, I> {
     space: S,
     index: I,
     configurations: Configurations,
-    /// How many configurations it may hold.
+    /// The most configurations that it may hold.
     most: usize,
 }
 

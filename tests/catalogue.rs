@@ -7,7 +7,7 @@ use crate::common::{
     options,
 };
 use planarium::graph::EventKind;
-use planarium::planner::{Mark, PlannerId, PseudocodeLine, planners};
+use planarium::planner::{Mark, PlannerOptions, PseudocodeLine, planners};
 use planarium::run::{EVENT_HEAD, Run, Status, resume};
 use std::collections::BTreeSet;
 use strum::VariantArray;
@@ -118,7 +118,7 @@ fn every_iteration_lights_a_line_and_every_mark_is_met() {
     let cars = [car_and_wall(0.1), car_shut_in(0.1)];
     let mut met: BTreeSet<(&str, String)> = BTreeSet::new();
     for (planner, words) in settings() {
-        let info = PlannerId::of(planner).expect("a planner").info();
+        let info = PlannerOptions::of(planner).expect("a planner").info();
         let lines = info.pseudocode;
         for world in if info.robots == ["car"] { &cars[..] } else { &worlds } {
             let settings = fitting(world, &words);
@@ -150,7 +150,7 @@ fn every_iteration_lights_a_line_and_every_mark_is_met() {
 fn a_roadmap_gone_on_with_lights_lines_too() {
     let world = arm_and_wall(0.1);
     for (planner, settings) in [("prm", "samples=80"), ("prm-star", "samples=80"), ("visibility-prm", "failures=60")] {
-        let lines = PlannerId::of(planner).expect("a planner").info().pseudocode;
+        let lines = PlannerOptions::of(planner).expect("a planner").info().pseudocode;
         let kept = finish(begin_with(&world, planner, 5, settings)).roadmap().expect("a roadmap");
         // Another start, so that it has to be joined.
         let mut other: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");

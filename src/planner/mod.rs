@@ -26,7 +26,7 @@ pub use growth::{Counters, Growth};
 pub use info::{Grows, Mark, Method, PlannerInfo, Preset, PseudocodeLine};
 pub use prm::{Insertion, NeighbourRule, PrmOptions, PrmStarOptions, logarithmic_k, prm_star_k, resume};
 pub use query::{Algorithm, Cost, Heuristic};
-pub use registry::{PlannerId, PlannerOptions, default_planner, planners};
+pub use registry::{PlannerOptions, default_planner, planners};
 pub use roadmap::{Answer, Connection, Roadmap};
 pub use rrt::{Extend, RrtOptions};
 pub use rrt_connect::RrtConnectOptions;
@@ -67,11 +67,6 @@ pub trait Planner<S: Space> {
 
     /// The estimated share of the free space that the roadmap covers, for planners that estimate it.
     fn coverage(&self) -> Option<f64> {
-        None
-    }
-
-    /// The neighbours that vertices are connected to, for planners that build a roadmap.
-    fn connection(&self) -> Option<Connection> {
         None
     }
 

@@ -22,62 +22,9 @@ pub fn default_planner(robot: &str) -> &'static str {
     if robot == "car" { super::RrtControlOptions::ID } else { super::RrtConnectOptions::ID }
 }
 
-/// Everything that names each planner: its type, and its type with options.
+/// Everything that names each planner.
 macro_rules! registry {
     ($($Variant:ident($Options:ty),)*) => {
-        /// A planner by its type alone.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-        pub enum PlannerId {
-            $(#[allow(missing_docs)] $Variant,)*
-        }
-
-        impl PlannerId {
-            const ALL: &[PlannerId] = &[$(PlannerId::$Variant),*];
-
-            /// The id, in kebab-case.
-            pub fn as_str(self) -> &'static str {
-                match self { $(PlannerId::$Variant => <$Options>::ID,)* }
-            }
-
-            /// The types of robots that it plans for.
-            pub fn robots(self) -> &'static [&'static str] {
-                match self { $(PlannerId::$Variant => <$Options>::ROBOTS,)* }
-            }
-
-            /// What it grows.
-            pub fn grows(self) -> Grows {
-                match self { $(PlannerId::$Variant => <$Options>::GROWS,)* }
-            }
-
-            /// Whether its edges are controlled motions.
-            pub fn is_driven(self) -> bool {
-                match self { $(PlannerId::$Variant => <$Options>::is_driven(),)* }
-            }
-
-            /// Whether every motion must be possible in both directions.
-            pub fn needs_symmetry(self) -> bool {
-                match self { $(PlannerId::$Variant => <$Options>::NEEDS_SYMMETRY,)* }
-            }
-
-            /// Its description.
-            pub fn info(self) -> PlannerInfo {
-                match self { $(PlannerId::$Variant => PlannerInfo::of::<$Options>(),)* }
-            }
-
-            /// Whether it has an option of this name.
-            pub fn has_option(self, name: &str) -> bool {
-                match self { $(PlannerId::$Variant => <$Options>::has(name),)* }
-            }
-
-            /// The planner with options given by name.
-            ///
-            /// # Errors
-            /// As [`Options::read`].
-            pub fn read(self, given: &[(String, Value)]) -> Result<PlannerOptions, Error> {
-                Ok(match self { $(PlannerId::$Variant => PlannerOptions::$Variant(Options::read(given)?),)* })
-            }
-        }
-
         /// A planner with its options.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub enum PlannerOptions {
@@ -85,6 +32,49 @@ macro_rules! registry {
         }
 
         impl PlannerOptions {
+            /// Every planner with its default options.
+            fn all() -> [Self; [$(stringify!($Variant)),*].len()] {
+                [$(PlannerOptions::$Variant(Default::default())),*]
+            }
+
+            /// The id, in kebab-case.
+            pub fn id(&self) -> &'static str {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::ID,)* }
+            }
+
+            /// The types of robots that it plans for.
+            pub fn robots(&self) -> &'static [&'static str] {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::ROBOTS,)* }
+            }
+
+            /// What it grows.
+            pub fn grows(&self) -> Grows {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::GROWS,)* }
+            }
+
+            /// Whether every motion must be possible in both directions.
+            pub fn needs_symmetry(&self) -> bool {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::NEEDS_SYMMETRY,)* }
+            }
+
+            /// Its description.
+            pub fn info(&self) -> PlannerInfo {
+                match self { $(PlannerOptions::$Variant(_) => PlannerInfo::of::<$Options>(),)* }
+            }
+
+            /// Whether it has an option of this name.
+            pub fn has_option(&self, name: &str) -> bool {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::has(name),)* }
+            }
+
+            /// The same planner with options given by name; the rest take their defaults.
+            ///
+            /// # Errors
+            /// As [`Options::read`].
+            pub fn read(&self, given: &[(String, Value)]) -> Result<Self, Error> {
+                Ok(match self { $(PlannerOptions::$Variant(_) => PlannerOptions::$Variant(Options::read(given)?),)* })
+            }
+
             /// The group of options of this type, if the planner has it.
             pub fn group<G: 'static>(&self) -> Option<&G> {
                 match self { $(PlannerOptions::$Variant(options) => options.group(),)* }
@@ -104,17 +94,17 @@ use registry;
 
 /// Every planner.
 pub fn planners() -> Vec<PlannerInfo> {
-    PlannerId::ALL.iter().map(|planner| planner.info()).collect()
+    PlannerOptions::all().iter().map(PlannerOptions::info).collect()
 }
 
-impl PlannerId {
-    /// The planner with the given id.
+impl PlannerOptions {
+    /// The planner with the given id and its default options.
     ///
     /// # Errors
     /// `unknown-planner`, pointer `/algorithm`, naming those that exist.
     pub fn of(id: &str) -> Result<Self, Error> {
-        Self::ALL.iter().copied().find(|planner| planner.as_str() == id).ok_or_else(|| {
-            let known = words(Self::ALL.iter().copied());
+        Self::all().into_iter().find(|planner| planner.id() == id).ok_or_else(|| {
+            let known = Self::all().map(|planner| planner.id()).join(", ");
             let sentence = format!("there is no planner {}; there are {known}", quoted(id));
             Error::new(Code::UnknownPlanner, "/algorithm", sentence)
         })
@@ -124,17 +114,14 @@ impl PlannerId {
     ///
     /// # Errors
     /// `unsupported`, pointer `/algorithm`, naming planners for it.
-    pub fn check_robot(self, robot: &str) -> Result<(), Error> {
+    pub fn check_robot(&self, robot: &str) -> Result<(), Error> {
         if self.robots().contains(&robot) {
             return Ok(());
         }
-        let fitting = words(Self::ALL.iter().copied().filter(|planner| planner.robots().contains(&robot)));
-        let (id, own) = (self.as_str(), self.robots().join(", "));
+        let fitting = Self::all().into_iter().filter(|planner| planner.robots().contains(&robot));
+        let fitting = fitting.map(|planner| planner.id()).collect::<Vec<_>>().join(", ");
+        let (id, own) = (self.id(), self.robots().join(", "));
         let sentence = format!("{id} plans for robots of type {own}, not {robot}; for that there are {fitting}");
         Err(Error::new(Code::Unsupported, "/algorithm", sentence))
     }
-}
-
-fn words(planners: impl Iterator<Item = PlannerId>) -> String {
-    planners.map(PlannerId::as_str).collect::<Vec<_>>().join(", ")
 }

@@ -245,10 +245,6 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
         self.builder.coverage()
     }
 
-    fn connection(&self) -> Option<Connection> {
-        Some(self.roadmap.connection)
-    }
-
     fn roadmap(&mut self) -> Option<&mut Roadmap<S>> {
         Some(&mut self.roadmap)
     }

@@ -32,7 +32,7 @@ crate::choice! {
 crate::options! {
     /// Options of RRT.
     pub struct RrtOptions for crate::options::ALL;
-    /// Longest step of the tree, and distance at which it tries the goal: short steps follow bends, long ones are fast.
+    /// Longest step, and distance at which the goal is tried: short steps follow bends, long ones are fast.
     step: Option<f64>, in 1e-6..=1e7, "Step", unit "distance in the metric",
         else "a fifth of the largest distance in the space";
     /// How far the tree grows towards a sample: one step, half the distance, or until just before an obstacle.

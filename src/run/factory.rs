@@ -9,8 +9,7 @@ use crate::error::{Code, Error, Number};
 use crate::path::Wanted;
 use crate::planner;
 use crate::planner::{
-    ByControls, Connection, EdgeCheck, Improving, IntegrationKind, Joined, Limits, Planner, PlannerId, PlannerOptions,
-    Searching,
+    ByControls, Connection, EdgeCheck, Improving, IntegrationKind, Joined, Limits, Planner, PlannerOptions, Searching,
 };
 use crate::problem::{Estimate, GoalRegion, Problem, Validity};
 use crate::robot::{Arm, Car, Weights};
@@ -33,9 +32,9 @@ const SLOWEST: f64 = 1e-9;
 /// options; `start-in-collision` or `goal-in-collision` with a pointer into the scenario.
 pub fn start(scenario: impl Into<PlanningWorld>, options: &Options) -> Result<Box<dyn Run>, Error> {
     let world = scenario.into();
-    let planner = PlannerId::of(options.planner_for(world.scenario()))?;
+    let planner = PlannerOptions::of(options.planner_for(world.scenario()))?;
     options.check_seed()?;
-    launch(&world, options, planner, planner.read(&options.parameters)?, None)
+    launch(&world, options, planner.read(&options.parameters)?, None)
 }
 
 /// Begins a run of a planner on a problem that no scenario describes, in any [`Space`]. The result document names no scenario
@@ -64,33 +63,33 @@ pub fn start_on<S: Space + 'static>(
 pub(super) fn launch(
     world: &PlanningWorld,
     options: &Options,
-    planner: PlannerId,
-    settings: PlannerOptions,
+    planner: PlannerOptions,
     kept: Option<&RoadmapDocument>,
 ) -> Result<Box<dyn Run>, Error> {
     let scenario = world.scenario();
     let (index, query) = options.find_query(scenario)?;
     planner.check_robot(scenario.robot().kind())?;
     // A path driven by controls ends near its goal, never exactly there.
-    if planner.is_driven() && query.goal_tolerance.is_none() {
+    let driving = planner.group::<ByControls>();
+    if driving.is_some() && query.goal_tolerance.is_none() {
         let pointer = format!("/queries/{index}/goal_tolerance");
         return Err(Error::new(
             Code::MissingField,
             pointer,
-            format!("{} needs a goal_tolerance in the query", planner.as_str()),
+            format!("{} needs a goal_tolerance in the query", planner.id()),
         ));
     }
-    let joined = settings.group::<Joined>().copied();
-    let limits = settings.group::<Limits>().copied().unwrap_or_default();
+    let joined = planner.group::<Joined>().copied();
+    let limits = planner.group::<Limits>().copied().unwrap_or_default();
     let info = RunInfo {
         scenario: scenario.name().to_owned(),
         query: query.name.clone(),
-        planner: planner.as_str(),
+        planner: planner.id(),
         seed: options.seed,
         max_iterations: limits.max_iterations,
         wanted: joined.map(|joined| wanted(&joined.improving)).unwrap_or_default(),
         is_sampled: joined.is_some_and(|joined| joined.edge_check == EdgeCheck::Sampled),
-        is_euler: settings.group::<ByControls>().is_some_and(|by| by.integration == IntegrationKind::Euler),
+        is_euler: driving.is_some_and(|by| by.integration == IntegrationKind::Euler),
     };
     if !matches!(scenario.robot(), Robot::Car(_))
         && let Some(steering) = joined.and_then(|joined| joined.steering)
@@ -105,7 +104,6 @@ pub(super) fn launch(
         metric: joined.and_then(|joined| joined.measuring.metric),
         joined,
         tolerance: limits.tolerance,
-        settings,
         info,
         kept,
         start: &query.start,
@@ -126,8 +124,7 @@ fn wanted(improving: &Improving) -> Wanted {
 /// Everything that a run is made from.
 struct Launch<'a> {
     world: &'a PlanningWorld,
-    planner: PlannerId,
-    settings: PlannerOptions,
+    planner: PlannerOptions,
     /// The options of its edges, if they are not controlled motions.
     joined: Option<Joined>,
     tolerance: f64,
@@ -181,15 +178,15 @@ impl Launch<'_> {
         }
 
         let seed = self.info.seed;
-        let planner = match self.kept.zip(self.settings.group::<Searching>()) {
+        let mut planner = match self.kept.zip(self.planner.group::<Searching>()) {
             Some((document, searching)) => {
                 let states = resume::prove(&space, &*checked(checker().finest().validity()), document)?;
                 let connection = Connection { k: document.k as usize, radius: document.radius };
                 planner::resume(&problem, connection, *searching, &states, &document.edges)
             }
-            None => self.settings.begin(&problem, seed)?,
+            None => self.planner.begin(&problem, seed)?,
         };
-        let connection = planner.connection();
+        let connection = planner.roadmap().map(|roadmap| roadmap.connection());
         let roadmap = connection.map(|connection| self.empty_document(&space, connection, edge_samples));
         Ok(Box::new(Runner::new(problem, planner, self.info, roadmap)))
     }

@@ -4,7 +4,7 @@ use super::factory::{launch, only_metric};
 use super::{Options, Run};
 use crate::error::{Code, Error, quoted};
 use crate::options::{Choice, Options as _, Value, out_of_range, refusal};
-use crate::planner::{EdgeCheck, Grows, Improving, Limits, PlannerId, PlannerOptions, Searching};
+use crate::planner::{EdgeCheck, Grows, Improving, Limits, PlannerOptions, Searching};
 use crate::problem::Validity;
 use crate::robot::Car;
 use crate::run::storage::{RoadmapDocument, RoadmapMetric, damaged, fingerprint};
@@ -57,16 +57,16 @@ pub fn resume(
         let sentence = format!("the metric of this robot is {metric}, not {}", document.metric);
         return Err(damaged("/metric", sentence));
     }
-    let builds_roadmap = |planner: &PlannerId| planner.grows() == Grows::Roadmap;
-    let Some(planner) = PlannerId::of(&document.planner).ok().filter(builds_roadmap) else {
+    let builds_roadmap = |planner: &PlannerOptions| planner.grows() == Grows::Roadmap;
+    let Some(planner) = PlannerOptions::of(&document.planner).ok().filter(builds_roadmap) else {
         return Err(damaged("/planner", format!("{} is no planner that builds a roadmap", quoted(&document.planner))));
     };
-    if let Some(other) = options.planner.as_ref().filter(|other| *other != planner.as_str()) {
-        let sentence = format!("the roadmap was built by {}, not {other}", planner.as_str());
+    if let Some(other) = options.planner.as_ref().filter(|other| *other != planner.id()) {
+        let sentence = format!("the roadmap was built by {}, not {other}", planner.id());
         return Err(Error::new(Code::OutOfRange, "/algorithm", sentence));
     }
     options.check_seed()?;
-    launch(&world, options, planner, settings(planner, options, document, steering)?, Some(document))
+    launch(&world, options, settings(planner, options, document, steering)?, Some(document))
 }
 
 /// How the car was steered when the roadmap was built.
@@ -85,7 +85,7 @@ fn steering(car: &Car, document: &RoadmapDocument) -> Result<Steering, Error> {
 
 /// The options of the run: what the document holds, and of those given what may be.
 fn settings(
-    planner: PlannerId,
+    planner: PlannerOptions,
     options: &Options,
     document: &RoadmapDocument,
     steering: Option<Steering>,

@@ -2,16 +2,15 @@
 //! configuration space. For viewers; planners use [`Validity`].
 
 mod clearance;
-mod samples;
 
 use clearance::Boundary;
 pub use clearance::Clearance;
-pub use samples::MAX_SAMPLES;
 
 use crate::error::{Code, Error, Number};
 use crate::geometry::{Aabb, Point};
 use crate::planner::DEFAULT_TOLERANCE;
 use crate::problem::{Contact, Validity};
+use crate::random::{MAX_SEED, Random, Stream};
 use crate::robot::Part;
 use crate::scenario::{Obstacle, Robot};
 use crate::space::{MAX_DIMENSION, MotionSpace, ProductSpace, Space};
@@ -19,6 +18,12 @@ use crate::world::{Configurations, PlanningWorld};
 
 /// The most cells that a picture of the configuration space has on a side.
 pub const MAX_CELLS: usize = 4096;
+
+/// The most configurations that are drawn at once.
+pub const MAX_SAMPLES: u64 = 1_000_000;
+
+/// The number of draws in a row in collision after which the search for a free configuration ends.
+const PATIENCE: u32 = 100_000;
 
 /// Inspects one scenario. Every configuration must have the robot's number of finite entries up to 1e6 in size,
 /// else the error is `wrong-dimension`, `not-finite` or `out-of-range` with the entry's pointer; the ends of a motion must lie
@@ -160,6 +165,40 @@ impl Inspector {
             }
         }
         Ok(cells)
+    }
+
+    /// Rows of `n` configurations drawn uniformly from the space of the robot, all of them or only those that are free: the
+    /// same that a planner of this seed draws with its uniform sampler. O(n) draws and, if they must be free, as many
+    /// checks as it takes.
+    ///
+    /// # Errors
+    /// `out-of-range` for more than [`MAX_SAMPLES`] or another seed than 0 to 2^53 - 1; `unsupported` if 100,000 draws in a
+    /// row are in collision.
+    pub fn samples(&self, n: u64, seed: u64, is_free: bool) -> Result<Vec<f64>, Error> {
+        for (pointer, given, most) in [("/n", n, MAX_SAMPLES), ("/seed", seed, MAX_SEED)] {
+            if given > most {
+                let [given, most] = [given, most].map(|count| Number(count as f64));
+                let sentence = format!("{} lies within [0, {most}], not {given}", &pointer[1..]);
+                return Err(Error::new(Code::OutOfRange, pointer, sentence));
+            }
+        }
+        let mut random = Random::new(seed, Stream::Samples);
+        let mut rows = Vec::with_capacity(n as usize * self.dimension());
+        let mut refused = 0;
+        while rows.len() < n as usize * self.dimension() {
+            let state = self.space().sample(&mut random);
+            if !is_free || self.validity.is_free(&state) {
+                rows.extend_from_slice(self.space().coordinates(&state));
+                refused = 0;
+                continue;
+            }
+            refused += 1;
+            if refused == PATIENCE {
+                let sentence = format!("of {PATIENCE} configurations drawn in a row, none is free");
+                return Err(Error::new(Code::Unsupported, "/free", sentence));
+            }
+        }
+        Ok(rows)
     }
 
     /// Refuses ends that are no configurations or lie outside the joint limits.

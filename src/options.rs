@@ -137,7 +137,7 @@ impl Given<'_> {
     fn finish(mut self, unknown: Code) -> Result<(), Error> {
         for (at, (name, _)) in self.given.iter().enumerate() {
             if !self.known.contains(&name.as_str()) {
-                let sentence = format!("there is no option {}; there are {}", quoted(name), self.known.join(", "));
+                let sentence = format!("unknown option {}; known options are {}", quoted(name), self.known.join(", "));
                 self.refuse(at, refusal(unknown, name, sentence));
             } else if self.given[..at].iter().any(|(earlier, _)| earlier == name) {
                 self.refuse(at, refusal(Code::DuplicateField, name, format!("{name} is given twice")));

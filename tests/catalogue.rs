@@ -10,7 +10,6 @@ use planarium::graph::EventKind;
 use planarium::planner::{Mark, PlannerOptions, PseudocodeLine, planners};
 use planarium::run::{EVENT_HEAD, Run, Status, resume};
 use std::collections::BTreeSet;
-use strum::VariantArray;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// The kinds of event by the numbers that viewers see, each with its mark.
@@ -92,9 +91,7 @@ fn every_planner_and_parameter_says_in_one_short_sentence_what_it_does() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn every_planner_has_a_few_short_lines_and_marks_that_exist() {
-    let known: BTreeSet<String> = Mark::VARIANTS.iter().copied().map(word).collect();
-    assert_eq!(known.len(), Mark::VARIANTS.len(), "a word for each mark");
+fn every_planner_has_a_few_short_lines() {
     for info in planners() {
         let lines = info.pseudocode;
         assert!((6..=12).contains(&lines.len()), "{}: {} lines", info.id, lines.len());
@@ -105,7 +102,6 @@ fn every_planner_has_a_few_short_lines_and_marks_that_exist() {
         for line in lines {
             let length = line.text.chars().count();
             assert!((1..=46).contains(&length), "{}: {length} characters in {:?}", info.id, line.text);
-            assert!(line.lit_by.iter().all(|&mark| known.contains(&word(mark))), "{}", line.text);
             let marks: BTreeSet<String> = line.lit_by.iter().copied().map(word).collect();
             assert_eq!(marks.len(), line.lit_by.len(), "no mark twice: {}", line.text);
         }

@@ -109,7 +109,7 @@ fn a_run_that_has_begun_cannot_be_recorded_any_more() {
     run.step(3);
     let error = run.record().expect_err("three iterations are missing");
     assert_eq!((error.code(), error.pointer()), (Code::Unsupported, ""));
-    assert_eq!(error.message(), "a run is recorded from its first iteration on, and 3 are made");
+    assert_eq!(error.message(), "recording must begin before the first iteration; 3 were made");
     run.step(3);
     assert!(run.take_history().is_empty());
 

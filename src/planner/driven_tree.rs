@@ -118,7 +118,7 @@ pub(super) struct Drive<S> {
     pub end: S,
 }
 
-/// A tree of driven edges. Edge v - 1 leads to vertex v.
+/// A tree of controlled motions. Edge v - 1 leads to vertex v.
 pub(super) struct DrivenTree<S: Space> {
     pub growth: Growth<S>,
     pub tree: Tree,

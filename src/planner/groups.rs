@@ -101,7 +101,7 @@ crate::options! {
 impl Choice for MetricKind {}
 
 crate::options! {
-    /// In which metric joints are measured.
+    /// The metric of joint differences.
     pub struct Measuring for &["arm", "disc"];
     /// How joint differences combine: L1 (sum), L2 (euclidean), or L2 without wrap-around (naive).
     metric: Option<MetricKind>, "Metric", else "sum for arms, euclidean for discs";

@@ -105,7 +105,7 @@ impl PlannerOptions {
     pub fn of(id: &str) -> Result<Self, Error> {
         Self::all().into_iter().find(|planner| planner.id() == id).ok_or_else(|| {
             let known = Self::all().map(|planner| planner.id()).join(", ");
-            let sentence = format!("there is no planner {}; there are {known}", quoted(id));
+            let sentence = format!("unknown planner {}; known planners are {known}", quoted(id));
             Error::new(Code::UnknownPlanner, "/algorithm", sentence)
         })
     }
@@ -121,7 +121,7 @@ impl PlannerOptions {
         let fitting = Self::all().into_iter().filter(|planner| planner.robots().contains(&robot));
         let fitting = fitting.map(|planner| planner.id()).collect::<Vec<_>>().join(", ");
         let (id, own) = (self.id(), self.robots().join(", "));
-        let sentence = format!("{id} plans for robots of type {own}, not {robot}; for that there are {fitting}");
+        let sentence = format!("{id} plans for robots of type {own}, not {robot}; planners for it are {fitting}");
         Err(Error::new(Code::Unsupported, "/algorithm", sentence))
     }
 }

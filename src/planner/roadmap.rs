@@ -271,9 +271,9 @@ pub(super) const BEGIN: PseudocodeLine = line(0, "G ← {start, goal}; until it 
 pub(super) const SAMPLE: PseudocodeLine = line(1, "q ← a random configuration", &[Mark::Sampling]);
 /// The line of keeping it.
 pub(super) const KEEP: PseudocodeLine = line(1, "add q to G", &[Mark::Vertex]);
-/// The line of joining it.
+/// The line of connecting it.
 pub(super) const JOIN: PseudocodeLine = line(1, "if the motion q – p is free: add that edge", &[Mark::Edge]);
-/// The line of not joining it.
+/// The line of not connecting it.
 pub(super) const REFUSE: PseudocodeLine = line(1, "else: refuse it", &[Mark::Refused]);
 /// The line of the search.
 pub(super) const SEARCH: PseudocodeLine = line(0, "search G from start to goal:", &[Mark::Searching]);

@@ -1,4 +1,4 @@
-//! SST: a sparse tree of driven edges, in which of all vertices near each other only the cheapest may grow.
+//! SST: a sparse tree of controlled motions: of vertices near each other only the cheapest may grow.
 //!
 //! Li, Littlefield and Bekris 2016, "Asymptotically optimal sampling-based kinodynamic planning". Witnesses are scattered over
 //! the space as the tree reaches it, no two nearer than the pruning radius; each represents the cheapest vertex near it. A
@@ -163,7 +163,7 @@ impl<S: Space> Sst<S> {
         (witness.index(), true)
     }
 
-    /// Adds the end of a drive to the tree.
+    /// Adds the end of a motion to the tree.
     fn grow(
         &mut self,
         problem: &Problem<S>,
@@ -219,7 +219,7 @@ impl<S: Space> Sst<S> {
         }
     }
 
-    /// One try: a drive from the vertex.
+    /// Tries one motion from the vertex.
     fn try_drive(&mut self, problem: &Problem<S>, iteration: u32, origin: VertexId) {
         let dynamics = dynamics(problem);
         let from = self.tree.growth.state(origin);

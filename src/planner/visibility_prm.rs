@@ -41,7 +41,7 @@ impl Method for VisibilityPrmOptions {
     const GROWS: Grows = Grows::Roadmap;
     const NEEDS_SYMMETRY: bool = true;
     const PSEUDOCODE: &'static [PseudocodeLine] = &[
-        // A roadmap that is gone on with joins the two to what it has.
+        // A resumed roadmap connects the two to its guards.
         line(0, "G ← start and goal, joined where that is free", &[Mark::Connecting]),
         line(0, "until m samples in a row make no guard:", &[]),
         line(1, "q ← a random configuration", &[Mark::Guarding]),

@@ -9,7 +9,7 @@ use crate::space::steering::Pose;
 /// The most that one piece of a traced curve turns, in radians.
 const BEND: f64 = 0.2;
 
-/// The integration steps of one piece of a driven edge.
+/// The integration steps of one piece of a controlled motion.
 const STEPS: u32 = 10;
 
 /// A path from waypoint to waypoint.
@@ -67,13 +67,8 @@ pub(super) fn motions<S: Space>(problem: &Problem<S>, graph: &Graph<S>, edge: us
         return vec![motion];
     }
     let [from, to] = graph.edges()[edge].map(|vertex| graph.state(vertex));
-    problem
-        .dynamics()
-        .map(|dynamics| dynamics.steer(from, to))
-        .unwrap_or_default()
-        .into_iter()
-        .map(|(motion, _)| motion)
-        .collect()
+    let steered = problem.dynamics().map(|dynamics| dynamics.steer(from, to)).unwrap_or_default();
+    steered.into_iter().map(|(motion, _)| motion).collect()
 }
 
 /// States along a curved edge, both ends included, close enough to be connected by straight lines; empty for a straight edge.

@@ -69,7 +69,7 @@ pub(super) fn launch(
     let scenario = world.scenario();
     let (index, query) = options.find_query(scenario)?;
     planner.check_robot(scenario.robot().kind())?;
-    // A path driven by controls ends near its goal, never exactly there.
+    // A path of controlled motions ends near its goal, never exactly there.
     let driving = planner.group::<ByControls>();
     if driving.is_some() && query.goal_tolerance.is_none() {
         let pointer = format!("/queries/{index}/goal_tolerance");
@@ -246,7 +246,7 @@ impl Launch<'_> {
         let used = if steering == Steering::Dubins { forward } else { forward.min(-backward) };
         if used < SLOWEST {
             let [used, slowest] = [used, SLOWEST].map(Number);
-            return Err(unsupported(&format!("curves are driven at {slowest} m/s at least, not {used}")));
+            return Err(unsupported(&format!("curves need a speed of at least {slowest} m/s, not {used}")));
         }
         if steering == Steering::Dubins && self.planner.needs_symmetry() {
             return Err(unsupported(

@@ -53,7 +53,7 @@ pub(super) fn goals(world: &PlanningWorld, query: &Query, place: usize, seed: u6
             let contacts = contacts.iter().map(Contact::to_string).collect::<Vec<_>>().join(", ");
             (
                 Code::GoalInCollision,
-                format!("wherever the end effector was found to reach the target the arm is in collision: {contacts}"),
+                format!("every configuration found that reaches the target is in collision: {contacts}"),
             )
         }
         Verdict::OutOfReach { nearest, .. } => {

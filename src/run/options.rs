@@ -38,7 +38,7 @@ impl Options {
             let known: Vec<String> = queries.iter().map(|query| quoted(&query.name)).collect();
             let sentence = match &self.query {
                 Some(name) => {
-                    format!("there is no query {} in this scenario; there are [{}]", quoted(name), known.join(", "))
+                    format!("unknown query {}; the queries of this scenario are [{}]", quoted(name), known.join(", "))
                 }
                 None => "this scenario has no query".to_owned(),
             };
@@ -51,7 +51,7 @@ impl Options {
         if self.seed <= MAX_SEED {
             return Ok(());
         }
-        let sentence = format!("a seed lies within [0, {MAX_SEED}], not {}", self.seed);
+        let sentence = format!("a seed must lie within [0, {MAX_SEED}], not {}", self.seed);
         Err(Error::new(Code::OutOfRange, "/seed", sentence))
     }
 }

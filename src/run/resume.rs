@@ -59,7 +59,10 @@ pub fn resume(
     }
     let builds_roadmap = |planner: &PlannerOptions| planner.grows() == Grows::Roadmap;
     let Some(planner) = PlannerOptions::of(&document.planner).ok().filter(builds_roadmap) else {
-        return Err(damaged("/planner", format!("{} is no planner that builds a roadmap", quoted(&document.planner))));
+        return Err(damaged(
+            "/planner",
+            format!("{} is not a planner that builds a roadmap", quoted(&document.planner)),
+        ));
     };
     if let Some(other) = options.planner.as_ref().filter(|other| *other != planner.id()) {
         let sentence = format!("the roadmap was built by {}, not {other}", planner.id());
@@ -116,7 +119,7 @@ fn settings(
                 return Err(out_of_range(name, format!("the roadmap was built with {name} = {kept}, not {value}")));
             }
             None if is_known && !is_free(name) => {
-                let sentence = format!("{name} is about how a roadmap grows; this one is built");
+                let sentence = format!("{name} affects how a roadmap is built; this one is complete");
                 return Err(refusal(Code::Unsupported, name, sentence));
             }
             None => all.push((name.clone(), value.clone())),
@@ -135,7 +138,10 @@ pub(super) fn prove<S: Space>(
     document: &RoadmapDocument,
 ) -> Result<Vec<S::State>, Error> {
     if let Some(i) = (0..space.dimension()).find(|&i| space.period(i).is_finite() != document.circles[i]) {
-        return Err(damaged(format!("/circles/{i}"), format!("coordinate {i} wraps here or there, but not in both")));
+        return Err(damaged(
+            format!("/circles/{i}"),
+            format!("coordinate {i} wraps in the roadmap or in the space, but not in both"),
+        ));
     }
     let mut states = Vec::with_capacity(document.vertex_count());
     for (i, row) in document.rows().enumerate() {

@@ -22,7 +22,7 @@ pub(super) struct RunInfo {
     pub max_iterations: u32,
     pub wanted: Wanted,
     pub is_sampled: bool,
-    /// Whether it is driven by Euler's steps.
+    /// Whether motions are integrated by Euler steps.
     pub is_euler: bool,
 }
 
@@ -124,7 +124,7 @@ impl<S: Space> Runner<S> {
     /// The path as it is reported; empty until solved.
     fn emitted(&self) -> EmittedPath<S> {
         match &self.improvement {
-            // A path driven by controls is reported as it was found: it cannot be improved.
+            // A path of controlled motions is reported as it was found: it cannot be improved.
             Some(_) if self.status == Status::Solved && !self.planner.graph().motions().is_empty() => self.raw(),
             Some(improvement) if self.status == Status::Solved => {
                 EmittedPath::through(&self.problem, improvement.path())
@@ -207,7 +207,7 @@ impl<S: Space> Run for Runner<S> {
 
     fn record(&mut self) -> Result<(), Error> {
         if self.history.is_none() && self.iterations() > 0 {
-            let sentence = format!("a run is recorded from its first iteration on, and {} are made", self.iterations());
+            let sentence = format!("recording must begin before the first iteration; {} were made", self.iterations());
             return Err(Error::new(Code::Unsupported, "", sentence));
         }
         self.history.get_or_insert_default();
@@ -244,9 +244,7 @@ impl<S: Space> Run for Runner<S> {
 
     fn vertices_since(&self, row: usize) -> Vec<f64> {
         let states = self.planner.graph().states().get(row..).unwrap_or_default();
-        let mut rows = Vec::with_capacity(states.len() * self.dimension());
-        states.iter().for_each(|state| rows.extend_from_slice(self.problem.space().coordinates(state)));
-        rows
+        states.iter().flat_map(|state| self.problem.space().coordinates(state)).copied().collect()
     }
 
     fn edges_since(&self, row: usize) -> Vec<u32> {
@@ -350,14 +348,14 @@ impl<S: Space> Run for Runner<S> {
         // A builder counts the vertices of its roadmap: these would be counted as well.
         if keep && self.status == Status::Running && self.improvement.is_none() {
             let sentence = format!(
-                "start and goal can be kept once the roadmap is built and searched, not while {}",
+                "start and goal can be added once the roadmap is built and searched, not while {}",
                 self.phase().as_str()
             );
             return Err(Error::new(Code::Unsupported, "/keep", sentence));
         }
         let keep = keep.then_some(self.iteration);
         let Some(roadmap) = self.planner.roadmap() else {
-            let sentence = format!("{} builds no roadmap that could be asked again", self.info.planner);
+            let sentence = format!("{} builds no roadmap to query", self.info.planner);
             return Err(Error::new(Code::Unsupported, "", sentence));
         };
         let answer = roadmap.answer(&self.problem, ends, keep);

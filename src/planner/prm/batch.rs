@@ -8,13 +8,13 @@ use crate::problem::Problem;
 use crate::sampling::Sampler;
 use crate::space::Space;
 
-/// Draws samples until the roadmap has enough vertices, then joins one vertex after another to its neighbours. An iteration
-/// tries one sample or joins one vertex.
+/// Draws samples until the roadmap has enough vertices, then connects one vertex after another to its neighbours. An
+/// iteration tries one sample or connects one vertex.
 pub(super) struct Batch<S: Space> {
     /// How many vertices the roadmap gets, start and goals included.
     vertices: usize,
     sampler: Box<dyn Sampler<S>>,
-    /// The next vertex to join, once all samples are there.
+    /// The next vertex to connect, once all samples are drawn.
     next: VertexId,
     connect: Connect,
 }

@@ -178,7 +178,7 @@ impl Inspector {
         for (pointer, given, most) in [("/n", n, MAX_SAMPLES), ("/seed", seed, MAX_SEED)] {
             if given > most {
                 let [given, most] = [given, most].map(|count| Number(count as f64));
-                let sentence = format!("{} lies within [0, {most}], not {given}", &pointer[1..]);
+                let sentence = format!("{} must lie within [0, {most}], not {given}", &pointer[1..]);
                 return Err(Error::new(Code::OutOfRange, pointer, sentence));
             }
         }

@@ -120,7 +120,7 @@ impl<S: Space, I: Nearest<S>> Neighbours for Held<S, I> {
         // Not a number, too.
         if !(radius >= 0.0 && radius.is_finite()) {
             let code = if radius.is_finite() { Code::OutOfRange } else { Code::NotFinite };
-            let sentence = format!("a radius is a finite number, 0 or more, not {}", Number(radius));
+            let sentence = format!("a radius must be a finite number of at least 0, not {}", Number(radius));
             return Err(Error::new(code, "/radius", sentence));
         }
         self.ask(q, |state, found| self.index.within(&self.space, state, radius, found))

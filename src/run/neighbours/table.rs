@@ -69,7 +69,7 @@ impl IndexId {
         let Some(id) = id else { return Ok(IndexId::KdTree) };
         Self::VARIANTS.iter().copied().find(|index| index.as_str() == id).ok_or_else(|| {
             let known = Self::VARIANTS.iter().map(|index| index.as_str()).collect::<Vec<_>>().join(", ");
-            Error::new(Code::OutOfRange, "/index", format!("there is no index {}; there are {known}", quoted(id)))
+            Error::new(Code::OutOfRange, "/index", format!("unknown index {}; known indexes are {known}", quoted(id)))
         })
     }
 

@@ -57,11 +57,11 @@ impl RoadmapDocument {
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
         let mut source = Source { rest: bytes };
         if source.array()? != MAGIC {
-            return Err(damaged("", "this is not the binary form of a roadmap: it begins otherwise"));
+            return Err(damaged("", "this is not the binary form of a roadmap: its first bytes differ"));
         }
         let version = source.count()?;
         if version != VERSION {
-            return Err(damaged("/format", format!("the version is {version}; {VERSION} is understood")));
+            return Err(damaged("/format", format!("version {version} is not supported, only {VERSION}")));
         }
         let Some((payload, checksum)) = bytes.split_last_chunk() else { return Err(too_short()) };
         if hash(payload) != u64::from_le_bytes(*checksum) {
@@ -82,7 +82,8 @@ impl RoadmapDocument {
         // The counts are used only if the rest is exactly as long as they say: 64 bits hold their products.
         let [rows, pairs] = [vertices * dimension as u64 * 8, edges * 8];
         if rows + pairs + size_of::<u64>() as u64 != source.rest.len() as u64 {
-            let sentence = format!("{vertices} vertices and {edges} edges do not fill the {} bytes", bytes.len());
+            let sentence =
+                format!("{vertices} vertices and {edges} edges do not match the length of {} bytes", bytes.len());
             return Err(damaged("", sentence));
         }
         let (rows, _) = source.take(rows as usize)?.as_chunks();

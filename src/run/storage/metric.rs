@@ -9,11 +9,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum RoadmapMetric {
-    /// The sum of the turns of the joints.
+    /// The sum of the joint differences.
     Sum,
     /// The root of the sum of their squares, or the distance of two points.
     Euclidean,
-    /// The same as if no joint went round.
+    /// The same without wrap-around.
     Naive,
     /// Of placements (x, y, theta): the weighted sum of how far they lie apart and how far one is turned against the other.
     Placement {

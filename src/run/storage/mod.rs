@@ -16,8 +16,8 @@ pub use json::FORMAT;
 pub use metric::RoadmapMetric;
 
 use crate::error::{Code, Error, Number};
-use crate::space::{MAX_DIMENSION, MotionSpace, ProductSpace, Space};
-use std::f64::consts::{PI, TAU};
+use crate::space::steering::Steering;
+use crate::space::{Coordinate, MAX_DIMENSION, Metric, MotionSpace, ProductSpace, Space};
 
 /// The most neighbours of a vertex: with a radius, as many as a roadmap may try.
 const MOST_NEIGHBOURS: u32 = 20_000_000;
@@ -96,31 +96,33 @@ impl RoadmapDocument {
     ///
     /// # Panics
     /// If a vertex does not exist.
-    pub fn length(&self, [a, b]: [u32; 2]) -> f64 {
+    pub fn length(&self, edge: [u32; 2]) -> f64 {
         let dimension = self.dimension();
-        let at = |vertex: u32, i: usize| self.vertices[vertex as usize * dimension + i];
-        if let (Some((steering, radius)), 3) = (self.metric.curves(), dimension) {
-            // The size of the box is no part of the length.
-            let torus = ProductSpace::<MAX_DIMENSION>::of_placements([0.0; 2], [1.0; 2], 1.0, 1.0);
-            let space = MotionSpace::steered(torus, steering, radius);
-            let [a, b] = [a, b].map(|vertex| std::array::from_fn(|i| if i < 3 { at(vertex, i) } else { 0.0 }));
-            return space.distance(&a, &b);
-        }
-        let gaps = self.circles.iter().enumerate().map(|(i, &is_circle)| {
-            let gap = (at(a, i) - at(b, i)).abs();
-            if is_circle && gap > PI { TAU - gap } else { gap }
+        let [a, b] = edge.map(|vertex| {
+            let mut state = [0.0; MAX_DIMENSION];
+            state[..dimension].copy_from_slice(&self.vertices[vertex as usize * dimension..][..dimension]);
+            state
         });
+        self.space().distance(&a, &b)
+    }
+
+    /// The space that it was built in, without its limits, which distances do not depend on.
+    fn space(&self) -> MotionSpace<MAX_DIMENSION> {
+        let coordinate = |&is_circle: &bool| match is_circle {
+            true => Coordinate::Circle,
+            false => Coordinate::Interval { low: -1.0, high: 1.0 },
+        };
+        let coordinates: Vec<Coordinate> = self.circles.iter().map(coordinate).collect();
+        let product = |metric| MotionSpace::new(ProductSpace::new(&coordinates, metric));
+        let placements = |translation, rotation| ProductSpace::of_placements([0.0; 2], [1.0; 2], translation, rotation);
         match self.metric {
-            RoadmapMetric::Placement { translation, rotation } if dimension == 3 => {
-                let gaps: Vec<f64> = gaps.collect();
-                translation * (gaps[0] * gaps[0] + gaps[1] * gaps[1]).sqrt() + rotation * gaps[2]
+            RoadmapMetric::Sum => product(Metric::Sum),
+            RoadmapMetric::Euclidean | RoadmapMetric::Naive => product(Metric::Euclidean),
+            RoadmapMetric::Placement { translation, rotation } => MotionSpace::new(placements(translation, rotation)),
+            RoadmapMetric::Dubins { radius } => MotionSpace::steered(placements(1.0, 1.0), Steering::Dubins, radius),
+            RoadmapMetric::ReedsShepp { radius } => {
+                MotionSpace::steered(placements(1.0, 1.0), Steering::ReedsShepp, radius)
             }
-            RoadmapMetric::Sum => gaps.sum(),
-            RoadmapMetric::Euclidean
-            | RoadmapMetric::Naive
-            | RoadmapMetric::Placement { .. }
-            | RoadmapMetric::Dubins { .. }
-            | RoadmapMetric::ReedsShepp { .. } => gaps.map(|gap| gap * gap).sum::<f64>().sqrt(),
         }
     }
 

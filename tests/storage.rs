@@ -34,10 +34,10 @@ fn resume(scenario: &Scenario, document: &RoadmapDocument) -> Result<Box<dyn Run
 
 /// The error, by code and pointer.
 #[track_caller]
-fn refusal<T>(result: Result<T, Error>) -> (String, String) {
+fn refusal<T>(result: Result<T, Error>) -> (&'static str, String) {
     let error = result.err().expect("this is to be refused");
     assert!(error.message().len() > 8, "{error}");
-    (error.code().as_str().to_owned(), error.pointer().to_owned())
+    (error.code().as_str(), error.pointer().to_owned())
 }
 
 fn worlds() -> Vec<Scenario> {
@@ -198,7 +198,7 @@ fn what_contradicts_the_document_is_refused() {
         ("prm", "shortcut=-1", "out-of-range", "/shortcut"),
     ] {
         let found = refusal(run::resume(&world, &options(planner, 0, settings), &document));
-        assert_eq!(found, (code.to_owned(), pointer.to_owned()), "{planner} {settings}");
+        assert_eq!(found, (code, pointer.to_owned()), "{planner} {settings}");
     }
     let unknown = Options { query: Some("nowhere".to_owned()), ..options("prm", 0, "") };
     assert_eq!(refusal(run::resume(&world, &unknown, &document)).0, "unknown-query");
@@ -217,7 +217,7 @@ fn a_roadmap_of_another_world_or_robot_is_refused() {
         parse(&text.replace("[1,0.8]", "[1,0.81]")),
     ];
     for other in others {
-        assert_eq!(refusal(resume(&other, &document)), ("other-scenario".to_owned(), "/fingerprint".to_owned()));
+        assert_eq!(refusal(resume(&other, &document)), ("other-scenario", "/fingerprint".to_owned()));
     }
     // Another way to write the same world is the same world.
     assert!(resume(&parse(&text.replace("0.8", "8e-1")), &document).is_ok());
@@ -320,7 +320,7 @@ fn a_document_that_contradicts_itself_is_refused_in_every_form_where_it_does() {
     for (change, pointer) in changes {
         let mut changed = document.clone();
         change(&mut changed);
-        let wanted = ("invalid-roadmap".to_owned(), (*pointer).to_owned());
+        let wanted = ("invalid-roadmap", (*pointer).to_owned());
         assert_eq!(refusal(RoadmapDocument::read(&changed.to_bytes())), wanted);
         assert_eq!(refusal(RoadmapDocument::read(changed.to_json().as_bytes())), wanted);
         assert_eq!(refusal(resume(&world, &changed)), wanted, "nor can a program hand it over");
@@ -364,7 +364,7 @@ fn json_is_refused_where_it_is_wrong() {
     for (piece, replacement, code, pointer) in changes {
         assert!(text.contains(piece), "{piece} does not stand in {text}");
         let found = refusal(RoadmapDocument::parse(&text.replacen(piece, replacement, 1)));
-        assert_eq!(found, (code.to_owned(), pointer.to_owned()), "{piece} -> {replacement}");
+        assert_eq!(found, (code, pointer.to_owned()), "{piece} -> {replacement}");
     }
     // The order of fields and the space between them do not matter.
     let tree = planarium::json::parse(&text).expect("an object");
@@ -388,7 +388,7 @@ fn what_is_not_free_is_refused_though_its_checksum_fits() {
             lie.edges.push([0, other]);
             let read = RoadmapDocument::read(&lie.to_bytes()).expect("nothing is damaged");
             let place = format!("/edges/{}", document.edges.len());
-            assert_eq!(refusal(resume(&world, &read)), ("invalid-roadmap".to_owned(), place));
+            assert_eq!(refusal(resume(&world, &read)), ("invalid-roadmap", place));
             forged += 1;
         }
         assert!(forged > 3, "{forged} edges cross the wall");
@@ -399,7 +399,7 @@ fn what_is_not_free_is_refused_though_its_checksum_fits() {
         let mut lie = document.clone();
         lie.edges.clear();
         lie.vertices[6..8].copy_from_slice(&bad);
-        let expected = ("invalid-roadmap".to_owned(), "/vertices/3".to_owned());
+        let expected = ("invalid-roadmap", "/vertices/3".to_owned());
         assert_eq!(refusal(resume(&world, &lie)), expected, "{bad:?}");
     }
     for (change, pointer) in [
@@ -411,7 +411,7 @@ fn what_is_not_free_is_refused_though_its_checksum_fits() {
     ] {
         let mut lie = document.clone();
         change(&mut lie);
-        assert_eq!(refusal(resume(&world, &lie)), ("invalid-roadmap".to_owned(), pointer.to_owned()));
+        assert_eq!(refusal(resume(&world, &lie)), ("invalid-roadmap", pointer.to_owned()));
     }
 }
 

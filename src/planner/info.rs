@@ -103,14 +103,15 @@ pub struct Preset {
     pub id: &'static str,
     /// The name for people.
     pub title: &'static str,
-    /// Names and values of options, as on the command line; all others have their defaults.
-    pub settings: &'static [(&'static str, &'static str)],
+    /// Options as on the command line, `name=value` separated by spaces; all others have their defaults.
+    pub settings: &'static str,
 }
 
 impl Preset {
     /// The settings as values of options.
     pub fn parameters(&self) -> Vec<(String, Value)> {
-        self.settings.iter().map(|&(name, value)| (name.to_owned(), Value::from_text(value))).collect()
+        let settings = self.settings.split(' ').filter_map(|setting| setting.split_once('='));
+        settings.map(|(name, value)| (name.to_owned(), Value::from_text(value))).collect()
     }
 }
 

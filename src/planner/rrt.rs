@@ -57,18 +57,14 @@ impl Method for RrtOptions {
         Preset {
             id: "half-way",
             title: "Half the distance",
-            settings: &[("extend", "half"), ("goal_bias", "0.05"), ("max_iterations", "1000")],
+            settings: "extend=half goal_bias=0.05 max_iterations=1000",
         },
         Preset {
             id: "last-free-point",
             title: "To the last free point",
-            settings: &[("extend", "until-obstacle"), ("goal_bias", "0.05"), ("max_iterations", "1000")],
+            settings: "extend=until-obstacle goal_bias=0.05 max_iterations=1000",
         },
-        Preset {
-            id: "every-fifth",
-            title: "Goal every 5th sample",
-            settings: &[("goal_every", "5"), ("max_iterations", "2000")],
-        },
+        Preset { id: "every-fifth", title: "Goal every 5th sample", settings: "goal_every=5 max_iterations=2000" },
     ];
     const PSEUDOCODE: &'static [PseudocodeLine] = &[
         line(0, "T ← {start}; repeat:", &[]),

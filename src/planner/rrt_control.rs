@@ -74,17 +74,6 @@ crate::options! {
     driving: ByControls;
 }
 
-/// The settings of the report with several numbers of controls.
-const fn blossom(count: &'static str) -> [(&'static str, &'static str); 5] {
-    [
-        ("blossom", count),
-        ("duration_steps", "250"),
-        ("goal_bias", "0.05"),
-        ("goal_test", "ends"),
-        ("max_iterations", "10000"),
-    ]
-}
-
 impl Method for RrtControlOptions {
     const ID: &'static str = "rrt-control";
     const TITLE: &'static str = "RRT by controls";
@@ -93,35 +82,30 @@ impl Method for RrtControlOptions {
     const GROWS: Grows = Grows::Tree;
     const ROBOTS: &'static [&'static str] = CAR;
     const PRESETS: &'static [Preset] = &[
-        Preset { id: "blossom-1", title: "Blossom of 1", settings: &blossom("1") },
-        Preset { id: "blossom-3", title: "Blossom of 3", settings: &blossom("3") },
-        Preset { id: "blossom-5", title: "Blossom of 5", settings: &blossom("5") },
+        Preset {
+            id: "blossom-1",
+            title: "Blossom of 1",
+            settings: "blossom=1 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
+        },
+        Preset {
+            id: "blossom-3",
+            title: "Blossom of 3",
+            settings: "blossom=3 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
+        },
+        Preset {
+            id: "blossom-5",
+            title: "Blossom of 5",
+            settings: "blossom=5 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
+        },
         Preset {
             id: "schedule",
             title: "Finer in the end",
-            settings: &[
-                ("blossom", "30"),
-                ("duration_steps", "200"),
-                ("late_duration_steps", "100"),
-                ("goal_every", "10"),
-                ("late_goal_every", "5"),
-                ("blocked", "refused"),
-                ("goal_test", "ends"),
-                ("max_iterations", "4000"),
-            ],
+            settings: "blossom=30 duration_steps=200 late_duration_steps=100 goal_every=10 late_goal_every=5 blocked=refused goal_test=ends max_iterations=4000",
         },
         Preset {
             id: "six-controls",
             title: "Six controls",
-            settings: &[
-                ("controls", "reeds-shepp"),
-                ("nearest", "nearest-visible"),
-                ("once", "true"),
-                ("duration_steps", "100"),
-                ("near_goal_steps", "10"),
-                ("goal_test", "ends"),
-                ("max_iterations", "2000"),
-            ],
+            settings: "controls=reeds-shepp nearest=nearest-visible once=true duration_steps=100 near_goal_steps=10 goal_test=ends max_iterations=2000",
         },
     ];
     const PSEUDOCODE: &'static [PseudocodeLine] = &[

@@ -74,11 +74,11 @@ impl Method for PrmOptions {
         "Probabilistically complete with a radius: more samples find any path that has clearance.";
     const GROWS: Grows = Grows::Roadmap;
     const PRESETS: &'static [Preset] = &[
-        Preset { id: "thirty-nearest", title: "1000 samples, k = 30", settings: &[("samples", "1000"), ("k", "30")] },
+        Preset { id: "thirty-nearest", title: "1000 samples, k = 30", settings: "samples=1000 k=30" },
         Preset {
             id: "three-nearest",
             title: "500 connected, k = 3",
-            settings: &[("samples", "500"), ("k", "3"), ("insertion", "one-by-one"), ("discard", "true")],
+            settings: "samples=500 k=3 insertion=one-by-one discard=true",
         },
     ];
     const PSEUDOCODE: &'static [PseudocodeLine] = &[

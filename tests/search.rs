@@ -154,7 +154,7 @@ fn searches_follow_edges_that_lead_one_way() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_search_from_a_vertex_to_itself_is_over_at_once() {
-    let adjacency = Adjacency::new(2, &[[VertexId(0), VertexId(1)]]);
+    let adjacency = Adjacency::joining(2, &[[VertexId(0), VertexId(1)]], &[]);
     let view = View { adjacency: &adjacency, cost: &|_, _| 1.0, heuristic: &|_| 0.0 };
     let goals = START..VertexId(1);
     assert_eq!(walk(BestFirst::new(2, START, goals.clone()), &view), (vec![START], 0));

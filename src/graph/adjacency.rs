@@ -45,12 +45,7 @@ impl Rows {
 }
 
 impl Adjacency {
-    /// The neighbours along the given edges, in both directions, among `vertices` vertices. O(vertices + edges).
-    pub fn new(vertices: usize, edges: &[[VertexId; 2]]) -> Self {
-        Self::joining(vertices, edges, &[])
-    }
-
-    /// The same along two lists of edges.
+    /// The neighbours along two lists of edges, in both directions, among `vertices` vertices. O(vertices + edges).
     pub fn joining(vertices: usize, edges: &[[VertexId; 2]], more: &[[VertexId; 2]]) -> Self {
         Self { successors: Rows::new(vertices, [edges, more], &[[0, 1], [1, 0]]), predecessors: None }
     }
@@ -59,11 +54,6 @@ impl Adjacency {
     pub fn directed(vertices: usize, edges: &[[VertexId; 2]], more: &[[VertexId; 2]]) -> Self {
         let rows = |ends| Rows::new(vertices, [edges, more], &[ends]);
         Self { successors: rows([0, 1]), predecessors: Some(rows([1, 0])) }
-    }
-
-    /// How many vertices there are.
-    pub fn vertices(&self) -> usize {
-        self.successors.starts.len().saturating_sub(1)
     }
 
     /// The vertices that an edge leads to from this one.

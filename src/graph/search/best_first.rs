@@ -32,11 +32,6 @@ impl BestFirst {
         let frontier = BinaryHeap::from([(Reverse(0), 0, Reverse(start))]);
         Self { goals, reached: None, cost, tree, frontier }
     }
-
-    /// The cost of the cheapest path to the vertex found so far; infinite if it was not reached.
-    pub fn cost(&self, vertex: VertexId) -> f64 {
-        self.cost[vertex.index()]
-    }
 }
 
 impl Walker for BestFirst {

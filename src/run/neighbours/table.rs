@@ -73,14 +73,6 @@ impl IndexId {
         })
     }
 
-    /// Whether it always finds the nearest.
-    pub fn is_exact(self) -> bool {
-        match self {
-            IndexId::Linear | IndexId::KdTree => true,
-            IndexId::Forest => false,
-        }
-    }
-
     /// Its description.
     pub fn info(self) -> IndexInfo {
         let (title, summary, parameters) = match self {
@@ -100,7 +92,7 @@ impl IndexId {
                 ForestOptions::table(),
             ),
         };
-        IndexInfo { id: self.as_str(), title, summary, is_exact: self.is_exact(), parameters }
+        IndexInfo { id: self.as_str(), title, summary, is_exact: self != IndexId::Forest, parameters }
     }
 }
 

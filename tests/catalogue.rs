@@ -1,10 +1,8 @@
-//! The table of planners: words that explain themselves, and pseudo-code that every iteration of every planner lights.
-
-use crate::common;
+//! The table of planners: short descriptions, and pseudo-code that every iteration of every planner highlights.
 
 use crate::common::{
     DRIVEN, PLANNERS, arm_and_wall, begin_with, car_and_wall, car_shut_in, disc_and_wall, finish, fitting, no_way,
-    options,
+    options, parse,
 };
 use planarium::graph::EventKind;
 use planarium::planner::{Mark, PlannerOptions, PseudocodeLine, planners};
@@ -28,7 +26,7 @@ fn word(mark: Mark) -> String {
     <&str>::from(mark).to_owned()
 }
 
-/// Does one iteration and says by which marks.
+/// Does one iteration and returns its marks.
 fn marks_of_one(run: &mut dyn Run) -> BTreeSet<String> {
     let (vertices, edges, events) = (run.vertex_count(), run.edge_count(), run.event_count());
     let mut marks = BTreeSet::from([run.phase().as_str().to_owned()]);
@@ -151,7 +149,7 @@ fn a_roadmap_gone_on_with_lights_lines_too() {
         // Another start, so that it has to be joined.
         let mut other: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
         other["queries"][0]["start"][0] = 0.7.into();
-        let other = common::parse(&other.to_string());
+        let other = parse(&other.to_string());
         let mut run = resume(&other, &options(planner, 5, ""), &kept).unwrap_or_else(|error| panic!("{error}"));
         let mut phases = BTreeSet::new();
         while run.status() == Status::Running {

@@ -1,4 +1,4 @@
-//! Planning by controls: what is driven is free, leads where it says, and keeps to the settings.
+//! Planning by controls: motions are free, end at their vertices, and obey the settings.
 
 use crate::common::driven::{car, driven, edges, is_in_region, steps, vertices_of, with_goal};
 use crate::common::{DRIVEN, arm_and_wall, begin_with, car_and_wall, car_shut_in, finish, options, parse, seeds};

@@ -1,5 +1,5 @@
-//! Planners where motions are curves and may have a direction: paths that are driven in order, roadmaps that are never walked
-//! against their arrows; on native, Node and Chrome alike.
+//! Planners where motions are curves and may have a direction: paths that are driven in order, roadmaps whose edges are
+//! never followed backwards; on native, Node and Chrome alike.
 
 use planarium::graph::{Graph, VertexId};
 use planarium::path::{Improvement, Wanted, length};

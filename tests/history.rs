@@ -1,4 +1,4 @@
-//! What a run leaves behind of every iteration: one row each, the same in any slices, and no trace of having been asked.
+//! The history of a run: one row an iteration, the same in any slices; recording changes nothing else.
 
 use crate::common::{PLANNERS, arm_and_wall, begin_with, disc_and_wall, finish, fitting, no_way};
 use planarium::error::Code;
@@ -8,7 +8,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 const PHASE: usize = 3;
 const COST: usize = 7;
 
-/// The columns that counts stand in, as the run itself tells them now.
+/// The counts of a row, from the run itself.
 fn counts(run: &dyn Run) -> [f64; COST] {
     let stats = run.stats();
     let phase = Phase::ALL.iter().position(|&phase| phase == run.phase()).expect("all phases are listed");

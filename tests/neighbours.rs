@@ -1,5 +1,5 @@
-//! Neighbours of a scenario's robot behind one face: answers, counts, refusals, samples, and golden outcomes; on native, Node and
-//! Chrome alike. `PLANARIUM_BLESS=1 cargo test --test neighbours` writes the golden outcomes anew.
+//! Nearest neighbours of a scenario's robot: answers, counts, refusals, samples, and golden outcomes; on native, Node and Chrome
+//! alike. `PLANARIUM_BLESS=1 cargo test --test neighbours` writes the golden outcomes anew.
 
 use crate::common::golden::{self, scene};
 use planarium::error::Code;
@@ -17,7 +17,7 @@ fn text(word: &str) -> Value {
     Value::Text(word.to_owned())
 }
 
-/// An index with what is set.
+/// An index with these options.
 fn made(scenario: &Scenario, id: &str, set: &[(&str, Value)]) -> Box<dyn Neighbours> {
     let set: Vec<_> = set.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
     index(scenario, Some(id), &set).expect("it can be made")
@@ -212,7 +212,7 @@ fn the_table_tells_what_can_be_set() {
     }
 }
 
-/// What a golden case comes to.
+/// The outcome of a golden case.
 fn outcome(case: &Json) -> Json {
     let scenario = scene(case["scene"].as_str().expect("a scene"));
     let number = |name: &str| case[name].as_u64().expect("a count");

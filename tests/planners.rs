@@ -1,12 +1,10 @@
-//! The laws that every planner obeys, on native, Node and Chrome alike: slicing, never a wrong yes, paths that are what they
-//! are said to be.
-
-use crate::common;
+//! The laws of every planner, on native, Node and Chrome alike: slicing changes nothing, impossible queries are never solved,
+//! and paths are valid.
 
 use crate::common::graphs::{edges, rows};
 use crate::common::{
     DRIVEN, PLANNERS, SAMPLERS, arm_and_wall, arm_of, begin, begin_with, car_and_wall, disc_and_wall, finish, fitting,
-    no_way, seeds,
+    no_way, parse, seeds,
 };
 use planarium::run::{Options, Status, Value, start};
 use planarium::scenario::Scenario;
@@ -163,7 +161,7 @@ fn a_start_or_goal_in_collision_is_refused_with_the_pair_named() {
         "world": { "obstacles": [ { "type": "disc", "center": [9, 9], "radius": 1 }, { "type": "disc", "center": [1.5, 0], "radius": 0.2 } ] },
         "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
         "queries": [ { "name": "from", "start": [0, 0], "goal": [2, 0] }, { "name": "to", "start": [2, 0], "goal": [0, 0] } ] }"#;
-    let world = common::parse(text);
+    let world = parse(text);
     for (query, code, pointer) in
         [("from", "start-in-collision", "/queries/0/start"), ("to", "goal-in-collision", "/queries/1/goal")]
     {

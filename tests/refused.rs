@@ -1,4 +1,4 @@
-//! Where refused edges are refused: in the run's own space and by its own test, and nothing of it is counted.
+//! The points at which refused edges are refused, in the run's own space and by its own test; this work is not counted.
 
 use crate::common::graphs::{edges, events, rows};
 use crate::common::{PLANNERS, arm_and_wall, begin_with, disc_and_wall, finish, fitting};
@@ -7,7 +7,7 @@ use planarium::graph::EventKind;
 use planarium::run::{EVENT_HEAD, Run};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// From and to of every refused edge, as the events tell.
+/// Both ends of every refused edge, from the events.
 fn refused(run: &dyn Run) -> Vec<f64> {
     let vertices = rows(run);
     let ends = |event: &Vec<f64>| [&vertices[event[2] as usize], &event[EVENT_HEAD..]].concat();

@@ -1,10 +1,7 @@
-//! Roadmaps beyond the first question: how samples are joined, PRM*, guards, searches by name, questions asked again, and
-//! paths improved.
-
-use crate::common;
+//! Roadmaps: which samples are connected, PRM*, guards, searches by name, repeated queries, and improved paths.
 
 use crate::common::graphs::{edges, events, rows, tried};
-use crate::common::{SAMPLERS, arm_and_wall, arm_of, begin_with, disc_and_wall, finish, no_way, options, seeds};
+use crate::common::{SAMPLERS, arm_and_wall, arm_of, begin_with, disc_and_wall, finish, no_way, options, parse, seeds};
 use planarium::graph::EventKind;
 use planarium::planner::{logarithmic_k, prm_star_k};
 use planarium::run::{Phase, Run, Status, start};
@@ -60,7 +57,7 @@ fn a_radius_larger_than_the_space_changes_nothing() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn start_and_goal_that_see_each_other_are_joined_without_any_sample() {
-    let world = common::parse(
+    let world = parse(
         r#"{ "format": "planarium-scenario-1", "name": "empty", "world": { "obstacles": [] },
             "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
             "queries": [ { "name": "q", "start": [0, 0], "goal": [1, 1] } ] }"#,
@@ -299,7 +296,7 @@ fn edges_that_are_only_sampled_are_named_and_jump_through_a_thin_wall() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_naive_metric_goes_the_long_way_round() {
-    let world = common::parse(
+    let world = parse(
         r#"{ "format": "planarium-scenario-1", "name": "turn", "world": { "obstacles": [] },
             "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
             "queries": [ { "name": "across", "start": [0.2, 0.1], "goal": [-0.2, 0.1] } ] }"#,

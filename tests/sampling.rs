@@ -1,4 +1,4 @@
-//! Samplers: each puts its samples where it says, and the same seed gives the same samples.
+//! Samplers: the distribution of each, and the same samples for the same seed.
 
 use planarium::collision::DiscValidity;
 use planarium::geometry::Point;

@@ -1,10 +1,8 @@
-//! Roadmaps kept: written and read bit for bit, asked again with the same answers, refused where they are damaged, belong
-//! elsewhere, or hold what is not free.
-
-use crate::common;
+//! Saved roadmaps: written and read bit for bit, queried again with the same answers, refused if they are damaged, belong to
+//! another scenario, or are not free.
 
 use crate::common::{
-    arm_and_wall, arm_of, begin_with, disc_and_wall, finish, options, parse, seeds, thick_arm_and_wall,
+    arm_and_wall, arm_of, begin_with, disc_and_wall, finish, fitting, options, parse, seeds, thick_arm_and_wall,
 };
 use planarium::Error;
 use planarium::run::storage::{MAGIC, RoadmapDocument, RoadmapMetric, fingerprint};
@@ -24,7 +22,7 @@ const ROADMAPS: &[(&str, &str)] = &[
 ];
 
 fn kept(scenario: &Scenario, planner: &str, seed: u64, settings: &str) -> RoadmapDocument {
-    let run = finish(begin_with(scenario, planner, seed, &common::fitting(scenario, settings)));
+    let run = finish(begin_with(scenario, planner, seed, &fitting(scenario, settings)));
     run.roadmap().expect("this planner builds one")
 }
 
@@ -104,7 +102,7 @@ fn the_same_query_finds_the_same_path_and_so_does_every_further_question() {
     for world in worlds() {
         for &(planner, settings) in ROADMAPS {
             for seed in 0..seeds(12).min(3) {
-                let mut before = finish(begin_with(&world, planner, seed, &common::fitting(&world, settings)));
+                let mut before = finish(begin_with(&world, planner, seed, &fitting(&world, settings)));
                 let document = before.roadmap().expect("a roadmap");
                 let after = resume(&world, &document).unwrap_or_else(|error| panic!("{planner} {settings}: {error}"));
                 let mut after = finish(after);
@@ -271,7 +269,7 @@ fn a_file_cut_short_or_too_long_is_refused() {
     assert_eq!(refusal(RoadmapDocument::from_bytes(text.as_bytes())).0, "invalid-roadmap");
 }
 
-/// The bytes with another word at a place, and a checksum that fits.
+/// The bytes with another word at an offset, and a checksum that fits.
 fn forged(bytes: &[u8], at: usize, word: u32) -> Vec<u8> {
     let mut payload = bytes[..bytes.len() - 8].to_vec();
     payload[at..at + 4].copy_from_slice(&word.to_le_bytes());

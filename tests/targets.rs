@@ -1,4 +1,4 @@
-//! Queries with a target of the end effector: any configuration that reaches it will do, for every planner.
+//! Queries with a target of the end effector: every planner may end at any configuration that reaches it.
 
 use crate::common::{SAMPLERS, arm_and_wall, arm_of, begin_with, finish, options, parse, seeds};
 use planarium::geometry::Point;
@@ -45,7 +45,7 @@ fn is_valid(world: &Scenario, run: &dyn Run) -> bool {
     matches!(verify(world, &run.result()), Ok(Verdict::Valid { .. }))
 }
 
-/// How many goals a run has: they stand right behind the start, born at once, and are reached by no edge at first.
+/// The goals of a run: they are the vertices right after the start, without edges at first.
 fn goals(world: &Scenario, target: [f64; 2]) -> Vec<Vec<f64>> {
     let run = begin_with(world, "rrt", 1, "");
     let inspector = Inspector::new(world);

@@ -23,38 +23,35 @@ pub fn index(
     given: &[(String, Value)],
 ) -> Result<Box<dyn Neighbours>, Error> {
     let world = scenario.into();
-    let wanted = match IndexId::of(id)? {
-        IndexId::Linear => Wanted::Linear(Options::read(given)?),
-        IndexId::KdTree => Wanted::KdTree(Options::read(given)?),
-        IndexId::Forest => Wanted::Forest(Options::read(given)?),
+    let id = IndexId::of(id)?;
+    let options = match id {
+        IndexId::Forest => Options::read(given)?,
+        IndexId::Linear | IndexId::KdTree => {
+            let ExactOptions { measuring } = Options::read(given)?;
+            ForestOptions { measuring, ..ForestOptions::default() }
+        }
     };
     if world.robot().dimension() <= SMALL {
-        held::<SMALL>(&world, wanted)
+        held::<SMALL>(&world, id, options)
     } else {
-        held::<MAX_DIMENSION>(&world, wanted)
+        held::<MAX_DIMENSION>(&world, id, options)
     }
 }
 
-/// Which index, with its options.
-enum Wanted {
-    Linear(ExactOptions),
-    KdTree(ExactOptions),
-    Forest(ForestOptions),
-}
-
 /// The index over states of one size.
-fn held<const N: usize>(world: &PlanningWorld, wanted: Wanted) -> Result<Box<dyn Neighbours>, Error> {
-    let (Wanted::Linear(ExactOptions { measuring })
-    | Wanted::KdTree(ExactOptions { measuring })
-    | Wanted::Forest(ForestOptions { measuring, .. })) = wanted;
+fn held<const N: usize>(
+    world: &PlanningWorld,
+    id: IndexId,
+    ForestOptions { measuring, trees, leaf, candidates, seed }: ForestOptions,
+) -> Result<Box<dyn Neighbours>, Error> {
     // The space of planners, so that its tree is compiled once.
     let space = MotionSpace::new(world.space::<N>(measuring.metric)?);
     let configurations = Configurations::of(world);
     let most = MAX_CONFIGURATIONS;
-    Ok(match wanted {
-        Wanted::Linear(_) => Box::new(Held { space, index: LinearScan::default(), configurations, most }),
-        Wanted::KdTree(_) => Box::new(Held { space, index: KdTree::default(), configurations, most }),
-        Wanted::Forest(ForestOptions { trees, leaf, candidates, seed, .. }) => {
+    Ok(match id {
+        IndexId::Linear => Box::new(Held { space, index: LinearScan::default(), configurations, most }),
+        IndexId::KdTree => Box::new(Held { space, index: KdTree::default(), configurations, most }),
+        IndexId::Forest => {
             let key = Random::new(seed, Stream::Projections).bits();
             let index = Forest::new(ForestParameters { trees, leaf, candidates }, key);
             Box::new(Held { space, index, configurations, most: most.min(MAX_PLACES / trees) })

@@ -20,12 +20,13 @@ const PLANNERS: &[(&str, &str)] = &[
     ("visibility-prm", ""),
 ];
 
-/// The world with a target in the place of the goal of its first query.
+/// The world with this target instead of the goal or target of its first query.
 fn reaching(world: &Scenario, target: &str) -> Scenario {
-    let text = world.to_json_string();
-    let from = text.find(r#""goal":["#).expect("a goal");
-    let to = from + text[from..].find(']').expect("its end") + 1;
-    parse(&format!("{}\"target\":{target}{}", &text[..from], &text[to..]))
+    let mut document: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
+    let query = document["queries"][0].as_object_mut().expect("a query");
+    query.remove("goal");
+    query.insert("target".to_owned(), serde_json::from_str(target).expect("a target"));
+    parse(&document.to_string())
 }
 
 /// The world with a target where its goal takes the tip, which can be reached.
@@ -188,10 +189,7 @@ fn a_kept_roadmap_is_asked_for_a_target() {
 fn is_accepted_for(world: &Scenario, target: &str) -> bool {
     let run = finish(begin_with(world, "rrt-connect", 1, ""));
     assert!(is_valid(world, run.as_ref()), "{:?}", verify(world, &run.result()));
-    let text = world.to_json_string();
-    let from = text.find(r#""target":"#).expect("a target");
-    let to = from + text[from..].find('}').expect("its end") + 1;
-    is_valid(&parse(&format!("{}\"target\":{target}{}", &text[..from], &text[to..])), run.as_ref())
+    is_valid(&reaching(world, target), run.as_ref())
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -33,8 +33,7 @@ fn main() {
     if arguments.is_empty() {
         arguments = ["rrt-control", "sst"].map(str::to_owned).to_vec();
         for preset in RrtControlOptions::PRESETS {
-            let settings = preset.settings.iter().map(|(name, value)| format!(" {name}={value}"));
-            arguments.push(format!("rrt-control{}", settings.collect::<String>()));
+            arguments.push(format!("rrt-control {}", preset.settings));
         }
     }
     println!("| settings | solved | ms: median | 95 % | mean | motions: median | 95 % | length |");

@@ -39,9 +39,9 @@ fn building() {
     for n in [10_000, 100_000, 1_000_000] {
         let mut random = Random::new(3, Stream::Samples);
         let mut states: Vec<_> = (0..n).map(|_| space.sample(&mut random)).collect();
-        let scattered = build(KdTree::new(), &space, &states).1;
+        let scattered = build(KdTree::default(), &space, &states).1;
         states.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        let increasing = build(KdTree::new(), &space, &states).1;
+        let increasing = build(KdTree::default(), &space, &states).1;
         println!("| {n} | {scattered:.1} | {increasing:.1} |");
     }
 }
@@ -56,8 +56,8 @@ fn crossovers<const N: usize>() {
         let (mut n, mut from, mut wins) = (32, 0, 0);
         while wins < 5 && n < 40_000 {
             let states: Vec<_> = (0..n).map(|_| space.sample(&mut random)).collect();
-            let (linear, _) = build(LinearScan::new(), &space, &states);
-            let (tree, _) = build(KdTree::new(), &space, &states);
+            let (linear, _) = build(LinearScan::default(), &space, &states);
+            let (tree, _) = build(KdTree::default(), &space, &states);
             let is_faster = time(&tree, &space, &asked, k) < time(&linear, &space, &asked, k);
             wins = if is_faster { wins + 1 } else { 0 };
             from = if wins == 1 { n } else { from };
@@ -75,9 +75,9 @@ fn rows<const N: usize>() {
         let states: Vec<_> = (0..n).map(|_| space.sample(&mut random)).collect();
         let asked: Vec<_> = (0..1000).map(|_| space.sample(&mut random)).collect();
         let key = Random::new(1, Stream::Projections).bits();
-        let (linear, _) = build(LinearScan::new(), &space, &states);
-        let (tree, built) = build(KdTree::new(), &space, &states);
-        let (index, _) = build(Index::new(), &space, &states);
+        let (linear, _) = build(LinearScan::default(), &space, &states);
+        let (tree, built) = build(KdTree::default(), &space, &states);
+        let (index, _) = build(Index::default(), &space, &states);
         let (forest, planted) = build(Forest::new(ForestParameters::default(), key), &space, &states);
         for k in [1, 10, 30] {
             let scan = time(&linear, &space, &asked[..(10_000_000 / n).min(1000)], k);

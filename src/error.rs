@@ -1,16 +1,16 @@
-//! The one error type of the crate: a stable code, a sentence with the offending value, and where it stands.
+//! The one error type of the crate: a stable code, a sentence with the offending value, and its JSON pointer.
 
 use std::fmt::{self, Write};
 use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
-/// What went wrong, as a stable kebab-case code that programs may match on.
+/// The kind of an error, as a stable kebab-case code that programs may match on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, EnumMessage, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Code {
     /// The text is not JSON, or a number in it does not fit a 64-bit float.
     InvalidJson,
-    /// The document says another format than planarium-scenario-1.
+    /// The document has another format than planarium-scenario-1.
     UnknownFormat,
     /// A field that the contract does not know.
     UnknownField,
@@ -18,7 +18,7 @@ pub enum Code {
     MissingField,
     /// A field or a parameter is given twice.
     DuplicateField,
-    /// A value of another type than asked for.
+    /// A value of another type than required.
     WrongType,
     /// A type of obstacle, robot or shape that does not exist.
     UnknownType,
@@ -50,15 +50,15 @@ pub enum Code {
     UnknownParameter,
     /// Nothing of that name can be generated.
     UnknownGenerator,
-    /// What was asked needs another robot or another planner.
+    /// The request needs another robot or another planner.
     Unsupported,
     /// A file cannot be read or written (command line only).
     File,
-    /// A result does not hold what the contract of results asks for.
+    /// A result does not fulfil the contract of results.
     InvalidResult,
-    /// A kept roadmap is damaged, contradicts itself, or holds what is not free.
+    /// A saved roadmap is damaged, contradicts itself, or has vertices or edges that are not free.
     InvalidRoadmap,
-    /// A kept roadmap belongs to another world or another robot.
+    /// A saved roadmap belongs to another world or another robot.
     OtherScenario,
     /// The arguments do not make sense (command line only).
     Usage,
@@ -73,7 +73,7 @@ impl Code {
         self.into()
     }
 
-    /// What the code means, in a sentence for people: the comment at its declaration.
+    /// The meaning of the code, in a sentence: the comment at its declaration.
     pub fn meaning(self) -> &'static str {
         self.get_documentation().unwrap_or_default()
     }
@@ -84,7 +84,7 @@ impl Code {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Error(Box<Detail>);
 
-/// What an error says: apart, so that results that may be errors stay small.
+/// The content of an error: boxed, so that results stay small.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Detail {
     code: Code,
@@ -113,7 +113,7 @@ impl Error {
         &self.0.pointer
     }
 
-    /// The same error about a value that stands deeper in a document: `prefix` goes before the pointer.
+    /// The same error about a value deeper in a document: `prefix` is put before the pointer.
     #[must_use]
     pub fn under(mut self, prefix: &str) -> Self {
         self.0.pointer.insert_str(0, prefix);
@@ -153,7 +153,7 @@ pub(crate) fn quoted(text: &str) -> String {
     quoted + "\""
 }
 
-/// A number for a sentence, as short as it can be: with an exponent where it is very large or very small.
+/// A number for a sentence, as short as possible: with an exponent if it is very large or very small.
 pub(crate) struct Number(pub f64);
 
 impl fmt::Display for Number {

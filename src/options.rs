@@ -1,12 +1,13 @@
 //! Options of planners, generators and other methods: a typed struct and its table in one declaration.
 //!
 //! [`options!`](crate::options!) declares a struct whose fields are options. Each field is given by its type, its default, its
-//! range, its title for people and, as its documentation, its meaning. From that follow the struct itself, its defaults, reading
+//! range, its title and, as its documentation, its meaning. From that follow the struct itself, its defaults, reading
 //! values by name ([`Options::read`]) and the table that help texts and controls are made from ([`Options::table`]). A field
 //! whose type is another such struct contributes all options of it: a group that several tables share. The texts of a table
 //! are not part of what reads values.
 
 use crate::error::{Code, Error, quoted};
+use std::any::Any;
 use std::str::FromStr;
 
 /// The range of an option that is a number; of no meaning for others.
@@ -21,8 +22,8 @@ pub const ALL: &[&str] = &["arm", "disc", "rigid_body", "car"];
 /// The robot that is moved by controls.
 pub const CAR: &[&str] = &["car"];
 
-/// What values an option takes.
-#[derive(Debug, Clone, PartialEq)]
+/// The values that an option takes.
+#[derive(Debug, Clone, Default, PartialEq)]
 pub enum Kind {
     /// A whole number within the range.
     Integer(Range),
@@ -31,11 +32,12 @@ pub enum Kind {
     /// One of a few words.
     Choice(&'static [&'static str]),
     /// True or false.
+    #[default]
     Switch,
 }
 
 /// One row of a table of options.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct OptionInfo {
     /// The name, in snake_case, the same everywhere.
     pub name: &'static str,
@@ -45,13 +47,13 @@ pub struct OptionInfo {
     pub kind: Kind,
     /// The unit; empty for counts and words.
     pub unit: &'static str,
-    /// The default; `None` where it depends on the rest.
+    /// The default; `None` if it depends on the rest.
     pub default: Option<Value>,
-    /// What the default is where it depends on the rest, in words.
+    /// The default in words if it depends on the rest.
     pub computed: &'static str,
-    /// What it means, in one sentence.
+    /// Its meaning, in one sentence.
     pub meaning: String,
-    /// The types of robots that it is for, as in documents; it has no effect on others. Empty where there is no robot.
+    /// The types of robots that it is for, as in documents; it has no effect on others. Empty if there is no robot.
     pub robots: &'static [&'static str],
 }
 
@@ -64,12 +66,12 @@ pub enum Value {
     Text(String),
     /// Yes or no.
     Boolean(bool),
-    /// What no option takes, by what it is.
+    /// A value that no option takes, by its kind.
     Other(&'static str),
 }
 
 impl Value {
-    /// The value that a text stands for: a number where it reads as one, true or false, else a word.
+    /// The value of a text: a number if it can be parsed as one, true or false, else a word.
     pub fn from_text(text: &str) -> Self {
         match text {
             "true" => Value::Boolean(true),
@@ -118,25 +120,24 @@ impl Given<'_> {
         }
     }
 
-    /// Reads the option of this name; `None` where it is not given or not as it must be.
-    fn read<T: Single>(&mut self, name: &'static str, range: &Range) -> Option<T> {
+    /// Reads the option of this name; `default`, which must be in range as well, if it is not given.
+    fn read<T: Single>(&mut self, name: &'static str, range: &Range, default: Option<T>) -> Option<T> {
         self.known.push(name);
-        let at = self.given.iter().position(|(given, _)| given == name)?;
-        let value = &self.given[at].1;
-        match check(name, &T::kind(range), value) {
-            Ok(()) => T::from_value(value),
-            Err(error) => {
-                self.refuse(at, error);
-                None
-            }
+        let (at, value) = match self.given.iter().position(|(given, _)| given == name) {
+            Some(at) => (at, self.given[at].1.clone()),
+            None => (usize::MAX, default?.to_value()),
+        };
+        if let Err(error) = check(name, &T::kind(range), &value) {
+            self.refuse(at, error);
         }
+        T::from_value(&value)
     }
 
     /// Refuses names that are not known or given twice; `unknown` is the code of the former.
     fn finish(mut self, unknown: Code) -> Result<(), Error> {
         for (at, (name, _)) in self.given.iter().enumerate() {
             if !self.known.contains(&name.as_str()) {
-                let sentence = format!("there is no option {}; there are {}", quoted(name), self.known.join(", "));
+                let sentence = format!("unknown option {}; known options are {}", quoted(name), self.known.join(", "));
                 self.refuse(at, refusal(unknown, name, sentence));
             } else if self.given[..at].iter().any(|(earlier, _)| earlier == name) {
                 self.refuse(at, refusal(Code::DuplicateField, name, format!("{name} is given twice")));
@@ -146,45 +147,26 @@ impl Given<'_> {
     }
 }
 
-/// The texts of a field.
-#[derive(Debug, Clone, Copy)]
-pub struct Texts {
-    /// The name.
-    pub name: &'static str,
-    /// The name for people.
-    pub title: &'static str,
-    /// The unit.
-    pub unit: &'static str,
-    /// The lines of the documentation.
-    pub meaning: &'static [&'static str],
-    /// What the default is where it depends on the rest.
-    pub computed: &'static str,
-    /// For which robots.
-    pub robots: &'static [&'static str],
-}
-
 /// The type of a field: a value, a value that may be left out, or a group of options.
-pub trait Field: Sized {
-    /// Adds the rows of the field to a table.
-    fn rows(self, texts: Texts, range: &Range, table: &mut Vec<OptionInfo>);
+pub trait Field: Sized + 'static {
+    /// Adds the rows of the field to a table; `row` is the declaration, without kind and default.
+    fn rows(self, row: OptionInfo, range: &Range, table: &mut Vec<OptionInfo>);
 
-    /// Reads the field; its default where it is not given.
+    /// Reads the field; its present value if it is not given.
     fn take(self, name: &'static str, range: &Range, given: &mut Given) -> Self;
 
-    /// Refuses values out of range.
-    ///
-    /// # Errors
-    /// As [`Options::read`].
-    fn check_range(&self, name: &'static str, range: &Range) -> Result<(), Error>;
+    /// The group of this type: the field itself, or one that it contains.
+    fn group<G: 'static>(&self) -> Option<&G> {
+        (self as &dyn Any).downcast_ref()
+    }
 }
 
 /// A struct of options, as [`options!`](crate::options!) declares it.
-pub trait Options: Field + Default {
+pub trait Options: Field + Default + Copy {
     /// The table of its options.
     fn table() -> Vec<OptionInfo> {
         let mut table = Vec::new();
-        let none = Texts { name: "", title: "", unit: "", meaning: &[], computed: "", robots: &[] };
-        Self::default().rows(none, &ANY, &mut table);
+        Self::default().rows(OptionInfo::default(), &ANY, &mut table);
         table
     }
 
@@ -201,9 +183,7 @@ pub trait Options: Field + Default {
     /// # Errors
     /// As [`Options::read`].
     fn read_or(given: &[(String, Value)], unknown: Code) -> Result<Self, Error> {
-        let mut given = Given { given, known: Vec::new(), refused: None };
-        let options = Field::take(Self::default(), "", &ANY, &mut given);
-        given.finish(unknown).map(|()| options)
+        Self::default().updated(given, unknown)
     }
 
     /// Whether there is an option of this name.
@@ -217,13 +197,23 @@ pub trait Options: Field + Default {
     /// # Errors
     /// `not-finite` or `out-of-range`, with the pointer `/name`.
     fn check(&self) -> Result<(), Error> {
-        Field::check_range(self, "", &ANY)
+        self.updated(&[], Code::UnknownParameter).map(|_| ())
+    }
+
+    /// These options with the values given by name; all must be in range.
+    ///
+    /// # Errors
+    /// As [`Options::read_or`].
+    fn updated(self, given: &[(String, Value)], unknown: Code) -> Result<Self, Error> {
+        let mut given = Given { given, known: Vec::new(), refused: None };
+        let options = self.take("", &ANY, &mut given);
+        given.finish(unknown).map(|()| options)
     }
 }
 
 /// The type of a single value.
-pub trait Single: Copy {
-    /// What values it takes.
+pub trait Single: Copy + 'static {
+    /// The values that it takes.
     fn kind(range: &Range) -> Kind;
 
     /// From a value of that kind.
@@ -234,7 +224,7 @@ pub trait Single: Copy {
 }
 
 /// A choice of a few words: the kebab-case names of an enum's variants.
-pub trait Choice: Copy + FromStr + Into<&'static str> + strum::VariantNames {
+pub trait Choice: Copy + 'static + FromStr + Into<&'static str> + strum::VariantNames {
     /// Its word.
     fn word(self) -> &'static str {
         self.into()
@@ -291,39 +281,30 @@ macro_rules! numbers {
 numbers!(u32: Integer, u64: Integer, usize: Integer, f64: Number);
 
 impl<T: Single> Field for T {
-    fn rows(self, texts: Texts, range: &Range, table: &mut Vec<OptionInfo>) {
-        table.extend(row::<T>(texts, range, Some(self.to_value())));
+    fn rows(self, row: OptionInfo, range: &Range, table: &mut Vec<OptionInfo>) {
+        add_row::<T>(OptionInfo { default: Some(self.to_value()), ..row }, range, table);
     }
 
     fn take(self, name: &'static str, range: &Range, given: &mut Given) -> Self {
-        given.read(name, range).unwrap_or(self)
-    }
-
-    fn check_range(&self, name: &'static str, range: &Range) -> Result<(), Error> {
-        check(name, &T::kind(range), &self.to_value())
+        given.read(name, range, Some(self)).unwrap_or(self)
     }
 }
 
 impl<T: Single> Field for Option<T> {
-    fn rows(self, texts: Texts, range: &Range, table: &mut Vec<OptionInfo>) {
-        table.extend(row::<T>(texts, range, None));
+    fn rows(self, row: OptionInfo, range: &Range, table: &mut Vec<OptionInfo>) {
+        add_row::<T>(row, range, table);
     }
 
     fn take(self, name: &'static str, range: &Range, given: &mut Given) -> Self {
-        given.read(name, range).or(self)
-    }
-
-    fn check_range(&self, name: &'static str, range: &Range) -> Result<(), Error> {
-        self.as_ref().map_or(Ok(()), |value| value.check_range(name, range))
+        given.read(name, range, self)
     }
 }
 
-/// The row of a field; `None` where it has no title.
-fn row<T: Single>(texts: Texts, range: &Range, default: Option<Value>) -> Option<OptionInfo> {
-    let Texts { name, title, unit, computed, robots, .. } = texts;
-    let meaning = texts.meaning.iter().map(|line| line.trim()).collect::<Vec<_>>().join(" ");
-    let info = OptionInfo { name, title, kind: T::kind(range), unit, default, computed, meaning, robots };
-    (!title.is_empty()).then_some(info)
+/// Adds the row of a field, unless it has no title.
+fn add_row<T: Single>(row: OptionInfo, range: &Range, table: &mut Vec<OptionInfo>) {
+    if !row.title.is_empty() {
+        table.push(OptionInfo { kind: T::kind(range), ..row });
+    }
 }
 
 /// An error about the option of this name.
@@ -365,7 +346,7 @@ fn check(name: &str, kind: &Kind, value: &Value) -> Result<(), Error> {
 
 /// Declares a struct of options. A field is
 /// `name: Type = default, in range, "Title", unit "unit", else "a default that depends on the rest", for ROBOTS;`
-/// where all but name and type may be left out: a type `Option<T>` has the default `None`, a group its own. `for ROBOTS`
+/// in which all but name and type may be left out: a type `Option<T>` has the default `None`, a group its own. `for ROBOTS`
 /// after the name of the struct holds for all fields that name none. A field without a title is read, but in no table.
 #[macro_export]
 #[doc(hidden)]
@@ -394,18 +375,19 @@ macro_rules! options {
         }
 
         impl $crate::options::Field for $Name {
-            fn rows(self, _: $crate::options::Texts, _: &$crate::options::Range, table: &mut Vec<$crate::options::OptionInfo>) {
+            fn rows(self, _: $crate::options::OptionInfo, _: &$crate::options::Range, table: &mut Vec<$crate::options::OptionInfo>) {
                 $(
-                    let texts = $crate::options::Texts {
+                    let row = $crate::options::OptionInfo {
                         name: stringify!($field),
                         title: $crate::options!(@or ("") $($title)?),
                         unit: $crate::options!(@or ("") $($unit)?),
-                        meaning: &[$($doc),+],
+                        meaning: [$($doc.trim()),+].join(" "),
                         computed: $crate::options!(@or ("") $($computed)?),
                         robots: $crate::options!(@or ($all) $($robots)?),
+                        ..Default::default()
                     };
                     let range = &$crate::options!(@or ($crate::options::ANY) $($range)?);
-                    $crate::options::Field::rows(self.$field, texts, range, table);
+                    $crate::options::Field::rows(self.$field, row, range, table);
                 )*
             }
 
@@ -416,12 +398,10 @@ macro_rules! options {
                 }, )* }
             }
 
-            fn check_range(&self, _: &'static str, _: &$crate::options::Range) -> Result<(), $crate::error::Error> {
-                $(
-                    let range = &$crate::options!(@or ($crate::options::ANY) $($range)?);
-                    $crate::options::Field::check_range(&self.$field, stringify!($field), range)?;
-                )*
-                Ok(())
+            fn group<G: 'static>(&self) -> Option<&G> {
+                let found = (self as &dyn std::any::Any).downcast_ref();
+                $( let found = found.or_else(|| $crate::options::Field::group(&self.$field)); )*
+                found
             }
         }
 

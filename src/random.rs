@@ -1,19 +1,17 @@
 //! The seeded, portable generator: the same seed gives the same draws on every platform, for good.
 //!
 //! Xoshiro256++ (Blackman and Vigna 2021, "Scrambled linear pseudorandom number generators"), seeded through SplitMix64.
-//! [`Random`] is a generator of the crate rand, so all of rand's distributions apply to it. Results must not change with the
-//! version of rand, so [`Random::normal`] and [`below`] are written here: rand and rand_distr draw other bits for them, and
-//! change their algorithms between versions.
+//! Results must not change with the version of the crate rand, so [`Random::normal`] and [`below`] are written here: rand and
+//! rand_distr draw other bits for them, and change their algorithms between versions.
 
 use crate::error::{Code, Error};
-use rand::{Rng, RngExt, SeedableRng, TryRng};
+use rand::{Rng, RngExt, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
-use std::convert::Infallible;
 
 /// The largest seed: 2^53 - 1, the largest integer that JavaScript holds exactly.
 pub const MAX_SEED: u64 = (1 << 53) - 1;
 
-/// What a stream of random numbers is for. Streams of one seed never overlap: each lies 2^192 draws behind the last.
+/// What a stream of random numbers is for. Streams of one seed never overlap: each begins 2^192 draws after the last.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stream {
     /// Samples of the configuration space.
@@ -22,13 +20,13 @@ pub enum Stream {
     Scenario = 1,
     /// Which shortcuts of a path are tried.
     Shortcut = 2,
-    /// When a tree reaches for the goal.
+    /// When a tree grows towards the goal.
     Bias = 3,
     /// The planes of an approximate index.
     Projections = 4,
     /// Which controls are tried, and for how long.
     Controls = 5,
-    /// Where a search for joint angles starts anew.
+    /// Where a search for joint angles restarts.
     Starts = 6,
     /// Which trajectories of particles are tried.
     Particles = 7,
@@ -55,11 +53,11 @@ impl Random {
 
     /// A number from [0, 1), a multiple of 2^-53.
     pub fn uniform(&mut self) -> f64 {
-        self.random()
+        self.0.random()
     }
 
     /// A number from the standard normal distribution (Marsaglia and Bray 1964, "A convenient method for generating normal
-    /// variables"; the second number of a pair is not kept).
+    /// variables"; the second number of a pair is dropped).
     pub fn normal(&mut self) -> f64 {
         loop {
             let (x, y) = (2.0 * self.uniform() - 1.0, 2.0 * self.uniform() - 1.0);
@@ -72,23 +70,7 @@ impl Random {
 
     /// An integer from 0 to `n` - 1: see [`below`].
     pub fn below(&mut self, n: u64) -> u64 {
-        below(self, n)
-    }
-}
-
-impl TryRng for Random {
-    type Error = Infallible;
-
-    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
-        self.0.try_next_u32()
-    }
-
-    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
-        self.0.try_next_u64()
-    }
-
-    fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
-        self.0.try_fill_bytes(bytes)
+        below(&mut self.0, n)
     }
 }
 

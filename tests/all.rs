@@ -26,7 +26,6 @@ mod ik_nearest;
 mod json;
 mod limits;
 mod nearest;
-mod nearest_many;
 mod neighbours;
 mod own_space;
 mod pieces;

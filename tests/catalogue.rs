@@ -1,16 +1,13 @@
-//! The table of planners: words that explain themselves, and pseudo-code that every iteration of every planner lights.
-
-use crate::common;
+//! The table of planners: short descriptions, and pseudo-code that every iteration of every planner highlights.
 
 use crate::common::{
     DRIVEN, PLANNERS, arm_and_wall, begin_with, car_and_wall, car_shut_in, disc_and_wall, finish, fitting, no_way,
-    options,
+    options, parse,
 };
 use planarium::graph::EventKind;
-use planarium::planner::{Mark, PlannerId, PseudocodeLine, planners};
+use planarium::planner::{Mark, PlannerOptions, PseudocodeLine, planners};
 use planarium::run::{EVENT_HEAD, Run, Status, resume};
 use std::collections::BTreeSet;
-use strum::VariantArray;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// The kinds of event by the numbers that viewers see, each with its mark.
@@ -29,7 +26,7 @@ fn word(mark: Mark) -> String {
     <&str>::from(mark).to_owned()
 }
 
-/// Does one iteration and says by which marks.
+/// Does one iteration and returns its marks.
 fn marks_of_one(run: &mut dyn Run) -> BTreeSet<String> {
     let (vertices, edges, events) = (run.vertex_count(), run.edge_count(), run.event_count());
     let mut marks = BTreeSet::from([run.phase().as_str().to_owned()]);
@@ -92,9 +89,7 @@ fn every_planner_and_parameter_says_in_one_short_sentence_what_it_does() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn every_planner_has_a_few_short_lines_and_marks_that_exist() {
-    let known: BTreeSet<String> = Mark::VARIANTS.iter().copied().map(word).collect();
-    assert_eq!(known.len(), Mark::VARIANTS.len(), "a word for each mark");
+fn every_planner_has_a_few_short_lines() {
     for info in planners() {
         let lines = info.pseudocode;
         assert!((6..=12).contains(&lines.len()), "{}: {} lines", info.id, lines.len());
@@ -105,7 +100,6 @@ fn every_planner_has_a_few_short_lines_and_marks_that_exist() {
         for line in lines {
             let length = line.text.chars().count();
             assert!((1..=46).contains(&length), "{}: {length} characters in {:?}", info.id, line.text);
-            assert!(line.lit_by.iter().all(|&mark| known.contains(&word(mark))), "{}", line.text);
             let marks: BTreeSet<String> = line.lit_by.iter().copied().map(word).collect();
             assert_eq!(marks.len(), line.lit_by.len(), "no mark twice: {}", line.text);
         }
@@ -118,7 +112,7 @@ fn every_iteration_lights_a_line_and_every_mark_is_met() {
     let cars = [car_and_wall(0.1), car_shut_in(0.1)];
     let mut met: BTreeSet<(&str, String)> = BTreeSet::new();
     for (planner, words) in settings() {
-        let info = PlannerId::of(planner).expect("a planner").info();
+        let info = PlannerOptions::of(planner).expect("a planner").info();
         let lines = info.pseudocode;
         for world in if info.robots == ["car"] { &cars[..] } else { &worlds } {
             let settings = fitting(world, &words);
@@ -150,12 +144,12 @@ fn every_iteration_lights_a_line_and_every_mark_is_met() {
 fn a_roadmap_gone_on_with_lights_lines_too() {
     let world = arm_and_wall(0.1);
     for (planner, settings) in [("prm", "samples=80"), ("prm-star", "samples=80"), ("visibility-prm", "failures=60")] {
-        let lines = PlannerId::of(planner).expect("a planner").info().pseudocode;
+        let lines = PlannerOptions::of(planner).expect("a planner").info().pseudocode;
         let kept = finish(begin_with(&world, planner, 5, settings)).roadmap().expect("a roadmap");
         // Another start, so that it has to be joined.
         let mut other: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
         other["queries"][0]["start"][0] = 0.7.into();
-        let other = common::parse(&other.to_string());
+        let other = parse(&other.to_string());
         let mut run = resume(&other, &options(planner, 5, ""), &kept).unwrap_or_else(|error| panic!("{error}"));
         let mut phases = BTreeSet::new();
         while run.status() == Status::Running {

@@ -1,6 +1,6 @@
-//! Planning by controls: what is driven is free, leads where it says, and keeps to the settings.
+//! Planning by controls: motions are free, end at their vertices, and obey the settings.
 
-use crate::common::driven::{car, driven, edges, is_in_region, steps, vertices_of};
+use crate::common::driven::{car, driven, edges, is_in_region, steps, vertices_of, with_goal};
 use crate::common::{DRIVEN, arm_and_wall, begin_with, car_and_wall, car_shut_in, finish, options, parse, seeds};
 use planarium::path::{Leg, Verdict, verify, verify_legs};
 use planarium::planner::{default_planner, planners};
@@ -8,21 +8,12 @@ use planarium::problem::Motion;
 use planarium::run::{Options, Status, start};
 use planarium::scenario::Scenario;
 use planarium::space::{angular_distance, wrap};
+use serde_json::json;
 use wasm_bindgen_test::wasm_bindgen_test;
 
-#[wasm_bindgen_test(unsupported = test)]
-fn slices_change_nothing_and_seeds_decide_all() {
-    let world = car_and_wall(0.1);
-    for (planner, settings) in DRIVEN {
-        let whole = finish(begin_with(&world, planner, 3, settings));
-        for slice in [1, 7] {
-            let mut run = begin_with(&world, planner, 3, settings);
-            while run.step(slice) == Status::Running {}
-            assert_eq!(run.fingerprint(), whole.fingerprint(), "{planner} {settings}");
-            assert_eq!(run.result().to_json(), whole.result().to_json(), "{planner} {settings}");
-        }
-        assert_ne!(finish(begin_with(&world, planner, 4, settings)).fingerprint(), whole.fingerprint());
-    }
+/// The world as a document, to be changed.
+fn document(world: &Scenario) -> serde_json::Value {
+    serde_json::from_str(&world.to_json_string()).expect("a document")
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -135,9 +126,9 @@ fn six_controls_are_all_kept_and_vertices_grow_once() {
     }
     assert_eq!(most, 6);
     // Where every drive is refused, nothing is left to grow from after the first iteration.
-    let mut document: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
-    document["world"] = serde_json::json!({ "bounds": { "min": [0, 0], "max": [0.9, 0.6] }, "obstacles": [] });
-    document["queries"][0]["goal"] = serde_json::json!([0.7, 0.3, 0]);
+    let mut document = document(&world);
+    document["world"] = json!({ "bounds": { "min": [0, 0], "max": [0.9, 0.6] }, "obstacles": [] });
+    document["queries"][0]["goal"] = json!([0.7, 0.3, 0]);
     let settings = "controls=reeds-shepp once=true blocked=refused duration_steps=250";
     let run = finish(begin_with(&parse(&document.to_string()), "rrt-control", 2, settings));
     assert_eq!((run.status(), run.vertex_count(), run.iterations()), (Status::Exhausted, 1, 2));
@@ -212,14 +203,10 @@ fn the_last_quarter_is_different() {
 #[wasm_bindgen_test(unsupported = test)]
 fn durations_shrink_near_the_goal() {
     let world = car_shut_in(0.1);
-    let (car, query) = (car(&world), &world.queries()[0]);
+    let car = car(&world);
     // Towards a goal on this side of the wall, never reached: the region is a point.
-    let mut document: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
-    document["queries"][0]["goal"] = serde_json::json!([0.5, 1.2, 0.5]);
-    document["queries"][0]["goal_tolerance"] = serde_json::json!({ "translation": 0, "rotation": 0 });
-    let near = parse(&document.to_string());
+    let near = with_goal(&world, [0.5, 1.2, 0.5], true);
     let goal = near.queries()[0].configuration().unwrap();
-    assert_ne!(Some(goal), query.configuration());
     let run = finish(begin_with(
         &near,
         "rrt-control",
@@ -264,10 +251,7 @@ fn what_is_shut_in_stays_there() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_start_in_the_region_is_a_path() {
-    let mut document: serde_json::Value =
-        serde_json::from_str(&car_and_wall(0.1).to_json_string()).expect("a document");
-    document["queries"][0]["goal"] = serde_json::json!([0.45, 0.3, 0.25]);
-    let world = parse(&document.to_string());
+    let world = with_goal(&car_and_wall(0.1), [0.45, 0.3, 0.25], false);
     for (planner, settings) in DRIVEN {
         let run = finish(begin_with(&world, planner, 1, settings));
         let result = run.result();
@@ -347,7 +331,7 @@ fn what_does_not_fit_is_refused_in_its_place() {
         assert_eq!((code, pointer), ("out-of-range", format!("/{name}")), "{settings}");
     }
     assert_eq!(refusal(&cars, "sst", "blossom=3").0, "unknown-parameter");
-    let mut document: serde_json::Value = serde_json::from_str(&cars.to_json_string()).expect("a document");
+    let mut document = document(&cars);
     document["queries"][0].as_object_mut().expect("a query").remove("goal_tolerance");
     let (code, pointer, _) = refusal(&parse(&document.to_string()), "rrt-control", "");
     assert_eq!((code, pointer.as_str()), ("missing-field", "/queries/0/goal_tolerance"));

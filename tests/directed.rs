@@ -1,5 +1,5 @@
-//! Planners where motions are curves and may have a direction: paths that are driven in order, roadmaps that are never walked
-//! against their arrows; on native, Node and Chrome alike.
+//! Planners where motions are curves and may have a direction: paths that are driven in order, roadmaps whose edges are
+//! never followed backwards; on native, Node and Chrome alike.
 
 use planarium::graph::{Graph, VertexId};
 use planarium::path::{Improvement, Wanted, length};
@@ -16,7 +16,6 @@ type State = [f64; 4];
 type Car = MotionSpace<4>;
 
 const SEEDS: u64 = if cfg!(target_arch = "wasm32") { 1 } else { 8 };
-const BOTH: [Steering; 2] = [Steering::Dubins, Steering::ReedsShepp];
 const SIDE: f64 = 10.0;
 
 /// A point-sized car among discs, looked at every few centimetres of its curves: enough to tell right from wrong here.
@@ -65,10 +64,16 @@ impl Validity<State> for Discs {
     }
 }
 
+/// Every kind of curves with some seeds, and the problem.
+fn problems() -> impl Iterator<Item = (Steering, u64, Problem<Car>)> {
+    let both = [Steering::Dubins, Steering::ReedsShepp];
+    both.into_iter().flat_map(|steering| (0..SEEDS).map(move |seed| (steering, seed, problem(steering))))
+}
+
 /// From one corner to the other and about face, among a few discs.
-fn problem(steering: Steering, radius: f64) -> Problem<Car> {
+fn problem(steering: Steering) -> Problem<Car> {
     let torus = ProductSpace::of_placements([0.0; 2], [SIDE; 2], 0.7, 0.3);
-    let space = MotionSpace::steered(torus, steering, radius);
+    let space = MotionSpace::steered(torus, steering, 0.6);
     let discs = vec![[5.0, 5.0, 1.2], [2.0, 6.5, 0.8], [7.0, 2.0, 1.0], [8.0, 7.0, 0.7]];
     let [start, goal] = [[1.5, 1.5, 0.5], [8.5, 8.8, -2.5]].map(|q| space.state(&q));
     Problem::new(space.clone(), Box::new(Discs { space, discs }), start, goal).expect("both are free")
@@ -128,8 +133,7 @@ fn edges_are_free(graph: &Graph<Car>, problem: &Problem<Car>) {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn trees_end_at_the_goal_and_are_driven_in_order() {
-    for (steering, seed) in BOTH.into_iter().flat_map(|steering| (0..SEEDS).map(move |seed| (steering, seed))) {
-        let problem = problem(steering, 0.6);
+    for (steering, seed, problem) in problems() {
         for extend in [Extend::Step, Extend::Half, Extend::UntilObstacle] {
             let mut planner = rrt(&problem, seed, extend);
             let what = format!("rrt {steering:?} {extend:?} {seed}");
@@ -156,8 +160,7 @@ fn roadmaps_are_never_walked_against_their_arrows() {
     let orders = [(Insertion::Batch, false), (Insertion::OneByOne, false), (Insertion::OneByOne, true)];
     let searches = [Algorithm::AStar, Algorithm::Dijkstra, Algorithm::BreadthFirst, Algorithm::Bidirectional];
     let (mut solved, mut all) = (0, 0);
-    for (steering, seed) in BOTH.into_iter().flat_map(|steering| (0..SEEDS).map(move |seed| (steering, seed))) {
-        let problem = problem(steering, 0.6);
+    for (steering, seed, problem) in problems() {
         for order in orders {
             let mut answers = Vec::new();
             for search in searches {
@@ -183,7 +186,7 @@ fn roadmaps_are_never_walked_against_their_arrows() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_directed_roadmap_tries_every_way_out_and_every_way_in_once() {
-    let problem = problem(Steering::Dubins, 0.6);
+    let problem = problem(Steering::Dubins);
     let space = problem.space();
     for seed in 0..SEEDS {
         let mut planner = prm(&problem, seed, 60, (Insertion::Batch, false), Algorithm::AStar);
@@ -218,8 +221,7 @@ fn a_directed_roadmap_tries_every_way_out_and_every_way_in_once() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_roadmap_answers_other_questions_in_the_direction_asked() {
     let mut found = 0;
-    for (steering, seed) in BOTH.into_iter().flat_map(|steering| (0..SEEDS).map(move |seed| (steering, seed))) {
-        let problem = problem(steering, 0.6);
+    for (_, seed, problem) in problems() {
         let space = problem.space();
         let mut planner = prm(&problem, seed, 150, (Insertion::Batch, false), Algorithm::Bidirectional);
         finish(&mut *planner, &problem);
@@ -243,8 +245,7 @@ fn a_roadmap_answers_other_questions_in_the_direction_asked() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn improved_paths_are_driven_in_order_and_never_longer() {
-    for (steering, seed) in BOTH.into_iter().flat_map(|steering| (0..SEEDS).map(move |seed| (steering, seed))) {
-        let problem = problem(steering, 0.6);
+    for (steering, seed, problem) in problems() {
         let mut planner = rrt_connect(&problem, seed, 0.8);
         assert_eq!(finish(&mut *planner, &problem), Status::Solved);
         let states: Vec<State> = planner.path().iter().map(|&v| *planner.graph().state(v)).collect();
@@ -268,5 +269,5 @@ fn improved_paths_are_driven_in_order_and_never_longer() {
 #[test]
 #[should_panic(expected = "guards see only where motions can be made back")]
 fn guards_need_motions_that_can_be_made_back() {
-    begin(&planarium::planner::VisibilityPrmOptions::default(), &problem(Steering::Dubins, 0.6), 1);
+    begin(&planarium::planner::VisibilityPrmOptions::default(), &problem(Steering::Dubins), 1);
 }

@@ -7,7 +7,7 @@ use planarium::scenario::generate::generate;
 use serde_json::{Value as Json, json};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// What a case comes to: status, fingerprint, length and the number of waypoints.
+/// The outcome of a case: status, fingerprint, length and the number of waypoints.
 fn outcome(case: &Json) -> Json {
     // A scene of the page, or a generated one.
     let scenario = match case["generate"].as_str() {

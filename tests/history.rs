@@ -1,4 +1,4 @@
-//! What a run leaves behind of every iteration: one row each, the same in any slices, and no trace of having been asked.
+//! The history of a run: one row an iteration, the same in any slices; recording changes nothing else.
 
 use crate::common::{PLANNERS, arm_and_wall, begin_with, disc_and_wall, finish, fitting, no_way};
 use planarium::error::Code;
@@ -8,7 +8,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 const PHASE: usize = 3;
 const COST: usize = 7;
 
-/// The columns that counts stand in, as the run itself tells them now.
+/// The counts of a row, from the run itself.
 fn counts(run: &dyn Run) -> [f64; COST] {
     let stats = run.stats();
     let phase = Phase::ALL.iter().position(|&phase| phase == run.phase()).expect("all phases are listed");
@@ -109,7 +109,7 @@ fn a_run_that_has_begun_cannot_be_recorded_any_more() {
     run.step(3);
     let error = run.record().expect_err("three iterations are missing");
     assert_eq!((error.code(), error.pointer()), (Code::Unsupported, ""));
-    assert_eq!(error.message(), "a run is recorded from its first iteration on, and 3 are made");
+    assert_eq!(error.message(), "recording must begin before the first iteration; 3 were made");
     run.step(3);
     assert!(run.take_history().is_empty());
 

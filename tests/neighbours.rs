@@ -1,6 +1,7 @@
-//! Neighbours of a scenario's robot behind one face: answers, counts, refusals, samples, and golden outcomes; on native, Node and
-//! Chrome alike. `PLANARIUM_BLESS=1 cargo test --test neighbours` writes the golden outcomes anew.
+//! Nearest neighbours of a scenario's robot: answers, counts, refusals, samples, and golden outcomes; on native, Node and Chrome
+//! alike. `PLANARIUM_BLESS=1 cargo test --test neighbours` writes the golden outcomes anew.
 
+use crate::common::golden::{self, scene};
 use planarium::error::Code;
 use planarium::run::catalogue::catalogue;
 use planarium::run::inspect::{Inspector, MAX_SAMPLES};
@@ -10,31 +11,13 @@ use planarium::scenario::Scenario;
 use serde_json::{Value as Json, json};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-const GOLDEN: &str = include_str!("golden-neighbours.json");
-
-/// A scene of the page.
-fn scene(name: &str) -> Scenario {
-    let text = match name {
-        "corner" => include_str!("../www/scenes/corner.json"),
-        "firs" => include_str!("../www/scenes/firs.json"),
-        "locked" => include_str!("../www/scenes/locked.json"),
-        "rings" => include_str!("../www/scenes/rings.json"),
-        "shelf" => include_str!("../www/scenes/shelf.json"),
-        "tentacle" => include_str!("../www/scenes/tentacle.json"),
-        "thicket" => include_str!("../www/scenes/thicket.json"),
-        "turn" => include_str!("../www/scenes/turn.json"),
-        other => panic!("no scene {other}"),
-    };
-    Scenario::parse(text).expect("our own scenes are right")
-}
-
 const SCENES: [&str; 8] = ["corner", "firs", "locked", "rings", "shelf", "tentacle", "thicket", "turn"];
 
 fn text(word: &str) -> Value {
     Value::Text(word.to_owned())
 }
 
-/// An index with what is set.
+/// An index with these options.
 fn made(scenario: &Scenario, id: &str, set: &[(&str, Value)]) -> Box<dyn Neighbours> {
     let set: Vec<_> = set.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
     index(scenario, Some(id), &set).expect("it can be made")
@@ -131,18 +114,18 @@ fn refusal<T>(answer: Result<T, planarium::Error>) -> (Code, String) {
 #[wasm_bindgen_test(unsupported = test)]
 fn what_makes_no_sense_is_refused_and_leaves_the_index_as_it_was() {
     let arm = scene("locked");
-    let ask = |id: Option<&str>, name: &str, value: Value| refusal(index(&arm, id, &[(name.to_owned(), value)]));
+    for (id, name, value, code) in [
+        ("kd-tree", "trees", Value::Number(4.0), Code::UnknownParameter),
+        ("forest", "trees", Value::Number(0.0), Code::OutOfRange),
+        ("forest", "leaf", Value::Number(32.5), Code::OutOfRange),
+        ("forest", "seed", Value::Number(f64::NAN), Code::NotFinite),
+        ("linear", "metric", Value::Number(1.0), Code::WrongType),
+        ("linear", "metric", text("taxi"), Code::OutOfRange),
+    ] {
+        let found = refusal(index(&arm, Some(id), &[(name.to_owned(), value)]));
+        assert_eq!(found, (code, format!("/{name}")), "{id} {name}");
+    }
     assert_eq!(refusal(index(&arm, Some("ball-tree"), &[])), (Code::OutOfRange, "/index".to_owned()));
-    assert_eq!(
-        ask(None, "trees", Value::Number(4.0)),
-        (Code::UnknownParameter, "/trees".to_owned()),
-        "not of a kd-tree"
-    );
-    assert_eq!(ask(Some("forest"), "trees", Value::Number(0.0)), (Code::OutOfRange, "/trees".to_owned()));
-    assert_eq!(ask(Some("forest"), "leaf", Value::Number(32.5)), (Code::OutOfRange, "/leaf".to_owned()));
-    assert_eq!(ask(Some("forest"), "seed", Value::Number(f64::NAN)), (Code::NotFinite, "/seed".to_owned()));
-    assert_eq!(ask(Some("linear"), "metric", Value::Number(1.0)), (Code::WrongType, "/metric".to_owned()));
-    assert_eq!(ask(Some("linear"), "metric", text("taxi")), (Code::OutOfRange, "/metric".to_owned()));
     for name in ["corner", "turn", "rings"] {
         let naive = [("metric".to_owned(), text("naive"))];
         assert_eq!(refusal(index(&scene(name), None, &naive)), (Code::OutOfRange, "/metric".to_owned()), "{name}");
@@ -229,21 +212,17 @@ fn the_table_tells_what_can_be_set() {
     }
 }
 
-/// What a golden case comes to.
+/// The outcome of a golden case.
 fn outcome(case: &Json) -> Json {
     let scenario = scene(case["scene"].as_str().expect("a scene"));
     let number = |name: &str| case[name].as_u64().expect("a count");
-    let value = |value: &Json| value.as_f64().map_or_else(|| text(value.as_str().expect("a word")), Value::Number);
-    let parameters = case["parameters"].as_object().expect("parameters");
-    let parameters: Vec<_> = parameters.iter().map(|(name, given)| (name.clone(), value(given))).collect();
+    let parameters = case["parameters"].as_object().expect("parameters").iter();
+    let parameters: Vec<_> = parameters.map(|(name, given)| (name.clone(), Value::from(given))).collect();
     let id = case["index"].as_str();
     let mut index = index(&scenario, id, &parameters).expect("an index");
-    let is_free = case["free"] == true;
-    index
-        .add(&Inspector::new(&scenario).samples(number("samples"), number("seed"), is_free).expect("samples"))
-        .expect("rows");
-    let q: Vec<f64> =
-        case["target"].as_array().expect("a target").iter().map(|x| x.as_f64().expect("a number")).collect();
+    let rows = Inspector::new(&scenario).samples(number("samples"), number("seed"), case["free"] == true);
+    index.add(&rows.expect("samples")).expect("rows");
+    let q: Vec<f64> = serde_json::from_value(case["target"].clone()).expect("a target");
     let answer = match case["radius"].as_f64() {
         Some(radius) => index.within(&q, radius),
         None => index.k_nearest(&q, number("k") as usize),
@@ -258,23 +237,7 @@ fn outcome(case: &Json) -> Json {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_case_has_its_golden_neighbours() {
-    let cases: Vec<Json> = serde_json::from_str(GOLDEN).expect("the golden file is JSON");
-    assert!(cases.len() >= 24, "every index, metric and robot");
-    #[cfg(not(target_arch = "wasm32"))]
-    if std::env::var_os("PLANARIUM_BLESS").is_some() {
-        let bless = |case: &Json| {
-            let mut case = case.clone();
-            case["outcome"] = outcome(&case);
-            case
-        };
-        let blessed: Vec<Json> = cases.iter().map(bless).collect();
-        let text = serde_json::to_string_pretty(&blessed).expect("JSON") + "\n";
-        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden-neighbours.json"), text).expect("written");
-        return;
-    }
-    for case in &cases {
-        assert_eq!(outcome(case), case["outcome"], "{case}");
-    }
+    golden::check("golden-neighbours.json", include_str!("golden-neighbours.json"), 24, outcome);
 }
 
 /// The targets and counts of the course reports, on the lists of configurations of the folder `PLANARIUM_SCENARIOS`, where there

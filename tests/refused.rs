@@ -1,22 +1,17 @@
-//! Where refused edges are refused: in the run's own space and by its own test, and nothing of it is counted.
+//! The points at which refused edges are refused, in the run's own space and by its own test; this work is not counted.
 
+use crate::common::graphs::{edges, events, rows};
 use crate::common::{PLANNERS, arm_and_wall, begin_with, disc_and_wall, finish, fitting};
 use planarium::error::Code;
 use planarium::graph::EventKind;
 use planarium::run::{EVENT_HEAD, Run};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// From and to of every refused edge, as the events tell.
+/// Both ends of every refused edge, from the events.
 fn refused(run: &dyn Run) -> Vec<f64> {
-    let (vertices, d) = (run.vertices_since(0), run.dimension());
-    let mut ends = Vec::new();
-    for event in run.events_since(0).chunks(EVENT_HEAD + d) {
-        if event[0] == f64::from(EventKind::EdgeRefused as u8) {
-            ends.extend_from_slice(&vertices[event[2] as usize * d..][..d]);
-            ends.extend_from_slice(&event[EVENT_HEAD..]);
-        }
-    }
-    ends
+    let vertices = rows(run);
+    let ends = |event: &Vec<f64>| [&vertices[event[2] as usize], &event[EVENT_HEAD..]].concat();
+    events(run, EventKind::EdgeRefused).iter().flat_map(ends).collect()
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -29,9 +24,8 @@ fn refused_edges_are_refused_somewhere_and_others_nowhere() {
                 let stats = run.stats();
                 let hits = run.first_hits(&refused(&*run)).expect("the run's own states");
                 assert!(hits.iter().all(|hit| (0.0..1.0).contains(hit)), "{planner} {settings}: {hits:?}");
-                let (vertices, d) = (run.vertices_since(0), run.dimension());
-                let edges = run.edges_since(0);
-                let ends: Vec<f64> = edges.iter().flat_map(|&v| &vertices[v as usize * d..][..d]).copied().collect();
+                let vertices = rows(&*run);
+                let ends: Vec<f64> = edges(&*run).iter().flatten().flat_map(|&v| vertices[v].clone()).collect();
                 // A tree may have proven an edge in the other direction, where it ends in a tree grown from the goal.
                 let hits = run.first_hits(&ends).expect("the run's own states");
                 assert_eq!(hits.len(), run.edge_count());

@@ -1,9 +1,8 @@
-//! Roadmaps beyond the first question: how samples are joined, PRM*, guards, searches by name, questions asked again, and
-//! paths improved.
+//! Roadmaps: which samples are connected, PRM*, guards, searches by name, repeated queries, and improved paths.
 
-use crate::common;
-
-use crate::common::{SAMPLERS, arm_and_wall, arm_of, begin_with, disc_and_wall, finish, no_way, options, seeds};
+use crate::common::graphs::{edges, events, rows, tried};
+use crate::common::{arm_and_wall, arm_of, begin_with, disc_and_wall, finish, no_way, options, parse, seeds};
+use planarium::graph::EventKind;
 use planarium::planner::{logarithmic_k, prm_star_k};
 use planarium::run::{Phase, Run, Status, start};
 use planarium::space::angular_distance;
@@ -14,44 +13,34 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| angular_distance(*a, *b)).sum()
 }
 
-fn rows(run: &dyn Run) -> Vec<Vec<f64>> {
-    run.vertices_since(0).chunks(run.dimension()).map(<[f64]>::to_vec).collect()
-}
-
-fn edges(run: &dyn Run) -> Vec<[usize; 2]> {
-    run.edges_since(0).chunks(2).map(|edge| [edge[0] as usize, edge[1] as usize]).collect()
-}
-
-/// Events of one kind, each as a row.
-fn events(run: &dyn Run, kind: f64) -> Vec<Vec<f64>> {
-    let width = 4 + run.dimension();
-    run.events_since(0).chunks(width).filter(|event| event[0] == kind).map(<[f64]>::to_vec).collect()
+/// Of the vertices before `to` the `k` nearest to a vertex within the radius, by brute force.
+fn nearest(vertices: &[Vec<f64>], v: usize, to: usize, k: usize, radius: f64) -> Vec<usize> {
+    let far = |other: usize| distance(&vertices[v], &vertices[other]);
+    let mut others: Vec<usize> = (0..to).filter(|&other| other != v && far(other) <= radius).collect();
+    others.sort_by(|&i, &j| far(i).total_cmp(&far(j)).then(i.cmp(&j)));
+    others.truncate(k);
+    others
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn with_a_radius_every_pair_within_it_is_tried_once_and_no_other() {
-    let run = finish(begin_with(&arm_of(2, false, 0.0), "prm", 4, "samples=120 radius=0.9"));
-    let vertices = rows(run.as_ref());
-    let mut tried: Vec<[usize; 2]> = edges(run.as_ref());
-    tried.extend(events(run.as_ref(), 1.0).iter().map(|event| [event[2] as usize, event[3] as usize]));
-    tried.iter_mut().for_each(|pair| pair.sort_unstable());
-    tried.sort_unstable();
-    let n = vertices.len();
-    let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| [i, j]));
-    let within: Vec<[usize; 2]> = pairs.filter(|&[i, j]| distance(&vertices[i], &vertices[j]) <= 0.9).collect();
-    assert_eq!(tried, within);
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn k_and_radius_together_take_the_nearest_within() {
-    let both = finish(begin_with(&arm_of(2, false, 0.0), "prm", 4, "samples=120 radius=0.9 k=4"));
-    let vertices = rows(both.as_ref());
-    let mut degree = vec![0; vertices.len()];
-    for [a, b] in edges(both.as_ref()) {
-        assert!(distance(&vertices[a], &vertices[b]) <= 0.9);
-        degree[a] += 1;
+fn every_pair_of_neighbours_is_tried_once_and_no_other() {
+    for (settings, k, radius) in
+        [("k=10", 10, f64::INFINITY), ("radius=0.9", usize::MAX, 0.9), ("radius=0.9 k=4", 4, 0.9)]
+    {
+        let run = finish(begin_with(&arm_of(2, false, 0.0), "prm", 4, &format!("samples=120 {settings}")));
+        let mut tried = tried(run.as_ref());
+        tried.iter_mut().for_each(|pair| pair.sort_unstable());
+        tried.sort_unstable();
+        assert_eq!(tried.len() as u64, run.stats().motion_checks, "each check ends as an edge or as a refusal");
+        assert_eq!(run.stats().nearest_queries, 122);
+        // A pair is tried if either is among the nearest of the other.
+        let vertices = rows(run.as_ref());
+        let n = vertices.len();
+        let pairs =
+            (0..n).flat_map(|v| nearest(&vertices, v, n, k, radius).into_iter().map(move |u| [v.min(u), v.max(u)]));
+        let expected: std::collections::BTreeSet<[usize; 2]> = pairs.collect();
+        assert_eq!(tried, expected.into_iter().collect::<Vec<_>>(), "{settings}");
     }
-    assert!(degree.iter().all(|&degree| degree <= 4), "a vertex tries four neighbours at most");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -68,7 +57,7 @@ fn a_radius_larger_than_the_space_changes_nothing() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn start_and_goal_that_see_each_other_are_joined_without_any_sample() {
-    let world = common::parse(
+    let world = parse(
         r#"{ "format": "planarium-scenario-1", "name": "empty", "world": { "obstacles": [] },
             "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
             "queries": [ { "name": "q", "start": [0, 0], "goal": [1, 1] } ] }"#,
@@ -83,17 +72,12 @@ fn inserted_one_by_one_a_sample_is_joined_to_the_nearest_before_it() {
     let run = finish(begin_with(&arm_of(2, false, 0.0), "prm", 6, "samples=100 k=5 insertion=one-by-one"));
     let vertices = rows(run.as_ref());
     assert_eq!(vertices.len(), 102);
-    let mut tried = edges(run.as_ref());
-    tried.extend(events(run.as_ref(), 1.0).iter().map(|event| [event[2] as usize, event[3] as usize]));
+    let tried = tried(run.as_ref());
     for v in 2..vertices.len() {
-        let mut nearest: Vec<usize> = (0..v).collect();
-        nearest.sort_by(|&i, &j| {
-            distance(&vertices[v], &vertices[i]).total_cmp(&distance(&vertices[v], &vertices[j])).then(i.cmp(&j))
-        });
-        nearest.truncate(5);
-        nearest.sort_unstable();
-        let mut own: Vec<usize> = tried.iter().filter(|[from, _]| *from == v).map(|[_, to]| *to).collect();
+        let own: Vec<usize> = tried.iter().filter(|[from, _]| *from == v).map(|[_, to]| *to).collect();
+        let [mut own, mut nearest] = [own, nearest(&vertices, v, v, 5, f64::INFINITY)];
         own.sort_unstable();
+        nearest.sort_unstable();
         assert_eq!(own, nearest, "vertex {v}");
     }
 }
@@ -106,7 +90,7 @@ fn with_discarding_every_vertex_but_start_and_goal_has_an_edge() {
     for v in 2..run.vertex_count() {
         assert!(edges.iter().any(|[from, _]| *from == v), "vertex {v} was joined when it came");
     }
-    let discarded = events(run.as_ref(), 4.0);
+    let discarded = events(run.as_ref(), EventKind::SampleDiscarded);
     assert!(!discarded.is_empty() && discarded.iter().all(|event| event[2] == -1.0));
 }
 
@@ -128,7 +112,8 @@ fn guards_see_no_other_guard_and_links_see_two_components() {
         let run = finish(begin_with(&world, "visibility-prm", seed, "failures=150"));
         let inspector = planarium::run::inspect::Inspector::new(&world);
         let vertices = rows(run.as_ref());
-        let guards: Vec<usize> = events(run.as_ref(), 5.0).iter().map(|event| event[2] as usize).collect();
+        let guards: Vec<usize> =
+            events(run.as_ref(), EventKind::GuardAdded).iter().map(|event| event[2] as usize).collect();
         assert_eq!(guards[..2], [0, 1], "start and goal are the first guards");
         for (i, &a) in guards.iter().enumerate().skip(2) {
             for &b in &guards[..i] {
@@ -268,6 +253,7 @@ fn every_kind_of_improvement_shortens_the_path_and_proves_it() {
                 let run = finish(begin_with(&world, "rrt-connect", seed, &format!("step=0.4 {settings}")));
                 assert!(run.length() <= raw.length(), "{settings}: {} after {}", run.length(), raw.length());
                 assert_eq!(run.fingerprint(), raw.fingerprint(), "{settings} leaves the graph alone");
+                assert!(i == 0 || run.iterations() == raw.iterations() + 60, "{settings}: one iteration an attempt");
                 let path = run.path();
                 assert_eq!((&path[0], path.last()), (&raw.path()[0], raw.path().last()));
                 for pair in path.windows(2) {
@@ -310,7 +296,7 @@ fn edges_that_are_only_sampled_are_named_and_jump_through_a_thin_wall() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_naive_metric_goes_the_long_way_round() {
-    let world = common::parse(
+    let world = parse(
         r#"{ "format": "planarium-scenario-1", "name": "turn", "world": { "obstacles": [] },
             "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
             "queries": [ { "name": "across", "start": [0.2, 0.1], "goal": [-0.2, 0.1] } ] }"#,
@@ -322,26 +308,6 @@ fn the_naive_metric_goes_the_long_way_round() {
     assert!(naive.path().iter().flatten().all(|angle| (0.0..std::f64::consts::TAU).contains(angle)));
     let verdict = planarium::path::verify(&world, &naive.result()).expect("a result of this scenario");
     assert!(matches!(verdict, planarium::path::Verdict::Valid { .. }), "{verdict:?}");
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn every_planner_and_sampler_keeps_its_paths_clear() {
-    for world in [arm_and_wall(1e-6), disc_and_wall(0.3, 1e-6)] {
-        for &sampler in SAMPLERS {
-            for planner in ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connect"] {
-                for seed in 0..seeds(3) {
-                    let samples = if planner.starts_with("prm") { "samples=200" } else { "" };
-                    let settings = format!("{samples} sampler={sampler} shortcut=20 partial_shortcut=20 reduce=true");
-                    let run = finish(begin_with(&world, planner, seed, &format!("{settings} max_iterations=5000")));
-                    if run.status() == Status::Solved {
-                        let verdict = planarium::path::verify(&world, &run.result()).expect("of this scenario");
-                        let is_valid = matches!(verdict, planarium::path::Verdict::Valid { .. });
-                        assert!(is_valid, "{planner} {settings} seed {seed}: {verdict:?}");
-                    }
-                }
-            }
-        }
-    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -1,4 +1,4 @@
-//! Samplers: each puts its samples where it says, and the same seed gives the same samples.
+//! Samplers: the distribution of each, and the same samples for the same seed.
 
 use planarium::collision::DiscValidity;
 use planarium::geometry::Point;
@@ -34,12 +34,12 @@ fn problem() -> Problem<Plane> {
 fn samplers(seed: u64) -> Vec<(&'static str, Box<dyn Sampler<Plane>>)> {
     let random = || Random::new(seed, Stream::Samples);
     vec![
-        ("uniform", Box::new(Uniform::new(random()))),
+        ("uniform", Box::new(Uniform(random()))),
         ("halton", Box::new(Halton::new(random()))),
         ("lattice", Box::new(Lattice::new(2, random()))),
-        ("gaussian", Box::new(Gaussian::new(random(), 0.5))),
-        ("bridge", Box::new(BridgeTest::new(random(), 1.0))),
-        ("obstacle-based", Box::new(ObstacleBased::new(random()))),
+        ("gaussian", Box::new(Gaussian { random: random(), deviation: 0.5 })),
+        ("bridge", Box::new(BridgeTest { random: random(), deviation: 1.0 })),
+        ("obstacle-based", Box::new(ObstacleBased(random()))),
         ("goal-biased", Box::new(GoalBiased::new(random(), 0.5))),
     ]
 }

@@ -1,7 +1,7 @@
 //! SST: its best path only ever gets cheaper, and of vertices near each other only the cheapest grow.
 
-use crate::common::driven::{Edge, car, edges, events, is_in_region, vertices_of};
-use crate::common::{begin_with, car_and_wall, finish, parse, seeds};
+use crate::common::driven::{Edge, car, edges, events, is_in_region, vertices_of, with_goal};
+use crate::common::{begin_with, car_and_wall, finish, seeds};
 use planarium::graph::EventKind;
 use planarium::path::{Verdict, verify};
 use planarium::run::{HISTORY_WIDTH, Phase, Status};
@@ -117,11 +117,7 @@ fn of_vertices_with_one_witness_each_is_cheaper_than_those_before() {
 #[wasm_bindgen_test(unsupported = test)]
 fn the_cheapest_vertex_about_the_sample_grows() {
     // A goal that is met by no luck, on this side of the wall.
-    let mut document: serde_json::Value =
-        serde_json::from_str(&car_and_wall(0.1).to_json_string()).expect("a document");
-    document["queries"][0]["goal"] = serde_json::json!([0.5, 1.2, 0.5]);
-    document["queries"][0]["goal_tolerance"] = serde_json::json!({ "translation": 0, "rotation": 0 });
-    let world = parse(&document.to_string());
+    let world = with_goal(&car_and_wall(0.1), [0.5, 1.2, 0.5], true);
     let goal = [0, 1, 2].map(|i| world.queries()[0].configuration().unwrap()[i]);
     let (mut by_cost, mut by_distance) = (0, 0);
     // Always towards the goal, so that the sample is known.

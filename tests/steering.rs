@@ -400,7 +400,7 @@ fn rounding_costs_neither_a_loop_nor_a_shunt() {
 #[wasm_bindgen_test(unsupported = test)]
 fn curves_have_the_same_bits_on_every_platform() {
     let mut random = Random::new(10, Stream::Samples);
-    let mut hash = Fingerprint::new();
+    let mut hash = Fingerprint::default();
     for _ in 0..2000 {
         let (from, to, radius) = case(&mut random);
         for (_, steer) in BOTH {

@@ -1,16 +1,13 @@
-//! Roadmaps kept: written and read bit for bit, asked again with the same answers, refused where they are damaged, belong
-//! elsewhere, or hold what is not free.
-
-use crate::common;
+//! Saved roadmaps: written and read bit for bit, queried again with the same answers, refused if they are damaged, belong to
+//! another scenario, or are not free.
 
 use crate::common::{
-    arm_and_wall, arm_of, begin_with, disc_and_wall, finish, options, parse, seeds, thick_arm_and_wall,
+    arm_and_wall, arm_of, begin_with, disc_and_wall, finish, fitting, options, parse, seeds, thick_arm_and_wall,
 };
 use planarium::Error;
 use planarium::run::storage::{MAGIC, RoadmapDocument, RoadmapMetric, fingerprint};
 use planarium::run::{self, Options, Run, Status, Value};
 use planarium::scenario::Scenario;
-use quick_xml::escape::unescape;
 use quick_xml::events::Event;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -25,7 +22,7 @@ const ROADMAPS: &[(&str, &str)] = &[
 ];
 
 fn kept(scenario: &Scenario, planner: &str, seed: u64, settings: &str) -> RoadmapDocument {
-    let run = finish(begin_with(scenario, planner, seed, &common::fitting(scenario, settings)));
+    let run = finish(begin_with(scenario, planner, seed, &fitting(scenario, settings)));
     run.roadmap().expect("this planner builds one")
 }
 
@@ -35,10 +32,10 @@ fn resume(scenario: &Scenario, document: &RoadmapDocument) -> Result<Box<dyn Run
 
 /// The error, by code and pointer.
 #[track_caller]
-fn refusal<T>(result: Result<T, Error>) -> (String, String) {
+fn refusal<T>(result: Result<T, Error>) -> (&'static str, String) {
     let error = result.err().expect("this is to be refused");
     assert!(error.message().len() > 8, "{error}");
-    (error.code().as_str().to_owned(), error.pointer().to_owned())
+    (error.code().as_str(), error.pointer().to_owned())
 }
 
 fn worlds() -> Vec<Scenario> {
@@ -105,7 +102,7 @@ fn the_same_query_finds_the_same_path_and_so_does_every_further_question() {
     for world in worlds() {
         for &(planner, settings) in ROADMAPS {
             for seed in 0..seeds(12).min(3) {
-                let mut before = finish(begin_with(&world, planner, seed, &common::fitting(&world, settings)));
+                let mut before = finish(begin_with(&world, planner, seed, &fitting(&world, settings)));
                 let document = before.roadmap().expect("a roadmap");
                 let after = resume(&world, &document).unwrap_or_else(|error| panic!("{planner} {settings}: {error}"));
                 let mut after = finish(after);
@@ -199,7 +196,7 @@ fn what_contradicts_the_document_is_refused() {
         ("prm", "shortcut=-1", "out-of-range", "/shortcut"),
     ] {
         let found = refusal(run::resume(&world, &options(planner, 0, settings), &document));
-        assert_eq!(found, (code.to_owned(), pointer.to_owned()), "{planner} {settings}");
+        assert_eq!(found, (code, pointer.to_owned()), "{planner} {settings}");
     }
     let unknown = Options { query: Some("nowhere".to_owned()), ..options("prm", 0, "") };
     assert_eq!(refusal(run::resume(&world, &unknown, &document)).0, "unknown-query");
@@ -218,7 +215,7 @@ fn a_roadmap_of_another_world_or_robot_is_refused() {
         parse(&text.replace("[1,0.8]", "[1,0.81]")),
     ];
     for other in others {
-        assert_eq!(refusal(resume(&other, &document)), ("other-scenario".to_owned(), "/fingerprint".to_owned()));
+        assert_eq!(refusal(resume(&other, &document)), ("other-scenario", "/fingerprint".to_owned()));
     }
     // Another way to write the same world is the same world.
     assert!(resume(&parse(&text.replace("0.8", "8e-1")), &document).is_ok());
@@ -272,11 +269,11 @@ fn a_file_cut_short_or_too_long_is_refused() {
     assert_eq!(refusal(RoadmapDocument::from_bytes(text.as_bytes())).0, "invalid-roadmap");
 }
 
-/// The bytes with another word at a place, and a checksum that fits.
+/// The bytes with another word at an offset, and a checksum that fits.
 fn forged(bytes: &[u8], at: usize, word: u32) -> Vec<u8> {
     let mut payload = bytes[..bytes.len() - 8].to_vec();
     payload[at..at + 4].copy_from_slice(&word.to_le_bytes());
-    let mut hash = planarium::graph::Fingerprint::new();
+    let mut hash = planarium::graph::Fingerprint::default();
     hash.bytes(&payload);
     payload.extend(hash.value().to_le_bytes());
     payload
@@ -321,7 +318,7 @@ fn a_document_that_contradicts_itself_is_refused_in_every_form_where_it_does() {
     for (change, pointer) in changes {
         let mut changed = document.clone();
         change(&mut changed);
-        let wanted = ("invalid-roadmap".to_owned(), (*pointer).to_owned());
+        let wanted = ("invalid-roadmap", (*pointer).to_owned());
         assert_eq!(refusal(RoadmapDocument::read(&changed.to_bytes())), wanted);
         assert_eq!(refusal(RoadmapDocument::read(changed.to_json().as_bytes())), wanted);
         assert_eq!(refusal(resume(&world, &changed)), wanted, "nor can a program hand it over");
@@ -365,7 +362,7 @@ fn json_is_refused_where_it_is_wrong() {
     for (piece, replacement, code, pointer) in changes {
         assert!(text.contains(piece), "{piece} does not stand in {text}");
         let found = refusal(RoadmapDocument::parse(&text.replacen(piece, replacement, 1)));
-        assert_eq!(found, (code.to_owned(), pointer.to_owned()), "{piece} -> {replacement}");
+        assert_eq!(found, (code, pointer.to_owned()), "{piece} -> {replacement}");
     }
     // The order of fields and the space between them do not matter.
     let tree = planarium::json::parse(&text).expect("an object");
@@ -389,7 +386,7 @@ fn what_is_not_free_is_refused_though_its_checksum_fits() {
             lie.edges.push([0, other]);
             let read = RoadmapDocument::read(&lie.to_bytes()).expect("nothing is damaged");
             let place = format!("/edges/{}", document.edges.len());
-            assert_eq!(refusal(resume(&world, &read)), ("invalid-roadmap".to_owned(), place));
+            assert_eq!(refusal(resume(&world, &read)), ("invalid-roadmap", place));
             forged += 1;
         }
         assert!(forged > 3, "{forged} edges cross the wall");
@@ -400,7 +397,7 @@ fn what_is_not_free_is_refused_though_its_checksum_fits() {
         let mut lie = document.clone();
         lie.edges.clear();
         lie.vertices[6..8].copy_from_slice(&bad);
-        let expected = ("invalid-roadmap".to_owned(), "/vertices/3".to_owned());
+        let expected = ("invalid-roadmap", "/vertices/3".to_owned());
         assert_eq!(refusal(resume(&world, &lie)), expected, "{bad:?}");
     }
     for (change, pointer) in [
@@ -412,7 +409,7 @@ fn what_is_not_free_is_refused_though_its_checksum_fits() {
     ] {
         let mut lie = document.clone();
         change(&mut lie);
-        assert_eq!(refusal(resume(&world, &lie)), ("invalid-roadmap".to_owned(), pointer.to_owned()));
+        assert_eq!(refusal(resume(&world, &lie)), ("invalid-roadmap", pointer.to_owned()));
     }
 }
 
@@ -470,71 +467,39 @@ fn any_numbers_of_neighbours_and_vertices_can_be_gone_on_with() {
     assert_eq!(finish(resume(&world, &half).expect("it goes on")).vertex_count(), half.vertex_count());
 }
 
-/// A tag: its name, its attributes, and the text that follows it.
-type Tag = (String, Vec<(String, String)>, String);
-
-/// The tags of well-formed XML, in order.
-fn tags(xml: &str) -> Vec<Tag> {
-    let mut reader = quick_xml::Reader::from_str(xml);
-    let mut found: Vec<Tag> = Vec::new();
-    // Line breaks between tags are not part of any value.
-    let mut is_open = false;
-    loop {
-        match reader.read_event().expect("well-formed") {
-            Event::Start(tag) | Event::Empty(tag) => {
-                let name = tag.name().into_inner();
-                let pairs = tag.attributes().map(|pair| {
-                    let pair = pair.expect("an attribute");
-                    (pair.key.into_inner().to_owned(), pair.value.into_owned())
-                });
-                found.push((name.to_owned(), pairs.collect(), String::new()));
-                is_open = true;
-            }
-            Event::Text(text) if is_open => found.last_mut().expect("a tag").2 += &text.xml10_content(),
-            Event::Text(text) => assert!(text.trim().is_empty(), "{text:?} stands between tags"),
-            Event::GeneralRef(entity) => {
-                let name = format!("&{};", &*entity);
-                found.last_mut().expect("a tag").2 += &unescape(&name).expect("a known entity");
-            }
-            Event::Eof => return found,
-            Event::End(_) => is_open = false,
-            Event::Decl(_) => {}
-            other => panic!("{other:?} is not expected"),
-        }
-    }
-}
-
 #[wasm_bindgen_test(unsupported = test)]
 fn graphml_is_well_formed_and_tells_coordinates_and_lengths() {
-    let distance = |a: &[f64], b: &[f64]| -> f64 {
-        a.iter().zip(b).map(|(a, b)| planarium::space::angular_distance(*a, *b)).sum()
+    let document = RoadmapDocument {
+        scenario: "<&\"'> \u{1}\u{fffe}\r ]]> \u{e9}\u{1f916}".to_owned(),
+        vertices: vec![3.0, 0.1, -3.0, 1e-7],
+        edges: vec![[1, 0]],
+        ..small().1
     };
-    let mut document = kept(&arm_of(3, false, 0.0), "prm", 1, "samples=60 k=6");
-    document.scenario = "<&\"'> \u{1}\u{fffe}\r ]]> \u{e9}\u{1f916}".to_owned();
-    let tags = tags(&document.to_graphml());
-    let named = |wanted: &str| tags.iter().filter(|(name, ..)| name == wanted).collect::<Vec<_>>();
-    let attribute =
-        |(_, pairs, _): &Tag, key: &str| pairs.iter().find(|(name, _)| name == key).expect("an attribute").1.clone();
-    let keys: Vec<String> = named("key").into_iter().map(|tag| attribute(tag, "id")).collect();
-    assert_eq!(keys, ["scenario", "planner", "metric", "q0", "q1", "q2", "weight"]);
-    assert!(named("data").into_iter().all(|tag| keys.contains(&attribute(tag, "key"))), "every key is declared");
-    assert_eq!(attribute(named("graph")[0], "edgedefault"), "undirected");
-    let data = |key: &str| -> Vec<String> {
-        named("data").into_iter().filter(|tag| attribute(tag, "key") == key).map(|tag| tag.2.clone()).collect()
-    };
-    assert_eq!(data("scenario"), ["<&\"'> \u{fffd}\u{fffd}\r ]]> \u{e9}\u{1f916}"]);
-    for i in 0..3 {
-        let written: Vec<u64> =
-            data(&format!("q{i}")).iter().map(|x| x.parse::<f64>().expect("a number").to_bits()).collect();
-        assert_eq!(written, document.rows().map(|row| row[i].to_bits()).collect::<Vec<_>>());
-    }
-    let ends: Vec<String> =
-        named("edge").into_iter().flat_map(|tag| [attribute(tag, "source"), attribute(tag, "target")]).collect();
-    assert_eq!(ends, document.edges.iter().flatten().map(|vertex| format!("n{vertex}")).collect::<Vec<_>>());
-    assert_eq!(named("node").len(), document.vertex_count());
-    let weights: Vec<f64> = data("weight").iter().map(|x| x.parse().expect("a number")).collect();
-    let row = |i: u32| document.rows().nth(i as usize).expect("a vertex");
-    assert_eq!(weights, document.edges.iter().map(|&[a, b]| distance(row(a), row(b))).collect::<Vec<_>>());
+    // The short way round in the first joint.
+    let weight = (std::f64::consts::TAU - 6.0) + (0.1 - 1e-7);
+    let expected = [
+        r#"<?xml version="1.0" encoding="UTF-8"?>"#,
+        r#"<graphml xmlns="http://graphml.graphdrawing.org/xmlns">"#,
+        r#"<key id="scenario" for="graph" attr.name="scenario" attr.type="string"/>"#,
+        r#"<key id="planner" for="graph" attr.name="planner" attr.type="string"/>"#,
+        r#"<key id="metric" for="graph" attr.name="metric" attr.type="string"/>"#,
+        r#"<key id="q0" for="node" attr.name="q0" attr.type="double"/>"#,
+        r#"<key id="q1" for="node" attr.name="q1" attr.type="double"/>"#,
+        r#"<key id="weight" for="edge" attr.name="weight" attr.type="double"/>"#,
+        r#"<graph id="roadmap" edgedefault="undirected">"#,
+        "<data key=\"scenario\">&lt;&amp;\"'&gt; \u{fffd}\u{fffd}&#13; ]]&gt; \u{e9}\u{1f916}</data>",
+        r#"<data key="planner">prm</data>"#,
+        r#"<data key="metric">sum</data>"#,
+        r#"<node id="n0"><data key="q0">3.0</data><data key="q1">0.1</data></node>"#,
+        r#"<node id="n1"><data key="q0">-3.0</data><data key="q1">1e-7</data></node>"#,
+        &format!(r#"<edge id="e0" source="n1" target="n0"><data key="weight">{weight:?}</data></edge>"#),
+        "</graph>",
+        "</graphml>\n",
+    ];
+    let xml = document.to_graphml();
+    assert_eq!(xml, expected.join("\n"));
+    let mut reader = quick_xml::Reader::from_str(&xml);
+    while reader.read_event().expect("well-formed") != Event::Eof {}
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -1,6 +1,7 @@
-//! Queries with a target of the end effector: any configuration that reaches it will do, for every planner.
+//! Queries with a target of the end effector: every planner may end at any configuration that reaches it.
 
 use crate::common::{SAMPLERS, arm_and_wall, arm_of, begin_with, finish, options, parse, seeds};
+use planarium::geometry::Point;
 use planarium::path::{Verdict, verify};
 use planarium::run::inspect::Inspector;
 use planarium::run::{Run, Status, resume, start};
@@ -19,12 +20,19 @@ const PLANNERS: &[(&str, &str)] = &[
     ("visibility-prm", ""),
 ];
 
-/// The world with a target in the place of the goal of its first query.
+/// The world with this target instead of the goal or target of its first query.
 fn reaching(world: &Scenario, target: &str) -> Scenario {
-    let text = world.to_json_string();
-    let from = text.find(r#""goal":["#).expect("a goal");
-    let to = from + text[from..].find(']').expect("its end") + 1;
-    parse(&format!("{}\"target\":{target}{}", &text[..from], &text[to..]))
+    let mut document: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
+    let query = document["queries"][0].as_object_mut().expect("a query");
+    query.remove("goal");
+    query.insert("target".to_owned(), serde_json::from_str(target).expect("a target"));
+    parse(&document.to_string())
+}
+
+/// The world with a target where its goal takes the tip, which can be reached.
+fn reaching_its_goal(world: &Scenario) -> (Scenario, Point) {
+    let tip = Inspector::new(world).end_effector(world.queries()[0].configuration().unwrap()).unwrap();
+    (reaching(world, &format!(r#"{{"point": [{:?}, {:?}]}}"#, tip.x, tip.y)), tip)
 }
 
 /// Where the end effector is at the end of a path, and how its last link is turned.
@@ -38,7 +46,7 @@ fn is_valid(world: &Scenario, run: &dyn Run) -> bool {
     matches!(verify(world, &run.result()), Ok(Verdict::Valid { .. }))
 }
 
-/// How many goals a run has: they stand right behind the start, born at once, and are reached by no edge at first.
+/// The goals of a run: they are the vertices right after the start, without edges at first.
 fn goals(world: &Scenario, target: [f64; 2]) -> Vec<Vec<f64>> {
     let run = begin_with(world, "rrt", 1, "");
     let inspector = Inspector::new(world);
@@ -56,9 +64,7 @@ fn goals(world: &Scenario, target: [f64; 2]) -> Vec<Vec<f64>> {
 fn every_planner_ends_where_the_end_effector_is_at_the_target() {
     for (links, is_limited) in [(2, false), (3, false), (4, true), (6, false)] {
         let plain = arm_of(links, is_limited, 0.02);
-        // Where the goal takes the tip can be reached.
-        let tip = Inspector::new(&plain).end_effector(plain.queries()[0].configuration().unwrap()).unwrap();
-        let world = reaching(&plain, &format!(r#"{{"point": [{:?}, {:?}]}}"#, tip.x, tip.y));
+        let (world, tip) = reaching_its_goal(&plain);
         for &(planner, settings) in PLANNERS {
             for seed in 0..seeds(4) {
                 let run = finish(begin_with(&world, planner, seed, settings));
@@ -130,8 +136,7 @@ fn a_spare_joint_has_more_ways_and_all_are_roots() {
 #[wasm_bindgen_test(unsupported = test)]
 fn slices_and_samplers_make_no_difference() {
     let plain = arm_and_wall(0.1);
-    let tip = Inspector::new(&plain).end_effector(plain.queries()[0].configuration().unwrap()).unwrap();
-    let world = reaching(&plain, &format!(r#"{{"point": [{:?}, {:?}]}}"#, tip.x, tip.y));
+    let (world, _) = reaching_its_goal(&plain);
     for &(planner, settings) in PLANNERS {
         for &sampler in SAMPLERS {
             let settings = format!("{settings} sampler={sampler} max_iterations=4000");
@@ -167,8 +172,7 @@ fn what_cannot_be_reached_is_said_with_the_nearest_point() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_kept_roadmap_is_asked_for_a_target() {
     let plain = arm_of(3, false, 0.02);
-    let tip = Inspector::new(&plain).end_effector(plain.queries()[0].configuration().unwrap()).unwrap();
-    let world = reaching(&plain, &format!(r#"{{"point": [{:?}, {:?}]}}"#, tip.x, tip.y));
+    let (world, tip) = reaching_its_goal(&plain);
     let settings = "samples=300 k=10";
     for built in [&plain, &world] {
         let run = finish(begin_with(built, "prm", 2, settings));
@@ -185,10 +189,7 @@ fn a_kept_roadmap_is_asked_for_a_target() {
 fn is_accepted_for(world: &Scenario, target: &str) -> bool {
     let run = finish(begin_with(world, "rrt-connect", 1, ""));
     assert!(is_valid(world, run.as_ref()), "{:?}", verify(world, &run.result()));
-    let text = world.to_json_string();
-    let from = text.find(r#""target":"#).expect("a target");
-    let to = from + text[from..].find('}').expect("its end") + 1;
-    is_valid(&parse(&format!("{}\"target\":{target}{}", &text[..from], &text[to..])), run.as_ref())
+    is_valid(&reaching(world, target), run.as_ref())
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -225,8 +226,7 @@ fn joints_that_can_hardly_move_keep_no_target_out_of_reach() {
                 "joint_limits": [[-1.0471975511965976, 0.5235987755982988], [0.5, 1], [-1e-9, 1e-9], [0, 9.42477796076938]] },
             "queries": [ { "name": "q", "start": [0, 0.75, 0, 1], "goal": [0.5235987755982988, 1, 1e-9, 7.592182246175334] } ] }"#,
     );
-    let tip = Inspector::new(&world).end_effector(world.queries()[0].configuration().unwrap()).unwrap();
-    let world = reaching(&world, &format!(r#"{{"point": [{:?}, {:?}]}}"#, tip.x, tip.y));
+    let (world, _) = reaching_its_goal(&world);
     for seed in 0..seeds(10) {
         let run = finish(begin_with(&world, "rrt-connect", seed, ""));
         assert!(is_valid(&world, run.as_ref()), "seed {seed}");

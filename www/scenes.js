@@ -64,7 +64,7 @@ export const SCENES = [
   {
     id: "veil", title: "A wall thin as paper", algorithm: "prm", pace: 60,
     settings: { samples: 150, k: 8, edge_check: "sampled", edge_samples: 3, seed: 1 },
-    story: "Looked at in three places, edges leap the thin wall: set \u201cEdges are\u201d to \u201cproven\u201d.",
+    story: "Looked at in three places, edges leap the thin wall: set \u201cCollision checking\u201d to \u201cproven\u201d.",
   },
   {
     id: "shelf", title: "Into the shelf", algorithm: "rrt-connect", pace: 30, settings: { step: 0.2, seed: 8 },

@@ -77,7 +77,7 @@ pub fn print(is_quick: bool) {
     });
     let in_graph = row("vertex in the graph: state 32, birth 4", n, held, most);
     let (index, held, most) = measure(|| {
-        let mut index = Index::<Arm>::new();
+        let mut index = Index::<Arm>::default();
         for (i, &state) in states.iter().enumerate() {
             index.insert(&space, VertexId(i as u32), state);
         }
@@ -94,7 +94,7 @@ pub fn print(is_quick: bool) {
     let end = |i: usize, step: usize| VertexId(((i * step + 1) % n) as u32);
     let ((), held, most) = measure(|| (0..edges).for_each(|i| graph.add_edge(i as u32, end(i, 7), end(i, 11))));
     let an_edge = row("edge in the graph: two ends 8, birth 4", edges, held, most);
-    let (adjacency, held, most) = measure(|| Adjacency::new(n, graph.edges()));
+    let (adjacency, held, most) = measure(|| Adjacency::joining(n, graph.edges(), &[]));
     row("edge during a search: two ends 8, and the rows' starts", edges, held, most);
     drop(adjacency);
     let ((), held, most) = measure(|| {

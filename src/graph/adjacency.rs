@@ -1,4 +1,4 @@
-//! Who is joined to whom: compressed rows over the edges of a graph.
+//! The neighbours of the vertices of a graph: compressed rows over its edges.
 
 use super::VertexId;
 
@@ -6,7 +6,7 @@ use super::VertexId;
 #[derive(Debug, Clone, Default)]
 pub struct Adjacency {
     successors: Rows,
-    /// Where edges have a direction, the vertices that lead to each; else they are the same.
+    /// If edges have a direction, the vertices that lead to each; else they are the same.
     predecessors: Option<Rows>,
 }
 
@@ -18,7 +18,7 @@ struct Rows {
 }
 
 impl Rows {
-    /// Lists for every edge the vertex at one end under that at the other; from which end to which is given, by index.
+    /// Lists for every edge the vertex at one end under that at the other, for the given pairs of ends.
     fn new(vertices: usize, edges: [&[[VertexId; 2]]; 2], ends: &[[usize; 2]]) -> Self {
         let mut starts = vec![0u32; vertices + 1];
         for edge in edges.into_iter().flatten() {
@@ -45,12 +45,7 @@ impl Rows {
 }
 
 impl Adjacency {
-    /// The neighbours along the given edges, in both directions, among `vertices` vertices. O(vertices + edges).
-    pub fn new(vertices: usize, edges: &[[VertexId; 2]]) -> Self {
-        Self::joining(vertices, edges, &[])
-    }
-
-    /// The same along two lists of edges.
+    /// The neighbours along two lists of edges, in both directions, among `vertices` vertices. O(vertices + edges).
     pub fn joining(vertices: usize, edges: &[[VertexId; 2]], more: &[[VertexId; 2]]) -> Self {
         Self { successors: Rows::new(vertices, [edges, more], &[[0, 1], [1, 0]]), predecessors: None }
     }
@@ -59,11 +54,6 @@ impl Adjacency {
     pub fn directed(vertices: usize, edges: &[[VertexId; 2]], more: &[[VertexId; 2]]) -> Self {
         let rows = |ends| Rows::new(vertices, [edges, more], &[ends]);
         Self { successors: rows([0, 1]), predecessors: Some(rows([1, 0])) }
-    }
-
-    /// How many vertices there are.
-    pub fn vertices(&self) -> usize {
-        self.successors.starts.len().saturating_sub(1)
     }
 
     /// The vertices that an edge leads to from this one.

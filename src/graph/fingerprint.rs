@@ -1,21 +1,17 @@
-//! The fingerprint of a run and the checksum of a kept roadmap: 64-bit FNV-1a (Fowler, Noll and Vo), byte by byte, little-endian.
+//! The fingerprint of a run and the checksum of a saved roadmap: 64-bit FNV-1a (Fowler, Noll and Vo), byte by byte, little-endian.
 
-/// A hash in the making.
+/// A hash that bytes are added to.
 #[derive(Debug, Clone, Copy)]
 pub struct Fingerprint(u64);
 
+/// The hash of no bytes.
 impl Default for Fingerprint {
     fn default() -> Self {
-        Self::new()
+        Self(0xcbf2_9ce4_8422_2325)
     }
 }
 
 impl Fingerprint {
-    /// The hash of nothing.
-    pub fn new() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
-    }
-
     /// Adds bytes.
     pub fn bytes(&mut self, bytes: &[u8]) {
         for &byte in bytes {

@@ -4,14 +4,12 @@
 //! its cursor, so the cost of a frame depends on the growth, not on the size of the graph.
 
 mod adjacency;
-mod event;
 mod fingerprint;
 pub mod search;
 mod tree;
 mod union_find;
 
 pub use adjacency::Adjacency;
-pub use event::{Event, EventKind};
 pub use fingerprint::Fingerprint;
 pub use tree::Tree;
 pub use union_find::UnionFind;
@@ -29,6 +27,41 @@ impl VertexId {
     pub fn index(self) -> usize {
         self.0 as usize
     }
+}
+
+/// The kind of an event; viewers see its number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EventKind {
+    /// A sample in collision was rejected; the state is the sample.
+    SampleRejected = 0,
+    /// A motion could not be proven free: from the vertex to the state (of the other vertex, if there is one), or, in a tree
+    /// that grows against the direction of its motions, from the state to the vertex.
+    EdgeRefused = 1,
+    /// The search expanded the vertex.
+    VertexExpanded = 2,
+    /// A solution was found at the vertex.
+    SolutionFound = 3,
+    /// A free sample was discarded: it connects to nothing, or to nothing new; the state is the sample.
+    SampleDiscarded = 4,
+    /// The vertex became a guard of a visibility roadmap.
+    GuardAdded = 5,
+    /// The vertex and the edge to it were removed from the tree, as others are better. Its number is not reused.
+    VertexRemoved = 6,
+}
+
+/// One event.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event<S> {
+    /// What happened.
+    pub kind: EventKind,
+    /// In which iteration, from 1.
+    pub iteration: u32,
+    /// The vertex concerned, if any.
+    pub vertex: Option<VertexId>,
+    /// The other vertex of an edge.
+    pub other: Option<VertexId>,
+    /// The configuration concerned: the sample, the target of the edge, the state of the vertex.
+    pub state: S,
 }
 
 /// How many vertices, edges and events a graph holds in all before a run of a planner ends as exhausted: as many as fit into the
@@ -123,7 +156,7 @@ impl<S: Space> Graph<S> {
     /// birth), then all edges (both ends, birth), then the controlled motions along them, if any (speed, steering, duration), then all
     /// events. O(size).
     pub fn fingerprint(&self, space: &S) -> u64 {
-        let mut hash = Fingerprint::new();
+        let mut hash = Fingerprint::default();
         for (state, &birth) in self.states.iter().zip(&self.vertex_births) {
             hash.numbers(space.coordinates(state));
             hash.integer(u64::from(birth));

@@ -1,4 +1,4 @@
-//! Which vertices are connected: disjoint sets, joined by size (Galler and Fischer 1964, "An improved equivalence
+//! Connected vertices: disjoint sets, merged by size (Galler and Fischer 1964, "An improved equivalence
 //! algorithm"), with path halving.
 
 /// Disjoint sets of the numbers from 0.
@@ -15,7 +15,7 @@ impl UnionFind {
         self.sizes.push(1);
     }
 
-    /// The number that stands for the set of `i`. Nearly constant time.
+    /// The representative of the set of `i`. Nearly constant time.
     pub fn find(&mut self, i: usize) -> usize {
         let mut at = i;
         while self.parents[at] as usize != at {
@@ -25,7 +25,7 @@ impl UnionFind {
         at
     }
 
-    /// Joins the sets of `a` and `b`; returns whether they were distinct.
+    /// Merges the sets of `a` and `b`; returns whether they were distinct.
     pub fn join(&mut self, a: usize, b: usize) -> bool {
         let (a, b) = (self.find(a), self.find(b));
         if a == b {

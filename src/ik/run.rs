@@ -302,7 +302,7 @@ impl Solver {
 
     /// 64-bit FNV-1a over every iterate, solution and rejected configuration, each kind in the order in which it was found.
     pub fn fingerprint(&self) -> u64 {
-        let mut hash = Fingerprint::new();
+        let mut hash = Fingerprint::default();
         let count = self.dimension();
         for iterate in &self.iterates {
             hash.integer(u64::from(iterate.restart));

@@ -15,7 +15,7 @@ pub fn serialize<S: Serializer>(value: &u64, target: S) -> Result<S::Ok, S::Erro
 /// Reads the digits.
 ///
 /// # Errors
-/// Where the value is not 16 lower-case hexadecimal digits.
+/// If the value is not 16 lower-case hexadecimal digits.
 pub fn deserialize<'de, D: Deserializer<'de>>(source: D) -> Result<u64, D::Error> {
     let text = String::deserialize(source)?;
     let is_digit = |byte: u8| byte.is_ascii_digit() || (b'a'..=b'f').contains(&byte);

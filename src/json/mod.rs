@@ -1,6 +1,6 @@
 //! JSON: text read as a tree under the rules of every contract, a tree read as a type, and values written in one normal form.
 //!
-//! Text becomes a [`serde_json::Value`] first, so that what is not JSON is told before what the contract does not know; [`read`] makes a
+//! Text becomes a [`serde_json::Value`] first, so that text that is no JSON is reported before fields that the contract does not know; [`read`] makes a
 //! type of it. Every refusal carries a JSON pointer (RFC 6901).
 
 pub mod hex;

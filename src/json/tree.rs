@@ -43,7 +43,7 @@ fn number_at<'a>(text: &'a str, error: &serde_json::Error) -> &'a str {
     number.get(..60).unwrap_or(number)
 }
 
-/// Reads a tree from any source that describes itself. The second value is the pointer of what is wrong, where the first is an
+/// Reads a tree from any source that describes itself. The second value is the pointer of the offending value if the first is an
 /// error.
 pub(crate) fn read_tree<'de, D: Deserializer<'de>>(source: D) -> (Result<Value, D::Error>, String) {
     let mut pointer = String::new();
@@ -53,9 +53,9 @@ pub(crate) fn read_tree<'de, D: Deserializer<'de>>(source: D) -> (Result<Value, 
 
 /// Reads one value.
 struct Tree<'a> {
-    /// Where the value is; left there where it is wrong.
+    /// The pointer of the value; stays there if it is wrong.
     pointer: &'a mut String,
-    /// How many arrays and objects it is in.
+    /// The number of arrays and objects around it.
     depth: u32,
     /// Its index, of an item of an array.
     index: Option<usize>,

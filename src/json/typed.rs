@@ -1,4 +1,4 @@
-//! A tree as a type that derives `Deserialize`, with our codes and pointers where it is none.
+//! A tree as a type that derives `Deserialize`, with our codes and pointers if it does not fit.
 
 use super::push_field;
 use crate::error::{Code, Error, Number, quoted};
@@ -25,14 +25,14 @@ pub fn read<'de, T: Deserialize<'de>>(value: &'de Value) -> Result<T, Error> {
 /// Reads a number that is not negative: for `#[serde(deserialize_with = "not_negative")]`.
 ///
 /// # Errors
-/// Those of the source, and where the number is negative.
+/// Those of the source, and if the number is negative.
 pub fn not_negative<'de, D: Deserializer<'de>>(source: D) -> Result<f64, D::Error> {
     let value = f64::deserialize(source)?;
     let sentence = || de::Error::custom(format!("this must not be negative, but is {}", Number(value)));
     if value < 0.0 { Err(sentence()) } else { Ok(value) }
 }
 
-/// The pointer for a path; what has no name or index is no part of it.
+/// The pointer for a path; segments without name or index are left out.
 fn pointer(path: &Path) -> String {
     let mut pointer = String::new();
     for segment in path {
@@ -45,14 +45,14 @@ fn pointer(path: &Path) -> String {
     pointer
 }
 
-/// What is wrong with a value: the errors of serde as our codes.
+/// The errors of serde as our codes.
 #[derive(Debug)]
 enum Fault {
-    /// The value is not what is wanted: a code, and what is wanted.
+    /// Another value than expected: a code, and the expected one.
     Other(Code, String),
     /// The field is missing.
     Missing(&'static str),
-    /// A word that is none of those known.
+    /// An unknown word.
     Word(String),
     /// All else: a code and a sentence.
     Told(Code, String),
@@ -228,7 +228,7 @@ impl<'de> IntoDeserializer<'de, Fault> for Tree<'de> {
     }
 }
 
-/// Derives `Deserialize` for an enum whose variants hold a struct each and are told apart by the field `type`. A derived
+/// Derives `Deserialize` for an enum whose variants hold a struct each and are distinguished by the field `type`. A derived
 /// internally tagged enum would lose the path of an error; this one is only for [`read`], which has `type` come first.
 macro_rules! by_type {
     ($name:ident { $($word:literal => $variant:ident),+ $(,)? }) => {

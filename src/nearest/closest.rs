@@ -8,14 +8,14 @@ use crate::graph::VertexId;
 pub(super) struct Closest<'a> {
     found: &'a mut Vec<Neighbour>,
     k: usize,
-    /// Whether they are kept sorted, so that the limit is always tight; else the best are selected from time to time.
+    /// Whether they are always sorted, so that the limit is tight; else the best are selected from time to time.
     is_sorted: bool,
     /// Neighbours farther than this are ignored.
     limit: f64,
 }
 
 impl<'a> Closest<'a> {
-    /// The `k` closest of those no farther than `limit`, k at least 1; kept sorted or not, whichever is faster.
+    /// The `k` closest of those no farther than `limit`, k at least 1; sorted or not, whichever is faster.
     pub fn new(found: &'a mut Vec<Neighbour>, k: usize, limit: f64, is_sorted: bool) -> Self {
         found.clear();
         Self { found, k, is_sorted, limit }
@@ -60,7 +60,7 @@ impl<'a> Closest<'a> {
         }
     }
 
-    /// Inserts a neighbour among those kept sorted.
+    /// Inserts a neighbour among sorted ones.
     fn sort_in(&mut self, neighbour: Neighbour) {
         if self.found.len() == self.k {
             if !neighbour.is_before(&self.found[self.k - 1]) {

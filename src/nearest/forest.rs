@@ -1,11 +1,11 @@
-//! The approximate index: a forest of random-projection trees, for where dimensions are so many that an exact index has to
-//! look at most states.
+//! The approximate index: a forest of random-projection trees, for so many dimensions that an exact index has to
+//! examine most states.
 //!
-//! Dasgupta and Freund 2008, "Random projection trees and low dimensional manifolds": each tree halves the states again and
-//! again at the median of their projections on a direction drawn by lot, here that between two of the states. States are
-//! seen in an embedding without a seam, circles as (cos, sin), each coordinate by its weight in the metric. A query takes
+//! Dasgupta and Freund 2008, "Random projection trees and low dimensional manifolds": each tree halves the states recursively
+//! at the median of their projections on a random direction, here that between two of the states. States are
+//! embedded in a Euclidean space, circles as (cos, sin), each coordinate by its weight in the metric. A query takes
 //! leaves from all trees, those nearest beyond the planes first, until it has seen enough states; the metric itself ranks
-//! these. So what is found has its true distance, but some of the nearest may be missed: see [`recall`].
+//! these. So neighbours have their true distances, but some of the nearest may be missed: see [`recall`].
 
 use super::closest::Closest;
 use super::packs::LANES;
@@ -18,7 +18,7 @@ use rand_xoshiro::SplitMix64;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// So much deeper than twice the least depth a tree may be before it is evened out. Random states are far from that.
+/// A tree is rebuilt in part if it is deeper than twice the least depth by more than this. Random states are far from that.
 const SPARE_DEPTH: usize = 16;
 
 /// How a forest is made and asked.
@@ -28,7 +28,7 @@ pub struct ForestParameters {
     pub trees: usize,
     /// How many states fill a leaf, at least 2.
     pub leaf: usize,
-    /// How many states a query looks at, at least, and never fewer than it is to find; recall and time grow with them.
+    /// How many states a query examines, at least, and never fewer than it is to find; recall and time grow with them.
     pub candidates: usize,
 }
 
@@ -40,7 +40,7 @@ impl Default for ForestParameters {
     }
 }
 
-/// Of the neighbours that there are, the part that was found; 1 where there are none. Of k by k, O(k^2).
+/// The share of the exact neighbours that was found; 1 if there are none. O(k^2) for k of each.
 pub fn recall(found: &[Neighbour], exact: &[Neighbour]) -> f64 {
     let hits = exact.iter().filter(|&neighbour| found.contains(neighbour)).count();
     if exact.is_empty() { 1.0 } else { hits as f64 / exact.len() as f64 }
@@ -51,12 +51,12 @@ pub fn recall(found: &[Neighbour], exact: &[Neighbour]) -> f64 {
 enum Node {
     /// A plane: those whose projection on the direction is at least the threshold are in the second child.
     Branch { direction: Vec<f64>, threshold: f64, children: [u32; 2] },
-    /// States, by their places in the forest.
+    /// States, by their indices in the forest.
     Leaf(Vec<u32>),
 }
 
 /// A forest that grows. Insertion mostly costs O(trees log n), a query O(candidates + trees log n). States that come in order, or the same
-/// again and again, would make a tree deep and slow: a subtree too deep for what it holds is built anew (Galperin and Rivest 1993,
+/// again and again, would make a tree deep and slow: a subtree too deep for its size is rebuilt (Galperin and Rivest 1993,
 /// "Scapegoat trees"), which costs O(trees log^2 n) an insertion on average. The states, and for each its
 /// embedding and about trees (4 + 8 embedded dimension / leaf) bytes.
 #[derive(Debug, Clone)]
@@ -79,7 +79,7 @@ impl<S: Space> Forest<S> {
     /// [`Projections`](crate::random::Stream::Projections).
     ///
     /// # Panics
-    /// Where there is no tree, or leaves of fewer than two.
+    /// If there is no tree, or leaves hold fewer than two.
     pub fn new(parameters: ForestParameters, key: u64) -> Self {
         assert!(parameters.trees >= 1 && parameters.leaf >= 2, "a forest has a tree, and leaves of two, at least");
         let generator = SplitMix64::seed_from_u64(key);
@@ -88,13 +88,13 @@ impl<S: Space> Forest<S> {
         Self { parameters, generator, vertices: Vec::new(), states: Vec::new(), points: Vec::new(), trees, spare }
     }
 
-    /// The embedded state at a place.
+    /// The embedded state of an index.
     fn point(&self, member: u32) -> &[f64] {
         let width = self.points.len() / self.states.len();
         &self.points[member as usize * width..][..width]
     }
 
-    /// Halves a leaf of one tree; answers its children.
+    /// Halves a leaf of one tree; returns its children.
     fn split(&mut self, tree: usize, node: usize, mut members: Vec<u32>) -> [u32; 2] {
         let pair = [0; 2].map(|_| members[below(&mut self.generator, members.len() as u64) as usize]);
         let [a, b] = pair.map(|member| self.point(member));
@@ -126,19 +126,19 @@ impl<S: Space> Forest<S> {
         nodes.len() as u32 - 1
     }
 
-    /// How many nodes may lie one above the other where there are so many states: more than twice as many as there need to be.
+    /// The largest depth of a tree of so many states: more than twice the least.
     fn deepest(&self, states: usize) -> usize {
         let leaves = states as f64 / self.parameters.leaf as f64;
         SPARE_DEPTH + libm::ceil(2.0 * libm::log2(leaves.max(1.0))) as usize
     }
 
-    /// Builds anew the lowest subtree on the way from the root to a leaf that is deeper than it may be. The whole way is.
+    /// Rebuilds the lowest subtree on the path from the root to a leaf that is deeper than it may be. The whole tree is.
     fn even_out(&mut self, tree: usize, way: &[u32]) {
         let (mut members, mut free) = (Vec::new(), Vec::new());
         for (depth, &top) in (1..).zip(way.iter().rev()) {
             let mut open = vec![top];
             while let Some(node) = open.pop() {
-                // The subtree before, further down, is empty by now.
+                // The previous subtree, further down, is empty by now.
                 match std::mem::replace(&mut self.trees[tree][node as usize], Node::Leaf(Vec::new())) {
                     Node::Leaf(mut some) => members.append(&mut some),
                     Node::Branch { children, .. } => open.extend(children),
@@ -155,7 +155,7 @@ impl<S: Space> Forest<S> {
         }
     }
 
-    /// Halves a leaf of these members again and again.
+    /// Halves a leaf of these members recursively.
     fn build(&mut self, tree: usize, leaf: u32, members: Vec<u32>) {
         let mut open = vec![(leaf, members)];
         while let Some((leaf, members)) = open.pop() {
@@ -171,7 +171,7 @@ impl<S: Space> Forest<S> {
         }
     }
 
-    /// How many nodes lie one above the other at most, the leaf included: O(log n), in whatever order states come and however
+    /// The depth of the deepest leaf, in nodes: O(log n), in whatever order states come and however
     /// many of them are the same. Takes O(nodes).
     pub fn depth(&self) -> usize {
         let mut deepest = 0;
@@ -187,13 +187,13 @@ impl<S: Space> Forest<S> {
         deepest
     }
 
-    /// Offers the states of leaves, nearest planes first, until there were `enough`. Answers how many there were.
+    /// Offers the states of leaves, nearest planes first, until there were `enough`. Returns how many there were.
     fn search(&self, space: &S, from: &S::State, enough: usize, closest: &mut Closest) -> usize {
         let point = embedded(space, from);
         let mut seen = vec![0u64; self.states.len().div_ceil(64)];
         let mut looked = 0;
         let mut pack = ([f64::NAN; LANES], [VertexId(u32::MAX); LANES], 0);
-        // Margins are not negative, so their bits order as they do; equal ones go by tree and node.
+        // Margins are not negative, so their bits order as they do; ties by tree and node.
         let mut waiting: BinaryHeap<Reverse<(u64, u32, u32)>> = BinaryHeap::new();
         waiting.extend((0..self.trees.len() as u32).map(|tree| Reverse((0, tree, 0))));
         while let Some(Reverse((margin, tree, mut node))) = waiting.pop() {
@@ -269,12 +269,6 @@ impl<S: Space> Nearest<S> for Forest<S> {
         self.states.len()
     }
 
-    fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
-        let mut found = Vec::new();
-        self.k_nearest(space, state, 1, &mut found);
-        found.pop()
-    }
-
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
         let mut closest = Closest::new(found, k, f64::INFINITY, k <= 16);
         let enough = self.parameters.candidates.max(k);
@@ -291,7 +285,7 @@ impl<S: Space> Nearest<S> for Forest<S> {
     }
 }
 
-/// A state as a point of a Euclidean space without a seam, each coordinate by its weight in the metric.
+/// A state as a point of a Euclidean space, circles as (cos, sin), each coordinate by its weight in the metric.
 fn embedded<S: Space>(space: &S, state: &S::State) -> Vec<f64> {
     let mut point = Vec::with_capacity(2 * space.dimension());
     for (i, &x) in space.coordinates(state).iter().enumerate() {

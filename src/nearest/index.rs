@@ -1,6 +1,5 @@
 //! The exact index that planners use: about as fast as the faster of linear scan and kd-tree at any size.
 
-use super::ranked::Ranked;
 use super::{Direction, KdTree, LinearScan, Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
@@ -12,35 +11,34 @@ const SCANS: bool = !cfg!(target_arch = "wasm32");
 const MOST_SCANNED: usize = 8192;
 
 /// A linear scan for few states and a kd-tree for many. Which one runs depends only on the number of states, neighbours and
-/// dimensions; both return the same bits. Where the norm of the space is only a lower bound on distances, candidates are
+/// dimensions; both return the same bits. If the norm of the space is only a lower bound on distances, candidates are
 /// found by the norm and ranked by their distance. The methods of [`Nearest`] are about motions to the state ([`Direction::In`]);
 /// the methods ending in `_by` take the direction.
 #[derive(Debug, Clone)]
 pub struct Index<S: Space> {
-    scan: LinearScan<S>,
-    tree: KdTree<S>,
-    /// All states, where the norm is only a lower bound; `scan` and `tree` are then empty.
-    ranked: Ranked<S>,
+    scan: LinearScan,
+    tree: KdTree,
+    /// Vertices and states, if the norm is only a lower bound; the tree then holds them by their positions here, the scan nothing.
+    entries: Vec<(VertexId, S::State)>,
     len: usize,
 }
 
-impl<S: Space> Index<S> {
-    /// An empty index.
-    pub fn new() -> Self {
-        Self { scan: LinearScan::new(), tree: KdTree::new(), ranked: Ranked::new(), len: 0 }
+/// An empty index.
+impl<S: Space> Default for Index<S> {
+    fn default() -> Self {
+        Self { scan: LinearScan::default(), tree: KdTree::default(), entries: Vec::new(), len: 0 }
     }
+}
 
-    /// The vertex nearest to `state` by motions in the given direction; `None` where the index is empty.
+impl<S: Space> Index<S> {
+    /// The vertex nearest to `state` by motions in the given direction; `None` if the index is empty.
     pub fn nearest_by(&self, space: &S, direction: Direction, state: &S::State) -> Option<Neighbour> {
-        if space.is_norm_exact() {
-            return self.nearest(space, state);
-        }
         let mut found = Vec::with_capacity(1);
-        self.ranked.k_nearest(space, direction, state, 1, &mut found);
+        self.k_nearest_by(space, direction, state, 1, &mut found);
         found.pop()
     }
 
-    /// The `k` vertices nearest to `state` by motions in the given direction (all, where there are fewer), nearest first, into `found`.
+    /// The `k` vertices nearest to `state` by motions in the given direction (all, if there are fewer), nearest first, into `found`.
     pub fn k_nearest_by(
         &self,
         space: &S,
@@ -49,10 +47,12 @@ impl<S: Space> Index<S> {
         k: usize,
         found: &mut Vec<Neighbour>,
     ) -> usize {
-        if space.is_norm_exact() {
-            self.k_nearest(space, state, k, found)
+        if !space.is_norm_exact() {
+            self.rank(space, direction, state, k, found)
+        } else if SCANS && self.len <= Self::crossover(space, k) {
+            self.scan.k_nearest(space, state, k, found)
         } else {
-            self.ranked.k_nearest(space, direction, state, k, found)
+            self.tree.k_nearest(space, state, k, found)
         }
     }
 
@@ -65,11 +65,54 @@ impl<S: Space> Index<S> {
         radius: f64,
         found: &mut Vec<Neighbour>,
     ) -> usize {
-        if space.is_norm_exact() {
-            self.within(space, state, radius, found)
-        } else {
-            self.ranked.within(space, direction, state, radius, found)
+        if space.is_norm_exact() && SCANS && self.len <= Self::crossover(space, 1) {
+            return self.scan.within(space, state, radius, found);
         }
+        let visited = self.tree.within(space, state, radius, found);
+        if !space.is_norm_exact() {
+            found.iter_mut().for_each(|candidate| *candidate = self.neighbour(space, direction, state, candidate));
+            found.retain(|neighbour| neighbour.distance <= radius);
+            found.sort_unstable_by_key(Neighbour::key);
+        }
+        visited
+    }
+
+    /// The neighbour of a candidate of the tree.
+    fn neighbour(&self, space: &S, direction: Direction, state: &S::State, candidate: &Neighbour) -> Neighbour {
+        let (vertex, other) = &self.entries[candidate.vertex.index()];
+        Neighbour { distance: direction.distance(space, state, other), vertex: *vertex }
+    }
+
+    /// The `k` nearest if the norm is a lower bound: takes candidates by their bounds, in batches that grow, and ranks them
+    /// by their distances until every bound left exceeds the worst distance found. The result is that of a plain scan, ties by
+    /// vertex number; how many distances are computed depends on how tight the bound is.
+    fn rank(&self, space: &S, direction: Direction, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
+        found.clear();
+        if k == 0 {
+            return 0;
+        }
+        let (mut candidates, mut visited) = (Vec::new(), 0);
+        let (mut wanted, mut ranked) = (k.saturating_mul(2).saturating_add(6), 0);
+        while ranked < self.entries.len() {
+            visited = self.tree.k_nearest(space, state, wanted, &mut candidates);
+            for candidate in &candidates[ranked..] {
+                if found.len() == k && candidate.distance > found[k - 1].distance {
+                    return visited;
+                }
+                let neighbour = self.neighbour(space, direction, state, candidate);
+                if found.len() == k {
+                    if !neighbour.is_before(&found[k - 1]) {
+                        continue;
+                    }
+                    found.pop();
+                }
+                let at = found.iter().rposition(|kept| kept.is_before(&neighbour)).map_or(0, |i| i + 1);
+                found.insert(at, neighbour);
+            }
+            ranked = candidates.len();
+            wanted = wanted.saturating_mul(2);
+        }
+        visited
     }
 
     /// The number of states up to which a scan finds `k` neighbours faster than the tree: linear fits to the figures of the
@@ -86,23 +129,18 @@ impl<S: Space> Index<S> {
     }
 }
 
-impl<S: Space> Default for Index<S> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 impl<S: Space> Nearest<S> for Index<S> {
     fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
         self.len += 1;
         if !space.is_norm_exact() {
-            return self.ranked.insert(space, vertex, state);
+            self.tree.insert(space, VertexId(self.entries.len() as u32), state);
+            return self.entries.push((vertex, state));
         }
         self.tree.insert(space, vertex, state);
         if SCANS && self.len <= MOST_SCANNED {
             self.scan.insert(space, vertex, state);
-        } else if !self.scan.is_empty() {
-            self.scan = LinearScan::new();
+        } else if SCANS && self.len == MOST_SCANNED + 1 {
+            self.scan = LinearScan::default();
         }
     }
 
@@ -110,36 +148,11 @@ impl<S: Space> Nearest<S> for Index<S> {
         self.len
     }
 
-    fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
-        if !space.is_norm_exact() {
-            return self.nearest_by(space, Direction::In, state);
-        }
-        if SCANS && self.len <= Self::crossover(space, 1) {
-            self.scan.nearest(space, state)
-        } else {
-            self.tree.nearest(space, state)
-        }
-    }
-
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
-        if !space.is_norm_exact() {
-            return self.k_nearest_by(space, Direction::In, state, k, found);
-        }
-        if SCANS && self.len <= Self::crossover(space, k) {
-            self.scan.k_nearest(space, state, k, found)
-        } else {
-            self.tree.k_nearest(space, state, k, found)
-        }
+        self.k_nearest_by(space, Direction::In, state, k, found)
     }
 
     fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
-        if !space.is_norm_exact() {
-            return self.within_by(space, Direction::In, state, radius, found);
-        }
-        if SCANS && self.len <= Self::crossover(space, 1) {
-            self.scan.within(space, state, radius, found)
-        } else {
-            self.tree.within(space, state, radius, found)
-        }
+        self.within_by(space, Direction::In, state, radius, found)
     }
 }

@@ -6,9 +6,8 @@ use super::packs::{LANES, Packs, lane};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
-use std::marker::PhantomData;
 
-/// Up to this many neighbours are kept sorted; a guess does not pay for so few.
+/// Up to this many neighbours stay sorted; a guess does not pay for so few.
 const SORTED: usize = 4;
 
 /// How many packs are scanned at a time.
@@ -18,20 +17,14 @@ const BLOCK: usize = 64 / LANES;
 const SAMPLE: usize = 64;
 
 /// All states in one list, stored by columns. A query costs O(n).
-#[derive(Debug, Clone)]
-pub struct LinearScan<S: Space> {
+#[derive(Debug, Clone, Default)]
+pub struct LinearScan {
     packs: Packs,
     len: usize,
-    space: PhantomData<S>,
 }
 
-impl<S: Space> LinearScan<S> {
-    /// An empty index.
-    pub fn new() -> Self {
-        Self { packs: Packs::default(), len: 0, space: PhantomData }
-    }
-
-    fn scan(&self, space: &S, from: &[f64], closest: &mut Closest) {
+impl LinearScan {
+    fn scan<S: Space>(&self, space: &S, from: &[f64], closest: &mut Closest) {
         // First the distances to a block of packs, without branches, then the selection: two loops are faster than one.
         let mut distances = [[0.0; LANES]; BLOCK];
         let packs = self.packs.len();
@@ -46,8 +39,8 @@ impl<S: Space> LinearScan<S> {
 
     /// A distance within which probably at least `k` states lie, and not many more: a quantile of the distances to the first
     /// states. Infinite if there are too few states for a guess to pay.
-    fn guess(&self, space: &S, from: &[f64], k: usize) -> f64 {
-        if k <= SORTED || self.len < 4 * SAMPLE || self.len < 8 * k {
+    fn guess<S: Space>(&self, space: &S, from: &[f64], k: usize) -> f64 {
+        if k <= SORTED || self.len < 4 * SAMPLE || self.len / 8 < k {
             return f64::INFINITY;
         }
         let mut bits = [0; SAMPLE];
@@ -78,13 +71,7 @@ impl<S: Space> LinearScan<S> {
     }
 }
 
-impl<S: Space> Default for LinearScan<S> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<S: Space> Nearest<S> for LinearScan<S> {
+impl<S: Space> Nearest<S> for LinearScan {
     fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
         let (pack, at) = (self.len / LANES, lane(self.len));
         if at == 0 {
@@ -97,12 +84,6 @@ impl<S: Space> Nearest<S> for LinearScan<S> {
 
     fn len(&self) -> usize {
         self.len
-    }
-
-    fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
-        let mut found = Vec::with_capacity(1);
-        self.k_nearest(space, state, 1, &mut found);
-        found.pop()
     }
 
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {

@@ -10,13 +10,11 @@ mod index;
 mod kd_tree;
 mod linear;
 mod packs;
-mod ranked;
 
 pub use forest::{Forest, ForestParameters, recall};
 pub use index::Index;
 pub use kd_tree::KdTree;
 pub use linear::LinearScan;
-pub use ranked::Direction;
 
 use crate::graph::VertexId;
 use crate::space::Space;
@@ -44,6 +42,38 @@ impl Neighbour {
     }
 }
 
+/// The direction of the motions between a state and its neighbours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// From the neighbours to the state.
+    In,
+    /// From the state to the neighbours.
+    Out,
+}
+
+impl Direction {
+    /// The directions of a space: both are the same in a symmetric one.
+    pub fn all<S: Space>(space: &S) -> &'static [Self] {
+        if space.is_symmetric() { &[Direction::Out] } else { &[Direction::Out, Direction::In] }
+    }
+
+    /// The two ends of a motion between a state and a neighbour, from and to.
+    #[inline]
+    pub fn ends<T>(self, state: T, neighbour: T) -> [T; 2] {
+        match self {
+            Direction::In => [neighbour, state],
+            Direction::Out => [state, neighbour],
+        }
+    }
+
+    /// The distance between a state and a neighbour of it, in this direction.
+    #[inline]
+    pub fn distance<S: Space>(self, space: &S, state: &S::State, neighbour: &S::State) -> f64 {
+        let [from, to] = self.ends(state, neighbour);
+        space.distance(from, to)
+    }
+}
+
 /// An index of states that grows.
 pub trait Nearest<S: Space> {
     /// Adds a vertex; numbers must increase.
@@ -57,11 +87,15 @@ pub trait Nearest<S: Space> {
         self.len() == 0
     }
 
-    /// The vertex nearest to `state`; `None` where the index is empty.
-    fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour>;
+    /// The vertex nearest to `state`; `None` if the index is empty.
+    fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
+        let mut found = Vec::with_capacity(1);
+        self.k_nearest(space, state, 1, &mut found);
+        found.pop()
+    }
 
-    /// The `k` vertices nearest to `state` (all, where there are fewer), nearest first, into `found`. Returns how many vertices were
-    /// visited: those whose distance, or a lower bound on it where distances are expensive, was computed.
+    /// The `k` vertices nearest to `state` (all, if there are fewer), nearest first, into `found`. Returns how many vertices were
+    /// visited: those whose distance, or a lower bound on it if distances are expensive, was computed.
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize;
 
     /// Every vertex no farther from `state` than `radius`, nearest first, into `found`. Returns how many vertices were visited.

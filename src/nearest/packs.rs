@@ -1,12 +1,12 @@
-//! States by columns, some to a pack, so that the distances to a pack are computed side by side.
+//! States by columns, in packs, so that the distances to a pack are computed in parallel.
 
 use crate::graph::VertexId;
 use crate::space::{Space, gap};
 
-/// How many states a pack holds: as many as the compiler computes side by side; without vectors, one.
+/// How many states a pack holds: as many as vector instructions compute in parallel; without them, one.
 pub(super) const LANES: usize = if cfg!(target_arch = "wasm32") { 1 } else { 8 };
 
-/// The lane of the state that comes at number `at`. Where a pack holds one, a remainder would be a mistake to the linter.
+/// The lane of state number `at`: a remainder, which the linter would reject for packs of one.
 #[inline(always)]
 pub(super) const fn lane(at: usize) -> usize {
     at - at / LANES * LANES

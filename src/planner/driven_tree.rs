@@ -1,8 +1,7 @@
-//! A tree whose edges are driven: what the planners by controls have in common.
+//! A tree whose edges are controlled motions: what the planners by controls share.
 
 use super::groups::{Limits, Sampling};
 use super::growth::Growth;
-use super::info::Edges;
 use crate::error::Error;
 use crate::graph::{Tree, VertexId};
 use crate::options::{CAR, out_of_range};
@@ -16,14 +15,14 @@ pub(super) const ROOT: VertexId = VertexId(0);
 /// The longest duration of a control, in steps of integration.
 pub const MOST_STEPS: f64 = 10_000.0;
 
-/// Of the space's extent, how far the fastest straight drive of the longest duration goes where none is given: for the cars
-/// of the course reports that is their 2.5 s.
+/// The default longest duration: the fastest straight motion covers this fraction of the space's extent. For the cars of the
+/// course reports that is their 2.5 s.
 const DEFAULT_DRIVE: f64 = 0.3;
 
 crate::choice! {
-    /// Where the goal is looked for.
+    /// Where the goal is tested for.
     pub enum GoalTest {
-        /// After each step along an edge; the edge ends where the goal is met.
+        /// After each step along an edge; the edge ends as soon as the goal is met.
         Along,
         /// At the ends of edges.
         Ends,
@@ -31,7 +30,7 @@ crate::choice! {
 }
 
 crate::choice! {
-    /// What becomes of a motion that cannot be proven free to its end.
+    /// What happens to a motion that cannot be proven free to its end.
     pub enum Blocked {
         /// It ends with the last step that is proven free.
         Cut,
@@ -41,7 +40,7 @@ crate::choice! {
 }
 
 crate::choice! {
-    /// How drives are integrated.
+    /// How controlled motions are integrated.
     pub enum IntegrationKind {
         /// Exact arcs, proven free.
         Exact,
@@ -53,9 +52,9 @@ crate::choice! {
 crate::options! {
     /// Options of all planners by controls.
     pub struct ByControls for CAR;
-    /// After each step along an edge, which ends where it meets the goal region, or only at the ends of edges.
-    goal_test: GoalTest = GoalTest::Along, "Goal looked for";
-    /// Exact arcs, proven free, or explicit Euler steps, looked at one by one: neither exact nor proven, to compare.
+    /// Tests every step of an edge, which then ends in the goal region, or only the ends of edges.
+    goal_test: GoalTest = GoalTest::Along, "Goal test";
+    /// Exact arcs, proven free, or explicit Euler steps, checked one by one: neither exact nor proven, to compare.
     integration: IntegrationKind = IntegrationKind::Exact, "Integration";
     /// Where samples come from.
     sampling: Sampling;
@@ -63,28 +62,21 @@ crate::options! {
     limits: Limits;
 }
 
-impl ByControls {
-    /// What edges are.
-    pub(super) fn edges(&self) -> Edges<'static> {
-        Edges::Driven { is_euler: self.integration == IntegrationKind::Euler }
-    }
-}
-
-/// For how many steps a control is held: drawn uniformly from `shortest` to `longest`, both at least 1.
+/// The number of steps that a control is held: drawn uniformly from `shortest` to `longest`, both at least 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Durations {
-    /// At least so many steps.
+    /// The fewest steps.
     pub shortest: u32,
-    /// At most so many steps, no fewer than `shortest`.
+    /// The most steps, no fewer than `shortest`.
     pub longest: u32,
 }
 
 impl Durations {
-    /// The durations that are given in steps; by default as long as the fastest straight drive of a part of the extent, and
+    /// The durations that are given in steps; by default as many as the fastest straight motion takes for a part of the extent, and
     /// all equally long.
     ///
     /// # Errors
-    /// `out-of-range`, pointer `/shortest_steps`, where the shortest is longer than the longest.
+    /// `out-of-range`, pointer `/shortest_steps`, if the shortest is longer than the longest.
     pub(super) fn new<S: Space>(
         problem: &Problem<S>,
         longest: Option<u32>,
@@ -97,7 +89,7 @@ impl Durations {
         Self { shortest: longest, longest }.with_shortest(shortest)
     }
 
-    /// The same with another shortest duration, where one is given.
+    /// The same with another shortest duration, if one is given.
     pub(super) fn with_shortest(self, shortest: Option<u32>) -> Result<Self, Error> {
         match shortest {
             Some(steps) if steps > self.longest => {
@@ -109,7 +101,7 @@ impl Durations {
         }
     }
 
-    /// Draws a duration; nothing is drawn where there is no choice.
+    /// Draws a duration; draws nothing if there is no choice.
     pub(super) fn sample(self, random: &mut Random) -> u32 {
         match u64::from(self.longest - self.shortest) {
             0 => self.longest,
@@ -118,7 +110,7 @@ impl Durations {
     }
 }
 
-/// A control held for some steps, and where that leads.
+/// A control held for some steps, and the state at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Drive<S> {
     pub control: Control,
@@ -126,16 +118,16 @@ pub(super) struct Drive<S> {
     pub end: S,
 }
 
-/// A tree of driven edges. Edge v - 1 leads to vertex v.
+/// A tree of controlled motions. Edge v - 1 leads to vertex v.
 pub(super) struct DrivenTree<S: Space> {
     pub growth: Growth<S>,
     pub tree: Tree,
-    /// How far each vertex is from the goal.
+    /// The distance from each vertex to the goal.
     left: Vec<f64>,
 }
 
 impl<S: Space> DrivenTree<S> {
-    /// The tree of the start alone.
+    /// The tree that consists of the start.
     pub fn new(problem: &Problem<S>) -> Self {
         let (mut growth, mut tree) = (Growth::default(), Tree::default());
         tree.add_root(growth.graph.add_vertex(0, *problem.start()));
@@ -143,7 +135,7 @@ impl<S: Space> DrivenTree<S> {
         Self { growth, tree, left }
     }
 
-    /// The drive as far as it is to be kept; `None` where it is refused.
+    /// The part of the motion to be added; `None` if it is refused.
     pub fn prove(
         &mut self,
         problem: &Problem<S>,
@@ -163,7 +155,7 @@ impl<S: Space> DrivenTree<S> {
         }
     }
 
-    /// Adds the vertex at the end of a drive.
+    /// Adds the vertex at the end of a motion.
     pub fn grow(
         &mut self,
         problem: &Problem<S>,
@@ -179,7 +171,7 @@ impl<S: Space> DrivenTree<S> {
         vertex
     }
 
-    /// Of the vertices that are counted, the one nearest to the goal, the first of them. O(vertices).
+    /// The first of the counted vertices that are nearest to the goal. O(vertices).
     pub fn closest(&self, is_counted: impl Fn(VertexId) -> bool) -> VertexId {
         let mut closest = (ROOT, f64::INFINITY);
         for (i, &left) in self.left.iter().enumerate() {
@@ -191,19 +183,19 @@ impl<S: Space> DrivenTree<S> {
     }
 }
 
-/// How the problem's system is driven.
+/// The dynamics of the problem.
 pub(super) fn dynamics<S: Space>(problem: &Problem<S>) -> &dyn Dynamics<S::State> {
     problem.dynamics().expect("what is planned by controls is driven")
 }
 
-/// How far the fastest straight drive of this duration goes, in the metric of the space.
+/// The length of the fastest straight motion of this duration, in the metric of the space.
 pub(super) fn straight_reach<S: Space>(problem: &Problem<S>, duration: f64) -> f64 {
     let dynamics = dynamics(problem);
     let straight = |control| Motion { control: Control { steering: 0.0, ..control }, duration };
     dynamics.extremes().into_iter().map(|control| dynamics.length(straight(control))).fold(0.0, f64::max)
 }
 
-/// The drive up to where it first meets the goal, and whether it does.
+/// The motion until it first meets the goal, and whether it does.
 pub(super) fn up_to_goal<S: Space>(
     problem: &Problem<S>,
     from: &S::State,
@@ -212,7 +204,7 @@ pub(super) fn up_to_goal<S: Space>(
 ) -> (Drive<S::State>, bool) {
     let (space, dynamics) = (problem.space(), dynamics(problem));
     if test == GoalTest::Along {
-        // The distance to the goal falls by no more than this a step, so steps that cannot reach it are passed over.
+        // The distance to the goal falls by at most this per step, so steps that cannot reach it are skipped.
         let motion = Motion { control: drive.control, duration: dynamics.step() };
         let (pace, mut steps) = (dynamics.length(motion), 0);
         let (mut state, mut left) = (*from, drive.steps);

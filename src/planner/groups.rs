@@ -1,20 +1,22 @@
-//! Options that planners share, and what they make of them.
+//! Groups of options that planners share.
 
-use super::query::{Algorithm, Cost, Heuristic, SearchRules};
+use super::growth::Growth;
+use super::query::{Algorithm, Cost, Heuristic};
 use crate::error::Error;
 use crate::options::{CAR, Choice, out_of_range};
+use crate::problem::Problem;
 use crate::random::{Random, Stream};
 use crate::sampling::{BridgeTest, Gaussian, GoalBiased, Halton, Lattice, ObstacleBased, Sampler, Uniform};
 use crate::space::steering::Steering;
 use crate::space::{MetricKind, Space};
 
-/// The tolerance taken where none is given, as a fraction of the world's longer side.
+/// The default tolerance, as a fraction of the world's longer side.
 pub const DEFAULT_TOLERANCE: f64 = 1e-4;
-/// Of the space's extent, the step taken where none is given.
+/// The default step, as a fraction of the space's extent.
 const DEFAULT_STEP: f64 = 0.2;
-/// Of the space's extent, the smallest step: it bounds the motions of one greedy connection.
+/// The smallest step, as a fraction of the space's extent: it bounds the motions of one greedy connection.
 const SMALLEST_STEP: f64 = 1e-4;
-/// Of the space's extent per dimension, the deviation of samplers where none is given.
+/// The default deviation of samplers, as a fraction of the space's extent per dimension.
 const DEFAULT_SPREAD: f64 = 0.05;
 
 crate::choice! {
@@ -32,7 +34,7 @@ crate::choice! {
         Bridge,
         /// On obstacles.
         ObstacleBased,
-        /// About the goal.
+        /// Around the goal.
         GoalBiased,
     }
 }
@@ -40,9 +42,9 @@ crate::choice! {
 crate::options! {
     /// Where samples come from.
     pub struct Sampling for crate::options::ALL;
-    /// Where samples fall: anywhere, evenly (halton, lattice), near obstacles, between or on them, or about the goal.
+    /// Where samples fall: anywhere, evenly (halton, lattice), near, between or on obstacles, or around the goal.
     sampler: SamplerKind = SamplerKind::Uniform, "Sampler";
-    /// How widely gaussian, bridge and goal-biased samples scatter: less keeps them nearer to obstacles or the goal.
+    /// Standard deviation of gaussian, bridge and goal-biased samples: less keeps them nearer to obstacles or goal.
     spread: Option<f64>, in 1e-6..=1e6, "Spread", unit "rad or m",
         else "a twentieth of the largest distance in the space, divided by its dimension";
 }
@@ -53,12 +55,12 @@ impl Sampling {
         let random = Random::new(seed, Stream::Samples);
         let spread = self.spread.unwrap_or(DEFAULT_SPREAD * space.extent() / space.dimension() as f64);
         match self.sampler {
-            SamplerKind::Uniform => Box::new(Uniform::new(random)),
+            SamplerKind::Uniform => Box::new(Uniform(random)),
             SamplerKind::Halton => Box::new(Halton::new(random)),
             SamplerKind::Lattice => Box::new(Lattice::new(space.dimension(), random)),
-            SamplerKind::Gaussian => Box::new(Gaussian::new(random, spread)),
-            SamplerKind::Bridge => Box::new(BridgeTest::new(random, spread)),
-            SamplerKind::ObstacleBased => Box::new(ObstacleBased::new(random)),
+            SamplerKind::Gaussian => Box::new(Gaussian { random, deviation: spread }),
+            SamplerKind::Bridge => Box::new(BridgeTest { random, deviation: spread }),
+            SamplerKind::ObstacleBased => Box::new(ObstacleBased(random)),
             SamplerKind::GoalBiased => Box::new(GoalBiased::new(random, spread)),
         }
     }
@@ -67,57 +69,51 @@ impl Sampling {
 crate::options! {
     /// How a roadmap is searched.
     pub struct Searching for crate::options::ALL;
-    /// How the roadmap is searched: A* heads for the goal, bidirectional starts at both ends, the others spread out.
+    /// Graph search: A* is guided to the goal, bidirectional starts at both ends, the others spread out evenly.
     search: Algorithm = Algorithm::AStar, "Search";
-    /// What A* and Dijkstra make least: the length of the path, or its hops; breadth-first always counts hops.
+    /// Cost that A* and Dijkstra minimise: path length or number of edges; breadth-first always counts edges.
     cost: Cost = Cost::Metric, "Cost of an edge";
-    /// How A* guesses the rest of the way: close guesses expand fewer vertices; metric-as-hops may miss the best.
+    /// Estimate of the remaining cost in A*: closer ones expand fewer vertices; metric-as-hops may miss the best.
     heuristic: Heuristic = Heuristic::Metric, "Heuristic";
 }
 
-impl Searching {
-    pub(super) fn rules(&self) -> SearchRules {
-        SearchRules { algorithm: self.search, cost: self.cost, heuristic: self.heuristic }
-    }
-}
-
 crate::choice! {
-    /// How edges are looked at.
+    /// How edges are checked.
     pub enum EdgeCheck {
-        /// They are proven free all along.
+        /// They are proven free along all of their length.
         Proven,
-        /// They are looked at in a few places.
+        /// They are checked at a few points.
         Sampled,
     }
 }
 
 crate::options! {
-    /// What is done with the finished path.
+    /// How the final path is improved.
     pub struct Improving for crate::options::ALL;
-    /// Leaves out vertices of the finished path wherever the straight motion past them is free.
+    /// Removes vertices of the final path if the straight motion past them is free.
     reduce: bool = false, "Reduce vertices";
-    /// How many shortcuts between random places are tried on the finished path: more make it shorter.
+    /// Number of shortcuts tried between random points of the final path: more make it shorter.
     shortcut: u64 = 0, in 0.0..=1e6, "Shortcuts";
-    /// How many shortcuts of one joint or coordinate alone are tried after that: more take out needless turns.
+    /// Number of shortcuts in a single joint or coordinate tried after that: more remove needless turns.
     partial_shortcut: u64 = 0, in 0.0..=1e6, "Partial shortcuts";
 }
 
 impl Choice for MetricKind {}
 
 crate::options! {
-    /// In which metric joints are measured.
+    /// The metric of joint differences.
     pub struct Measuring for &["arm", "disc"];
-    /// How joints' turns make a distance: their sum, the root of their squares, or that as if no joint went round.
+    /// How joint differences combine: L1 (sum), L2 (euclidean), or L2 without wrap-around (naive).
     metric: Option<MetricKind>, "Metric", else "sum for arms, euclidean for discs";
 }
 
 crate::options! {
-    /// When a run ends, and how closely motions are looked at.
+    /// When a run ends, and how closely motions are checked.
     pub struct Limits for crate::options::ALL;
-    /// How near an obstacle a motion may be refused unproven: less fits finer gaps and takes longer; none may touch.
+    /// Clearance below which a free motion may be rejected: less fits narrower gaps but takes longer.
     tolerance: f64 = DEFAULT_TOLERANCE, in 1e-9..=0.1, "Tolerance", unit "of the world's longer side";
-    /// After how many iterations without a path the planner gives up: more let it find harder ones.
-    max_iterations: u32 = 100_000, in 1.0..=4e9, "Iterations at most";
+    /// Number of iterations without a path after which the planner gives up: more solve harder problems.
+    max_iterations: u32 = 100_000, in 1.0..=4e9, "Most iterations";
 }
 
 impl Choice for Steering {}
@@ -125,15 +121,15 @@ impl Choice for Steering {}
 crate::options! {
     /// Options of all planners whose edges are motions of the space.
     pub struct Joined for crate::options::ALL;
-    /// Proven free all along, or sampled: looked at in a few places only, so that a path may go through a thin wall.
-    edge_check: EdgeCheck = EdgeCheck::Proven, "Edges are";
-    /// In how many evenly spaced places a sampled edge is looked at: fewer are quicker and miss more.
-    edge_samples: u32 = 20, in 1.0..=10_000.0, "Places on an edge";
-    /// What is done with the finished path.
+    /// Proven: continuous collision checking; sampled: a few points per edge, so a path may cross a thin wall.
+    edge_check: EdgeCheck = EdgeCheck::Proven, "Collision checking";
+    /// Number of evenly spaced checks on a sampled edge: fewer are faster and miss more.
+    edge_samples: u32 = 20, in 1.0..=10_000.0, "Checks per edge";
+    /// How the final path is improved.
     improving: Improving;
     /// The metric.
     measuring: Measuring;
-    /// Along which curves a car goes between places: the shortest forwards (dubins), or with shunts (reeds-shepp).
+    /// Curves between placements of a car: the shortest forward (dubins), or with reversals (reeds-shepp).
     steering: Option<Steering>, "Steering", else "reeds-shepp for a car with a reverse gear, else dubins", for CAR;
     /// When a run ends.
     limits: Limits;
@@ -142,19 +138,40 @@ crate::options! {
 crate::options! {
     /// When a tree grows towards the goal and not towards a sample.
     pub struct Reaching for crate::options::ALL;
-    /// How often the tree grows towards the goal: 0 is never, 1 always; too often, and it is stuck at obstacles.
+    /// Probability of growing towards the goal instead of a sample: high values get stuck at obstacles.
     goal_bias: f64 = 0.05, in 0.0..=1.0, "Goal bias";
-    /// Grows towards the goal every so many iterations, in place of the goal bias: a small number is often.
-    goal_every: Option<u32>, in 1.0..=1e6, "Goal every n-th time", else "never: the goal bias decides";
+    /// Grows towards the goal every n-th iteration, in place of the goal bias: a small number is often.
+    goal_every: Option<u32>, in 1.0..=1e6, "Goal every n-th", else "never: the goal bias decides";
 }
 
-impl Reaching {
-    /// Whether the tree grows towards the goal in this iteration.
-    pub(super) fn is_due(&self, iteration: u32, random: &mut Random) -> bool {
-        match self.goal_every {
+/// What a tree grows towards: samples, and now and then a goal, each of several in turn.
+pub(super) struct Aim<S: Space> {
+    pub reaching: Reaching,
+    sampler: Box<dyn Sampler<S>>,
+    /// Decides when a goal is due.
+    random: Random,
+    /// How many goals were drawn.
+    goals: usize,
+}
+
+impl<S: Space> Aim<S> {
+    pub fn new(reaching: Reaching, sampling: &Sampling, space: &S, seed: u64) -> Self {
+        let random = Random::new(seed, Stream::Bias);
+        Self { reaching, sampler: sampling.sampler(space, seed), random, goals: 0 }
+    }
+
+    /// The next target; `None`, with an event, if the sampler found none.
+    pub fn next(&mut self, problem: &Problem<S>, iteration: u32, growth: &mut Growth<S>) -> Option<S::State> {
+        let Reaching { goal_bias, goal_every } = self.reaching;
+        let is_due = match goal_every {
             Some(n) => iteration.is_multiple_of(n),
-            None => self.goal_bias > 0.0 && random.uniform() < self.goal_bias,
+            None => goal_bias > 0.0 && self.random.uniform() < goal_bias,
+        };
+        if !is_due {
+            return Some(growth.draw(problem, iteration, &mut *self.sampler)?.state);
         }
+        self.goals = self.goals.wrapping_add(1);
+        Some(*problem.goal_in_turn(self.goals - 1))
     }
 }
 

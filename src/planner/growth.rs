@@ -1,15 +1,29 @@
-//! What every planner grows and counts: its graph, and what it has asked so far.
+//! The part of every planner that viewers see: its graph and its counters.
 
-use super::Counters;
 use crate::graph::{Event, EventKind, Graph, VertexId};
 use crate::problem::Problem;
 use crate::sampling::{Known, Sample, Sampler};
 use crate::space::Space;
 
+/// The work of a planner so far.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Configurations checked on their own.
+    pub configuration_checks: u64,
+    /// Motions checked.
+    pub motion_checks: u64,
+    /// Nearest-neighbour queries.
+    pub nearest_queries: u64,
+    /// Vertices expanded by a search.
+    pub visited: u64,
+}
+
 /// A graph that grows, with its counters.
 #[derive(Debug, Clone)]
-pub(super) struct Growth<S: Space> {
+pub struct Growth<S: Space> {
+    /// Vertices, edges and events.
     pub graph: Graph<S>,
+    /// What was counted.
     pub counters: Counters,
 }
 
@@ -37,12 +51,12 @@ impl<S: Space> Growth<S> {
         self.graph.add_event(Event { kind, iteration, vertex, other, state });
     }
 
-    /// Adds an event about a sample that does not become a vertex.
+    /// Adds an event about a sample that becomes no vertex.
     pub fn reject(&mut self, kind: EventKind, iteration: u32, state: S::State) {
         self.add_event(kind, iteration, None, None, state);
     }
 
-    /// Draws a sample; `None`, with an event, where the sampler found none.
+    /// Draws a sample; `None`, with an event, if the sampler found none.
     pub fn draw(
         &mut self,
         problem: &Problem<S>,
@@ -57,7 +71,7 @@ impl<S: Space> Growth<S> {
         Some(sample)
     }
 
-    /// Draws a sample that is free; `None`, with an event, where the one drawn is not.
+    /// Draws a sample that is free; `None`, with an event, if the one drawn is not.
     pub fn draw_free(
         &mut self,
         problem: &Problem<S>,
@@ -75,7 +89,7 @@ impl<S: Space> Growth<S> {
         Some(state)
     }
 
-    /// Whether the motion is proven free, counted.
+    /// Whether the motion is proven free; counts the check.
     pub fn is_motion_free(&mut self, problem: &Problem<S>, from: &S::State, to: &S::State) -> bool {
         self.counters.motion_checks += 1;
         problem.validity().is_motion_free(from, to)

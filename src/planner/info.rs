@@ -1,8 +1,6 @@
-//! What the file of a planner declares beside its algorithm, on the type of its options.
+//! The declaration of a planner, on the type of its options.
 
-use super::Planner;
-use super::groups::{Joined, Limits};
-use super::query::SearchRules;
+use super::{ByControls, Planner};
 use crate::error::Error;
 use crate::options::{OptionInfo, Options, Value};
 use crate::problem::Problem;
@@ -13,24 +11,12 @@ use strum::{IntoStaticStr, VariantArray};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Grows {
-    /// A roadmap of start, goals and samples, which can be kept and asked further questions.
+    /// A roadmap of start, goals and samples, which can be saved and queried again.
     Roadmap,
     /// A tree from the start.
     Tree,
     /// A tree from the start and one from each goal.
     Trees,
-}
-
-/// What the edges of a planner are.
-#[derive(Debug, Clone, Copy)]
-pub enum Edges<'a> {
-    /// Motions of the space from one given state to another.
-    Joined(&'a Joined),
-    /// Drives by controls, which end where they end: the goal is a region.
-    Driven {
-        /// Whether drives are integrated by Euler's steps and not exactly.
-        is_euler: bool,
-    },
 }
 
 /// A planner as its file declares it: constants for help and documents, and how a run begins. The implementing type holds its
@@ -40,68 +26,60 @@ pub trait Method: Options {
     const ID: &'static str;
     /// The name for people.
     const TITLE: &'static str;
-    /// What it does, in one sentence.
+    /// What it does, in a sentence.
     const SUMMARY: &'static str;
-    /// What is known about its results, in one sentence.
+    /// What is known about its results, in a sentence.
     const GUARANTEE: &'static str;
     /// What it grows.
     const GROWS: Grows;
-    /// Whether its edges are drives by controls.
-    const IS_DRIVEN: bool = false;
     /// Whether every motion must be possible in both directions.
     const NEEDS_SYMMETRY: bool = false;
     /// The types of robots that it plans for, as in documents.
     const ROBOTS: &'static [&'static str] = crate::options::ALL;
-    /// Settings with a name.
+    /// Named settings.
     const PRESETS: &'static [Preset] = &[];
-    /// How it works, line by line.
+    /// Its pseudo-code.
     const PSEUDOCODE: &'static [PseudocodeLine];
 
-    /// What its edges are.
-    fn edges(&self) -> Edges<'_>;
-
-    /// The limits of a run.
-    fn limits(&self) -> Limits;
-
-    /// How its roadmap is searched, of planners that grow one.
-    fn search(&self) -> Option<SearchRules> {
-        None
+    /// Whether edges are controlled motions: the options contain [`ByControls`].
+    fn is_driven() -> bool {
+        Self::default().group::<ByControls>().is_some()
     }
 
     /// The planner at its beginning.
     ///
     /// # Errors
-    /// `out-of-range`, with the pointer of the option, where options do not fit the space or each other.
+    /// `out-of-range`, with the pointer of the option, if options do not fit the space or each other.
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error>;
 }
 
-/// What there is to know about a planner before it runs.
+/// The description of a planner.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlannerInfo {
     /// The id, in kebab-case, the same everywhere.
     pub id: &'static str,
     /// The name for people.
     pub title: &'static str,
-    /// What it does, in one sentence.
+    /// What it does, in a sentence.
     pub summary: &'static str,
-    /// What is known about its results, in one sentence.
+    /// What is known about its results, in a sentence.
     pub guarantee: &'static str,
     /// What it grows.
     pub grows: Grows,
-    /// Whether its edges are drives by controls.
+    /// Whether its edges are controlled motions.
     pub is_driven: bool,
-    /// How it works, line by line.
+    /// Its pseudo-code.
     pub pseudocode: &'static [PseudocodeLine],
     /// The types of robots that it plans for, as in documents.
     pub robots: &'static [&'static str],
-    /// Settings with a name.
+    /// Named settings.
     pub presets: &'static [Preset],
     /// Its options.
     pub parameters: Vec<OptionInfo>,
 }
 
 impl PlannerInfo {
-    /// What the file of the planner declares.
+    /// The description of the planner with these options.
     pub(super) fn of<M: Method>() -> Self {
         Self {
             id: M::ID,
@@ -109,7 +87,7 @@ impl PlannerInfo {
             summary: M::SUMMARY,
             guarantee: M::GUARANTEE,
             grows: M::GROWS,
-            is_driven: M::IS_DRIVEN,
+            is_driven: M::is_driven(),
             pseudocode: M::PSEUDOCODE,
             robots: M::ROBOTS,
             presets: M::PRESETS,
@@ -118,26 +96,27 @@ impl PlannerInfo {
     }
 }
 
-/// Settings of a planner that belong together.
+/// Named settings of a planner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Preset {
     /// The id, in kebab-case, distinct within the planner.
     pub id: &'static str,
     /// The name for people.
     pub title: &'static str,
-    /// Names and values of options, as on the command line; all others keep their defaults.
-    pub settings: &'static [(&'static str, &'static str)],
+    /// Options as on the command line, `name=value` separated by spaces; all others have their defaults.
+    pub settings: &'static str,
 }
 
 impl Preset {
-    /// The settings as options take them.
+    /// The settings as values of options.
     pub fn parameters(&self) -> Vec<(String, Value)> {
-        self.settings.iter().map(|&(name, value)| (name.to_owned(), Value::from_text(value))).collect()
+        let settings = self.settings.split(' ').filter_map(|setting| setting.split_once('='));
+        settings.map(|(name, value)| (name.to_owned(), Value::from_text(value))).collect()
     }
 }
 
-/// What lights a line of pseudo-code: the phase that an iteration began in, what it added, the events that it left, and `Done`
-/// where the run has ended with it.
+/// What highlights a line of pseudo-code: the phase at the beginning of an iteration, what it added, its events, and `Done`
+/// if the run has ended with it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Mark {
@@ -159,7 +138,7 @@ pub enum Mark {
     Vertex,
     /// An edge was added.
     Edge,
-    /// A sample was thrown away: it is in collision, or the sampler found none.
+    /// A sample was rejected: it is in collision, or the sampler found none.
     Rejected,
     /// A motion could not be proven free.
     Refused,
@@ -167,22 +146,22 @@ pub enum Mark {
     Expanded,
     /// A solution was found.
     Solved,
-    /// A free sample was thrown away.
+    /// A free sample was discarded.
     Discarded,
     /// A vertex became a guard.
     Guard,
-    /// A vertex was taken out of the tree.
+    /// A vertex was removed from the tree.
     Removed,
 }
 
-/// One line of pseudo-code. It is lit where one of its marks is among those of an iteration; each iteration lights a line.
+/// One line of pseudo-code. It is highlighted if one of its marks is among those of an iteration; each iteration highlights a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PseudocodeLine {
     /// The line, of 46 characters at most.
     pub text: &'static str,
-    /// How deep it is indented, from 0.
+    /// The depth of its indentation, from 0.
     pub indent: u8,
-    /// What lights it; nothing lights a line that only frames others.
+    /// What highlights it; empty for a line that only introduces others.
     pub lit_by: &'static [Mark],
 }
 
@@ -191,7 +170,7 @@ pub(super) const fn line(indent: u8, text: &'static str, lit_by: &'static [Mark]
     PseudocodeLine { text, indent, lit_by }
 }
 
-/// The line of trees whose sampler finds nothing.
+/// The line for a sampler that finds nothing.
 pub(super) const NONE_FOUND: PseudocodeLine = line(1, "if the sampler finds none: once more", &[Mark::Rejected]);
 /// The line of planners whose path may be improved.
 pub(super) const IMPROVE: PseudocodeLine = line(0, "shorten the path, where that is asked for", &[Mark::Improving]);

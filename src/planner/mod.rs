@@ -1,6 +1,6 @@
 //! Planners, one file an algorithm, all behind one small trait; each file declares the planner's options and pseudo-code, too.
 //!
-//! A planner sees a space and what is free in it, never a robot or an obstacle. It owns its graph and its generator, so
+//! A planner sees a space and its free states, never a robot or an obstacle. It owns its graph and its generator, so
 //! that stepping in any slices gives the same result.
 
 mod driven_tree;
@@ -22,10 +22,11 @@ pub use driven_tree::{Blocked, ByControls, Durations, GoalTest, IntegrationKind}
 pub use groups::{
     DEFAULT_TOLERANCE, EdgeCheck, Improving, Joined, Limits, Measuring, Reaching, SamplerKind, Sampling, Searching,
 };
-pub use info::{Edges, Grows, Mark, Method, PlannerInfo, Preset, PseudocodeLine};
+pub use growth::{Counters, Growth};
+pub use info::{Grows, Mark, Method, PlannerInfo, Preset, PseudocodeLine};
 pub use prm::{Insertion, NeighbourRule, PrmOptions, PrmStarOptions, logarithmic_k, prm_star_k, resume};
-pub use query::{Algorithm, Cost, Heuristic, SearchRules};
-pub use registry::{PlannerId, PlannerOptions, default_planner, planners};
+pub use query::{Algorithm, Cost, Heuristic};
+pub use registry::{PlannerOptions, default_planner, planners};
 pub use roadmap::{Answer, Connection, Roadmap};
 pub use rrt::{Extend, RrtOptions};
 pub use rrt_connect::RrtConnectOptions;
@@ -39,53 +40,37 @@ use crate::graph::{Graph, VertexId};
 use crate::problem::Problem;
 use crate::space::Space;
 
-/// What a planner has asked so far.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Counters {
-    /// Configurations checked on their own.
-    pub configuration_checks: u64,
-    /// Motions checked.
-    pub motion_checks: u64,
-    /// Nearest-neighbour queries.
-    pub nearest_queries: u64,
-    /// Vertices expanded by a search.
-    pub visited: u64,
-}
-
 /// A planner over a space: a value that is stepped.
 pub trait Planner<S: Space> {
     /// Does one iteration, number `iteration` (from 1): a sample tried, a vertex connected, a vertex expanded, with a bounded
     /// number of motion checks. Called only while the status is `Running`.
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status;
 
-    /// What the planner is busy with.
+    /// The present phase.
     fn phase(&self) -> Phase;
 
-    /// All that has grown so far.
-    fn graph(&self) -> &Graph<S>;
+    /// The graph and the counters so far.
+    fn growth(&self) -> &Growth<S>;
 
-    /// The vertices of the path from start to goal, once solved; empty before.
+    /// The graph so far.
+    fn graph(&self) -> &Graph<S> {
+        &self.growth().graph
+    }
+
+    /// The vertices of the path from start to goal; empty until solved.
     fn path(&self) -> Vec<VertexId>;
 
-    /// What was asked so far.
-    fn counters(&self) -> Counters;
-
-    /// The vertices of the path from the start to the vertex nearest to the goal, of planners that have one; else empty.
+    /// The vertices of the path from the start to the vertex nearest to the goal, for planners that have one; else empty.
     fn approximate_path(&self) -> Vec<VertexId> {
         Vec::new()
     }
 
-    /// The estimated share of the free space that the roadmap covers, of planners that know.
+    /// The estimated share of the free space that the roadmap covers, for planners that estimate it.
     fn coverage(&self) -> Option<f64> {
         None
     }
 
-    /// To which others a vertex is joined, of planners that build a roadmap.
-    fn connection(&self) -> Option<Connection> {
-        None
-    }
-
-    /// The roadmap, of planners that build one: it answers further questions.
+    /// The roadmap, for planners that build one: it can be queried again.
     fn roadmap(&mut self) -> Option<&mut Roadmap<S>> {
         None
     }

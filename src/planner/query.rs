@@ -1,5 +1,6 @@
-//! A search of a roadmap for a path: which search, what an edge costs, what estimates the rest.
+//! A search of a roadmap for a path: algorithm, cost of an edge, estimate of the remaining cost.
 
+use super::groups::Searching;
 use super::roadmap::state;
 use crate::graph::search::{BestFirst, Bidirectional, BreadthFirst, Expansion, Goals, View, Walker};
 use crate::graph::{Adjacency, Graph, VertexId};
@@ -31,34 +32,17 @@ crate::choice! {
 }
 
 crate::choice! {
-    /// What estimates the cost to the goal in A*.
+    /// The estimate of the cost to the goal in A*.
     pub enum Heuristic {
         /// The distance in the metric.
         Metric,
-        /// How far the end effector is from where it must be, scaled so that it never exceeds the distance.
+        /// The distance of the end effector from its goal, scaled so that it never exceeds the distance in the metric.
         EndEffector,
-        /// The distance in the metric taken for a number of hops, as a course report had it: not admissible, so the path may have
+        /// The distance in the metric as a number of hops, as in a course report: not admissible, so the path may have
         /// more edges than it needs.
         MetricAsHops,
         /// 0.
         None,
-    }
-}
-
-/// How a roadmap is searched. Where edges cost 1, estimates are divided by the longest edge, so that they stay admissible.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct SearchRules {
-    /// Which search.
-    pub algorithm: Algorithm,
-    /// What an edge costs; breadth-first searches always count hops.
-    pub cost: Cost,
-    /// What estimates the rest, in A*.
-    pub heuristic: Heuristic,
-}
-
-impl Default for SearchRules {
-    fn default() -> Self {
-        Self { algorithm: Algorithm::AStar, cost: Cost::Metric, heuristic: Heuristic::Metric }
     }
 }
 
@@ -69,14 +53,14 @@ const BELOW: f64 = 1.0 - 1e-12;
 pub(super) struct Query {
     adjacency: Adjacency,
     walker: Box<dyn Walker>,
-    rules: SearchRules,
+    rules: Searching,
     goals: Goals,
-    /// What estimates are multiplied with.
+    /// The factor of estimates.
     scale: f64,
 }
 
 impl Query {
-    /// A search over the graph's edges and `joined` ones, along their direction where the space is not symmetric, from one vertex
+    /// A search over the graph's edges and `joined` ones, along their direction if the space is not symmetric, from one vertex
     /// to any of the goals; `more` are the states of vertices numbered
     /// after the graph's.
     pub fn new<S: Space>(
@@ -86,10 +70,10 @@ impl Query {
         more: &[S::State],
         start: VertexId,
         goals: Goals,
-        rules: SearchRules,
+        rules: Searching,
     ) -> Self {
         let vertices = graph.states().len() + more.len();
-        let walker: Box<dyn Walker> = match rules.algorithm {
+        let walker: Box<dyn Walker> = match rules.search {
             Algorithm::AStar | Algorithm::Dijkstra => Box::new(BestFirst::new(vertices, start, goals.clone())),
             Algorithm::BreadthFirst => Box::new(BreadthFirst::new(vertices, start, goals.clone())),
             Algorithm::Bidirectional => Box::new(Bidirectional::new(vertices, start, goals.clone())),
@@ -113,12 +97,12 @@ impl Query {
         let at = |vertex| state(graph, more, vertex);
         let distance = |a: VertexId, b: VertexId| space.distance(at(a), at(b));
         let (goals, scale, rules) = (&self.goals, self.scale, self.rules);
-        // The least estimate of all goals is an estimate, too.
+        // The least estimate over all goals is an estimate, too.
         let least = |estimate: &dyn Fn(VertexId) -> f64| {
             (goals.start.0..goals.end.0).map(|goal| estimate(VertexId(goal))).fold(f64::INFINITY, f64::min)
         };
         let cost = |a, b| if rules.cost == Cost::Metric { distance(a, b) } else { 1.0 };
-        let heuristic = |vertex| match (rules.algorithm, rules.heuristic, problem.end_effector()) {
+        let heuristic = |vertex| match (rules.search, rules.heuristic, problem.end_effector()) {
             (Algorithm::AStar, Heuristic::Metric | Heuristic::MetricAsHops, _) => {
                 scale * least(&|goal| distance(vertex, goal))
             }

@@ -1,11 +1,9 @@
-//! The planners that exist: one line each. Their files declare everything else.
+//! The planners: one line each. Their files declare everything else.
 
 use super::Planner;
-use super::groups::Limits;
-use super::info::{Edges, Grows, Method, PlannerInfo};
-use super::query::SearchRules;
+use super::info::{Grows, Method, PlannerInfo};
 use crate::error::{Code, Error, quoted};
-use crate::options::{Options, Value};
+use crate::options::{Field, Options, Value};
 use crate::problem::Problem;
 use crate::space::Space;
 
@@ -19,67 +17,14 @@ registry! {
     Sst(super::sst::SstOptions),
 }
 
-/// The planner that is taken where none is named, for a robot of this type.
+/// The default planner for a robot of this type.
 pub fn default_planner(robot: &str) -> &'static str {
     if robot == "car" { super::RrtControlOptions::ID } else { super::RrtConnectOptions::ID }
 }
 
-/// Everything that has to name each planner: which one is chosen, with its options.
+/// Everything that names each planner.
 macro_rules! registry {
     ($($Variant:ident($Options:ty),)*) => {
-        /// A planner by its type alone.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-        pub enum PlannerId {
-            $(#[allow(missing_docs)] $Variant,)*
-        }
-
-        impl PlannerId {
-            const ALL: &[PlannerId] = &[$(PlannerId::$Variant),*];
-
-            /// The id, in kebab-case.
-            pub fn as_str(self) -> &'static str {
-                match self { $(PlannerId::$Variant => <$Options>::ID,)* }
-            }
-
-            /// The types of robots that it plans for.
-            pub fn robots(self) -> &'static [&'static str] {
-                match self { $(PlannerId::$Variant => <$Options>::ROBOTS,)* }
-            }
-
-            /// What it grows.
-            pub fn grows(self) -> Grows {
-                match self { $(PlannerId::$Variant => <$Options>::GROWS,)* }
-            }
-
-            /// Whether its edges are drives by controls.
-            pub fn is_driven(self) -> bool {
-                match self { $(PlannerId::$Variant => <$Options>::IS_DRIVEN,)* }
-            }
-
-            /// Whether every motion must be possible in both directions.
-            pub fn needs_symmetry(self) -> bool {
-                match self { $(PlannerId::$Variant => <$Options>::NEEDS_SYMMETRY,)* }
-            }
-
-            /// What there is to know about it.
-            pub fn info(self) -> PlannerInfo {
-                match self { $(PlannerId::$Variant => PlannerInfo::of::<$Options>(),)* }
-            }
-
-            /// Whether it has an option of this name.
-            pub fn has_option(self, name: &str) -> bool {
-                match self { $(PlannerId::$Variant => <$Options>::has(name),)* }
-            }
-
-            /// The planner with options given by name.
-            ///
-            /// # Errors
-            /// As [`Options::read`].
-            pub fn read(self, given: &[(String, Value)]) -> Result<PlannerOptions, Error> {
-                Ok(match self { $(PlannerId::$Variant => PlannerOptions::$Variant(Options::read(given)?),)* })
-            }
-        }
-
         /// A planner with its options.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub enum PlannerOptions {
@@ -87,25 +32,58 @@ macro_rules! registry {
         }
 
         impl PlannerOptions {
-            /// What its edges are.
-            pub fn edges(&self) -> Edges<'_> {
-                match self { $(PlannerOptions::$Variant(options) => options.edges(),)* }
+            /// Every planner with its default options.
+            fn all() -> [Self; [$(stringify!($Variant)),*].len()] {
+                [$(PlannerOptions::$Variant(Default::default())),*]
             }
 
-            /// The limits of a run.
-            pub fn limits(&self) -> Limits {
-                match self { $(PlannerOptions::$Variant(options) => options.limits(),)* }
+            /// The id, in kebab-case.
+            pub fn id(&self) -> &'static str {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::ID,)* }
             }
 
-            /// How its roadmap is searched, of planners that grow one.
-            pub fn search(&self) -> Option<SearchRules> {
-                match self { $(PlannerOptions::$Variant(options) => options.search(),)* }
+            /// The types of robots that it plans for.
+            pub fn robots(&self) -> &'static [&'static str] {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::ROBOTS,)* }
+            }
+
+            /// What it grows.
+            pub fn grows(&self) -> Grows {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::GROWS,)* }
+            }
+
+            /// Whether every motion must be possible in both directions.
+            pub fn needs_symmetry(&self) -> bool {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::NEEDS_SYMMETRY,)* }
+            }
+
+            /// Its description.
+            pub fn info(&self) -> PlannerInfo {
+                match self { $(PlannerOptions::$Variant(_) => PlannerInfo::of::<$Options>(),)* }
+            }
+
+            /// Whether it has an option of this name.
+            pub fn has_option(&self, name: &str) -> bool {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::has(name),)* }
+            }
+
+            /// The same planner with options given by name; the rest take their defaults.
+            ///
+            /// # Errors
+            /// As [`Options::read`].
+            pub fn read(&self, given: &[(String, Value)]) -> Result<Self, Error> {
+                Ok(match self { $(PlannerOptions::$Variant(_) => PlannerOptions::$Variant(Options::read(given)?),)* })
+            }
+
+            /// The group of options of this type, if the planner has it.
+            pub fn group<G: 'static>(&self) -> Option<&G> {
+                match self { $(PlannerOptions::$Variant(options) => options.group(),)* }
             }
 
             /// The planner at its beginning.
             ///
             /// # Errors
-            /// `out-of-range`, with the pointer of the option, where options do not fit the space or each other.
+            /// `out-of-range`, with the pointer of the option, if options do not fit the space or each other.
             pub fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
                 match self { $(PlannerOptions::$Variant(options) => options.begin(problem, seed),)* }
             }
@@ -116,18 +94,18 @@ use registry;
 
 /// Every planner.
 pub fn planners() -> Vec<PlannerInfo> {
-    PlannerId::ALL.iter().map(|planner| planner.info()).collect()
+    PlannerOptions::all().iter().map(PlannerOptions::info).collect()
 }
 
-impl PlannerId {
-    /// The planner with the given id.
+impl PlannerOptions {
+    /// The planner with the given id and its default options.
     ///
     /// # Errors
     /// `unknown-planner`, pointer `/algorithm`, naming those that exist.
     pub fn of(id: &str) -> Result<Self, Error> {
-        Self::ALL.iter().copied().find(|planner| planner.as_str() == id).ok_or_else(|| {
-            let known = words(Self::ALL.iter().copied());
-            let sentence = format!("there is no planner {}; there are {known}", quoted(id));
+        Self::all().into_iter().find(|planner| planner.id() == id).ok_or_else(|| {
+            let known = Self::all().map(|planner| planner.id()).join(", ");
+            let sentence = format!("unknown planner {}; known planners are {known}", quoted(id));
             Error::new(Code::UnknownPlanner, "/algorithm", sentence)
         })
     }
@@ -136,17 +114,14 @@ impl PlannerId {
     ///
     /// # Errors
     /// `unsupported`, pointer `/algorithm`, naming planners for it.
-    pub fn check_robot(self, robot: &str) -> Result<(), Error> {
+    pub fn check_robot(&self, robot: &str) -> Result<(), Error> {
         if self.robots().contains(&robot) {
             return Ok(());
         }
-        let fitting = words(Self::ALL.iter().copied().filter(|planner| planner.robots().contains(&robot)));
-        let (id, own) = (self.as_str(), self.robots().join(", "));
-        let sentence = format!("{id} plans for robots of type {own}, not {robot}; for that there are {fitting}");
+        let fitting = Self::all().into_iter().filter(|planner| planner.robots().contains(&robot));
+        let fitting = fitting.map(|planner| planner.id()).collect::<Vec<_>>().join(", ");
+        let (id, own) = (self.id(), self.robots().join(", "));
+        let sentence = format!("{id} plans for robots of type {own}, not {robot}; planners for it are {fitting}");
         Err(Error::new(Code::Unsupported, "/algorithm", sentence))
     }
-}
-
-fn words(planners: impl Iterator<Item = PlannerId>) -> String {
-    planners.map(PlannerId::as_str).collect::<Vec<_>>().join(", ")
 }

@@ -1,26 +1,28 @@
-//! An index of the vertices that may still be grown from: others have been taken out of it.
+//! An index of vertices from which vertices can be removed.
 
 use crate::graph::{Graph, VertexId};
 use crate::nearest::{Index, Nearest, Neighbour};
 use crate::space::Space;
 
-/// Vertices of a graph, some taken out. Those taken out stay in the index below, passed over, until they are half of it:
-/// then it is built anew. So a removal costs O(log n) in the long run.
+/// Vertices of a graph. Removed ones stay in the index below, where queries skip them, until they are half of it:
+/// then it is rebuilt. So a removal costs O(log n) amortized.
 pub(super) struct RemovableIndex<S: Space> {
     index: Index<S>,
     /// The vertices of the index, in the order in which they came.
     members: Vec<VertexId>,
-    /// Whether a vertex is in, by its number.
+    /// Whether the vertex of this number is in the index.
     is_in: Vec<bool>,
     len: usize,
 }
 
-impl<S: Space> RemovableIndex<S> {
-    pub fn new() -> Self {
-        Self { index: Index::new(), members: Vec::new(), is_in: Vec::new(), len: 0 }
+impl<S: Space> Default for RemovableIndex<S> {
+    fn default() -> Self {
+        Self { index: Index::default(), members: Vec::new(), is_in: Vec::new(), len: 0 }
     }
+}
 
-    /// Adds a vertex that has not been in.
+impl<S: Space> RemovableIndex<S> {
+    /// Adds a vertex that was never added before.
     pub fn insert(&mut self, space: &S, graph: &Graph<S>, vertex: VertexId) {
         self.index.insert(space, vertex, *graph.state(vertex));
         self.members.push(vertex);
@@ -29,30 +31,30 @@ impl<S: Space> RemovableIndex<S> {
         self.len += 1;
     }
 
-    /// Takes a vertex out that is in.
+    /// Removes a vertex of the index.
     pub fn remove(&mut self, space: &S, graph: &Graph<S>, vertex: VertexId) {
         self.is_in[vertex.index()] = false;
         self.len -= 1;
         if 2 * self.len < self.members.len() {
             self.members.retain(|vertex| self.is_in[vertex.index()]);
-            self.index = Index::new();
+            self.index = Index::default();
             for &vertex in &self.members {
                 self.index.insert(space, vertex, *graph.state(vertex));
             }
         }
     }
 
-    /// Whether no vertex is in.
+    /// Whether the index is empty.
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }
 
-    /// Whether the vertex is in.
+    /// Whether the vertex is in the index.
     pub fn contains(&self, vertex: VertexId) -> bool {
         self.is_in.get(vertex.index()) == Some(&true)
     }
 
-    /// The vertex nearest to the state, ties by number; `None` where all are out.
+    /// The vertex nearest to the state, ties by number; `None` if the index is empty.
     pub fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
         let first = self.index.nearest(space, state)?;
         if self.contains(first.vertex) {
@@ -63,7 +65,7 @@ impl<S: Space> RemovableIndex<S> {
         found.first().copied()
     }
 
-    /// The `k` vertices nearest to the state (all, where there are fewer), nearest first, into `found`.
+    /// The `k` vertices nearest to the state (all, if there are fewer), nearest first, into `found`.
     pub fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
         let mut asked = k;
         loop {

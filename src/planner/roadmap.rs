@@ -1,10 +1,11 @@
 //! What all roadmap planners share: vertices with their neighbours, edges that are proven before they are added, and
-//! questions asked again and again. In a space that is not symmetric an edge leads from its first vertex to its second only.
+//! repeated queries. In a space that is not symmetric an edge leads from its first vertex to its second only.
 
+use super::groups::Searching;
 use super::growth::Growth;
 use super::info::{Mark, PseudocodeLine, line};
-use super::query::{Query, SearchRules};
-use super::{Counters, Phase, Planner, Status};
+use super::query::Query;
+use super::{Phase, Planner, Status};
 use crate::graph::search::{Expansion, Goals};
 use crate::graph::{EventKind, Graph, VertexId};
 use crate::nearest::{Direction, Index, Nearest, Neighbour};
@@ -13,15 +14,15 @@ use crate::space::Space;
 
 /// The start is vertex 0.
 pub(super) const START: VertexId = VertexId(0);
-/// The goal is vertex 1; where there are several, they are the vertices from 1 on.
+/// The goal is vertex 1; several goals are the vertices from 1 on.
 pub(super) const GOAL: VertexId = VertexId(1);
 
-/// To which other vertices a vertex is joined, where the motion is free: its `k` nearest of those within `radius`.
+/// The neighbours that a vertex is connected to if the motion is free: its `k` nearest within `radius`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Connection {
-    /// How many at most.
+    /// The largest number of neighbours.
     pub k: usize,
-    /// How far away at most, in the metric of the space; infinite where only the number counts.
+    /// The largest distance, in the metric of the space; infinite if only the number is limited.
     pub radius: f64,
 }
 
@@ -33,21 +34,21 @@ pub struct Roadmap<S: Space> {
     goals: u32,
     nearest: Index<S>,
     connection: Connection,
-    rules: SearchRules,
+    rules: Searching,
 }
 
 impl<S: Space> Roadmap<S> {
     /// A roadmap of the start and the goals alone.
-    pub fn new(problem: &Problem<S>, connection: Connection, rules: SearchRules) -> Self {
+    pub fn new(problem: &Problem<S>, connection: Connection, rules: Searching) -> Self {
         let goals = problem.goals().len() as u32;
-        let mut roadmap = Self { growth: Growth::default(), goals, nearest: Index::new(), connection, rules };
+        let mut roadmap = Self { growth: Growth::default(), goals, nearest: Index::default(), connection, rules };
         for state in std::iter::once(problem.start()).chain(problem.goals()) {
             roadmap.add_vertex(problem.space(), 0, *state);
         }
         roadmap
     }
 
-    /// To which vertices a vertex is joined.
+    /// The neighbours that vertices are connected to.
     pub fn connection(&self) -> Connection {
         self.connection
     }
@@ -68,7 +69,7 @@ impl<S: Space> Roadmap<S> {
         vertex
     }
 
-    /// The vertices that a state is to be joined to by motions in the given direction, nearest first, and one more where `spare` is set.
+    /// The neighbours that a state is to be connected to by motions in the given direction, nearest first, and one more if `spare`.
     pub(super) fn neighbours(
         &mut self,
         space: &S,
@@ -88,7 +89,7 @@ impl<S: Space> Roadmap<S> {
         }
     }
 
-    /// Joins two vertices where the motion from the one to the other is proven free; else says so.
+    /// Connects two vertices if the motion from the one to the other is proven free; else adds an event.
     pub(super) fn try_edge(&mut self, problem: &Problem<S>, iteration: u32, from: VertexId, to: VertexId) {
         let (origin, target) = (self.growth.state(from), self.growth.state(to));
         if self.growth.is_motion_free(problem, &origin, &target) {
@@ -121,15 +122,15 @@ impl<S: Space> Roadmap<S> {
         expansion
     }
 
-    /// Answers another question: joins start and goal to the roadmap, where motions are proven free, and searches it. The
-    /// roadmap stays as it was unless the two are to be kept; then they are its last two vertices, born in `iteration`.
+    /// Answers another query: connects start and goal to the roadmap by motions that are proven free, and searches it. The
+    /// roadmap is unchanged unless `keep` is an iteration; then the two become its last vertices, created in it.
     /// O(e log e) for e edges.
     pub fn answer(&mut self, problem: &Problem<S>, ends: [S::State; 2], keep: Option<u32>) -> Answer<S::State> {
         let space = problem.space();
         let count = self.len() as u32;
         let [start, goal] = [VertexId(count), VertexId(count + 1)];
         let (mut joined, mut found) = (Vec::new(), Vec::new());
-        // Out of the start, and into the goal where that makes a difference.
+        // Out of the start, and into the goal if that makes a difference.
         let directions = [Direction::Out, if space.is_symmetric() { Direction::Out } else { Direction::In }];
         for ((end, vertex), direction) in ends.iter().zip([start, goal]).zip(directions) {
             self.neighbours(space, direction, end, false, &mut found);
@@ -168,15 +169,15 @@ impl<S: Space> Roadmap<S> {
     }
 }
 
-/// How a roadmap grows: what differs between the planners that build one.
+/// How a roadmap grows: the difference between the planners that build one.
 pub(super) trait Build<S: Space> {
-    /// Does one iteration; whether the roadmap is complete now.
+    /// Does one iteration; returns whether the roadmap is complete.
     fn build(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> bool;
 
-    /// What is being done.
+    /// The present phase.
     fn phase(&self, roadmap: &Roadmap<S>) -> Phase;
 
-    /// The estimated share of the free space that the roadmap covers, where that is known.
+    /// The estimated share of the free space that the roadmap covers, if it is estimated.
     fn coverage(&self) -> Option<f64> {
         None
     }
@@ -190,16 +191,16 @@ pub(super) struct RoadmapPlanner<S: Space, B> {
     search: Option<RoadmapSearch>,
 }
 
-/// The end of every roadmap planner: the search for a path, and what it came to.
+/// The search for a path, and its result.
 enum RoadmapSearch {
     /// The search goes on.
     Searching(Query),
-    /// The path from start to goal; empty where there is none.
+    /// The path from start to goal; empty if there is none.
     Done(Vec<VertexId>),
 }
 
 impl<S: Space, B: Build<S>> RoadmapPlanner<S, B> {
-    /// A planner that goes on with a roadmap; nothing is left to build where it is complete.
+    /// A planner that continues with a roadmap; if it is complete, it is only searched.
     pub fn new(problem: &Problem<S>, roadmap: Roadmap<S>, builder: B, is_complete: bool) -> Self {
         let search = is_complete.then(|| roadmap.begin_search(problem.space()));
         Self { roadmap, builder, search }
@@ -232,24 +233,16 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
         }
     }
 
-    fn graph(&self) -> &Graph<S> {
-        self.roadmap.graph()
+    fn growth(&self) -> &Growth<S> {
+        &self.roadmap.growth
     }
 
     fn path(&self) -> Vec<VertexId> {
         if let Some(RoadmapSearch::Done(path)) = &self.search { path.clone() } else { Vec::new() }
     }
 
-    fn counters(&self) -> Counters {
-        self.roadmap.growth.counters
-    }
-
     fn coverage(&self) -> Option<f64> {
         self.builder.coverage()
-    }
-
-    fn connection(&self) -> Option<Connection> {
-        Some(self.roadmap.connection)
     }
 
     fn roadmap(&mut self) -> Option<&mut Roadmap<S>> {
@@ -257,10 +250,10 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
     }
 }
 
-/// The answer of a roadmap to a question.
+/// The answer of a roadmap to a query.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer<S> {
-    /// The states from start to goal; empty where the roadmap knows no way.
+    /// The states from start to goal; empty if the roadmap has no path.
     pub path: Vec<S>,
     /// How many vertices the search expanded.
     pub visited: u64,
@@ -272,15 +265,15 @@ pub(super) fn state<'a, S: Space>(graph: &'a Graph<S>, more: &'a [S::State], ver
     if vertex.index() < count { graph.state(vertex) } else { &more[vertex.index() - count] }
 }
 
-/// The first line of planners whose roadmap has as many samples as are asked for.
+/// The first line of planners that draw a given number of samples.
 pub(super) const BEGIN: PseudocodeLine = line(0, "G ← {start, goal}; until it has n samples:", &[]);
 /// The line of drawing a sample.
 pub(super) const SAMPLE: PseudocodeLine = line(1, "q ← a random configuration", &[Mark::Sampling]);
 /// The line of keeping it.
 pub(super) const KEEP: PseudocodeLine = line(1, "add q to G", &[Mark::Vertex]);
-/// The line of joining it.
+/// The line of connecting it.
 pub(super) const JOIN: PseudocodeLine = line(1, "if the motion q – p is free: add that edge", &[Mark::Edge]);
-/// The line of not joining it.
+/// The line of not connecting it.
 pub(super) const REFUSE: PseudocodeLine = line(1, "else: refuse it", &[Mark::Refused]);
 /// The line of the search.
 pub(super) const SEARCH: PseudocodeLine = line(0, "search G from start to goal:", &[Mark::Searching]);

@@ -2,18 +2,16 @@
 //!
 //! LaValle 1998, "Rapidly-exploring random trees: a new tool for path planning"; LaValle and Kuffner 2001, "Randomized
 //! kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 5.5. The goal is vertex 1 from the beginning, but in
-//! the tree only once it is reached; where there are several they are the vertices from 1 on, and it reaches for each in turn.
+//! the tree only once it is reached; several goals are the vertices from 1 on, and the tree grows towards each in turn.
 
-use super::groups::{Joined, Limits, Reaching, Sampling, step_in};
+use super::groups::{Aim, Joined, Reaching, Sampling, step_in};
 use super::growth::Growth;
-use super::info::{END_NEAR, Edges, Grows, IMPROVE, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
-use super::{Counters, Phase, Planner, Status};
+use super::info::{END_NEAR, Grows, IMPROVE, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
+use super::{Phase, Planner, Status};
 use crate::error::Error;
-use crate::graph::{EventKind, Graph, Tree, VertexId};
+use crate::graph::{EventKind, Tree, VertexId};
 use crate::nearest::{Index, Nearest};
 use crate::problem::Problem;
-use crate::random::{Random, Stream};
-use crate::sampling::Sampler;
 use crate::space::Space;
 
 /// The first goal.
@@ -24,9 +22,9 @@ crate::choice! {
     pub enum Extend {
         /// One step at most.
         Step,
-        /// Half the way, or all of it where that is a step at most.
+        /// Half the distance, or all of it if that is at most a step.
         Half,
-        /// All the way, or to the last place before an obstacle that is proven free.
+        /// All of the distance, or to the last point before an obstacle that is proven free.
         UntilObstacle,
     }
 }
@@ -34,10 +32,10 @@ crate::choice! {
 crate::options! {
     /// Options of RRT.
     pub struct RrtOptions for crate::options::ALL;
-    /// How far the tree grows at once, and how near it tries the goal: short steps find bends, long ones are quick.
+    /// Longest step, and distance at which the goal is tried: short steps follow bends, long ones are fast.
     step: Option<f64>, in 1e-6..=1e7, "Step", unit "distance in the metric",
         else "a fifth of the largest distance in the space";
-    /// How far the tree grows towards a sample: one step, half the way, or until just before an obstacle.
+    /// How far the tree grows towards a sample: one step, half the distance, or until just before an obstacle.
     extend: Extend = Extend::Step, "Growth";
     /// When the tree grows towards the goal.
     reaching: Reaching;
@@ -51,26 +49,22 @@ impl Method for RrtOptions {
     const ID: &'static str = "rrt";
     const TITLE: &'static str = "RRT";
     const SUMMARY: &'static str =
-        "Grows a tree from the start: again and again its nearest vertex takes a step towards a random sample.";
+        "Grows a tree from the start: the vertex nearest to a random sample takes a step towards it, repeatedly.";
     const GUARANTEE: &'static str =
-        "Probabilistically complete: with more iterations a path is found where one has room; paths are not short.";
+        "Probabilistically complete: more iterations find any path that has clearance; paths are not short.";
     const GROWS: Grows = Grows::Tree;
     const PRESETS: &'static [Preset] = &[
         Preset {
             id: "half-way",
-            title: "Half the way",
-            settings: &[("extend", "half"), ("goal_bias", "0.05"), ("max_iterations", "1000")],
+            title: "Half the distance",
+            settings: "extend=half goal_bias=0.05 max_iterations=1000",
         },
         Preset {
             id: "last-free-point",
             title: "To the last free point",
-            settings: &[("extend", "until-obstacle"), ("goal_bias", "0.05"), ("max_iterations", "1000")],
+            settings: "extend=until-obstacle goal_bias=0.05 max_iterations=1000",
         },
-        Preset {
-            id: "every-fifth",
-            title: "Goal every 5th sample",
-            settings: &[("goal_every", "5"), ("max_iterations", "2000")],
-        },
+        Preset { id: "every-fifth", title: "Goal every 5th sample", settings: "goal_every=5 max_iterations=2000" },
     ];
     const PSEUDOCODE: &'static [PseudocodeLine] = &[
         line(0, "T ← {start}; repeat:", &[]),
@@ -86,73 +80,44 @@ impl Method for RrtOptions {
         END_NEAR,
     ];
 
-    fn edges(&self) -> Edges<'_> {
-        Edges::Joined(&self.joined)
-    }
-
-    fn limits(&self) -> Limits {
-        self.joined.limits
-    }
-
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
-        Ok(Box::new(Rrt::new(problem, self, seed)?))
-    }
-}
-
-/// The planner. An iteration takes one sample: one motion towards it, and one to the goal where that is a step at most.
-struct Rrt<S: Space> {
-    step: f64,
-    extend: Extend,
-    reaching: Reaching,
-    sampler: Box<dyn Sampler<S>>,
-    /// Decides when it reaches for the goal.
-    random: Random,
-    growth: Growth<S>,
-    tree: Tree,
-    nearest: Index<S>,
-    /// The vertex of the tree nearest to a goal, and how far it is.
-    closest: (VertexId, f64),
-    /// How often it has reached for a goal.
-    reaches: usize,
-    /// The goal that was reached.
-    arrived: Option<VertexId>,
-}
-
-impl<S: Space> Rrt<S> {
-    fn new(problem: &Problem<S>, options: &RrtOptions, seed: u64) -> Result<Self, Error> {
         let space = problem.space();
-        let (mut growth, mut tree, mut nearest) = (Growth::default(), Tree::default(), Index::new());
+        let (mut growth, mut tree, mut nearest) = (Growth::default(), Tree::default(), Index::default());
         let start = growth.graph.add_vertex(0, *problem.start());
         for goal in problem.goals() {
             growth.graph.add_vertex(0, *goal);
         }
         tree.add_root(start);
         nearest.insert(space, start, *problem.start());
-        Ok(Self {
-            step: step_in(options.step, space.extent())?,
-            extend: options.extend,
-            reaching: options.reaching,
-            sampler: options.sampling.sampler(space, seed),
-            random: Random::new(seed, Stream::Bias),
+        Ok(Box::new(Rrt {
+            step: step_in(self.step, space.extent())?,
+            extend: self.extend,
+            aim: Aim::new(self.reaching, &self.sampling, space, seed),
             growth,
             tree,
             nearest,
             closest: (start, problem.distance_to_goal(problem.start())),
-            reaches: 0,
             arrived: None,
-        })
+        }))
     }
+}
 
-    /// Where to grow this time; `None` where the sampler has nothing.
-    fn target(&mut self, problem: &Problem<S>, iteration: u32) -> Option<S::State> {
-        if self.reaching.is_due(iteration, &mut self.random) {
-            self.reaches = self.reaches.wrapping_add(1);
-            return Some(*problem.goal_in_turn(self.reaches - 1));
-        }
-        Some(self.growth.draw(problem, iteration, &mut *self.sampler)?.state)
-    }
+/// The planner. An iteration takes one sample: one motion towards it, and one to the goal if it is at most a step away.
+struct Rrt<S: Space> {
+    step: f64,
+    extend: Extend,
+    aim: Aim<S>,
+    growth: Growth<S>,
+    tree: Tree,
+    nearest: Index<S>,
+    /// The vertex of the tree nearest to a goal, and its distance.
+    closest: (VertexId, f64),
+    /// The goal that was reached.
+    arrived: Option<VertexId>,
+}
 
-    /// The state to grow to from `origin` towards `target`, where that motion is proven free.
+impl<S: Space> Rrt<S> {
+    /// The state to grow to from `origin` towards `target` if that motion is proven free; else the state of the refused motion.
     fn steer(&mut self, problem: &Problem<S>, origin: &S::State, target: &S::State) -> Result<S::State, S::State> {
         let space = problem.space();
         let distance = space.distance(origin, target);
@@ -168,7 +133,7 @@ impl<S: Space> Rrt<S> {
             self.growth.counters.motion_checks += 1;
             let hit = problem.validity().first_hit(origin, target).unwrap_or(0.0);
             let last = space.interpolate(origin, target, hit);
-            // Proven anew: rounding may have moved it off the motion that was proven up to there.
+            // Proven again: rounding may have moved it off the motion that was proven.
             if last != *origin && self.growth.is_motion_free(problem, origin, &last) {
                 return Ok(last);
             }
@@ -185,7 +150,7 @@ impl<S: Space> Rrt<S> {
         self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), other, state);
     }
 
-    /// The goal that is nearest to the state, the first of those equally near, and how far it is.
+    /// The goal nearest to the state, ties by number, and its distance.
     fn nearest_goal(&self, problem: &Problem<S>, state: &S::State) -> (VertexId, f64) {
         let mut nearest = (GOAL, f64::INFINITY);
         for (i, goal) in problem.goals().enumerate() {
@@ -197,7 +162,7 @@ impl<S: Space> Rrt<S> {
         nearest
     }
 
-    /// Joins a goal to the tree.
+    /// Adds a goal to the tree.
     fn arrive(&mut self, iteration: u32, from: VertexId, goal: VertexId) -> Status {
         self.add_edge(iteration, from, goal);
         let state = self.growth.state(goal);
@@ -214,7 +179,7 @@ impl<S: Space> Planner<S> for Rrt<S> {
             return Status::Solved;
         }
         let space = problem.space();
-        let Some(target) = self.target(problem, iteration) else { return Status::Running };
+        let Some(target) = self.aim.next(problem, iteration, &mut self.growth) else { return Status::Running };
         self.growth.counters.nearest_queries += 1;
         let near = self.nearest.nearest(space, &target).expect("a tree has a root").vertex;
         let origin = self.growth.state(near);
@@ -249,8 +214,8 @@ impl<S: Space> Planner<S> for Rrt<S> {
         if self.arrived.is_some() { Phase::Done } else { Phase::Growing }
     }
 
-    fn graph(&self) -> &Graph<S> {
-        &self.growth.graph
+    fn growth(&self) -> &Growth<S> {
+        &self.growth
     }
 
     fn path(&self) -> Vec<VertexId> {
@@ -259,9 +224,5 @@ impl<S: Space> Planner<S> for Rrt<S> {
 
     fn approximate_path(&self) -> Vec<VertexId> {
         self.tree.from_root(self.closest.0)
-    }
-
-    fn counters(&self) -> Counters {
-        self.growth.counters
     }
 }

@@ -1,17 +1,17 @@
-//! RRT-Connect: two trees that reach for each other.
+//! RRT-Connect: two trees that grow towards each other.
 //!
 //! Kuffner and LaValle 2000, "RRT-Connect: an efficient approach to single-query path planning". The smaller tree grows
-//! one step towards a sample; the other then grows step by step towards what was added until it arrives or is refused.
-//! Trees are kept in balance: the smaller one takes the sample, the start's tree where they are equal (LaValle 2006,
-//! "Planning Algorithms", section 5.5.3). Where motions have a direction, the goal's tree grows against it: its motions
+//! one step towards a sample; the other then grows step by step towards the new vertex until it arrives or is refused.
+//! The trees stay balanced: the smaller one takes the sample, the start's tree if they are equal (LaValle 2006,
+//! "Planning Algorithms", section 5.5.3). If motions have a direction, the goal's tree grows against it: its motions
 //! lead from new vertices to it. Several goals are roots of one forest.
 
-use super::groups::{Joined, Limits, Sampling, step_in};
+use super::groups::{Joined, Sampling, step_in};
 use super::growth::Growth;
-use super::info::{END, Edges, Grows, IMPROVE, Mark, Method, NONE_FOUND, PseudocodeLine, line};
-use super::{Counters, Phase, Planner, Status};
+use super::info::{END, Grows, IMPROVE, Mark, Method, NONE_FOUND, PseudocodeLine, line};
+use super::{Phase, Planner, Status};
 use crate::error::Error;
-use crate::graph::{EventKind, Graph, Tree, VertexId};
+use crate::graph::{EventKind, Tree, VertexId};
 use crate::nearest::{Direction, Index, Nearest};
 use crate::problem::Problem;
 use crate::sampling::Sampler;
@@ -20,7 +20,7 @@ use crate::space::Space;
 crate::options! {
     /// Options of RRT-Connect.
     pub struct RrtConnectOptions for crate::options::ALL;
-    /// How far a tree grows at once: short steps find their way round bends, long ones cross open space quickly.
+    /// Longest step of a tree: short steps follow bends, long ones cross open space quickly.
     step: Option<f64>, in 1e-6..=1e7, "Step", unit "distance in the metric",
         else "a fifth of the largest distance in the space";
     /// Where samples come from.
@@ -33,9 +33,9 @@ impl Method for RrtConnectOptions {
     const ID: &'static str = "rrt-connect";
     const TITLE: &'static str = "RRT-Connect";
     const SUMMARY: &'static str =
-        "Grows one tree from the start and one from the goal, each reaching for the other, until they meet.";
+        "Grows one tree from the start and one from the goal, each towards the other, until they meet.";
     const GUARANTEE: &'static str =
-        "Probabilistically complete: with more iterations a path is found where one has room; paths are not short.";
+        "Probabilistically complete: more iterations find any path that has clearance; paths are not short.";
     const GROWS: Grows = Grows::Trees;
     const PSEUDOCODE: &'static [PseudocodeLine] = &[
         line(0, "two trees, {start} and {goal}; repeat:", &[]),
@@ -51,16 +51,20 @@ impl Method for RrtConnectOptions {
         END,
     ];
 
-    fn edges(&self) -> Edges<'_> {
-        Edges::Joined(&self.joined)
-    }
-
-    fn limits(&self) -> Limits {
-        self.joined.limits
-    }
-
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
-        Ok(Box::new(RrtConnect::new(problem, self, seed)?))
+        let mut planner = RrtConnect {
+            step: step_in(self.step, problem.space().extent())?,
+            sampler: self.sampling.sampler(problem.space(), seed),
+            growth: Growth::default(),
+            forest: Tree::default(),
+            trees: [Index::default(), Index::default()],
+            bridge: None,
+        };
+        let roots = std::iter::once((0, problem.start())).chain(problem.goals().map(|goal| (1, goal)));
+        for (tree, root) in roots {
+            planner.add_vertex(problem.space(), tree, 0, None, *root);
+        }
+        Ok(Box::new(planner))
     }
 }
 
@@ -73,7 +77,7 @@ struct RrtConnect<S: Space> {
     forest: Tree,
     /// The start's tree, then the goal's.
     trees: [Index<S>; 2],
-    /// Where the trees met: a vertex of the start's tree, one of the goal's.
+    /// The vertices at which the trees met: one of the start's tree, one of the goal's.
     bridge: Option<[VertexId; 2]>,
 }
 
@@ -81,29 +85,13 @@ struct RrtConnect<S: Space> {
 enum Step<S> {
     /// The motion is not free.
     Refused,
-    /// A vertex was added on the way.
+    /// A vertex was added.
     Advanced(VertexId),
     /// The motion to the target itself is free; nothing was added yet.
     Arrived(S),
 }
 
 impl<S: Space> RrtConnect<S> {
-    fn new(problem: &Problem<S>, options: &RrtConnectOptions, seed: u64) -> Result<Self, Error> {
-        let mut planner = Self {
-            step: step_in(options.step, problem.space().extent())?,
-            sampler: options.sampling.sampler(problem.space(), seed),
-            growth: Growth::default(),
-            forest: Tree::default(),
-            trees: [Index::new(), Index::new()],
-            bridge: None,
-        };
-        let roots = std::iter::once((0, problem.start())).chain(problem.goals().map(|goal| (1, goal)));
-        for (tree, root) in roots {
-            planner.add_vertex(problem.space(), tree, 0, None, *root);
-        }
-        Ok(planner)
-    }
-
     /// The direction of motions between the states that a tree grows to and its vertices.
     fn way(space: &S, tree: usize) -> Direction {
         if tree == 0 || space.is_symmetric() { Direction::In } else { Direction::Out }
@@ -164,7 +152,7 @@ impl<S: Space> RrtConnect<S> {
         Step::Advanced(self.add_vertex(space, tree, iteration, Some(from), next))
     }
 
-    /// Grows a tree step by step towards a vertex of the other tree; answers the vertex next to it on arrival.
+    /// Grows a tree step by step towards a vertex of the other tree; returns the vertex next to it on arrival.
     fn connect(&mut self, problem: &Problem<S>, iteration: u32, tree: usize, target: VertexId) -> Option<VertexId> {
         let state = self.growth.state(target);
         let mut from = self.nearest(problem.space(), tree, &state);
@@ -209,8 +197,8 @@ impl<S: Space> Planner<S> for RrtConnect<S> {
         if self.bridge.is_some() { Phase::Done } else { Phase::Growing }
     }
 
-    fn graph(&self) -> &Graph<S> {
-        &self.growth.graph
+    fn growth(&self) -> &Growth<S> {
+        &self.growth
     }
 
     fn path(&self) -> Vec<VertexId> {
@@ -218,9 +206,5 @@ impl<S: Space> Planner<S> for RrtConnect<S> {
         let mut path = self.forest.from_root(start_side);
         path.extend(self.forest.to_root(goal_side));
         path
-    }
-
-    fn counters(&self) -> Counters {
-        self.growth.counters
     }
 }

@@ -1,29 +1,28 @@
-//! RRT by controls: a tree that is driven into the space.
+//! RRT by controls: a tree of controlled motions.
 //!
-//! LaValle and Kuffner 2001, "Randomized kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 14.4.3. Nothing
-//! leads exactly to a state that was wished for, so a few controls are tried, a blossom, and the one that comes closest is
-//! kept; and the goal is a region.
+//! LaValle and Kuffner 2001, "Randomized kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 14.4.3. No
+//! control leads exactly to a given state, so several are tried, and the one that ends closest is kept; the goal is a region.
 
 use super::driven_tree::{
     Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, straight_reach, up_to_goal,
 };
-use super::groups::{Limits, Reaching};
-use super::info::{END_NEAR, Edges, Grows, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
+use super::groups::{Aim, Reaching};
+use super::growth::Growth;
+use super::info::{END_NEAR, Grows, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
 use super::removable_index::RemovableIndex;
-use super::{Counters, Phase, Planner, Status};
+use super::{Phase, Planner, Status};
 use crate::error::Error;
-use crate::graph::{EventKind, Graph, VertexId};
+use crate::graph::{EventKind, VertexId};
 use crate::options::CAR;
 use crate::problem::{Control, Problem};
 use crate::random::{Random, Stream};
-use crate::sampling::Sampler;
 use crate::space::Space;
 
-/// How many of the nearest vertices are asked whether they see the sample.
+/// How many of the nearest vertices are checked for a free motion to the sample.
 const MOST_LOOKS: usize = 32;
 
 crate::choice! {
-    /// Which vertex is grown from.
+    /// Which vertex is extended.
     pub enum Origin {
         /// The nearest to the sample.
         Nearest,
@@ -35,7 +34,7 @@ crate::choice! {
 crate::choice! {
     /// Which controls are tried.
     pub enum Controls {
-        /// Random ones; the one that comes closest to the sample is kept.
+        /// Random ones; the one that ends closest to the sample is kept.
         Random,
         /// The six of Reeds and Shepp; all that are free are kept.
         ReedsShepp,
@@ -45,85 +44,68 @@ crate::choice! {
 crate::options! {
     /// Options of RRT by controls.
     pub struct RrtControlOptions for CAR;
-    /// Random ones, of which the best is kept, or full speed straight, left and right, both ways, all of them kept.
+    /// Random ones, of which the best is kept, or full speed ahead and back, straight, left and right, all kept.
     controls: Controls = Controls::Random, "Controls";
-    /// How many random controls are tried at once: more aim better, but a tree that aims too well gets stuck.
-    blossom: u32 = 1, in 1.0..=100.0, "Blossom";
-    /// How long a control is held at most: short drives find bends, long ones cross open space quickly.
-    duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Duration at most", unit "steps of integration",
-        else "as many as the fastest straight drive of 0.3 times the largest distance takes";
-    /// How long a control is held at least: durations are drawn between this and the longest.
-    shortest_steps: Option<u32>, in 1.0..=MOST_STEPS, "Duration at least", unit "steps of integration",
-        else "as many as duration_steps: all drives last equally long";
-    /// Durations shrink in proportion where a drive could pass the goal, but not below this many steps.
-    near_goal_steps: Option<u32>, in 1.0..=MOST_STEPS, "Least near the goal", unit "steps of integration",
+    /// Number of random controls tried per extension: more aim better, but a greedy tree gets stuck.
+    blossom: u32 = 1, in 1.0..=100.0, "Controls tried";
+    /// Longest time a control is held: short motions follow bends, long ones cross open space quickly.
+    duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Longest duration", unit "steps of integration",
+        else "as many as the fastest straight motion of 0.3 times the largest distance takes";
+    /// Shortest time a control is held: durations are drawn between this and the longest.
+    shortest_steps: Option<u32>, in 1.0..=MOST_STEPS, "Shortest duration", unit "steps of integration",
+        else "as many as duration_steps: all motions last equally long";
+    /// Near the goal durations shrink in proportion to the distance, but not below this many steps.
+    near_goal_steps: Option<u32>, in 1.0..=MOST_STEPS, "Shortest near goal", unit "steps of integration",
         else "none: durations are the same everywhere";
-    /// A drive towards an obstacle is cut where its last free step ends, or refused as a whole.
-    blocked: Blocked = Blocked::Cut, "A blocked drive";
-    /// The vertex nearest to the sample grows, or the nearest that sees it: the straight motion there is free.
-    nearest: Origin = Origin::Nearest, "Grown from";
-    /// Each vertex grows only once; when all have grown, the planner gives up.
+    /// A blocked motion ends after its last free step (cut), or is rejected as a whole (refused).
+    blocked: Blocked = Blocked::Cut, "Blocked motion";
+    /// Extends the vertex nearest to the sample, or the nearest from which the straight motion to it is free.
+    nearest: Origin = Origin::Nearest, "Extended vertex";
+    /// Extends each vertex only once; when all were extended, the planner gives up.
     once: bool = false, "Only once";
     /// When the tree grows towards the goal.
     reaching: Reaching;
-    /// The longest duration in the last quarter of the iterations: short drives meet a small goal region better.
+    /// The longest duration in the last quarter of the iterations: short motions hit a small goal region better.
     late_duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Late duration", unit "steps of integration",
         else "as before";
-    /// Grows towards the goal every so many iterations in the last quarter of them.
+    /// Grows towards the goal every n-th iteration in the last quarter of them.
     late_goal_every: Option<u32>, in 1.0..=1e6, "Late goal", else "as before";
-    /// What all planners by controls take.
+    /// Options of all planners by controls.
     driving: ByControls;
-}
-
-/// The settings of the report with blossoms of several sizes.
-const fn blossom(count: &'static str) -> [(&'static str, &'static str); 5] {
-    [
-        ("blossom", count),
-        ("duration_steps", "250"),
-        ("goal_bias", "0.05"),
-        ("goal_test", "ends"),
-        ("max_iterations", "10000"),
-    ]
 }
 
 impl Method for RrtControlOptions {
     const ID: &'static str = "rrt-control";
     const TITLE: &'static str = "RRT by controls";
-    const SUMMARY: &'static str = "Drives a tree from the start: its vertex nearest to a sample tries controls, the best of them becomes an edge.";
+    const SUMMARY: &'static str = "Kinodynamic RRT: tries controls from the vertex nearest to a sample and keeps the one that ends closest to it.";
     const GUARANTEE: &'static str = "None: a tree that always keeps the best of several controls may get stuck.";
     const GROWS: Grows = Grows::Tree;
-    const IS_DRIVEN: bool = true;
     const ROBOTS: &'static [&'static str] = CAR;
     const PRESETS: &'static [Preset] = &[
-        Preset { id: "blossom-1", title: "Blossom of 1", settings: &blossom("1") },
-        Preset { id: "blossom-3", title: "Blossom of 3", settings: &blossom("3") },
-        Preset { id: "blossom-5", title: "Blossom of 5", settings: &blossom("5") },
+        Preset {
+            id: "blossom-1",
+            title: "Blossom of 1",
+            settings: "blossom=1 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
+        },
+        Preset {
+            id: "blossom-3",
+            title: "Blossom of 3",
+            settings: "blossom=3 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
+        },
+        Preset {
+            id: "blossom-5",
+            title: "Blossom of 5",
+            settings: "blossom=5 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
+        },
         Preset {
             id: "schedule",
             title: "Finer in the end",
-            settings: &[
-                ("blossom", "30"),
-                ("duration_steps", "200"),
-                ("late_duration_steps", "100"),
-                ("goal_every", "10"),
-                ("late_goal_every", "5"),
-                ("blocked", "refused"),
-                ("goal_test", "ends"),
-                ("max_iterations", "4000"),
-            ],
+            settings: "blossom=30 duration_steps=200 late_duration_steps=100 goal_every=10 late_goal_every=5 blocked=refused goal_test=ends max_iterations=4000",
         },
         Preset {
             id: "six-controls",
             title: "Six controls",
-            settings: &[
-                ("controls", "reeds-shepp"),
-                ("nearest", "nearest-visible"),
-                ("once", "true"),
-                ("duration_steps", "100"),
-                ("near_goal_steps", "10"),
-                ("goal_test", "ends"),
-                ("max_iterations", "2000"),
-            ],
+            settings: "controls=reeds-shepp nearest=nearest-visible once=true duration_steps=100 near_goal_steps=10 goal_test=ends max_iterations=2000",
         },
     ];
     const PSEUDOCODE: &'static [PseudocodeLine] = &[
@@ -140,92 +122,51 @@ impl Method for RrtControlOptions {
         END_NEAR,
     ];
 
-    fn edges(&self) -> Edges<'_> {
-        self.driving.edges()
-    }
-
-    fn limits(&self) -> Limits {
-        self.driving.limits
-    }
-
     /// # Panics
-    /// Where the problem has no dynamics.
+    /// If the problem has no dynamics.
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
-        Ok(Box::new(RrtControl::new(problem, self, seed)?))
+        let (tree, mut open) = (DrivenTree::new(problem), RemovableIndex::default());
+        open.insert(problem.space(), &tree.growth.graph, ROOT);
+        let early = Durations::new(problem, self.duration_steps, self.shortest_steps)?;
+        Ok(Box::new(RrtControl {
+            options: *self,
+            aim: Aim::new(self.reaching, &self.driving.sampling, problem.space(), seed),
+            controls: Random::new(seed, Stream::Controls),
+            early,
+            late: late(self, early)?,
+            tree,
+            open,
+            arrived: None,
+        }))
     }
 }
 
-/// How the tree grows in some of the iterations.
-#[derive(Debug, Clone, Copy)]
-struct Rules {
-    /// How long controls are held.
-    durations: Durations,
-    /// When it reaches for the goal.
-    reaching: Reaching,
-}
-
-/// The planner. An iteration takes one sample, or the goal, and tries one blossom: as many motions as it has controls, and
-/// up to 32 more to see the sample where that is asked for.
+/// The planner. An iteration takes one sample, or the goal, and tries several controls, a motion each, and
+/// up to 32 more to find a vertex that sees the sample.
 struct RrtControl<S: Space> {
     options: RrtControlOptions,
-    sampler: Box<dyn Sampler<S>>,
-    /// Decides when it reaches for the goal.
-    bias: Random,
+    aim: Aim<S>,
     /// Draws controls and durations.
     controls: Random,
-    early: Rules,
-    /// From this iteration on, where something is different then.
-    late: Option<(u32, Rules)>,
+    /// How long controls are held.
+    early: Durations,
+    /// From this iteration on, if something is different then: how long controls are held, and when the goal is due.
+    late: Option<(u32, Durations, Reaching)>,
     tree: DrivenTree<S>,
-    /// The vertices that may be grown from.
+    /// The vertices that may be extended.
     open: RemovableIndex<S>,
     /// The vertex in the goal region, once there is one.
     arrived: Option<VertexId>,
 }
 
 impl<S: Space> RrtControl<S> {
-    fn new(problem: &Problem<S>, options: &RrtControlOptions, seed: u64) -> Result<Self, Error> {
-        let (tree, mut open) = (DrivenTree::new(problem), RemovableIndex::new());
-        open.insert(problem.space(), &tree.growth.graph, ROOT);
-        let durations = Durations::new(problem, options.duration_steps, options.shortest_steps)?;
-        let early = Rules { durations, reaching: options.reaching };
-        let [bias, controls] = [Stream::Bias, Stream::Controls].map(|stream| Random::new(seed, stream));
-        Ok(Self {
-            options: *options,
-            sampler: options.driving.sampling.sampler(problem.space(), seed),
-            bias,
-            controls,
-            early,
-            late: late(options, early)?,
-            tree,
-            open,
-            arrived: None,
-        })
-    }
-
     fn arrive(&mut self, iteration: u32, vertex: VertexId, state: S::State) -> Status {
         self.tree.growth.add_event(EventKind::SolutionFound, iteration, Some(vertex), None, state);
         self.arrived = Some(vertex);
         Status::Solved
     }
 
-    /// How the tree grows in this iteration.
-    fn rules(&self, iteration: u32) -> Rules {
-        match self.late {
-            Some((from, late)) if iteration >= from => late,
-            _ => self.early,
-        }
-    }
-
-    /// Where to grow this time; `None` where the sampler has nothing.
-    fn target(&mut self, problem: &Problem<S>, iteration: u32) -> Option<S::State> {
-        if self.rules(iteration).reaching.is_due(iteration, &mut self.bias) {
-            return Some(*problem.goal());
-        }
-        Some(self.tree.growth.draw(problem, iteration, &mut *self.sampler)?.state)
-    }
-
-    /// The vertex to grow from; `None` where none sees the target.
+    /// The vertex to extend; `None` if none sees the target.
     fn origin(&mut self, problem: &Problem<S>, target: &S::State) -> Option<VertexId> {
         self.tree.growth.counters.nearest_queries += 1;
         let space = problem.space();
@@ -240,9 +181,9 @@ impl<S: Space> RrtControl<S> {
         })
     }
 
-    /// How long controls are held from here.
+    /// How long controls are held from this state.
     fn durations(&self, problem: &Problem<S>, from: &S::State, iteration: u32) -> Durations {
-        let Rules { durations, .. } = self.rules(iteration);
+        let durations = self.late.filter(|late| iteration >= late.0).map_or(self.early, |late| late.1);
         let Some(least) = self.options.near_goal_steps else { return durations };
         let reach = straight_reach(problem, f64::from(durations.longest) * dynamics(problem).step());
         let part = problem.space().distance(from, problem.goal()) / reach;
@@ -253,7 +194,7 @@ impl<S: Space> RrtControl<S> {
         Durations { shortest: shrunk(durations.shortest), longest: shrunk(durations.longest) }
     }
 
-    /// The drives from the vertex that are kept.
+    /// The motions from the vertex that become edges.
     fn blossom(
         &mut self,
         problem: &Problem<S>,
@@ -281,7 +222,7 @@ impl<S: Space> RrtControl<S> {
             let cut: Vec<_> = cut.collect();
             return closest(&cut).map(|i| cut[i].1).into_iter().collect();
         }
-        // What ends farther away need not be proven.
+        // Motions that end farther away need not be proven.
         let mut drives: Vec<_> = drives.collect();
         while let Some(i) = closest(&drives) {
             if let Some(drive) = self.tree.prove(problem, from, drives.remove(i).1, blocked) {
@@ -292,23 +233,21 @@ impl<S: Space> RrtControl<S> {
     }
 }
 
-/// What is different in the last quarter of the iterations, if anything is, and from which on.
-fn late(options: &RrtControlOptions, early: Rules) -> Result<Option<(u32, Rules)>, Error> {
-    let RrtControlOptions { late_duration_steps: longest, late_goal_every: every, .. } = *options;
+/// What is different in the last quarter of the iterations, if anything is, and from which iteration on.
+fn late(options: &RrtControlOptions, early: Durations) -> Result<Option<(u32, Durations, Reaching)>, Error> {
+    let RrtControlOptions { late_duration_steps: longest, late_goal_every: every, reaching, .. } = *options;
     if longest.is_none() && every.is_none() {
         return Ok(None);
     }
-    let longest = longest.unwrap_or(early.durations.longest);
-    let durations = Durations { shortest: early.durations.shortest.min(longest), longest };
+    let longest = longest.unwrap_or(early.longest);
+    let durations =
+        Durations { shortest: early.shortest.min(longest), longest }.with_shortest(options.shortest_steps)?;
+    let reaching = Reaching { goal_every: every.or(reaching.goal_every), ..reaching };
     let most = options.driving.limits.max_iterations;
-    let rules = Rules {
-        durations: durations.with_shortest(options.shortest_steps)?,
-        reaching: Reaching { goal_every: every.or(early.reaching.goal_every), ..early.reaching },
-    };
-    Ok(Some((most - most / 4 + 1, rules)))
+    Ok(Some((most - most / 4 + 1, durations, reaching)))
 }
 
-/// Which is the closest, the first of them.
+/// The index of the closest, the first of them.
 fn closest<T>(measured: &[(f64, T)]) -> Option<usize> {
     (0..measured.len()).min_by(|&a, &b| measured[a].0.total_cmp(&measured[b].0).then(a.cmp(&b)))
 }
@@ -324,7 +263,12 @@ impl<S: Space> Planner<S> for RrtControl<S> {
         if self.open.is_empty() {
             return Status::Exhausted;
         }
-        let Some(target) = self.target(problem, iteration) else { return Status::Running };
+        if let Some((from, _, reaching)) = self.late
+            && iteration == from
+        {
+            self.aim.reaching = reaching;
+        }
+        let Some(target) = self.aim.next(problem, iteration, &mut self.tree.growth) else { return Status::Running };
         let Some(origin) = self.origin(problem, &target) else {
             self.tree.growth.reject(EventKind::SampleDiscarded, iteration, target);
             return Status::Running;
@@ -352,8 +296,8 @@ impl<S: Space> Planner<S> for RrtControl<S> {
         if self.arrived.is_some() { Phase::Done } else { Phase::Growing }
     }
 
-    fn graph(&self) -> &Graph<S> {
-        &self.tree.growth.graph
+    fn growth(&self) -> &Growth<S> {
+        &self.tree.growth
     }
 
     fn path(&self) -> Vec<VertexId> {
@@ -362,9 +306,5 @@ impl<S: Space> Planner<S> for RrtControl<S> {
 
     fn approximate_path(&self) -> Vec<VertexId> {
         self.tree.tree.from_root(self.tree.closest(|_| true))
-    }
-
-    fn counters(&self) -> Counters {
-        self.tree.growth.counters
     }
 }

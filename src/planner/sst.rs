@@ -1,50 +1,50 @@
-//! SST: a sparse tree of driven edges, in which of all vertices near each other only the cheapest may grow.
+//! SST: a sparse tree of controlled motions: of vertices near each other only the cheapest may grow.
 //!
 //! Li, Littlefield and Bekris 2016, "Asymptotically optimal sampling-based kinodynamic planning". Witnesses are scattered over
-//! the space as the tree reaches it, no two nearer than the pruning radius; each stands for the cheapest vertex near it. A
-//! vertex that is beaten grows no more, and leaves the tree with its edge once nothing hangs on it. Cost is the length of the
-//! way in the metric of the space, along its arcs.
+//! the space as the tree reaches it, no two nearer than the pruning radius; each represents the cheapest vertex near it. A
+//! vertex that is no longer the cheapest does not grow, and is removed with its edge once it has no children. Cost is the length of the
+//! path in the metric of the space, along its arcs.
 
 use super::driven_tree::{Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, up_to_goal};
-use super::groups::{Limits, Reaching};
-use super::info::{END_NEAR, Edges, Grows, Mark, Method, NONE_FOUND, PseudocodeLine, line};
+use super::groups::{Aim, Reaching};
+use super::growth::Growth;
+use super::info::{END_NEAR, Grows, Mark, Method, NONE_FOUND, PseudocodeLine, line};
 use super::removable_index::RemovableIndex;
-use super::{Counters, Phase, Planner, Status};
+use super::{Phase, Planner, Status};
 use crate::error::Error;
-use crate::graph::{EventKind, Graph, VertexId};
+use crate::graph::{EventKind, VertexId};
 use crate::nearest::{Index, Nearest, Neighbour};
 use crate::options::CAR;
 use crate::problem::{Motion, Problem};
 use crate::random::{Random, Stream};
-use crate::sampling::Sampler;
 use crate::space::Space;
 
-/// Of the space's extent, the selection radius where none is given.
+/// The default selection radius, as a fraction of the space's extent.
 const DEFAULT_SELECTION: f64 = 0.06;
-/// Of the space's extent, the pruning radius where none is given.
+/// The default pruning radius, as a fraction of the space's extent.
 const DEFAULT_PRUNING: f64 = 0.03;
 
 crate::options! {
     /// Options of SST.
     pub struct SstOptions for CAR;
-    /// Of the vertices so near to a sample, the cheapest grows: a large radius betters paths, a small one explores.
+    /// The cheapest vertex within this distance of a sample grows: large radii shorten paths, small ones explore.
     selection_radius: Option<f64>, in 0.0..=1e7, "Selection radius", unit "distance in the metric",
         else "0.06 times the largest distance in the space";
-    /// Of the vertices about so near to each other, only the cheapest grows: a large radius makes the tree sparse.
+    /// Of the vertices within about this distance of each other, only the cheapest grows: large radii prune more.
     pruning_radius: Option<f64>, in 0.0..=1e7, "Pruning radius", unit "distance in the metric",
         else "0.03 times the largest distance in the space";
-    /// For how many iterations the tree grows on once it has a path, to find shorter ones.
+    /// Number of further iterations once there is a path, to find shorter ones.
     improve_iterations: u32 = 0, in 0.0..=1e9, "Improve for";
-    /// How long a control is held at most: short drives find bends, long ones cross open space quickly.
-    duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Duration at most", unit "steps of integration",
-        else "as many as the fastest straight drive of 0.3 times the largest distance takes";
-    /// How long a control is held at least: durations are drawn between this and the longest.
-    shortest_steps: u32 = 1, in 1.0..=MOST_STEPS, "Duration at least", unit "steps of integration";
-    /// A drive towards an obstacle is cut where its last free step ends, or refused as a whole.
-    blocked: Blocked = Blocked::Cut, "A blocked drive";
+    /// Longest time a control is held: short motions follow bends, long ones cross open space quickly.
+    duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Longest duration", unit "steps of integration",
+        else "as many as the fastest straight motion of 0.3 times the largest distance takes";
+    /// Shortest time a control is held: durations are drawn between this and the longest.
+    shortest_steps: u32 = 1, in 1.0..=MOST_STEPS, "Shortest duration", unit "steps of integration";
+    /// A blocked motion ends after its last free step (cut), or is rejected as a whole (refused).
+    blocked: Blocked = Blocked::Cut, "Blocked motion";
     /// When the tree grows towards the goal.
     reaching: Reaching;
-    /// What all planners by controls take.
+    /// Options of all planners by controls.
     driving: ByControls;
 }
 
@@ -52,11 +52,10 @@ impl Method for SstOptions {
     const ID: &'static str = "sst";
     const TITLE: &'static str = "SST";
     const SUMMARY: &'static str =
-        "Drives a sparse tree: of all vertices near each other only the cheapest grows; it can go on to better paths.";
+        "Kinodynamic and sparse: of vertices near each other only the cheapest grows; it can go on to shorter paths.";
     const GUARANTEE: &'static str =
-        "Asymptotically near-optimal where random controls have room: as near the shortest as its radii allow.";
+        "Asymptotically near-optimal if random controls have clearance: as near the shortest as its radii allow.";
     const GROWS: Grows = Grows::Tree;
-    const IS_DRIVEN: bool = true;
     const ROBOTS: &'static [&'static str] = CAR;
     const PSEUDOCODE: &'static [PseudocodeLine] = &[
         line(0, "T ← {start}; repeat:", &[]),
@@ -73,77 +72,23 @@ impl Method for SstOptions {
         END_NEAR,
     ];
 
-    fn edges(&self) -> Edges<'_> {
-        self.driving.edges()
-    }
-
-    fn limits(&self) -> Limits {
-        self.driving.limits
-    }
-
     /// # Panics
-    /// Where the problem has no dynamics.
+    /// If the problem has no dynamics.
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
-        Ok(Box::new(Sst::new(problem, self, seed)?))
-    }
-}
-
-/// The cheapest way to the goal region so far.
-#[derive(Debug, Clone, Copy)]
-struct Best {
-    vertex: VertexId,
-    /// In which iteration there was a first one.
-    since: u32,
-}
-
-/// The planner. An iteration takes one sample, or the goal, and tries one random control for one random while.
-struct Sst<S: Space> {
-    options: SstOptions,
-    /// Of the vertices so near to a sample, the cheapest is grown from; the nearest vertex where there is none.
-    selection_radius: f64,
-    /// No two witnesses are nearer to each other.
-    pruning_radius: f64,
-    durations: Durations,
-    sampler: Box<dyn Sampler<S>>,
-    /// Decides when it reaches for the goal.
-    bias: Random,
-    /// Draws controls and durations.
-    controls: Random,
-    tree: DrivenTree<S>,
-    /// The length of the way to each vertex.
-    costs: Vec<f64>,
-    /// How many vertices hang on each.
-    children: Vec<u32>,
-    is_removed: Vec<bool>,
-    /// The vertices that may grow: those that witnesses stand for.
-    active: RemovableIndex<S>,
-    /// Places, numbered as if they were vertices.
-    witnesses: Index<S>,
-    /// The vertex that each witness stands for.
-    representatives: Vec<VertexId>,
-    best: Option<Best>,
-    is_done: bool,
-    found: Vec<Neighbour>,
-}
-
-impl<S: Space> Sst<S> {
-    fn new(problem: &Problem<S>, options: &SstOptions, seed: u64) -> Result<Self, Error> {
         let space = problem.space();
-        let [bias, controls] = [Stream::Bias, Stream::Controls].map(|stream| Random::new(seed, stream));
-        let mut sst = Self {
-            options: *options,
-            selection_radius: options.selection_radius.unwrap_or(DEFAULT_SELECTION * space.extent()),
-            pruning_radius: options.pruning_radius.unwrap_or(DEFAULT_PRUNING * space.extent()),
-            durations: Durations::new(problem, options.duration_steps, Some(options.shortest_steps))?,
-            sampler: options.driving.sampling.sampler(space, seed),
-            bias,
-            controls,
+        let mut sst = Sst {
+            options: *self,
+            selection_radius: self.selection_radius.unwrap_or(DEFAULT_SELECTION * space.extent()),
+            pruning_radius: self.pruning_radius.unwrap_or(DEFAULT_PRUNING * space.extent()),
+            durations: Durations::new(problem, self.duration_steps, Some(self.shortest_steps))?,
+            aim: Aim::new(self.reaching, &self.driving.sampling, space, seed),
+            controls: Random::new(seed, Stream::Controls),
             tree: DrivenTree::new(problem),
             costs: vec![0.0],
             children: vec![0],
             is_removed: vec![false],
-            active: RemovableIndex::new(),
-            witnesses: Index::new(),
+            active: RemovableIndex::default(),
+            witnesses: Index::default(),
             representatives: vec![ROOT],
             best: None,
             is_done: false,
@@ -151,22 +96,52 @@ impl<S: Space> Sst<S> {
         };
         sst.active.insert(space, &sst.tree.growth.graph, ROOT);
         sst.witnesses.insert(space, VertexId(0), *problem.start());
-        Ok(sst)
+        Ok(Box::new(sst))
     }
+}
 
+/// The cheapest path to the goal region so far.
+#[derive(Debug, Clone, Copy)]
+struct Best {
+    vertex: VertexId,
+    /// The iteration that found the first path.
+    since: u32,
+}
+
+/// The planner. An iteration takes one sample, or the goal, and tries one random control for one random while.
+struct Sst<S: Space> {
+    options: SstOptions,
+    /// The cheapest vertex within this distance of a sample is extended; the nearest vertex if there is none.
+    selection_radius: f64,
+    /// No two witnesses are nearer to each other.
+    pruning_radius: f64,
+    durations: Durations,
+    aim: Aim<S>,
+    /// Draws controls and durations.
+    controls: Random,
+    tree: DrivenTree<S>,
+    /// The length of the path to each vertex.
+    costs: Vec<f64>,
+    /// The number of children of each vertex.
+    children: Vec<u32>,
+    is_removed: Vec<bool>,
+    /// The vertices that may grow: the representatives of the witnesses.
+    active: RemovableIndex<S>,
+    /// States, numbered as if they were vertices.
+    witnesses: Index<S>,
+    /// The representative of each witness.
+    representatives: Vec<VertexId>,
+    best: Option<Best>,
+    is_done: bool,
+    found: Vec<Neighbour>,
+}
+
+impl<S: Space> Sst<S> {
     fn cost(&self, vertex: VertexId) -> f64 {
         self.costs[vertex.index()]
     }
 
-    /// Where to grow this time; `None` where the sampler has nothing.
-    fn target(&mut self, problem: &Problem<S>, iteration: u32) -> Option<S::State> {
-        if self.options.reaching.is_due(iteration, &mut self.bias) {
-            return Some(*problem.goal());
-        }
-        Some(self.tree.growth.draw(problem, iteration, &mut *self.sampler)?.state)
-    }
-
-    /// The vertex to grow from: the cheapest that is near, ties by number.
+    /// The vertex to extend: the cheapest that is near, ties by number.
     fn origin(&mut self, problem: &Problem<S>, target: &S::State) -> VertexId {
         self.tree.growth.counters.nearest_queries += 1;
         let space = problem.space();
@@ -176,7 +151,7 @@ impl<S: Space> Sst<S> {
         cheapest.unwrap_or_else(|| self.active.nearest(space, target).expect("a witness stands for one").vertex)
     }
 
-    /// The witness of a state: the nearest, or a new one where that is too far; and whether it is new.
+    /// The witness of a state: the nearest, or a new one if that is too far; and whether it is new.
     fn witness(&mut self, problem: &Problem<S>, state: &S::State) -> (usize, bool) {
         self.tree.growth.counters.nearest_queries += 1;
         let nearest = self.witnesses.nearest(problem.space(), state).expect("the start has one");
@@ -188,7 +163,7 @@ impl<S: Space> Sst<S> {
         (witness.index(), true)
     }
 
-    /// Adds the end of a drive to the tree.
+    /// Adds the end of a motion to the tree.
     fn grow(
         &mut self,
         problem: &Problem<S>,
@@ -205,7 +180,7 @@ impl<S: Space> Sst<S> {
         vertex
     }
 
-    /// Has the witness stand for the vertex, and the one that it stood for grow no more.
+    /// Makes the vertex the representative of the witness; the former one grows no more.
     fn replace(&mut self, problem: &Problem<S>, iteration: u32, (witness, is_new): (usize, bool), vertex: VertexId) {
         let (space, graph) = (problem.space(), &self.tree.growth.graph);
         self.active.insert(space, graph, vertex);
@@ -218,7 +193,7 @@ impl<S: Space> Sst<S> {
         self.prune(iteration, beaten);
     }
 
-    /// Takes the vertex out of the tree where it is a leaf that grows no more, and then its parent likewise, and so on. The end
+    /// Removes the vertex from the tree if it is a leaf that grows no more, then its parent likewise, and so on. The end
     /// of the best path stays.
     fn prune(&mut self, iteration: u32, vertex: VertexId) {
         let mut leaf = Some(vertex);
@@ -234,7 +209,7 @@ impl<S: Space> Sst<S> {
         }
     }
 
-    /// Takes the vertex for the end of the best path.
+    /// Makes the vertex the end of the best path.
     fn arrive(&mut self, iteration: u32, vertex: VertexId, state: S::State) {
         self.tree.growth.add_event(EventKind::SolutionFound, iteration, Some(vertex), None, state);
         let earlier = self.best;
@@ -244,7 +219,7 @@ impl<S: Space> Sst<S> {
         }
     }
 
-    /// One try: a drive from the vertex.
+    /// Tries one motion from the vertex.
     fn try_drive(&mut self, problem: &Problem<S>, iteration: u32, origin: VertexId) {
         let dynamics = dynamics(problem);
         let from = self.tree.growth.state(origin);
@@ -258,7 +233,7 @@ impl<S: Space> Sst<S> {
         let (drive, is_there) = up_to_goal(problem, &from, drive, self.options.driving.goal_test);
         let duration = f64::from(drive.steps) * dynamics.step();
         let cost = self.cost(origin) + dynamics.length(Motion { control, duration });
-        // What costs as much as the best path leads to no better one.
+        // A path that already costs as much as the best one cannot become better.
         let is_cheap = self.best.is_none_or(|best| cost < self.cost(best.vertex));
         if is_cheap {
             let (witness, is_new) = self.witness(problem, &drive.end);
@@ -286,7 +261,7 @@ impl<S: Space> Planner<S> for Sst<S> {
             self.arrive(iteration, ROOT, *problem.start());
             self.is_done = true;
         } else if !self.is_done
-            && let Some(target) = self.target(problem, iteration)
+            && let Some(target) = self.aim.next(problem, iteration, &mut self.tree.growth)
         {
             let origin = self.origin(problem, &target);
             self.try_drive(problem, iteration, origin);
@@ -303,8 +278,8 @@ impl<S: Space> Planner<S> for Sst<S> {
         }
     }
 
-    fn graph(&self) -> &Graph<S> {
-        &self.tree.growth.graph
+    fn growth(&self) -> &Growth<S> {
+        &self.tree.growth
     }
 
     fn path(&self) -> Vec<VertexId> {
@@ -313,9 +288,5 @@ impl<S: Space> Planner<S> for Sst<S> {
 
     fn approximate_path(&self) -> Vec<VertexId> {
         self.tree.tree.from_root(self.tree.closest(|vertex| !self.is_removed[vertex.index()]))
-    }
-
-    fn counters(&self) -> Counters {
-        self.tree.growth.counters
     }
 }

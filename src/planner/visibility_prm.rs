@@ -1,13 +1,12 @@
-//! Visibility PRM: few vertices, each a guard of what it sees or a link between guards.
+//! Visibility PRM: few vertices, each a guard or a connector of guards.
 //!
 //! Simeon, Laumond and Nissoux 2000, "Visibility-based probabilistic roadmaps for motion planning". A free sample that no
-//! guard sees becomes a guard; one that guards of several components see links them; any other is thrown away. After
-//! m samples in a row that made no guard the free space is covered but for an estimated share of 1/m. What sees must be seen: the
-//! space has to be symmetric.
+//! guard sees becomes a guard; one that guards of several components see connects them; any other is discarded. After
+//! m samples in a row that made no guard the free space is covered but for an estimated share of 1/m. Visibility
+//! has to be mutual: the space must be symmetric.
 
-use super::groups::{Joined, Limits, Sampling, Searching};
-use super::info::{END, Edges, Grows, IMPROVE, Mark, Method, PseudocodeLine, line};
-use super::query::SearchRules;
+use super::groups::{Joined, Sampling, Searching};
+use super::info::{END, Grows, IMPROVE, Mark, Method, PseudocodeLine, line};
 use super::roadmap::{Build, Connection, EXPAND, Roadmap, RoadmapPlanner, SEARCH, START};
 use super::{Phase, Planner};
 use crate::error::Error;
@@ -16,14 +15,14 @@ use crate::problem::Problem;
 use crate::sampling::Sampler;
 use crate::space::Space;
 
-/// More guards than there ever are: guards are few, so that questions asked later are joined to all that see them.
+/// More guards than there ever are: guards are few, and the ends of later queries are connected to all that see them.
 const MOST_GUARDS: usize = 1_000_000;
 
 crate::options! {
     /// Options of the visibility PRM.
     pub struct VisibilityPrmOptions for crate::options::ALL;
-    /// How many samples in a row may bring no new guard before it stops: more cover more of the free space.
-    failures: u32 = 400, in 1.0..=1e6, "Failures at most";
+    /// Number of samples in a row without a new guard before sampling stops: more cover more of the free space.
+    failures: u32 = 400, in 1.0..=1e6, "Most failures";
     /// Where samples come from.
     sampling: Sampling;
     /// How the roadmap is searched.
@@ -35,13 +34,14 @@ crate::options! {
 impl Method for VisibilityPrmOptions {
     const ID: &'static str = "visibility-prm";
     const TITLE: &'static str = "Visibility PRM";
-    const SUMMARY: &'static str = "Keeps few samples: guards, which no other guard sees, and links between guards.";
+    const SUMMARY: &'static str =
+        "Keeps few samples: guards, which no other guard sees, and connectors between guards.";
     const GUARANTEE: &'static str =
         "None for a run; after m failures in a row an estimated 1 - 1/m of the free space is covered.";
     const GROWS: Grows = Grows::Roadmap;
     const NEEDS_SYMMETRY: bool = true;
     const PSEUDOCODE: &'static [PseudocodeLine] = &[
-        // A roadmap that is gone on with joins the two to what it has.
+        // A resumed roadmap connects the two to its guards.
         line(0, "G ← start and goal, joined where that is free", &[Mark::Connecting]),
         line(0, "until m samples in a row make no guard:", &[]),
         line(1, "q ← a random configuration", &[Mark::Guarding]),
@@ -56,24 +56,12 @@ impl Method for VisibilityPrmOptions {
         END,
     ];
 
-    fn edges(&self) -> Edges<'_> {
-        Edges::Joined(&self.joined)
-    }
-
-    fn limits(&self) -> Limits {
-        self.joined.limits
-    }
-
-    fn search(&self) -> Option<SearchRules> {
-        Some(self.searching.rules())
-    }
-
     /// # Panics
-    /// Where the space is not symmetric.
+    /// If the space is not symmetric.
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         assert!(problem.space().is_symmetric(), "guards see only where motions can be made back");
         let connection = Connection { k: MOST_GUARDS, radius: f64::INFINITY };
-        let mut roadmap = Roadmap::new(problem, connection, self.searching.rules());
+        let mut roadmap = Roadmap::new(problem, connection, self.searching);
         let mut guarding = Guarding {
             sampler: self.sampling.sampler(problem.space(), seed),
             guards: Vec::new(),
@@ -103,10 +91,10 @@ struct Guarding<S: Space> {
     sampler: Box<dyn Sampler<S>>,
     guards: Vec<VertexId>,
     components: UnionFind,
-    /// After how many samples in a row without a new guard the roadmap is complete.
+    /// The number of samples in a row without a new guard after which the roadmap is complete.
     most_failures: u32,
     failures: u32,
-    /// For every component whether this sample has seen it, by the iteration that did.
+    /// The last iteration whose sample was seen by each component.
     seen: Vec<u32>,
 }
 
@@ -117,13 +105,13 @@ impl<S: Space> Guarding<S> {
         self.guards.push(vertex);
     }
 
-    /// Prepares for a vertex that is a component of its own.
+    /// Adds a component for the next vertex.
     fn add_component(&mut self) {
         self.components.add();
         self.seen.push(0);
     }
 
-    /// Of every component the first guard that sees the state.
+    /// The first guard of every component that sees the state.
     fn visible_guards(
         &mut self,
         roadmap: &mut Roadmap<S>,

@@ -1,6 +1,6 @@
-//! All there is to choose from, as one document: planners, generators, methods, indexes and error codes, with their options.
+//! Everything that can be chosen, as one document: planners, generators, methods, indexes and error codes, with their options.
 //!
-//! `schema/catalogue.json` holds it; a test compares. It is shipped beside the WebAssembly module and is no part of it.
+//! `schema/catalogue.json` holds it; a test compares. It is shipped beside the WebAssembly module, not in it.
 
 use crate::error::Code;
 use crate::ik::methods;
@@ -49,7 +49,7 @@ pub fn catalogue() -> Json {
     })
 }
 
-/// A table of options: a default that depends on the rest is null and told in words.
+/// A table of options: a default that depends on the rest is null and described in words.
 fn table(options: &[OptionInfo]) -> Vec<Json> {
     let row = |info: &OptionInfo| {
         let (kind, range, choices) = match &info.kind {
@@ -79,7 +79,7 @@ fn value(value: &Value) -> Json {
     }
 }
 
-/// A number, without a fraction where it has none.
+/// A number, without a fraction if it is whole.
 fn number(value: f64) -> Json {
     if value.fract() == 0.0 && value.abs() <= (1u64 << 53) as f64 { json!(value as i64) } else { json!(value) }
 }

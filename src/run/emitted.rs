@@ -9,7 +9,7 @@ use crate::space::steering::Pose;
 /// The most that one piece of a traced curve turns, in radians.
 const BEND: f64 = 0.2;
 
-/// The integration steps of one piece of a driven edge.
+/// The integration steps of one piece of a controlled motion.
 const STEPS: u32 = 10;
 
 /// A path from waypoint to waypoint.
@@ -26,7 +26,7 @@ impl<S: Space> EmittedPath<S> {
         Self { states: Vec::new(), motions: problem.dynamics().is_some().then(Vec::new) }
     }
 
-    /// The path through these states: curves are split into their segments, and straight motions where they turn too far.
+    /// The path through these states: curves are split into their segments, straight motions if they turn too far.
     pub fn through(problem: &Problem<S>, states: &[S::State]) -> Self {
         let Some(dynamics) = problem.dynamics() else {
             return Self { states: path::split(problem.space(), states), motions: None };
@@ -67,16 +67,11 @@ pub(super) fn motions<S: Space>(problem: &Problem<S>, graph: &Graph<S>, edge: us
         return vec![motion];
     }
     let [from, to] = graph.edges()[edge].map(|vertex| graph.state(vertex));
-    problem
-        .dynamics()
-        .map(|dynamics| dynamics.steer(from, to))
-        .unwrap_or_default()
-        .into_iter()
-        .map(|(motion, _)| motion)
-        .collect()
+    let steered = problem.dynamics().map(|dynamics| dynamics.steer(from, to)).unwrap_or_default();
+    steered.into_iter().map(|(motion, _)| motion).collect()
 }
 
-/// States along a curved edge, both ends included, close enough to be joined by straight lines; empty for a straight edge.
+/// States along a curved edge, both ends included, close enough to be connected by straight lines; empty for a straight edge.
 pub(super) fn trace<S: Space>(problem: &Problem<S>, graph: &Graph<S>, edge: usize) -> Vec<S::State> {
     let space = problem.space();
     let [from, to] = graph.edges()[edge].map(|vertex| *graph.state(vertex));

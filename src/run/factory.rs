@@ -1,4 +1,4 @@
-//! From a scenario and options to a run: where the names of robots and options become types.
+//! From a scenario and options to a run: names of robots and options become types.
 
 use super::goals::goals;
 use super::resume;
@@ -8,7 +8,9 @@ use crate::collision::{Integration, Sampled};
 use crate::error::{Code, Error, Number};
 use crate::path::Wanted;
 use crate::planner;
-use crate::planner::{Connection, EdgeCheck, Edges, Improving, Joined, Planner, PlannerId, PlannerOptions};
+use crate::planner::{
+    ByControls, Connection, EdgeCheck, Improving, IntegrationKind, Joined, Limits, Planner, PlannerOptions, Searching,
+};
 use crate::problem::{Estimate, GoalRegion, Problem, Validity};
 use crate::robot::{Arm, Car, Weights};
 use crate::run::storage::{RoadmapDocument, RoadmapMetric, fingerprint};
@@ -17,7 +19,7 @@ use crate::space::steering::Steering;
 use crate::space::{MAX_DIMENSION, MetricKind, MotionSpace, ProductSpace, Space};
 use crate::world::{PlanningWorld, SMALL};
 
-/// The turning radii of steered cars, in metres: wide of all worlds on either side. Beyond, lengths and durations of curves might
+/// The turning radii of steered cars, in metres: far beyond all worlds on either side. Outside, lengths and durations of curves might
 /// overflow.
 const TURNING_RADII: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
 /// The slowest that a steered car may be at its fastest, in metres a second, for the same reason.
@@ -30,9 +32,9 @@ const SLOWEST: f64 = 1e-9;
 /// options; `start-in-collision` or `goal-in-collision` with a pointer into the scenario.
 pub fn start(scenario: impl Into<PlanningWorld>, options: &Options) -> Result<Box<dyn Run>, Error> {
     let world = scenario.into();
-    let planner = PlannerId::of(options.planner_for(world.scenario()))?;
+    let planner = PlannerOptions::of(options.planner_for(world.scenario()))?;
     options.check_seed()?;
-    launch(&world, options, planner, planner.read(&options.parameters)?, None)
+    launch(&world, options, planner.read(&options.parameters)?, None)
 }
 
 /// Begins a run of a planner on a problem that no scenario describes, in any [`Space`]. The result document names no scenario
@@ -57,39 +59,37 @@ pub fn start_on<S: Space + 'static>(
     Box::new(Runner::new(problem, planner, info, None))
 }
 
-/// Begins a run of a planner, from nothing or with a roadmap that was kept.
+/// Begins a run of a planner, from nothing or with a saved roadmap.
 pub(super) fn launch(
     world: &PlanningWorld,
     options: &Options,
-    planner: PlannerId,
-    settings: PlannerOptions,
+    planner: PlannerOptions,
     kept: Option<&RoadmapDocument>,
 ) -> Result<Box<dyn Run>, Error> {
     let scenario = world.scenario();
     let (index, query) = options.find_query(scenario)?;
     planner.check_robot(scenario.robot().kind())?;
-    // A path driven by controls ends near its goal, never exactly there.
-    if planner.is_driven() && query.goal_tolerance.is_none() {
+    // A path of controlled motions ends near its goal, never exactly there.
+    let driving = planner.group::<ByControls>();
+    if driving.is_some() && query.goal_tolerance.is_none() {
         let pointer = format!("/queries/{index}/goal_tolerance");
         return Err(Error::new(
             Code::MissingField,
             pointer,
-            format!("{} needs a goal_tolerance in the query", planner.as_str()),
+            format!("{} needs a goal_tolerance in the query", planner.id()),
         ));
     }
-    let (joined, is_euler) = match settings.edges() {
-        Edges::Joined(joined) => (Some(*joined), false),
-        Edges::Driven { is_euler } => (None, is_euler),
-    };
+    let joined = planner.group::<Joined>().copied();
+    let limits = planner.group::<Limits>().copied().unwrap_or_default();
     let info = RunInfo {
         scenario: scenario.name().to_owned(),
         query: query.name.clone(),
-        planner: planner.as_str(),
+        planner: planner.id(),
         seed: options.seed,
-        max_iterations: settings.limits().max_iterations,
+        max_iterations: limits.max_iterations,
         wanted: joined.map(|joined| wanted(&joined.improving)).unwrap_or_default(),
         is_sampled: joined.is_some_and(|joined| joined.edge_check == EdgeCheck::Sampled),
-        is_euler,
+        is_euler: driving.is_some_and(|by| by.integration == IntegrationKind::Euler),
     };
     if !matches!(scenario.robot(), Robot::Car(_))
         && let Some(steering) = joined.and_then(|joined| joined.steering)
@@ -103,7 +103,7 @@ pub(super) fn launch(
         planner,
         metric: joined.and_then(|joined| joined.measuring.metric),
         joined,
-        settings,
+        tolerance: limits.tolerance,
         info,
         kept,
         start: &query.start,
@@ -115,26 +115,26 @@ pub(super) fn launch(
     run.map_err(|error| if in_query(&error) { error.under(&format!("/queries/{index}")) } else { error })
 }
 
-/// What is to be done to a path.
+/// The improvements of a path.
 fn wanted(improving: &Improving) -> Wanted {
     let Improving { reduce, shortcut, partial_shortcut } = *improving;
     Wanted { reduce, shortcuts: shortcut, partial_shortcuts: partial_shortcut }
 }
 
-/// All that a run is made from.
+/// Everything that a run is made from.
 struct Launch<'a> {
     world: &'a PlanningWorld,
-    planner: PlannerId,
-    settings: PlannerOptions,
-    /// The options of its edges, where they are not driven.
+    planner: PlannerOptions,
+    /// The options of its edges, if they are not controlled motions.
     joined: Option<Joined>,
-    /// The metric that was asked for.
+    tolerance: f64,
+    /// The metric that was requested.
     metric: Option<MetricKind>,
     info: RunInfo,
-    /// The roadmap to go on with.
+    /// The roadmap to continue with.
     kept: Option<&'a RoadmapDocument>,
     start: &'a [f64],
-    /// The configurations to reach any one of, one at least; several only of arms.
+    /// The goals, any of which may be reached: at least one; several only for arms.
     goals: Vec<Vec<f64>>,
     goal_tolerance: Option<GoalTolerance>,
 }
@@ -150,7 +150,7 @@ impl Launch<'_> {
         };
         let start = space.state(self.start);
         let goals: Vec<_> = self.goals.iter().map(|q| space.state(q)).collect();
-        let checker = || self.world.checker(&space, self.settings.limits().tolerance);
+        let checker = || self.world.checker(&space, self.tolerance);
         let fitted = goals.iter().fold(checker(), |checker, goal| checker.fitted(&start, goal));
         let integration = if self.info.is_euler { Integration::Euler } else { Integration::Exact };
         let (validity, dynamics) = fitted.with_dynamics(robot, integration);
@@ -178,20 +178,20 @@ impl Launch<'_> {
         }
 
         let seed = self.info.seed;
-        let planner = match self.kept.zip(self.settings.search()) {
-            Some((document, rules)) => {
+        let mut planner = match self.kept.zip(self.planner.group::<Searching>()) {
+            Some((document, searching)) => {
                 let states = resume::prove(&space, &*checked(checker().finest().validity()), document)?;
                 let connection = Connection { k: document.k as usize, radius: document.radius };
-                planner::resume(&problem, connection, rules, &states, &document.edges)
+                planner::resume(&problem, connection, *searching, &states, &document.edges)
             }
-            None => self.settings.begin(&problem, seed)?,
+            None => self.planner.begin(&problem, seed)?,
         };
-        let connection = planner.connection();
+        let connection = planner.roadmap().map(|roadmap| roadmap.connection());
         let roadmap = connection.map(|connection| self.empty_document(&space, connection, edge_samples));
         Ok(Box::new(Runner::new(problem, planner, self.info, roadmap)))
     }
 
-    /// How the roadmap of this run will be kept, without vertices and edges.
+    /// The document of this run's roadmap, without vertices and edges.
     fn empty_document<const N: usize>(
         &self,
         space: &MotionSpace<N>,
@@ -215,7 +215,7 @@ impl Launch<'_> {
             k: connection.k as u32,
             radius: connection.radius,
             edge_samples,
-            tolerance: self.settings.limits().tolerance,
+            tolerance: self.tolerance,
             vertices: Vec::new(),
             edges: Vec::new(),
         }
@@ -246,7 +246,7 @@ impl Launch<'_> {
         let used = if steering == Steering::Dubins { forward } else { forward.min(-backward) };
         if used < SLOWEST {
             let [used, slowest] = [used, SLOWEST].map(Number);
-            return Err(unsupported(&format!("curves are driven at {slowest} m/s at least, not {used}")));
+            return Err(unsupported(&format!("curves need a speed of at least {slowest} m/s, not {used}")));
         }
         if steering == Steering::Dubins && self.planner.needs_symmetry() {
             return Err(unsupported(
@@ -272,7 +272,7 @@ fn goal_region<const N: usize>(
     GoalRegion { contains: Box::new(contains), reach }
 }
 
-/// The metric of a robot that has only one and is not steered, as a roadmap is kept with it.
+/// The metric of a robot that has only one and is not steered, as roadmaps name it.
 pub(super) fn only_metric(robot: &Robot) -> RoadmapMetric {
     match robot.placed_shape() {
         Some((_, Weights { translation, rotation })) => RoadmapMetric::Placement { translation, rotation },
@@ -280,7 +280,7 @@ pub(super) fn only_metric(robot: &Robot) -> RoadmapMetric {
     }
 }
 
-/// How far apart two configurations of the arm are at least, from where the end effector is: joint j turns what lies beyond
+/// A lower bound on the distance of two configurations of the arm from those of the end effector: joint j turns what lies beyond
 /// it, which reaches r_j at most, so the end effector moves at most sum r_j |turn j|, which is at most r_1 times their sum,
 /// and at most the root of sum r_j^2 times the root of the sum of their squares (Cauchy and Schwarz).
 fn from_end_effector<const N: usize>(arm: &Arm, is_sum: bool) -> Estimate<[f64; N]> {

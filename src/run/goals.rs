@@ -1,4 +1,4 @@
-//! The configurations that a query is content with.
+//! The goal configurations of a query.
 
 use crate::error::{Code, Error, Number};
 use crate::ik::{Solver, SolverOptions, Verdict, arm_of, nearest_reachable};
@@ -8,24 +8,24 @@ use crate::robot::Target;
 use crate::scenario::{Goal, Query, Robot, Scenario};
 use crate::world::PlanningWorld;
 
-/// How many configurations that reach a target are goals at most: more than there are ways round for an arm of few joints.
+/// The most configurations that reach a target and are goals: more than an arm of few joints has distinct paths to.
 const MOST: f64 = 8.0;
 
-/// How far the end effector may be from the target in the end: a billionth of a metre, or less for an arm of less than a
+/// The largest final distance of the end effector from the target: a billionth of a metre, or less for an arm of less than a
 /// millimetre, a millionth of its reach, but nothing finer than the first number.
 const TOLERANCE: [f64; 3] = [1e-12, 1e-9, 1e-6];
 
-/// How many iterations of inverse kinematics are spent on them at most: some milliseconds.
+/// The most iterations of inverse kinematics for them: some milliseconds.
 const ITERATIONS: f64 = 4000.0;
 
-/// The goal of the query; of a query with a target distinct free configurations that reach it, one at least: all there are
-/// where the arm has a closed form, else those that damped least squares find from the start and from starts that the seed decides;
-/// where they find none, the one that the exact search for the nearest point knows.
+/// The goal of the query; of a query with a target distinct free configurations that reach it, at least one: all there are
+/// if the arm has a closed form, else those that damped least squares finds from the start and from starts that the seed decides;
+/// if it finds none, the one of the exact search for the nearest point.
 ///
 /// # Errors
-/// `target-unreachable` where none was found, naming the nearest point; `goal-in-collision` where only such were found that
+/// `target-unreachable` if none was found, naming the nearest point; `goal-in-collision` if all that were found
 /// touch something, naming what touches what at the first; `unsupported` for an orientation of an arm of one link. The pointer
-/// leads to the target of the query, whose number is `place`.
+/// leads to the target of the query, whose index is `place`.
 pub(super) fn goals(world: &PlanningWorld, query: &Query, place: usize, seed: u64) -> Result<Vec<Vec<f64>>, Error> {
     let scenario = world.scenario();
     let target = match &query.goal {
@@ -53,7 +53,7 @@ pub(super) fn goals(world: &PlanningWorld, query: &Query, place: usize, seed: u6
             let contacts = contacts.iter().map(Contact::to_string).collect::<Vec<_>>().join(", ");
             (
                 Code::GoalInCollision,
-                format!("wherever the end effector was found to reach the target the arm is in collision: {contacts}"),
+                format!("every configuration found that reaches the target is in collision: {contacts}"),
             )
         }
         Verdict::OutOfReach { nearest, .. } => {
@@ -86,7 +86,7 @@ fn readable(value: f64) -> Number {
     Number(libm::rint(value * 1e6) / 1e6 + 0.0)
 }
 
-/// What inverse kinematics is asked.
+/// The request to inverse kinematics.
 fn options(scenario: &Scenario, query: &Query, target: Target, seed: u64) -> SolverOptions {
     let (joints, reach) =
         if let Robot::Arm(arm) = scenario.robot() { (arm.links().len(), arm.reach()) } else { (0, 1.0) };

@@ -11,17 +11,16 @@
 //! | the planner has a path to be improved | `Running` in the phase `Improving`; each further iteration is one attempt, and the last one ends in `Solved` |
 //! | the planner knows that it finds no path | `Exhausted` |
 //! | `max_iterations` are made without a path | `Exhausted` |
-//! | `max_iterations` are made by a planner that goes on improving its path by itself | as where it has a path |
+//! | `max_iterations` are made by a planner that improves its path itself | as if it had just found the path |
 //!
-//! An iteration is never cut short, and nothing depends on where a slice ends: so 1000 slices of one iteration give the same
+//! An iteration is never interrupted, and nothing depends on where a slice ends: so 1000 slices of one iteration give the same
 //! run, to the bit, as one slice of 1000. A run that has ended does nothing more. [`Run::finish`] takes the path as it is while
 //! it is being improved.
 //!
 //! # Files
 //! - `factory.rs`: from scenario and options to a run ([`start`]); `goals.rs`: the goals of a query with a target;
-//! - `runner.rs`: the one implementation of [`Run`]; `emitted.rs`: paths and edges as they are reported; `history.rs`: a row an
-//!   iteration;
-//! - `resume.rs`: a run on a roadmap that was kept; `questions.rs`: configurations that callers ask about.
+//! - `runner.rs`: the one implementation of [`Run`]; `emitted.rs`: paths and edges as they are reported;
+//! - `resume.rs`: a run on a saved roadmap; `questions.rs`: configurations in requests.
 //!
 //! Inside, planners are generic over the space and compiled for each; outside, a `Box<dyn Run>` costs one virtual call a
 //! slice. A run calls its planner once an iteration, and the planner its collision checker once a check, by virtual calls, whose
@@ -31,7 +30,6 @@ pub mod catalogue;
 mod emitted;
 mod factory;
 mod goals;
-mod history;
 pub mod inspect;
 pub mod neighbours;
 mod options;
@@ -41,7 +39,6 @@ mod runner;
 pub mod storage;
 
 pub use factory::{start, start_on};
-pub use history::HISTORY_WIDTH;
 pub use options::Options;
 pub use resume::resume;
 
@@ -56,29 +53,33 @@ use crate::run::storage::RoadmapDocument;
 /// Columns of an event row before its configuration: kind, iteration, vertex, other vertex.
 pub const EVENT_HEAD: usize = 4;
 
-/// A planning run: a value that is stepped and looked at. Rows are numbered from 0 in the order of creation.
+/// Numbers of a row of [`Run::take_history`]: vertices, edges, events, phase (its number in [`Phase::ALL`]), configuration
+/// checks, motion checks, clearance evaluations, and the length of the best path so far.
+pub const HISTORY_WIDTH: usize = 8;
+
+/// A planning run: a value that is stepped and inspected. Rows are numbered from 0 in the order of creation.
 pub trait Run {
     /// Does at most `iterations` iterations, and nothing once the status is no longer `Running`.
     fn step(&mut self, iterations: u64) -> Status;
 
-    /// Takes the path as it is, where it is being improved, and ends the run; else does nothing. It is no iteration.
+    /// Ends the run with the present path if that is being improved; else does nothing. It is no iteration.
     fn finish(&mut self) -> Status;
 
-    /// Where the run stands.
+    /// The status of the run.
     fn status(&self) -> Status;
 
-    /// What the run is busy with: a planner's phase, `Improving`, or `Done`.
+    /// The phase of the run: a planner's, `Improving`, or `Done`.
     fn phase(&self) -> Phase;
 
-    /// Has every iteration leave a row behind, for [`Run::take_history`]; that it does so changes nothing else. Until they are
-    /// taken, rows are kept: 64 bytes an iteration. Asked for twice is as good as once.
+    /// Records a row for every iteration, for [`Run::take_history`]; this changes nothing else. Until they are
+    /// taken, rows are stored: 64 bytes an iteration. Calling it again has no effect.
     ///
     /// # Errors
-    /// `unsupported` after the first iteration, unless it was asked for before.
+    /// `unsupported` after the first iteration, unless it was called before.
     fn record(&mut self) -> Result<(), Error>;
 
-    /// The rows that iterations have left behind since the last call, and forgets them; empty where nothing is recorded. Row i
-    /// of the run, from 0, is how things stood after iteration i + 1: [`HISTORY_WIDTH`] numbers each, the counts those of
+    /// Returns the rows recorded since the last call and removes them; empty if nothing is recorded. Row i
+    /// of the run, from 0, is the state after iteration i + 1: [`HISTORY_WIDTH`] numbers each, the counts those of
     /// [`Run::stats`], the last one the length of the best path so far in the metric of the space, infinite while there is
     /// none; it only ever falls. [`Run::finish`] is no iteration and leaves no row.
     fn take_history(&mut self) -> Vec<f64>;
@@ -86,7 +87,7 @@ pub trait Run {
     /// Iterations made so far.
     fn iterations(&self) -> u64;
 
-    /// After how many iterations without a path the planner gives up.
+    /// The number of iterations without a path after which the planner gives up.
     fn max_iterations(&self) -> u64;
 
     /// How many numbers a configuration has.
@@ -107,60 +108,60 @@ pub trait Run {
     /// The edges from row `row` on: two vertex numbers each.
     fn edges_since(&self, row: usize) -> Vec<u32>;
 
-    /// What is done along the edges from row `row` on, of a car: the number of the edge, speed, steering angle and duration
+    /// The controlled motions along the edges from row `row` on, of a car: the number of the edge, speed, steering angle and duration
     /// (metres a second, radians, seconds) each; an edge of several motions has as many rows, in the order in which it is driven.
     fn motions_since(&self, row: usize) -> Vec<f64>;
 
-    /// What the edges from row `row` on look like that are not straight: the number of the edge and a configuration on it each,
-    /// from its first vertex to its second, close enough to be joined by straight lines.
+    /// The shapes of the curved edges from row `row` on: the number of the edge and a configuration on it each,
+    /// from its first vertex to its second, close enough to be connected by straight lines.
     fn traces_since(&self, row: usize) -> Vec<f64>;
 
     /// The events from row `row` on: kind, iteration, vertex or -1, other vertex or -1, and a configuration each.
     fn events_since(&self, row: usize) -> Vec<f64>;
 
-    /// The configurations that the run may end at: that of the query, or of a query with a target those that were found to
-    /// reach it, the first of them first. Where the planner begins with them as vertices, they are those from 1 on.
+    /// The goal configurations: that of the query, or for a query with a target those that were found to
+    /// reach it, in that order. If the planner begins with them as vertices, they are those from 1 on.
     fn goals(&self) -> Vec<Vec<f64>>;
 
     /// The path from start to goal, split so that no step turns a circle joint by more than 3 radians; empty until solved.
     fn path(&self) -> Vec<Vec<f64>>;
 
-    /// The path as the planner found it, before any improvement, split in the same way; empty until it is found. There while
+    /// The path as the planner found it, before any improvement, split in the same way; empty until it is found. Available while
     /// the path is being improved, and after.
     fn raw_path(&self) -> Vec<Vec<f64>>;
 
-    /// The length of the path in the metric of the space, along its arcs where it is driven; 0 until solved.
+    /// The length of the path in the metric of the space, along its arcs if it is driven; 0 until solved.
     fn length(&self) -> f64;
 
-    /// Where motions are first refused, in the run's own space and by its own test, proven or sampled: `ends` are rows of two
-    /// configurations, from and to, and for each there is the fraction of the motion at which the first stretch begins that is
-    /// refused, 1 where all of it is free. A question of viewers: what it costs is not counted among the run's own work.
+    /// The first refused points of motions, in the run's own space and by its own test, proven or sampled: `ends` are rows of two
+    /// configurations, from and to; the result has for each the fraction of the motion at which the first interval begins that is
+    /// refused, 1 if all of it is free. It is for viewers: its cost is not counted among the run's own work.
     ///
     /// # Errors
-    /// With the pointer `/ends`: `wrong-dimension` where the last row is not whole, `not-finite`,
+    /// With the pointer `/ends`: `wrong-dimension` if the last row is not whole, `not-finite`,
     /// `out-of-range` outside the limits.
     fn first_hits(&mut self, ends: &[f64]) -> Result<Vec<f64>, Error>;
 
-    /// What was counted; seconds are 0, as the core reads no clock.
+    /// The counters; seconds are 0, as the core reads no clock.
     fn stats(&self) -> Stats;
 
     /// 64 bits over every vertex, edge and event so far. O(size).
     fn fingerprint(&self) -> u64;
 
-    /// All of it as a document; seconds are 0.
+    /// The result document; seconds are 0.
     fn result(&self) -> ResultDocument;
 
-    /// The roadmap as far as it is built, to be kept for later: see [`resume`]. `None` of planners that build none. Vertices
-    /// that [`Run::query`] has kept are part of it. O(size).
+    /// The roadmap as far as it is built, to be saved: see [`resume`]. `None` for planners that build none. Vertices
+    /// that [`Run::query`] has added are part of it. O(size).
     fn roadmap(&self) -> Option<RoadmapDocument>;
 
-    /// Asks the roadmap for another path, as far as it is built: joins start and goal to their neighbours and searches. The
-    /// roadmap stays as it was, unless the two are to be kept as its last vertices, which can be asked for once the run is over.
+    /// Queries the roadmap again, as far as it is built: connects start and goal to their neighbours and searches. The
+    /// roadmap is unchanged, unless `keep` adds the two as its last vertices, which is possible once the run is over.
     /// The document's query is named `asked`, its path is not improved; no scenario has that query, so it is not for
     /// [`verify`](crate::path::verify()). The tolerance of the proofs is that of the run's own query.
     ///
     /// # Errors
-    /// `unsupported` where the planner builds none, or is not done yet and the two are to be kept; with the pointer `/start` or `/goal`: `wrong-dimension`, `not-finite`,
+    /// `unsupported` if the planner builds none, or is not done yet and `keep` is set; with the pointer `/start` or `/goal`: `wrong-dimension`, `not-finite`,
     /// `out-of-range`, `start-in-collision`, `goal-in-collision`.
     fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error>;
 }

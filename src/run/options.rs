@@ -1,4 +1,4 @@
-//! What a run is asked to do.
+//! The options of a run.
 
 use super::Value;
 use crate::error::{Code, Error, quoted};
@@ -9,10 +9,10 @@ use crate::scenario::{Query, Scenario};
 /// Planner, query, seed and parameters of a run.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Options {
-    /// The id of the planner; that of [`default_planner`] for the robot where there is none, or the one that built the roadmap
-    /// to go on with.
+    /// The id of the planner; by default that of [`default_planner`] for the robot, or the one that built the roadmap
+    /// to continue with.
     pub planner: Option<String>,
-    /// The name of the query; the first of the scenario where there is none.
+    /// The name of the query; by default the first of the scenario.
     pub query: Option<String>,
     /// The seed, up to 2^53 - 1.
     pub seed: u64,
@@ -21,12 +21,12 @@ pub struct Options {
 }
 
 impl Options {
-    /// The id of the planner that is meant.
+    /// The id of the planner.
     pub fn planner_for(&self, scenario: &Scenario) -> &str {
         self.planner.as_deref().unwrap_or(default_planner(scenario.robot().kind()))
     }
 
-    /// The query that is meant, and its place among the scenario's.
+    /// The query and its index in the scenario.
     ///
     /// # Errors
     /// `unknown-query`, pointer `/query`, naming those that exist.
@@ -38,7 +38,7 @@ impl Options {
             let known: Vec<String> = queries.iter().map(|query| quoted(&query.name)).collect();
             let sentence = match &self.query {
                 Some(name) => {
-                    format!("there is no query {} in this scenario; there are [{}]", quoted(name), known.join(", "))
+                    format!("unknown query {}; the queries of this scenario are [{}]", quoted(name), known.join(", "))
                 }
                 None => "this scenario has no query".to_owned(),
             };
@@ -51,7 +51,7 @@ impl Options {
         if self.seed <= MAX_SEED {
             return Ok(());
         }
-        let sentence = format!("a seed lies within [0, {MAX_SEED}], not {}", self.seed);
+        let sentence = format!("a seed must lie within [0, {MAX_SEED}], not {}", self.seed);
         Err(Error::new(Code::OutOfRange, "/seed", sentence))
     }
 }

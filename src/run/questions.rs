@@ -1,10 +1,10 @@
-//! Configurations that callers ask a run about, made states of its space.
+//! Configurations in the requests of callers, converted to states of a run's space.
 
 use crate::error::{Code, Error, Number};
 use crate::scenario::LARGEST;
 use crate::space::Space;
 
-/// The states of a question's start and goal.
+/// The states of the start and the goal of a query.
 ///
 /// # Errors
 /// `wrong-dimension`, `not-finite` or `out-of-range`, with the pointer `/start` or `/goal`, or of the number.
@@ -14,19 +14,9 @@ pub(super) fn ends<S: Space>(space: &S, start: &[f64], goal: &[f64]) -> Result<[
             let sentence = format!("the {what} must have {} numbers, not {}", space.dimension(), q.len());
             return Err(Error::new(Code::WrongDimension, format!("/{what}"), sentence));
         }
-        if let Some(i) = q.iter().position(|&x| !is_fit(x)) {
-            let sentence = format!("the {what} has {} for coordinate {i}", Number(q[i]));
-            return Err(Error::new(code(q[i]), format!("/{what}/{i}"), sentence));
-        }
+        check_numbers(q, &format!("the {what}"), |i| format!("/{what}/{i}"))?;
     }
-    let ends = [start, goal].map(|q| space.state(q));
-    for (end, what) in ends.iter().zip(["start", "goal"]) {
-        if !space.contains(end) {
-            let sentence = format!("the {what} {:?} lies outside the limits", space.coordinates(end));
-            return Err(Error::new(Code::OutOfRange, format!("/{what}"), sentence));
-        }
-    }
-    Ok(ends)
+    Ok([state(space, start, "start", "/start")?, state(space, goal, "goal", "/goal")?])
 }
 
 /// The states of rows of two configurations.
@@ -34,32 +24,29 @@ pub(super) fn ends<S: Space>(space: &S, start: &[f64], goal: &[f64]) -> Result<[
 /// # Errors
 /// `wrong-dimension`, `not-finite` or `out-of-range`, with the pointer `/ends`.
 pub(super) fn motions<S: Space>(space: &S, ends: &[f64]) -> Result<Vec<[S::State; 2]>, Error> {
-    let dimension = space.dimension();
-    if !ends.len().is_multiple_of(2 * dimension) {
-        let sentence =
-            format!("a row of ends must have {} numbers; {} numbers are not whole rows", 2 * dimension, ends.len());
+    let width = 2 * space.dimension();
+    if !ends.len().is_multiple_of(width) {
+        let sentence = format!("a row of ends must have {width} numbers; {} numbers are not whole rows", ends.len());
         return Err(Error::new(Code::WrongDimension, "/ends", sentence));
     }
-    if let Some(i) = ends.iter().position(|&x| !is_fit(x)) {
-        return Err(Error::new(code(ends[i]), "/ends", format!("an end has {} for a coordinate", Number(ends[i]))));
+    check_numbers(ends, "an end", |_| "/ends".to_owned())?;
+    let end = |q| state(space, q, "end", "/ends");
+    ends.chunks_exact(width).map(|row| row.split_at(width / 2)).map(|(a, b)| Ok([end(a)?, end(b)?])).collect()
+}
+
+/// Refuses numbers that cannot be coordinates.
+fn check_numbers(numbers: &[f64], what: &str, pointer: impl Fn(usize) -> String) -> Result<(), Error> {
+    let Some(i) = numbers.iter().position(|x| !(-LARGEST..=LARGEST).contains(x)) else { return Ok(()) };
+    let code = if numbers[i].is_finite() { Code::OutOfRange } else { Code::NotFinite };
+    Err(Error::new(code, pointer(i), format!("{what} has {} for a coordinate", Number(numbers[i]))))
+}
+
+/// The state, if it lies within the limits.
+fn state<S: Space>(space: &S, q: &[f64], what: &str, pointer: &str) -> Result<S::State, Error> {
+    let state = space.state(q);
+    if space.contains(&state) {
+        return Ok(state);
     }
-    let state = |row: usize| {
-        let state = space.state(&ends[row * dimension..][..dimension]);
-        if space.contains(&state) {
-            return Ok(state);
-        }
-        let sentence = format!("the end {:?} lies outside the limits", space.coordinates(&state));
-        Err(Error::new(Code::OutOfRange, "/ends", sentence))
-    };
-    (0..ends.len() / dimension / 2).map(|row| Ok([state(2 * row)?, state(2 * row + 1)?])).collect()
-}
-
-/// Whether a number can be a coordinate.
-fn is_fit(x: f64) -> bool {
-    x.abs() <= LARGEST
-}
-
-/// What is wrong with a number that cannot.
-fn code(x: f64) -> Code {
-    if x.is_finite() { Code::OutOfRange } else { Code::NotFinite }
+    let sentence = format!("the {what} {:?} lies outside the limits", space.coordinates(&state));
+    Err(Error::new(Code::OutOfRange, pointer, sentence))
 }

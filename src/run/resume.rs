@@ -1,10 +1,10 @@
-//! Going on with a roadmap that was kept: whether it belongs here, whether all of it is free, and what may be asked of it.
+//! Continuing with a saved roadmap: whether it fits the scenario, whether all of it is free, and which options it admits.
 
 use super::factory::{launch, only_metric};
 use super::{Options, Run};
 use crate::error::{Code, Error, quoted};
 use crate::options::{Choice, Options as _, Value, out_of_range, refusal};
-use crate::planner::{EdgeCheck, Grows, Improving, Limits, PlannerId, PlannerOptions, Searching};
+use crate::planner::{EdgeCheck, Grows, Improving, Limits, PlannerOptions, Searching};
 use crate::problem::Validity;
 use crate::robot::Car;
 use crate::run::storage::{RoadmapDocument, RoadmapMetric, damaged, fingerprint};
@@ -13,19 +13,19 @@ use crate::space::steering::Steering;
 use crate::space::{MetricKind, Space};
 use crate::world::PlanningWorld;
 
-/// Begins a run of the planner that built the roadmap, with the roadmap as it was kept: start and goals of the query are its
-/// first vertices, joined to their neighbours unless the roadmap has them already, and it is searched. Nothing grows any
-/// more, whatever was left to build. Every vertex is looked at and every edge proven again before; a roadmap whose edges were
-/// sampled is sampled again, and stays named as such.
+/// Begins a run of the planner that built the roadmap, with the roadmap as it was saved: start and goals of the query are its
+/// first vertices, connected to their neighbours unless the roadmap has them already, and it is searched. Nothing else
+/// grows, whatever was left to build. Before, every vertex is checked and every edge proven again; a roadmap whose edges were
+/// sampled is sampled again, and still named as such.
 ///
 /// How the roadmap was built is the document's: `options` name its planner, how to search, and what to do with the path.
 /// Parameters that the document holds (`metric`, `steering`, `k`, `radius`, `edge_check`, `edge_samples`, `tolerance`) may be given
 /// again.
 ///
 /// # Errors
-/// `other-scenario` where world or robot are not those that the roadmap was built for; `invalid-roadmap`, with a pointer into
-/// the JSON form, where the document contradicts itself, a vertex lies outside the space or in collision, or an edge is not
-/// free; `out-of-range` where another planner or another value of what the document holds is given, `unsupported` for
+/// `other-scenario` if world or robot are not those that the roadmap was built for; `invalid-roadmap`, with a pointer into
+/// the JSON form, if the document contradicts itself, a vertex lies outside the space or in collision, or an edge is not
+/// free; `out-of-range` if another planner or another value of what the document holds is given, `unsupported` for
 /// parameters of a growth that is over; and those of [`start`](super::start).
 pub fn resume(
     scenario: impl Into<PlanningWorld>,
@@ -57,16 +57,19 @@ pub fn resume(
         let sentence = format!("the metric of this robot is {metric}, not {}", document.metric);
         return Err(damaged("/metric", sentence));
     }
-    let builds_roadmap = |planner: &PlannerId| planner.grows() == Grows::Roadmap;
-    let Some(planner) = PlannerId::of(&document.planner).ok().filter(builds_roadmap) else {
-        return Err(damaged("/planner", format!("{} is no planner that builds a roadmap", quoted(&document.planner))));
+    let builds_roadmap = |planner: &PlannerOptions| planner.grows() == Grows::Roadmap;
+    let Some(planner) = PlannerOptions::of(&document.planner).ok().filter(builds_roadmap) else {
+        return Err(damaged(
+            "/planner",
+            format!("{} is not a planner that builds a roadmap", quoted(&document.planner)),
+        ));
     };
-    if let Some(other) = options.planner.as_ref().filter(|other| *other != planner.as_str()) {
-        let sentence = format!("the roadmap was built by {}, not {other}", planner.as_str());
+    if let Some(other) = options.planner.as_ref().filter(|other| *other != planner.id()) {
+        let sentence = format!("the roadmap was built by {}, not {other}", planner.id());
         return Err(Error::new(Code::OutOfRange, "/algorithm", sentence));
     }
     options.check_seed()?;
-    launch(&world, options, planner, settings(planner, options, document, steering)?, Some(document))
+    launch(&world, options, settings(planner, options, document, steering)?, Some(document))
 }
 
 /// How the car was steered when the roadmap was built.
@@ -85,7 +88,7 @@ fn steering(car: &Car, document: &RoadmapDocument) -> Result<Steering, Error> {
 
 /// The options of the run: what the document holds, and of those given what may be.
 fn settings(
-    planner: PlannerId,
+    planner: PlannerOptions,
     options: &Options,
     document: &RoadmapDocument,
     steering: Option<Steering>,
@@ -106,7 +109,7 @@ fn settings(
     all.extend(document.edge_samples.map(|places| number("edge_samples", f64::from(places))));
     planner.read(&all).map_err(|error| damaged(error.pointer(), error.message()))?;
     let held = [&all[..], &[number("k", f64::from(document.k)), number("radius", document.radius)]].concat();
-    // What does not say how a roadmap is built but what is done with it.
+    // Options about the use of a roadmap, not about its construction.
     let is_free = |name: &str| Searching::has(name) || Improving::has(name) || Limits::has(name);
     for (name, value) in &options.parameters {
         let is_known = planner.has_option(name);
@@ -116,7 +119,7 @@ fn settings(
                 return Err(out_of_range(name, format!("the roadmap was built with {name} = {kept}, not {value}")));
             }
             None if is_known && !is_free(name) => {
-                let sentence = format!("{name} is about how a roadmap grows; this one is built");
+                let sentence = format!("{name} affects how a roadmap is built; this one is complete");
                 return Err(refusal(Code::Unsupported, name, sentence));
             }
             None => all.push((name.clone(), value.clone())),
@@ -125,7 +128,7 @@ fn settings(
     planner.read(&all)
 }
 
-/// The states of the vertices, each looked at, every edge proven as `validity` proves.
+/// The states of the vertices; checks every vertex and proves every edge by `validity`.
 ///
 /// # Errors
 /// `invalid-roadmap` with the pointer of the first vertex or edge that is not free.
@@ -135,7 +138,10 @@ pub(super) fn prove<S: Space>(
     document: &RoadmapDocument,
 ) -> Result<Vec<S::State>, Error> {
     if let Some(i) = (0..space.dimension()).find(|&i| space.period(i).is_finite() != document.circles[i]) {
-        return Err(damaged(format!("/circles/{i}"), format!("coordinate {i} wraps here or there, but not in both")));
+        return Err(damaged(
+            format!("/circles/{i}"),
+            format!("coordinate {i} wraps in the roadmap or in the space, but not in both"),
+        ));
     }
     let mut states = Vec::with_capacity(document.vertex_count());
     for (i, row) in document.rows().enumerate() {

@@ -1,8 +1,7 @@
-//! A planner at work on a problem, its path improved afterwards where that is asked for.
+//! A run of a planner on a problem; its path is improved afterwards if requested.
 
 use super::emitted::{self, EmittedPath};
-use super::history::History;
-use super::{EVENT_HEAD, Run, questions};
+use super::{EVENT_HEAD, HISTORY_WIDTH, Run, questions};
 use crate::error::{Code, Error};
 use crate::path::{self, Approximate, Improvement, ResultDocument, Wanted};
 use crate::planner::{Phase, Planner, Status};
@@ -10,7 +9,7 @@ use crate::problem::{Motion, Problem, Stats};
 use crate::run::storage::RoadmapDocument;
 use crate::space::Space;
 
-/// The name under which the answer to a further question stands.
+/// The name of further queries in result documents.
 const ASKED: &str = "asked";
 
 /// The names and numbers that a run carries into its result.
@@ -23,7 +22,7 @@ pub(super) struct RunInfo {
     pub max_iterations: u32,
     pub wanted: Wanted,
     pub is_sampled: bool,
-    /// Whether it is driven by Euler's steps.
+    /// Whether motions are integrated by Euler steps.
     pub is_euler: bool,
 }
 
@@ -32,15 +31,15 @@ pub(super) struct Runner<S: Space> {
     problem: Problem<S>,
     planner: Box<dyn Planner<S>>,
     info: RunInfo,
-    /// How the roadmap is kept, its vertices and edges left out; `None` of planners that build none.
+    /// The document of the roadmap without vertices and edges; `None` for planners that build none.
     kept: Option<RoadmapDocument>,
     /// Iterations of the planner.
     iteration: u32,
     status: Status,
     /// The path being improved, once the planner has solved the problem.
     improvement: Option<Improvement<S>>,
-    /// A row for every iteration, where that was asked for.
-    history: Option<History>,
+    /// The rows of recorded iterations that were not taken yet; `None` if iterations are not recorded.
+    history: Option<Vec<f64>>,
     /// Clearances evaluated and motions left unproven for viewers, not for the run.
     viewer_work: [u64; 2],
 }
@@ -52,18 +51,8 @@ impl<S: Space> Runner<S> {
         info: RunInfo,
         kept: Option<RoadmapDocument>,
     ) -> Self {
-        let status = Status::Running;
-        Self {
-            problem,
-            planner,
-            info,
-            kept,
-            iteration: 0,
-            status,
-            improvement: None,
-            history: None,
-            viewer_work: [0; 2],
-        }
+        let (iteration, status, improvement, history, viewer_work) = (0, Status::Running, None, None, [0; 2]);
+        Self { problem, planner, info, kept, iteration, status, improvement, history, viewer_work }
     }
 
     /// One iteration: of the planner, or an attempt at improving its path.
@@ -106,13 +95,19 @@ impl<S: Space> Runner<S> {
         if path.states.is_empty() { f64::INFINITY } else { path.length(&self.problem) }
     }
 
-    /// Notes how things stand, where that is wanted.
-    fn note(&mut self) {
-        let cost = self.cost();
-        let (stats, events, phase) = (self.stats(), self.event_count(), self.phase());
-        if let Some(history) = &mut self.history {
-            history.add(&stats, events, phase, cost);
-        }
+    /// A row of the history: the present state of the run.
+    fn history_row(&self) -> [f64; HISTORY_WIDTH] {
+        let stats = self.stats();
+        [
+            stats.vertices as f64,
+            stats.edges as f64,
+            self.event_count() as f64,
+            f64::from(self.phase() as u8),
+            stats.configuration_checks as f64,
+            stats.motion_checks as f64,
+            stats.clearance_evaluations as f64,
+            self.cost(),
+        ]
     }
 
     /// The states of the planner's path, as it found it; none until then.
@@ -129,7 +124,7 @@ impl<S: Space> Runner<S> {
     /// The path as it is reported; empty until solved.
     fn emitted(&self) -> EmittedPath<S> {
         match &self.improvement {
-            // A path driven by controls is reported as it was found: it cannot be improved.
+            // A path of controlled motions is reported as it was found: it cannot be improved.
             Some(_) if self.status == Status::Solved && !self.planner.graph().motions().is_empty() => self.raw(),
             Some(improvement) if self.status == Status::Solved => {
                 EmittedPath::through(&self.problem, improvement.path())
@@ -142,7 +137,7 @@ impl<S: Space> Runner<S> {
         states.iter().map(|state| self.problem.space().coordinates(state).to_vec()).collect()
     }
 
-    /// The path to the vertex nearest to the goal, of planners that have one, where they gave up.
+    /// The path to the vertex nearest to the goal, for planners that have one, if they gave up.
     fn approximate(&self) -> Option<Approximate> {
         let vertices = self.planner.approximate_path();
         if self.status != Status::Exhausted || vertices.is_empty() {
@@ -180,7 +175,8 @@ impl<S: Space> Run for Runner<S> {
         while left > 0 && self.status == Status::Running {
             self.iterate();
             if self.history.is_some() {
-                self.note();
+                let row = self.history_row();
+                self.history.get_or_insert_default().extend(row);
             }
             left -= 1;
         }
@@ -211,7 +207,7 @@ impl<S: Space> Run for Runner<S> {
 
     fn record(&mut self) -> Result<(), Error> {
         if self.history.is_none() && self.iterations() > 0 {
-            let sentence = format!("a run is recorded from its first iteration on, and {} are made", self.iterations());
+            let sentence = format!("recording must begin before the first iteration; {} were made", self.iterations());
             return Err(Error::new(Code::Unsupported, "", sentence));
         }
         self.history.get_or_insert_default();
@@ -219,7 +215,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn take_history(&mut self) -> Vec<f64> {
-        self.history.as_mut().map(History::take).unwrap_or_default()
+        self.history.as_mut().map(std::mem::take).unwrap_or_default()
     }
 
     fn iterations(&self) -> u64 {
@@ -248,9 +244,7 @@ impl<S: Space> Run for Runner<S> {
 
     fn vertices_since(&self, row: usize) -> Vec<f64> {
         let states = self.planner.graph().states().get(row..).unwrap_or_default();
-        let mut rows = Vec::with_capacity(states.len() * self.dimension());
-        states.iter().for_each(|state| rows.extend_from_slice(self.problem.space().coordinates(state)));
-        rows
+        states.iter().flat_map(|state| self.problem.space().coordinates(state)).copied().collect()
     }
 
     fn edges_since(&self, row: usize) -> Vec<u32> {
@@ -318,7 +312,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn stats(&self) -> Stats {
-        let counters = self.planner.counters();
+        let counters = self.planner.growth().counters;
         let improvement_checks = self.improvement.as_ref().map_or(0, Improvement::motion_checks);
         Stats {
             iterations: self.iterations(),
@@ -351,17 +345,17 @@ impl<S: Space> Run for Runner<S> {
     fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error> {
         let ends = questions::ends(self.problem.space(), start, goal)?;
         self.problem.check_ends(&ends[0], &ends[1])?;
-        // What still grows counts its own vertices: guests would be taken for them.
+        // A builder counts the vertices of its roadmap: these would be counted as well.
         if keep && self.status == Status::Running && self.improvement.is_none() {
             let sentence = format!(
-                "start and goal can be kept once the roadmap is built and searched, not while {}",
+                "start and goal can be added once the roadmap is built and searched, not while {}",
                 self.phase().as_str()
             );
             return Err(Error::new(Code::Unsupported, "/keep", sentence));
         }
         let keep = keep.then_some(self.iteration);
         let Some(roadmap) = self.planner.roadmap() else {
-            let sentence = format!("{} builds no roadmap that could be asked again", self.info.planner);
+            let sentence = format!("{} builds no roadmap to query", self.info.planner);
             return Err(Error::new(Code::Unsupported, "", sentence));
         };
         let answer = roadmap.answer(&self.problem, ends, keep);

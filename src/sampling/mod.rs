@@ -1,23 +1,12 @@
-//! Where the next sample of the configuration space is taken: any planner works with any sampler. One file a sampler.
+//! Samplers of the configuration space: any planner works with any of them.
 //!
-//! Some samplers make collision checks of their own: they return what they learned about the sample.
+//! Some samplers check for collisions: they return what they learned about the sample.
 
-mod bridge;
-mod gaussian;
-mod goal_biased;
-mod halton;
-mod lattice;
-mod obstacle_based;
-mod shifted;
-mod uniform;
+mod obstacles;
+mod sequences;
 
-pub use bridge::BridgeTest;
-pub use gaussian::Gaussian;
-pub use goal_biased::GoalBiased;
-pub use halton::{Halton, radical_inverse};
-pub use lattice::Lattice;
-pub use obstacle_based::ObstacleBased;
-pub use uniform::Uniform;
+pub use obstacles::{BridgeTest, Gaussian, ObstacleBased};
+pub use sequences::{Halton, Lattice, radical_inverse};
 
 use crate::problem::Problem;
 use crate::random::Random;
@@ -37,9 +26,9 @@ pub enum Known {
 /// A sample of the space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample<S> {
-    /// Where.
+    /// The state.
     pub state: S,
-    /// What the sampler found out about it.
+    /// What the sampler learned about it.
     pub known: Known,
 }
 
@@ -65,4 +54,49 @@ fn near<S: Space>(space: &S, state: &S::State, deviation: f64, random: &mut Rand
     }
     let moved = space.state(coordinates);
     space.contains(&moved).then_some(moved)
+}
+
+/// The uniform distribution over the space.
+#[derive(Debug, Clone)]
+pub struct Uniform(pub Random);
+
+impl<S: Space> Sampler<S> for Uniform {
+    fn draw(&mut self, problem: &Problem<S>, _: &mut u64) -> Sample<S::State> {
+        Sample { state: problem.space().sample(&mut self.0), known: Known::Nothing }
+    }
+}
+
+/// One in this many samples is drawn near the goal.
+const ONE_IN: u64 = 5;
+
+/// Uniform samples, but every fifth on average normally distributed about the goal, or about each of the goals in turn (LaValle
+/// 2006, "Planning Algorithms", section 5.5.1, on biasing).
+#[derive(Debug, Clone)]
+pub struct GoalBiased {
+    random: Random,
+    deviation: f64,
+    /// How many were drawn near a goal.
+    count: usize,
+}
+
+impl GoalBiased {
+    /// Near the goal every coordinate has the standard deviation `deviation` (radians or metres).
+    pub fn new(random: Random, deviation: f64) -> Self {
+        Self { random, deviation, count: 0 }
+    }
+}
+
+impl<S: Space> Sampler<S> for GoalBiased {
+    fn draw(&mut self, problem: &Problem<S>, _: &mut u64) -> Sample<S::State> {
+        let space = problem.space();
+        let nearby = if self.random.below(ONE_IN) == 0 {
+            let goal = problem.goal_in_turn(self.count);
+            self.count = self.count.wrapping_add(1);
+            near(space, goal, self.deviation, &mut self.random)
+        } else {
+            None
+        };
+        let state = nearby.unwrap_or_else(|| space.sample(&mut self.random));
+        Sample { state, known: Known::Nothing }
+    }
 }

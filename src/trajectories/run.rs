@@ -56,7 +56,7 @@ impl Trajectories {
             failures: 0,
             near: Vec::new(),
             tally: Tally::default(),
-            fingerprint: Fingerprint::new(),
+            fingerprint: Fingerprint::default(),
         })
     }
 

@@ -26,7 +26,8 @@ pub(crate) const SMALL: usize = if cfg!(target_arch = "wasm32") { MAX_DIMENSION 
 ///
 /// ```
 /// use planarium::run::{self, Options};
-/// use planarium::{inspect::Inspector, scenario::Scenario, world::PlanningWorld};
+/// use planarium::run::inspect::Inspector;
+/// use planarium::{PlanningWorld, scenario::Scenario};
 ///
 /// let world = PlanningWorld::new(Scenario::parse(
 ///     r#"{ "format": "planarium-scenario-1", "name": "post",

@@ -68,3 +68,13 @@ pub fn events(run: &dyn Run, kind: EventKind) -> Vec<(u64, usize)> {
     let of_kind = |row: &&[f64]| row[0] == f64::from(kind as u8);
     rows.chunks(EVENT_HEAD + 3).filter(of_kind).map(|row| (row[1] as u64, row[2] as usize)).collect()
 }
+
+/// The world with another goal, and a goal region that is a point if `is_point`.
+pub fn with_goal(world: &Scenario, goal: [f64; 3], is_point: bool) -> Scenario {
+    let mut document: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
+    document["queries"][0]["goal"] = serde_json::json!(goal);
+    if is_point {
+        document["queries"][0]["goal_tolerance"] = serde_json::json!({ "translation": 0, "rotation": 0 });
+    }
+    super::parse(&document.to_string())
+}

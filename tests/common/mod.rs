@@ -4,6 +4,7 @@ pub mod bodies;
 pub mod documents;
 pub mod driven;
 pub mod golden;
+pub mod graphs;
 
 use planarium::run::{self, Options, Run, Value};
 use planarium::scenario::Scenario;

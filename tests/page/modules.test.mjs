@@ -151,7 +151,7 @@ test("a sampled path is followed to where it collides; a proven one has no such 
   assert.equal(sampled.scenario.check(pose).free, false);
   assert.ok(sampled.scenario.distance(journey.configuration(at), pose) < 1e-9);
   for (let part = 0; part < at - 0.002; part += 0.001) assert.ok(sampled.scenario.check(journey.configuration(part)).free, `${part}`);
-  assert.equal(ending(sampled.run, journey), `Found, not proven. It collides: ${touchingSentence(sampled.scenario, check)}. To mend it, set “Edges are” to proven.`);
+  assert.equal(ending(sampled.run, journey), `Found, not proven. It collides: ${touchingSentence(sampled.scenario, check)}. To mend it, set “Collision checking” to proven.`);
   const careful = ended("stones", "prm", { samples: 260, k: 9, edge_check: "sampled", edge_samples: 400 });
   const free = journeyOf(careful.scenario, careful.run);
   assert.ok(free && free.flaw === null && !free.isProven);

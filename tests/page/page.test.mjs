@@ -267,7 +267,7 @@ describe("planners", () => {
       await atRest(page);
       assert.equal(await pixelsOf(page, "workspace", "top", "collision"), 0);
       await finish(page);
-      assert.match(await page.innerText("#story"), /not proven. It collides: link \d touches obstacle \d\. To mend it, set “Edges are” to proven\.$/);
+      assert.match(await page.innerText("#story"), /not proven. It collides: link \d touches obstacle \d\. To mend it, set “Collision checking” to proven\.$/);
       assert.equal(await page.locator("#story").getAttribute("data-tone"), "bad");
       assert.equal(await page.innerText("#legend-path"), "path, not proven");
       for (const pane of /** @type {const} */ (["workspace", "cspace"])) {

@@ -64,7 +64,7 @@ function asked({ settings: { k } }) {
 
 /** @param {Run} run @param {Check} check */
 function collision({ scenario }, check) {
-  return `It collides: ${touchingSentence(scenario, check)}. To mend it, set \u201cEdges are\u201d to proven.`;
+  return `It collides: ${touchingSentence(scenario, check)}. To mend it, set \u201cCollision checking\u201d to proven.`;
 }
 
 /** What to do with the robot in the hand. @param {Scenario} scenario @param {boolean} square  is there a configuration square beside the workspace */

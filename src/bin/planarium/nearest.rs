@@ -56,7 +56,7 @@ pub fn nearest(arguments: &Nearest) -> Answer {
     let answer = ask(&*held)?;
     let query_seconds = median_seconds(|| ask(&*held).map(drop))?;
 
-    let is_exact = neighbours::IndexId::of(Some(&arguments.index))?.is_exact();
+    let is_exact = neighbours::IndexId::of(Some(&arguments.index))?.info().is_exact;
     let recalled = if is_exact {
         None
     } else {

@@ -3,7 +3,7 @@
 
 use super::{Expansion, Goals, View, Walker};
 use crate::graph::{Tree, VertexId};
-use std::cmp::Ordering;
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// A* from one vertex to the cheapest of the goals. A vertex is reopened if a cheaper path to it is found, so the path is the
@@ -18,13 +18,9 @@ pub struct BestFirst {
     frontier: BinaryHeap<Open>,
 }
 
-/// An entry of the frontier: a vertex as it was reached at one cost.
-#[derive(Debug, Clone, Copy)]
-struct Open {
-    estimate: f64,
-    cost: f64,
-    vertex: VertexId,
-}
+/// An entry of the frontier: estimate, cost and vertex. The largest is expanded first: the smallest estimate, then the larger
+/// cost (nearer to the goal), then the lower vertex number. Costs are not negative, so their bits order as they do.
+type Open = (Reverse<u64>, u64, Reverse<VertexId>);
 
 impl BestFirst {
     /// A search among `vertices` vertices from `start` to any of the goals.
@@ -33,66 +29,39 @@ impl BestFirst {
         cost[start.index()] = 0.0;
         tree.add_root(start);
         // Alone in the frontier, the start needs no estimate.
-        let frontier = BinaryHeap::from([Open { estimate: 0.0, cost: 0.0, vertex: start }]);
+        let frontier = BinaryHeap::from([(Reverse(0), 0, Reverse(start))]);
         Self { goals, reached: None, cost, tree, frontier }
-    }
-
-    /// The cost of the cheapest path to the vertex found so far; infinite if it was not reached.
-    pub fn cost(&self, vertex: VertexId) -> f64 {
-        self.cost[vertex.index()]
     }
 }
 
 impl Walker for BestFirst {
     /// Takes the most promising vertex from the frontier and expands it.
     fn step(&mut self, view: &View) -> Expansion {
-        let open = loop {
-            match self.frontier.pop() {
-                None => return Expansion::Nothing,
-                // Entries that a cheaper path has made stale are skipped.
-                Some(open) if open.cost > self.cost[open.vertex.index()] => {}
-                Some(open) => break open,
+        let (reached_at, vertex) = loop {
+            let Some((_, cost, Reverse(vertex))) = self.frontier.pop() else { return Expansion::Nothing };
+            let cost = f64::from_bits(cost);
+            // Entries that a cheaper path has made stale are skipped.
+            if cost <= self.cost[vertex.index()] {
+                break (cost, vertex);
             }
         };
-        if self.goals.contains(&open.vertex) {
-            self.reached = Some(open.vertex);
+        if self.goals.contains(&vertex) {
+            self.reached = Some(vertex);
             return Expansion::Goal;
         }
-        for &next in view.adjacency.neighbours(open.vertex) {
-            let cost = open.cost + (view.cost)(open.vertex, next);
+        for &next in view.adjacency.neighbours(vertex) {
+            let cost = reached_at + (view.cost)(vertex, next);
             if cost < self.cost[next.index()] {
                 self.cost[next.index()] = cost;
-                self.tree.add(next, open.vertex);
-                self.frontier.push(Open { estimate: cost + (view.heuristic)(next), cost, vertex: next });
+                self.tree.add(next, vertex);
+                let estimate = cost + (view.heuristic)(next);
+                self.frontier.push((Reverse(estimate.to_bits()), cost.to_bits(), Reverse(next)));
             }
         }
-        Expansion::Vertex(open.vertex)
+        Expansion::Vertex(vertex)
     }
 
     fn path(&self) -> Vec<VertexId> {
         self.reached.map_or(Vec::new(), |goal| self.tree.from_root(goal))
     }
 }
-
-// The heap's largest entry is the one to take first: the smallest estimate, then the larger cost (nearer to the goal),
-// then the lower vertex number.
-impl Ord for Open {
-    fn cmp(&self, other: &Self) -> Ordering {
-        let by_estimate = other.estimate.total_cmp(&self.estimate);
-        by_estimate.then(self.cost.total_cmp(&other.cost)).then(other.vertex.cmp(&self.vertex))
-    }
-}
-
-impl PartialOrd for Open {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Open {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Open {}

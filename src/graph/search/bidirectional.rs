@@ -1,7 +1,7 @@
 //! Bidirectional breadth-first search, by whole levels (Pohl 1969, "Bi-directional and heuristic search in path problems").
 //!
 //! One search from the start and one from the goals; the one with the smaller frontier expands all of it before the other
-//! may go on. When they meet, the level is finished and the shortest of the paths found is taken: until then the two sides
+//! may go on. When they meet, the level is finished and the shortest of the paths found is returned: until then the two sides
 //! share no edge, so no path can be shorter, and the path has as few edges as that of breadth-first search.
 
 use super::{Expansion, Goals, View, Walker};
@@ -14,7 +14,7 @@ pub struct Bidirectional {
     sides: [Side; 2],
     /// Which side expands its level.
     turn: usize,
-    /// The fewest edges of a path found, and the two adjacent vertices where its sides meet: the start's, the goal's.
+    /// The fewest edges of a path found, and the two adjacent vertices at which its sides meet: the start's, the goal's.
     meeting: Option<(u32, [VertexId; 2])>,
 }
 

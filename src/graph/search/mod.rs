@@ -1,4 +1,4 @@
-//! Searches as walkers: a search holds its own marks and is handed the graph at every step, so that it can be paused and
+//! Searches as walkers: a search holds its own marks and gets the graph at every step, so that it can be paused and
 //! watched. Searches know no space: costs and heuristics are given.
 
 mod best_first;
@@ -14,7 +14,7 @@ use super::{Adjacency, VertexId};
 /// The graph as a search sees it.
 #[derive(Clone, Copy)]
 pub struct View<'a> {
-    /// Who is joined to whom.
+    /// The neighbours of every vertex.
     pub adjacency: &'a Adjacency,
     /// The cost of an edge between two neighbours, at least 0.
     pub cost: &'a dyn Fn(VertexId, VertexId) -> f64,
@@ -35,7 +35,7 @@ pub enum Expansion {
 
 /// A search from one vertex to another, one expansion a step.
 pub trait Walker {
-    /// Expands one vertex, or says that the search is over.
+    /// Expands one vertex, or returns that the search is over.
     fn step(&mut self, view: &View) -> Expansion;
 
     /// The path from the start to the goal, both included, once a step has returned `Goal`.

@@ -2,9 +2,8 @@
 
 use super::{Branch, KdTree, LANES, LEAF, LEAF_PACKS, Leaf, MAX_DEPTH, Node, Sides, lane};
 use crate::graph::VertexId;
-use crate::space::Space;
 
-/// States taken out of the tree, to be put back in another shape.
+/// States of a subtree that is rebuilt.
 struct Entries {
     dimension: usize,
     numbers: Vec<f64>,
@@ -23,7 +22,7 @@ impl Entries {
     }
 }
 
-impl<S: Space> KdTree<S> {
+impl KdTree {
     /// Sets up the empty tree for the given weights, one per coordinate.
     pub(super) fn start(&mut self, weights: Vec<f64>) {
         self.packs.dimension = weights.len();
@@ -74,15 +73,10 @@ impl<S: Space> KdTree<S> {
         if let Some((parent, node)) = lopsided {
             let extra = (len == LEAF).then_some((vertex, coordinates));
             let new = self.rebuild(node, extra);
-            self.hang(parent, new);
-        }
-    }
-
-    /// Replaces a child of `parent`, or the root.
-    fn hang(&mut self, parent: Option<(Node, usize)>, node: Node) {
-        match parent {
-            Some((branch, side)) => self.branches[branch.index()].children[side] = node,
-            None => self.root = node,
+            match parent {
+                Some((branch, side)) => self.branches[branch.index()].children[side] = new,
+                None => self.root = new,
+            }
         }
     }
 

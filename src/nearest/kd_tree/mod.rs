@@ -16,7 +16,6 @@ use super::packs::{LANES, Packs, lane};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::{Space, gap_to_interval};
-use std::marker::PhantomData;
 
 /// The packs of a full leaf.
 const LEAF_PACKS: usize = 32 / LANES;
@@ -24,14 +23,14 @@ const LEAF_PACKS: usize = 32 / LANES;
 /// How many states fill a leaf.
 const LEAF: usize = LEAF_PACKS * LANES;
 
-/// Up to this many neighbours are kept sorted: more than in a scan, as a tight limit here prunes whole leaves.
+/// Up to this many neighbours stay sorted: more than in a scan, as a tight limit here prunes whole leaves.
 const SORTED: usize = if cfg!(target_arch = "wasm32") { 64 } else { 16 };
 
 /// The greatest depth: a tree that would grow deeper is rebuilt.
 const MAX_DEPTH: usize = 64;
 
 /// The number of a branch, or of a leaf with the highest bit set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 struct Node(u32);
 
 impl Node {
@@ -74,8 +73,8 @@ type Sides = [[f64; 2]; 2];
 /// A kd-tree that grows. A query costs about O(log n + k) in low dimensions; n insertions cost O(n log n) in random
 /// order, O(n log^2 n) in any order. In addition to its coordinates a state takes about 12 bytes if leaves are full, and up
 /// to 30 just after they were split.
-#[derive(Debug, Clone)]
-pub struct KdTree<S: Space> {
+#[derive(Debug, Clone, Default)]
+pub struct KdTree {
     packs: Packs,
     leaves: Vec<Leaf>,
     branches: Vec<Branch>,
@@ -89,30 +88,12 @@ pub struct KdTree<S: Space> {
     free_packs: Vec<u32>,
     free_leaves: Vec<u32>,
     free_branches: Vec<u32>,
-    space: PhantomData<S>,
 }
 
-impl<S: Space> KdTree<S> {
-    /// An empty tree.
-    pub fn new() -> Self {
-        Self {
-            packs: Packs::default(),
-            leaves: Vec::new(),
-            branches: Vec::new(),
-            boxes: Vec::new(),
-            root: Node::leaf(0),
-            len: 0,
-            weights: Vec::new(),
-            free_packs: Vec::new(),
-            free_leaves: Vec::new(),
-            free_branches: Vec::new(),
-            space: PhantomData,
-        }
-    }
-
+impl KdTree {
     /// Lower bounds on the distances from a state, given by its numbers, to the states of a branch's two children.
     #[inline(always)]
-    fn bounds(&self, space: &S, from: &[f64], branch: usize) -> [f64; 2] {
+    fn bounds<S: Space>(&self, space: &S, from: &[f64], branch: usize) -> [f64; 2] {
         let sides = &self.boxes[branch * from.len()..][..from.len()];
         space.norm(|i| {
             let (x, period, [low, high]) = (from[i], space.period(i), sides[i]);
@@ -121,7 +102,7 @@ impl<S: Space> KdTree<S> {
     }
 
     /// Offers the states that may be among the nearest, nearest boxes first. Returns how many were visited.
-    fn search(&self, space: &S, from: &[f64], closest: &mut Closest) -> usize {
+    fn search<S: Space>(&self, space: &S, from: &[f64], closest: &mut Closest) -> usize {
         let mut visited = 0;
         if self.len == 0 {
             return visited;
@@ -163,13 +144,7 @@ impl<S: Space> KdTree<S> {
     }
 }
 
-impl<S: Space> Default for KdTree<S> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<S: Space> Nearest<S> for KdTree<S> {
+impl<S: Space> Nearest<S> for KdTree {
     fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
         let coordinates = space.coordinates(&state);
         if self.len == 0 {
@@ -181,12 +156,6 @@ impl<S: Space> Nearest<S> for KdTree<S> {
 
     fn len(&self) -> usize {
         self.len
-    }
-
-    fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
-        let mut found = Vec::with_capacity(1);
-        self.k_nearest(space, state, 1, &mut found);
-        found.pop()
     }
 
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {

@@ -1,11 +1,11 @@
 //! The probabilistic roadmap: k-PRM, PRM with a radius, and PRM*, which is k-PRM with a k that grows with the samples.
 //!
 //! Kavraki, Svestka, Latombe and Overmars 1996, "Probabilistic roadmaps for path planning in high-dimensional configuration
-//! spaces"; LaValle 2006, "Planning Algorithms", section 5.6. The start is the first vertex, the goal the second; where there are
+//! spaces"; LaValle 2006, "Planning Algorithms", section 5.6. The start is the first vertex, the goal the second; if there are
 //! several goals, they follow it.
 //!
-//! Where motions have a direction, so have edges (Svestka and Overmars 1997, "Motion planning for carlike robots using a
-//! probabilistic learning approach"): a vertex is joined to the nearest that it leads to and to the nearest that lead to it.
+//! If motions have a direction, so have edges (Svestka and Overmars 1997, "Motion planning for carlike robots using a
+//! probabilistic learning approach"): a vertex is connected to the nearest that it leads to and to the nearest that lead to it.
 
 mod batch;
 mod connect;
@@ -17,10 +17,9 @@ pub use resume::resume;
 pub use star::{NeighbourRule, PrmStarOptions, logarithmic_k, prm_star_k};
 
 use super::Planner;
-use super::groups::{Joined, Limits, Sampling, Searching};
-use super::info::{END, Edges, Grows, IMPROVE, Mark, Method, Preset, PseudocodeLine, line};
-use super::query::SearchRules;
-use super::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, RoadmapPlanner, SAMPLE, SEARCH};
+use super::groups::{Joined, Sampling, Searching};
+use super::info::{END, Grows, IMPROVE, Mark, Method, Preset, PseudocodeLine, line};
+use super::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
 use crate::error::Error;
 use crate::options::out_of_range;
 use crate::problem::Problem;
@@ -28,13 +27,13 @@ use crate::space::Space;
 use batch::Batch;
 use one_by_one::OneByOne;
 
-/// The number of neighbours where neither it nor a radius is given.
+/// The number of neighbours if neither it nor a radius is given.
 const DEFAULT_K: usize = 15;
-/// The most motions that a roadmap may try: it keeps what became of each.
+/// The most motions that a roadmap may try: it stores the result of each.
 const MOST_MOTIONS: u64 = 20_000_000;
 
 crate::choice! {
-    /// When samples are joined to their neighbours.
+    /// When samples are connected to their neighbours.
     pub enum Insertion {
         /// First all samples, then all edges, every pair tried once.
         Batch,
@@ -46,17 +45,17 @@ crate::choice! {
 crate::options! {
     /// Options of PRM.
     pub struct PrmOptions for crate::options::ALL;
-    /// How many free samples the roadmap gets: more find narrower ways and shorter paths, but take longer.
+    /// Number of free samples: more find narrower passages and shorter paths but take longer.
     samples: usize = 2000, in 0.0..=1e6, "Samples";
-    /// To how many nearest neighbours each vertex is joined: too few leave gaps, more shorten paths and take longer.
+    /// Each vertex is connected to its k nearest neighbours: too few leave gaps, more shorten paths but cost time.
     k: Option<usize>, in 1.0..=1000.0, "Neighbours",
-        else "15, or all within the radius where one is given, for up to 4470 samples";
-    /// How far away a neighbour may be: a small radius leaves gaps, a large one joins more and takes longer.
+        else "15, or all within the radius if one is given, for up to 4470 samples";
+    /// Largest distance to a neighbour: a small radius leaves gaps, a large one connects more but takes longer.
     radius: Option<f64>, in 1e-6..=1e7, "Radius", unit "distance in the metric",
-        else "none: only the number of neighbours counts";
-    /// Whether edges come in a batch, after all samples, or one by one, each sample joined at once to earlier ones.
+        else "none: only the number of neighbours is limited";
+    /// Batch: sample first, then connect; one by one: connect each sample as it arrives.
     insertion: Insertion = Insertion::Batch, "Insertion";
-    /// Throws a sample away that can be joined to nothing; only where samples are inserted one by one.
+    /// Discards samples that connect to nothing (one-by-one insertion only).
     discard: bool = false, "Discard unconnected";
     /// Where samples come from.
     sampling: Sampling;
@@ -70,16 +69,16 @@ impl Method for PrmOptions {
     const ID: &'static str = "prm";
     const TITLE: &'static str = "PRM";
     const SUMMARY: &'static str =
-        "Scatters free samples, joins each to its nearest neighbours, and searches this roadmap for a path.";
+        "Samples free configurations, connects each to its nearest neighbours, and searches this roadmap for a path.";
     const GUARANTEE: &'static str =
-        "Probabilistically complete with a radius: with more samples a path is found where one has room.";
+        "Probabilistically complete with a radius: more samples find any path that has clearance.";
     const GROWS: Grows = Grows::Roadmap;
     const PRESETS: &'static [Preset] = &[
-        Preset { id: "thirty-nearest", title: "1000 samples, k = 30", settings: &[("samples", "1000"), ("k", "30")] },
+        Preset { id: "thirty-nearest", title: "1000 samples, k = 30", settings: "samples=1000 k=30" },
         Preset {
             id: "three-nearest",
-            title: "500 joined samples, k = 3",
-            settings: &[("samples", "500"), ("k", "3"), ("insertion", "one-by-one"), ("discard", "true")],
+            title: "500 connected, k = 3",
+            settings: "samples=500 k=3 insertion=one-by-one discard=true",
         },
     ];
     const PSEUDOCODE: &'static [PseudocodeLine] = &[
@@ -97,32 +96,20 @@ impl Method for PrmOptions {
         END,
     ];
 
-    fn edges(&self) -> Edges<'_> {
-        Edges::Joined(&self.joined)
-    }
-
-    fn limits(&self) -> Limits {
-        self.joined.limits
-    }
-
-    fn search(&self) -> Option<SearchRules> {
-        Some(self.searching.rules())
-    }
-
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let sampler = self.sampling.sampler(problem.space(), seed);
-        // Where there is a radius but no k, all within the radius are neighbours.
+        // With a radius but no k, all within the radius are neighbours.
         let all = self.samples + 2;
         let k = self.k.unwrap_or(if self.radius.is_some() { all } else { DEFAULT_K });
         check_motions(self.samples, k)?;
         let connection = Connection { k, radius: self.radius.unwrap_or(f64::INFINITY) };
-        let roadmap = Roadmap::new(problem, connection, self.searching.rules());
+        let roadmap = Roadmap::new(problem, connection, self.searching);
         Ok(match self.insertion {
             Insertion::Batch if self.discard => {
-                let sentence = "samples can be discarded only where insertion is \"one-by-one\", not \"batch\"";
+                let sentence = "samples can be discarded only if insertion is \"one-by-one\", not \"batch\"";
                 return Err(out_of_range("discard", sentence));
             }
-            Insertion::Batch => Box::new(batch(problem, roadmap, self.samples, sampler)),
+            Insertion::Batch => Box::new(Batch::planner(problem, roadmap, self.samples, sampler)),
             Insertion::OneByOne => Box::new(OneByOne::planner(problem, roadmap, self.samples, self.discard, sampler)),
         })
     }
@@ -136,18 +123,7 @@ fn check_motions(samples: usize, k: usize) -> Result<(), Error> {
     Err(out_of_range(
         "samples",
         format!(
-            "samples times k (without k all samples, where there is a radius) must be at most {MOST_MOTIONS}, not {samples} times {k}"
+            "samples times k (all samples if there is a radius and no k) must be at most {MOST_MOTIONS}, not {samples} times {k}"
         ),
     ))
-}
-
-/// A PRM whose samples are all drawn before any of them is joined.
-fn batch<S: Space>(
-    problem: &Problem<S>,
-    roadmap: Roadmap<S>,
-    samples: usize,
-    sampler: Box<dyn crate::sampling::Sampler<S>>,
-) -> RoadmapPlanner<S, Batch<S>> {
-    let vertices = samples + roadmap.len();
-    RoadmapPlanner::new(problem, roadmap, Batch::new(vertices, sampler), false)
 }

@@ -1,4 +1,4 @@
-//! Each sample is joined as it comes, to its neighbours among the vertices before it.
+//! Each sample is connected as it arrives, to its neighbours among the earlier vertices.
 
 use crate::graph::{EventKind, VertexId};
 use crate::nearest::{Direction, Neighbour};
@@ -8,10 +8,10 @@ use crate::problem::Problem;
 use crate::sampling::Sampler;
 use crate::space::Space;
 
-/// Draws samples until the roadmap has enough vertices. An iteration tries one sample and joins it.
+/// Draws samples until the roadmap has enough vertices. An iteration tries one sample and connects it.
 pub(super) struct OneByOne<S: Space> {
     vertices: usize,
-    /// Whether a sample that connects to nothing is thrown away.
+    /// Whether samples that connect to nothing are discarded.
     discard: bool,
     sampler: Box<dyn Sampler<S>>,
     neighbours: Vec<Neighbour>,

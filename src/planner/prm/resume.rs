@@ -1,30 +1,23 @@
-//! A roadmap that exists is searched again: start and goals are joined to it, and nothing else grows.
+//! An existing roadmap is searched again: start and goals are connected to it, and nothing else grows.
 
-use super::connect::Connect;
+use super::batch::Batch;
 use crate::graph::VertexId;
-use crate::planner::query::SearchRules;
-use crate::planner::roadmap::{Build, Connection, Roadmap, RoadmapPlanner};
-use crate::planner::{Phase, Planner};
+use crate::planner::Planner;
+use crate::planner::groups::Searching;
+use crate::planner::roadmap::{Connection, Roadmap};
 use crate::problem::Problem;
 use crate::space::Space;
 
-/// Joins the ends that the roadmap does not have yet, one an iteration.
-struct Resumed {
-    /// The ends left to join, the next one last.
-    left: Vec<VertexId>,
-    connect: Connect,
-}
-
-/// A planner whose roadmap exists, proven: it draws no samples, joins start and goals to their neighbours and searches. A
-/// vertex of the roadmap that is the start or a goal is that one and stays joined as it was; all others come after these
+/// A planner whose roadmap exists and is proven: it draws no samples, connects start and goals to their neighbours and searches. A
+/// vertex of the roadmap that is the start or a goal becomes that end and keeps its edges; all others come after these
 /// ends, in their order. O(states + edges), and the index of neighbours.
 ///
 /// # Panics
-/// Where an edge names a vertex that does not exist.
+/// If an edge names a vertex that does not exist.
 pub fn resume<S: Space + 'static>(
     problem: &Problem<S>,
     connection: Connection,
-    rules: SearchRules,
+    rules: Searching,
     states: &[S::State],
     edges: &[[u32; 2]],
 ) -> Box<dyn Planner<S>> {
@@ -46,21 +39,6 @@ pub fn resume<S: Space + 'static>(
         let [from, to] = edge.map(|vertex| vertices[vertex as usize]);
         roadmap.growth.graph.add_edge(0, from, to);
     }
-    let left: Vec<VertexId> = ends.iter().rev().copied().filter(|end| !is_kept[end.index()]).collect();
-    let is_complete = left.is_empty();
-    let builder = Resumed { left, connect: Connect::default() };
-    Box::new(RoadmapPlanner::new(problem, roadmap, builder, is_complete))
-}
-
-impl<S: Space> Build<S> for Resumed {
-    fn build(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> bool {
-        if let Some(vertex) = self.left.pop() {
-            self.connect.join(roadmap, problem, iteration, vertex);
-        }
-        self.left.is_empty()
-    }
-
-    fn phase(&self, _: &Roadmap<S>) -> Phase {
-        Phase::Connecting
-    }
+    let left = ends.into_iter().filter(|end| !is_kept[end.index()]).collect();
+    Box::new(Batch::resumed(problem, roadmap, left))
 }

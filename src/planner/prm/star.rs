@@ -1,13 +1,13 @@
-//! PRM*: a k-PRM whose k grows with the number of samples, so that its path nears the shortest.
+//! PRM*: a k-PRM whose k grows with the number of samples, so that its path approaches the shortest.
 //!
 //! Karaman and Frazzoli 2011, "Sampling-based algorithms for optimal motion planning".
 
-use super::{batch, check_motions};
+use super::batch::Batch;
+use super::check_motions;
 use crate::error::Error;
 use crate::planner::Planner;
-use crate::planner::groups::{Joined, Limits, Sampling, Searching};
-use crate::planner::info::{END, Edges, Grows, IMPROVE, Mark, Method, PseudocodeLine, line};
-use crate::planner::query::SearchRules;
+use crate::planner::groups::{Joined, Sampling, Searching};
+use crate::planner::info::{END, Grows, IMPROVE, Mark, Method, PseudocodeLine, line};
 use crate::planner::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
 use crate::problem::Problem;
 use crate::space::Space;
@@ -25,10 +25,10 @@ crate::choice! {
 crate::options! {
     /// Options of PRM*.
     pub struct PrmStarOptions for crate::options::ALL;
-    /// How many free samples the roadmap gets: more find narrower ways and shorter paths, but take longer.
+    /// Number of free samples: more find narrower passages and shorter paths but take longer.
     samples: usize = 2000, in 0.0..=250_000.0, "Samples";
-    /// How many neighbours for n vertices in d dimensions: e (1 + 1/d) ln n nears the shortest path, ln n is quicker.
-    k_rule: NeighbourRule = NeighbourRule::KaramanFrazzoli, "Rule for neighbours";
+    /// Neighbours for n vertices in d dimensions: e (1 + 1/d) ln n for near-optimal paths, or ln n for speed.
+    k_rule: NeighbourRule = NeighbourRule::KaramanFrazzoli, "Neighbour rule";
     /// Where samples come from.
     sampling: Sampling;
     /// How the roadmap is searched.
@@ -52,9 +52,9 @@ impl Method for PrmStarOptions {
     const ID: &'static str = "prm-star";
     const TITLE: &'static str = "PRM*";
     const SUMMARY: &'static str =
-        "A PRM that takes more neighbours as samples grow: just enough for its path to near the shortest.";
+        "A PRM with enough neighbours, more as samples grow, for the path to approach the shortest.";
     const GUARANTEE: &'static str =
-        "Asymptotically optimal by its first rule: with more samples its path nears the shortest.";
+        "Asymptotically optimal by its first rule: with more samples the path approaches the shortest.";
     const GROWS: Grows = Grows::Roadmap;
     const PSEUDOCODE: &'static [PseudocodeLine] = &[
         BEGIN,
@@ -71,18 +71,6 @@ impl Method for PrmStarOptions {
         END,
     ];
 
-    fn edges(&self) -> Edges<'_> {
-        Edges::Joined(&self.joined)
-    }
-
-    fn limits(&self) -> Limits {
-        self.joined.limits
-    }
-
-    fn search(&self) -> Option<SearchRules> {
-        Some(self.searching.rules())
-    }
-
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let sampler = self.sampling.sampler(problem.space(), seed);
         let vertices = self.samples + 2;
@@ -91,7 +79,7 @@ impl Method for PrmStarOptions {
             NeighbourRule::LogN => logarithmic_k(vertices),
         };
         check_motions(self.samples, k)?;
-        let roadmap = Roadmap::new(problem, Connection { k, radius: f64::INFINITY }, self.searching.rules());
-        Ok(Box::new(batch(problem, roadmap, self.samples, sampler)))
+        let roadmap = Roadmap::new(problem, Connection { k, radius: f64::INFINITY }, self.searching);
+        Ok(Box::new(Batch::planner(problem, roadmap, self.samples, sampler)))
     }
 }

@@ -1,4 +1,4 @@
-//! How far a robot is from what it could touch, for viewers: by parry's closest points. Planners and proofs use their own
+//! The clearance of a robot, for viewers: by parry's closest points. Planners and proofs use their own
 //! distances.
 
 use super::Inspector;
@@ -55,7 +55,7 @@ impl Boundary {
         }
     }
 
-    /// The distance to another boundary that this one does not cross, and the points where they are nearest.
+    /// The distance to another boundary that this one does not cross, and the nearest points.
     fn distance(&self, other: &Self) -> (f64, [Point; 2]) {
         let mut nearest = (f64::INFINITY, [Vector::ZERO; 2]);
         for s in &self.segments {
@@ -76,7 +76,7 @@ impl Boundary {
 }
 
 impl Inspector {
-    /// How near the robot at `q` is to the nearest obstacle; `None` if it touches something, or if there are no obstacles. The
+    /// The distance from the robot at `q` to the nearest obstacle; `None` if it touches something, or if there are no obstacles. The
     /// bounds do not count. O(edges of the robot times edges of the obstacles).
     ///
     /// # Errors

@@ -1,17 +1,16 @@
-//! Questions about a scenario outside any run: is a configuration free and why not, where is the robot, what does its
-//! configuration space look like. For viewers; planners ask through [`Validity`].
+//! Inspection of a scenario outside any run: contacts of a configuration, the robot's position, the picture of its
+//! configuration space. For viewers; planners use [`Validity`].
 
 mod clearance;
-mod samples;
 
 use clearance::Boundary;
 pub use clearance::Clearance;
-pub use samples::MAX_SAMPLES;
 
 use crate::error::{Code, Error, Number};
 use crate::geometry::{Aabb, Point};
 use crate::planner::DEFAULT_TOLERANCE;
 use crate::problem::{Contact, Validity};
+use crate::random::{MAX_SEED, Random, Stream};
 use crate::robot::Part;
 use crate::scenario::{Obstacle, Robot};
 use crate::space::{MAX_DIMENSION, MotionSpace, ProductSpace, Space};
@@ -20,9 +19,15 @@ use crate::world::{Configurations, PlanningWorld};
 /// The most cells that a picture of the configuration space has on a side.
 pub const MAX_CELLS: usize = 4096;
 
-/// Answers questions about one scenario. Every configuration must have the robot's number of finite entries up to 1e6 in size,
+/// The most configurations that are drawn at once.
+pub const MAX_SAMPLES: u64 = 1_000_000;
+
+/// The number of draws in a row in collision after which the search for a free configuration ends.
+const PATIENCE: u32 = 100_000;
+
+/// Inspects one scenario. Every configuration must have the robot's number of finite entries up to 1e6 in size,
 /// else the error is `wrong-dimension`, `not-finite` or `out-of-range` with the entry's pointer; the ends of a motion must lie
-/// within the joint limits as well. Motions are judged with the default tolerance, which a run may refine.
+/// within the joint limits as well. Motions are checked with the default tolerance, which a run may refine.
 pub struct Inspector {
     world: PlanningWorld,
     configurations: Configurations,
@@ -31,7 +36,7 @@ pub struct Inspector {
 }
 
 impl Inspector {
-    /// Prepares to answer questions about the scenario, with the default metric and tolerance.
+    /// An inspector of the scenario, with the default metric and tolerance.
     pub fn new(scenario: impl Into<PlanningWorld>) -> Self {
         let world = scenario.into();
         let configurations = Configurations::of(&world);
@@ -49,7 +54,7 @@ impl Inspector {
         self.space().dimension()
     }
 
-    /// The box worth drawing: the bounds, or else all obstacles and all that the arm can reach.
+    /// The box to draw: the bounds, or else all obstacles and the arm's reach.
     pub fn extent(&self) -> Aabb {
         let world = self.world.scenario().world();
         let Robot::Arm(arm) = self.world.robot() else { return *self.world.bounds() };
@@ -63,7 +68,7 @@ impl Inspector {
         (0..self.dimension()).map(|i| self.space().is_circle(i)).collect()
     }
 
-    /// Every part of the robot that touches something at `q`, and what; empty where `q` is free.
+    /// Every part of the robot that touches something at `q`, and what; empty if `q` is free.
     ///
     /// # Errors
     /// Of the configuration: see [`Inspector`].
@@ -115,7 +120,7 @@ impl Inspector {
         Ok(self.space().distance(&self.space().state(a), &self.space().state(b)))
     }
 
-    /// Where, as a fraction, the motion from `a` to `b` first cannot be proven free; `None` where all of it is proven.
+    /// The fraction at which the motion from `a` to `b` first cannot be proven free; `None` if all of it is proven.
     ///
     /// # Errors
     /// Of the configurations (pointers `/a` and `/b`).
@@ -135,7 +140,7 @@ impl Inspector {
         }
     }
 
-    /// The configuration space of an arm of two links as a picture: one byte a cell, 1 for collision, looked up at the
+    /// The configuration space of an arm of two links as a picture: one byte a cell, 1 for collision, checked at the
     /// centre of the cell; row by row from the lowest angle of the second joint, each row from the lowest of the first.
     ///
     /// # Errors
@@ -162,7 +167,41 @@ impl Inspector {
         Ok(cells)
     }
 
-    /// Refuses ends that are no configurations, or lie outside the joint limits.
+    /// Rows of `n` configurations drawn uniformly from the space of the robot, all of them or only those that are free: the
+    /// same that a planner of this seed draws with its uniform sampler. O(n) draws and, if they must be free, as many
+    /// checks as it takes.
+    ///
+    /// # Errors
+    /// `out-of-range` for more than [`MAX_SAMPLES`] or another seed than 0 to 2^53 - 1; `unsupported` if 100,000 draws in a
+    /// row are in collision.
+    pub fn samples(&self, n: u64, seed: u64, is_free: bool) -> Result<Vec<f64>, Error> {
+        for (pointer, given, most) in [("/n", n, MAX_SAMPLES), ("/seed", seed, MAX_SEED)] {
+            if given > most {
+                let [given, most] = [given, most].map(|count| Number(count as f64));
+                let sentence = format!("{} must lie within [0, {most}], not {given}", &pointer[1..]);
+                return Err(Error::new(Code::OutOfRange, pointer, sentence));
+            }
+        }
+        let mut random = Random::new(seed, Stream::Samples);
+        let mut rows = Vec::with_capacity(n as usize * self.dimension());
+        let mut refused = 0;
+        while rows.len() < n as usize * self.dimension() {
+            let state = self.space().sample(&mut random);
+            if !is_free || self.validity.is_free(&state) {
+                rows.extend_from_slice(self.space().coordinates(&state));
+                refused = 0;
+                continue;
+            }
+            refused += 1;
+            if refused == PATIENCE {
+                let sentence = format!("of {PATIENCE} configurations drawn in a row, none is free");
+                return Err(Error::new(Code::Unsupported, "/free", sentence));
+            }
+        }
+        Ok(rows)
+    }
+
+    /// Refuses ends that are no configurations or lie outside the joint limits.
     fn refuse_motion(&self, a: &[f64], b: &[f64]) -> Result<(), Error> {
         self.configurations.refuse_outside(a, "/a")?;
         self.configurations.refuse_outside(b, "/b")

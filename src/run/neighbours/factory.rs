@@ -1,16 +1,16 @@
-//! From a scenario and parameters to an index: where names become types.
+//! From a scenario and parameters to an index: names become types.
 
-use super::held::Held;
 use super::table::{ExactOptions, ForestOptions, IndexId};
-use super::{MAX_CONFIGURATIONS, MAX_PLACES, Neighbours};
-use crate::error::Error;
-use crate::nearest::{Forest, ForestParameters, KdTree, LinearScan};
+use super::{Answer, MAX_CONFIGURATIONS, MAX_PLACES, Neighbours};
+use crate::error::{Code, Error, Number};
+use crate::graph::VertexId;
+use crate::nearest::{Forest, ForestParameters, KdTree, LinearScan, Nearest, Neighbour};
 use crate::options::{Options, Value};
 use crate::random::{Random, Stream};
-use crate::space::{MAX_DIMENSION, MotionSpace};
+use crate::space::{MAX_DIMENSION, MotionSpace, Space};
 use crate::world::{Configurations, PlanningWorld, SMALL};
 
-/// An empty index of configurations of the scenario's robot: `linear`, `kd-tree` (where none is named) or `forest`, with the
+/// An empty index of configurations of the scenario's robot: `linear`, `kd-tree` (the default) or `forest`, with the
 /// parameters of [`super::indexes`]. The same planes follow from the same seed.
 ///
 /// # Errors
@@ -23,41 +23,103 @@ pub fn index(
     given: &[(String, Value)],
 ) -> Result<Box<dyn Neighbours>, Error> {
     let world = scenario.into();
-    let wanted = match IndexId::of(id)? {
-        IndexId::Linear => Wanted::Linear(Options::read(given)?),
-        IndexId::KdTree => Wanted::KdTree(Options::read(given)?),
-        IndexId::Forest => Wanted::Forest(Options::read(given)?),
+    let id = IndexId::of(id)?;
+    let options = match id {
+        IndexId::Forest => Options::read(given)?,
+        IndexId::Linear | IndexId::KdTree => {
+            let ExactOptions { measuring } = Options::read(given)?;
+            ForestOptions { measuring, ..ForestOptions::default() }
+        }
     };
     if world.robot().dimension() <= SMALL {
-        held::<SMALL>(&world, wanted)
+        held::<SMALL>(&world, id, options)
     } else {
-        held::<MAX_DIMENSION>(&world, wanted)
+        held::<MAX_DIMENSION>(&world, id, options)
     }
 }
 
-/// Which index, with its options.
-enum Wanted {
-    Linear(ExactOptions),
-    KdTree(ExactOptions),
-    Forest(ForestOptions),
-}
-
 /// The index over states of one size.
-fn held<const N: usize>(world: &PlanningWorld, wanted: Wanted) -> Result<Box<dyn Neighbours>, Error> {
-    let (Wanted::Linear(ExactOptions { measuring })
-    | Wanted::KdTree(ExactOptions { measuring })
-    | Wanted::Forest(ForestOptions { measuring, .. })) = wanted;
+fn held<const N: usize>(
+    world: &PlanningWorld,
+    id: IndexId,
+    ForestOptions { measuring, trees, leaf, candidates, seed }: ForestOptions,
+) -> Result<Box<dyn Neighbours>, Error> {
     // The space of planners, so that its tree is compiled once.
     let space = MotionSpace::new(world.space::<N>(measuring.metric)?);
     let configurations = Configurations::of(world);
     let most = MAX_CONFIGURATIONS;
-    Ok(match wanted {
-        Wanted::Linear(_) => Box::new(Held { space, index: LinearScan::new(), configurations, most }),
-        Wanted::KdTree(_) => Box::new(Held { space, index: KdTree::new(), configurations, most }),
-        Wanted::Forest(ForestOptions { trees, leaf, candidates, seed, .. }) => {
+    Ok(match id {
+        IndexId::Linear => Box::new(Held { space, index: LinearScan::default(), configurations, most }),
+        IndexId::KdTree => Box::new(Held { space, index: KdTree::default(), configurations, most }),
+        IndexId::Forest => {
             let key = Random::new(seed, Stream::Projections).bits();
             let index = Forest::new(ForestParameters { trees, leaf, candidates }, key);
             Box::new(Held { space, index, configurations, most: most.min(MAX_PLACES / trees) })
         }
     })
+}
+
+/// An index with its space and the configurations that it may hold.
+struct Held<S, I> {
+    space: S,
+    index: I,
+    configurations: Configurations,
+    /// The most configurations that it may hold.
+    most: usize,
+}
+
+impl<S: Space, I: Nearest<S>> Held<S, I> {
+    /// The neighbours of `q`.
+    fn ask(&self, q: &[f64], ask: impl Fn(&S::State, &mut Vec<Neighbour>) -> usize) -> Result<Answer, Error> {
+        self.configurations.refuse_outside(q, "/q")?;
+        let mut neighbours = Vec::new();
+        let visited = ask(&self.space.state(q), &mut neighbours);
+        Ok(Answer { neighbours, visited })
+    }
+}
+
+impl<S: Space, I: Nearest<S>> Neighbours for Held<S, I> {
+    fn dimension(&self) -> usize {
+        self.configurations.dimension()
+    }
+
+    fn len(&self) -> usize {
+        self.index.len()
+    }
+
+    fn add(&mut self, rows: &[f64]) -> Result<(), Error> {
+        let dimension = self.dimension();
+        if !rows.len().is_multiple_of(dimension) {
+            let sentence = format!("rows have {dimension} numbers each; {} numbers are not whole rows", rows.len());
+            return Err(Error::new(Code::WrongDimension, "/rows", sentence));
+        }
+        let (wanted, most) = (self.len() + rows.len() / dimension, self.most);
+        if wanted > most {
+            let kind = if most < MAX_CONFIGURATIONS { " of so many trees" } else { "" };
+            let sentence = format!("an index{kind} holds at most {most} configurations, not {wanted}");
+            return Err(Error::new(Code::TooLarge, "/rows", sentence));
+        }
+        for (row, q) in rows.chunks_exact(dimension).enumerate() {
+            self.configurations.refuse_outside(q, &format!("/rows/{row}"))?;
+        }
+        for q in rows.chunks_exact(dimension) {
+            let vertex = VertexId(self.len() as u32);
+            self.index.insert(&self.space, vertex, self.space.state(q));
+        }
+        Ok(())
+    }
+
+    fn k_nearest(&self, q: &[f64], k: usize) -> Result<Answer, Error> {
+        self.ask(q, |state, found| self.index.k_nearest(&self.space, state, k.min(self.len()), found))
+    }
+
+    fn within(&self, q: &[f64], radius: f64) -> Result<Answer, Error> {
+        // Not a number, too.
+        if !(radius >= 0.0 && radius.is_finite()) {
+            let code = if radius.is_finite() { Code::OutOfRange } else { Code::NotFinite };
+            let sentence = format!("a radius must be a finite number of at least 0, not {}", Number(radius));
+            return Err(Error::new(code, "/radius", sentence));
+        }
+        self.ask(q, |state, found| self.index.within(&self.space, state, radius, found))
+    }
 }

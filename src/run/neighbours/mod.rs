@@ -1,8 +1,7 @@
 //! Nearest neighbours among the configurations of a scenario's robot: any index of [`crate::nearest`], in any of the robot's
-//! metrics, behind one object-safe face. For viewers and for measuring; planners hold an index of their own.
+//! metrics, behind one object-safe trait. For viewers and for measuring; planners hold an index of their own.
 
 mod factory;
-mod held;
 mod table;
 
 pub use crate::nearest::{Neighbour, recall};
@@ -17,16 +16,16 @@ pub const MAX_CONFIGURATIONS: usize = 1_000_000;
 /// The most that a forest holds, times its trees.
 pub const MAX_PLACES: usize = 10_000_000;
 
-/// What a question comes to.
+/// The answer to a query.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
     /// The neighbours, nearest first, ties by number.
     pub neighbours: Vec<Neighbour>,
-    /// Of how many configurations the distance was computed.
+    /// The number of configurations whose distance was computed.
     pub visited: usize,
 }
 
-/// An index of configurations that grows. They are numbered from 0 in the order in which they were added. Where joints have
+/// An index of configurations that grows. They are numbered from 0 in the order in which they were added. If joints have
 /// limits, configurations lie within them; angles of others may have any number of turns.
 pub trait Neighbours {
     /// How many numbers a configuration has.
@@ -40,14 +39,14 @@ pub trait Neighbours {
         self.len() == 0
     }
 
-    /// Adds configurations, `dimension` numbers each; all of them, or where one is refused none. O(log n) each; O(1) in a scan.
+    /// Adds configurations, `dimension` numbers each; all of them, or none if one is refused. O(log n) each; O(1) in a scan.
     ///
     /// # Errors
-    /// `wrong-dimension` where the last row is not whole; `not-finite` or `out-of-range` with a pointer of row and number, such
+    /// `wrong-dimension` if the last row is not whole; `not-finite` or `out-of-range` with a pointer of row and number, such
     /// as `/rows/2/0`; `too-large` beyond [`MAX_CONFIGURATIONS`], or [`MAX_PLACES`] in a forest.
     fn add(&mut self, rows: &[f64]) -> Result<(), Error>;
 
-    /// The `k` configurations nearest to `q`; all, where there are fewer. O(n) by a scan, about O(log n + k) by a kd-tree in few
+    /// The `k` configurations nearest to `q`; all, if there are fewer. O(n) by a scan, about O(log n + k) by a kd-tree in few
     /// dimensions, O(candidates + trees log n) by a forest.
     ///
     /// # Errors

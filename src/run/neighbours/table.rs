@@ -1,4 +1,4 @@
-//! The indexes that there are, with their options.
+//! The indexes with their options.
 
 use crate::error::{Code, Error, quoted};
 use crate::options::{ALL, OptionInfo, Options};
@@ -12,20 +12,20 @@ use strum::{IntoStaticStr, VariantArray};
 pub enum IndexId {
     /// A linear scan.
     Linear,
-    /// A kd-tree, taken where none is named.
+    /// A kd-tree, the default.
     KdTree,
     /// A forest of random projections.
     Forest,
 }
 
-/// What there is to know about an index before it is made.
+/// The description of an index.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndexInfo {
     /// The id, in kebab-case, the same everywhere.
     pub id: &'static str,
     /// The name for people.
     pub title: &'static str,
-    /// What it does, in one sentence.
+    /// What it does, in a sentence.
     pub summary: &'static str,
     /// Whether it always finds the nearest.
     pub is_exact: bool,
@@ -45,13 +45,13 @@ crate::options! {
     pub struct ForestOptions for ALL;
     /// The metric.
     measuring: Measuring;
-    /// How many trees: more find more of the nearest, and take longer to build.
+    /// Number of trees: more find more of the nearest but take longer to build.
     trees: usize = 8, in 1.0..=64.0, "Trees";
-    /// How many configurations fill a leaf before it is halved.
+    /// Number of configurations in a leaf before it is split.
     leaf: usize = 32, in 8.0..=1024.0, "Leaf";
-    /// How many configurations a question looks at, at least: more find more of the nearest, and take longer.
+    /// Least number of configurations that a query examines: more find more of the nearest but take longer.
     candidates: usize = 400, in 1.0..=1e6, "Candidates";
-    /// Decides the directions in which the trees halve.
+    /// Seed of the directions in which the trees split.
     seed: u64 = 0, in 0.0..=MAX_SEED as f64, "Seed";
 }
 
@@ -61,7 +61,7 @@ impl IndexId {
         self.into()
     }
 
-    /// The index with the given id; the kd-tree where there is none.
+    /// The index with the given id; the kd-tree by default.
     ///
     /// # Errors
     /// `out-of-range`, pointer `/index`, naming those that exist.
@@ -69,38 +69,30 @@ impl IndexId {
         let Some(id) = id else { return Ok(IndexId::KdTree) };
         Self::VARIANTS.iter().copied().find(|index| index.as_str() == id).ok_or_else(|| {
             let known = Self::VARIANTS.iter().map(|index| index.as_str()).collect::<Vec<_>>().join(", ");
-            Error::new(Code::OutOfRange, "/index", format!("there is no index {}; there are {known}", quoted(id)))
+            Error::new(Code::OutOfRange, "/index", format!("unknown index {}; known indexes are {known}", quoted(id)))
         })
     }
 
-    /// Whether it always finds the nearest.
-    pub fn is_exact(self) -> bool {
-        match self {
-            IndexId::Linear | IndexId::KdTree => true,
-            IndexId::Forest => false,
-        }
-    }
-
-    /// What there is to know about it.
+    /// Its description.
     pub fn info(self) -> IndexInfo {
         let (title, summary, parameters) = match self {
             IndexId::Linear => (
                 "Linear scan",
-                "Looks at every configuration: simple, exact, and the measure of the others.",
+                "Examines every configuration: simple, exact, and the reference for the others.",
                 ExactOptions::table(),
             ),
             IndexId::KdTree => (
                 "kd-tree",
-                "Halves the configurations again and again, and passes over boxes that are too far; knows that angles wrap. Exact.",
+                "Halves the configurations recursively and skips boxes that are too far; angles wrap. Exact.",
                 ExactOptions::table(),
             ),
             IndexId::Forest => (
                 "Forest of random projections",
-                "Looks at the leaves of several random trees that the target falls into: finds most of the nearest, not always all.",
+                "Examines the leaves of several random trees around the target: finds most of the nearest, not always all.",
                 ForestOptions::table(),
             ),
         };
-        IndexInfo { id: self.as_str(), title, summary, is_exact: self.is_exact(), parameters }
+        IndexInfo { id: self.as_str(), title, summary, is_exact: self != IndexId::Forest, parameters }
     }
 }
 

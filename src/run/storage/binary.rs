@@ -1,7 +1,7 @@
 //! The binary form: little-endian, numbers by their bits, a checksum at the end.
 //!
-//! Magic (8 bytes), version (u32), dimension (u32) and a byte each for what is a circle, fingerprint (u64), k (u32), places
-//! on an edge (u32, 0 where edges are proven), radius and tolerance (f64), then scenario, planner and metric as in JSON (u32 length,
+//! Magic (8 bytes), version (u32), dimension (u32) and a byte for each coordinate that is a circle, fingerprint (u64), k (u32), checks
+//! per edge (u32, 0 if edges are proven), radius and tolerance (f64), then scenario, planner and metric as in JSON (u32 length,
 //! UTF-8), the counts of vertices and edges (u32), the vertices (f64 rows), the edges (u32 pairs), and FNV-1a over all of that
 //! (u64). About 8 bytes a coordinate and 8 an edge.
 
@@ -9,7 +9,7 @@ use super::{MAX_DIMENSION, RoadmapDocument, RoadmapMetric, damaged};
 use crate::error::Error;
 use crate::graph::Fingerprint;
 
-/// How the binary form begins: a byte that no text has, a name, a line break that a transfer as text would change.
+/// The first bytes of the binary form: a byte that no text has, a name, a line break that a transfer as text would change.
 pub const MAGIC: [u8; 8] = *b"\x89PLNMAP\n";
 
 const VERSION: u32 = 2;
@@ -22,7 +22,7 @@ impl RoadmapDocument {
         bytes
     }
 
-    /// What ends either form: 64-bit FNV-1a over the binary form without it.
+    /// The checksum at the end of either form: 64-bit FNV-1a over the binary form without it.
     pub fn checksum(&self) -> u64 {
         hash(&self.payload())
     }
@@ -57,11 +57,11 @@ impl RoadmapDocument {
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
         let mut source = Source { rest: bytes };
         if source.array()? != MAGIC {
-            return Err(damaged("", "this is not the binary form of a roadmap: it begins otherwise"));
+            return Err(damaged("", "this is not the binary form of a roadmap: its first bytes differ"));
         }
         let version = source.count()?;
         if version != VERSION {
-            return Err(damaged("/format", format!("the version is {version}; {VERSION} is understood")));
+            return Err(damaged("/format", format!("version {version} is not supported, only {VERSION}")));
         }
         let Some((payload, checksum)) = bytes.split_last_chunk() else { return Err(too_short()) };
         if hash(payload) != u64::from_le_bytes(*checksum) {
@@ -79,10 +79,11 @@ impl RoadmapDocument {
         let [scenario, planner, metric] =
             [source.text("/scenario")?, source.text("/planner")?, source.text("/metric")?];
         let [vertices, edges] = [source.count()?, source.count()?].map(u64::from);
-        // The counts are believed only where the rest is exactly as long as they say: 64 bits hold their products.
+        // The counts are used only if the rest is exactly as long as they say: 64 bits hold their products.
         let [rows, pairs] = [vertices * dimension as u64 * 8, edges * 8];
         if rows + pairs + size_of::<u64>() as u64 != source.rest.len() as u64 {
-            let sentence = format!("{vertices} vertices and {edges} edges do not fill the {} bytes", bytes.len());
+            let sentence =
+                format!("{vertices} vertices and {edges} edges do not match the length of {} bytes", bytes.len());
             return Err(damaged("", sentence));
         }
         let (rows, _) = source.take(rows as usize)?.as_chunks();
@@ -109,7 +110,7 @@ impl RoadmapDocument {
 }
 
 fn hash(bytes: &[u8]) -> u64 {
-    let mut hash = Fingerprint::new();
+    let mut hash = Fingerprint::default();
     hash.bytes(bytes);
     hash.value()
 }

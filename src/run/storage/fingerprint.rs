@@ -1,4 +1,4 @@
-//! What a roadmap depends on, as 64 bits.
+//! The scenario of a roadmap, as 64 bits.
 
 use crate::graph::Fingerprint;
 use crate::scenario::Scenario;
@@ -28,16 +28,16 @@ const ORDER: &[&str] = &[
 ];
 
 /// 64-bit FNV-1a over world and robot of the scenario in their normal form: scenarios that differ in name, title or queries
-/// alone have the same. Numbers count by their bits, so that no way of writing them matters. O(size).
+/// alone have the same. Numbers count by their bits, however they are written. O(size).
 pub fn fingerprint(scenario: &Scenario) -> u64 {
-    let mut hash = Fingerprint::new();
+    let mut hash = Fingerprint::default();
     for value in [serde_json::to_value(scenario.world()), serde_json::to_value(scenario.robot())] {
         add(&mut hash, &value.expect("world and robot have a form in JSON"));
     }
     hash.value()
 }
 
-/// Adds a value: what kind it is, how much it holds, and what.
+/// Adds a value: its kind, its size and its content.
 fn add(hash: &mut Fingerprint, value: &Value) {
     match value {
         Value::Null => hash.integer(0),

@@ -22,10 +22,10 @@ struct Document {
     planner: String,
     metric: Value,
     k: u32,
-    /// A number; `null` where it is infinite.
+    /// A number; `null` if it is infinite.
     radius: Value,
     edge_check: EdgeCheck,
-    /// Told where edges are sampled, and only there.
+    /// Present if, and only if, edges are sampled.
     #[serde(skip_serializing_if = "Option::is_none")]
     edge_samples: Option<u32>,
     tolerance: f64,
@@ -73,7 +73,7 @@ impl RoadmapDocument {
     /// dimension, digits that are none, what [`RoadmapDocument::check`] refuses, and a checksum that differs.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let tree = json::parse(text)?;
-        // First of all, so that another kind of document is called just that.
+        // First of all, so that the error for another kind of document names the format.
         if let Some(format) = tree.get("format").and_then(Value::as_str).filter(|format| *format != FORMAT) {
             let sentence = format!("the format is {}; \"{FORMAT}\" is understood", quoted(format));
             return Err(damaged("/format", sentence));
@@ -89,7 +89,7 @@ impl RoadmapDocument {
 }
 
 impl Document {
-    /// The roadmap, where the document does not contradict itself.
+    /// The roadmap, if the document does not contradict itself.
     fn checked(self) -> Result<RoadmapDocument, Error> {
         let dimension = self.dimension as usize;
         if !(1..=MAX_DIMENSION).contains(&dimension) {

@@ -5,15 +5,15 @@ use crate::error::Error;
 use crate::space::steering::Steering;
 use serde::{Deserialize, Serialize};
 
-/// The metric of a roadmap, with all that it takes to compute the length of an edge.
+/// The metric of a roadmap, with everything needed to compute the length of an edge.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum RoadmapMetric {
-    /// The sum of the turns of the joints.
+    /// The sum of the joint differences.
     Sum,
     /// The root of the sum of their squares, or the distance of two points.
     Euclidean,
-    /// The same as if no joint went round.
+    /// The same without wrap-around.
     Naive,
     /// Of placements (x, y, theta): the weighted sum of how far they lie apart and how far one is turned against the other.
     Placement {
@@ -43,19 +43,15 @@ impl RoadmapMetric {
         }
     }
 
-    /// How the car is steered, and its turning radius, where edges are curves.
+    /// How the car is steered, and its turning radius, if edges are curves.
     pub fn curves(self) -> Option<(Steering, f64)> {
         match self {
             RoadmapMetric::Dubins { radius } => Some((Steering::Dubins, radius)),
             RoadmapMetric::ReedsShepp { radius } => Some((Steering::ReedsShepp, radius)),
-            RoadmapMetric::Sum | RoadmapMetric::Euclidean | RoadmapMetric::Naive | RoadmapMetric::Placement { .. } => {
-                None
-            }
+            _ => None,
         }
     }
-}
 
-impl RoadmapMetric {
     /// The JSON form.
     pub(super) fn to_json(self) -> String {
         serde_json::to_string(&self).expect("words and numbers are JSON")

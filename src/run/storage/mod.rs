@@ -1,7 +1,7 @@
-//! A roadmap kept for later: the document of one that was built, as JSON, as bytes, and as GraphML for other programs.
+//! Saved roadmaps: the document of one that was built, as JSON, as bytes, and as GraphML for other programs.
 //!
-//! It says what it depends on (the world and the robot, by a fingerprint), how it was built, its vertices and its edges, and
-//! ends with a checksum. Reading it refuses what is damaged; whether its edges are free is proven again by
+//! It holds a fingerprint of the world and the robot, how it was built, its vertices and its edges, and
+//! ends with a checksum. Reading refuses damaged documents; whether its edges are free is proven again by
 //! [`run::resume`](crate::run::resume), since a file proves nothing.
 
 mod binary;
@@ -16,13 +16,13 @@ pub use json::FORMAT;
 pub use metric::RoadmapMetric;
 
 use crate::error::{Code, Error, Number};
-use crate::space::{MAX_DIMENSION, MotionSpace, ProductSpace, Space};
-use std::f64::consts::{PI, TAU};
+use crate::space::steering::Steering;
+use crate::space::{Coordinate, MAX_DIMENSION, Metric, MotionSpace, ProductSpace, Space};
 
-/// The most neighbours that a vertex may be joined to: where a radius counts, as many as a roadmap may try.
+/// The most neighbours of a vertex: with a radius, as many as a roadmap may try.
 const MOST_NEIGHBOURS: u32 = 20_000_000;
 
-/// A roadmap that was built, with all that it takes to go on asking it.
+/// A roadmap with everything needed to query it again.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RoadmapDocument {
     /// The name of the scenario, for people.
@@ -35,11 +35,11 @@ pub struct RoadmapDocument {
     pub planner: String,
     /// The metric.
     pub metric: RoadmapMetric,
-    /// To how many neighbours a vertex is joined, 1 to 20 million.
+    /// The number of neighbours that a vertex is connected to, 1 to 20 million.
     pub k: u32,
-    /// How far away at most, in the metric; infinite where only the number counts.
+    /// The largest distance to a neighbour, in the metric; infinite if only the number is limited.
     pub radius: f64,
-    /// In how many places an edge was looked at; `None` where edges are proven.
+    /// The number of checks per edge; `None` if edges are proven.
     pub edge_samples: Option<u32>,
     /// The parameter `tolerance` of the proofs, a fraction of the world's longer side.
     pub tolerance: f64,
@@ -78,7 +78,7 @@ impl RoadmapDocument {
 
     /// The vertices, a row each.
     pub fn rows(&self) -> impl ExactSizeIterator<Item = &[f64]> {
-        // A document without a dimension is refused before its rows are asked for.
+        // A document without a dimension is refused before its rows are read.
         self.vertices.chunks_exact(self.dimension().max(1))
     }
 
@@ -95,36 +95,38 @@ impl RoadmapDocument {
     /// The length of an edge in the metric, to the bit that of the space it was built in.
     ///
     /// # Panics
-    /// Where a vertex does not exist.
-    pub fn length(&self, [a, b]: [u32; 2]) -> f64 {
+    /// If a vertex does not exist.
+    pub fn length(&self, edge: [u32; 2]) -> f64 {
         let dimension = self.dimension();
-        let at = |vertex: u32, i: usize| self.vertices[vertex as usize * dimension + i];
-        if let (Some((steering, radius)), 3) = (self.metric.curves(), dimension) {
-            // How far the box of places reaches is no part of the length.
-            let torus = ProductSpace::<MAX_DIMENSION>::of_placements([0.0; 2], [1.0; 2], 1.0, 1.0);
-            let space = MotionSpace::steered(torus, steering, radius);
-            let [a, b] = [a, b].map(|vertex| std::array::from_fn(|i| if i < 3 { at(vertex, i) } else { 0.0 }));
-            return space.distance(&a, &b);
-        }
-        let gaps = self.circles.iter().enumerate().map(|(i, &is_circle)| {
-            let gap = (at(a, i) - at(b, i)).abs();
-            if is_circle && gap > PI { TAU - gap } else { gap }
+        let [a, b] = edge.map(|vertex| {
+            let mut state = [0.0; MAX_DIMENSION];
+            state[..dimension].copy_from_slice(&self.vertices[vertex as usize * dimension..][..dimension]);
+            state
         });
+        self.space().distance(&a, &b)
+    }
+
+    /// The space that it was built in, without its limits, which distances do not depend on.
+    fn space(&self) -> MotionSpace<MAX_DIMENSION> {
+        let coordinate = |&is_circle: &bool| match is_circle {
+            true => Coordinate::Circle,
+            false => Coordinate::Interval { low: -1.0, high: 1.0 },
+        };
+        let coordinates: Vec<Coordinate> = self.circles.iter().map(coordinate).collect();
+        let product = |metric| MotionSpace::new(ProductSpace::new(&coordinates, metric));
+        let placements = |translation, rotation| ProductSpace::of_placements([0.0; 2], [1.0; 2], translation, rotation);
         match self.metric {
-            RoadmapMetric::Placement { translation, rotation } if dimension == 3 => {
-                let gaps: Vec<f64> = gaps.collect();
-                translation * (gaps[0] * gaps[0] + gaps[1] * gaps[1]).sqrt() + rotation * gaps[2]
+            RoadmapMetric::Sum => product(Metric::Sum),
+            RoadmapMetric::Euclidean | RoadmapMetric::Naive => product(Metric::Euclidean),
+            RoadmapMetric::Placement { translation, rotation } => MotionSpace::new(placements(translation, rotation)),
+            RoadmapMetric::Dubins { radius } => MotionSpace::steered(placements(1.0, 1.0), Steering::Dubins, radius),
+            RoadmapMetric::ReedsShepp { radius } => {
+                MotionSpace::steered(placements(1.0, 1.0), Steering::ReedsShepp, radius)
             }
-            RoadmapMetric::Sum => gaps.sum(),
-            RoadmapMetric::Euclidean
-            | RoadmapMetric::Naive
-            | RoadmapMetric::Placement { .. }
-            | RoadmapMetric::Dubins { .. }
-            | RoadmapMetric::ReedsShepp { .. } => gaps.map(|gap| gap * gap).sum::<f64>().sqrt(),
         }
     }
 
-    /// Refuses a document that contradicts itself, so that all that is read from it afterwards exists.
+    /// Refuses a document that contradicts itself.
     ///
     /// # Errors
     /// `invalid-roadmap`, with the pointer into the JSON form.

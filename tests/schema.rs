@@ -5,7 +5,7 @@
 #[allow(dead_code)]
 use crate::common::documents;
 
-use planarium::scenario::generate::{ClutterOptions, ForestOptions, clutter, forest};
+use planarium::scenario::generate::{ClutterOptions, ForestOptions, Generator};
 use planarium::scenario::{Scenario, schema};
 use serde_json::{Value, json};
 
@@ -240,22 +240,13 @@ fn schema_and_parser_refuse_the_same_values() {
 
 #[test]
 fn what_is_written_follows_the_schema() {
-    for seed in 0..10 {
-        let links = 1 + seed as usize % 8;
-        assert!(is_valid(
-            &serde_json::from_str(&forest(&ForestOptions { links, seed }).unwrap().to_json_string()).unwrap()
-        ));
-        assert!(is_valid(
-            &serde_json::from_str(
-                &clutter(&ClutterOptions { seed, ..ClutterOptions::default() }).unwrap().to_json_string()
-            )
-            .unwrap()
-        ));
-    }
-    for document in [arm(), disc(), body(), car()] {
-        assert!(is_valid(
-            &serde_json::from_str(&Scenario::parse(&document.to_string()).unwrap().to_json_string()).unwrap()
-        ));
+    let generated = |seed: u64| {
+        let forest = ForestOptions { links: 1 + seed as usize % 8, seed }.generate();
+        [forest, ClutterOptions { seed, ..ClutterOptions::default() }.generate()]
+    };
+    let parsed = [arm(), disc(), body(), car()].map(|document| Scenario::parse(&document.to_string()));
+    for scenario in (0..10).flat_map(generated).chain(parsed) {
+        assert!(is_valid(&serde_json::from_str(&scenario.unwrap().to_json_string()).unwrap()));
     }
 }
 

@@ -32,7 +32,7 @@ impl RigidBody {
     /// The one part of the robot at `q`.
     ///
     /// # Panics
-    /// Where `q` has fewer than three entries.
+    /// If `q` has fewer than three entries.
     pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
         vec![Part::Polygon { vertices: self.shape.placed([q[0], q[1], q[2]]).vertices().to_vec() }]
     }

@@ -1,24 +1,24 @@
-//! What is near a moving link: the obstacles, and of polygons the edges, that can matter during a stretch of motion.
+//! The obstacles near a moving link, and of polygons the edges, that can matter during an interval of motion.
 
 use crate::geometry::{
     Aabb, Disc, Polygon, Segment, distance_point_segment, distance_segment_polygon, distance_segment_segment,
 };
 use crate::scenario::Obstacle;
 
-/// An obstacle, or as much of it as is near.
+/// An obstacle near a link.
 pub(super) struct Near<'a> {
-    /// Which obstacle of the world.
+    /// The index of the obstacle in the world.
     pub index: usize,
     pub shape: Shape<'a>,
 }
 
 pub(super) enum Shape<'a> {
     Disc(Disc),
-    /// The whole polygon, to ask whether it contains a point, and those of its edges that are near.
+    /// The whole polygon, to decide whether it contains a point, and those of its edges that are near.
     Polygon(&'a Polygon, Vec<Segment>),
 }
 
-/// All that comes within `reach` of the box.
+/// The obstacles within `reach` of the box.
 pub(super) fn near<'a>(obstacles: &'a [Obstacle], around: &Aabb, reach: f64) -> Vec<Near<'a>> {
     let is_near = |other: &Aabb| gap(around, other) <= reach;
     let mut found = Vec::new();
@@ -37,7 +37,7 @@ pub(super) fn near<'a>(obstacles: &'a [Obstacle], around: &Aabb, reach: f64) -> 
 }
 
 impl Near<'_> {
-    /// The distance from the segment to what is near, in metres; 0 inside.
+    /// The distance from the segment to the obstacle, in metres; 0 inside.
     pub(super) fn distance(&self, s: &Segment) -> f64 {
         match &self.shape {
             Shape::Disc(disc) => distance_to_disc(s, disc),
@@ -49,8 +49,7 @@ impl Near<'_> {
     }
 }
 
-/// The distance between two boxes along the axis on which they are farther apart: no more than their distance; 0 where
-/// they overlap.
+/// The distance between two boxes along the axis on which they are farther apart: at most their distance; 0 if they overlap.
 pub(super) fn gap(a: &Aabb, b: &Aabb) -> f64 {
     let x = (b.min.x - a.max.x).max(a.min.x - b.max.x);
     let y = (b.min.y - a.max.y).max(a.min.y - b.max.y);

@@ -1,4 +1,4 @@
-//! The region between two places of a link: the convex hull of four points.
+//! The region between two positions of a link: the convex hull of four points.
 //!
 //! No hull is built. Every point of the hull of four points lies in a triangle of three of them, and every edge of the
 //! hull is one of their six connections; so tests against the triangles and the connections are tests against the hull.
@@ -21,8 +21,8 @@ impl Swept {
         Self { corners: [a, b, c, d], connections, aabb: before.aabb().union(&after.aabb()) }
     }
 
-    /// Whether what is near comes within `reach` of the hull. The first segment of the hull must be known to lie outside
-    /// of a polygon: then the hull meets it only where it meets its border.
+    /// Whether the obstacle comes within `reach` of the hull. The first segment of the hull must lie outside of a polygon: then
+    /// the hull meets the polygon only if it meets its border.
     pub(super) fn comes_within(&self, reach: f64, near: &Near) -> bool {
         match &near.shape {
             Shape::Disc(disc) => {

@@ -1,6 +1,7 @@
 //! The independent judge of paths, on native, Node and Chrome alike: hand-made paths, valid and not. Ends of motions are
 //! odd, so that no look falls just where an obstacle is.
 
+use crate::common::documents;
 use planarium::path::{ResultDocument, Verdict, verify};
 use planarium::scenario::Scenario;
 use std::f64::consts::{PI, TAU};
@@ -8,16 +9,9 @@ use wasm_bindgen_test::wasm_bindgen_test;
 
 /// A scenario with one query, "q".
 fn scenario(bounds: Option<[[f64; 2]; 2]>, obstacles: &[String], robot: &str, ends: [&[f64]; 2]) -> Scenario {
-    let bounds = bounds.map_or(String::new(), |[min, max]| format!(r#""bounds": {{"min": {min:?}, "max": {max:?}}},"#));
-    let text = format!(
-        r#"{{ "format": "planarium-scenario-1", "name": "s",
-            "world": {{ {bounds} "obstacles": [{}] }}, "robot": {robot},
-            "queries": [{{ "name": "q", "start": {:?}, "goal": {:?} }}] }}"#,
-        obstacles.join(","),
-        ends[0],
-        ends[1]
-    );
-    Scenario::parse(&text).unwrap_or_else(|error| panic!("{error}: {text}"))
+    let bounds = bounds.map_or(String::new(), |[min, max]| format!("{min:?}, {max:?}"));
+    let query = format!(r#""start": {:?}, "goal": {:?}"#, ends[0], ends[1]);
+    documents::scenario(&bounds, &obstacles.join(","), robot, &query)
 }
 
 fn polygon(vertices: &[[f64; 2]]) -> String {
@@ -46,13 +40,7 @@ fn robot_disc(radius: f64) -> String {
 }
 
 fn result(path: &[&[f64]], length: f64) -> ResultDocument {
-    let text = format!(
-        r#"{{ "scenario": "s", "query": "q", "planner": "prm", "seed": 1, "status": "solved", "path": {path:?}, "length": {length:?},
-            "stats": {{"iterations": 0, "vertices": 0, "edges": 0, "configuration_checks": 0, "motion_checks": 0, "nearest_queries": 0,
-                       "visited": 0, "clearance_evaluations": 0, "build_seconds": 0.0, "search_seconds": 0.0}},
-            "fingerprint": "0123456789abcdef" }}"#
-    );
-    ResultDocument::parse(&text).unwrap_or_else(|error| panic!("{error}: {text}"))
+    documents::result("s", &format!("{path:?}"), None, length)
 }
 
 /// Angles the short way round, summed over joints; plain differences for limited joints and points need their own.

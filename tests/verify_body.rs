@@ -1,10 +1,10 @@
 //! The independent judge of bodies' paths, on native, Node and Chrome alike: against the proof, against dense looks, and by hand.
 
 use crate::common::bodies::*;
-use crate::common::seeds;
+use crate::common::{documents, seeds};
 use planarium::collision::{BodyCollision, BodyMotion};
 use planarium::geometry::{Disc, Polygon};
-use planarium::path::{Leg, ResultDocument, Verdict, verify, verify_legs};
+use planarium::path::{Leg, Verdict, verify, verify_legs};
 use planarium::random::{Random, Stream};
 use planarium::scenario::{Obstacle, Scenario, World};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -136,24 +136,15 @@ fn bounds_may_be_touched_but_not_left() {
 }
 
 fn scenario(goal_tolerance: &str) -> Scenario {
-    Scenario::parse(&format!(
-        r#"{{ "format": "planarium-scenario-1", "name": "s",
-            "world": {{ "bounds": {{"min": [0, 0], "max": [4, 4]}}, "obstacles": [ {{"type": "disc", "center": [2, 1], "radius": 0.5}} ] }},
-            "robot": {{"type": "rigid_body", "shape": {{"type": "polygon", "vertices": [[-0.2, -0.1], [0.2, -0.1], [0.2, 0.1], [-0.2, 0.1]]}},
-                       "metric": {{"translation": 0.5, "rotation": 0.25}} }},
-            "queries": [{{ "name": "q", "start": [1, 2, 3], "goal": [3, 2, -3] {goal_tolerance} }}] }}"#
-    ))
-    .expect("a scenario")
+    let disc = r#"{"type": "disc", "center": [2, 1], "radius": 0.5}"#;
+    let metric = r#""metric": {"translation": 0.5, "rotation": 0.25}"#;
+    let robot = format!(r#"{{"type": "rigid_body", {}, {metric}}}"#, documents::shape(0.2, 0.1));
+    let query = format!(r#""start": [1, 2, 3], "goal": [3, 2, -3] {goal_tolerance}"#);
+    documents::scenario("[0, 0], [4, 4]", disc, &robot, &query)
 }
 
 fn judged(scenario: &Scenario, path: &[[f64; 3]], length: f64) -> Result<(), String> {
-    let text = format!(
-        r#"{{ "scenario": "s", "query": "q", "planner": "prm", "seed": 1, "status": "solved", "path": {path:?}, "length": {length:?},
-            "stats": {{"iterations": 0, "vertices": 0, "edges": 0, "configuration_checks": 0, "motion_checks": 0, "nearest_queries": 0,
-                       "visited": 0, "clearance_evaluations": 0, "build_seconds": 0.0, "search_seconds": 0.0}},
-            "fingerprint": "0123456789abcdef" }}"#
-    );
-    let result = ResultDocument::parse(&text).unwrap_or_else(|error| panic!("{error}: {text}"));
+    let result = documents::result("s", &format!("{path:?}"), None, length);
     match verify(scenario, &result).expect("scenario and query are the right ones") {
         Verdict::Valid { .. } => Ok(()),
         Verdict::Invalid { why } => Err(why),
@@ -173,7 +164,7 @@ fn a_path_of_a_rigid_body_is_judged_as_a_whole() {
         let told = judged(scenario, path, length).expect_err(why);
         assert!(told.contains(why), "{told:?} does not say {why:?}");
     };
-    refused(&exact, &[start, goal], length + 1e-6, "the length is told");
+    refused(&exact, &[start, goal], length + 1e-6, "the length is given");
     refused(&exact, &[start, [3.0, 2.0, -2.9]], length, "not at the goal");
     refused(&exact, &[[1.1, 2.0, 3.0], goal], length, "not at the start");
     refused(&exact, &[start, [2.0, 1.0, 3.0], goal], length, "edge 0, the body touches obstacle 0");

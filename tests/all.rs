@@ -33,7 +33,6 @@ mod nearest_many;
 mod neighbours;
 mod own_space;
 mod pieces;
-mod placed;
 mod planners;
 mod proof;
 mod refused;

@@ -64,18 +64,9 @@ fn is_valid(value: &Value) -> bool {
 }
 
 fn arm() -> Value {
-    json!({
-        "format": "planarium-scenario-1", "name": "n", "title": "t",
-        "world": {
-            "bounds": {"min": [-3, -3], "max": [3, 3]},
-            "obstacles": [
-                {"type": "disc", "center": [2, 0], "radius": 0.25},
-                {"type": "polygon", "vertices": [[1, 1], [2, 1], [1, 2]]}
-            ]
-        },
-        "robot": {"type": "arm", "base": [0, 0], "links": [1, 0.5], "radius": 0.05, "joint_limits": [[-1, 1], [-2, 2]]},
-        "queries": [{"name": "q", "start": [-1, 0], "goal": [1, 2]}]
-    })
+    let mut document: Value = serde_json::from_str(documents::ARM).unwrap();
+    document["queries"].as_array_mut().unwrap().truncate(1);
+    document
 }
 
 fn disc() -> Value {
@@ -108,28 +99,13 @@ fn the_committed_schema_is_that_of_the_types() {
     assert!(committed == text, "schema/scenario.schema.json is out of date: run this test with PLANARIUM_BLESS=1");
 }
 
-/// Every object of the document, by its JSON pointer.
-fn objects(value: &Value, pointer: String, found: &mut Vec<String>) {
-    match value {
-        Value::Object(fields) => {
-            fields.iter().for_each(|(name, field)| objects(field, format!("{pointer}/{name}"), found));
-            found.push(pointer);
-        }
-        Value::Array(items) => {
-            items.iter().enumerate().for_each(|(i, item)| objects(item, format!("{pointer}/{i}"), found));
-        }
-        _ => {}
-    }
-}
-
 #[test]
 fn schema_and_parser_know_and_require_the_same_fields() {
     let mut removed = [0, 0];
     for (document, count) in [(arm(), 7), (reaching(), 8), (disc(), 7), (body(), 9), (car(), 9)] {
         assert!(is_valid(&document));
         Scenario::parse(&document.to_string()).unwrap();
-        let mut places = Vec::new();
-        objects(&document, String::new(), &mut places);
+        let places = documents::objects(&document);
         assert_eq!(places.len(), count);
         for place in places {
             let mut more = document.clone();

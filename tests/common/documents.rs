@@ -3,6 +3,7 @@
 use planarium::Error;
 use planarium::path::ResultDocument;
 use planarium::scenario::Scenario;
+use serde_json::Value;
 
 /// A document with every field that a scenario with an arm may have.
 pub const ARM: &str = r#"{
@@ -59,6 +60,25 @@ pub fn refusal(document: &str) -> Error {
         Err(error) => error,
         Ok(_) => panic!("this was accepted: {}", &document[..document.len().min(2000)]),
     }
+}
+
+/// The JSON pointers of all objects in the document.
+pub fn objects(document: &Value) -> Vec<String> {
+    fn add(value: &Value, pointer: String, found: &mut Vec<String>) {
+        match value {
+            Value::Object(fields) => {
+                fields.iter().for_each(|(name, field)| add(field, format!("{pointer}/{name}"), found));
+                found.push(pointer);
+            }
+            Value::Array(items) => {
+                items.iter().enumerate().for_each(|(i, item)| add(item, format!("{pointer}/{i}"), found));
+            }
+            _ => {}
+        }
+    }
+    let mut found = Vec::new();
+    add(document, String::new(), &mut found);
+    found
 }
 
 /// A solved result: the path as JSON, and of a car its motions.

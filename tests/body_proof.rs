@@ -173,6 +173,11 @@ mod parry {
 
 // ---- What bodies do ----
 
+/// A body in a box of side 4 among obstacles.
+fn in_box(body: &Polygon, obstacles: Vec<Obstacle>) -> BodyCollision {
+    BodyCollision::new(body, &world([0.0, 0.0], [4.0, 4.0], obstacles), FRACTION)
+}
+
 #[wasm_bindgen_test(unsupported = test)]
 fn a_body_may_slide_along_the_bounds_and_not_along_an_obstacle() {
     let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
@@ -205,7 +210,7 @@ fn what_holds_the_other_wholly_touches_it() {
         Obstacle::Polygon(rectangle([2.0, 2.0], [2.1, 2.1])),
         Obstacle::Disc(Disc { center: p(2.0, 2.0), radius: 0.1 }),
     ] {
-        let collision = BodyCollision::new(&large, &world([0.0, 0.0], [4.0, 4.0], vec![inner]), FRACTION);
+        let collision = in_box(&large, vec![inner]);
         assert!(!collision.is_free(&[2.0, 2.0, 0.7]), "a body that holds an obstacle");
         assert_eq!(collision.clearance(&[2.0, 2.0, 0.7]).max(0.0), 0.0);
         assert!(!collision.is_motion_free(&straight([2.0, 2.0, 0.7], [2.1, 2.0, 0.7])));
@@ -216,7 +221,7 @@ fn what_holds_the_other_wholly_touches_it() {
         Obstacle::Polygon(rectangle([1.0, 1.0], [3.0, 3.0])),
         Obstacle::Disc(Disc { center: p(2.0, 2.0), radius: 1.0 }),
     ] {
-        let collision = BodyCollision::new(&small, &world([0.0, 0.0], [4.0, 4.0], vec![outer]), FRACTION);
+        let collision = in_box(&small, vec![outer]);
         assert!(!collision.is_free(&[2.0, 2.0, 0.7]), "a body in an obstacle");
         assert!(!collision.is_motion_free(&straight([2.0, 2.0, 0.7], [2.1, 2.0, 0.7])));
         assert!(!collision.is_motion_free(&straight([0.5, 0.5, 0.0], [3.5, 3.5, 0.0])), "through it");
@@ -224,15 +229,14 @@ fn what_holds_the_other_wholly_touches_it() {
     }
     // In the opening of a U, and in that of a ring with a slit: not in contact.
     let u = Polygon::new(&drawn(p(2.0, 2.0), 0.0, &u_shape(1.0, 0.2))).expect("a U");
-    let collision =
-        BodyCollision::new(&small, &world([0.0, 0.0], [4.0, 4.0], vec![Obstacle::Polygon(u.clone())]), FRACTION);
+    let collision = in_box(&small, vec![Obstacle::Polygon(u.clone())]);
     assert!(collision.is_free(&[2.0, 2.0, 0.3]));
     assert!(collision.is_motion_free(&straight([2.0, 2.0, 0.3], [2.0, 3.5, 0.3])));
     assert!(!collision.is_motion_free(&straight([2.0, 2.0, 0.3], [0.5, 2.0, 0.3])));
     // The U as the body, a disc in its opening as the obstacle.
     let shape = Polygon::new(&drawn(p(0.0, 0.0), 0.0, &u_shape(1.0, 0.2))).expect("a U");
     let disc = Obstacle::Disc(Disc { center: p(2.0, 2.0), radius: 0.5 });
-    let collision = BodyCollision::new(&shape, &world([0.0, 0.0], [4.0, 4.0], vec![disc]), FRACTION);
+    let collision = in_box(&shape, vec![disc]);
     assert!(collision.is_free(&[2.0, 2.0, 0.0]));
     assert!(collision.is_motion_free(&straight([2.0, 2.0, 0.0], [2.0, 1.0, 0.0])), "out of the opening");
     assert!(collision.is_motion_free(&arc([2.0, 2.0, 0.0], 0.0, 1.0, 50.0)), "turning around the disc");
@@ -246,8 +250,7 @@ fn turning_in_place_is_refused_where_a_corner_hits_something_thin() {
     for thickness in [1e-1, 1e-3, 1e-6] {
         for (gap, is_free) in [(1e-2, true), (1e-3, true), (-1e-3, false), (-1e-2, false)] {
             let wall = rectangle([2.5 + gap, 1.99], [2.5 + gap + thickness, 2.01]);
-            let collision =
-                BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 4.0], vec![Obstacle::Polygon(wall)]), FRACTION);
+            let collision = in_box(&body, vec![Obstacle::Polygon(wall)]);
             let at = [2.0, 2.0, 0.0];
             assert!(collision.is_free(&at));
             for motion in [
@@ -277,8 +280,7 @@ fn a_motion_through_a_thin_wall_is_refused_and_past_it_is_not() {
     let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
     for thickness in [0.5, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
         let wall = rectangle([2.0 - 0.5 * thickness, 1.0], [2.0 + 0.5 * thickness, 3.0]);
-        let collision =
-            BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 4.0], vec![Obstacle::Polygon(wall)]), FRACTION);
+        let collision = in_box(&body, vec![Obstacle::Polygon(wall)]);
         assert!(!collision.is_motion_free(&straight([1.0, 2.0, 0.0], [3.0, 2.0, 1.0])));
         assert!(!collision.is_motion_free(&arc([1.0, 2.0, 0.3], 1.0, -0.3, 2.0)));
         assert!(collision.is_motion_free(&straight([1.0, 3.5, 0.0], [3.0, 3.5, 1.0])));
@@ -385,7 +387,7 @@ fn nothing_beyond_reach_is_looked_at() {
         (middle.min.x - 2.0).abs().max((middle.min.y - 2.0).abs()) > 1.3
     };
     let obstacles = (0..1600).map(obstacle).filter(is_far).collect();
-    let collision = BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 4.0], obstacles), FRACTION);
+    let collision = in_box(&body, obstacles);
     assert!(collision.is_motion_free(&arc([2.0, 2.0, 0.0], 0.0, 3.0, 100.0)), "turning in place");
     assert!(collision.is_motion_free(&arc([3.0, 2.0, FRAC_PI_2], 1.0, 1.0, 100.0)), "round a circle");
     assert!(collision.is_motion_free(&straight([1.2, 1.2, 0.0], [2.8, 2.8, 3.0])));
@@ -395,7 +397,7 @@ fn nothing_beyond_reach_is_looked_at() {
 #[wasm_bindgen_test(unsupported = test)]
 fn motions_that_make_no_sense_are_refused_and_long_ones_are_cut_at_the_bounds() {
     let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
-    let collision = BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 4.0], vec![]), FRACTION);
+    let collision = in_box(&body, vec![]);
     let at = [2.0, 2.0, 0.0];
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for i in 0..3 {

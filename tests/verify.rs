@@ -285,16 +285,8 @@ fn malformed_paths_are_refused_by_name() {
 #[wasm_bindgen_test(unsupported = test)]
 fn concave_obstacles_keep_their_pockets() {
     // A cup, open at the top, from (-1, -1) to (1, 1), with walls of a fifth.
-    let cup = [polygon(&[
-        [-1.0, -1.0],
-        [1.0, -1.0],
-        [1.0, 1.0],
-        [0.8, 1.0],
-        [0.8, -0.8],
-        [-0.8, -0.8],
-        [-0.8, 1.0],
-        [-1.0, 1.0],
-    ])];
+    let cup = [-1.0, -1.0, 1.0, -1.0, 1.0, 1.0, 0.8, 1.0, 0.8, -0.8, -0.8, -0.8, -0.8, 1.0, -1.0, 1.0];
+    let cup = [polygon(cup.as_chunks().0)];
     clearance(judge_disc(&cup, 0.3, &[&[0.0, 3.0], &[0.0, 0.0], &[0.4, 0.0]]));
     refused(judge_disc(&cup, 0.0, &[&[0.0, 0.0], &[2.0, 0.0]]), &["edge 0", "obstacle 0"]);
     refused(judge_disc(&cup, 0.3, &[&[0.0, 0.0], &[0.6, 0.0]]), &["edge 0", "obstacle 0"]);

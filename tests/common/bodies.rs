@@ -1,5 +1,7 @@
 //! Bodies, worlds and motions of many kinds, by seed.
 
+use parry2d_f64::math::Vector;
+use parry2d_f64::shape::Polyline;
 use planarium::collision::BodyMotion;
 use planarium::geometry::{Aabb, Disc, Point, Polygon, distance_point_polygon, intersects_polygon_polygon};
 use planarium::random::Random;
@@ -46,6 +48,26 @@ pub fn star(center: Point, size: f64, corners: usize, turn: f64) -> Vec<Point> {
     let (points, dents) =
         (round(center, size, corners, turn), round(center, 0.3 * size, corners, turn + PI / corners as f64));
     points.into_iter().zip(dents).flat_map(|(point, dent)| [point, dent]).collect()
+}
+
+/// A polygon with corners all round a centre, most often concave.
+pub fn random_star(random: &mut Random, side: f64) -> Polygon {
+    let center = p(side * (random.uniform() - 0.5), side * (random.uniform() - 0.5));
+    let corners = 3 + random.below(20);
+    let corner = |i| {
+        let (sin, cos) = libm::sincos(TAU * (i as f64 + 0.9 * random.uniform()) / corners as f64);
+        let radius = side * (0.02 + 0.4 * random.uniform());
+        p(center.x + radius * cos, center.y + radius * sin)
+    };
+    let corners: Vec<Point> = (0..corners).map(corner).collect();
+    Polygon::new(&corners).expect("corners in order round a centre")
+}
+
+/// The border of a polygon, as parry knows it.
+pub fn border(polygon: &Polygon) -> Polyline {
+    let n = polygon.vertices().len() as u32;
+    let corners = polygon.vertices().iter().map(|v| Vector::new(v.x, v.y)).collect();
+    Polyline::new(corners, Some((0..n).map(|i| [i, (i + 1) % n]).collect()))
 }
 
 /// Corners given along two axes through the centre, turned.

@@ -1,6 +1,6 @@
 //! A rigid body that translates and turns: any simple polygon.
 
-use super::{Part, Weights};
+use super::Weights;
 use crate::geometry::Polygon;
 use serde::Serialize;
 
@@ -27,13 +27,5 @@ impl RigidBody {
     /// The weights of the metric.
     pub fn weights(&self) -> Weights {
         self.weights
-    }
-
-    /// The one part of the robot at `q`.
-    ///
-    /// # Panics
-    /// If `q` has fewer than three entries.
-    pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
-        vec![Part::Polygon { vertices: self.shape.placed([q[0], q[1], q[2]]).vertices().to_vec() }]
     }
 }

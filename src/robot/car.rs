@@ -1,11 +1,11 @@
 //! A first-order car: q' = (v cos theta, v sin theta, v tan(phi) / L) under the control (v, phi).
 //!
-//! (x, y) is the point that the wheels roll from: the middle of the rear axle. The shape stands about it as its vertices say, so
-//! that a shape whose centre is its origin has its rear axle in its middle, as the course reports have it. LaValle 2006,
+//! (x, y) is the middle of the rear axle. The shape is given about it, so that a shape whose centre is its origin has its rear
+//! axle in its middle, as in the course reports. LaValle 2006,
 //! "Planning Algorithms", section 13.1.2.
 
+use super::Weights;
 use super::range::{LARGEST, check_limits, check_positive};
-use super::{Part, Weights};
 use crate::error::Error;
 use crate::geometry::Polygon;
 use serde::Serialize;
@@ -91,13 +91,5 @@ impl Car {
         let [right, left] = self.steering;
         let angle = left.min(-right);
         (angle > 0.0).then(|| (self.wheelbase / libm::tan(angle), angle))
-    }
-
-    /// The one part of the robot at `q`.
-    ///
-    /// # Panics
-    /// If `q` has fewer than three entries.
-    pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
-        vec![Part::Polygon { vertices: self.shape.placed([q[0], q[1], q[2]]).vertices().to_vec() }]
     }
 }

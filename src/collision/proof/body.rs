@@ -12,7 +12,6 @@
 //! 2^-53: 3e-14 S. Together that is below 4e-13 S.
 
 pub(in crate::collision) use super::body_shape::BodyShape;
-use super::body_shape::Corner;
 use super::driver::{Interval, Moving};
 use super::motion_bound::{Middle, MotionBound};
 use super::moving_point::{MovingPoint, dot, left_of};
@@ -57,7 +56,7 @@ impl MovingBody {
         if self.from != theta {
             (self.from, self.heading) = (theta, unit(theta));
         }
-        self.bound = MotionBound::new(motion, self.shape.reach(), self.heading);
+        self.bound = MotionBound::new(motion, self.shape.reach, self.heading);
     }
 
     /// Places the body at rest.
@@ -71,8 +70,8 @@ impl MovingBody {
     fn set(&mut self, middle: Middle, pieces: usize) {
         self.middle = middle;
         self.corners.clear();
-        let corners = &self.shape.corners()[..self.shape.range(pieces - 1).end];
-        self.corners.extend(corners.iter().map(|corner| middle.point(rotate(corner.at, middle.heading))));
+        let faces = &self.shape.faces[..self.shape.range(pieces - 1).end];
+        self.corners.extend(faces.iter().map(|face| middle.point(rotate(face.corner.coords, middle.heading))));
     }
 }
 
@@ -101,7 +100,7 @@ impl Moving for MovingBody {
         Piece {
             middle: &self.middle,
             direction: self.middle.direction,
-            faces: &self.shape.corners()[range.clone()],
+            faces: &self.shape.faces[range.clone()],
             corners: &self.corners[range],
         }
     }
@@ -131,9 +130,9 @@ impl Moving for MovingBody {
 /// A convex piece of a body: its corners and faces, these in the body's frame.
 pub(in crate::collision) struct Piece<'a> {
     middle: &'a Middle,
-    /// The direction of motion, where it moves.
+    /// The direction of motion, if it moves.
     direction: Option<Vector>,
-    faces: &'a [Corner],
+    faces: &'a [Face],
     corners: &'a [MovingPoint],
 }
 
@@ -167,7 +166,7 @@ impl Part for Piece<'_> {
         let (x, y) = (self.middle.heading.x, self.middle.heading.y);
         let from = p.coords - self.middle.position;
         let center = Vector::new(x * from.x + y * from.y, x * from.y - y * from.x);
-        // The nearest point lies on the face that the point is farthest before, where it is beside that one.
+        // The nearest point lies on the face that the point is farthest in front of, if it is beside that one.
         let mut before = (f64::NEG_INFINITY, 0);
         for (i, face) in self.faces.iter().enumerate() {
             let distance = face.normal.dot(&center) - face.support;
@@ -178,12 +177,12 @@ impl Part for Piece<'_> {
         if before.0 <= 0.0 {
             return Vector::zeros();
         }
-        let at = |i: usize| self.faces[if i == self.faces.len() { 0 } else { i }].at;
+        let at = |i: usize| self.faces[if i == self.faces.len() { 0 } else { i }].corner.coords;
         let (face, next) = (&self.faces[before.1], at(before.1 + 1));
         let along = left_of(face.normal);
         let mut to = face.normal * before.0;
-        if along.dot(&(center - face.at)) < 0.0 || along.dot(&(center - next)) > 0.0 {
-            // All faces are tried: where two are in one line, or all but, rounding decides which of them is found.
+        if along.dot(&(center - face.corner.coords)) < 0.0 || along.dot(&(center - next)) > 0.0 {
+            // All faces are tried: if two are in one line, or nearly, rounding decides which of them is found.
             let mut least = f64::INFINITY;
             for i in 0..self.faces.len() {
                 let nearest = nearest_point(Point::from(center), Point::from(at(i)), Point::from(at(i + 1)));

@@ -36,15 +36,15 @@ fn words(goal: &Goal) -> [[(Turn, f64); 3]; 3] {
     let half = libm::asin(0.25 * left.length);
     let (first, middle) = (left.angle + PI - half, TAU - 2.0 * half);
     [
-        [(Left, left.angle), (Straight, left.length), (Left, goal.heading() - left.angle)],
-        [(Left, turn), (Straight, inner), (Right, turn - goal.heading())],
-        [(Left, first), (Right, middle), (Left, goal.heading() - first + middle)],
+        [(Left, left.angle), (Straight, left.length), (Left, goal.heading - left.angle)],
+        [(Left, turn), (Straight, inner), (Right, turn - goal.heading)],
+        [(Left, first), (Right, middle), (Left, goal.heading - first + middle)],
     ]
 }
 
 /// Offers a word if it can be driven forwards.
 fn offer(shortest: &mut Shortest, goal: &Goal, word: &[(Turn, f64)]) {
-    let is_forwards = |&(turn, length): &(Turn, f64)| turn != Turn::Straight || length >= -goal.slack();
+    let is_forwards = |&(turn, length): &(Turn, f64)| turn != Turn::Straight || length >= -goal.slack;
     if word.iter().all(is_forwards) {
         let mut segments = [(Turn::Straight, 0.0); 3];
         for (segment, &(turn, length)) in segments.iter_mut().zip(word) {

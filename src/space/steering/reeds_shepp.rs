@@ -45,7 +45,7 @@ fn find(from: Pose, to: Pose, radius: f64) -> Curve {
     // Rounding drops none of the words that always exist but where numbers overflow.
     found.unwrap_or_else(|| {
         let left = &goal.left;
-        let word = [left.angle, left.length, shorter(goal.heading() - left.angle)];
+        let word = [left.angle, left.length, shorter(goal.heading - left.angle)];
         Curve::new(1.0, &[(Turn::Left, word[0]), (Turn::Straight, word[1]), (Turn::Left, word[2])]).scaled(radius)
     })
 }
@@ -64,7 +64,7 @@ fn offer<const K: usize>(goal: &Goal, shortest: &mut Shortest, mut word: [(Turn,
 /// CSC.
 fn straight(goal: &Goal, shortest: &mut Shortest) {
     use Turn::{Left, Right, Straight};
-    let heading = goal.heading();
+    let heading = goal.heading;
     let left = &goal.left;
     for (t, s) in [(left.angle, left.length), (left.angle + PI, -left.length)] {
         offer(goal, shortest, [(Left, t), (Straight, s), (Left, heading - t)]);
@@ -86,14 +86,14 @@ fn arcs(goal: &Goal, shortest: &mut Shortest) {
     }
     let half = libm::asin(0.25 * left.length);
     for (t, u) in [(left.angle + half, 2.0 * half), (left.angle + PI - half, -2.0 * half)] {
-        offer(goal, shortest, [(Left, t), (Right, u), (Left, goal.heading() - t + u)]);
+        offer(goal, shortest, [(Left, t), (Right, u), (Left, goal.heading - t + u)]);
     }
 }
 
 /// CCu|CuC and C|CuCu|C.
 fn equal_arcs(goal: &Goal, shortest: &mut Shortest) {
     use Turn::{Left, Right};
-    let heading = goal.heading();
+    let heading = goal.heading;
     let right = &goal.right;
     if right.length > 6.0 {
         return;
@@ -119,7 +119,7 @@ fn equal_arcs(goal: &Goal, shortest: &mut Shortest) {
 /// C|CqSC, CSCq|C and C|CqSCq|C. A line that goes against the quarter before it is never part of a shortest curve.
 fn quarters(goal: &Goal, shortest: &mut Shortest) {
     use Turn::{Left, Right, Straight};
-    let heading = goal.heading();
+    let heading = goal.heading;
     let (left, right) = (&goal.left, &goal.right);
     for sign in [1.0, -1.0] {
         let q = sign * QUARTER;

@@ -69,13 +69,8 @@ fn folder(test: &str) -> Option<PathBuf> {
     folder
 }
 
-/// Plans with the default settings.
-fn plan(scenario: &Path, query: &str, planner: &str, seed: u64) -> Output {
-    plan_with(scenario, query, planner, seed, &[])
-}
-
-/// Plans with what is set.
-fn plan_with(scenario: &Path, query: &str, planner: &str, seed: u64, set: &[&str]) -> Output {
+/// Plans with these settings.
+fn plan(scenario: &Path, query: &str, planner: &str, seed: u64, set: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_planarium"));
     command.arg("plan").arg(scenario).args(["--query", query, "--planner", planner, "--seed", &seed.to_string()]);
     command.args(set.iter().flat_map(|pair| ["--set", pair]));
@@ -97,7 +92,7 @@ fn every_solvable_query_is_solved_and_the_judge_agrees() {
             for (planner, seed) in
                 PLANNERS.into_iter().flat_map(|planner| (1..=seeds()).map(move |seed| (planner, seed)))
             {
-                let output = plan(&file, query, planner, seed);
+                let output = plan(&file, query, planner, seed, &[]);
                 let text = String::from_utf8(output.stdout).expect("JSON is text");
                 let what = format!("{name} {query} {planner} seed {seed}");
                 assert_eq!(output.status.code(), Some(0), "{what}: {}", String::from_utf8_lossy(&output.stderr));
@@ -124,7 +119,7 @@ fn bodies_and_cars_arrive_whoever_plans_and_the_judge_agrees() {
         {
             let mut solved = 0;
             for seed in 1..=seeds() {
-                let output = plan_with(&file, query, planner, seed, set);
+                let output = plan(&file, query, planner, seed, set);
                 let what = format!("{name} {query} {planner} {set:?} seed {seed}");
                 assert!(
                     matches!(output.status.code(), Some(0 | 1)),
@@ -154,7 +149,7 @@ fn a_query_in_collision_is_refused_by_name() {
     let Some(folder) = folder("a_query_in_collision_is_refused_by_name") else { return };
     for (name, query, code, contact) in COLLIDING {
         for planner in PLANNERS {
-            let output = plan(&folder.join(format!("{name}.json")), query, planner, 1);
+            let output = plan(&folder.join(format!("{name}.json")), query, planner, 1, &[]);
             let document: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
             assert_eq!(output.status.code(), Some(2), "{name} {query}: {document}");
             assert_eq!(document["error"]["code"], *code, "{name} {query}");
@@ -172,7 +167,7 @@ fn a_query_without_a_path_is_never_solved() {
     // closed: no path. A grid over the angles steps over that one angle and joins both sides.
     for name in ["forest-2r-1", "forest-2r-2"] {
         for planner in PLANNERS {
-            let output = plan(&folder.join(format!("{name}.json")), "report", planner, 1);
+            let output = plan(&folder.join(format!("{name}.json")), "report", planner, 1, &[]);
             let document: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
             assert_eq!(
                 (output.status.code(), document["status"].as_str()),
@@ -189,7 +184,7 @@ fn a_query_without_a_path_is_never_solved() {
     std::fs::write(&file, shorter.to_string()).expect("the folder for test files can be written");
     let scenario = Scenario::parse(&read(&file)).expect("the scenario is in order");
     for (planner, seed) in PLANNERS.into_iter().flat_map(|planner| (1..=3).map(move |seed| (planner, seed))) {
-        let output = plan(&file, "report", planner, seed);
+        let output = plan(&file, "report", planner, seed, &[]);
         let result = ResultDocument::parse(&String::from_utf8_lossy(&output.stdout)).expect("a result");
         let verdict = verify(&scenario, &result).expect("a verdict");
         assert!(matches!(verdict, Verdict::Valid { .. }), "{planner} seed {seed}: {verdict:?}");

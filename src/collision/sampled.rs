@@ -1,20 +1,20 @@
-//! Motions tested at a fixed number of configurations, as many planners do: kept by name, to show what that misses.
+//! Motions tested at a fixed number of configurations, as many planners do, to show what that misses.
 
 use crate::problem::{Contact, Validity};
 use crate::space::Space;
 
-/// What is free, but a motion counts as free when so many evenly spaced configurations of it are, its far end included. This proves
-/// nothing: what lies between them is not seen.
+/// A collision checker for which a motion is free if a number of evenly spaced configurations of it are, its far end included. This
+/// proves nothing: whatever lies between them is missed.
 pub struct Sampled<S: Space> {
     space: S,
     proven: Box<dyn Validity<S::State>>,
-    places: u32,
+    samples: u32,
 }
 
 impl<S: Space> Sampled<S> {
-    /// The same world, motions tested at `places` configurations, at least 1.
-    pub fn new(space: S, proven: Box<dyn Validity<S::State>>, places: u32) -> Self {
-        Self { space, proven, places }
+    /// The same world, motions tested at `samples` configurations, at least 1.
+    pub fn new(space: S, proven: Box<dyn Validity<S::State>>, samples: u32) -> Self {
+        Self { space, proven, samples }
     }
 }
 
@@ -25,14 +25,14 @@ impl<S: Space> Validity<S::State> for Sampled<S> {
 
     /// Coarse steps first, finer ones between them, so that wide obstacles are found early.
     fn is_motion_free(&self, a: &S::State, b: &S::State) -> bool {
-        are_samples_free(self.places, |t| self.proven.is_free(&self.space.interpolate(a, b, t)))
+        are_samples_free(self.samples, |t| self.proven.is_free(&self.space.interpolate(a, b, t)))
     }
 
     /// The last configuration tested before the first one in collision.
     fn first_hit(&self, a: &S::State, b: &S::State) -> Option<f64> {
-        let place = |i: u32| f64::from(i) / f64::from(self.places);
-        let hit = (1..=self.places).find(|&i| !self.proven.is_free(&self.space.interpolate(a, b, place(i))));
-        hit.map(|i| place(i - 1))
+        let at = |i: u32| f64::from(i) / f64::from(self.samples);
+        let hit = (1..=self.samples).find(|&i| !self.proven.is_free(&self.space.interpolate(a, b, at(i))));
+        hit.map(|i| at(i - 1))
     }
 
     fn contacts(&self, state: &S::State) -> Vec<Contact> {

@@ -54,7 +54,7 @@ impl Arm {
         Ok(Self { base: Point::new(base.x + 0.0, base.y + 0.0), links, radius: radius + 0.0, joint_limits })
     }
 
-    /// Where the arm is fixed, in metres.
+    /// The position of the base, in metres.
     pub fn base(&self) -> Point {
         self.base
     }
@@ -74,7 +74,7 @@ impl Arm {
         self.joint_limits.as_deref()
     }
 
-    /// The sum of the links' lengths: how far from the base the tip can be, in metres.
+    /// The sum of the links' lengths, in metres: the largest distance of the tip from the base.
     pub fn reach(&self) -> f64 {
         self.links.iter().sum()
     }
@@ -106,7 +106,7 @@ impl Arm {
         (0..self.links.len()).map(link).collect()
     }
 
-    /// How far any point of each link can travel, at most, while the joints turn by `delta` (radians, any size) at
+    /// An upper bound on how far any point of each link can travel while the joints turn by `delta` (radians, any size) at
     /// constant rates: link i moves at most the sum over m <= i of L_m |sum over j <= m of delta_j|, since joint m swings
     /// about the one before with the absolute rate of link m. In metres, one number a link. O(links).
     ///

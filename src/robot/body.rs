@@ -4,8 +4,8 @@ use super::Weights;
 use crate::geometry::Polygon;
 use serde::Serialize;
 
-/// A rigid body. A configuration is (x, y, theta): where the origin of the shape's own frame is, in metres, and by how much
-/// the frame is turned, in radians.
+/// A rigid body. A configuration is (x, y, theta): the position of the origin of the shape's own frame, in metres, and
+/// the rotation of the frame, in radians.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RigidBody {
     shape: Polygon,

@@ -1,7 +1,5 @@
-//! What a scenario document may hold: the types that it is read into, and that the JSON Schema is generated from.
-//!
-//! They say what fields there are, of what type, and within which ranges numbers lie. The rest of the contract is held by
-//! [`validate`](super::validate).
+//! The types that a scenario document is read into, and that the JSON Schema is generated from: fields, their types, and the ranges
+//! of numbers. [`validate`](super::validate) checks the rest of the contract.
 
 use super::number::{Angle, Coordinate, JointLimit, Length, Positive, Speed, SteeringAngle, Step};
 use crate::json::by_type;
@@ -10,24 +8,24 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
 
-/// A motion planning scenario: a world, a robot in it, and questions. Lengths in metres, angles in radians,
+/// A motion planning scenario: a world, a robot in it, and queries. Lengths in metres, angles in radians,
 /// counter-clockwise, y up.
 #[derive(Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(title = "Planarium scenario"))]
 #[serde(deny_unknown_fields)]
 pub(super) struct Document {
-    /// Which contract the document follows.
+    /// The format of the document.
     pub format: Format,
     /// The name, used in results.
     #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
     pub name: String,
     /// The title for people.
     pub title: Option<String>,
-    /// Where the robot moves.
+    /// The bounds and obstacles.
     pub world: World,
-    /// Who moves.
+    /// The robot.
     pub robot: Robot,
-    /// From where to where; names are distinct.
+    /// The queries; names are distinct.
     pub queries: Vec<Query>,
 }
 
@@ -39,7 +37,7 @@ pub(super) enum Format {
     One,
 }
 
-/// Bounds and obstacles. Only an arm can do without bounds.
+/// Bounds and obstacles. Only an arm needs no bounds.
 #[derive(Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -93,7 +91,7 @@ pub(super) struct Disc {
 #[serde(deny_unknown_fields)]
 pub(super) struct Polygon {
     /// The corners in order; at least three differ, edges do not touch or cross. A coordinate is 0 or at least 1e-140 in
-    /// magnitude: nearer to 0 the sides that points lie on cannot be computed exactly.
+    /// magnitude: for smaller ones orientations cannot be computed exactly.
     #[cfg_attr(feature = "schema", schemars(length(min = 3)))]
     pub vertices: Vec<Point>,
 }
@@ -103,9 +101,9 @@ pub(super) struct Polygon {
 pub(super) enum Robot {
     /// A planar arm of revolute joints. A configuration holds one angle a link, each relative to the link before.
     Arm(Arm),
-    /// A polygon that translates and turns. A configuration is [x, y, theta], which places its frame.
+    /// A polygon that translates and rotates. A configuration is [x, y, theta], the position and rotation of its frame.
     RigidBody(RigidBody),
-    /// A first-order car. A configuration is [x, y, theta], the place of its rear axle and its heading; a control is a speed
+    /// A first-order car. A configuration is [x, y, theta], the position of its rear axle and its heading; a control is a speed
     /// and a steering angle.
     Car(Car),
     /// A disc that translates. A configuration is its centre [x, y].
@@ -118,7 +116,7 @@ by_type!(Robot { "arm" => Arm, "disc" => Disc, "rigid_body" => RigidBody, "car" 
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub(super) struct Arm {
-    /// Where the arm is fixed; no obstacle may lie within `radius` of it.
+    /// The position of the base; no obstacle may lie within `radius` of it.
     pub base: Point,
     /// The lengths of the links in metres, from the base outwards.
     #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
@@ -138,7 +136,7 @@ pub(super) struct Arm {
 pub(super) struct RigidBody {
     /// The shape in its own frame.
     pub shape: Shape,
-    /// How placements are measured.
+    /// The metric of placements.
     pub metric: Option<Metric>,
 }
 
@@ -154,9 +152,9 @@ pub(super) struct Car {
     pub speed: [Speed; 2],
     /// The least and the greatest steering angle in radians, the first less than the second.
     pub steering: [SteeringAngle; 2],
-    /// The step in which durations are counted, in seconds; 0.01 where it is absent.
+    /// The step in which durations are counted, in seconds; 0.01 if it is absent.
     pub integration_step: Option<Step>,
-    /// How placements are measured.
+    /// The metric of placements.
     pub metric: Option<Metric>,
 }
 
@@ -177,20 +175,20 @@ pub(super) enum Shape {
 
 by_type!(Shape { "polygon" => Polygon });
 
-/// What a metre and a radian count in the distance between two placements; 0.7 and 0.3 where it is absent.
+/// The weights of a metre and a radian in the distance between two placements; 0.7 and 0.3 if it is absent.
 #[derive(Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub(super) struct Metric {
-    /// What a metre counts.
+    /// The weight of a metre.
     pub translation: Positive,
-    /// What a radian counts.
+    /// The weight of a radian.
     pub rotation: Positive,
 }
 
-/// One question, with a goal or a target.
+/// One query, with a goal or a target.
 //
-// What not every robot may have is read once the robot is known, so that it is refused as such whatever it holds.
+// Fields that not every robot has are read once the robot is known, so that they are refused as such whatever they contain.
 #[derive(Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -202,39 +200,39 @@ pub(super) struct Query {
     /// The name, distinct within the scenario.
     #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
     pub name: String,
-    /// The configuration to start from: angles in any number of turns up to 1e6 radians, within their limits where the joint
+    /// The configuration to start from: angles in any number of turns up to 1e6 radians, within the limits if the joint
     /// has limits; coordinates in metres.
     #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
     pub start: Vec<Angle>,
-    /// The configuration to reach, exactly but for a body or a car with a tolerance.
+    /// The configuration to reach: exactly, except for a body or a car with a tolerance.
     #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
     pub goal: Option<Vec<Angle>>,
-    /// Where the end effector of an arm is to be, in place of a goal.
+    /// The target of the end effector of an arm, instead of a goal.
     #[cfg_attr(feature = "schema", schemars(with = "Option<Target>"))]
     pub target: Option<Value>,
-    /// How near to the goal is near enough; for bodies and cars only.
+    /// The goal region; for bodies and cars only.
     #[cfg_attr(feature = "schema", schemars(with = "Option<GoalTolerance>"))]
     pub goal_tolerance: Option<Value>,
 }
 
-/// Where an end effector is to be: any configuration that reaches it will do.
+/// A target of the end effector: any configuration that reaches it is a goal.
 #[derive(Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub(super) struct Target {
-    /// Where the tip is to be.
+    /// The position of the tip.
     pub point: Point,
-    /// The angle of the last link in the world, in radians; any where it is absent.
+    /// The angle of the last link in the world, in radians; any angle if it is absent.
     pub orientation: Option<Angle>,
 }
 
-/// How near to the goal is near enough: both must hold.
+/// A goal region: both bounds must hold.
 #[derive(Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub(super) struct GoalTolerance {
-    /// How far away at most, in metres.
+    /// The largest distance, in metres.
     pub translation: Length,
-    /// Turned by how much at most, in radians.
+    /// The largest turn, in radians.
     pub rotation: Length,
 }

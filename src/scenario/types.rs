@@ -51,7 +51,7 @@ impl Scenario {
     }
 }
 
-/// Where the robot moves. Lengths in metres.
+/// The bounds and obstacles. Lengths in metres.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct World {
     /// The closed box that the whole robot stays in; absent for an arm only.

@@ -1,7 +1,7 @@
-//! A moving body, as the driver of the proof sees it: convex pieces on a straight motion or an arc.
+//! A moving body, for the driver of the proof: convex pieces on a straight motion or an arc.
 //!
-//! **Slack.** S is the largest coordinate plus the reach; the slack is 1e-12 S. Nothing is summed up along a motion: every middle is
-//! found from the start. The heading there is the product of that at the start and of the turn since, each off by 1.4e-14 (see
+//! **Slack.** S is the largest coordinate plus the reach; the slack is 1e-12 S. Nothing is accumulated along a motion: every middle is
+//! computed from the start. The heading there is the product of that at the start and of the turn since, each off by 1.4e-14 (see
 //! `rotation.rs`) and by roundings of angles of 7 radians at most, 1e-15; on an arc, half of the turn is taken twice: 4.5e-14
 //! in all, and so much times S for every corner. A displacement is off by roundings, 4e-16 times its length, which is 9 S at most; a
 //! chord besides by its direction, 3e-14 times its length, and by the sine of half its turn, 1.4e-14 times the diameter
@@ -21,7 +21,7 @@ use crate::collision::BodyMotion;
 use crate::collision::obstacles::Face;
 use crate::geometry::{Aabb, Point, Vector};
 
-/// A body, and what is known of its motion.
+/// A body and its motion.
 pub(in crate::collision) struct MovingBody {
     shape: BodyShape,
     eta: f64,

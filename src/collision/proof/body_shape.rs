@@ -3,7 +3,7 @@
 use crate::collision::obstacles::{Face, faces_of};
 use crate::geometry::{Polygon, convex_pieces};
 
-/// The convex pieces of a body, one where it is convex.
+/// The convex pieces of a body, one if it is convex.
 pub(in crate::collision) struct BodyShape {
     /// The faces of all pieces in the body's own frame, piece by piece, each counter-clockwise.
     pub faces: Vec<Face>,

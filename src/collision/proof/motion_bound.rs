@@ -1,4 +1,4 @@
-//! Where a body is in the middle of an interval of its motion, and how far its points can get from there.
+//! The placement of a body in the middle of an interval of its motion, and bounds on how far its points can move from it.
 //!
 //! Let c be the position of the origin of the body's frame in the middle of an interval of half-length h (fractions of the motion),
 //! r a point of the body as seen from there, w the turn over the whole motion, and J the rotation by a right angle. The
@@ -45,7 +45,7 @@ pub(in crate::collision) struct Middle {
     pub position: Vector,
     /// The direction of the body's x axis.
     pub heading: Vector,
-    /// The direction in which c moves, where it does.
+    /// The direction in which c moves, if it does.
     pub direction: Option<Vector>,
     /// h c'.
     velocity: Vector,

@@ -18,12 +18,12 @@ use std::f64::consts::TAU;
 /// The thickness of the trap's wall, in metres.
 const THICKNESS: f64 = 0.06;
 
-/// Where the round part of the wall ends, as an angle from the axis of the mouth, and in how many pieces it is cut.
+/// The end of the round part of the wall, as an angle from the axis of the mouth, and the number of its pieces.
 const OPENING: f64 = 0.6;
 const PIECES: usize = 32;
 
 crate::choice! {
-    /// Where the disc starts.
+    /// The start of the disc.
     pub enum BugTrapStart {
         /// In the trap; the goal is outside.
         Inside,
@@ -47,11 +47,11 @@ crate::options! {
     pub struct BugTrapOptions for &[];
     /// The radius of the disc.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
-    /// How wide the mouth is; the disc passes where it is more than twice its radius.
+    /// The width of the mouth; the disc passes if it is more than twice its radius.
     mouth: f64 = 0.12, in 0.01..=0.4, "Width of the mouth", unit "m";
-    /// Whether the way leads out of the trap or into it.
+    /// Whether the path leads out of the trap or into it.
     start: BugTrapStart = BugTrapStart::Inside, "Start";
-    /// Whether the mouth looks anywhere or along an axis.
+    /// Whether the mouth faces any direction or along an axis.
     turn: Turn = Turn::Any, "Turn";
     /// The seed: 0 (default) to 2^53 - 1.
     seed: u64 = 0, in SEEDS;

@@ -19,10 +19,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// The sum of an arm's links, in metres.
 const REACH: f64 = 0.9;
 
-/// How far an arm's base is from the middle of the gap, in metres.
+/// The distance of an arm's base from the middle of the gap, in metres.
 const DISTANCE: f64 = 0.5;
 
-/// How much wider than an arm the gap is at least, in metres.
+/// The least difference between the widths of the gap and of an arm, in metres.
 const PLAY: f64 = 0.01;
 
 crate::options! {
@@ -34,9 +34,9 @@ crate::options! {
     links: usize = 4, in 2.0..=8.0, "Links";
     /// The radius of the disc, or half the width of the arm's links; not for a body or a car.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
-    /// How wide the gap is; a disc passes where it is more than twice its radius.
+    /// The width of the gap; a disc passes if it is more than twice its radius.
     width: f64 = 0.2, in 0.0..=1.0, "Width of the gap", unit "m";
-    /// How thick the wall is, so how long the passage.
+    /// The thickness of the wall, which is the length of the passage.
     thickness: f64 = 0.1, in 0.005..=0.5, "Thickness of the wall", unit "m";
     /// The seed: 0 (default) to 2^53 - 1.
     seed: u64 = 0, in SEEDS;

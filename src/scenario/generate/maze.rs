@@ -21,7 +21,7 @@ const CELL: f64 = 0.25;
 const PLAY: f64 = 0.02;
 
 crate::choice! {
-    /// How hard a maze is.
+    /// The difficulty of a maze.
     pub enum Difficulty {
         /// 6 by 6 cells, one in five of the inner walls opened.
         Easy,
@@ -46,11 +46,11 @@ impl Difficulty {
 crate::options! {
     /// Which maze to build.
     pub struct MazeOptions for &[];
-    /// easy: 6 by 6 cells, one wall of five opened; medium: 9 by 9, one of ten; hard: 12 by 12, none, so that one way leads to the goal.
+    /// easy: 6 by 6 cells, one wall of five opened; medium: 9 by 9, one of ten; hard: 12 by 12, none, so that one path leads to the goal.
     difficulty: Difficulty = Difficulty::Easy, "Difficulty";
     /// The radius of the disc.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
-    /// How thick walls are; corridors are as wide as they leave of 0.25 m.
+    /// The thickness of the walls; corridors have the rest of 0.25 m.
     thickness: f64 = 0.03, in 0.005..=0.1, "Thickness", unit "m";
     /// The seed: 0 (default) to 2^53 - 1.
     seed: u64 = 0, in SEEDS;
@@ -87,7 +87,7 @@ impl Generator for MazeOptions {
 /// The inner walls of a square maze. Cells are numbered row by row from the lower left corner.
 struct Walls {
     cells: usize,
-    /// For each cell, whether there is a wall to its right and one above it; never at the border, where the bounds are.
+    /// For each cell, whether there is a wall to its right and one above it; never at the border, which is the bounds.
     closed: Vec<[bool; 2]>,
 }
 
@@ -100,7 +100,7 @@ impl Walls {
         let mut walls = Self { cells, closed };
         let mut connected = vec![false; count];
         connected[random.below(count as u64) as usize] = true;
-        // Where the walk last left each cell: to follow it leaves the loops out.
+        // The neighbour to which the walk last left each cell: following these omits the loops.
         let mut exit = vec![0; count];
         for first in 0..count {
             let mut cell = first;

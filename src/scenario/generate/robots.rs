@@ -47,7 +47,7 @@ const NEAR: GoalTolerance = GoalTolerance { translation: 0.1, rotation: 0.5 };
 /// The side of the box that most worlds are, in metres.
 pub(super) const SIDE: f64 = 2.0;
 
-/// How far an arm reaches from the middle of the box, in metres; with the largest radius it stays inside.
+/// The reach of an arm from the middle of the box, in metres; with the largest radius it stays inside.
 const REACH: f64 = 0.8;
 
 impl RobotChoice {
@@ -78,7 +78,7 @@ impl RobotChoice {
         (self == RobotChoice::Car).then_some(NEAR)
     }
 
-    /// The robot in the box, and from where to where it shall go across: a disc, a body or a car between opposite corners, an
+    /// The robot in the box, and a query across it: a disc, a body or a car between opposite corners, an
     /// arm in the middle from one side to the other.
     pub(super) fn across(self, links: usize, radius: f64) -> Result<(Robot, Query), Error> {
         let (robot, start, goal) = match self {

@@ -61,9 +61,9 @@ crate::options! {
     smallest: f64 = 0.05, in 0.01..=0.5, "Smallest", unit "m";
     /// The greatest radius of a disc.
     largest: f64 = 0.18, in 0.01..=0.5, "Largest", unit "m";
-    /// Discs are farther than this from the robot at its start and its goal and, where they stand apart, from each other.
+    /// Discs are farther than this from the robot at its start and its goal and, if they are apart, from each other.
     gap: f64 = 0.07, in 0.0..=0.2, "Gap", unit "m";
-    /// Whether discs stand apart or may overlap.
+    /// Whether discs are apart or may overlap.
     placement: Placement = Placement::Apart, "Placement";
     /// The seed: 0 (default) to 2^53 - 1.
     seed: u64 = 0, in SEEDS;

@@ -18,7 +18,7 @@ pub fn dubins(from: Pose, to: Pose, radius: f64) -> Curve {
             words(side).iter().for_each(|word| offer(shortest, side, word));
         }
     });
-    // Rounding drops none of the words that always exist but where numbers overflow.
+    // Rounding drops none of the words that always exist unless numbers overflow.
     found.unwrap_or_else(|| {
         let [(_, first), (_, line), (_, last)] = words(&goal)[0];
         let word = [(Turn::Left, forwards(first)), (Turn::Straight, line), (Turn::Left, forwards(last))];
@@ -26,7 +26,7 @@ pub fn dubins(from: Pose, to: Pose, radius: f64) -> Curve {
     })
 }
 
-/// The words that begin to the left, with unwrapped angles. Where one does not exist, its lengths are not numbers.
+/// The words that begin to the left, with unwrapped angles. If one does not exist, its lengths are not numbers.
 fn words(goal: &Goal) -> [[(Turn, f64); 3]; 3] {
     use Turn::{Left, Right, Straight};
     let (left, right) = (&goal.left, &goal.right);

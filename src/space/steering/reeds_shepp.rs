@@ -4,12 +4,12 @@
 //! segments. With C an arc, S a straight line and | a change of gear they are the words CSC; C|C|C, C|CC and CC|C; CCu|CuC and
 //! C|CuCu|C with two arcs alike; C|CqSC and CSCq|C with a quarter of a turn, and C|CqSCq|C.
 //!
-//! Here gears are not told apart: a word says left, right or straight, and its signed lengths solve for the goal whatever
-//! their signs. Of angles that differ by a whole turn the shorter is driven, which is never longer than the word that the paper
+//! Here gears are not distinguished: a word consists of left, right and straight, and its signed lengths solve for the goal
+//! whatever their signs. Of angles that differ by a whole turn the shorter is driven, which is never longer than the word that the paper
 //! has; so few equations cover all its words, and what they cover besides leads to the goal too.
 //!
 //! # The equations
-//! Points are complex numbers, e(h) the heading h, n(h) = e(h - pi/2) the way from a left circle's centre to a car on it. From the
+//! Points are complex numbers, e(h) the heading h, n(h) = e(h - pi/2) the vector from a left circle's centre to a car on it. From the
 //! centre of the circle left of the start to that left (right) of the goal the vector is, for arcs t, u, v and a line s,
 //! - LSL: s e(t); LSR: (s - 2i) e(t);
 //! - LRL: 2 n(t) - 2 n(t - u) = 4 sin(u/2) e(t - u/2);
@@ -27,7 +27,7 @@ use std::f64::consts::PI;
 const QUARTER: f64 = 0.5 * PI;
 
 /// The shortest curve from one pose to another for a car that turns no tighter than `radius` metres, greater than 0, and may
-/// reverse at any place. The curve back is the same, reversed, to the bit. O(1).
+/// reverse anywhere. The curve back is the same, reversed, to the bit. O(1).
 pub fn reeds_shepp(from: Pose, to: Pose, radius: f64) -> Curve {
     let order = from.x.total_cmp(&to.x).then(from.y.total_cmp(&to.y)).then(from.heading.total_cmp(&to.heading));
     if order == Ordering::Greater { find(to, from, radius).reversed() } else { find(from, to, radius) }
@@ -42,7 +42,7 @@ fn find(from: Pose, to: Pose, radius: f64) -> Curve {
             sides.iter().for_each(|goal| family(goal, shortest));
         }
     });
-    // Rounding drops none of the words that always exist but where numbers overflow.
+    // Rounding drops none of the words that always exist unless numbers overflow.
     found.unwrap_or_else(|| {
         let left = &goal.left;
         let word = [left.angle, left.length, shorter(goal.heading - left.angle)];

@@ -53,10 +53,7 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
             } else if !slow {
                 // The sliver between both proofs is as wide as the tolerance; looks are 2000 an edge.
                 let spacing = 0.01 * scale;
-                assert!(
-                    room <= tau + spacing,
-                    "world {number}: {motion:?} is proven by separating lines alone, {room} away"
-                );
+                assert!(room <= tau + spacing, "world {number}: {motion:?} proven by lines alone, {room} away");
                 beyond += 1;
             }
             let is_arc = usize::from(matches!(motion, BodyMotion::Arc { .. }));
@@ -148,10 +145,8 @@ mod parry {
             for _ in 0..10 {
                 let q = random_placement(&mut random, scale);
                 let (expected, found) = (clearance(&q), collision.clearance(&q).max(0.0));
-                assert!(
-                    expected == found || (expected - found).abs() < 1e-6,
-                    "world {number}: {found} is not {expected} at {q:?}"
-                );
+                let is_same = expected == found || (expected - found).abs() < 1e-6;
+                assert!(is_same, "world {number}: {found} is not {expected} at {q:?}");
                 apart += u32::from(found > 0.0);
                 touching += u32::from(found == 0.0);
                 let motion = random_motion(&mut random, q, scale);
@@ -164,10 +159,7 @@ mod parry {
                 }
             }
         }
-        assert!(
-            apart > 100 && touching > 100 && accepted > 50,
-            "{apart} apart, {touching} touching, {accepted} accepted"
-        );
+        assert!(apart > 100 && touching > 100 && accepted > 50, "{apart} {touching} {accepted}");
     }
 }
 
@@ -260,12 +252,9 @@ fn turning_in_place_is_refused_where_a_corner_hits_something_thin() {
                 arc(at, 0.0, -0.5, 6.0),
                 arc(at, 0.0, 10.0, 100.0),
             ] {
-                assert_eq!(
-                    collision.is_motion_free(&motion),
-                    is_free,
-                    "{gap} from a wall {thickness} thick: {motion:?}"
-                );
-                assert_eq!(collision.first_hit_by_distances(&motion).is_none(), is_free);
+                let what = format!("{gap} from a wall {thickness} thick: {motion:?}");
+                assert_eq!(collision.is_motion_free(&motion), is_free, "{what}");
+                assert_eq!(collision.first_hit_by_distances(&motion).is_none(), is_free, "{what}");
                 if let Some(hit) = collision.first_hit(&motion) {
                     let q = motion.at(hit);
                     assert!(collision.is_free(&q) && collision.clearance(&q) < 1e-3, "{hit} of {motion:?}");

@@ -84,10 +84,8 @@ fn an_arm_with_something_close_by_takes_few_evaluations_a_motion() {
             for (a, b) in motions {
                 for is_first_hit in [false, true] {
                     let before = validity.clearance_evaluations();
-                    let is_free = match is_first_hit {
-                        true => validity.first_hit(&a, &b).is_none(),
-                        false => validity.is_motion_free(&a, &b),
-                    };
+                    let hits = || validity.first_hit(&a, &b).is_some();
+                    let is_free = if is_first_hit { !hits() } else { validity.is_motion_free(&a, &b) };
                     let evaluations = validity.clearance_evaluations() - before;
                     assert!(evaluations <= FEW.min(most(2 * pieces)), "{name}: {evaluations} for {a:?} to {b:?}");
                     worst = worst.max(evaluations);
@@ -155,10 +153,8 @@ fn a_body_that_all_but_touches_takes_few_evaluations_a_motion() {
         for motion in motions {
             for is_first_hit in [false, true] {
                 let before = collision.clearance_evaluations();
-                let is_free = match is_first_hit {
-                    true => collision.first_hit(&motion).is_none(),
-                    false => collision.is_motion_free(&motion),
-                };
+                let hits = || collision.first_hit(&motion).is_some();
+                let is_free = if is_first_hit { !hits() } else { collision.is_motion_free(&motion) };
                 let evaluations = collision.clearance_evaluations() - before;
                 assert!(evaluations <= FEW, "{gap}: {evaluations} for {motion:?}");
                 worst = worst.max(evaluations);

@@ -45,8 +45,8 @@ fn a_document_becomes_a_scenario() {
     assert_eq!((disc.radius(), scenario.robot().dimension()), (0.1, 2));
     let scenario = Scenario::parse(BODY).unwrap();
     let Robot::RigidBody(body) = scenario.robot() else { panic!("a body") };
-    assert_eq!((body.shape().vertices().len(), body.shape().is_convex()), (5, false));
-    assert_eq!(body.weights(), Weights { translation: 0.7, rotation: 0.3 });
+    assert_eq!((body.shape.vertices().len(), body.shape.is_convex()), (5, false));
+    assert_eq!(body.weights, Weights { translation: 0.7, rotation: 0.3 });
     let query = &scenario.queries()[0];
     assert_eq!(query.configuration(), Some(&[1.8, 1.8, 7.0][..]), "angles are stored as they are written");
     assert_eq!(query.goal_tolerance, Some(GoalTolerance { translation: 0.1, rotation: 0.5 }));

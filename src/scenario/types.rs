@@ -130,7 +130,7 @@ impl Robot {
     pub fn placed_shape(&self) -> Option<(&Polygon, Weights)> {
         match self {
             Robot::Arm(_) | Robot::Disc(_) => None,
-            Robot::RigidBody(body) => Some((body.shape(), body.weights())),
+            Robot::RigidBody(body) => Some((&body.shape, body.weights)),
             Robot::Car(car) => Some((car.shape(), car.weights())),
         }
     }

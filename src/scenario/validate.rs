@@ -119,7 +119,7 @@ fn checked_robot(robot: document::Robot) -> Result<Robot, Error> {
         }
         document::Robot::Disc(disc) => DiscRobot::new(disc.radius.0).map(Robot::Disc),
         document::Robot::RigidBody(body) => checked_shape(&body.shape)
-            .and_then(|shape| Ok(Robot::RigidBody(RigidBody::new(shape, checked_weights(body.metric)?)))),
+            .and_then(|shape| Ok(Robot::RigidBody(RigidBody { shape, weights: checked_weights(body.metric)? }))),
         document::Robot::Car(car) => checked_shape(&car.shape).and_then(|shape| {
             let [speed, steering] = [car.speed.map(|speed| speed.0), car.steering.map(|angle| angle.0)];
             let step = car.integration_step.map_or(INTEGRATION_STEP, |step| step.0);

@@ -26,7 +26,7 @@ impl<const N: usize> Checker<N> {
         match robot {
             Robot::Arm(arm) => Self::Arm(ArmValidity::new(arm, space.product().clone(), world.clone(), tolerance)),
             Robot::Disc(disc) => Self::Disc(DiscValidity::new(disc, world.clone())),
-            Robot::RigidBody(rigid) => body(rigid.shape()),
+            Robot::RigidBody(rigid) => body(&rigid.shape),
             Robot::Car(car) => body(car.shape()),
         }
     }

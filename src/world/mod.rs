@@ -114,7 +114,7 @@ impl PlanningWorld {
         match self.robot() {
             Robot::Arm(arm) => joint_space(arm, Metric::Sum),
             Robot::Disc(_) => plane(self.bounds()),
-            Robot::RigidBody(body) => placements(body.shape(), body.weights(), self.bounds()),
+            Robot::RigidBody(body) => placements(&body.shape, body.weights, self.bounds()),
             Robot::Car(car) => placements(car.shape(), car.weights(), self.bounds()),
         }
     }

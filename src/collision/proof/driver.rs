@@ -84,12 +84,6 @@ pub(in crate::collision) struct Interval<S> {
     pub state: S,
 }
 
-impl<S> Interval<S> {
-    fn whole(state: S) -> Self {
-        Self { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), state }
-    }
-}
-
 /// A part and an obstacle not yet known to be apart.
 #[derive(Debug, Clone, Copy)]
 struct Pair {
@@ -132,7 +126,7 @@ impl<M: Moving> Prover<M> {
         self.pairs.clear();
         self.intervals.clear();
         let mut proof = Proof { scene, order, searches: false, prover: self };
-        let whole = Interval::whole(state);
+        let whole = Interval { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), state };
         if proof.test_all(&whole) {
             return Some(0.0);
         }

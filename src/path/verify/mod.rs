@@ -130,11 +130,9 @@ fn judge(scenario: &Scenario, query: &Query, result: &ResultDocument) -> Result<
         Robot::Arm(arm) => arm::judge(scenario.world(), arm, path, &scale)?,
         Robot::Disc(disc) => disc::judge(scenario.world(), disc, path, &scale)?,
         Robot::RigidBody(body) => {
-            let mut legs: Vec<Leg> = path.windows(2).map(|ends| Leg::straight(&ends[0], &ends[1])).collect();
-            if legs.is_empty() {
-                legs.push(Leg::straight(&path[0], &path[0]));
-            }
-            body::judge(scenario.world(), body.shape(), legs.into_iter().enumerate(), &scale)?
+            let ends = (0..path.len().max(2) - 1).map(|i| [&path[i], &path[(i + 1).min(path.len() - 1)]]);
+            let legs = ends.map(|[from, to]| Leg::straight(from, to)).enumerate();
+            body::judge(scenario.world(), &body.shape, legs, &scale)?
         }
         // Its length is that of its motions.
         Robot::Car(car) => return car::judge(scenario.world(), car, result, &scale),
@@ -279,7 +277,7 @@ impl Scale {
         match robot {
             Robot::Arm(arm) => Self::new(world, Some(arm.base()), arm.reach() + arm.radius()),
             Robot::Disc(disc) => Self::new(world, None, disc.radius()),
-            Robot::RigidBody(body) => Self::new(world, None, body.shape().reach()),
+            Robot::RigidBody(body) => Self::new(world, None, body.shape.reach()),
             Robot::Car(car) => Self::new(world, None, car.shape().reach()),
         }
     }

@@ -67,7 +67,7 @@ impl RobotChoice {
         let shape = polygon(&[(-x, -y), (x, -y), (x, y), (-x, y)].map(|(x, y)| Point::new(x, y)));
         let weights = Weights::default();
         if self != RobotChoice::Car {
-            return Ok(Robot::RigidBody(RigidBody::new(shape, weights)));
+            return Ok(Robot::RigidBody(RigidBody { shape, weights }));
         }
         let [speed, steering] = [FASTEST, STEEPEST].map(|most| [-most, most]);
         Ok(Robot::Car(Car::new(shape, WHEELBASE, speed, steering, STEP, weights)?))

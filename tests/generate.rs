@@ -1,8 +1,7 @@
 //! Scenarios by seed: what the generators promise.
 
-use planarium::geometry::{
-    Aabb, Disc, Point, Polygon, Segment, distance_point_segment, distance_segment_polygon, intersects_segment_polygon,
-};
+use crate::common::bodies::part_distance;
+use planarium::geometry::{Aabb, Disc, Point, Polygon, Segment, distance_segment_polygon, intersects_segment_polygon};
 use planarium::options::Kind;
 use planarium::robot::Part;
 use planarium::run::inspect::Inspector;
@@ -78,19 +77,10 @@ fn ends(scenario: &Scenario, iterations: u64) -> Status {
 
 /// The distance from the robot at its starts and goals to the nearest obstacle.
 fn clearance(scenario: &Scenario) -> f64 {
-    let mut least = f64::INFINITY;
-    for q in scenario.queries().iter().flat_map(Query::ends) {
-        for (axis, radius) in axes(scenario, q) {
-            for obstacle in &scenario.world().obstacles {
-                let distance = match obstacle {
-                    Obstacle::Polygon(polygon) => distance_segment_polygon(&axis, polygon),
-                    Obstacle::Disc(disc) => distance_point_segment(disc.center, &axis) - disc.radius,
-                };
-                least = least.min(distance - radius);
-            }
-        }
-    }
-    least
+    let parts = scenario.queries().iter().flat_map(Query::ends).flat_map(|q| scenario.robot().footprint(q));
+    let obstacles = &scenario.world().obstacles;
+    let nearest = |part: Part| obstacles.iter().map(|o| part_distance(&part, o)).fold(f64::INFINITY, f64::min);
+    parts.map(nearest).fold(f64::INFINITY, f64::min)
 }
 
 #[wasm_bindgen_test(unsupported = test)]

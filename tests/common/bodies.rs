@@ -3,8 +3,12 @@
 use parry2d_f64::math::Vector;
 use parry2d_f64::shape::Polyline;
 use planarium::collision::BodyMotion;
-use planarium::geometry::{Aabb, Disc, Point, Polygon, distance_point_polygon, intersects_polygon_polygon};
+use planarium::geometry::{
+    Aabb, Disc, Point, Polygon, Segment, distance_point_polygon, distance_point_segment, distance_polygon_polygon,
+    distance_segment_polygon, intersects_polygon_polygon,
+};
 use planarium::random::Random;
+use planarium::robot::Part;
 use planarium::scenario::{Obstacle, World};
 use std::f64::consts::{PI, TAU};
 
@@ -172,4 +176,27 @@ pub fn touches(body: &Polygon, world: &World, q: &[f64; 3]) -> bool {
         Obstacle::Polygon(polygon) => intersects_polygon_polygon(&placed, polygon),
         Obstacle::Disc(disc) => distance_point_polygon(disc.center, &placed) <= disc.radius,
     })
+}
+
+/// The distance from a part to an obstacle by the crate's own functions.
+pub fn part_distance(part: &Part, obstacle: &Obstacle) -> f64 {
+    match (part, obstacle) {
+        (Part::Capsule { a, b, radius }, Obstacle::Polygon(polygon)) => {
+            distance_segment_polygon(&Segment::new(*a, *b), polygon) - radius
+        }
+        (Part::Capsule { a, b, radius }, Obstacle::Disc(disc)) => {
+            distance_point_segment(disc.center, &Segment::new(*a, *b)) - radius - disc.radius
+        }
+        (Part::Disc { center, radius }, Obstacle::Polygon(polygon)) => {
+            distance_point_polygon(*center, polygon) - radius
+        }
+        (Part::Disc { center, radius }, Obstacle::Disc(disc)) => (center - disc.center).norm() - radius - disc.radius,
+        (Part::Polygon { vertices }, obstacle) => {
+            let body = Polygon::new(vertices).expect("a placed polygon");
+            match obstacle {
+                Obstacle::Polygon(polygon) => distance_polygon_polygon(&body, polygon),
+                Obstacle::Disc(disc) => distance_point_polygon(disc.center, &body) - disc.radius,
+            }
+        }
+    }
 }

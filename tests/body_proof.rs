@@ -34,11 +34,11 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
             assert!(fast || !slow, "world {number}: refused, though distances prove it free: {motion:?}");
             let hit = collision.first_hit(&motion);
             assert_eq!(fast, hit.is_none(), "world {number}: {motion:?}");
-            let looks = if fast && !slow { 2000 } else { 40 };
+            let samples = if fast && !slow { 2000 } else { 40 };
             let mut room = f64::INFINITY;
-            for i in 0..=looks {
+            for i in 0..=samples {
                 // All of an accepted motion, and of others what lies before the hit.
-                let q = motion.at(hit.unwrap_or(1.0) * f64::from(i) / f64::from(looks));
+                let q = motion.at(hit.unwrap_or(1.0) * f64::from(i) / f64::from(samples));
                 let is_touching = !collision.contacts(&q).is_empty();
                 assert_eq!(collision.is_free(&q), !is_touching, "world {number}: {q:?}");
                 assert!(!is_touching, "world {number}: {motion:?} touches at {q:?}");
@@ -51,7 +51,7 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
                 let room = collision.clearance(&q).min(collision.depth(&q));
                 assert!(room <= 2.0 * tau + 2.0 * eta, "world {number}: {motion:?} refused at {q:?}, {room} away");
             } else if !slow {
-                // The sliver between both proofs is as wide as the tolerance; looks are 2000 an edge.
+                // The sliver between both proofs is as wide as the tolerance; samples are 2000 an edge.
                 let spacing = 0.01 * scale;
                 assert!(room <= tau + spacing, "world {number}: {motion:?} proven by lines alone, {room} away");
                 beyond += 1;
@@ -67,7 +67,7 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn no_accepted_motion_is_refuted_by_two_thousand_looks() {
+fn no_accepted_motion_is_refuted_by_two_thousand_samples() {
     let mut random = Random::new(2, Stream::Samples);
     let mut accepted = 0;
     for number in 0..seeds(60) {
@@ -351,7 +351,7 @@ fn an_arc_of_many_turns_is_proven_by_its_first() {
             assert!(free.is_motion_free(&arc(from, speed, turn_rate, turns * TAU / turn_rate.abs())), "{turns} turns");
         }
     }
-    // Something in the way at three quarters of a turn.
+    // An obstacle at three quarters of a turn.
     let there = Obstacle::Polygon(rectangle([1.99, 0.8], [2.01, 0.85]));
     let blocked = BodyCollision::new(&body, &world([0.5, 0.5], [4.0, 3.5], vec![inner, outer, there]), FRACTION);
     for turns in [0.7, 1.0, 10.0, 1591.0] {
@@ -365,7 +365,7 @@ fn an_arc_of_many_turns_is_proven_by_its_first() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn nothing_beyond_reach_is_looked_at() {
+fn nothing_beyond_reach_is_examined() {
     let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
     let obstacle = |i: u32| {
         let center = p(f64::from(i % 40) / 10.0, f64::from(i / 40) / 10.0);
@@ -404,7 +404,7 @@ fn motions_that_make_no_sense_are_refused_and_long_ones_are_cut_at_the_bounds() 
         assert!(!collision.is_motion_free(&arc(at, 0.1, 0.1, bad)));
     }
     assert!(!collision.is_motion_free(&straight(at, [2.0, 2.0, 8.0])), "more than a turn on a straight way");
-    assert!(!collision.is_motion_free(&straight([2.0, 2.0, 2e4], [2.0, 2.0, 2e4])), "an angle that says little");
+    assert!(!collision.is_motion_free(&straight([2.0, 2.0, 2e4], [2.0, 2.0, 2e4])), "an angle too large to be accurate");
     // As far as the bounds, whatever lies behind.
     assert_eq!(collision.first_hit(&straight(at, [1e200, 2.0, 0.0])), Some(0.0), "longer than its square can be");
     for length in [10.0, 100.0, 1e9, 1e100] {

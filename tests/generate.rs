@@ -110,7 +110,7 @@ fn a_forest_has_four_triangles_a_link_in_distinct_cells_of_the_grid_and_leaves_b
             nearest = nearest.min(clearance(&scenario));
         }
     }
-    assert!((1e-9..0.1).contains(&nearest), "some triangle stands close by, none touches: {nearest}");
+    assert!((1e-9..0.1).contains(&nearest), "some triangle is close by, none touches: {nearest}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -304,7 +304,7 @@ fn the_table_of_options_is_what_generators_take() {
                         let error = one(outside.to_string()).unwrap_err();
                         assert_eq!((error.code().as_str(), error.pointer()), ("out-of-range", &*format!("/{name}")));
                     }
-                    // At the ends of its range an option may clash with the defaults of others, and says so.
+                    // At the ends of its range an option may conflict with the defaults of others, which is an error.
                     for inside in [min, max] {
                         match one(inside.to_string()) {
                             Ok(scenario) => assert_ends_are_free(&scenario),
@@ -382,7 +382,7 @@ fn what_is_solvable_by_construction_is_solved() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn what_is_too_narrow_says_so_and_is_not_solved() {
+fn a_passage_that_is_too_narrow_is_named_in_the_title_and_not_solved() {
     for (kind, options) in [
         ("gap", r#""width": 0.06"#),
         ("gap", r#""width": 0"#),
@@ -450,7 +450,7 @@ fn passages(maze: &Scenario, cells: usize) -> Vec<(usize, usize)> {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn mazes_join_all_cells_and_hard_ones_in_one_way_only() {
+fn mazes_connect_all_cells_and_hard_ones_by_one_path_only() {
     for (difficulty, cells, count) in [("easy", 6, 35 + 5), ("medium", 9, 80 + 6), ("hard", 12, 143)] {
         for seed in 0..20 {
             let open = passages(&make("maze", &format!(r#""difficulty": "{difficulty}""#), seed), cells);
@@ -460,7 +460,7 @@ fn mazes_join_all_cells_and_hard_ones_in_one_way_only() {
                 let (from, to) = (group[cell], group[next]);
                 group.iter_mut().filter(|g| **g == from).for_each(|g| *g = to);
             }
-            assert!(group.iter().all(|g| *g == group[0]), "{difficulty} {seed}: all cells are joined");
+            assert!(group.iter().all(|g| *g == group[0]), "{difficulty} {seed}: all cells are connected");
         }
     }
 }
@@ -498,7 +498,7 @@ fn a_hard_maze_has_the_dead_ends_of_a_uniform_spanning_tree() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_gap_is_as_wide_as_it_says_and_the_arm_reaches_through_it() {
+fn a_gap_has_the_width_of_its_option_and_the_arm_reaches_through_it() {
     for links in 0..=8 {
         for seed in 0..20 {
             let robot = if links < 2 { RobotChoice::Disc } else { RobotChoice::Arm };
@@ -521,7 +521,7 @@ fn a_gap_is_as_wide_as_it_says_and_the_arm_reaches_through_it() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_mouth_is_as_wide_as_it_says() {
+fn a_mouth_has_the_width_of_its_option() {
     for seed in 0..20 {
         for (mouth, radius, ways) in [(0.1, 0.05 - 1e-9, 1), (0.1, 0.05, 0), (0.04, 0.02 - 1e-9, 1), (0.04, 0.02, 0)] {
             let turn = Turn::Quarter;

@@ -75,7 +75,7 @@ fn what_does_not_bound_a_simple_polygon_is_refused() {
             SelfCrossing(0, 4),
         ),
         (
-            "a crossing, told by the vertices as they were given",
+            "a crossing, named by the vertices as they were given",
             &[[0.0, 0.0], [0.0, 0.0], [1.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]],
             SelfCrossing(0, 4),
         ),
@@ -104,7 +104,7 @@ fn exact_intersects(s: &Segment, t: &Segment) -> bool {
         || exact_on(t.a, t.b, s.b)
 }
 
-/// Whether the corners bound a simple polygon, by looking at every pair of edges.
+/// Whether the corners bound a simple polygon, by every pair of edges.
 fn is_simple_by_pairs(v: &[Point]) -> bool {
     let n = v.len();
     let edge = |i: usize| Segment::new(v[i % n], v[(i + 1) % n]);
@@ -117,7 +117,7 @@ fn is_simple_by_pairs(v: &[Point]) -> bool {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_sweep_finds_a_crossing_where_a_look_at_every_pair_does() {
+fn the_sweep_finds_a_crossing_if_a_test_of_every_pair_does() {
     let mut random = random(1);
     let mut simple = 0;
     let runs = 40_000;

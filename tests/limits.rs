@@ -1,5 +1,5 @@
-//! Bodies and cars at the limits of what is accepted: corners in one line, turning circles as wide as the world or a grain of
-//! dust, results that lie. On native, Node and Chrome alike.
+//! Bodies and cars at the limits of what is accepted: corners in one line, turning circles as wide as the world or as small as a
+//! grain of dust, results that are wrong. On native, Node and Chrome alike.
 
 use crate::common::bodies::*;
 use crate::common::documents::{refusal, result, scenario, shape};
@@ -143,7 +143,7 @@ fn curves_are_traced_as_finely_as_they_bend() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_kept_roadmap_says_how_the_car_was_steered() {
+fn a_stored_roadmap_contains_the_steering_of_the_car() {
     let scenario = car("0.5", "[-1, 1]", "[-0.6, 0.6]", "[9, 9, -2]");
     for word in ["dubins", "reeds-shepp"] {
         let settings = format!("samples=60 k=6 steering={word}");
@@ -194,8 +194,8 @@ fn why(scenario: &Scenario, path: &str, motions: Option<&str>, length: f64) -> O
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn no_waypoint_turns_a_body_by_an_angle_that_says_nothing() {
-    // Through a slot that only a body fits that lies flat; at both ends it stands.
+fn no_waypoint_has_an_angle_too_large_to_be_accurate() {
+    // Through a slot that only a body fits that lies flat; at both ends it is upright.
     let low = r#"{ "type": "polygon", "vertices": [[2, 0], [4, 0], [4, 0.8], [2, 0.8]] }"#;
     let high = r#"{ "type": "polygon", "vertices": [[2, 1.2], [4, 1.2], [4, 2], [2, 2]] }"#;
     let robot = format!(r#"{{ "type": "rigid_body", {} }}"#, shape(0.4, 0.1));
@@ -203,7 +203,7 @@ fn no_waypoint_turns_a_body_by_an_angle_that_says_nothing() {
     let scenario = scenario("[0, 0], [6, 2]", &format!("{low}, {high}"), &robot, query);
     let upright = why(&scenario, "[[1, 1, 1.5], [5, 1, 1.5]]", None, 2.8);
     assert!(upright.expect("it does not fit").contains("obstacle"));
-    // By its sine the angle lies flat; by the remainder of whole turns, as steps are measured, it stands.
+    // By its sine the angle lies flat; by the remainder of whole turns, as steps are measured, it is upright.
     let turns = |angle: f64| {
         let rest = |a: f64| libm::remainder(a, std::f64::consts::TAU);
         rest(rest(angle) - rest(1.5)).abs()
@@ -232,7 +232,7 @@ fn no_step_of_a_car_leads_through_a_wall_and_many_turns_are_judged_at_once() {
     let why = |path, motions: &str, length| why(&scenario, path, Some(motions), length).expect("it is refused");
     let resting = motion(0.0, 0.0, 1.0);
     assert!(why(path, &format!("[{resting}]"), 0.0).contains("obstacle"));
-    // A million and a trillion metres in circles: where they end cannot be told, and they are not looked at turn by turn.
+    // A million and a trillion metres in circles: their ends cannot be computed, and they are not examined turn by turn.
     for metres in [1e6, 1e12, 1e300] {
         let length = 0.7 * metres + 0.3 * metres * libm::tan(1.0) / 1e-3;
         let motions = format!("[{}, {resting}]", motion(1.0, 1.0, metres));
@@ -280,31 +280,25 @@ fn a_polygon_of_many_corners_is_cut_up_in_no_time() {
     assert_eq!(pieces.iter().map(|piece| piece.vertices().len()).max(), Some(many));
 }
 
-/// A polygon's vertices as JSON.
-fn corners_of(corners: &[[f64; 2]]) -> String {
-    format!("{corners:?}")
-}
-
 /// A scene with one obstacle, and a body of this shape.
-fn with_polygons(obstacle: &str, shape: &str) -> String {
+fn with_polygons(obstacle: &[[f64; 2]], shape: &[[f64; 2]]) -> String {
     format!(
         r#"{{ "format": "planarium-scenario-1", "name": "tiny",
-            "world": {{ "bounds": {{"min": [-9, -9], "max": [9, 9]}}, "obstacles": [ {{"type": "polygon", "vertices": {obstacle}}} ] }},
-            "robot": {{"type": "rigid_body", "shape": {{"type": "polygon", "vertices": {shape}}}}},
+            "world": {{ "bounds": {{"min": [-9, -9], "max": [9, 9]}}, "obstacles": [ {{"type": "polygon", "vertices": {obstacle:?}}} ] }},
+            "robot": {{"type": "rigid_body", "shape": {{"type": "polygon", "vertices": {shape:?}}}}},
             "queries": [{{"name": "q", "start": [5, 5, 0], "goal": [-5, -5, 1]}}] }}"#
     )
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn polygons_whose_sides_cannot_be_told_apart_are_refused() {
-    let square = corners_of(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     for tiny in [
         [[0.0, -2e-200], [0.0, -1e-200], [1.0, 1e-200], [-2e-200, 0.0]],
         [[0.0, 0.0], [1e-160, 0.0], [1e-160, 1e-160], [0.0, 1e-160]],
         [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [5e-324, 1.0]],
         [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [-9.9e-141, 1.0]],
     ] {
-        let tiny = corners_of(&tiny);
         for (text, pointer) in [
             (with_polygons(&tiny, &square), "/world/obstacles/0/vertices"),
             (with_polygons(&square, &tiny), "/robot/shape/vertices"),
@@ -316,7 +310,7 @@ fn polygons_whose_sides_cannot_be_told_apart_are_refused() {
     }
     // As small as this it is exact; so are zeros, and coordinates of very different sizes.
     for small in [1e-140, 1e-100, 1e-17] {
-        let small = corners_of(&[[0.0, 0.0], [small, -0.0], [1.0, 1.0], [0.0, small]]);
+        let small = [[0.0, 0.0], [small, -0.0], [1.0, 1.0], [0.0, small]];
         parse(&with_polygons(&small, &square));
         parse(&with_polygons(&square, &small));
     }
@@ -342,8 +336,8 @@ fn polygons_of_all_scales_are_refused_or_cut_up_exactly() {
         assert!(pieces.iter().all(|piece| piece.is_convex() && piece.vertices().len() > 2), "{polygon:?}");
         assert!(pieces.iter().all(|piece| Polygon::new(piece.vertices()).is_ok_and(|again| again == *piece)));
         concave += u32::from(!polygon.is_convex());
-        let [text, square] = [corners, vec![[0.0, 0.0], [0.1, 0.0], [0.1, 0.1]]].map(|corners| corners_of(&corners));
-        for text in [with_polygons(&text, &square), with_polygons(&square, &text)] {
+        let square = [[0.0, 0.0], [0.1, 0.0], [0.1, 0.1]];
+        for text in [with_polygons(&corners, &square), with_polygons(&square, &corners)] {
             let Ok(scenario) = Scenario::parse(&text) else { continue };
             let Ok(mut run) = run::start(&scenario, &options("rrt-connect", number, "")) else { continue };
             run.step(3);

@@ -100,7 +100,7 @@ fn triangles_cover_the_polygon_and_none_is_flat() {
     }
 }
 
-/// Ear clipping with every corner tried anew and every vertex looked at: O(n^3), and plainly right.
+/// Ear clipping with every corner tried again against every vertex: O(n^3), and evidently right.
 fn triangles_by_all_vertices(v: &[Point]) -> Vec<[u32; 3]> {
     let mut left: Vec<u32> = (0..v.len() as u32).collect();
     let (mut found, mut at) = (Vec::new(), 0);

@@ -1,4 +1,4 @@
-//! The proof law: no accepted motion touches an obstacle, however thin; nothing with room to spare is refused. On native,
+//! The proof law: no accepted motion touches an obstacle, however thin; nothing with clearance to spare is refused. On native,
 //! Node and Chrome alike, with many seeds natively.
 
 use crate::common::bodies::{drawn, round, star};
@@ -99,7 +99,7 @@ fn touches(scenario: &Scenario, q: &[f64]) -> bool {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn no_accepted_motion_is_refuted_by_two_thousand_looks() {
+fn no_accepted_motion_is_refuted_by_two_thousand_samples() {
     for world in arm_worlds() {
         let (space, validity) = arm_in(&world);
         let mut random = Random::new(2, Stream::Samples);
@@ -117,7 +117,7 @@ fn no_accepted_motion_is_refuted_by_two_thousand_looks() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn all_before_the_first_hit_is_free_and_none_is_told_for_a_free_motion() {
+fn all_before_the_first_hit_is_free_and_a_free_motion_has_none() {
     for world in arm_worlds() {
         let (space, validity) = arm_in(&world);
         let mut random = Random::new(3, Stream::Samples);
@@ -212,13 +212,13 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
             assert!(fast || !slow, "world {world_number}: refused, though distances prove it free: {a:?} {b:?}");
             let hit = validity.first_hit(&a, &b);
             assert_eq!(fast, hit.is_none(), "world {world_number}: {a:?} {b:?}");
-            let looks = if fast && !slow { 1000 } else { 30 };
-            for i in 0..=looks {
+            let samples = if fast && !slow { 1000 } else { 30 };
+            for i in 0..=samples {
                 // All of an accepted motion, and of others what lies before the hit: up to contact.
-                let q = space.interpolate(&a, &b, hit.unwrap_or(1.0) * f64::from(i) / f64::from(looks));
+                let q = space.interpolate(&a, &b, hit.unwrap_or(1.0) * f64::from(i) / f64::from(samples));
                 let is_touching = !validity.contacts(&q).is_empty();
                 assert_eq!(validity.is_free(&q), !is_touching, "world {world_number}: {q:?}");
-                assert!(!is_touching || (!fast && i == looks), "world {world_number}: {a:?} {b:?} touches at {q:?}");
+                assert!(!is_touching || (!fast && i == samples), "world {world_number}: {a:?} {b:?} touches at {q:?}");
             }
             accepted += u32::from(fast);
             refused += u32::from(!fast);
@@ -234,7 +234,7 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_check_by_samples_looks_at_each_of_them_and_at_no_other() {
+fn the_check_by_samples_tests_each_of_them_and_no_other() {
     let world = &arm_worlds()[1];
     let (space, validity) = arm_in(world);
     let mut random = Random::new(5, Stream::Samples);
@@ -242,8 +242,8 @@ fn the_check_by_samples_looks_at_each_of_them_and_at_no_other() {
     for _ in 0..seeds(2000) {
         let (a, b) = (space.sample(&mut random), space.sample(&mut random));
         for samples in [1, 2, 3, 7, 20, 64] {
-            let mut looks = (1..=samples).map(|i| space.interpolate(&a, &b, f64::from(i) / f64::from(samples)));
-            let expected = looks.all(|q| validity.is_free(&q));
+            let mut tested = (1..=samples).map(|i| space.interpolate(&a, &b, f64::from(i) / f64::from(samples)));
+            let expected = tested.all(|q| validity.is_free(&q));
             let sampled = Sampled::new(space.clone(), Box::new(arm_in(world).1), samples);
             assert_eq!(sampled.is_motion_free(&a, &b), expected, "{samples} of {a:?} to {b:?}");
             assert!(expected || !validity.is_motion_free(&a, &b), "proven, yet {a:?} to {b:?} hits");
@@ -261,7 +261,7 @@ fn the_check_by_samples_looks_at_each_of_them_and_at_no_other() {
     assert!(!sampled(2).is_motion_free(&[1.0, 1.0], &[9.0, 1.0]), "the middle is in the wall");
     assert!(sampled(3).is_motion_free(&[1.0, 1.0], &[9.0, 1.0]), "a third is before the wall, two thirds behind");
     assert!(!sampled(3).is_motion_free(&[1.0, 1.0], &[5.0, 1.0]), "the far end is in the wall");
-    assert_eq!(sampled(8).first_hit(&[1.0, 1.0], &[9.0, 1.0]), Some(0.375), "the last look before the wall");
+    assert_eq!(sampled(8).first_hit(&[1.0, 1.0], &[9.0, 1.0]), Some(0.375), "the last sample before the wall");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -302,7 +302,7 @@ fn culling_by_boxes_lists_all_that_meet_once_and_little_else() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn motions_of_many_turns_look_at_nothing_beyond_the_arm_s_reach() {
+fn motions_of_many_turns_examine_nothing_beyond_the_arm_s_reach() {
     let obstacle = |i: u32| {
         let center = Point::new(3.0 + f64::from(i % 50), f64::from(i / 50) - 25.0);
         Obstacle::Disc(Disc { center, radius: 0.4 })
@@ -323,8 +323,8 @@ fn a_motion_that_samples_accept_through_a_thin_wall_is_refused() {
         let (above, below) = (space.state(&[0.6, 0.2]), space.state(&[-0.6, -0.2]));
         assert!(!validity.is_motion_free(&above, &below));
         // Twenty samples, as in the reports, see walls of these thicknesses only by luck.
-        let looks = (0..20).map(|i| space.interpolate(&above, &below, (f64::from(i) + 0.5) / 20.0));
-        let seen = looks.filter(|q| !validity.is_free(q)).count();
+        let samples = (0..20).map(|i| space.interpolate(&above, &below, (f64::from(i) + 0.5) / 20.0));
+        let seen = samples.filter(|q| !validity.is_free(q)).count();
         assert!(thickness > 1e-2 || seen == 0, "samples miss a wall {thickness} thick");
 
         let world = disc_and_wall(0.0, thickness);

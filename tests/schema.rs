@@ -1,4 +1,4 @@
-//! The committed JSON Schema is the one that the types give, and it says what the parser holds.
+//! The committed JSON Schema is the one that the types give, and it agrees with the parser.
 //!
 //! `PLANARIUM_BLESS=1 cargo test --features schema --test schema` writes it anew.
 
@@ -129,7 +129,7 @@ fn schema_and_parser_know_and_require_the_same_fields() {
     // and region of body and car, the car's step.
     assert_eq!(removed[1], 16);
     assert!(removed[0] > 25);
-    // Every property of the schema stands in one of the documents.
+    // Every property of the schema is in one of the documents.
     let mut known = std::collections::BTreeSet::new();
     for place in
         ["", "/$defs/World", "/$defs/Bounds", "/$defs/Query", "/$defs/Target", "/$defs/Metric", "/$defs/GoalTolerance"]
@@ -229,7 +229,7 @@ fn what_is_written_follows_the_schema() {
 #[test]
 fn the_shared_scenarios_follow_the_schema_where_the_parser_accepts_them() {
     let Some(folder) = std::env::var_os("PLANARIUM_SCENARIOS") else {
-        eprintln!("PLANARIUM_SCENARIOS is not set: the shared scenarios are not looked at");
+        eprintln!("PLANARIUM_SCENARIOS is not set: the shared scenarios are not examined");
         return;
     };
     let mut seen = 0;

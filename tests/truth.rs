@@ -59,7 +59,7 @@ fn seeds() -> u64 {
     if deep() { 10 } else { 2 }
 }
 
-/// The folder of the scenarios; says aloud, past the capture of the test harness, where it is not told.
+/// The folder of the scenarios; prints a line, past the capture of the test harness, if it is not set.
 fn folder(test: &str) -> Option<PathBuf> {
     let folder = std::env::var_os("PLANARIUM_SCENARIOS").filter(|folder| !folder.is_empty()).map(PathBuf::from);
     if folder.is_none() {

@@ -1,5 +1,5 @@
 //! The independent judge of paths, on native, Node and Chrome alike: hand-made paths, valid and not. Ends of motions are
-//! odd, so that no look falls just where an obstacle is.
+//! odd, so that no sample falls exactly on an obstacle.
 
 use crate::common::documents;
 use planarium::path::{ResultDocument, Verdict, verify};
@@ -115,7 +115,7 @@ fn a_wall_is_not_crossed_however_thin() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_speck_between_two_looks_is_seen() {
+fn a_speck_between_two_samples_is_found() {
     for size in [1e-3, 1e-6, 1e-9] {
         let speck = polygon(&[[0.7123, 0.0], [0.7123 + size, 0.0], [0.7123, size]]);
         for obstacle in [speck, disc([0.7123, 0.0], size)] {
@@ -138,7 +138,7 @@ fn touching_a_corner_is_collision_and_passing_it_is_not() {
     }
     for gap in [1e-10, 1e-8, 1e-6, 1e-3] {
         let seen = clearance(judge_arm(&[corner(1.0 + gap)], &arm(&[1.0], 0.0), sweep));
-        // Half the motion between two looks, at most, is added to the true one.
+        // Half the motion between two samples, at most, is added to the true one.
         assert!((0.9 * gap..gap + 1e-3).contains(&seen), "clearance {seen} past a gap of {gap}");
     }
     let thick = arm(&[1.0], 0.125);
@@ -304,7 +304,7 @@ fn concave_obstacles_keep_their_pockets() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_told_clearance_is_the_distance() {
+fn the_reported_clearance_is_the_distance() {
     let walls = [rectangle([2.5, -1.0], [3.0, 1.0]), disc([0.0, 3.0], 0.4)];
     let seen = clearance(judge_disc(&walls, 0.25, &[&[0.0, 0.0], &[2.0, 0.0], &[0.0, 0.0]]));
     assert!((seen - 0.25).abs() < 1e-12, "{seen}");

@@ -1,8 +1,4 @@
-//! The driver of the proof: the same for arms and bodies.
-//!
-//! The whole motion is the first interval, and every pair of a part and an obstacle near its swept box is tested on it. Pairs that
-//! are apart on an interval are dropped for good; a pair that touches in the middle refuses the motion; an interval is halved as
-//! long as pairs are open on it. An interval whose bound on travel is below the tolerance refuses the motion.
+//! The driver of the proof, for arms and bodies: the algorithm of the [module](super).
 //!
 //! **Budget.** Let l be the number of halvings until the bound on travel is below the tolerance, at most 48, and p the number of
 //! pairs open after the first interval. A motion that comes close to obstacles here and there leaves an interval or two open a

@@ -404,7 +404,10 @@ fn motions_that_make_no_sense_are_refused_and_long_ones_are_cut_at_the_bounds() 
         assert!(!collision.is_motion_free(&arc(at, 0.1, 0.1, bad)));
     }
     assert!(!collision.is_motion_free(&straight(at, [2.0, 2.0, 8.0])), "more than a turn on a straight way");
-    assert!(!collision.is_motion_free(&straight([2.0, 2.0, 2e4], [2.0, 2.0, 2e4])), "an angle too large to be accurate");
+    assert!(
+        !collision.is_motion_free(&straight([2.0, 2.0, 2e4], [2.0, 2.0, 2e4])),
+        "an angle too large to be accurate"
+    );
     // As far as the bounds, whatever lies behind.
     assert_eq!(collision.first_hit(&straight(at, [1e200, 2.0, 0.0])), Some(0.0), "longer than its square can be");
     for length in [10.0, 100.0, 1e9, 1e100] {

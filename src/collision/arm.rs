@@ -124,7 +124,8 @@ impl<const N: usize> ArmValidity<N> {
         (0..self.arm.links().len()).map(move |i| Segment::new(joints[i], joints[i + 1]))
     }
 
-    /// The depth of the outer ends of the links within the bounds, in metres; infinite without bounds. The base does not move.
+    /// The depth of the outer ends of the links within the bounds, in metres; infinite without bounds. The base does not
+    /// move.
     fn depth(&self, q: &[f64; N]) -> f64 {
         let outer_end = |link: Segment| self.depth_of(&Segment::new(link.b, link.b));
         self.links(q).map(outer_end).fold(f64::INFINITY, f64::min)
@@ -138,8 +139,8 @@ impl<const N: usize> ArmValidity<N> {
 }
 
 impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
-    /// Decided by the tests of the proof if these leave half the slack to spare, else by the distances of the contacts: both give
-    /// the same verdict.
+    /// Decided by the tests of the proof if these leave half the slack to spare, else by the distances of the contacts:
+    /// both give the same verdict.
     fn is_free(&self, q: &[f64; N]) -> bool {
         let prover = &mut *self.prover.borrow_mut();
         let state = prover.moving.rest(self.space.coordinates(q));

@@ -17,8 +17,8 @@ const LARGEST_ANGLE: f64 = 1e4;
 /// The largest turn of a straight motion, in radians, that proofs cover: more than once around.
 const LARGEST_TURN: f64 = 7.0;
 
-/// A motion longer than this many times the scale leaves every world of that scale: straight, or along one turn of an arc. Half
-/// a turn is no wider than the diagonal, 2 sqrt(2) scales, so the whole arc no longer than 2 sqrt(2) pi.
+/// A motion longer than this many times the scale leaves every world of that scale: straight, or along one turn of an
+/// arc. Half a turn is no wider than the diagonal, 2 sqrt(2) scales, so the whole arc no longer than 2 sqrt(2) pi.
 const LONGEST_PATH: f64 = 9.0;
 
 /// The collision checker of a body. Placements are (x, y, theta) of the origin of the body's frame.
@@ -48,7 +48,8 @@ impl BodyCollision {
         Self { body: body.clone(), obstacles, bounds, scale, scene, prover }
     }
 
-    /// The same with a tolerance no coarser than half the clearance, and half the depth within the bounds, of either placement.
+    /// The same with a tolerance no coarser than half the clearance, and half the depth within the bounds, of either
+    /// placement.
     #[must_use]
     pub fn fitted(mut self, start: &[f64; 3], goal: &[f64; 3]) -> Self {
         let clearances = [start, goal].map(|q| self.clearance(q));
@@ -64,8 +65,8 @@ impl BodyCollision {
         self
     }
 
-    /// Whether the body at `q` lies within the bounds and touches no obstacle: decided by the tests of the proof if these leave
-    /// half the slack to spare, else by the distances of [`BodyCollision::contacts`]. Both give the same verdict.
+    /// Whether the body at `q` lies within the bounds and touches no obstacle: decided by the tests of the proof if these
+    /// leave half the slack to spare, else by the distances of [`BodyCollision::contacts`]. Both give the same verdict.
     pub fn is_free(&self, q: &[f64; 3]) -> bool {
         if q[2].abs() > LARGEST_ANGLE {
             return self.contacts(q).is_empty();
@@ -102,9 +103,9 @@ impl BodyCollision {
         self.prove(motion, Order::MiddleFirst).is_none()
     }
 
-    /// The start, as a fraction of the motion, of the first interval that cannot be proven free; all before it is proven. `None`
-    /// if the whole motion is proven. The result is 0 for motions that are not finite or longer than 1e150, begin far outside the
-    /// bounds or at an angle beyond 1e4 radians, or turn by more than 7 on a straight motion.
+    /// The start, as a fraction of the motion, of the first interval that cannot be proven free; all before it is proven.
+    /// `None` if the whole motion is proven. The result is 0 for motions that are not finite or longer than 1e150, begin
+    /// far outside the bounds or at an angle beyond 1e4 radians, or turn by more than 7 on a straight motion.
     pub fn first_hit(&self, motion: &BodyMotion) -> Option<f64> {
         self.prove(motion, Order::FrontFirst)
     }

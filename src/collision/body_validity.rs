@@ -6,7 +6,8 @@ use crate::space::steering::{Curve, wrap};
 use crate::space::{MotionSpace, Space};
 use std::rc::Rc;
 
-/// The collision checker of a body in a space of placements (x, y, theta), in which motions are straight or the curves of a car.
+/// The collision checker of a body in a space of placements (x, y, theta), in which motions are straight or the curves of
+/// a car.
 pub struct BodyValidity<const N: usize> {
     space: MotionSpace<N>,
     collision: Rc<BodyCollision>,
@@ -23,8 +24,8 @@ impl<const N: usize> BodyValidity<N> {
         self.space.curve(a, b).filter(|curve| !curve.segments().is_empty())
     }
 
-    /// Whether a curve that ends at `end` reaches the state: the difference by rounding may be half the slack at most, also if the
-    /// curve is driven back. With a turning circle far wider than the world it may be more.
+    /// Whether a curve that ends at `end` reaches the state: the difference by rounding may be half the slack at most,
+    /// also if the curve is driven back. With a turning circle far wider than the world it may be more.
     fn is_reached(&self, end: [f64; 3], state: &[f64; N]) -> bool {
         let mut reached = [0.0; N];
         (reached[0], reached[1], reached[2]) = (end[0], end[1], wrap(end[2]));

@@ -1,8 +1,8 @@
 //! The boxes that meet a given one: four are compared at a time, in a tree if there are many.
 //!
-//! Coordinates are stored as integers of 15 bits, four in a word with a free bit above each: so one subtraction compares four,
-//! on any machine. Scaling, rounding and clamping never exchange two numbers, so boxes that meet still meet afterwards. All
-//! boxes that meet are listed, and rarely one that is only nearly touched.
+//! Coordinates are stored as integers of 15 bits, four in a word with a free bit above each: so one subtraction compares
+//! four, on any machine. Scaling, rounding and clamping never exchange two numbers, so boxes that meet still meet
+//! afterwards. All boxes that meet are listed, and rarely one that is only nearly touched.
 //!
 //! The tree is implicit, with four branches: boxes are ordered by splitting them again and again along the longer side of
 //! their common box; then every four neighbours make a group, the boxes around every four groups the next level's groups,
@@ -140,8 +140,8 @@ impl Boxes {
         Self { grid, groups, levels, order }
     }
 
-    /// Calls `visit` with the index of every box that meets `near` until it returns true, in an order that depends on the boxes
-    /// alone; returns whether it did.
+    /// Calls `visit` with the index of every box that meets `near` until it returns true, in an order that depends on the
+    /// boxes alone; returns whether it did.
     #[inline(always)]
     pub fn any(&self, near: &Aabb, mut visit: impl FnMut(usize) -> bool) -> bool {
         let near = Near::new(self.grid.cells(near));

@@ -1,5 +1,5 @@
-//! The dynamics of a car among obstacles: along exact arcs that are proven free; or by Euler's steps, of which only the ends are
-//! tested.
+//! The dynamics of a car among obstacles: along exact arcs that are proven free; or by Euler's steps, of which only the
+//! ends are tested.
 
 use super::body_validity::placement;
 use super::{BodyCollision, BodyMotion, LONGEST_DRIVE};
@@ -16,8 +16,8 @@ use std::rc::Rc;
 pub enum Integration {
     /// Exact: constant controls give arcs of circles. Steps are proven free.
     Exact,
-    /// By Euler's explicit method, a step of integration at a time, as in the course reports: circles become spirals. The motion
-    /// between two steps is not tested, so nothing is proven.
+    /// By Euler's explicit method, a step of integration at a time, as in the course reports: circles become spirals. The
+    /// motion between two steps is not tested, so nothing is proven.
     Euler,
 }
 

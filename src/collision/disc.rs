@@ -1,5 +1,5 @@
-//! Collision of a translating disc: a point by exact predicates, a disc by one distance a motion and obstacle. No motion is left
-//! unproven: [`HALVINGS`] + 1 such tests an obstacle find a first hit.
+//! Collision of a translating disc: a point by exact predicates, a disc by one distance a motion and obstacle. No motion
+//! is left unproven: [`HALVINGS`] + 1 such tests an obstacle find a first hit.
 
 use super::obstacles::largest_coordinate;
 use super::{CollisionWorld, Obstacles, Tolerance};

@@ -6,8 +6,8 @@ use std::f64::consts::{PI, TAU};
 /// No straight motion turns an angle by this or more, in radians: the short way round is ambiguous.
 pub const LONGEST_TURN: f64 = PI - 1e-9;
 
-/// No arc that is driven turns by more than this, in radians: after more turns, rounding changes its end by more than the slack
-/// covers.
+/// No arc that is driven turns by more than this, in radians: after more turns, rounding changes its end by more than the
+/// slack covers.
 pub const LONGEST_DRIVE: f64 = 1e3;
 
 /// An arc that turns by more, in radians, repeats itself; a little more than a whole turn.
@@ -71,8 +71,8 @@ impl BodyMotion {
         }
     }
 
-    /// The longest part of the motion that can be free if none longer than `longest` metres can, and its fraction of the whole. An
-    /// arc of several turns passes the same placements again and again: its first turn decides.
+    /// The longest part of the motion that can be free if none longer than `longest` metres can, and its fraction of the
+    /// whole. An arc of several turns passes the same placements again and again: its first turn decides.
     pub(super) fn decisive_part(&self, longest: f64) -> (Self, f64) {
         let (path, turn) = self.extent();
         let mut part = 1.0;

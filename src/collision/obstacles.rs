@@ -77,8 +77,8 @@ impl Obstacles {
         &self.boxes[i]
     }
 
-    /// Calls `visit` with the index of every obstacle whose box meets the given one, and rarely with one whose box only nearly
-    /// touches it, until it returns true; returns whether it did. The order depends on the obstacles alone.
+    /// Calls `visit` with the index of every obstacle whose box meets the given one, and rarely with one whose box only
+    /// nearly touches it, until it returns true; returns whether it did. The order depends on the obstacles alone.
     #[inline(always)]
     pub fn any_near(&self, near: &Aabb, visit: impl FnMut(usize) -> bool) -> bool {
         self.prepared.any(near, visit)

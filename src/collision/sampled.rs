@@ -3,8 +3,8 @@
 use crate::problem::{Contact, Validity};
 use crate::space::Space;
 
-/// A collision checker for which a motion is free if a number of evenly spaced configurations of it are, its far end included. This
-/// proves nothing: whatever lies between them is missed.
+/// A collision checker for which a motion is free if a number of evenly spaced configurations of it are, its far end
+/// included. This proves nothing: whatever lies between them is missed.
 pub struct Sampled<S: Space> {
     space: S,
     proven: Box<dyn Validity<S::State>>,

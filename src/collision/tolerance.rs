@@ -1,4 +1,5 @@
-//! The two lengths that every verdict depends on: the slack that covers rounding, and the tolerance at which a proof gives up.
+//! The two lengths that every verdict depends on: the slack that covers rounding, and the tolerance at which a proof
+//! gives up.
 
 /// Slack and tolerance of one problem, in metres.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,8 +4,9 @@ use super::{Point, Polygon, orientation, triangles};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Convex polygons that cover the polygon exactly and overlap in borders alone, with no other corners than its own: the polygon
-/// itself if it is convex, else at most four times as few as there can be. Decided exactly. O(n log n), after triangulation.
+/// Convex polygons that cover the polygon exactly and overlap in borders alone, with no other corners than its own: the
+/// polygon itself if it is convex, else at most four times as few as there can be. Decided exactly. O(n log n), after
+/// triangulation.
 ///
 /// Hertel and Mehlhorn 1983, "Fast triangulation of simple polygons": of a triangulation, every cut is removed whose removal
 /// leaves both its ends convex. Pieces absorb triangles one after the other, each the first that it can: one that it cannot

@@ -1,5 +1,5 @@
-//! Distances between points, segments and filled polygons, in metres: rounded, by a few units in the last place of the largest
-//! coordinate.
+//! Distances between points, segments and filled polygons, in metres: rounded, by a few units in the last place of the
+//! largest coordinate.
 
 use super::{Point, Polygon, Segment};
 

@@ -6,9 +6,9 @@ use std::collections::BTreeSet;
 /// Triangles between vertices of the polygon that cover it without overlap: three indices each, counter-clockwise, two fewer
 /// than there are vertices, none flat. Decided exactly.
 ///
-/// An ear is a corner whose triangle with its neighbours lies in the polygon and holds no further vertex; every simple polygon
-/// of more than three vertices has two (Meisters 1975, "Polygons have ears"). Corners on straight edges are no ears themselves
-/// but are vertices like any other, so that a cut never passes through one.
+/// An ear is a corner whose triangle with its neighbours lies in the polygon and holds no further vertex; every simple
+/// polygon of more than three vertices has two (Meisters 1975, "Polygons have ears"). Corners on straight edges are no
+/// ears themselves but are vertices like any other, so that a cut never passes through one.
 ///
 /// # Complexity
 /// At most 3 n corners are tested, each against a tree of the n vertices: O(n log n) while few boxes of the tree meet the

@@ -40,8 +40,8 @@ pub struct ResultDocument {
     /// `sampled` if edges were checked only at samples: the path is not proven. Absent if it is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub edge_check: Option<String>,
-    /// The estimated share of the free space that a visibility roadmap covers; absent for other planners, and if a stored roadmap
-    /// was continued.
+    /// The estimated share of the free space that a visibility roadmap covers; absent for other planners, and if a stored
+    /// roadmap was continued.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "share")]
     pub coverage: Option<f64>,
     /// The approximate solution of an RRT that found no path; absent otherwise.

@@ -34,8 +34,8 @@ pub(super) fn shortcut<S: Space>(
     }
 }
 
-/// Draws two positions along the path and a coordinate, and straightens it between them, if the path becomes shorter and all of
-/// its new motions are proven free: as many motion checks as there are edges between the positions. O(path).
+/// Draws two positions along the path and a coordinate, and straightens it between them, if the path becomes shorter and
+/// all of its new motions are proven free: as many motion checks as there are edges between the positions. O(path).
 pub(super) fn partial_shortcut<S: Space>(
     problem: &Problem<S>,
     path: &mut Vec<S::State>,

@@ -59,7 +59,7 @@ pub trait Dynamics<S> {
     /// proportional to its duration.
     fn length(&self, motion: Motion) -> f64;
 
-    /// The motions from one state to another along the curve of the space, each with the state it leads to, the last with `to`;
-    /// none in a space without curves.
+    /// The motions from one state to another along the curve of the space, each with the state it leads to, the last with
+    /// `to`; none in a space without curves.
     fn steer(&self, from: &S, to: &S) -> Vec<(Motion, S)>;
 }

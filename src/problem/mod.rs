@@ -1,4 +1,5 @@
-//! A planning problem: a space, its collision checker, a start, a goal, and for cars the dynamics; and what a run on it reports.
+//! A planning problem: a space, its collision checker, a start, a goal, and for cars the dynamics; and what a run on it
+//! reports.
 
 mod dynamics;
 mod report;

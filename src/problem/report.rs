@@ -1,5 +1,5 @@
-//! What a run reports: its status, its phase, and the work done, as counts that are the same on every platform and the seconds that
-//! a caller measured.
+//! What a run reports: its status, its phase, and the work done, as counts that are the same on every platform and the
+//! seconds that a caller measured.
 
 use crate::json::not_negative;
 use serde::{Deserialize, Serialize};

@@ -1,6 +1,7 @@
 //! Collision checking as planners see it: the one trait between planning and collision.
 
-/// Whether configurations and motions are free. Planners know obstacles through this trait alone. An implementation needs [`contacts`](Validity::contacts) and [`is_motion_free`](Validity::is_motion_free).
+/// Whether configurations and motions are free. Planners know obstacles through this trait alone. An implementation needs
+/// [`contacts`](Validity::contacts) and [`is_motion_free`](Validity::is_motion_free).
 pub trait Validity<S> {
     /// Every pair of a part of the robot and something that it touches; empty if the configuration is free.
     fn contacts(&self, state: &S) -> Vec<Contact>;
@@ -14,8 +15,8 @@ pub trait Validity<S> {
         self.contacts(state).is_empty()
     }
 
-    /// The start, as a fraction of the motion from `a` to `b`, of the first interval that cannot be proven free; all before it is
-    /// proven. `None` if the whole motion is proven. The default is 0 for a motion that is refused.
+    /// The start, as a fraction of the motion from `a` to `b`, of the first interval that cannot be proven free; all
+    /// before it is proven. `None` if the whole motion is proven. The default is 0 for a motion that is refused.
     fn first_hit(&self, a: &S, b: &S) -> Option<f64> {
         if self.is_motion_free(a, b) { None } else { Some(0.0) }
     }

@@ -1,8 +1,7 @@
 //! A first-order car: q' = (v cos theta, v sin theta, v tan(phi) / L) under the control (v, phi).
 //!
-//! (x, y) is the middle of the rear axle. The shape is given about it, so that a shape whose centre is its origin has its rear
-//! axle in its middle, as in the course reports. LaValle 2006,
-//! "Planning Algorithms", section 13.1.2.
+//! (x, y) is the middle of the rear axle. The shape is given about it, so that a shape whose centre is its origin has its
+//! rear axle in its middle, as in the course reports. LaValle 2006, "Planning Algorithms", section 13.1.2.
 
 use super::Weights;
 use super::range::{LARGEST, check_limits, check_positive};

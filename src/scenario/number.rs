@@ -1,4 +1,5 @@
-//! The numbers of a document, each kind with its range: a type that is checked when it is read, and whose schema has the range.
+//! The numbers of a document, each kind with its range: a type that is checked when it is read, and whose schema has the
+//! range.
 
 use crate::error::Number;
 use serde::{Deserialize, Deserializer, de};

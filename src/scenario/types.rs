@@ -43,9 +43,9 @@ impl Scenario {
         &self.queries
     }
 
-    /// The normalised document as text, on one line: fields in the order of the contract, defaults written out, polygons open,
-    /// counter-clockwise and without repeated vertices. It reads back as an equal scenario; equal scenarios give equal text, on
-    /// every platform.
+    /// The normalised document as text, on one line: fields in the order of the contract, defaults written out, polygons
+    /// open, counter-clockwise and without repeated vertices. It reads back as an equal scenario; equal scenarios give
+    /// equal text, on every platform.
     pub fn to_json_string(&self) -> String {
         json::to_string(self)
     }

@@ -1,4 +1,5 @@
-//! From a document to a checked scenario: the rules of the contract that types cannot express. The first one violated is the error.
+//! From a document to a checked scenario: the rules of the contract that types cannot express. The first one violated is
+//! the error.
 
 use super::document::{self, Document};
 use super::{FORMAT, Goal, GoalTolerance, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Query, Robot, Scenario, World};
@@ -207,9 +208,9 @@ fn checked_configuration(
     Ok(q)
 }
 
-/// Returns an error if an obstacle is within the arm's radius of its base, or the disc of that radius about the base is not
-/// within the bounds: the base never moves, so every configuration would be in collision. Contact with an obstacle is collision,
-/// contact with the bounds is not; both up to the slack of 1e-12 times the largest coordinate plus the reach.
+/// Returns an error if an obstacle is within the arm's radius of its base, or the disc of that radius about the base is
+/// not within the bounds: the base never moves, so every configuration would be in collision. Contact with an obstacle is
+/// collision, contact with the bounds is not; both up to the slack of 1e-12 times the largest coordinate plus the reach.
 fn check_base(world: &World, robot: &Robot) -> Result<(), Error> {
     let Robot::Arm(arm) = robot else { return Ok(()) };
     let (base, radius, slack) = (arm.base(), arm.radius(), slack(world, arm));

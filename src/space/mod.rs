@@ -1,8 +1,8 @@
 //! Configuration spaces: metric, interpolation, sampling.
 //!
-//! A planner knows a space through the trait [`Space`] alone. [`ProductSpace`] is the product of circles and intervals in which
-//! arms, discs and bodies move; [`MotionSpace`] is the same with motions that may also be the curves of a car. A program can plan
-//! in a space of its own: see [`Space`].
+//! A planner knows a space through the trait [`Space`] alone. [`ProductSpace`] is the product of circles and intervals in
+//! which arms, discs and bodies move; [`MotionSpace`] is the same with motions that may also be the curves of a car. A
+//! program can plan in a space of its own: see [`Space`].
 //!
 //! - `product.rs`: [`ProductSpace`], its coordinates and its metrics. LaValle 2006, "Planning Algorithms", chapters 4 (products
 //!   of circles and intervals) and 5.1 (metrics, weights of rotation);
@@ -43,8 +43,9 @@ pub const MAX_DIMENSION: usize = 8;
 /// A configuration space.
 ///
 /// A user-defined space needs the eight methods without a default. The defaults are right for any space without curves or
-/// steered motions whose metric is symmetric. Nearest neighbours are then found by computing all distances, O(n) a query; give
-/// [`norm`](Space::norm), [`period`](Space::period) and [`is_norm_exact`](Space::is_norm_exact) too, and a kd-tree finds them.
+/// steered motions whose metric is symmetric. Nearest neighbours are then found by computing all distances, O(n) a query;
+/// give [`norm`](Space::norm), [`period`](Space::period) and [`is_norm_exact`](Space::is_norm_exact) too, and a kd-tree
+/// finds them.
 ///
 /// # Example
 /// A plane in which one moves along streets, around a wall:
@@ -149,8 +150,8 @@ pub trait Space {
     /// Whether the state lies within the limits of the space.
     fn contains(&self, state: &Self::State) -> bool;
 
-    /// The largest distance between two states, or a finite bound on it: it limits the steps of a greedy connection, and default
-    /// step lengths are fractions of it.
+    /// The largest distance between two states, or a finite bound on it: it limits the steps of a greedy connection, and
+    /// default step lengths are fractions of it.
     fn extent(&self) -> f64;
 
     /// A state drawn uniformly.
@@ -198,8 +199,8 @@ pub trait Space {
         false
     }
 
-    /// Whether every motion can be reversed, and `distance` is symmetric, to the bit. If not, `distance(a, b)` and all motions are
-    /// directed from `a` to `b`.
+    /// Whether every motion can be reversed, and `distance` is symmetric, to the bit. If not, `distance(a, b)` and all
+    /// motions are directed from `a` to `b`.
     #[inline]
     fn is_symmetric(&self) -> bool {
         true

@@ -104,10 +104,10 @@ impl<const N: usize> Space for MotionSpace<N> {
         self.product.contains(state)
     }
 
-    /// With steering, the diagonal of the box and what turning can add. Reversing, a turn of a quarter at most, a line and a
-    /// turn of a half at most lead everywhere, and centres are at most two radii farther apart than positions. Forwards alone, 2.658
-    /// half turns are enough (Savla, Frazzoli and Bullo 2005, "On the point-to-point and traveling salesperson problems for
-    /// Dubins' vehicle").
+    /// With steering, the diagonal of the box and what turning can add. Reversing, a turn of a quarter at most, a line
+    /// and a turn of a half at most lead everywhere, and centres are at most two radii farther apart than positions.
+    /// Forwards alone, 2.658 half turns are enough (Savla, Frazzoli and Bullo 2005, "On the point-to-point and traveling
+    /// salesperson problems for Dubins' vehicle").
     fn extent(&self) -> f64 {
         use std::f64::consts::PI;
         let Some((steering, radius)) = self.steering else { return self.product.extent() };

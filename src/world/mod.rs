@@ -119,8 +119,8 @@ impl PlanningWorld {
         }
     }
 
-    /// The collision checker of the robot in one of its spaces; `tolerance` is the wanted tolerance as a fraction of the longer side of
-    /// the bounds (of twice an arm's reach if there are none), greater than 0.
+    /// The collision checker of the robot in one of its spaces; `tolerance` is the wanted tolerance as a fraction of the
+    /// longer side of the bounds (of twice an arm's reach if there are none), greater than 0.
     pub(crate) fn checker<const N: usize>(&self, space: &MotionSpace<N>, tolerance: f64) -> Checker<N> {
         Checker::new(self.robot(), space, self.collision(), tolerance)
     }

@@ -1,9 +1,9 @@
 //! A moving arm, for the driver of the proof: every joint turns at a constant rate.
 //!
-//! **Bounds.** The outer end of link i is the sum of L_j e_j over the links j up to it, e_j the unit vector along link j. With w_j
-//! the absolute rate of link j, its acceleration is minus the sum of L_j w_j^2 e_j, and W = sum of L_j |w_j|^3 bounds its third
-//! derivative (see `moving_point.rs`). Its bound of first order is the sum of L_j |w_j|, about half of the textbook's sum of
-//! reaches.
+//! **Bounds.** The outer end of link i is the sum of L_j e_j over the links j up to it, e_j the unit vector along link j.
+//! With w_j the absolute rate of link j, its acceleration is minus the sum of L_j w_j^2 e_j, and W = sum of L_j |w_j|^3
+//! bounds its third derivative (see `moving_point.rs`). Its bound of first order is the sum of L_j |w_j|, about half of
+//! the textbook's sum of reaches.
 //!
 //! **Slack.** S is the largest coordinate plus the reach; the slack is 1e-12 S. A test passes only if its terms sum to no more
 //! than about 2 S. As W has no cancelling terms and the L_j sum to at most S, then h |v| < 3 S and h^2 |a| / 2 < 3 S, so that each of
@@ -29,8 +29,8 @@ const SQUARED: usize = 4;
 /// The fastest rate, in radians over the motion, whose thirty-second is small enough to be squared up.
 const FASTEST_SQUARED: f64 = 12.8;
 
-/// Where a link turns by more radians than this over half an interval, its bound of first order and its reach may be the better
-/// ones.
+/// Where a link turns by more radians than this over half an interval, its bound of first order and its reach may be the
+/// better ones.
 const FAST: f64 = 1.5;
 
 /// An arm of up to `N` links, and its motion.
@@ -76,8 +76,8 @@ impl<const N: usize> MovingArm<N> {
         }
     }
 
-    /// Begins a motion in which joint i turns by `delta[i]` radians; entries past the arm's links are 0. Returns the unit vectors
-    /// along the links in its middle.
+    /// Begins a motion in which joint i turns by `delta[i]` radians; entries past the arm's links are 0. Returns the unit
+    /// vectors along the links in its middle.
     #[inline(always)]
     pub fn begin(&mut self, from: &[f64; N], delta: &[f64; N]) -> UnitVectors<N> {
         self.finer_turns.clear();

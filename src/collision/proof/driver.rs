@@ -1,12 +1,13 @@
 //! The driver of the proof, for arms and bodies: the algorithm of the [module](super).
 //!
-//! **Budget.** Let l be the number of halvings until the bound on travel is below the tolerance, at most 48, and p the number of
-//! pairs open after the first interval. A motion that comes close to obstacles here and there leaves an interval or two open a
-//! pair and level, since clearance grows as fast as distance from the closest position: some 2 l p tests. One that slides along an
-//! obstacle at distance d leaves as many intervals open as third-order bounds need, about (travel/d)^(1/2). So a motion
-//! gets l (2 p + [`CLOSE_TESTS`]) tests after those of the first interval, which are no more than parts times obstacles. A motion
-//! that needs more is refused as not proven, and counted in [`Prover::unproven`]. The finest tolerance has more levels than any
-//! other: whatever a coarser one proves within its budget, it proves too.
+//! **Budget.** Let l be the number of halvings until the bound on travel is below the tolerance, at most 48, and p the
+//! number of pairs open after the first interval. A motion that comes close to obstacles here and there leaves an
+//! interval or two open a pair and level, since clearance grows as fast as distance from the closest position: some 2 l p
+//! tests. One that slides along an obstacle at distance d leaves as many intervals open as third-order bounds need, about
+//! (travel/d)^(1/2). So a motion gets l (2 p + [`CLOSE_TESTS`]) tests after those of the first interval, which are no
+//! more than parts times obstacles. A motion that needs more is refused as not proven, and counted in
+//! [`Prover::unproven`]. The finest tolerance has more levels than any other: whatever a coarser one proves within its
+//! budget, it proves too.
 
 use super::pair::{Answer, NO_HINT, Part, find_direction, offset, separate_from_polygon};
 use crate::collision::{Obstacles, Tolerance};
@@ -61,16 +62,16 @@ pub(in crate::collision) trait Moving {
     /// The depth of the part within the bounds in the middle; negative if it is not wholly inside.
     fn depth(&self, part: usize, bounds: &Aabb) -> f64;
 
-    /// An upper bound of first order on how far any point of the part can travel along the whole motion. No part has a greater one
-    /// than the last.
+    /// An upper bound of first order on how far any point of the part can travel along the whole motion. No part has a
+    /// greater one than the last.
     fn travel(&self, part: usize) -> f64;
 
     /// The least distance of a part from an obstacle: its radius and the slack.
     fn margin(&self) -> f64;
 }
 
-/// An interval of the motion: its middle and half its length, as fractions of the motion; the number of halvings; and the range of
-/// the pairs that are open on it.
+/// An interval of the motion: its middle and half its length, as fractions of the motion; the number of halvings; and the
+/// range of the pairs that are open on it.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::collision) struct Interval<S> {
     pub middle: f64,
@@ -114,8 +115,9 @@ impl<M: Moving> Prover<M> {
         Self { moving, pairs: Vec::new(), intervals: Vec::new(), evaluations: 0, unproven: 0 }
     }
 
-    /// The start, as a fraction of the motion, of the first interval, in this order, that cannot be proven free; `None` if all of the
-    /// motion is proven free, ends included. Front first, all before that is proven. `state` is that of the whole motion.
+    /// The start, as a fraction of the motion, of the first interval, in this order, that cannot be proven free; `None`
+    /// if all of the motion is proven free, ends included. Front first, all before that is proven. `state` is that of the
+    /// whole motion.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     pub fn prove(&mut self, scene: &Scene, state: M::State, order: Order) -> Option<f64> {
@@ -136,8 +138,8 @@ impl<M: Moving> Prover<M> {
         while next < proof.prover.intervals.len() {
             let is_last = order == Order::FrontFirst || proof.prover.intervals.len() - next > WIDEST;
             let interval = if is_last {
-                // The front is last; and if there are too many open intervals, the last one is taken first. Pairs listed after its
-                // own belong to intervals already done.
+                // The front is last; and if there are too many open intervals, the last one is taken first. Pairs listed
+                // after its own belong to intervals already done.
                 let last = proof.prover.intervals.pop().expect("some are left");
                 proof.prover.pairs.truncate(last.pairs.1);
                 last
@@ -282,8 +284,8 @@ impl<M: Moving> Proof<'_, M> {
         (self.separate_closely(&part, obstacle, bound), next)
     }
 
-    /// The same by the nearest points: their direction, their distance against the bound of first order, and, if directions are
-    /// searched for, the best.
+    /// The same by the nearest points: their direction, their distance against the bound of first order, and, if
+    /// directions are searched for, the best.
     #[inline(never)]
     fn separate_closely(&self, part: &M::Part<'_>, obstacle: usize, bound: f64) -> Answer {
         let (obstacles, margin) = (&self.scene.obstacles, self.prover.moving.margin());

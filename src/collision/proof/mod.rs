@@ -16,11 +16,12 @@
 //!     the motion is free
 //! ```
 //!
-//! In the middle of an interval the positions of the parts are known, and a bound on how far each can travel to either end. A part
-//! that is farther from an obstacle than it can travel is apart from it on the whole interval: Schwarzer, Saha and Latombe 2005,
-//! "Adaptive dynamic collision checking for single and multiple articulated robots in complex environments"; LaValle 2006,
-//! "Planning Algorithms", section 5.3.4. Instead of distances, this proof tries directions in which the part stays ahead of
-//! the obstacle, with bounds of third order in each: a link that slides along a wall needs few intervals.
+//! In the middle of an interval the positions of the parts are known, and a bound on how far each can travel to either
+//! end. A part that is farther from an obstacle than it can travel is apart from it on the whole interval: Schwarzer,
+//! Saha and Latombe 2005, "Adaptive dynamic collision checking for single and multiple articulated robots in complex
+//! environments"; LaValle 2006, "Planning Algorithms", section 5.3.4. Instead of distances, this proof tries directions
+//! in which the part stays ahead of the obstacle, with bounds of third order in each: a link that slides along a wall
+//! needs few intervals.
 //!
 //! - [`driver`]: the algorithm above, its order, tolerance and budget.
 //! - [`arm`], [`body`]: the robots, one implementation each of [`driver::Moving`]; [`motion_bound`] is a body's motion.

@@ -1,8 +1,9 @@
 //! The proof by distances, as simple as possible: the oracle of the tests.
 //!
-//! On every interval the clearance of each part from all obstacles, and its depth within the bounds, are compared with the bound
-//! on its travel of the first order: of link i the sum over m <= i of L_m |w_m|, where w_m is the absolute rate of link m; of a
-//! body the path of its frame's origin plus its turn times the distance of its farthest vertex. It has no budget.
+//! On every interval the clearance of each part from all obstacles, and its depth within the bounds, are compared with
+//! the bound on its travel of the first order: of link i the sum over m <= i of L_m |w_m|, where w_m is the absolute rate
+//! of link m; of a body the path of its frame's origin plus its turn times the distance of its farthest vertex. It has no
+//! budget.
 
 use crate::collision::Tolerance;
 

@@ -24,8 +24,8 @@ pub(in crate::collision) enum Answer {
     Unknown,
 }
 
-/// A convex part of the robot in the middle of an interval: a polygon, or a segment. A link's radius is left to the margins of
-/// the tests.
+/// A convex part of the robot in the middle of an interval: a polygon, or a segment. A link's radius is left to the
+/// margins of the tests.
 pub(in crate::collision) trait Part {
     /// The corners, counter-clockwise.
     fn corners(&self) -> &[MovingPoint];
@@ -120,9 +120,9 @@ pub(in crate::collision) fn separate_from_polygon(
     (answer, best.1)
 }
 
-/// The vector from the obstacle to the part between their nearest points, and their distance; for a polygon and a part that do
-/// not overlap. The distance is negative if the nearest point is inside a disc, and no more than 0 if a disc's centre is
-/// inside the part.
+/// The vector from the obstacle to the part between their nearest points, and their distance; for a polygon and a part
+/// that do not overlap. The distance is negative if the nearest point is inside a disc, and no more than 0 if a disc's
+/// centre is inside the part.
 pub(in crate::collision) fn offset(part: &impl Part, obstacles: &Obstacles, obstacle: usize) -> (Vector, f64) {
     if let Some(disc) = obstacles.disc(obstacle) {
         let to = part.offset_from(disc.center);
@@ -147,12 +147,12 @@ pub(in crate::collision) fn offset(part: &impl Part, obstacles: &Obstacles, obst
     (nearest.1, nearest.0.sqrt())
 }
 
-/// Whether some direction separates the two by more than `margin` on the whole interval: that of the vector `towards` from the
-/// obstacle to the part; with `all`, the best there is.
+/// Whether some direction separates the two by more than `margin` on the whole interval: that of the vector `towards`
+/// from the obstacle to the part; with `all`, the best there is.
 ///
-/// The region that the bound on motion allows a part to reach is convex, and so is its difference from the obstacle: the direction
-/// sought leads from the origin to the nearest point of that difference. It is found as by Gilbert, Johnson and Keerthi 1988, "A fast
-/// procedure for computing the distance between complex objects in three-dimensional space".
+/// The region that the bound on motion allows a part to reach is convex, and so is its difference from the obstacle: the
+/// direction sought leads from the origin to the nearest point of that difference. It is found as by Gilbert, Johnson and
+/// Keerthi 1988, "A fast procedure for computing the distance between complex objects in three-dimensional space".
 pub(in crate::collision) fn find_direction(
     part: &impl Part,
     obstacles: &Obstacles,

@@ -1,7 +1,7 @@
 //! An arm: its links, each between two joints.
 //!
-//! Along an edge the absolute angle of link m is linear in t in [0, 1], with rate w_m. The acceleration of joint k is at most the
-//! sum over m <= k of L_m w_m^2.
+//! Along an edge the absolute angle of link m is linear in t in [0, 1], with rate w_m. The acceleration of joint k is at
+//! most the sum over m <= k of L_m w_m^2.
 
 use super::moving::{Judge, Moving};
 use super::{Scale, Seen, difference};

@@ -1,8 +1,8 @@
 //! A rigid body or a car: the edges of its outline. An obstacle gets inside only across them; so the start of each leg is
 //! checked for obstacles inside, and all of it for contact.
 //!
-//! With w the turn and s the length of an arc along a leg, no point accelerates by more than |w| (|s| + |w| r), r the distance of
-//! the farthest vertex from the origin of the body's frame; on a straight leg by no more than w^2 r.
+//! With w the turn and s the length of an arc along a leg, no point accelerates by more than |w| (|s| + |w| r), r the
+//! distance of the farthest vertex from the origin of the body's frame; on a straight leg by no more than w^2 r.
 
 use super::moving::{Judge, Moving};
 use super::{Scale, Seen, difference};

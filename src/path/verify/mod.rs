@@ -1,17 +1,17 @@
 //! The independent judge of finished paths.
 //!
-//! A planner proves its edges by clearances and bounds on motion. The judge uses another method: it examines the robot at many
-//! samples along every edge, at most a thousandth of the world's size of motion apart (of the robot's, if that is smaller, but a
-//! hundred-thousandth of the world's at least). Between two samples it takes the whole region that each link of an arm, or each
-//! edge of a body's outline, can have swept: the convex hull of its two positions, grown by how far the ends can leave their
-//! chords. If that region comes near an obstacle, it takes another sample in between. So nothing is missed between two samples,
-//! however thin it is.
+//! A planner proves its edges by clearances and bounds on motion. The judge uses another method: it examines the robot at
+//! many samples along every edge, at most a thousandth of the world's size of motion apart (of the robot's, if that is
+//! smaller, but a hundred-thousandth of the world's at least). Between two samples it takes the whole region that each
+//! link of an arm, or each edge of a body's outline, can have swept: the convex hull of its two positions, grown by how
+//! far the ends can leave their chords. If that region comes near an obstacle, it takes another sample in between. So
+//! nothing is missed between two samples, however thin it is.
 //!
 //! **Promise.** Let S be the largest coordinate of the world plus the robot's reach. A path is called valid only if the
 //! robot keeps more than 1e-13 S away from every obstacle all along it, rounding included; so touching is collision. A
-//! point among polygons is judged exactly. A path that keeps more than 1e-12 S away is never refused for collision, unless
-//! it stays so near for so long that ten million samples do not decide. Bounds may be touched, and overstepped by no more than
-//! 2e-12 S; joint limits not at all.
+//! point among polygons is judged exactly. A path that keeps more than 1e-12 S away is never refused for collision,
+//! unless it stays so near for so long that ten million samples do not decide. Bounds may be touched, and overstepped by
+//! no more than 2e-12 S; joint limits not at all.
 
 mod arm;
 mod body;
@@ -34,8 +34,8 @@ use std::f64::consts::{PI, TAU};
 /// How near the first and the last waypoint must be to the start and the goal, in radians or metres a coordinate.
 const REACHED: f64 = 1e-9;
 
-/// How near the end effector must be to its target, as a part of the arm's reach, if that is less than [`REACHED`]; and the largest
-/// effect of rounding on that, as a part of all lengths, and of many turns of a wanted orientation.
+/// How near the end effector must be to its target, as a part of the arm's reach, if that is less than [`REACHED`]; and
+/// the largest effect of rounding on that, as a part of all lengths, and of many turns of a wanted orientation.
 const AIMED: f64 = 1e-6;
 const ROUNDED: f64 = 2e-12;
 const TURNED: f64 = 1e-15;
@@ -225,7 +225,8 @@ fn check_steps(robot: &Robot, path: &[Vec<f64>]) -> Result<(), String> {
     Ok(())
 }
 
-/// Returns an error if the given length is not the sum of the steps, by either metric of an arm, by the weighted one of a body.
+/// Returns an error if the given length is not the sum of the steps, by either metric of an arm, by the weighted one of a
+/// body.
 fn check_length(robot: &Robot, path: &[Vec<f64>], given: f64) -> Result<(), String> {
     let (mut sum, mut euclidean, mut weighted) = (0.0, 0.0, 0.0);
     let weights = robot.placed_shape().map(|(_, weights)| weights);

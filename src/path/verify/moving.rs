@@ -1,8 +1,9 @@
 //! A robot of segments: samples along every edge, and the swept hull of every segment between two samples.
 //!
-//! Over an interval of an edge a point whose acceleration is bounded by a (per whole edge squared) leaves the chord between its
-//! two positions by at most a h^2 / 8, h the interval as a fraction of the edge; a point of a segment, a fixed convex combination
-//! of its ends, leaves the hull of its two positions by no more than the ends leave their chords.
+//! Over an interval of an edge a point whose acceleration is bounded by a (per whole edge squared) leaves the chord
+//! between its two positions by at most a h^2 / 8, h the interval as a fraction of the edge; a point of a segment, a
+//! fixed convex combination of its ends, leaves the hull of its two positions by no more than the ends leave their
+//! chords.
 
 use super::near::{Near, Shape, near};
 use super::swept::Swept;

@@ -21,8 +21,8 @@ impl Swept {
         Self { corners: [a, b, c, d], connections, aabb: before.aabb().union(&after.aabb()) }
     }
 
-    /// Whether the obstacle comes within `reach` of the hull. The first segment of the hull must lie outside of a polygon: then
-    /// the hull meets the polygon only if it meets its border.
+    /// Whether the obstacle comes within `reach` of the hull. The first segment of the hull must lie outside of a
+    /// polygon: then the hull meets the polygon only if it meets its border.
     pub(super) fn comes_within(&self, reach: f64, near: &Near) -> bool {
         match &near.shape {
             Shape::Disc(disc) => {

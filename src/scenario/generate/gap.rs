@@ -1,5 +1,5 @@
-//! The gap: a wall across the world with one opening, the narrow passage of the textbooks, for a robot that goes through it or
-//! an arm that reaches through it.
+//! The gap: a wall across the world with one opening, the narrow passage of the textbooks, for a robot that goes through
+//! it or an arm that reaches through it.
 //!
 //! A disc has a path exactly if the gap is wider than the disc (by more than 1e-9 m, to be safe from rounding); if it is not,
 //! the title says so. At its goal the arm is stretched through the gap and bent behind it, at its start folded up in front of

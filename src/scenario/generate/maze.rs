@@ -46,7 +46,8 @@ impl Difficulty {
 crate::options! {
     /// Which maze to build.
     pub struct MazeOptions for &[];
-    /// easy: 6 by 6 cells, one wall of five opened; medium: 9 by 9, one of ten; hard: 12 by 12, none, so that one path leads to the goal.
+    /// easy: 6 by 6 cells, one wall of five opened; medium: 9 by 9, one of ten; hard: 12 by 12, none, so that one path
+    /// leads to the goal.
     difficulty: Difficulty = Difficulty::Easy, "Difficulty";
     /// The radius of the disc.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
@@ -92,8 +93,8 @@ struct Walls {
 }
 
 impl Walls {
-    /// The walls of a perfect maze: from every cell that is not connected yet a random walk leads to one that is, and the walk
-    /// without its loops becomes passages. O(cells) steps a walk on average, in practice fewer.
+    /// The walls of a perfect maze: from every cell that is not connected yet a random walk leads to one that is, and the
+    /// walk without its loops becomes passages. O(cells) steps a walk on average, in practice fewer.
     fn of_perfect_maze(cells: usize, random: &mut Random) -> Self {
         let count = cells * cells;
         let closed = (0..count).map(|cell| [cell % cells + 1 < cells, cell / cells + 1 < cells]).collect();

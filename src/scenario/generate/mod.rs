@@ -106,8 +106,8 @@ fn read<O: Options>(options: &Json) -> Result<O, Error> {
 /// The most draws that a generator makes for all of its obstacles.
 const DRAWS: u32 = 10_000;
 
-/// Places `count` obstacles one after another. `draw` is given those already placed, and returns `None` if what it has drawn does
-/// not fit; if too few fit, the error is that of the option.
+/// Places `count` obstacles one after another. `draw` is given those already placed, and returns `None` if what it has
+/// drawn does not fit; if too few fit, the error is that of the option.
 fn scatter<T>(option: &str, count: usize, mut draw: impl FnMut(&[T]) -> Option<T>) -> Result<Vec<T>, Error> {
     let mut placed = Vec::with_capacity(count);
     for _ in 0..DRAWS {

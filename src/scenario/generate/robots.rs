@@ -26,24 +26,6 @@ crate::choice! {
     }
 }
 
-/// Half the length and half the width of a body, in metres.
-const HALF: [f64; 2] = [0.1, 0.05];
-
-/// The wheelbase of a car, in metres.
-const WHEELBASE: f64 = 0.2;
-
-/// The greatest speed of a car, forward and in reverse, in metres a second.
-const FASTEST: f64 = 0.5;
-
-/// Its greatest steering angle to either side, in radians.
-const STEEPEST: f64 = FRAC_PI_4;
-
-/// Its step of integration, in seconds.
-const STEP: f64 = 0.01;
-
-/// The goal region of a car.
-const NEAR: GoalTolerance = GoalTolerance { translation: 0.1, rotation: 0.5 };
-
 /// The side of the box that most worlds are, in metres.
 pub(super) const SIDE: f64 = 2.0;
 
@@ -63,19 +45,19 @@ impl RobotChoice {
 
     /// The car; the rigid body for any other.
     pub(super) fn placed(self) -> Result<Robot, Error> {
-        let [x, y] = HALF;
+        let [x, y] = [0.1, 0.05];
         let shape = polygon(&[(-x, -y), (x, -y), (x, y), (-x, y)].map(|(x, y)| Point::new(x, y)));
         let weights = Weights::default();
         if self != RobotChoice::Car {
             return Ok(Robot::RigidBody(RigidBody { shape, weights }));
         }
-        let [speed, steering] = [FASTEST, STEEPEST].map(|most| [-most, most]);
-        Ok(Robot::Car(Car::new(shape, WHEELBASE, speed, steering, STEP, weights)?))
+        let (wheelbase, speed, steering, step) = (0.2, [-0.5, 0.5], [-FRAC_PI_4, FRAC_PI_4], 0.01);
+        Ok(Robot::Car(Car::new(shape, wheelbase, speed, steering, step, weights)?))
     }
 
     /// The goal region, if the robot has one.
     pub(super) fn goal_tolerance(self) -> Option<GoalTolerance> {
-        (self == RobotChoice::Car).then_some(NEAR)
+        (self == RobotChoice::Car).then_some(GoalTolerance { translation: 0.1, rotation: 0.5 })
     }
 
     /// The robot in the box, and a query across it: a disc, a body or a car between opposite corners, an

@@ -1,5 +1,5 @@
-//! Clutter and discs: convex polygons or discs scattered over a box of 2 m by 2 m, for a robot that crosses it or an arm whose
-//! base is in its middle.
+//! Clutter and discs: convex polygons or discs scattered over a box of 2 m by 2 m, for a robot that crosses it or an arm
+//! whose base is in its middle.
 //!
 //! The corners of a polygon lie on a circle, evenly spaced but for a random shift of up to a fifth of their spacing. A path
 //! need not exist, except for a disc among discs that are apart by at least twice its radius: grown by that radius they are

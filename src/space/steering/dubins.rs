@@ -1,7 +1,8 @@
 //! The shortest curve of a car that only drives forwards.
 //!
-//! Dubins 1957, "On curves of minimal length with a constraint on average curvature, and with prescribed initial and terminal
-//! positions and tangents": it is one of six words, an arc, then a straight line or an arc of the opposite direction, then an arc.
+//! Dubins 1957, "On curves of minimal length with a constraint on average curvature, and with prescribed initial and
+//! terminal positions and tangents": it is one of six words, an arc, then a straight line or an arc of the opposite
+//! direction, then an arc.
 
 use super::goal::{Goal, Shortest, forwards, short_words};
 use super::{Curve, Pose, Turn};

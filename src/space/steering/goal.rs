@@ -42,8 +42,8 @@ impl Between {
         Self { x, y, length: (x * x + y * y).sqrt(), angle: libm::atan2(y, x) }
     }
 
-    /// The length of a straight line between the circles if they are passed on opposite sides: the other leg of a right triangle
-    /// with a leg of 2; not a number if they overlap.
+    /// The length of a straight line between the circles if they are passed on opposite sides: the other leg of a right
+    /// triangle with a leg of 2; not a number if they overlap.
     pub fn inner(&self) -> f64 {
         (self.length * self.length - 4.0).sqrt()
     }
@@ -108,8 +108,8 @@ pub(super) struct Shortest {
 }
 
 impl Shortest {
-    /// The shortest of the words to one goal that `offer_all` offers, in metres; `None` if none leads there. The shortest alone
-    /// is driven; if it does not end at the goal, which rounding hardly ever causes, all are.
+    /// The shortest of the words to one goal that `offer_all` offers, in metres; `None` if none leads there. The shortest
+    /// alone is driven; if it does not end at the goal, which rounding hardly ever causes, all are.
     pub fn find(radius: f64, offer_all: impl Fn(&mut Self)) -> Option<Curve> {
         for is_careful in [false, true] {
             let mut shortest = Self { best: None, limit: f64::INFINITY, is_careful };

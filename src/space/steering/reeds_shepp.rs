@@ -1,12 +1,12 @@
 //! The shortest curve of a car that drives forwards and in reverse.
 //!
-//! Reeds and Shepp 1990, "Optimal paths for a car that goes both forwards and backwards": it is one of 48 words of up to five
-//! segments. With C an arc, S a straight line and | a change of gear they are the words CSC; C|C|C, C|CC and CC|C; CCu|CuC and
-//! C|CuCu|C with two arcs alike; C|CqSC and CSCq|C with a quarter of a turn, and C|CqSCq|C.
+//! Reeds and Shepp 1990, "Optimal paths for a car that goes both forwards and backwards": it is one of 48 words of up to
+//! five segments. With C an arc, S a straight line and | a change of gear they are the words CSC; C|C|C, C|CC and CC|C;
+//! CCu|CuC and C|CuCu|C with two arcs alike; C|CqSC and CSCq|C with a quarter of a turn, and C|CqSCq|C.
 //!
-//! Here gears are not distinguished: a word consists of left, right and straight, and its signed lengths solve for the goal
-//! whatever their signs. Of angles that differ by a whole turn the shorter is driven, which is never longer than the word that the paper
-//! has; so few equations cover all its words, and what they cover besides leads to the goal too.
+//! Here gears are not distinguished: a word consists of left, right and straight, and its signed lengths solve for the
+//! goal whatever their signs. Of angles that differ by a whole turn the shorter is driven, which is never longer than the
+//! word that the paper has; so few equations cover all its words, and what they cover besides leads to the goal too.
 //!
 //! # The equations
 //! Points are complex numbers, e(h) the heading h, n(h) = e(h - pi/2) the vector from a left circle's centre to a car on it. From the

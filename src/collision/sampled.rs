@@ -25,7 +25,10 @@ impl<S: Space> Validity<S::State> for Sampled<S> {
 
     /// Coarse steps first, finer ones between them, so that wide obstacles are found early.
     fn is_motion_free(&self, a: &S::State, b: &S::State) -> bool {
-        are_samples_free(self.samples, |t| self.proven.is_free(&self.space.interpolate(a, b, t)))
+        let is_free = |i| self.proven.is_free(&self.space.interpolate(a, b, f64::from(i) / f64::from(self.samples)));
+        let Some(highest) = self.samples.checked_ilog2() else { return true };
+        // The odd multiples of each power of two: every number from 1 on once. The start is not tested.
+        (0..=highest).rev().all(|level| (1 << level..=self.samples).step_by(2 << level).all(is_free))
     }
 
     /// The last configuration tested before the first one in collision.
@@ -46,15 +49,4 @@ impl<S: Space> Validity<S::State> for Sampled<S> {
     fn unproven_motions(&self) -> u64 {
         self.proven.unproven_motions()
     }
-}
-
-/// Whether the fractions i / `samples` of a motion are all free, i from 1 to `samples`. The start is not tested.
-/// Coarse steps first, finer ones between them, so that wide obstacles are found early.
-pub(super) fn are_samples_free(samples: u32, is_free: impl Fn(f64) -> bool) -> bool {
-    let Some(highest) = samples.checked_ilog2() else { return true };
-    (0..=highest).rev().all(|level| {
-        // The odd multiples of each power of two: every number once.
-        let mut fractions = (1 << level..=samples).step_by(2 << level);
-        fractions.all(|i| is_free(f64::from(i) / f64::from(samples)))
-    })
 }

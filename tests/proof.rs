@@ -1,11 +1,11 @@
 //! The proof law: no accepted motion touches an obstacle, however thin; nothing with clearance to spare is refused. On native,
 //! Node and Chrome alike, with many seeds natively.
 
-use crate::common::bodies::{drawn, round, star};
+use crate::common::bodies::random_obstacle;
 use crate::common::documents::scenario;
 use crate::common::{arm_and_wall, arm_of, begin, disc_and_wall, finish, seeds, thick_arm_and_wall};
 use planarium::collision::{ArmValidity, DiscValidity, Obstacles, Sampled};
-use planarium::geometry::{Aabb, Disc, Point, Polygon, Segment, intersects_segment_polygon};
+use planarium::geometry::{Aabb, Disc, Point, Segment, intersects_segment_polygon};
 use planarium::path::{Verdict, verify};
 use planarium::problem::Validity;
 use planarium::random::{Random, Stream};
@@ -142,33 +142,6 @@ fn all_before_the_first_hit_is_free_and_a_free_motion_has_none() {
     }
 }
 
-/// An obstacle of a random kind and size: convex, a wall down to a millionth thick, a disc, a concave star.
-fn random_obstacle(random: &mut Random, center: Point) -> Obstacle {
-    let (size, turn) = (0.05 + 0.4 * random.uniform(), 6.0 * random.uniform());
-    let corners = match random.below(5) {
-        0 => round(center, size, 3, turn),
-        1 => round(center, size, 4 + random.below(6) as usize, turn),
-        2 => {
-            let (u, v) = (2.0 * size, libm::pow(10.0, -1.0 - 5.0 * random.uniform()) / 2.0);
-            drawn(center, turn, &[[-u, -v], [u, -v], [u, v], [-u, v]])
-        }
-        3 => return Obstacle::Disc(Disc { center, radius: size }),
-        _ => star(center, size, 4, turn),
-    };
-    Obstacle::Polygon(Polygon::new(&corners).expect("a simple polygon"))
-}
-
-fn scaled(obstacle: &Obstacle, scale: f64) -> Obstacle {
-    let at = |p: Point| Point::new(p.x * scale, p.y * scale);
-    match obstacle {
-        Obstacle::Disc(disc) => Obstacle::Disc(Disc { center: at(disc.center), radius: disc.radius * scale }),
-        Obstacle::Polygon(polygon) => {
-            let corners: Vec<Point> = polygon.vertices().iter().copied().map(at).collect();
-            Obstacle::Polygon(Polygon::new(&corners).expect("still simple"))
-        }
-    }
-}
-
 /// An arm of any size, thin or thick, with limits or without, in any unit of length, among up to a hundred obstacles, in
 /// bounds or not.
 fn random_world(random: &mut Random) -> (Arm, World) {
@@ -181,7 +154,9 @@ fn random_world(random: &mut Random) -> (Arm, World) {
     let count = [3, 10, 30, 100][random.below(4) as usize];
     let centers = (0..count).map(|_| Point::new(8.0 * random.uniform() - 4.0, 8.0 * random.uniform() - 4.0));
     let centers: Vec<Point> = centers.filter(|center| (center - base).norm() > 1.2).collect();
-    let obstacles = centers.into_iter().map(|center| scaled(&random_obstacle(random, center), scale)).collect();
+    // At most as large as leaves the base free.
+    let obstacle = |center: Point| random_obstacle(random, center * scale, 1.5 * scale);
+    let obstacles = centers.into_iter().map(obstacle).collect();
     let bounds = (random.below(3) == 0).then(|| {
         let [x, y] = [(); 2].map(|()| scale * (0.6 + 2.0 * random.uniform()));
         Aabb { min: Point::new(-x, -y), max: Point::new(y, x) }

@@ -1,7 +1,6 @@
 //! Collision of a body: any simple polygon that moves and turns, and which of its motions are free.
 
 use super::obstacles::{depth, largest_coordinate};
-use super::proof::body::BodyShape;
 use super::proof::oracle::{self, PartDistance};
 use super::proof::{MovingBody, Order, Prover, Scene};
 use super::{BodyMotion, CollisionWorld, Obstacles, Tolerance};
@@ -43,7 +42,7 @@ impl BodyCollision {
         let bounds = world.bounds().copied().unwrap_or(everywhere);
         let scale = obstacles.largest_coordinate().max(largest_coordinate(&bounds)) + body.reach();
         let tolerance = Tolerance::new(scale, tolerance * bounds.longer_side());
-        let prover = RefCell::new(Prover::new(MovingBody::new(BodyShape::new(body), tolerance.eta)));
+        let prover = RefCell::new(Prover::new(MovingBody::new(body, tolerance.eta)));
         let scene = Scene { obstacles: world.pieces(), bounds: Some(bounds), tolerance };
         Self { body: body.clone(), obstacles, bounds, scale, scene, prover }
     }

@@ -11,19 +11,23 @@
 //! passes: 9e-14 S. With no cancelling terms in W, each of the roughly 30 roundings of a test costs less than 8 S times
 //! 2^-53: 3e-14 S. Together that is below 4e-13 S.
 
-pub(in crate::collision) use super::body_shape::BodyShape;
 use super::driver::{Interval, Moving};
 use super::motion_bound::{Middle, MotionBound};
 use super::moving_point::{MovingPoint, dot, left_of};
 use super::pair::{Direction, Part, nearest_point, polygon_support};
 use super::rotation::{rotate, unit};
 use crate::collision::BodyMotion;
-use crate::collision::obstacles::Face;
-use crate::geometry::{Aabb, Point, Vector};
+use crate::collision::obstacles::{Face, faces_of};
+use crate::geometry::{Aabb, Point, Polygon, Vector, convex_pieces};
+use std::ops::Range;
 
 /// A body and its motion.
 pub(in crate::collision) struct MovingBody {
-    shape: BodyShape,
+    /// The faces of all convex pieces in the body's own frame, piece by piece, each counter-clockwise; and the range of each.
+    faces: Vec<Face>,
+    ranges: Vec<(u32, u32)>,
+    /// The distance from the origin of the frame to the farthest corner, in metres.
+    reach: f64,
     eta: f64,
     /// The angle last begun from, and its unit vector: roadmaps try many motions from one placement.
     from: f64,
@@ -35,16 +39,23 @@ pub(in crate::collision) struct MovingBody {
 }
 
 impl MovingBody {
-    /// The body, with this slack.
-    pub fn new(shape: BodyShape, eta: f64) -> Self {
-        let still = Middle::at_rest(Vector::zeros(), Vector::x());
+    /// The body, cut into convex pieces, with this slack. O(n log n).
+    pub fn new(body: &Polygon, eta: f64) -> Self {
+        let (mut faces, mut ranges) = (Vec::new(), Vec::new());
+        for piece in convex_pieces(body) {
+            let first = faces.len() as u32;
+            faces.extend(faces_of(&piece));
+            ranges.push((first, faces.len() as u32));
+        }
         Self {
-            shape,
+            faces,
+            ranges,
+            reach: body.reach(),
             eta,
             from: 0.0,
             heading: Vector::x(),
             bound: MotionBound::default(),
-            middle: still,
+            middle: Middle::at_rest(Vector::zeros(), Vector::x()),
             corners: Vec::new(),
         }
     }
@@ -56,13 +67,20 @@ impl MovingBody {
         if self.from != theta {
             (self.from, self.heading) = (theta, unit(theta));
         }
-        self.bound = MotionBound::new(motion, self.shape.reach, self.heading);
+        self.bound = MotionBound::new(motion, self.reach, self.heading);
     }
 
     /// Places the body at rest.
     #[inline(always)]
     pub fn rest(&mut self, [x, y, theta]: [f64; 3]) {
-        self.set(Middle::at_rest(Vector::new(x, y), unit(theta)), self.shape.pieces());
+        self.set(Middle::at_rest(Vector::new(x, y), unit(theta)), self.ranges.len());
+    }
+
+    /// The range of a piece's faces among those of all.
+    #[inline(always)]
+    fn range(&self, piece: usize) -> Range<usize> {
+        let (first, end) = self.ranges[piece];
+        first as usize..end as usize
     }
 
     /// Places the first `pieces` pieces.
@@ -70,7 +88,7 @@ impl MovingBody {
     fn set(&mut self, middle: Middle, pieces: usize) {
         self.middle = middle;
         self.corners.clear();
-        let faces = &self.shape.faces[..self.shape.range(pieces - 1).end];
+        let faces = &self.faces[..self.ranges[pieces - 1].1 as usize];
         self.corners.extend(faces.iter().map(|face| middle.point(rotate(face.corner.coords, middle.heading))));
     }
 }
@@ -81,7 +99,7 @@ impl Moving for MovingBody {
 
     #[inline(always)]
     fn parts(&self) -> usize {
-        self.shape.pieces()
+        self.ranges.len()
     }
 
     #[inline(always)]
@@ -96,23 +114,23 @@ impl Moving for MovingBody {
 
     #[inline(always)]
     fn part(&self, part: usize, (): &()) -> Piece<'_> {
-        let range = self.shape.range(part);
+        let range = self.range(part);
         Piece {
             middle: &self.middle,
             direction: self.middle.direction,
-            faces: &self.shape.faces[range.clone()],
+            faces: &self.faces[range.clone()],
             corners: &self.corners[range],
         }
     }
 
     #[inline(always)]
     fn swept_box(&self, part: usize, half: f64) -> Aabb {
-        self.bound.swept_box(&self.middle, half, &self.corners[self.shape.range(part)]).grown(self.eta)
+        self.bound.swept_box(&self.middle, half, &self.corners[self.range(part)]).grown(self.eta)
     }
 
     #[inline(always)]
     fn depth(&self, part: usize, bounds: &Aabb) -> f64 {
-        let corners = &self.corners[self.shape.range(part)];
+        let corners = &self.corners[self.range(part)];
         corners.iter().map(|corner| bounds.depth(corner.place())).fold(f64::INFINITY, f64::min)
     }
 

@@ -32,7 +32,6 @@
 
 pub(super) mod arm;
 pub(super) mod body;
-mod body_shape;
 pub(super) mod driver;
 mod motion_bound;
 mod moving_point;

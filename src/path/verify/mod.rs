@@ -19,7 +19,6 @@ mod car;
 mod disc;
 mod moving;
 mod near;
-mod swept;
 
 pub use body::Leg;
 

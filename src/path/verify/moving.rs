@@ -6,7 +6,6 @@
 //! chords.
 
 use super::near::{Near, Shape, near};
-use super::swept::Swept;
 use super::{Scale, Seen};
 use crate::geometry::{Aabb, Point, Polygon, Segment};
 use crate::scenario::World;
@@ -146,7 +145,7 @@ impl<'a> Judge<'a> {
         (t, before): (f64, &Segment),
         (u, after): (f64, &Segment),
     ) -> Result<(), String> {
-        if !Swept::new(before, after).comes_within(self.touching(robot, i, u - t), obstacle) {
+        if !obstacle.is_near_hull(before, after, self.touching(robot, i, u - t)) {
             return Ok(());
         }
         let middle = 0.5 * (t + u);

@@ -1,7 +1,8 @@
 //! The obstacles near a moving link, and of polygons the edges, that can matter during an interval of motion.
 
 use crate::geometry::{
-    Aabb, Disc, Polygon, Segment, distance_point_segment, distance_segment_polygon, distance_segment_segment,
+    Aabb, Disc, Point, Polygon, Segment, distance_point_segment, distance_segment_polygon, distance_segment_segment,
+    distance_squared_segment_segment, orientation,
 };
 use crate::scenario::Obstacle;
 
@@ -45,6 +46,39 @@ impl Near<'_> {
             Shape::Polygon(_, edges) => {
                 edges.iter().map(|edge| distance_segment_segment(s, edge)).fold(f64::INFINITY, f64::min)
             }
+        }
+    }
+
+    /// Whether the obstacle comes within `reach` of the region between two positions of a link: the convex hull of four
+    /// points. At the first position the link must be outside of a polygon: then the hull meets the polygon only if it
+    /// meets its border.
+    ///
+    /// Every point of the hull of four points lies in a triangle of three of them, and every edge of the hull is one of
+    /// their six connections; so tests against the triangles and the connections are tests against the hull.
+    pub(super) fn is_near_hull(&self, before: &Segment, after: &Segment, reach: f64) -> bool {
+        let [a, b, c, d] = [before.a, before.b, after.a, after.b];
+        let connections = [(a, b), (c, d), (a, c), (b, d), (a, d), (b, c)].map(|(p, q)| Segment::new(p, q));
+        let around = before.aabb().union(&after.aabb());
+        // Exact. Flat triangles hold only points of the connections.
+        let holds = |p: Point| {
+            around.contains(p)
+                && [[a, b, c], [a, b, d], [a, c, d], [b, c, d]].into_iter().any(|[a, b, c]| {
+                    let sides = [orientation(a, b, p), orientation(b, c, p), orientation(c, a, p)];
+                    orientation(a, b, c) != 0.0
+                        && (sides.iter().all(|&side| side >= 0.0) || sides.iter().all(|&side| side <= 0.0))
+                })
+        };
+        match &self.shape {
+            Shape::Disc(disc) => {
+                let far = reach + disc.radius;
+                gap(&around, &disc.aabb()) <= reach
+                    && (connections.iter().any(|s| distance_point_segment(disc.center, s) <= far) || holds(disc.center))
+            }
+            Shape::Polygon(_, edges) => edges.iter().any(|edge| {
+                gap(&around, &edge.aabb()) <= reach
+                    && (connections.iter().any(|s| distance_squared_segment_segment(s, edge) <= reach * reach)
+                        || holds(edge.a))
+            }),
         }
     }
 }

@@ -7,8 +7,8 @@
 use planarium::collision::{ArmValidity, Sampled};
 use planarium::problem::Validity;
 use planarium::random::{Random, Stream};
-use planarium::robot::{Arm, joint_space};
-use planarium::scenario::{Robot, Scenario, World};
+use planarium::robot::joint_space;
+use planarium::scenario::{Obstacle, Robot, Scenario};
 use planarium::space::{Metric, ProductSpace, Space};
 use std::hint::black_box;
 use std::time::Instant;
@@ -128,37 +128,25 @@ fn edges<const N: usize>(
 fn forest(links: usize, seed: u64, radius: f64) -> Scenario {
     let options = serde_json::json!({ "links": links, "seed": seed });
     let forest = planarium::scenario::generate::generate("forest", &options).expect("a forest can be generated");
-    with_radius(&forest, radius)
-}
-
-fn with_radius(scenario: &Scenario, radius: f64) -> Scenario {
-    let Robot::Arm(arm) = scenario.robot() else { unreachable!("a forest has an arm") };
-    let polygons: Vec<_> = corners(scenario.world());
-    document(&polygons, arm, radius)
-}
-
-fn corners(world: &World) -> Vec<Vec<[f64; 2]>> {
-    use planarium::scenario::Obstacle;
     let of = |obstacle: &Obstacle| match obstacle {
         Obstacle::Polygon(polygon) => polygon.vertices().iter().map(|p| [p.x, p.y]).collect(),
         Obstacle::Disc(_) => unreachable!("forests are of triangles"),
     };
-    world.obstacles.iter().map(of).collect()
+    document(&forest.world().obstacles.iter().map(of).collect::<Vec<_>>(), &vec![1.0; links], radius)
 }
 
-fn document(polygons: &[Vec<[f64; 2]>], arm: &Arm, radius: f64) -> Scenario {
-    let obstacles: Vec<_> =
-        polygons.iter().map(|corners| serde_json::json!({ "type": "polygon", "vertices": corners })).collect();
+fn document(polygons: &[Vec<[f64; 2]>], links: &[f64], radius: f64) -> Scenario {
+    let polygon = |corners| serde_json::json!({ "type": "polygon", "vertices": corners });
+    let obstacles: Vec<_> = polygons.iter().map(polygon).collect();
     let document = serde_json::json!({
         "format": "planarium-scenario-1", "name": "bench", "world": { "obstacles": obstacles },
-        "robot": { "type": "arm", "base": [0, 0], "links": arm.links(), "radius": radius }, "queries": [],
+        "robot": { "type": "arm", "base": [0, 0], "links": links, "radius": radius }, "queries": [],
     });
     Scenario::parse(&document.to_string()).expect("the document is right")
 }
 
 /// So many triangles anywhere in the reach of an arm of four links, together as large as sixteen of the forest.
 fn triangles(count: usize) -> Scenario {
-    let arm = Arm::new(planarium::geometry::Point::origin(), vec![1.0; 4], 0.0, None).expect("an arm");
     let size = 2.0 / (count as f64).sqrt();
     let mut random = Random::new(1, Stream::Scenario);
     let mut polygons = Vec::new();
@@ -168,5 +156,5 @@ fn triangles(count: usize) -> Scenario {
             polygons.push(vec![[x, y], [x + size, y], [x + size / 2.0, y + size]]);
         }
     }
-    document(&polygons, &arm, 0.0)
+    document(&polygons, &[1.0; 4], 0.0)
 }

@@ -29,7 +29,6 @@ mod nearest;
 mod neighbours;
 mod own_space;
 mod pieces;
-mod placed;
 mod planners;
 mod proof;
 mod refused;

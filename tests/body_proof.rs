@@ -34,11 +34,11 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
             assert!(fast || !slow, "world {number}: refused, though distances prove it free: {motion:?}");
             let hit = collision.first_hit(&motion);
             assert_eq!(fast, hit.is_none(), "world {number}: {motion:?}");
-            let looks = if fast && !slow { 2000 } else { 40 };
+            let samples = if fast && !slow { 2000 } else { 40 };
             let mut room = f64::INFINITY;
-            for i in 0..=looks {
+            for i in 0..=samples {
                 // All of an accepted motion, and of others what lies before the hit.
-                let q = motion.at(hit.unwrap_or(1.0) * f64::from(i) / f64::from(looks));
+                let q = motion.at(hit.unwrap_or(1.0) * f64::from(i) / f64::from(samples));
                 let is_touching = !collision.contacts(&q).is_empty();
                 assert_eq!(collision.is_free(&q), !is_touching, "world {number}: {q:?}");
                 assert!(!is_touching, "world {number}: {motion:?} touches at {q:?}");
@@ -51,12 +51,9 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
                 let room = collision.clearance(&q).min(collision.depth(&q));
                 assert!(room <= 2.0 * tau + 2.0 * eta, "world {number}: {motion:?} refused at {q:?}, {room} away");
             } else if !slow {
-                // The sliver between both proofs is as wide as the tolerance; looks are 2000 an edge.
+                // The sliver between both proofs is as wide as the tolerance; samples are 2000 an edge.
                 let spacing = 0.01 * scale;
-                assert!(
-                    room <= tau + spacing,
-                    "world {number}: {motion:?} is proven by separating lines alone, {room} away"
-                );
+                assert!(room <= tau + spacing, "world {number}: {motion:?} proven by lines alone, {room} away");
                 beyond += 1;
             }
             let is_arc = usize::from(matches!(motion, BodyMotion::Arc { .. }));
@@ -70,7 +67,7 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn no_accepted_motion_is_refuted_by_two_thousand_looks() {
+fn no_accepted_motion_is_refuted_by_two_thousand_samples() {
     let mut random = Random::new(2, Stream::Samples);
     let mut accepted = 0;
     for number in 0..seeds(60) {
@@ -148,10 +145,8 @@ mod parry {
             for _ in 0..10 {
                 let q = random_placement(&mut random, scale);
                 let (expected, found) = (clearance(&q), collision.clearance(&q).max(0.0));
-                assert!(
-                    expected == found || (expected - found).abs() < 1e-6,
-                    "world {number}: {found} is not {expected} at {q:?}"
-                );
+                let is_same = expected == found || (expected - found).abs() < 1e-6;
+                assert!(is_same, "world {number}: {found} is not {expected} at {q:?}");
                 apart += u32::from(found > 0.0);
                 touching += u32::from(found == 0.0);
                 let motion = random_motion(&mut random, q, scale);
@@ -164,14 +159,16 @@ mod parry {
                 }
             }
         }
-        assert!(
-            apart > 100 && touching > 100 && accepted > 50,
-            "{apart} apart, {touching} touching, {accepted} accepted"
-        );
+        assert!(apart > 100 && touching > 100 && accepted > 50, "{apart} {touching} {accepted}");
     }
 }
 
 // ---- What bodies do ----
+
+/// A body in a box of side 4 among obstacles.
+fn in_box(body: &Polygon, obstacles: Vec<Obstacle>) -> BodyCollision {
+    BodyCollision::new(body, &world([0.0, 0.0], [4.0, 4.0], obstacles), FRACTION)
+}
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_body_may_slide_along_the_bounds_and_not_along_an_obstacle() {
@@ -205,7 +202,7 @@ fn what_holds_the_other_wholly_touches_it() {
         Obstacle::Polygon(rectangle([2.0, 2.0], [2.1, 2.1])),
         Obstacle::Disc(Disc { center: p(2.0, 2.0), radius: 0.1 }),
     ] {
-        let collision = BodyCollision::new(&large, &world([0.0, 0.0], [4.0, 4.0], vec![inner]), FRACTION);
+        let collision = in_box(&large, vec![inner]);
         assert!(!collision.is_free(&[2.0, 2.0, 0.7]), "a body that holds an obstacle");
         assert_eq!(collision.clearance(&[2.0, 2.0, 0.7]).max(0.0), 0.0);
         assert!(!collision.is_motion_free(&straight([2.0, 2.0, 0.7], [2.1, 2.0, 0.7])));
@@ -216,7 +213,7 @@ fn what_holds_the_other_wholly_touches_it() {
         Obstacle::Polygon(rectangle([1.0, 1.0], [3.0, 3.0])),
         Obstacle::Disc(Disc { center: p(2.0, 2.0), radius: 1.0 }),
     ] {
-        let collision = BodyCollision::new(&small, &world([0.0, 0.0], [4.0, 4.0], vec![outer]), FRACTION);
+        let collision = in_box(&small, vec![outer]);
         assert!(!collision.is_free(&[2.0, 2.0, 0.7]), "a body in an obstacle");
         assert!(!collision.is_motion_free(&straight([2.0, 2.0, 0.7], [2.1, 2.0, 0.7])));
         assert!(!collision.is_motion_free(&straight([0.5, 0.5, 0.0], [3.5, 3.5, 0.0])), "through it");
@@ -224,15 +221,14 @@ fn what_holds_the_other_wholly_touches_it() {
     }
     // In the opening of a U, and in that of a ring with a slit: not in contact.
     let u = Polygon::new(&drawn(p(2.0, 2.0), 0.0, &u_shape(1.0, 0.2))).expect("a U");
-    let collision =
-        BodyCollision::new(&small, &world([0.0, 0.0], [4.0, 4.0], vec![Obstacle::Polygon(u.clone())]), FRACTION);
+    let collision = in_box(&small, vec![Obstacle::Polygon(u.clone())]);
     assert!(collision.is_free(&[2.0, 2.0, 0.3]));
     assert!(collision.is_motion_free(&straight([2.0, 2.0, 0.3], [2.0, 3.5, 0.3])));
     assert!(!collision.is_motion_free(&straight([2.0, 2.0, 0.3], [0.5, 2.0, 0.3])));
     // The U as the body, a disc in its opening as the obstacle.
     let shape = Polygon::new(&drawn(p(0.0, 0.0), 0.0, &u_shape(1.0, 0.2))).expect("a U");
     let disc = Obstacle::Disc(Disc { center: p(2.0, 2.0), radius: 0.5 });
-    let collision = BodyCollision::new(&shape, &world([0.0, 0.0], [4.0, 4.0], vec![disc]), FRACTION);
+    let collision = in_box(&shape, vec![disc]);
     assert!(collision.is_free(&[2.0, 2.0, 0.0]));
     assert!(collision.is_motion_free(&straight([2.0, 2.0, 0.0], [2.0, 1.0, 0.0])), "out of the opening");
     assert!(collision.is_motion_free(&arc([2.0, 2.0, 0.0], 0.0, 1.0, 50.0)), "turning around the disc");
@@ -246,8 +242,7 @@ fn turning_in_place_is_refused_where_a_corner_hits_something_thin() {
     for thickness in [1e-1, 1e-3, 1e-6] {
         for (gap, is_free) in [(1e-2, true), (1e-3, true), (-1e-3, false), (-1e-2, false)] {
             let wall = rectangle([2.5 + gap, 1.99], [2.5 + gap + thickness, 2.01]);
-            let collision =
-                BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 4.0], vec![Obstacle::Polygon(wall)]), FRACTION);
+            let collision = in_box(&body, vec![Obstacle::Polygon(wall)]);
             let at = [2.0, 2.0, 0.0];
             assert!(collision.is_free(&at));
             for motion in [
@@ -257,12 +252,9 @@ fn turning_in_place_is_refused_where_a_corner_hits_something_thin() {
                 arc(at, 0.0, -0.5, 6.0),
                 arc(at, 0.0, 10.0, 100.0),
             ] {
-                assert_eq!(
-                    collision.is_motion_free(&motion),
-                    is_free,
-                    "{gap} from a wall {thickness} thick: {motion:?}"
-                );
-                assert_eq!(collision.first_hit_by_distances(&motion).is_none(), is_free);
+                let what = format!("{gap} from a wall {thickness} thick: {motion:?}");
+                assert_eq!(collision.is_motion_free(&motion), is_free, "{what}");
+                assert_eq!(collision.first_hit_by_distances(&motion).is_none(), is_free, "{what}");
                 if let Some(hit) = collision.first_hit(&motion) {
                     let q = motion.at(hit);
                     assert!(collision.is_free(&q) && collision.clearance(&q) < 1e-3, "{hit} of {motion:?}");
@@ -277,8 +269,7 @@ fn a_motion_through_a_thin_wall_is_refused_and_past_it_is_not() {
     let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
     for thickness in [0.5, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
         let wall = rectangle([2.0 - 0.5 * thickness, 1.0], [2.0 + 0.5 * thickness, 3.0]);
-        let collision =
-            BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 4.0], vec![Obstacle::Polygon(wall)]), FRACTION);
+        let collision = in_box(&body, vec![Obstacle::Polygon(wall)]);
         assert!(!collision.is_motion_free(&straight([1.0, 2.0, 0.0], [3.0, 2.0, 1.0])));
         assert!(!collision.is_motion_free(&arc([1.0, 2.0, 0.3], 1.0, -0.3, 2.0)));
         assert!(collision.is_motion_free(&straight([1.0, 3.5, 0.0], [3.0, 3.5, 1.0])));
@@ -360,7 +351,7 @@ fn an_arc_of_many_turns_is_proven_by_its_first() {
             assert!(free.is_motion_free(&arc(from, speed, turn_rate, turns * TAU / turn_rate.abs())), "{turns} turns");
         }
     }
-    // Something in the way at three quarters of a turn.
+    // An obstacle at three quarters of a turn.
     let there = Obstacle::Polygon(rectangle([1.99, 0.8], [2.01, 0.85]));
     let blocked = BodyCollision::new(&body, &world([0.5, 0.5], [4.0, 3.5], vec![inner, outer, there]), FRACTION);
     for turns in [0.7, 1.0, 10.0, 1591.0] {
@@ -374,7 +365,7 @@ fn an_arc_of_many_turns_is_proven_by_its_first() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn nothing_beyond_reach_is_looked_at() {
+fn nothing_beyond_reach_is_examined() {
     let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
     let obstacle = |i: u32| {
         let center = p(f64::from(i % 40) / 10.0, f64::from(i / 40) / 10.0);
@@ -385,7 +376,7 @@ fn nothing_beyond_reach_is_looked_at() {
         (middle.min.x - 2.0).abs().max((middle.min.y - 2.0).abs()) > 1.3
     };
     let obstacles = (0..1600).map(obstacle).filter(is_far).collect();
-    let collision = BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 4.0], obstacles), FRACTION);
+    let collision = in_box(&body, obstacles);
     assert!(collision.is_motion_free(&arc([2.0, 2.0, 0.0], 0.0, 3.0, 100.0)), "turning in place");
     assert!(collision.is_motion_free(&arc([3.0, 2.0, FRAC_PI_2], 1.0, 1.0, 100.0)), "round a circle");
     assert!(collision.is_motion_free(&straight([1.2, 1.2, 0.0], [2.8, 2.8, 3.0])));
@@ -395,7 +386,7 @@ fn nothing_beyond_reach_is_looked_at() {
 #[wasm_bindgen_test(unsupported = test)]
 fn motions_that_make_no_sense_are_refused_and_long_ones_are_cut_at_the_bounds() {
     let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
-    let collision = BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 4.0], vec![]), FRACTION);
+    let collision = in_box(&body, vec![]);
     let at = [2.0, 2.0, 0.0];
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for i in 0..3 {
@@ -413,7 +404,10 @@ fn motions_that_make_no_sense_are_refused_and_long_ones_are_cut_at_the_bounds() 
         assert!(!collision.is_motion_free(&arc(at, 0.1, 0.1, bad)));
     }
     assert!(!collision.is_motion_free(&straight(at, [2.0, 2.0, 8.0])), "more than a turn on a straight way");
-    assert!(!collision.is_motion_free(&straight([2.0, 2.0, 2e4], [2.0, 2.0, 2e4])), "an angle that says little");
+    assert!(
+        !collision.is_motion_free(&straight([2.0, 2.0, 2e4], [2.0, 2.0, 2e4])),
+        "an angle too large to be accurate"
+    );
     // As far as the bounds, whatever lies behind.
     assert_eq!(collision.first_hit(&straight(at, [1e200, 2.0, 0.0])), Some(0.0), "longer than its square can be");
     for length in [10.0, 100.0, 1e9, 1e100] {

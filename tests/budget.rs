@@ -2,7 +2,8 @@
 //! On native, Node and Chrome alike.
 
 use crate::common::bodies::{self, p, rectangle, world};
-use crate::common::{options, parse};
+use crate::common::documents::{scenario, shape};
+use crate::common::options;
 use planarium::collision::{ArmValidity, BodyCollision, BodyMotion};
 use planarium::driving::rollout;
 use planarium::geometry::{Disc, Point};
@@ -83,10 +84,8 @@ fn an_arm_with_something_close_by_takes_few_evaluations_a_motion() {
             for (a, b) in motions {
                 for is_first_hit in [false, true] {
                     let before = validity.clearance_evaluations();
-                    let is_free = match is_first_hit {
-                        true => validity.first_hit(&a, &b).is_none(),
-                        false => validity.is_motion_free(&a, &b),
-                    };
+                    let hits = || validity.first_hit(&a, &b).is_some();
+                    let is_free = if is_first_hit { !hits() } else { validity.is_motion_free(&a, &b) };
                     let evaluations = validity.clearance_evaluations() - before;
                     assert!(evaluations <= FEW.min(most(2 * pieces)), "{name}: {evaluations} for {a:?} to {b:?}");
                     worst = worst.max(evaluations);
@@ -154,10 +153,8 @@ fn a_body_that_all_but_touches_takes_few_evaluations_a_motion() {
         for motion in motions {
             for is_first_hit in [false, true] {
                 let before = collision.clearance_evaluations();
-                let is_free = match is_first_hit {
-                    true => collision.first_hit(&motion).is_none(),
-                    false => collision.is_motion_free(&motion),
-                };
+                let hits = || collision.first_hit(&motion).is_some();
+                let is_free = if is_first_hit { !hits() } else { collision.is_motion_free(&motion) };
                 let evaluations = collision.clearance_evaluations() - before;
                 assert!(evaluations <= FEW, "{gap}: {evaluations} for {motion:?}");
                 worst = worst.max(evaluations);
@@ -171,13 +168,8 @@ fn a_body_that_all_but_touches_takes_few_evaluations_a_motion() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_step_of_a_planner_ends_with_a_disc_all_but_on_the_base() {
-    let world = |obstacle: &str| {
-        parse(&format!(
-            r#"{{ "format": "planarium-scenario-1", "name": "close", "world": {{ "obstacles": [{obstacle}] }},
-                "robot": {{ "type": "arm", "base": [0, 0], "links": [1, 1] }},
-                "queries": [ {{ "name": "q", "start": [2.9, 0.3], "goal": [0.2, -0.3] }} ] }}"#
-        ))
-    };
+    let arm = r#"{ "type": "arm", "base": [0, 0], "links": [1, 1] }"#;
+    let world = |obstacle| scenario("", obstacle, arm, r#""start": [2.9, 0.3], "goal": [0.2, -0.3]"#);
     for obstacle in [
         r#"{ "type": "disc", "center": [-1e-10, 0], "radius": 1e-11 }"#,
         r#"{ "type": "polygon", "vertices": [[-1e-9, 0], [-1, 0.1], [-0.5, 0], [-1, -0.1]] }"#,
@@ -195,17 +187,12 @@ fn a_step_of_a_planner_ends_with_a_disc_all_but_on_the_base() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_rollout_that_scrapes_along_a_wall_ends() {
-    for gap in ["1e-6", "1e-9", "1e-11"] {
-        let scenario = parse(&format!(
-            r#"{{ "format": "planarium-scenario-1", "name": "scrape",
-                "world": {{ "bounds": {{ "min": [0, 0], "max": [10, 10] }}, "obstacles": [
-                    {{ "type": "polygon", "vertices": [[0, 0.5], [10, 0.5], [10, 0.9], [5, 0.8], [0, 0.9]] }},
-                    {{ "type": "disc", "center": [5, {top}], "radius": 1e-9 }} ] }},
-                "robot": {{ "type": "car", "shape": {{ "type": "polygon",
-                    "vertices": [[-0.2, -0.1], [0.2, -0.1], [0.2, 0.1], [-0.2, 0.1]] }},
-                    "wheelbase": 0.3, "speed": [-1, 1], "steering": [-0.7, 0.7] }}, "queries": [] }}"#,
-            top = 1.1 + gap.parse::<f64>().expect("a number") + 1e-9,
-        ));
+    for gap in [1e-6, 1e-9, 1e-11] {
+        let wall = r#"{ "type": "polygon", "vertices": [[0, 0.5], [10, 0.5], [10, 0.9], [5, 0.8], [0, 0.9]] }"#;
+        let disc = format!(r#"{{ "type": "disc", "center": [5, {}], "radius": 1e-9 }}"#, 1.1 + gap + 1e-9);
+        let limits = r#""wheelbase": 0.3, "speed": [-1, 1], "steering": [-0.7, 0.7]"#;
+        let car = format!(r#"{{ "type": "car", {}, {limits} }}"#, shape(0.2, 0.1));
+        let scenario = scenario("[0, 0], [10, 10]", &format!("{wall}, {disc}"), &car, "");
         let control = |steering| Motion { control: Control { speed: 1.0, steering }, duration: 8.0 };
         for steering in [0.0, 1e-12, -1e-9, 1e-3] {
             let rollout = rollout(&scenario, &[1.0, 1.0, 0.0], control(steering)).expect("a car");

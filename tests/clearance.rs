@@ -1,36 +1,9 @@
 //! The clearance shown to viewers, by parry, against the crate's own distances.
 
-use planarium::geometry::{
-    Polygon, Segment, distance_point_polygon, distance_point_segment, distance_polygon_polygon,
-    distance_segment_polygon,
-};
-use planarium::robot::Part;
+use crate::common::bodies::part_distance;
 use planarium::run::inspect::Inspector;
-use planarium::scenario::{Obstacle, generate};
+use planarium::scenario::generate;
 use wasm_bindgen_test::wasm_bindgen_test;
-
-/// The distance from a part to an obstacle by the crate's own functions.
-fn distance(part: &Part, obstacle: &Obstacle) -> f64 {
-    match (part, obstacle) {
-        (Part::Capsule { a, b, radius }, Obstacle::Polygon(polygon)) => {
-            distance_segment_polygon(&Segment::new(*a, *b), polygon) - radius
-        }
-        (Part::Capsule { a, b, radius }, Obstacle::Disc(disc)) => {
-            distance_point_segment(disc.center, &Segment::new(*a, *b)) - radius - disc.radius
-        }
-        (Part::Disc { center, radius }, Obstacle::Polygon(polygon)) => {
-            distance_point_polygon(*center, polygon) - radius
-        }
-        (Part::Disc { center, radius }, Obstacle::Disc(disc)) => (center - disc.center).norm() - radius - disc.radius,
-        (Part::Polygon { vertices }, obstacle) => {
-            let body = Polygon::new(vertices).expect("a placed polygon");
-            match obstacle {
-                Obstacle::Polygon(polygon) => distance_polygon_polygon(&body, polygon),
-                Obstacle::Disc(disc) => distance_point_polygon(disc.center, &body) - disc.radius,
-            }
-        }
-    }
-}
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_clearance_is_the_least_distance_and_its_points_are_that_far_apart() {
@@ -49,9 +22,9 @@ fn the_clearance_is_the_least_distance_and_its_points_are_that_far_apart() {
                     continue;
                 };
                 free += 1;
-                let all = parts.iter().flat_map(|part| obstacles.iter().map(|obstacle| distance(part, obstacle)));
+                let all = parts.iter().flat_map(|part| obstacles.iter().map(|obstacle| part_distance(part, obstacle)));
                 let expected = all.fold(f64::INFINITY, f64::min);
-                let own = distance(&parts[found.part], &obstacles[found.obstacle]);
+                let own = part_distance(&parts[found.part], &obstacles[found.obstacle]);
                 let [a, b] = found.points;
                 for same in [expected, own, (b - a).norm()] {
                     assert!((found.distance - same).abs() < 1e-9, "{kind} {robot} {q:?}: {found:?} is not {same}");

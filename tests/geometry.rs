@@ -1,5 +1,6 @@
 //! Plane geometry: simple polygons, containment and intersection against exact integer arithmetic, distances against parry.
 
+use crate::common::bodies::{border, p, polygon, random_star};
 use parry2d_f64::math::{Pose, Vector};
 use parry2d_f64::query;
 use parry2d_f64::shape;
@@ -10,16 +11,8 @@ use planarium::geometry::{
 use planarium::random::{Random, Stream};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-fn p(x: f64, y: f64) -> Point {
-    Point::new(x, y)
-}
-
 fn points(coordinates: &[[f64; 2]]) -> Vec<Point> {
     coordinates.iter().map(|&[x, y]| p(x, y)).collect()
-}
-
-fn polygon(coordinates: &[[f64; 2]]) -> Polygon {
-    Polygon::new(&points(coordinates)).expect("a simple polygon")
 }
 
 fn random(seed: u64) -> Random {
@@ -82,7 +75,7 @@ fn what_does_not_bound_a_simple_polygon_is_refused() {
             SelfCrossing(0, 4),
         ),
         (
-            "a crossing, told by the vertices as they were given",
+            "a crossing, named by the vertices as they were given",
             &[[0.0, 0.0], [0.0, 0.0], [1.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]],
             SelfCrossing(0, 4),
         ),
@@ -111,7 +104,7 @@ fn exact_intersects(s: &Segment, t: &Segment) -> bool {
         || exact_on(t.a, t.b, s.b)
 }
 
-/// Whether the corners bound a simple polygon, by looking at every pair of edges.
+/// Whether the corners bound a simple polygon, by every pair of edges.
 fn is_simple_by_pairs(v: &[Point]) -> bool {
     let n = v.len();
     let edge = |i: usize| Segment::new(v[i % n], v[(i + 1) % n]);
@@ -124,7 +117,7 @@ fn is_simple_by_pairs(v: &[Point]) -> bool {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_sweep_finds_a_crossing_where_a_look_at_every_pair_does() {
+fn the_sweep_finds_a_crossing_if_a_test_of_every_pair_does() {
     let mut random = random(1);
     let mut simple = 0;
     let runs = 40_000;
@@ -284,18 +277,6 @@ fn near(random: &mut Random, side: f64) -> Point {
     p(side * (random.uniform() - 0.5), side * (random.uniform() - 0.5))
 }
 
-/// A polygon with corners all round a centre, most often concave.
-fn star(random: &mut Random, side: f64) -> Polygon {
-    let (center, corners) = (near(random, side), 3 + random.below(12));
-    let corner = |i| {
-        let (sin, cos) = libm::sincos(std::f64::consts::TAU * (i as f64 + 0.9 * random.uniform()) / corners as f64);
-        let radius = side * (0.05 + 0.4 * random.uniform());
-        p(center.x + radius * cos, center.y + radius * sin)
-    };
-    let corners: Vec<Point> = (0..corners).map(corner).collect();
-    Polygon::new(&corners).expect("corners in order round a centre")
-}
-
 #[wasm_bindgen_test(unsupported = test)]
 fn distances_between_segments_agree_with_parry() {
     let mut random = random(5);
@@ -319,11 +300,9 @@ fn distances_to_polygons_agree_with_parry() {
     let mut random = random(6);
     let (mut touching, mut concave) = (0, 0);
     for _ in 0..3000 {
-        let polygon = star(&mut random, 2.0);
+        let polygon = random_star(&mut random, 2.0);
         concave += u32::from(!polygon.is_convex());
-        let corners: Vec<Vector> = polygon.vertices().iter().copied().map(vector).collect();
-        let n = corners.len() as u32;
-        let border = shape::Polyline::new(corners, Some((0..n).map(|i| [i, (i + 1) % n]).collect()));
+        let border = border(&polygon);
         let s = Segment::new(near(&mut random, 4.0), near(&mut random, 4.0));
         let place = Pose::identity();
         let to_border = query::distance(&place, &to_parry(&s), &place, &border).expect("parry has this pair").distance;

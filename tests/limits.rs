@@ -1,13 +1,13 @@
-//! Bodies and cars at the limits of what is accepted: corners in one line, turning circles as wide as the world or a grain of
-//! dust, results that lie. On native, Node and Chrome alike.
+//! Bodies and cars at the limits of what is accepted: corners in one line, turning circles as wide as the world or as small as a
+//! grain of dust, results that are wrong. On native, Node and Chrome alike.
 
 use crate::common::bodies::*;
-use crate::common::documents::refusal;
+use crate::common::documents::{refusal, result, scenario, shape};
 use crate::common::{finish, options, parse, seeds};
 use planarium::collision::{BodyCollision, BodyValidity};
 use planarium::driving::rollout;
 use planarium::geometry::{Disc, Polygon};
-use planarium::path::{ResultDocument, Verdict, verify};
+use planarium::path::{Verdict, verify};
 use planarium::problem::{Control, Motion, Validity};
 use planarium::random::{Random, Stream};
 use planarium::robot::{Weights, placements};
@@ -75,14 +75,9 @@ fn a_curve_that_leads_nowhere_is_its_placement() {
 
 /// A car in an empty box of side 10.
 fn car(wheelbase: &str, speed: &str, steering: &str, goal: &str) -> Scenario {
-    parse(&format!(
-        r#"{{ "format": "planarium-scenario-1", "name": "car",
-            "world": {{ "bounds": {{ "min": [0, 0], "max": [10, 10] }}, "obstacles": [] }},
-            "robot": {{ "type": "car", "shape": {{ "type": "polygon",
-                "vertices": [[-0.2, -0.1], [0.2, -0.1], [0.2, 0.1], [-0.2, 0.1]] }},
-                "wheelbase": {wheelbase}, "speed": {speed}, "steering": {steering} }},
-            "queries": [ {{ "name": "there", "start": [1, 1, 0.3], "goal": {goal} }} ] }}"#
-    ))
+    let limits = format!(r#""wheelbase": {wheelbase}, "speed": {speed}, "steering": {steering}"#);
+    let robot = format!(r#"{{ "type": "car", {}, {limits} }}"#, shape(0.2, 0.1));
+    scenario("[0, 0], [10, 10]", "", &robot, &format!(r#""start": [1, 1, 0.3], "goal": {goal}"#))
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -148,7 +143,7 @@ fn curves_are_traced_as_finely_as_they_bend() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_kept_roadmap_says_how_the_car_was_steered() {
+fn a_stored_roadmap_contains_the_steering_of_the_car() {
     let scenario = car("0.5", "[-1, 1]", "[-0.6, 0.6]", "[9, 9, -2]");
     for word in ["dubins", "reeds-shepp"] {
         let settings = format!("samples=60 k=6 steering={word}");
@@ -190,40 +185,25 @@ fn a_kept_roadmap_says_how_the_car_was_steered() {
     }
 }
 
-/// A solved result of a path, and of motions where it is a car's.
-fn told(scenario: &Scenario, path: &str, motions: &str, length: f64) -> ResultDocument {
-    let (query, name) = (&scenario.queries()[0].name, scenario.name());
-    ResultDocument::parse(&format!(
-        r#"{{ "scenario": "{name}", "query": "{query}", "planner": "rrt", "seed": 1, "status": "solved", "path": {path},
-            {motions} "length": {length:e}, "fingerprint": "0000000000000000",
-            "stats": {{ "iterations": 1, "vertices": 1, "edges": 1, "configuration_checks": 1, "motion_checks": 1,
-                "nearest_queries": 1, "visited": 1, "clearance_evaluations": 1, "build_seconds": 0, "search_seconds": 0 }} }}"#
-    ))
-    .expect("a result")
-}
-
-fn why(scenario: &Scenario, result: &ResultDocument) -> Option<String> {
-    match verify(scenario, result).expect("its own scenario") {
+/// Why a solved result of this path is refused.
+fn why(scenario: &Scenario, path: &str, motions: Option<&str>, length: f64) -> Option<String> {
+    match verify(scenario, &result(scenario.name(), path, motions, length)).expect("its own scenario") {
         Verdict::Valid { .. } => None,
         Verdict::Invalid { why } => Some(why),
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn no_waypoint_turns_a_body_by_an_angle_that_says_nothing() {
-    // Through a slot that only a body fits that lies flat; at both ends it stands.
-    let scenario = parse(
-        r#"{ "format": "planarium-scenario-1", "name": "slot",
-            "world": { "bounds": { "min": [0, 0], "max": [6, 2] }, "obstacles": [
-                { "type": "polygon", "vertices": [[2, 0], [4, 0], [4, 0.8], [2, 0.8]] },
-                { "type": "polygon", "vertices": [[2, 1.2], [4, 1.2], [4, 2], [2, 2]] } ] },
-            "robot": { "type": "rigid_body", "shape": { "type": "polygon",
-                "vertices": [[-0.4, -0.1], [0.4, -0.1], [0.4, 0.1], [-0.4, 0.1]] } },
-            "queries": [ { "name": "through", "start": [1, 1, 1.5], "goal": [5, 1, 1.5] } ] }"#,
-    );
-    let upright = told(&scenario, "[[1, 1, 1.5], [5, 1, 1.5]]", "", 2.8);
-    assert!(why(&scenario, &upright).expect("it does not fit").contains("obstacle"));
-    // By its sine the angle lies flat; by the remainder of whole turns, as steps are measured, it stands.
+fn no_waypoint_has_an_angle_too_large_to_be_accurate() {
+    // Through a slot that only a body fits that lies flat; at both ends it is upright.
+    let low = r#"{ "type": "polygon", "vertices": [[2, 0], [4, 0], [4, 0.8], [2, 0.8]] }"#;
+    let high = r#"{ "type": "polygon", "vertices": [[2, 1.2], [4, 1.2], [4, 2], [2, 2]] }"#;
+    let robot = format!(r#"{{ "type": "rigid_body", {} }}"#, shape(0.4, 0.1));
+    let query = r#""start": [1, 1, 1.5], "goal": [5, 1, 1.5]"#;
+    let scenario = scenario("[0, 0], [6, 2]", &format!("{low}, {high}"), &robot, query);
+    let upright = why(&scenario, "[[1, 1, 1.5], [5, 1, 1.5]]", None, 2.8);
+    assert!(upright.expect("it does not fit").contains("obstacle"));
+    // By its sine the angle lies flat; by the remainder of whole turns, as steps are measured, it is upright.
     let turns = |angle: f64| {
         let rest = |a: f64| libm::remainder(a, std::f64::consts::TAU);
         rest(rest(angle) - rest(1.5)).abs()
@@ -233,65 +213,57 @@ fn no_waypoint_turns_a_body_by_an_angle_that_says_nothing() {
         .find(|&angle| libm::sin(angle).abs() < 0.05 && turns(angle) < 0.2)
         .expect("such an angle");
     let length = 2.8 + 0.3 * 2.0 * turns(angle);
-    let lying = told(&scenario, &format!("[[1, 1, 1.5], [1, 1, {angle:e}], [5, 1, 1.5]]"), "", length);
-    assert!(why(&scenario, &lying).expect("it lies").contains("waypoint 1 holds"));
+    let lying = why(&scenario, &format!("[[1, 1, 1.5], [1, 1, {angle:e}], [5, 1, 1.5]]"), None, length);
+    assert!(lying.expect("it is refused").contains("waypoint 1 holds"));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn no_step_of_a_car_leads_through_a_wall_and_many_turns_are_judged_at_once() {
-    let scenario = parse(
-        r#"{ "format": "planarium-scenario-1", "name": "dust",
-            "world": { "bounds": { "min": [0, 0], "max": [10, 10] }, "obstacles": [
-                { "type": "polygon", "vertices": [[5, 0], [5.0000000001, 0], [5.0000000001, 10], [5, 10]] } ] },
-            "robot": { "type": "car", "shape": { "type": "polygon",
-                "vertices": [[-1e-10, -1e-10], [1e-10, -1e-10], [1e-10, 1e-10], [-1e-10, 1e-10]] },
-                "wheelbase": 1e-3, "speed": [-1, 1], "steering": [-1, 1] },
-            "queries": [ { "name": "through", "start": [4.9999999997, 5, 0], "goal": [5.0000000005, 5, 0] } ] }"#,
-    );
+    let wall = r#"{ "type": "polygon", "vertices": [[5, 0], [5.0000000001, 0], [5.0000000001, 10], [5, 10]] }"#;
+    let limits = r#""wheelbase": 1e-3, "speed": [-1, 1], "steering": [-1, 1]"#;
+    let robot = format!(r#"{{ "type": "car", {}, {limits} }}"#, shape(1e-10, 1e-10));
+    let query = r#""start": [4.9999999997, 5, 0], "goal": [5.0000000005, 5, 0]"#;
+    let scenario = scenario("[0, 0], [10, 10]", wall, &robot, query);
     let motion = |speed: f64, steering: f64, duration: f64| {
         format!(r#"{{ "control": [{speed:e}, {steering:e}], "duration": {duration:e} }}"#)
     };
     // It stands still, and the waypoint is as near as rounding might have it.
     let path = "[[4.9999999997, 5, 0], [5.0000000005, 5, 0]]";
-    let why = |result: ResultDocument| why(&scenario, &result).expect("it lies");
+    let why = |path, motions: &str, length| why(&scenario, path, Some(motions), length).expect("it is refused");
     let resting = motion(0.0, 0.0, 1.0);
-    assert!(why(told(&scenario, path, &format!(r#""motions": [{resting}],"#), 0.0)).contains("obstacle"));
-    // A million and a trillion metres in circles: where they end cannot be told, and they are not looked at turn by turn.
+    assert!(why(path, &format!("[{resting}]"), 0.0).contains("obstacle"));
+    // A million and a trillion metres in circles: their ends cannot be computed, and they are not examined turn by turn.
     for metres in [1e6, 1e12, 1e300] {
         let length = 0.7 * metres + 0.3 * metres * libm::tan(1.0) / 1e-3;
-        let motions = format!(r#""motions": [{}, {resting}],"#, motion(1.0, 1.0, metres));
+        let motions = format!("[{}, {resting}]", motion(1.0, 1.0, metres));
         let path = "[[4.9999999997, 5, 0], [5.0002, 5, 0], [5.0000000005, 5, 0]]";
-        assert!(why(told(&scenario, path, &motions, length)).contains("motion 0 turns by"));
+        assert!(why(path, &motions, length).contains("motion 0 turns by"));
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_grain_of_dust_in_a_wide_world_is_judged_at_once() {
-    let scenario = parse(
-        r#"{ "format": "planarium-scenario-1", "name": "desert",
-            "world": { "bounds": { "min": [0, 0], "max": [1e6, 1e6] }, "obstacles": [
-                { "type": "disc", "center": [5e5, 5e5], "radius": 10 } ] },
-            "robot": { "type": "rigid_body", "shape": { "type": "polygon",
-                "vertices": [[-1e-3, -1e-3], [1e-3, -1e-3], [1e-3, 1e-3], [-1e-3, 1e-3]] } },
-            "queries": [ { "name": "across", "start": [1, 1, 0], "goal": [999999, 1, 0] } ] }"#,
-    );
+    let disc = r#"{ "type": "disc", "center": [5e5, 5e5], "radius": 10 }"#;
+    let robot = format!(r#"{{ "type": "rigid_body", {} }}"#, shape(1e-3, 1e-3));
+    let query = r#""start": [1, 1, 0], "goal": [999999, 1, 0]"#;
+    let scenario = scenario("[0, 0], [1e6, 1e6]", disc, &robot, query);
     let run = finish(run::start(&scenario, &options("rrt", 1, "")).expect("a run"));
-    assert_eq!(why(&scenario, &run.result()), None);
-    let through = told(&scenario, "[[1, 1, 0], [999999, 999999, 0], [999999, 1, 0]]", "", 1e6);
-    assert!(why(&scenario, &through).expect("it hits the disc").contains("obstacle"));
+    assert!(matches!(verify(&scenario, &run.result()), Ok(Verdict::Valid { .. })));
+    let through = why(&scenario, "[[1, 1, 0], [999999, 999999, 0], [999999, 1, 0]]", None, 1e6);
+    assert!(through.expect("it hits the disc").contains("obstacle"));
+}
+
+/// A car as fast as can be in an empty box of side 4, with more fields of the robot.
+fn fast_car(more: &str, query: &str) -> Scenario {
+    let limits = r#""wheelbase": 1, "speed": [-1e6, 1e6], "steering": [-0.7, 0.7], "integration_step": 10"#;
+    let robot = format!(r#"{{ "type": "car", {}, {limits}{more} }}"#, shape(0.2, 0.1));
+    scenario("[0, 0], [4, 4]", "", &robot, query)
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_car_is_not_driven_in_more_turns_than_can_be_told_apart() {
     // Three million turns a step, a metre round; where they end is off by more than what the proof leaves to rounding.
-    let scenario = parse(
-        r#"{ "format": "planarium-scenario-1", "name": "top",
-            "world": { "bounds": { "min": [0, 0], "max": [4, 4] }, "obstacles": [] },
-            "robot": { "type": "car", "shape": { "type": "polygon",
-                "vertices": [[-0.2, -0.1], [0.2, -0.1], [0.2, 0.1], [-0.2, 0.1]] },
-                "wheelbase": 1, "speed": [-1e6, 1e6], "steering": [-0.7, 0.7], "integration_step": 10 },
-            "queries": [ { "name": "round", "start": [2, 1, 0], "goal": [2, 1, 1] } ] }"#,
-    );
+    let scenario = fast_car("", r#""start": [2, 1, 0], "goal": [2, 1, 1]"#);
     let control = |speed: f64| Motion { control: Control { speed, steering: 0.7 }, duration: 10.0 };
     let driven = |speed: f64| rollout(&scenario, &[2.0, 1.0, 0.0], control(speed)).expect("a car").poses.len();
     assert_eq!([1.0, 50.0, 1e3, 1e6].map(driven), [2, 2, 1, 1]);
@@ -308,31 +280,25 @@ fn a_polygon_of_many_corners_is_cut_up_in_no_time() {
     assert_eq!(pieces.iter().map(|piece| piece.vertices().len()).max(), Some(many));
 }
 
-/// A polygon's vertices as JSON.
-fn corners_of(corners: &[[f64; 2]]) -> String {
-    format!("{corners:?}")
-}
-
 /// A scene with one obstacle, and a body of this shape.
-fn with_polygons(obstacle: &str, shape: &str) -> String {
+fn with_polygons(obstacle: &[[f64; 2]], shape: &[[f64; 2]]) -> String {
     format!(
         r#"{{ "format": "planarium-scenario-1", "name": "tiny",
-            "world": {{ "bounds": {{"min": [-9, -9], "max": [9, 9]}}, "obstacles": [ {{"type": "polygon", "vertices": {obstacle}}} ] }},
-            "robot": {{"type": "rigid_body", "shape": {{"type": "polygon", "vertices": {shape}}}}},
+            "world": {{ "bounds": {{"min": [-9, -9], "max": [9, 9]}}, "obstacles": [ {{"type": "polygon", "vertices": {obstacle:?}}} ] }},
+            "robot": {{"type": "rigid_body", "shape": {{"type": "polygon", "vertices": {shape:?}}}}},
             "queries": [{{"name": "q", "start": [5, 5, 0], "goal": [-5, -5, 1]}}] }}"#
     )
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn polygons_whose_sides_cannot_be_told_apart_are_refused() {
-    let square = corners_of(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     for tiny in [
         [[0.0, -2e-200], [0.0, -1e-200], [1.0, 1e-200], [-2e-200, 0.0]],
         [[0.0, 0.0], [1e-160, 0.0], [1e-160, 1e-160], [0.0, 1e-160]],
         [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [5e-324, 1.0]],
         [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [-9.9e-141, 1.0]],
     ] {
-        let tiny = corners_of(&tiny);
         for (text, pointer) in [
             (with_polygons(&tiny, &square), "/world/obstacles/0/vertices"),
             (with_polygons(&square, &tiny), "/robot/shape/vertices"),
@@ -344,7 +310,7 @@ fn polygons_whose_sides_cannot_be_told_apart_are_refused() {
     }
     // As small as this it is exact; so are zeros, and coordinates of very different sizes.
     for small in [1e-140, 1e-100, 1e-17] {
-        let small = corners_of(&[[0.0, 0.0], [small, -0.0], [1.0, 1.0], [0.0, small]]);
+        let small = [[0.0, 0.0], [small, -0.0], [1.0, 1.0], [0.0, small]];
         parse(&with_polygons(&small, &square));
         parse(&with_polygons(&square, &small));
     }
@@ -370,8 +336,8 @@ fn polygons_of_all_scales_are_refused_or_cut_up_exactly() {
         assert!(pieces.iter().all(|piece| piece.is_convex() && piece.vertices().len() > 2), "{polygon:?}");
         assert!(pieces.iter().all(|piece| Polygon::new(piece.vertices()).is_ok_and(|again| again == *piece)));
         concave += u32::from(!polygon.is_convex());
-        let [text, square] = [corners, vec![[0.0, 0.0], [0.1, 0.0], [0.1, 0.1]]].map(|corners| corners_of(&corners));
-        for text in [with_polygons(&text, &square), with_polygons(&square, &text)] {
+        let square = [[0.0, 0.0], [0.1, 0.0], [0.1, 0.1]];
+        for text in [with_polygons(&corners, &square), with_polygons(&square, &corners)] {
             let Ok(scenario) = Scenario::parse(&text) else { continue };
             let Ok(mut run) = run::start(&scenario, &options("rrt-connect", number, "")) else { continue };
             run.step(3);
@@ -387,38 +353,28 @@ fn polygons_of_all_scales_are_refused_or_cut_up_exactly() {
 #[wasm_bindgen_test(unsupported = test)]
 fn the_judge_bounds_what_it_can_compute() {
     // A heading after 1e15 rad is off by a tenth of a radian.
-    let scenario = parse(
-        r#"{ "format": "planarium-scenario-1", "name": "top",
-            "world": { "bounds": { "min": [0, 0], "max": [4, 4] }, "obstacles": [] },
-            "robot": { "type": "car", "shape": { "type": "polygon",
-                "vertices": [[-0.2, -0.1], [0.2, -0.1], [0.2, 0.1], [-0.2, 0.1]] },
-                "wheelbase": 1, "speed": [-1e6, 1e6], "steering": [-0.7, 0.7], "integration_step": 10,
-                "metric": { "translation": 1, "rotation": 1 } },
-            "queries": [ { "name": "round", "start": [2, 1, 0], "goal": [2, 1, 0],
-                "goal_tolerance": { "translation": 4, "rotation": 4 } } ] }"#,
-    );
+    let metric = r#", "metric": { "translation": 1, "rotation": 1 }"#;
+    let region = r#""goal_tolerance": { "translation": 4, "rotation": 4 }"#;
+    let scenario = fast_car(metric, &format!(r#""start": [2, 1, 0], "goal": [2, 1, 0], {region}"#));
     let pace = libm::tan(0.7);
     let judged = |turn: f64| {
         let metres = turn / pace;
         let heading = libm::remainder(turn, std::f64::consts::TAU);
         let from = planarium::geometry::arc_pose([2.0, 1.0, 0.0], 1.0 / pace, 1.0, heading);
-        let motions = format!(r#""motions": [{{ "control": [1, 0.7], "duration": {metres:e} }}],"#);
+        let motions = format!(r#"[{{ "control": [1, 0.7], "duration": {metres:e} }}]"#);
         let path = format!("[[2, 1, 0], [{:?}, {:?}, {:?}]]", from[0], from[1], heading);
-        why(&scenario, &told(&scenario, &path, &motions, metres + turn))
+        why(&scenario, &path, Some(&motions), metres + turn)
     };
     assert_eq!(judged(900.0), None);
     for turn in [1001.0, 1e9, 1e15] {
         assert!(judged(turn).expect("it cannot be judged").contains("motion 0 turns by"), "{turn}");
     }
     // With one waypoint this far away any length would be within rounding.
-    let scenario = parse(
-        r#"{ "format": "planarium-scenario-1", "name": "far", "world": { "obstacles": [] },
-            "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
-            "queries": [ { "name": "q", "start": [0, 0], "goal": [1, 1] } ] }"#,
-    );
+    let arm = r#"{ "type": "arm", "base": [0, 0], "links": [1, 1] }"#;
+    let scenario = self::scenario("", "", arm, r#""start": [0, 0], "goal": [1, 1]"#);
     for angle in [1e308, -1e16, 1.0000001e6] {
-        let lying = told(&scenario, &format!("[[0, 0], [{angle:e}, 0], [1, 1]]"), "", 17.0);
-        assert!(why(&scenario, &lying).expect("it lies").contains("waypoint 1 holds"), "{angle}");
+        let lying = why(&scenario, &format!("[[0, 0], [{angle:e}, 0], [1, 1]]"), None, 17.0);
+        assert!(lying.expect("it is refused").contains("waypoint 1 holds"), "{angle}");
     }
 }
 
@@ -429,13 +385,9 @@ fn a_run_without_end_ends_before_the_memory_does() {
     if std::env::var_os("PLANARIUM_DEEP").is_none() {
         return;
     }
-    let scenario = parse(
-        r#"{ "format": "planarium-scenario-1", "name": "full",
-            "world": { "bounds": { "min": [0, 0], "max": [10, 10] }, "obstacles": [
-                { "type": "polygon", "vertices": [[0.01, 0], [9.99, 0], [9.99, 10], [0.01, 10]] } ] },
-            "robot": { "type": "disc", "radius": 0.001 },
-            "queries": [ { "name": "q", "start": [0.005, 5], "goal": [9.995, 5] } ] }"#,
-    );
+    let block = r#"{ "type": "polygon", "vertices": [[0.01, 0], [9.99, 0], [9.99, 10], [0.01, 10]] }"#;
+    let robot = r#"{ "type": "disc", "radius": 0.001 }"#;
+    let scenario = scenario("[0, 0], [10, 10]", block, robot, r#""start": [0.005, 5], "goal": [9.995, 5]"#);
     let mut run = run::start(&scenario, &options("prm", 1, "max_iterations=4e9 samples=1e6")).expect("a run");
     assert_eq!(run.step(u64::MAX), Status::Exhausted);
     let records = run.vertex_count() + run.edge_count() + run.event_count();

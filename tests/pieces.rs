@@ -1,8 +1,8 @@
 //! Polygons against polygons, and their triangles and convex pieces: held against exact arithmetic, areas and parry.
 
-use parry2d_f64::math::{Pose, Vector};
+use crate::common::bodies::{border, p, polygon, random_star};
+use parry2d_f64::math::Pose;
 use parry2d_f64::query;
-use parry2d_f64::shape;
 use planarium::geometry::{
     Point, Polygon, arc_pose, convex_pieces, distance_point_polygon, distance_polygon_polygon,
     intersects_polygon_polygon, orientation, triangles,
@@ -10,17 +10,8 @@ use planarium::geometry::{
 use planarium::random::{Random, Stream};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-fn p(x: f64, y: f64) -> Point {
-    Point::new(x, y)
-}
-
 fn random(seed: u64) -> Random {
     Random::new(seed, Stream::Samples)
-}
-
-fn polygon(corners: &[[f64; 2]]) -> Polygon {
-    let corners: Vec<Point> = corners.iter().map(|&[x, y]| p(x, y)).collect();
-    Polygon::new(&corners).expect("a simple polygon")
 }
 
 /// Twice the area of the corners in order.
@@ -53,55 +44,20 @@ fn special() -> Vec<Polygon> {
     }
     comb.dedup();
     let spiral = [
-        [0.0, 0.0],
-        [9.0, 0.0],
-        [9.0, 9.0],
-        [1.0, 9.0],
-        [1.0, 3.0],
-        [6.0, 3.0],
-        [6.0, 6.0],
-        [4.0, 6.0],
-        [4.0, 5.0],
-        [5.0, 5.0],
-        [5.0, 4.0],
-        [2.0, 4.0],
-        [2.0, 8.0],
-        [8.0, 8.0],
-        [8.0, 1.0],
-        [0.0, 1.0],
+        0.0, 0.0, 9.0, 0.0, 9.0, 9.0, 1.0, 9.0, 1.0, 3.0, 6.0, 3.0, 6.0, 6.0, 4.0, 6.0, 4.0, 5.0, 5.0, 5.0, 5.0, 4.0,
+        2.0, 4.0, 2.0, 8.0, 8.0, 8.0, 8.0, 1.0, 0.0, 1.0,
     ];
-    let mut square = Vec::new();
-    for i in 0..8 {
-        square.push(p(f64::from(i), 0.0));
-    }
-    for i in 0..8 {
-        square.push(p(8.0, f64::from(i)));
-    }
-    square.push(p(8.0, 8.0));
+    let mut square: Vec<Point> = (0..8).map(|i| p(f64::from(i), 0.0)).collect();
+    square.extend((0..=8).map(|i| p(8.0, f64::from(i))));
     square.extend([p(4.0, 4.0), p(0.0, 8.0)]);
-    for i in (1..8).rev() {
-        square.push(p(0.0, f64::from(i)));
-    }
+    square.extend((1..8).rev().map(|i| p(0.0, f64::from(i))));
     let needle = [[0.0, 0.0], [4.0, 1e-9], [8.0, 0.0], [4.0, 2e-9]];
     vec![
         Polygon::new(&comb).expect("a comb"),
-        polygon(&spiral),
+        polygon(spiral.as_chunks().0),
         Polygon::new(&square).expect("a notched square"),
         polygon(&needle),
     ]
-}
-
-/// A polygon with corners all round a centre, most often concave.
-fn star(random: &mut Random, side: f64) -> Polygon {
-    let center = p(side * (random.uniform() - 0.5), side * (random.uniform() - 0.5));
-    let corners = 3 + random.below(20);
-    let corner = |i| {
-        let (sin, cos) = libm::sincos(std::f64::consts::TAU * (i as f64 + 0.9 * random.uniform()) / corners as f64);
-        let radius = side * (0.02 + 0.4 * random.uniform());
-        p(center.x + radius * cos, center.y + radius * sin)
-    };
-    let corners: Vec<Point> = (0..corners).map(corner).collect();
-    Polygon::new(&corners).expect("corners in order round a centre")
 }
 
 /// Every vertex of a piece is one of the polygon, bit by bit.
@@ -144,7 +100,7 @@ fn triangles_cover_the_polygon_and_none_is_flat() {
     }
 }
 
-/// Ear clipping with every corner tried anew and every vertex looked at: O(n^3), and plainly right.
+/// Ear clipping with every corner tried again against every vertex: O(n^3), and evidently right.
 fn triangles_by_all_vertices(v: &[Point]) -> Vec<[u32; 3]> {
     let mut left: Vec<u32> = (0..v.len() as u32).collect();
     let (mut found, mut at) = (Vec::new(), 0);
@@ -169,7 +125,7 @@ fn triangles_by_all_vertices(v: &[Point]) -> Vec<[u32; 3]> {
 fn triangles_are_those_of_a_search_through_all_vertices() {
     let mut random = random(6);
     let mut polygons = special();
-    polygons.extend((0..3000).map(|i| if i % 2 == 0 { whole(&mut random) } else { star(&mut random, 2.0) }));
+    polygons.extend((0..3000).map(|i| if i % 2 == 0 { whole(&mut random) } else { random_star(&mut random, 2.0) }));
     for polygon in &polygons {
         assert_eq!(triangles(polygon), triangles_by_all_vertices(polygon.vertices()), "{polygon:?}");
     }
@@ -220,7 +176,7 @@ fn large_polygons_are_cut_up_in_little_time() {
 fn convex_pieces_are_convex_and_cover_the_polygon() {
     let mut random = random(2);
     let mut polygons = special();
-    polygons.extend((0..2000).map(|i| if i % 2 == 0 { whole(&mut random) } else { star(&mut random, 2.0) }));
+    polygons.extend((0..2000).map(|i| if i % 2 == 0 { whole(&mut random) } else { random_star(&mut random, 2.0) }));
     let (mut concave, mut merged) = (0, 0);
     for polygon in &polygons {
         let pieces = convex_pieces(polygon);
@@ -257,38 +213,13 @@ fn convex_pieces_are_convex_and_cover_the_polygon() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_polygon_of_many_corners_is_cut_up() {
-    let n = 600;
-    let corner = |i: u32| {
-        let (sin, cos) = libm::sincos(std::f64::consts::TAU * f64::from(i) / f64::from(n));
-        let radius = if i.is_multiple_of(2) { 2.0 } else { 1.0 };
-        p(radius * cos, radius * sin)
-    };
-    let gear = Polygon::new(&(0..n).map(corner).collect::<Vec<_>>()).expect("a gear");
-    let pieces = convex_pieces(&gear);
-    let area: f64 = pieces.iter().map(|piece| doubled_area(piece.vertices())).sum();
-    assert!((area - doubled_area(gear.vertices())).abs() < 1e-10);
-    assert!(pieces.len() <= 601, "{}", pieces.len());
-}
-
-fn vector(p: Point) -> Vector {
-    Vector::new(p.x, p.y)
-}
-
-fn border(polygon: &Polygon) -> shape::Polyline {
-    let n = polygon.vertices().len() as u32;
-    let corners = polygon.vertices().iter().copied().map(vector).collect();
-    shape::Polyline::new(corners, Some((0..n).map(|i| [i, (i + 1) % n]).collect()))
-}
-
-#[wasm_bindgen_test(unsupported = test)]
 fn distances_between_polygons_agree_with_parry_and_with_those_of_their_pieces() {
     let mut random = random(3);
     let (mut touching, mut held) = (0, 0);
     for _ in 0..3000 {
         // Of very different sizes, so that one often holds the other.
         let sizes = [(); 2].map(|()| [0.3, 1.0, 3.0][random.below(3) as usize]);
-        let [a, b] = sizes.map(|side| star(&mut random, side));
+        let [a, b] = sizes.map(|side| random_star(&mut random, side));
         let place = Pose::identity();
         let between = query::distance(&place, &border(&a), &place, &border(&b)).expect("parry has this pair").distance;
         let holds = a.contains(b.vertices()[0]) || b.contains(a.vertices()[0]);

@@ -1,9 +1,11 @@
-//! The proof law: no accepted motion touches an obstacle, however thin; nothing with room to spare is refused. On native,
+//! The proof law: no accepted motion touches an obstacle, however thin; nothing with clearance to spare is refused. On native,
 //! Node and Chrome alike, with many seeds natively.
 
-use crate::common::{arm_and_wall, arm_of, begin, disc_and_wall, finish, parse, seeds, thick_arm_and_wall};
+use crate::common::bodies::random_obstacle;
+use crate::common::documents::scenario;
+use crate::common::{arm_and_wall, arm_of, begin, disc_and_wall, finish, seeds, thick_arm_and_wall};
 use planarium::collision::{ArmValidity, DiscValidity, Obstacles, Sampled};
-use planarium::geometry::{Aabb, Disc, Point, Polygon, Segment, intersects_segment_polygon};
+use planarium::geometry::{Aabb, Disc, Point, Segment, intersects_segment_polygon};
 use planarium::path::{Verdict, verify};
 use planarium::problem::Validity;
 use planarium::random::{Random, Stream};
@@ -37,45 +39,29 @@ fn no_path_crosses_a_wall(world: impl Fn(f64) -> Scenario, planner: &str, parame
     assert!(solved * 10 >= all * 9, "{planner} solved only {solved} of {all}: too few paths were judged");
 }
 
-const ROADMAP: &[(&str, f64)] = &[("samples", 250.0), ("k", 8.0)];
-
 #[wasm_bindgen_test(unsupported = test)]
-fn no_roadmap_path_of_a_thin_arm_crosses_a_wall() {
-    no_path_crosses_a_wall(arm_and_wall, "prm", ROADMAP, seeds(1000));
+fn no_roadmap_path_crosses_a_wall() {
+    let roadmap = &[("samples", 250.0), ("k", 8.0)];
+    no_path_crosses_a_wall(arm_and_wall, "prm", roadmap, seeds(1000));
+    no_path_crosses_a_wall(thick_arm_and_wall, "prm", roadmap, seeds(1000));
+    no_path_crosses_a_wall(|thickness| disc_and_wall(0.0, thickness), "prm", roadmap, seeds(1000));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn no_roadmap_path_of_a_thick_arm_crosses_a_wall() {
-    no_path_crosses_a_wall(thick_arm_and_wall, "prm", ROADMAP, seeds(1000));
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn no_roadmap_path_of_a_point_crosses_a_wall() {
-    no_path_crosses_a_wall(|thickness| disc_and_wall(0.0, thickness), "prm", ROADMAP, seeds(1000));
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn no_tree_path_of_a_thin_arm_crosses_a_wall() {
+fn no_tree_path_crosses_a_wall_shortened_or_not() {
+    let shortcut = &[("shortcut", 30.0)];
     no_path_crosses_a_wall(arm_and_wall, "rrt-connect", &[], seeds(1000));
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn no_tree_path_of_a_thick_arm_crosses_a_wall_shortened_or_not() {
     no_path_crosses_a_wall(thick_arm_and_wall, "rrt-connect", &[], seeds(1000));
-    no_path_crosses_a_wall(thick_arm_and_wall, "rrt-connect", &[("shortcut", 30.0)], seeds(200));
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn no_tree_path_of_a_disc_crosses_a_wall_shortened_or_not() {
+    no_path_crosses_a_wall(thick_arm_and_wall, "rrt-connect", shortcut, seeds(200));
     no_path_crosses_a_wall(|thickness| disc_and_wall(0.2, thickness), "rrt-connect", &[], seeds(1000));
-    no_path_crosses_a_wall(|thickness| disc_and_wall(0.0, thickness), "rrt-connect", &[("shortcut", 30.0)], seeds(200));
+    no_path_crosses_a_wall(|thickness| disc_and_wall(0.0, thickness), "rrt-connect", shortcut, seeds(200));
 }
 
 /// An arm's space and validity, of the largest size.
-fn arm_in(scenario: &Scenario) -> (ProductSpace<MAX_LINKS>, ArmValidity<MAX_LINKS>, &World) {
+fn arm_in(scenario: &Scenario) -> (ProductSpace<MAX_LINKS>, ArmValidity<MAX_LINKS>) {
     let Robot::Arm(arm) = scenario.robot() else { panic!("an arm") };
     let space = joint_space(arm, Metric::Sum);
-    (space.clone(), ArmValidity::new(arm, space, scenario.world(), 1e-4), scenario.world())
+    (space.clone(), ArmValidity::new(arm, space, scenario.world(), 1e-4))
 }
 
 fn generated(kind: &str, options: serde_json::Value) -> Scenario {
@@ -92,15 +78,11 @@ fn arm_worlds() -> Vec<Scenario> {
 
 /// An arm in bounds it can touch, among a disc and a concave cross.
 fn crossed() -> Scenario {
-    parse(
-        r#"{ "format": "planarium-scenario-1", "name": "crossed",
-            "world": { "bounds": { "min": [-1.5, -2], "max": [2, 1.8] }, "obstacles": [
-                { "type": "polygon", "vertices": [[0.5, 0.3], [0.6, 0.3], [0.6, 0.6], [0.9, 0.6], [0.9, 0.7], [0.6, 0.7],
-                    [0.6, 1.0], [0.5, 1.0], [0.5, 0.7], [0.2, 0.7], [0.2, 0.6], [0.5, 0.6]] },
-                { "type": "disc", "center": [-0.6, -0.8], "radius": 0.25 } ] },
-            "robot": { "type": "arm", "base": [0, 0], "links": [0.7, 0.6, 0.5], "radius": 0.02 },
-            "queries": [] }"#,
-    )
+    let cross = r#"{ "type": "polygon", "vertices": [[0.5, 0.3], [0.6, 0.3], [0.6, 0.6], [0.9, 0.6], [0.9, 0.7], [0.6, 0.7],
+        [0.6, 1.0], [0.5, 1.0], [0.5, 0.7], [0.2, 0.7], [0.2, 0.6], [0.5, 0.6]] }"#;
+    let obstacles = format!(r#"{cross}, {{ "type": "disc", "center": [-0.6, -0.8], "radius": 0.25 }}"#);
+    let robot = r#"{ "type": "arm", "base": [0, 0], "links": [0.7, 0.6, 0.5], "radius": 0.02 }"#;
+    scenario("[-1.5, -2], [2, 1.8]", &obstacles, robot, "")
 }
 
 /// Whether the arm's links, without their radius, touch an obstacle at `q`: exact for polygons.
@@ -117,9 +99,9 @@ fn touches(scenario: &Scenario, q: &[f64]) -> bool {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn no_accepted_motion_is_refuted_by_two_thousand_looks() {
+fn no_accepted_motion_is_refuted_by_two_thousand_samples() {
     for world in arm_worlds() {
-        let (space, validity, _) = arm_in(&world);
+        let (space, validity) = arm_in(&world);
         let mut random = Random::new(2, Stream::Samples);
         for _ in 0..seeds(150) {
             let (a, b) = (space.sample(&mut random), space.sample(&mut random));
@@ -135,9 +117,9 @@ fn no_accepted_motion_is_refuted_by_two_thousand_looks() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn all_before_the_first_hit_is_free_and_none_is_told_for_a_free_motion() {
+fn all_before_the_first_hit_is_free_and_a_free_motion_has_none() {
     for world in arm_worlds() {
-        let (space, validity, _) = arm_in(&world);
+        let (space, validity) = arm_in(&world);
         let mut random = Random::new(3, Stream::Samples);
         let mut hits = 0;
         for _ in 0..seeds(300) {
@@ -160,49 +142,6 @@ fn all_before_the_first_hit_is_free_and_none_is_told_for_a_free_motion() {
     }
 }
 
-/// A convex polygon: corners on a circle.
-fn round(center: Point, radius: f64, corners: usize, turn: f64) -> Vec<Point> {
-    (0..corners)
-        .map(|i| {
-            let (sin, cos) = libm::sincos(turn + std::f64::consts::TAU * i as f64 / corners as f64);
-            Point::new(center.x + radius * cos, center.y + radius * sin)
-        })
-        .collect()
-}
-
-/// An obstacle of a random kind and size: convex, a wall down to a millionth thick, a disc, a concave star.
-fn random_obstacle(random: &mut Random, center: Point) -> Obstacle {
-    let (size, turn) = (0.05 + 0.4 * random.uniform(), 6.0 * random.uniform());
-    let corners = match random.below(5) {
-        0 => round(center, size, 3, turn),
-        1 => round(center, size, 4 + random.below(6) as usize, turn),
-        2 => {
-            let thickness = libm::pow(10.0, -1.0 - 5.0 * random.uniform());
-            let (sin, cos) = libm::sincos(turn);
-            let corner = |u: f64, v: f64| Point::new(center.x + u * cos - v * sin, center.y + u * sin + v * cos);
-            let (u, v) = (2.0 * size, thickness / 2.0);
-            vec![corner(-u, -v), corner(u, -v), corner(u, v), corner(-u, v)]
-        }
-        3 => return Obstacle::Disc(Disc { center, radius: size }),
-        _ => {
-            let (points, dents) = (round(center, size, 4, turn), round(center, 0.3 * size, 4, turn + 0.785));
-            points.into_iter().zip(dents).flat_map(|(point, dent)| [point, dent]).collect()
-        }
-    };
-    Obstacle::Polygon(Polygon::new(&corners).expect("a simple polygon"))
-}
-
-fn scaled(obstacle: &Obstacle, scale: f64) -> Obstacle {
-    let at = |p: Point| Point::new(p.x * scale, p.y * scale);
-    match obstacle {
-        Obstacle::Disc(disc) => Obstacle::Disc(Disc { center: at(disc.center), radius: disc.radius * scale }),
-        Obstacle::Polygon(polygon) => {
-            let corners: Vec<Point> = polygon.vertices().iter().copied().map(at).collect();
-            Obstacle::Polygon(Polygon::new(&corners).expect("still simple"))
-        }
-    }
-}
-
 /// An arm of any size, thin or thick, with limits or without, in any unit of length, among up to a hundred obstacles, in
 /// bounds or not.
 fn random_world(random: &mut Random) -> (Arm, World) {
@@ -215,7 +154,9 @@ fn random_world(random: &mut Random) -> (Arm, World) {
     let count = [3, 10, 30, 100][random.below(4) as usize];
     let centers = (0..count).map(|_| Point::new(8.0 * random.uniform() - 4.0, 8.0 * random.uniform() - 4.0));
     let centers: Vec<Point> = centers.filter(|center| (center - base).norm() > 1.2).collect();
-    let obstacles = centers.into_iter().map(|center| scaled(&random_obstacle(random, center), scale)).collect();
+    // At most as large as leaves the base free.
+    let obstacle = |center: Point| random_obstacle(random, center * scale, 1.5 * scale);
+    let obstacles = centers.into_iter().map(obstacle).collect();
     let bounds = (random.below(3) == 0).then(|| {
         let [x, y] = [(); 2].map(|()| scale * (0.6 + 2.0 * random.uniform()));
         Aabb { min: Point::new(-x, -y), max: Point::new(y, x) }
@@ -246,13 +187,13 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
             assert!(fast || !slow, "world {world_number}: refused, though distances prove it free: {a:?} {b:?}");
             let hit = validity.first_hit(&a, &b);
             assert_eq!(fast, hit.is_none(), "world {world_number}: {a:?} {b:?}");
-            let looks = if fast && !slow { 1000 } else { 30 };
-            for i in 0..=looks {
+            let samples = if fast && !slow { 1000 } else { 30 };
+            for i in 0..=samples {
                 // All of an accepted motion, and of others what lies before the hit: up to contact.
-                let q = space.interpolate(&a, &b, hit.unwrap_or(1.0) * f64::from(i) / f64::from(looks));
+                let q = space.interpolate(&a, &b, hit.unwrap_or(1.0) * f64::from(i) / f64::from(samples));
                 let is_touching = !validity.contacts(&q).is_empty();
                 assert_eq!(validity.is_free(&q), !is_touching, "world {world_number}: {q:?}");
-                assert!(!is_touching || (!fast && i == looks), "world {world_number}: {a:?} {b:?} touches at {q:?}");
+                assert!(!is_touching || (!fast && i == samples), "world {world_number}: {a:?} {b:?} touches at {q:?}");
             }
             accepted += u32::from(fast);
             refused += u32::from(!fast);
@@ -268,18 +209,17 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_check_by_samples_looks_at_each_of_them_and_at_no_other() {
+fn the_check_by_samples_tests_each_of_them_and_no_other() {
     let world = &arm_worlds()[1];
-    let (space, validity, _) = arm_in(world);
+    let (space, validity) = arm_in(world);
     let mut random = Random::new(5, Stream::Samples);
     let (mut free, mut unproven) = (0, 0);
     for _ in 0..seeds(2000) {
         let (a, b) = (space.sample(&mut random), space.sample(&mut random));
         for samples in [1, 2, 3, 7, 20, 64] {
-            let mut looks = (1..=samples).map(|i| space.interpolate(&a, &b, f64::from(i) / f64::from(samples)));
-            let expected = looks.all(|q| validity.is_free(&q));
-            let (_, proven, _) = arm_in(world);
-            let sampled = Sampled::new(space.clone(), Box::new(proven), samples);
+            let mut tested = (1..=samples).map(|i| space.interpolate(&a, &b, f64::from(i) / f64::from(samples)));
+            let expected = tested.all(|q| validity.is_free(&q));
+            let sampled = Sampled::new(space.clone(), Box::new(arm_in(world).1), samples);
             assert_eq!(sampled.is_motion_free(&a, &b), expected, "{samples} of {a:?} to {b:?}");
             assert!(expected || !validity.is_motion_free(&a, &b), "proven, yet {a:?} to {b:?} hits");
             free += u32::from(expected && samples == 20);
@@ -296,7 +236,7 @@ fn the_check_by_samples_looks_at_each_of_them_and_at_no_other() {
     assert!(!sampled(2).is_motion_free(&[1.0, 1.0], &[9.0, 1.0]), "the middle is in the wall");
     assert!(sampled(3).is_motion_free(&[1.0, 1.0], &[9.0, 1.0]), "a third is before the wall, two thirds behind");
     assert!(!sampled(3).is_motion_free(&[1.0, 1.0], &[5.0, 1.0]), "the far end is in the wall");
-    assert_eq!(sampled(8).first_hit(&[1.0, 1.0], &[9.0, 1.0]), Some(0.375), "the last look before the wall");
+    assert_eq!(sampled(8).first_hit(&[1.0, 1.0], &[9.0, 1.0]), Some(0.375), "the last sample before the wall");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -337,7 +277,7 @@ fn culling_by_boxes_lists_all_that_meet_once_and_little_else() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn motions_of_many_turns_look_at_nothing_beyond_the_arm_s_reach() {
+fn motions_of_many_turns_examine_nothing_beyond_the_arm_s_reach() {
     let obstacle = |i: u32| {
         let center = Point::new(3.0 + f64::from(i % 50), f64::from(i / 50) - 25.0);
         Obstacle::Disc(Disc { center, radius: 0.4 })
@@ -354,12 +294,12 @@ fn motions_of_many_turns_look_at_nothing_beyond_the_arm_s_reach() {
 fn a_motion_that_samples_accept_through_a_thin_wall_is_refused() {
     for thickness in THICKNESSES {
         let world = arm_and_wall(thickness);
-        let (space, validity, _) = arm_in(&world);
+        let (space, validity) = arm_in(&world);
         let (above, below) = (space.state(&[0.6, 0.2]), space.state(&[-0.6, -0.2]));
         assert!(!validity.is_motion_free(&above, &below));
         // Twenty samples, as in the reports, see walls of these thicknesses only by luck.
-        let looks = (0..20).map(|i| space.interpolate(&above, &below, (f64::from(i) + 0.5) / 20.0));
-        let seen = looks.filter(|q| !validity.is_free(q)).count();
+        let samples = (0..20).map(|i| space.interpolate(&above, &below, (f64::from(i) + 0.5) / 20.0));
+        let seen = samples.filter(|q| !validity.is_free(q)).count();
         assert!(thickness > 1e-2 || seen == 0, "samples miss a wall {thickness} thick");
 
         let world = disc_and_wall(0.0, thickness);
@@ -375,12 +315,10 @@ fn a_motion_that_samples_accept_through_a_thin_wall_is_refused() {
 fn a_tight_start_can_be_left() {
     for gap in [1e-3, 1e-5, 1e-7, 1e-9] {
         // The arm lies along the top of a block, `gap` above it.
-        let world = parse(&format!(
-            r#"{{ "format": "planarium-scenario-1", "name": "tight",
-                "world": {{ "obstacles": [ {{ "type": "polygon", "vertices": [[0.5, -1], [1.5, -1], [1.5, -{gap:e}], [0.5, -{gap:e}]] }} ] }},
-                "robot": {{ "type": "arm", "base": [0, 0], "links": [1, 1] }},
-                "queries": [ {{ "name": "up", "start": [0, 0], "goal": [1.5, 1.0] }} ] }}"#
-        ));
+        let block =
+            format!(r#"{{ "type": "polygon", "vertices": [[0.5, -1], [1.5, -1], [1.5, -{gap:e}], [0.5, -{gap:e}]] }}"#);
+        let robot = r#"{ "type": "arm", "base": [0, 0], "links": [1, 1] }"#;
+        let world = scenario("", &block, robot, r#""start": [0, 0], "goal": [1.5, 1.0]"#);
         for planner in ["prm", "rrt-connect"] {
             let run = finish(begin(&world, planner, 1, &[]));
             assert_eq!(run.status(), Status::Solved, "{planner} from {gap} above a block");
@@ -392,12 +330,9 @@ fn a_tight_start_can_be_left() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn contact_with_an_obstacle_is_collision_and_contact_with_the_bounds_is_not() {
-    let world = parse(
-        r#"{ "format": "planarium-scenario-1", "name": "contact",
-            "world": { "bounds": { "min": [0, 0], "max": [4, 4] }, "obstacles": [
-                { "type": "polygon", "vertices": [[2, 1], [3, 1], [3, 2], [2, 2]] }, { "type": "disc", "center": [1, 3], "radius": 0.5 } ] },
-            "robot": { "type": "disc", "radius": 0.25 }, "queries": [] }"#,
-    );
+    let block = r#"{ "type": "polygon", "vertices": [[2, 1], [3, 1], [3, 2], [2, 2]] }"#;
+    let obstacles = format!(r#"{block}, {{ "type": "disc", "center": [1, 3], "radius": 0.5 }}"#);
+    let world = scenario("[0, 0], [4, 4]", &obstacles, r#"{ "type": "disc", "radius": 0.25 }"#, "");
     let Robot::Disc(disc) = world.robot() else { panic!("a disc") };
     let validity = DiscValidity::new(disc, world.world());
     assert!(!validity.is_free(&[1.75, 1.5]), "touching the polygon's side");
@@ -416,13 +351,9 @@ fn contact_with_an_obstacle_is_collision_and_contact_with_the_bounds_is_not() {
 fn a_start_near_the_bounds_can_be_left() {
     for room in [1e-4, 1e-6, 1e-9] {
         // The tip of the only link points at the upper bound, `room` below it.
-        let world = parse(&format!(
-            r#"{{ "format": "planarium-scenario-1", "name": "near-the-bounds",
-                "world": {{ "bounds": {{ "min": [-10, -10], "max": [10, {top:?}] }}, "obstacles": [] }},
-                "robot": {{ "type": "arm", "base": [0, 1], "links": [0.7] }},
-                "queries": [ {{ "name": "down", "start": [1], "goal": [-1] }} ] }}"#,
-            top = 1.0 + 0.7 * 0.841_470_984_807_896_5 + room
-        ));
+        let bounds = format!("[-10, -10], [10, {:?}]", 1.0 + 0.7 * 0.841_470_984_807_896_5 + room);
+        let robot = r#"{ "type": "arm", "base": [0, 1], "links": [0.7] }"#;
+        let world = scenario(&bounds, "", robot, r#""start": [1], "goal": [-1]"#);
         let run = finish(begin(&world, "rrt-connect", 1, &[]));
         assert_eq!(run.status(), Status::Solved, "{room} below the bound");
     }
@@ -430,12 +361,10 @@ fn a_start_near_the_bounds_can_be_left() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_polygon_with_a_vanishing_edge_is_as_solid_as_any() {
-    let world = parse(
-        r#"{ "format": "planarium-scenario-1", "name": "vanishing-edge",
-            "world": { "obstacles": [ { "type": "polygon", "vertices": [[-1, 0], [-2.71e-140, 0], [0, 1.556e-140], [0, 1], [-1, 1]] } ] },
-            "robot": { "type": "arm", "base": [0.3535, -0.6157], "links": [0.63], "radius": 0.1 }, "queries": [] }"#,
-    );
-    let (space, validity, _) = arm_in(&world);
+    let vertices = "[[-1, 0], [-2.71e-140, 0], [0, 1.556e-140], [0, 1], [-1, 1]]";
+    let robot = r#"{ "type": "arm", "base": [0.3535, -0.6157], "links": [0.63], "radius": 0.1 }"#;
+    let world = scenario("", &format!(r#"{{ "type": "polygon", "vertices": {vertices} }}"#), robot, "");
+    let (space, validity) = arm_in(&world);
     let mut collisions = 0;
     for i in 0..20_000 {
         let angle = std::f64::consts::TAU * f64::from(i) / 20_000.0;
@@ -452,13 +381,10 @@ fn a_polygon_with_a_vanishing_edge_is_as_solid_as_any() {
 fn sliding_close_along_a_concave_wall_is_proven() {
     // As the first joint turns by one angle and the second back by two, the tip slides along the base's height.
     for gap in [1e-6, 1e-9] {
-        let world = parse(&format!(
-            r#"{{ "format": "planarium-scenario-1", "name": "sliding",
-                "world": {{ "obstacles": [ {{ "type": "polygon",
-                    "vertices": [[0.3, -{gap:e}], [2.5, -{gap:e}], [2.5, 1], [3, 1], [3, -1], [0.3, -1]] }} ] }},
-                "robot": {{ "type": "arm", "base": [0, 0], "links": [1, 1] }}, "queries": [] }}"#
-        ));
-        let (space, validity, _) = arm_in(&world);
+        let vertices = format!("[[0.3, -{gap:e}], [2.5, -{gap:e}], [2.5, 1], [3, 1], [3, -1], [0.3, -1]]");
+        let wall = format!(r#"{{ "type": "polygon", "vertices": {vertices} }}"#);
+        let world = scenario("", &wall, r#"{ "type": "arm", "base": [0, 0], "links": [1, 1] }"#, "");
+        let (space, validity) = arm_in(&world);
         let (a, b) = (space.state(&[0.5, -1.0]), space.state(&[1.3, -2.6]));
         let validity = validity.fitted(&a, &b);
         assert!(validity.is_motion_free(&a, &b), "with a tolerance fitted to its ends");

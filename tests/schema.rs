@@ -1,11 +1,11 @@
-//! The committed JSON Schema is the one that the types give, and it says what the parser holds.
+//! The committed JSON Schema is the one that the types give, and it agrees with the parser.
 //!
 //! `PLANARIUM_BLESS=1 cargo test --features schema --test schema` writes it anew.
 
 #[allow(dead_code)]
 use crate::common::documents;
 
-use planarium::scenario::generate::{ClutterOptions, ForestOptions, clutter, forest};
+use planarium::scenario::generate::{ClutterOptions, ForestOptions, Generator};
 use planarium::scenario::{Scenario, schema};
 use serde_json::{Value, json};
 
@@ -64,18 +64,9 @@ fn is_valid(value: &Value) -> bool {
 }
 
 fn arm() -> Value {
-    json!({
-        "format": "planarium-scenario-1", "name": "n", "title": "t",
-        "world": {
-            "bounds": {"min": [-3, -3], "max": [3, 3]},
-            "obstacles": [
-                {"type": "disc", "center": [2, 0], "radius": 0.25},
-                {"type": "polygon", "vertices": [[1, 1], [2, 1], [1, 2]]}
-            ]
-        },
-        "robot": {"type": "arm", "base": [0, 0], "links": [1, 0.5], "radius": 0.05, "joint_limits": [[-1, 1], [-2, 2]]},
-        "queries": [{"name": "q", "start": [-1, 0], "goal": [1, 2]}]
-    })
+    let mut document: Value = serde_json::from_str(documents::ARM).unwrap();
+    document["queries"].as_array_mut().unwrap().truncate(1);
+    document
 }
 
 fn disc() -> Value {
@@ -108,28 +99,13 @@ fn the_committed_schema_is_that_of_the_types() {
     assert!(committed == text, "schema/scenario.schema.json is out of date: run this test with PLANARIUM_BLESS=1");
 }
 
-/// Every object of the document, by its JSON pointer.
-fn objects(value: &Value, pointer: String, found: &mut Vec<String>) {
-    match value {
-        Value::Object(fields) => {
-            fields.iter().for_each(|(name, field)| objects(field, format!("{pointer}/{name}"), found));
-            found.push(pointer);
-        }
-        Value::Array(items) => {
-            items.iter().enumerate().for_each(|(i, item)| objects(item, format!("{pointer}/{i}"), found));
-        }
-        _ => {}
-    }
-}
-
 #[test]
 fn schema_and_parser_know_and_require_the_same_fields() {
     let mut removed = [0, 0];
     for (document, count) in [(arm(), 7), (reaching(), 8), (disc(), 7), (body(), 9), (car(), 9)] {
         assert!(is_valid(&document));
         Scenario::parse(&document.to_string()).unwrap();
-        let mut places = Vec::new();
-        objects(&document, String::new(), &mut places);
+        let places = documents::objects(&document);
         assert_eq!(places.len(), count);
         for place in places {
             let mut more = document.clone();
@@ -153,7 +129,7 @@ fn schema_and_parser_know_and_require_the_same_fields() {
     // and region of body and car, the car's step.
     assert_eq!(removed[1], 16);
     assert!(removed[0] > 25);
-    // Every property of the schema stands in one of the documents.
+    // Every property of the schema is in one of the documents.
     let mut known = std::collections::BTreeSet::new();
     for place in
         ["", "/$defs/World", "/$defs/Bounds", "/$defs/Query", "/$defs/Target", "/$defs/Metric", "/$defs/GoalTolerance"]
@@ -240,29 +216,20 @@ fn schema_and_parser_refuse_the_same_values() {
 
 #[test]
 fn what_is_written_follows_the_schema() {
-    for seed in 0..10 {
-        let links = 1 + seed as usize % 8;
-        assert!(is_valid(
-            &serde_json::from_str(&forest(&ForestOptions { links, seed }).unwrap().to_json_string()).unwrap()
-        ));
-        assert!(is_valid(
-            &serde_json::from_str(
-                &clutter(&ClutterOptions { seed, ..ClutterOptions::default() }).unwrap().to_json_string()
-            )
-            .unwrap()
-        ));
-    }
-    for document in [arm(), disc(), body(), car()] {
-        assert!(is_valid(
-            &serde_json::from_str(&Scenario::parse(&document.to_string()).unwrap().to_json_string()).unwrap()
-        ));
+    let generated = |seed: u64| {
+        let forest = ForestOptions { links: 1 + seed as usize % 8, seed }.generate();
+        [forest, ClutterOptions { seed, ..ClutterOptions::default() }.generate()]
+    };
+    let parsed = [arm(), disc(), body(), car()].map(|document| Scenario::parse(&document.to_string()));
+    for scenario in (0..10).flat_map(generated).chain(parsed) {
+        assert!(is_valid(&serde_json::from_str(&scenario.unwrap().to_json_string()).unwrap()));
     }
 }
 
 #[test]
 fn the_shared_scenarios_follow_the_schema_where_the_parser_accepts_them() {
     let Some(folder) = std::env::var_os("PLANARIUM_SCENARIOS") else {
-        eprintln!("PLANARIUM_SCENARIOS is not set: the shared scenarios are not looked at");
+        eprintln!("PLANARIUM_SCENARIOS is not set: the shared scenarios are not examined");
         return;
     };
     let mut seen = 0;

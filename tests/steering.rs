@@ -168,17 +168,17 @@ const SHUNTING: &[Family] = &[
     ("LRSLR-", |[t, u, v]| vec![(L, t), (R, -Q), (S, u), (L, -Q), (R, v)]),
 ];
 
+/// The curvature of a turn at radius 1.
+fn curvature(turn: Turn) -> f64 {
+    match turn {
+        L => 1.0,
+        S => 0.0,
+        R => -1.0,
+    }
+}
+
 fn drive(segments: &[(Turn, f64)]) -> Pose {
-    segments.iter().fold(ORIGIN, |at, &(turn, length)| {
-        let curvature = if turn == L {
-            1.0
-        } else if turn == R {
-            -1.0
-        } else {
-            0.0
-        };
-        advance(at, curvature, length)
-    })
+    segments.iter().fold(ORIGIN, |at, &(turn, length)| advance(at, curvature(turn), length))
 }
 
 /// Newton's method on the end of the drive, derivatives by differences: lengths that lead to the goal, if it finds them.
@@ -379,13 +379,7 @@ fn rounding_costs_neither_a_loop_nor_a_shunt() {
         let size = [1.0, 1e3, 1e6][random.below(3) as usize];
         let from = pose(uniform(&mut random, -size, size), uniform(&mut random, -size, size), heading(&mut random));
         let turn = [L, S, R][random.below(3) as usize];
-        let curvature = if turn == L {
-            1.0
-        } else if turn == R {
-            -1.0
-        } else {
-            0.0
-        };
+        let curvature = curvature(turn);
         let exponent = uniform(&mut random, -8.0, 0.4);
         let length = libm::pow(10.0, exponent);
         let to = advance(from, curvature, length);

@@ -1,6 +1,7 @@
 //! The independent judge of paths, on native, Node and Chrome alike: hand-made paths, valid and not. Ends of motions are
-//! odd, so that no look falls just where an obstacle is.
+//! odd, so that no sample falls exactly on an obstacle.
 
+use crate::common::documents;
 use planarium::path::{ResultDocument, Verdict, verify};
 use planarium::scenario::Scenario;
 use std::f64::consts::{PI, TAU};
@@ -8,16 +9,9 @@ use wasm_bindgen_test::wasm_bindgen_test;
 
 /// A scenario with one query, "q".
 fn scenario(bounds: Option<[[f64; 2]; 2]>, obstacles: &[String], robot: &str, ends: [&[f64]; 2]) -> Scenario {
-    let bounds = bounds.map_or(String::new(), |[min, max]| format!(r#""bounds": {{"min": {min:?}, "max": {max:?}}},"#));
-    let text = format!(
-        r#"{{ "format": "planarium-scenario-1", "name": "s",
-            "world": {{ {bounds} "obstacles": [{}] }}, "robot": {robot},
-            "queries": [{{ "name": "q", "start": {:?}, "goal": {:?} }}] }}"#,
-        obstacles.join(","),
-        ends[0],
-        ends[1]
-    );
-    Scenario::parse(&text).unwrap_or_else(|error| panic!("{error}: {text}"))
+    let bounds = bounds.map_or(String::new(), |[min, max]| format!("{min:?}, {max:?}"));
+    let query = format!(r#""start": {:?}, "goal": {:?}"#, ends[0], ends[1]);
+    documents::scenario(&bounds, &obstacles.join(","), robot, &query)
 }
 
 fn polygon(vertices: &[[f64; 2]]) -> String {
@@ -46,13 +40,7 @@ fn robot_disc(radius: f64) -> String {
 }
 
 fn result(path: &[&[f64]], length: f64) -> ResultDocument {
-    let text = format!(
-        r#"{{ "scenario": "s", "query": "q", "planner": "prm", "seed": 1, "status": "solved", "path": {path:?}, "length": {length:?},
-            "stats": {{"iterations": 0, "vertices": 0, "edges": 0, "configuration_checks": 0, "motion_checks": 0, "nearest_queries": 0,
-                       "visited": 0, "clearance_evaluations": 0, "build_seconds": 0.0, "search_seconds": 0.0}},
-            "fingerprint": "0123456789abcdef" }}"#
-    );
-    ResultDocument::parse(&text).unwrap_or_else(|error| panic!("{error}: {text}"))
+    documents::result("s", &format!("{path:?}"), None, length)
 }
 
 /// Angles the short way round, summed over joints; plain differences for limited joints and points need their own.
@@ -127,7 +115,7 @@ fn a_wall_is_not_crossed_however_thin() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_speck_between_two_looks_is_seen() {
+fn a_speck_between_two_samples_is_found() {
     for size in [1e-3, 1e-6, 1e-9] {
         let speck = polygon(&[[0.7123, 0.0], [0.7123 + size, 0.0], [0.7123, size]]);
         for obstacle in [speck, disc([0.7123, 0.0], size)] {
@@ -150,7 +138,7 @@ fn touching_a_corner_is_collision_and_passing_it_is_not() {
     }
     for gap in [1e-10, 1e-8, 1e-6, 1e-3] {
         let seen = clearance(judge_arm(&[corner(1.0 + gap)], &arm(&[1.0], 0.0), sweep));
-        // Half the motion between two looks, at most, is added to the true one.
+        // Half the motion between two samples, at most, is added to the true one.
         assert!((0.9 * gap..gap + 1e-3).contains(&seen), "clearance {seen} past a gap of {gap}");
     }
     let thick = arm(&[1.0], 0.125);
@@ -297,16 +285,8 @@ fn malformed_paths_are_refused_by_name() {
 #[wasm_bindgen_test(unsupported = test)]
 fn concave_obstacles_keep_their_pockets() {
     // A cup, open at the top, from (-1, -1) to (1, 1), with walls of a fifth.
-    let cup = [polygon(&[
-        [-1.0, -1.0],
-        [1.0, -1.0],
-        [1.0, 1.0],
-        [0.8, 1.0],
-        [0.8, -0.8],
-        [-0.8, -0.8],
-        [-0.8, 1.0],
-        [-1.0, 1.0],
-    ])];
+    let cup = [-1.0, -1.0, 1.0, -1.0, 1.0, 1.0, 0.8, 1.0, 0.8, -0.8, -0.8, -0.8, -0.8, 1.0, -1.0, 1.0];
+    let cup = [polygon(cup.as_chunks().0)];
     clearance(judge_disc(&cup, 0.3, &[&[0.0, 3.0], &[0.0, 0.0], &[0.4, 0.0]]));
     refused(judge_disc(&cup, 0.0, &[&[0.0, 0.0], &[2.0, 0.0]]), &["edge 0", "obstacle 0"]);
     refused(judge_disc(&cup, 0.3, &[&[0.0, 0.0], &[0.6, 0.0]]), &["edge 0", "obstacle 0"]);
@@ -324,7 +304,7 @@ fn concave_obstacles_keep_their_pockets() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_told_clearance_is_the_distance() {
+fn the_reported_clearance_is_the_distance() {
     let walls = [rectangle([2.5, -1.0], [3.0, 1.0]), disc([0.0, 3.0], 0.4)];
     let seen = clearance(judge_disc(&walls, 0.25, &[&[0.0, 0.0], &[2.0, 0.0], &[0.0, 0.0]]));
     assert!((seen - 0.25).abs() < 1e-12, "{seen}");

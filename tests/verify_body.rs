@@ -1,17 +1,17 @@
-//! The independent judge of bodies' paths, on native, Node and Chrome alike: against the proof, against dense looks, and by hand.
+//! The independent judge of bodies' paths, on native, Node and Chrome alike: against the proof, against dense samples, and by hand.
 
 use crate::common::bodies::*;
-use crate::common::seeds;
+use crate::common::{documents, seeds};
 use planarium::collision::{BodyCollision, BodyMotion};
 use planarium::geometry::{Disc, Polygon};
-use planarium::path::{Leg, ResultDocument, Verdict, verify, verify_legs};
+use planarium::path::{Leg, Verdict, verify, verify_legs};
 use planarium::random::{Random, Stream};
 use planarium::scenario::{Obstacle, Scenario, World};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// The same motion as a leg of a path; `None` where a straight one goes the long way round, or an arc so often that it takes a
-/// million looks.
+/// million samples.
 fn leg(motion: &BodyMotion) -> Option<Leg> {
     match *motion {
         BodyMotion::Straight { from, delta } => {
@@ -45,8 +45,8 @@ fn what_is_proven_is_judged_valid_and_what_touches_is_not() {
                 let (sin, cos) = libm::sincos(theta - q[2]);
                 assert!(sin.abs() < 1e-10 && cos > 0.0, "world {number}: {motion:?}");
             }
-            let looks = (0..=300).map(|i| motion.at(f64::from(i) / 300.0));
-            let is_hit = looks.clone().any(|q| touches(&body, &world, &q) || collision.depth(&q) < -1e-9 * scale);
+            let samples = (0..=300).map(|i| motion.at(f64::from(i) / 300.0));
+            let is_hit = samples.clone().any(|q| touches(&body, &world, &q) || collision.depth(&q) < -1e-9 * scale);
             let (is_proven, is_valid) = (collision.is_motion_free(&motion), is_valid(&world, &body, leg));
             assert!(
                 is_valid || !is_proven,
@@ -65,22 +65,22 @@ fn what_is_proven_is_judged_valid_and_what_touches_is_not() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_told_clearance_is_the_distance() {
+fn the_reported_clearance_is_the_distance() {
     let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
     let obstacle = Obstacle::Polygon(rectangle([1.9, 1.0], [2.1, 2.0]));
     let world = world([0.0, 0.0], [4.0, 4.0], vec![obstacle]);
-    let told = |leg: Leg| match verify_legs(&world, &body, &[leg]) {
+    let reported = |leg: Leg| match verify_legs(&world, &body, &[leg]) {
         Verdict::Valid { clearance, looks, waypoints: 1 } if looks > 100 => clearance,
         other => panic!("{other:?}"),
     };
-    assert!((told(Leg::straight(&[0.5, 0.75, 0.0], &[3.4, 0.75, 0.0])) - 0.15).abs() < 1e-12);
+    assert!((reported(Leg::straight(&[0.5, 0.75, 0.0], &[3.4, 0.75, 0.0])) - 0.15).abs() < 1e-12);
     // Half a circle of radius 1.2 about (2, 1.5): the body's inner side is nearest to the corners above.
-    let found = told(Leg::arc(&[3.2, 1.5, FRAC_PI_2], 1.2 * PI, PI));
+    let found = reported(Leg::arc(&[3.2, 1.5, FRAC_PI_2], 1.2 * PI, PI));
     assert!((found - (1.1 - libm::sqrt(0.01 + 0.25))).abs() < 1e-5, "{found}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn nothing_is_missed_between_two_looks() {
+fn nothing_is_missed_between_two_samples() {
     let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
     for size in [1e-2, 1e-4, 1e-6] {
         let speck = |x: f64, y: f64| {
@@ -136,24 +136,15 @@ fn bounds_may_be_touched_but_not_left() {
 }
 
 fn scenario(goal_tolerance: &str) -> Scenario {
-    Scenario::parse(&format!(
-        r#"{{ "format": "planarium-scenario-1", "name": "s",
-            "world": {{ "bounds": {{"min": [0, 0], "max": [4, 4]}}, "obstacles": [ {{"type": "disc", "center": [2, 1], "radius": 0.5}} ] }},
-            "robot": {{"type": "rigid_body", "shape": {{"type": "polygon", "vertices": [[-0.2, -0.1], [0.2, -0.1], [0.2, 0.1], [-0.2, 0.1]]}},
-                       "metric": {{"translation": 0.5, "rotation": 0.25}} }},
-            "queries": [{{ "name": "q", "start": [1, 2, 3], "goal": [3, 2, -3] {goal_tolerance} }}] }}"#
-    ))
-    .expect("a scenario")
+    let disc = r#"{"type": "disc", "center": [2, 1], "radius": 0.5}"#;
+    let metric = r#""metric": {"translation": 0.5, "rotation": 0.25}"#;
+    let robot = format!(r#"{{"type": "rigid_body", {}, {metric}}}"#, documents::shape(0.2, 0.1));
+    let query = format!(r#""start": [1, 2, 3], "goal": [3, 2, -3] {goal_tolerance}"#);
+    documents::scenario("[0, 0], [4, 4]", disc, &robot, &query)
 }
 
 fn judged(scenario: &Scenario, path: &[[f64; 3]], length: f64) -> Result<(), String> {
-    let text = format!(
-        r#"{{ "scenario": "s", "query": "q", "planner": "prm", "seed": 1, "status": "solved", "path": {path:?}, "length": {length:?},
-            "stats": {{"iterations": 0, "vertices": 0, "edges": 0, "configuration_checks": 0, "motion_checks": 0, "nearest_queries": 0,
-                       "visited": 0, "clearance_evaluations": 0, "build_seconds": 0.0, "search_seconds": 0.0}},
-            "fingerprint": "0123456789abcdef" }}"#
-    );
-    let result = ResultDocument::parse(&text).unwrap_or_else(|error| panic!("{error}: {text}"));
+    let result = documents::result("s", &format!("{path:?}"), None, length);
     match verify(scenario, &result).expect("scenario and query are the right ones") {
         Verdict::Valid { .. } => Ok(()),
         Verdict::Invalid { why } => Err(why),
@@ -170,10 +161,10 @@ fn a_path_of_a_rigid_body_is_judged_as_a_whole() {
     assert_eq!(judged(&exact, &[start, [2.0, 2.0, -PI], goal], 1.0 + 0.25 * turn), Ok(()));
     assert_eq!(judged(&exact, &[[1.0, 2.0, 3.0 - TAU], goal], length), Ok(()), "angles count in any number of turns");
     let refused = |scenario: &Scenario, path: &[[f64; 3]], length: f64, why: &str| {
-        let told = judged(scenario, path, length).expect_err(why);
-        assert!(told.contains(why), "{told:?} does not say {why:?}");
+        let reported = judged(scenario, path, length).expect_err(why);
+        assert!(reported.contains(why), "{reported:?} does not say {why:?}");
     };
-    refused(&exact, &[start, goal], length + 1e-6, "the length is told");
+    refused(&exact, &[start, goal], length + 1e-6, "the length is given");
     refused(&exact, &[start, [3.0, 2.0, -2.9]], length, "not at the goal");
     refused(&exact, &[[1.1, 2.0, 3.0], goal], length, "not at the start");
     refused(&exact, &[start, [2.0, 1.0, 3.0], goal], length, "edge 0, the body touches obstacle 0");

@@ -1,4 +1,4 @@
-//! Collision of an arm: which link touches what, and which motions are free.
+//! Collision of an arm: contacts of its links, and which motions are free.
 
 use super::motion::LONGEST_TURN;
 use super::obstacles::largest_coordinate;
@@ -12,10 +12,10 @@ use crate::space::{ProductSpace, Space};
 use std::cell::RefCell;
 use std::sync::Arc;
 
-/// From joint limits wider than this on, in radians, the slack is doubled.
+/// If joint limits are wider than this, in radians, the slack is doubled.
 const WIDE: f64 = 50.0;
 
-/// What is free for an arm among obstacles, over the space of its joints: compiled once.
+/// The collision checker of an arm, over the space of its joints.
 pub struct ArmValidity<const N: usize> {
     space: ProductSpace<N>,
     arm: Arm,
@@ -27,7 +27,7 @@ pub struct ArmValidity<const N: usize> {
 
 impl<const N: usize> ArmValidity<N> {
     /// The arm in the world; `tolerance` is the wanted tolerance as a fraction of the longer side of the bounds (of twice the
-    /// reach where there are none), greater than 0.
+    /// reach if there are none), greater than 0.
     pub fn new(arm: &Arm, space: ProductSpace<N>, world: impl Into<CollisionWorld>, tolerance: f64) -> Self {
         let world = world.into();
         let obstacles = world.obstacles();
@@ -35,7 +35,7 @@ impl<const N: usize> ArmValidity<N> {
         let bounds = world.bounds().map_or(0.0, largest_coordinate);
         let scale = obstacles.largest_coordinate().max(base).max(bounds) + arm.reach() + arm.radius();
         let side = world.bounds().map_or(2.0 * arm.reach(), Aabb::longer_side);
-        // Sums of angles round more where limits are wide: see `proof/arm.rs`.
+        // Sums of angles round more if limits are wide: see `proof/arm.rs`.
         let widest =
             arm.joint_limits().unwrap_or_default().iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
         let scale = if widest > WIDE { 2.0 * scale } else { scale };
@@ -50,14 +50,14 @@ impl<const N: usize> ArmValidity<N> {
     #[must_use]
     pub fn fitted(mut self, start: &[f64; N], goal: &[f64; N]) -> Self {
         let depths = [start, goal].map(|q| self.depth(q));
-        // Twice the tolerance is as much clearance as can make it finer.
+        // A clearance above twice the tolerance does not make it finer.
         let most = 2.0 * self.scene.tolerance.tau;
         let clearances = [start, goal].map(|q| self.clearance_within(q, most));
         self.scene.tolerance = self.scene.tolerance.fitted(clearances, depths);
         self
     }
 
-    /// The same with the finest tolerance there is: it proves again whatever was proven with a coarser one.
+    /// The same with the finest tolerance: it proves whatever is proven with a coarser one.
     #[must_use]
     pub fn finest(mut self) -> Self {
         self.scene.tolerance = self.scene.tolerance.finest();
@@ -70,8 +70,8 @@ impl<const N: usize> ArmValidity<N> {
         self.links(q).map(clearance).fold(f64::INFINITY, f64::min)
     }
 
-    /// The verdict of the proof by distances: slower and simpler, the oracle of the tests. Where the first interval of
-    /// the motion begins that it cannot prove free; `None` where it proves all.
+    /// The verdict of the proof by distances: slower and simpler, the oracle of the tests. The start of the first
+    /// interval of the motion that it cannot prove free; `None` if it proves all.
     pub fn first_hit_by_distances(&self, a: &[f64; N], b: &[f64; N]) -> Option<f64> {
         let Some(delta) = self.delta(a, b) else { return Some(0.0) };
         let travel = self.arm.travel(&delta);
@@ -88,7 +88,7 @@ impl<const N: usize> ArmValidity<N> {
         oracle::first_hit(&self.scene.tolerance, &parts)
     }
 
-    /// How far each joint turns on the motion from `a` to `b`; `None` where the short way round is ambiguous.
+    /// The turn of each joint on the motion from `a` to `b`; `None` if the short way round is ambiguous.
     #[inline(always)]
     fn delta(&self, a: &[f64; N], b: &[f64; N]) -> Option<[f64; N]> {
         let delta = self.space.difference(a, b);
@@ -96,7 +96,7 @@ impl<const N: usize> ArmValidity<N> {
         (!(0..self.space.dimension()).any(is_ambiguous)).then_some(delta)
     }
 
-    /// Where the interval begins that refuses the motion, in this order the first.
+    /// The start of the first interval, in this order, that cannot be proven free.
     #[inline(always)]
     fn prove(&self, a: &[f64; N], b: &[f64; N], order: Order) -> Option<f64> {
         let Some(delta) = self.delta(a, b) else { return Some(0.0) };
@@ -105,7 +105,7 @@ impl<const N: usize> ArmValidity<N> {
         prover.prove(&self.scene, state, order)
     }
 
-    /// The clearance where it is `most` at most; else something larger.
+    /// The clearance if it is at most `most`; else something larger.
     fn clearance_within(&self, q: &[f64; N], most: f64) -> f64 {
         let mut least = f64::INFINITY;
         for link in self.links(q) {
@@ -124,13 +124,14 @@ impl<const N: usize> ArmValidity<N> {
         (0..self.arm.links().len()).map(move |i| Segment::new(joints[i], joints[i + 1]))
     }
 
-    /// How deep the outer ends of the links lie within the bounds, in metres; infinite without bounds. The base does not move.
+    /// The depth of the outer ends of the links within the bounds, in metres; infinite without bounds. The base does not
+    /// move.
     fn depth(&self, q: &[f64; N]) -> f64 {
         let outer_end = |link: Segment| self.depth_of(&Segment::new(link.b, link.b));
         self.links(q).map(outer_end).fold(f64::INFINITY, f64::min)
     }
 
-    /// How deep the link lies within the bounds, in metres; infinite without bounds.
+    /// The depth of the link within the bounds, in metres; infinite without bounds.
     fn depth_of(&self, axis: &Segment) -> f64 {
         let depth = |bounds: &Aabb| bounds.depth(axis.a).min(bounds.depth(axis.b)) - self.arm.radius();
         self.scene.bounds.as_ref().map_or(f64::INFINITY, depth)
@@ -138,8 +139,8 @@ impl<const N: usize> ArmValidity<N> {
 }
 
 impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
-    /// Decided by the tests of the proof where these leave half the slack to spare, else by the distances of the contacts: both
-    /// give the same verdict.
+    /// Decided by the tests of the proof if these leave half the slack to spare, else by the distances of the contacts:
+    /// both give the same verdict.
     fn is_free(&self, q: &[f64; N]) -> bool {
         let prover = &mut *self.prover.borrow_mut();
         let state = prover.moving.rest(self.space.coordinates(q));
@@ -154,7 +155,7 @@ impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
         self.prove(a, b, Order::FrontFirst)
     }
 
-    /// By link, then by obstacle, the bounds last.
+    /// Ordered by link, then by obstacle, the bounds last.
     fn contacts(&self, q: &[f64; N]) -> Vec<Contact> {
         let Tolerance { eta, .. } = self.scene.tolerance;
         let mut contacts = Vec::new();

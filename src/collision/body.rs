@@ -1,7 +1,6 @@
 //! Collision of a body: any simple polygon that moves and turns, and which of its motions are free.
 
 use super::obstacles::{depth, largest_coordinate};
-use super::proof::body::BodyShape;
 use super::proof::oracle::{self, PartDistance};
 use super::proof::{MovingBody, Order, Prover, Scene};
 use super::{BodyMotion, CollisionWorld, Obstacles, Tolerance};
@@ -17,11 +16,11 @@ const LARGEST_ANGLE: f64 = 1e4;
 /// The largest turn of a straight motion, in radians, that proofs cover: more than once around.
 const LARGEST_TURN: f64 = 7.0;
 
-/// A motion longer than so many times the scale leaves every world of that scale: straight, or along one turn of an arc. Half
-/// a turn is no wider than the diagonal, 2 sqrt(2) scales, so the whole arc no longer than 2 sqrt(2) pi.
+/// A motion longer than this many times the scale leaves every world of that scale: straight, or along one turn of an
+/// arc. Half a turn is no wider than the diagonal, 2 sqrt(2) scales, so the whole arc no longer than 2 sqrt(2) pi.
 const LONGEST_PATH: f64 = 9.0;
 
-/// What is free for a body among obstacles: compiled once. Placements are (x, y, theta) of the origin of the body's frame.
+/// The collision checker of a body. Placements are (x, y, theta) of the origin of the body's frame.
 pub struct BodyCollision {
     body: Polygon,
     /// The obstacles as they are; those of the scene are their convex pieces.
@@ -34,8 +33,8 @@ pub struct BodyCollision {
 
 impl BodyCollision {
     /// The body, in its own frame, in the world; `tolerance` is the wanted tolerance as a fraction of the longer side of the
-    /// bounds, greater than 0. Where the world has no bounds, these are coordinates up to 1e6, and the slack is that of a
-    /// world so large.
+    /// bounds, greater than 0. If the world has no bounds, these are coordinates up to 1e6, and the slack is that of a
+    /// world of this size.
     pub fn new(body: &Polygon, world: impl Into<CollisionWorld>, tolerance: f64) -> Self {
         let world = world.into();
         let obstacles = world.obstacles();
@@ -43,12 +42,13 @@ impl BodyCollision {
         let bounds = world.bounds().copied().unwrap_or(everywhere);
         let scale = obstacles.largest_coordinate().max(largest_coordinate(&bounds)) + body.reach();
         let tolerance = Tolerance::new(scale, tolerance * bounds.longer_side());
-        let prover = RefCell::new(Prover::new(MovingBody::new(BodyShape::new(body), tolerance.eta)));
+        let prover = RefCell::new(Prover::new(MovingBody::new(body, tolerance.eta)));
         let scene = Scene { obstacles: world.pieces(), bounds: Some(bounds), tolerance };
         Self { body: body.clone(), obstacles, bounds, scale, scene, prover }
     }
 
-    /// The same with a tolerance no coarser than half the clearance, and half the depth within the bounds, of either placement.
+    /// The same with a tolerance no coarser than half the clearance, and half the depth within the bounds, of either
+    /// placement.
     #[must_use]
     pub fn fitted(mut self, start: &[f64; 3], goal: &[f64; 3]) -> Self {
         let clearances = [start, goal].map(|q| self.clearance(q));
@@ -57,15 +57,15 @@ impl BodyCollision {
         self
     }
 
-    /// The same with the finest tolerance there is: it proves again whatever was proven with a coarser one.
+    /// The same with the finest tolerance: it proves whatever is proven with a coarser one.
     #[must_use]
     pub fn finest(mut self) -> Self {
         self.scene.tolerance = self.scene.tolerance.finest();
         self
     }
 
-    /// Whether the body at `q` lies within the bounds and touches no obstacle: decided by the tests of the proof where these leave
-    /// half the slack to spare, else by the distances of [`BodyCollision::contacts`]. Both give the same verdict.
+    /// Whether the body at `q` lies within the bounds and touches no obstacle: decided by the tests of the proof if these
+    /// leave half the slack to spare, else by the distances of [`BodyCollision::contacts`]. Both give the same verdict.
     pub fn is_free(&self, q: &[f64; 3]) -> bool {
         if q[2].abs() > LARGEST_ANGLE {
             return self.contacts(q).is_empty();
@@ -92,7 +92,7 @@ impl BodyCollision {
         (0..self.obstacles.len()).map(|i| self.obstacles.distance_from(&placed, i)).fold(f64::INFINITY, f64::min)
     }
 
-    /// How deep the body at `q` lies within the bounds: negative where it is not wholly inside, in metres.
+    /// The depth of the body at `q` within the bounds, in metres: negative if it is not wholly inside.
     pub fn depth(&self, q: &[f64; 3]) -> f64 {
         depth(&self.bounds, self.body.placed(*q).vertices())
     }
@@ -102,9 +102,9 @@ impl BodyCollision {
         self.prove(motion, Order::MiddleFirst).is_none()
     }
 
-    /// Where, as a fraction of the motion, the first interval begins that cannot be proven free; all before it is proven. `None`
-    /// where the whole motion is proven. Motions are refused at 0 that are not finite or longer than 1e150, begin far outside the
-    /// bounds or at an angle beyond 1e4 radians, or turn by more than 7 on a straight motion.
+    /// The start, as a fraction of the motion, of the first interval that cannot be proven free; all before it is proven.
+    /// `None` if the whole motion is proven. The result is 0 for motions that are not finite or longer than 1e150, begin
+    /// far outside the bounds or at an angle beyond 1e4 radians, or turn by more than 7 on a straight motion.
     pub fn first_hit(&self, motion: &BodyMotion) -> Option<f64> {
         self.prove(motion, Order::FrontFirst)
     }
@@ -130,7 +130,7 @@ impl BodyCollision {
         self.prover.borrow().unproven
     }
 
-    /// Where the interval begins that refuses the motion, in this order the first.
+    /// The start of the first interval, in this order, that cannot be proven free.
     #[inline(always)]
     fn prove(&self, motion: &BodyMotion, order: Order) -> Option<f64> {
         let Some((motion, fraction)) = self.decisive_part(motion) else { return Some(0.0) };
@@ -139,7 +139,7 @@ impl BodyCollision {
         prover.prove(&self.scene, (), order).map(|hit| hit * fraction)
     }
 
-    /// As much of the motion as decides about all of it, and what fraction of it that is; `None` where proofs do not cover it.
+    /// The part of the motion that decides about all of it, and its fraction of the motion; `None` if proofs do not cover it.
     #[inline(always)]
     fn decisive_part(&self, motion: &BodyMotion) -> Option<(BodyMotion, f64)> {
         let (path, turn) = motion.extent();

@@ -1,4 +1,4 @@
-//! What is free for a body that is placed by (x, y, theta), over the space of its placements.
+//! The collision checker of a body over the space of its placements (x, y, theta).
 
 use super::{BodyCollision, BodyMotion, LONGEST_TURN};
 use crate::problem::{Contact, Validity};
@@ -6,25 +6,26 @@ use crate::space::steering::{Curve, wrap};
 use crate::space::{MotionSpace, Space};
 use std::rc::Rc;
 
-/// What is free for a body, in a space of placements (x, y, theta) in which motions are straight or curves that a car follows.
+/// The collision checker of a body in a space of placements (x, y, theta), in which motions are straight or the curves of
+/// a car.
 pub struct BodyValidity<const N: usize> {
     space: MotionSpace<N>,
     collision: Rc<BodyCollision>,
 }
 
 impl<const N: usize> BodyValidity<N> {
-    /// The body in that space. The collision may be shared with what drives the body: its work is counted here.
+    /// The body in that space. The collision may be shared with the dynamics of the body: all its work is counted here.
     pub fn new(space: MotionSpace<N>, collision: Rc<BodyCollision>) -> Self {
         Self { space, collision }
     }
 
-    /// The curve between two states; `None` where the motion is straight, as it is between states that are one but for rounding.
+    /// The curve between two states; `None` if the motion is straight, as it is between states that differ by rounding only.
     fn curve(&self, a: &[f64; N], b: &[f64; N]) -> Option<Curve> {
         self.space.curve(a, b).filter(|curve| !curve.segments().is_empty())
     }
 
-    /// Whether a curve that ends there has led to the state: what rounding made it miss by may cost half the slack at most, also
-    /// where the curve is driven back. Of a turning circle far wider than the world it may be more.
+    /// Whether a curve that ends at `end` reaches the state: the difference by rounding may be half the slack at most,
+    /// also if the curve is driven back. With a turning circle far wider than the world it may be more.
     fn is_reached(&self, end: [f64; 3], state: &[f64; N]) -> bool {
         let mut reached = [0.0; N];
         (reached[0], reached[1], reached[2]) = (end[0], end[1], wrap(end[2]));
@@ -32,14 +33,14 @@ impl<const N: usize> BodyValidity<N> {
         x + y + 4.0 * self.collision.scale() * turn <= 0.5 * self.collision.slack()
     }
 
-    /// The straight motion; `None` where the short way round is ambiguous.
+    /// The straight motion; `None` if the short way round is ambiguous.
     fn straight(&self, a: &[f64; N], b: &[f64; N]) -> Option<BodyMotion> {
         let delta = placement(&self.space.product().difference(a, b));
         (delta[2].abs() < LONGEST_TURN).then_some(BodyMotion::Straight { from: placement(a), delta })
     }
 }
 
-/// The arcs of the curve driven from a placement, a metre a second.
+/// The arcs of the curve driven from a placement at a metre a second.
 fn arcs(from: [f64; 3], curve: &Curve) -> impl Iterator<Item = BodyMotion> {
     curve.segments().iter().scan(from, move |from, segment| {
         let speed = libm::copysign(1.0, segment.length);
@@ -50,7 +51,7 @@ fn arcs(from: [f64; 3], curve: &Curve) -> impl Iterator<Item = BodyMotion> {
     })
 }
 
-/// The placement that a state is; in what follows there are zeros.
+/// The placement of a state, whose other entries are zero.
 pub(super) fn placement<const N: usize>(state: &[f64; N]) -> [f64; 3] {
     [state[0], state[1], state[2]]
 }

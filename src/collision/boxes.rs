@@ -1,8 +1,8 @@
-//! Boxes that can be asked which of them meet another: four at a time, and by a tree where there are many.
+//! The boxes that meet a given one: four are compared at a time, in a tree if there are many.
 //!
-//! Coordinates are kept as whole numbers of 15 bits, four in a word with a free bit above each: so one subtraction compares
-//! four, on any machine. Scaling, rounding and clamping never turn two numbers round, so boxes that meet still meet then.
-//! What is listed is all that meets, and rarely a box that is only all but touched.
+//! Coordinates are stored as integers of 15 bits, four in a word with a free bit above each: so one subtraction compares
+//! four, on any machine. Scaling, rounding and clamping never exchange two numbers, so boxes that meet still meet
+//! afterwards. All boxes that meet are listed, and rarely one that is only nearly touched.
 //!
 //! The tree is implicit, with four branches: boxes are ordered by splitting them again and again along the longer side of
 //! their common box; then every four neighbours make a group, the boxes around every four groups the next level's groups,
@@ -10,10 +10,10 @@
 
 use crate::geometry::Aabb;
 
-/// Levels are added until the last has this many groups or fewer, which are all looked at.
+/// Levels are added until the last has this many groups or fewer, which are all examined.
 const TOP: usize = 16;
 
-/// More groups than wait in a walk down the tree: three a level, and up to 2^32 boxes.
+/// An upper bound on the groups that wait in a traversal of the tree: three a level, and up to 2^32 boxes.
 const STACK: usize = 48;
 
 /// The free bit of every lane.
@@ -31,19 +31,19 @@ const LAST: f64 = (END - 1) as f64;
 /// Sums with it are rounded to whole numbers.
 const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
-/// Boxes, ready to be asked.
+/// Boxes prepared for queries.
 #[derive(Debug, Clone)]
 pub(super) struct Boxes {
     grid: Grid,
-    /// All levels behind each other, the one of the boxes themselves first.
+    /// All levels in sequence, that of the boxes themselves first.
     groups: Vec<Group>,
-    /// Where each level begins.
+    /// The index of the first group of each level.
     levels: Vec<usize>,
-    /// Which box stands where in the groups of the first level.
+    /// The index of each box in the groups of the first level.
     order: Vec<u32>,
 }
 
-/// How coordinates become whole numbers.
+/// The map from coordinates to integers.
 #[derive(Debug, Clone, Copy)]
 struct Grid {
     origin: [f64; 2],
@@ -54,7 +54,7 @@ struct Grid {
 type Cells = [u16; 4];
 
 impl Grid {
-    /// For a world as large as all boxes.
+    /// The grid over all boxes.
     fn new(boxes: &[Aabb]) -> Self {
         let Some(all) = boxes.iter().copied().reduce(|a, b| a.union(&b)) else {
             return Self { origin: [0.0; 2], scale: 1.0 };
@@ -86,7 +86,7 @@ impl Grid {
 struct Group([u64; 4]);
 
 impl Group {
-    /// Of up to four boxes; the others meet nothing.
+    /// A group of up to four boxes; the other lanes meet nothing.
     fn new(boxes: &[Cells]) -> Self {
         let mut words = [0; 4];
         for lane in 0..4 {
@@ -103,12 +103,12 @@ impl Group {
     #[inline(always)]
     fn meeting(&self, near: &Near) -> u64 {
         let [min_x, min_y, max_x, max_y] = self.0;
-        // A free bit stays set where nothing had to be borrowed from it.
+        // A free bit stays set if nothing was borrowed from it.
         (near.0[2] - min_x) & (near.0[3] - min_y) & (max_x - near.0[0]) & (max_y - near.0[1]) & FREE
     }
 }
 
-/// The box that is asked about, once in every lane: least x and y, largest x and y with the free bits set.
+/// The box of a query, once in every lane: least x and y, largest x and y with the free bits set.
 struct Near([u64; 4]);
 
 impl Near {
@@ -120,7 +120,7 @@ impl Near {
 }
 
 impl Boxes {
-    /// Takes the boxes up. O(n log n).
+    /// Prepares the boxes. O(n log n).
     pub fn new(boxes: &[Aabb]) -> Self {
         let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
         if boxes.len() > 4 * TOP {
@@ -140,15 +140,15 @@ impl Boxes {
         Self { grid, groups, levels, order }
     }
 
-    /// Calls `visit` with the index of every box that meets `near` until it answers true, in an order that depends on the
-    /// boxes alone; answers whether it did.
+    /// Calls `visit` with the index of every box that meets `near` until it returns true, in an order that depends on the
+    /// boxes alone; returns whether it did.
     #[inline(always)]
     pub fn any(&self, near: &Aabb, mut visit: impl FnMut(usize) -> bool) -> bool {
         let near = Near::new(self.grid.cells(near));
         if self.levels.len() > 1 {
             return self.any_below(&near, &mut visit);
         }
-        // At most 16 groups: their bits fit side by side, and only one loop has an end that is hard to foretell.
+        // At most 16 groups: their bits fit side by side, and the end of only one loop is hard to predict.
         let mut bits = 0;
         for (i, group) in self.groups.iter().enumerate() {
             bits |= group.meeting(&near) >> (15 - i);
@@ -198,8 +198,8 @@ fn union(boxes: &[Cells]) -> Cells {
     [least(0), least(1), most(2), most(3)]
 }
 
-/// Orders the boxes so that neighbours stand together: the halves along the longer side of the box around all middles, each
-/// ordered likewise. The first half is four times a power of two, so that groups of groups hold together too.
+/// Orders the boxes so that neighbours are adjacent: the halves along the longer side of the box around all middles, each
+/// ordered likewise. The first half is four times a power of two, so that groups of groups are compact too.
 fn arrange(order: &mut [u32], boxes: &[Aabb]) {
     if order.len() <= 4 {
         order.sort_unstable();

@@ -1,5 +1,5 @@
-//! How a car is driven among obstacles: along exact arcs that are proven free; or by Euler's steps, of which only the ends are
-//! tested.
+//! The dynamics of a car among obstacles: along exact arcs that are proven free; or by Euler's steps, of which only the
+//! ends are tested.
 
 use super::body_validity::placement;
 use super::{BodyCollision, BodyMotion, LONGEST_DRIVE};
@@ -11,17 +11,17 @@ use crate::space::steering::Turn;
 use crate::space::{MotionSpace, Space};
 use std::rc::Rc;
 
-/// How the motion of a car is computed.
+/// The integration of the motion of a car.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Integration {
-    /// As it is: constant controls draw arcs of circles. Steps are proven free.
+    /// Exact: constant controls give arcs of circles. Steps are proven free.
     Exact,
-    /// By Euler's explicit method, a step of integration at a time, as the course reports do: circles open into spirals. What is
-    /// between two steps is not tested, so nothing is proven.
+    /// By Euler's explicit method, a step of integration at a time, as in the course reports: circles become spirals. The
+    /// motion between two steps is not tested, so nothing is proven.
     Euler,
 }
 
-/// A car that is driven, in a space of placements (x, y, theta).
+/// The dynamics of a car in a space of placements (x, y, theta).
 pub struct CarDynamics<const N: usize> {
     car: Car,
     space: MotionSpace<N>,
@@ -63,7 +63,7 @@ impl<const N: usize> Dynamics<[f64; N]> for CarDynamics<N> {
 
     fn extremes(&self) -> Vec<Control> {
         let ([backward, forward], [right, left]) = (self.car.speed(), self.car.steering());
-        // As straight as it goes.
+        // As straight as possible.
         let straight = 0f64.max(right).min(left);
         let steerings = [straight, left, right];
         let mut extremes = Vec::new();
@@ -82,7 +82,7 @@ impl<const N: usize> Dynamics<[f64; N]> for CarDynamics<N> {
         let duration = f64::from(steps) * self.step();
         let end = match self.integration {
             Integration::Exact => arc_pose(placement(from), control.speed, self.turn_rate(control), duration),
-            Integration::Euler => self.euler(from, control).nth(steps as usize - 1).expect("it goes on without end"),
+            Integration::Euler => self.euler(from, control).nth(steps as usize - 1).expect("the sequence is endless"),
         };
         self.space.state(&end)
     }

@@ -1,5 +1,5 @@
-//! Collision of a translating disc: a point by exact predicates, a disc by one distance a motion and obstacle. No motion is left
-//! unproven: [`HALVINGS`] + 1 such tests an obstacle find a first hit.
+//! Collision of a translating disc: a point by exact predicates, a disc by one distance a motion and obstacle. No motion
+//! is left unproven: [`HALVINGS`] + 1 such tests an obstacle find a first hit.
 
 use super::obstacles::largest_coordinate;
 use super::{CollisionWorld, Obstacles, Tolerance};
@@ -9,10 +9,10 @@ use crate::robot::DiscRobot;
 use std::cell::Cell;
 use std::sync::Arc;
 
-/// How often a motion is halved to find its first hit: to 2^-40 of its length.
+/// The number of halvings of a motion to find its first hit: to 2^-40 of its length.
 const HALVINGS: u32 = 40;
 
-/// What is free for a disc among obstacles.
+/// The collision checker of a disc.
 pub struct DiscValidity {
     radius: f64,
     obstacles: Arc<Obstacles>,
@@ -41,7 +41,7 @@ impl DiscValidity {
         }
     }
 
-    /// The box outside which nothing can touch the disc while its centre moves along the segment.
+    /// A box outside which nothing touches the disc while its centre moves along the segment.
     fn near(&self, swept: &Segment) -> Aabb {
         swept.aabb().grown(self.radius + self.eta)
     }

@@ -1,10 +1,11 @@
-//! Is a configuration free, which part touches what, is a motion free: the proof of an edge, in `proof/`.
+//! Collision checking: configurations, contacts, and the proof that a motion is free, in `proof/`.
 //!
 //! Obstacles are closed and filled: contact is collision. Bounds are closed: contact with them is allowed.
 //!
 //! **Slack.** Every clearance is compared with `eta` = 1e-12 times the largest coordinate plus the reach. It covers the
-//! rounding of kinematics, midpoints, distances and bounds, below it in all (see `proof/arm.rs` and `proof/body.rs`). Nothing is
-//! promised about features smaller than `eta`; but for points, a configuration with clearance up to `eta` is in collision.
+//! rounding of kinematics, midpoints, distances and bounds, below it in all (see `proof/arm.rs` and `proof/body.rs`).
+//! Nothing is promised about features smaller than `eta`; except for points, a configuration with clearance up to `eta`
+//! is in collision.
 //!
 //! **Tolerance.** An interval that is still unproven when its bound on travel is below `tau` counts as hit: see
 //! [`Tolerance`]. So accepted means free along all of it. Refused without a collision are only motions that come within

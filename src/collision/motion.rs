@@ -3,11 +3,11 @@
 use crate::geometry::arc_pose;
 use std::f64::consts::{PI, TAU};
 
-/// No straight motion turns an angle by this or more, in radians: there the short way round is ambiguous.
+/// No straight motion turns an angle by this or more, in radians: the short way round is ambiguous.
 pub const LONGEST_TURN: f64 = PI - 1e-9;
 
-/// No arc that is driven turns by more than this, in radians: of more turns, rounding takes more off where they end than the slack
-/// covers.
+/// No arc that is driven turns by more than this, in radians: after more turns, rounding changes its end by more than the
+/// slack covers.
 pub const LONGEST_DRIVE: f64 = 1e3;
 
 /// An arc that turns by more, in radians, repeats itself; a little more than a whole turn.
@@ -27,9 +27,9 @@ pub enum BodyMotion {
     Arc {
         /// The placement at the start.
         from: [f64; 3],
-        /// The speed along the body's x axis, in metres a second; backward where negative.
+        /// The speed along the body's x axis, in metres a second; backward if negative.
         speed: f64,
-        /// The turn rate, in radians a second; to the right where negative.
+        /// The turn rate, in radians a second; to the right if negative.
         turn_rate: f64,
         /// How long it lasts, in seconds.
         duration: f64,
@@ -52,8 +52,8 @@ impl BodyMotion {
         }
     }
 
-    /// How far the origin of the body's frame travels along the whole motion, in metres, and by how much the body turns, in
-    /// radians; neither is negative.
+    /// The length of the path of the origin of the body's frame, in metres, and the turn of the body, in radians; neither is
+    /// negative.
     pub(super) fn extent(&self) -> (f64, f64) {
         match *self {
             Self::Straight { delta: [x, y, theta], .. } => ((x * x + y * y).sqrt(), theta.abs()),
@@ -71,8 +71,8 @@ impl BodyMotion {
         }
     }
 
-    /// As much of the motion as can be free where none longer than `longest` metres can, and which part of the whole that is. An
-    /// arc of several turns passes the same placements again and again: its first turn decides.
+    /// The longest part of the motion that can be free if none longer than `longest` metres can, and its fraction of the
+    /// whole. An arc of several turns passes the same placements again and again: its first turn decides.
     pub(super) fn decisive_part(&self, longest: f64) -> (Self, f64) {
         let (path, turn) = self.extent();
         let mut part = 1.0;

@@ -1,4 +1,4 @@
-//! The obstacles of a world, prepared for questions: boxes in front of exact shapes.
+//! The obstacles of a world, prepared for queries: boxes in front of exact shapes.
 
 use super::boxes::Boxes;
 use crate::geometry::{
@@ -7,13 +7,13 @@ use crate::geometry::{
 };
 use crate::scenario::Obstacle;
 
-/// Obstacles with their boxes, which only leave out what is certainly apart; they decide no distance.
+/// Obstacles with their boxes, which only exclude obstacles that are certainly apart; they decide no distance.
 #[derive(Clone)]
 pub struct Obstacles {
     shapes: Vec<Obstacle>,
     boxes: Vec<Aabb>,
     prepared: Boxes,
-    /// The faces of all convex polygons, and where those of each obstacle stand.
+    /// The faces of all convex polygons, and the range of those of each obstacle.
     faces: Vec<Face>,
     ranges: Vec<(u32, u32)>,
 }
@@ -45,14 +45,14 @@ impl Obstacles {
         Self { shapes: shapes.to_vec(), prepared: Boxes::new(&boxes), boxes, faces, ranges }
     }
 
-    /// The faces of obstacle `i` where it is a convex polygon; else none.
+    /// The faces of obstacle `i` if it is a convex polygon; else none.
     #[inline(always)]
     pub(super) fn faces(&self, i: usize) -> &[Face] {
         let (first, end) = self.ranges[i];
         &self.faces[first as usize..end as usize]
     }
 
-    /// Obstacle `i` where it is a disc.
+    /// Obstacle `i` if it is a disc.
     pub(super) fn disc(&self, i: usize) -> Option<&Disc> {
         if let Obstacle::Disc(disc) = &self.shapes[i] { Some(disc) } else { None }
     }
@@ -62,12 +62,12 @@ impl Obstacles {
         &self.shapes
     }
 
-    /// How many obstacles there are.
+    /// The number of obstacles.
     pub fn len(&self) -> usize {
         self.shapes.len()
     }
 
-    /// Whether there is none.
+    /// Whether there are no obstacles.
     pub fn is_empty(&self) -> bool {
         self.shapes.is_empty()
     }
@@ -77,14 +77,14 @@ impl Obstacles {
         &self.boxes[i]
     }
 
-    /// Calls `visit` with the index of every obstacle whose box meets the given one, and rarely with one whose box only all
-    /// but touches it, until it returns true; returns whether it did. The order depends on the obstacles alone.
+    /// Calls `visit` with the index of every obstacle whose box meets the given one, and rarely with one whose box only
+    /// nearly touches it, until it returns true; returns whether it did. The order depends on the obstacles alone.
     #[inline(always)]
     pub fn any_near(&self, near: &Aabb, visit: impl FnMut(usize) -> bool) -> bool {
         self.prepared.any(near, visit)
     }
 
-    /// The distance from the segment to obstacle `i`, in metres; 0 or less where they share a point.
+    /// The distance from the segment to obstacle `i`, in metres; 0 or less if they share a point.
     pub fn distance(&self, i: usize, segment: &Segment) -> f64 {
         match &self.shapes[i] {
             Obstacle::Disc(disc) => distance_point_segment(disc.center, segment) - disc.radius,
@@ -101,7 +101,7 @@ impl Obstacles {
         }
     }
 
-    /// The distance from the placed body to obstacle `i`, in metres; 0 or less where they share a point.
+    /// The distance from the placed body to obstacle `i`, in metres; 0 or less if they share a point.
     pub(super) fn distance_from(&self, body: &Polygon, i: usize) -> f64 {
         match &self.shapes[i] {
             Obstacle::Disc(disc) => distance_point_polygon(disc.center, body) - disc.radius,
@@ -126,13 +126,13 @@ pub(super) fn largest_coordinate(aabb: &Aabb) -> f64 {
     of(aabb.min).max(of(aabb.max))
 }
 
-/// How deep the points lie within the bounds, the one that is least deep: negative where one is outside, in metres.
+/// The least depth of the points within the bounds, in metres: negative if one is outside.
 pub(super) fn depth(bounds: &Aabb, points: &[Point]) -> f64 {
     points.iter().map(|&p| bounds.depth(p)).fold(f64::INFINITY, f64::min)
 }
 
-/// The faces of a convex polygon. The support is the largest over all corners, so that rounding of the normal cannot let a
-/// corner stick out.
+/// The faces of a convex polygon. The support is the largest over all corners, so that no corner
+/// is outside by the rounding of the normal.
 pub(super) fn faces_of(polygon: &Polygon) -> impl Iterator<Item = Face> {
     polygon.edges().map(|edge| {
         // Scaled first: the squares of a very short edge would underflow, and its normal would not be of unit length.

@@ -1,20 +1,20 @@
-//! Motions tested at a fixed number of configurations, as many planners do: kept by name, to show what that misses.
+//! Motions tested at a fixed number of configurations, as many planners do, to show what that misses.
 
 use crate::problem::{Contact, Validity};
 use crate::space::Space;
 
-/// What is free, but a motion counts as free when so many evenly spaced configurations of it are, its far end included. This proves
-/// nothing: what lies between them is not seen.
+/// A collision checker for which a motion is free if a number of evenly spaced configurations of it are, its far end
+/// included. This proves nothing: whatever lies between them is missed.
 pub struct Sampled<S: Space> {
     space: S,
     proven: Box<dyn Validity<S::State>>,
-    places: u32,
+    samples: u32,
 }
 
 impl<S: Space> Sampled<S> {
-    /// The same world, motions tested at `places` configurations, at least 1.
-    pub fn new(space: S, proven: Box<dyn Validity<S::State>>, places: u32) -> Self {
-        Self { space, proven, places }
+    /// The same world, motions tested at `samples` configurations, at least 1.
+    pub fn new(space: S, proven: Box<dyn Validity<S::State>>, samples: u32) -> Self {
+        Self { space, proven, samples }
     }
 }
 
@@ -25,14 +25,17 @@ impl<S: Space> Validity<S::State> for Sampled<S> {
 
     /// Coarse steps first, finer ones between them, so that wide obstacles are found early.
     fn is_motion_free(&self, a: &S::State, b: &S::State) -> bool {
-        are_samples_free(self.places, |t| self.proven.is_free(&self.space.interpolate(a, b, t)))
+        let is_free = |i| self.proven.is_free(&self.space.interpolate(a, b, f64::from(i) / f64::from(self.samples)));
+        let Some(highest) = self.samples.checked_ilog2() else { return true };
+        // The odd multiples of each power of two: every number from 1 on once. The start is not tested.
+        (0..=highest).rev().all(|level| (1 << level..=self.samples).step_by(2 << level).all(is_free))
     }
 
     /// The last configuration tested before the first one in collision.
     fn first_hit(&self, a: &S::State, b: &S::State) -> Option<f64> {
-        let place = |i: u32| f64::from(i) / f64::from(self.places);
-        let hit = (1..=self.places).find(|&i| !self.proven.is_free(&self.space.interpolate(a, b, place(i))));
-        hit.map(|i| place(i - 1))
+        let at = |i: u32| f64::from(i) / f64::from(self.samples);
+        let hit = (1..=self.samples).find(|&i| !self.proven.is_free(&self.space.interpolate(a, b, at(i))));
+        hit.map(|i| at(i - 1))
     }
 
     fn contacts(&self, state: &S::State) -> Vec<Contact> {
@@ -46,15 +49,4 @@ impl<S: Space> Validity<S::State> for Sampled<S> {
     fn unproven_motions(&self) -> u64 {
         self.proven.unproven_motions()
     }
-}
-
-/// Whether the fractions i / `samples` of a motion are all free, i from 1 to `samples`. The start is not tested.
-/// Coarse steps first, finer ones between them, so that wide obstacles are found early.
-pub(super) fn are_samples_free(samples: u32, is_free: impl Fn(f64) -> bool) -> bool {
-    let Some(highest) = samples.checked_ilog2() else { return true };
-    (0..=highest).rev().all(|level| {
-        // The odd multiples of each power of two: every number once.
-        let mut fractions = (1 << level..=samples).step_by(2 << level);
-        fractions.all(|i| is_free(f64::from(i) / f64::from(samples)))
-    })
 }

@@ -1,4 +1,5 @@
-//! The two lengths every verdict depends on: the slack that covers rounding, and the tolerance at which a proof gives up.
+//! The two lengths that every verdict depends on: the slack that covers rounding, and the tolerance at which a proof
+//! gives up.
 
 /// Slack and tolerance of one problem, in metres.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,7 +15,7 @@ pub struct Tolerance {
 /// The least slack, in metres: squares of longer lengths do not underflow.
 const SMALLEST: f64 = 1e-150;
 
-/// How many times `eta` the tolerance is at least.
+/// The least tolerance, in multiples of `eta`.
 const FEWEST_ETAS: f64 = 10.0;
 
 impl Tolerance {
@@ -34,7 +35,7 @@ impl Tolerance {
     }
 
     /// The same, no coarser than half the clearance of the start and half that of the goal, so that both can be left;
-    /// likewise for how deep both lie within the bounds. A depth of 0 is contact, which may be refused to turn or slide.
+    /// likewise for their depths within the bounds. A depth of 0 is contact, from which a turn or slide may be refused.
     #[must_use]
     pub fn fitted(self, clearances: [f64; 2], depths: [f64; 2]) -> Self {
         let finer =

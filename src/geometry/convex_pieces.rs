@@ -4,12 +4,13 @@ use super::{Point, Polygon, orientation, triangles};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Convex polygons that cover the polygon exactly and overlap in borders alone, with no other corners than its own: the polygon
-/// itself where it is convex, else at most four times as few as there can be. Decided exactly. O(n log n), after triangulation.
+/// Convex polygons that cover the polygon exactly and overlap in borders alone, with no other corners than its own: the
+/// polygon itself if it is convex, else at most four times as few as there can be. Decided exactly. O(n log n), after
+/// triangulation.
 ///
-/// Hertel and Mehlhorn 1983, "Fast triangulation of simple polygons": of a triangulation, every cut is taken out whose removal
-/// leaves both its ends convex. Pieces take in triangles one after the other, each the first that it can: one that it cannot
-/// take in once it never can, since its angles only grow.
+/// Hertel and Mehlhorn 1983, "Fast triangulation of simple polygons": of a triangulation, every cut is removed whose removal
+/// leaves both its ends convex. Pieces absorb triangles one after the other, each the first that it can: one that it cannot
+/// absorb once it never can, since its angles only grow.
 pub fn convex_pieces(polygon: &Polygon) -> Vec<Polygon> {
     if polygon.is_convex() {
         return vec![polygon.clone()];
@@ -54,9 +55,9 @@ impl Cuts {
     }
 }
 
-/// The piece that the triangle grows to by taking in later ones.
+/// The piece that the triangle grows to by absorbing later ones.
 fn grown(vertices: &[Point], cuts: &Cuts, first: usize, is_taken: &mut [bool]) -> Vec<u32> {
-    // A ring of corners, in the order in which they came: which, the one before and the one after.
+    // A ring of corners, in the order in which they were added: the vertex, the corner before and the corner after.
     let mut ring: Vec<(u32, usize, usize)> =
         cuts.triangles[first].into_iter().zip([(2, 1), (0, 2), (1, 0)]).map(|(v, (p, n))| (v, p, n)).collect();
     let mut start = 0;

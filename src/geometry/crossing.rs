@@ -1,14 +1,14 @@
 //! Whether the edges of a closed chain meet anywhere but at common corners: a sweep, decided exactly.
 //!
 //! Shamos and Hoey 1976, "Geometric intersection problems": a line sweeps the plane from left to right; the edges that it
-//! meets are kept in order from bottom to top, and two edges are compared once they become neighbours. Corners on one
+//! meets are stored in order from bottom to top, and two edges are compared once they become neighbours. Corners on one
 //! vertical line are swept from bottom to top, which is the same as to tilt the line a little; so vertical edges need no
 //! care. Every decision is an orientation of given points, so all are exact.
 
 use super::{Point, Segment, intersects_segment_segment, orientation};
 use std::cmp::Ordering;
 
-/// A pair of edges, by their first vertices, that touch, cross or overlap beyond a common corner; `None` where the chain
+/// A pair of edges, by their first vertices, that touch, cross or overlap beyond a common corner; `None` if the chain
 /// bounds a simple polygon. Neighbouring vertices must differ, and not all may lie on one line. O(n log n) predicates.
 pub(super) fn find_crossing(vertices: &[Point]) -> Option<(usize, usize)> {
     let n = vertices.len();
@@ -53,8 +53,8 @@ struct Sweep<'a> {
 }
 
 impl Sweep<'_> {
-    /// Moves the line over a vertex: edges that end there leave, edges that begin there enter. Answers with a pair that
-    /// meets, where one is found.
+    /// Moves the line over a vertex: edges that end there leave, edges that begin there enter. Returns a pair that
+    /// meets, if one is found.
     fn pass(&mut self, vertex: usize) -> Option<(usize, usize)> {
         let (n, p) = (self.vertices.len(), self.vertices[vertex]);
         let at_vertex = [(vertex + n - 1) % n, vertex];
@@ -90,7 +90,7 @@ impl Sweep<'_> {
         if left_to_right(a, b).is_le() { (a, b) } else { (b, a) }
     }
 
-    /// Positive where the point lies above the edge, negative below, zero on its line.
+    /// Positive if the point lies above the edge, negative below, zero on its line.
     fn side(&self, edge: usize, p: Point) -> f64 {
         let (left, right) = self.ends(edge);
         orientation(left, right, p)

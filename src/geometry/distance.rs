@@ -1,5 +1,5 @@
-//! Distances between points, segments and filled polygons, in metres: rounded, by a few units in the last place of the largest
-//! coordinate.
+//! Distances between points, segments and filled polygons, in metres: rounded, by a few units in the last place of the
+//! largest coordinate.
 
 use super::{Point, Polygon, Segment};
 
@@ -24,10 +24,10 @@ pub fn distance_point_segment(p: Point, s: &Segment) -> f64 {
     distance_squared_point_segment(p, s).sqrt()
 }
 
-/// The squared distance between the two segments, in square metres; 0 where they cross. O(1).
+/// The squared distance between the two segments, in square metres; 0 if they cross. O(1).
 ///
 /// Segments that do not cross are nearest at an end of one of them. A crossing that rounding hides leaves an end within
-/// rounding of the other segment, so the answer is then off by no more than rounding.
+/// rounding of the other segment, so the result is then off by no more than rounding.
 pub fn distance_squared_segment_segment(s: &Segment, t: &Segment) -> f64 {
     let (u, v, w) = (s.b - s.a, t.b - t.a, t.a - s.a);
     let ends_of_t = (u.perp(&w), u.perp(&(t.b - s.a)));
@@ -42,7 +42,7 @@ pub fn distance_squared_segment_segment(s: &Segment, t: &Segment) -> f64 {
         .min(distance_squared_point_segment(t.b, s))
 }
 
-/// The distance between the two segments, in metres; 0 where they cross. O(1).
+/// The distance between the two segments, in metres; 0 if they cross. O(1).
 pub fn distance_segment_segment(s: &Segment, t: &Segment) -> f64 {
     distance_squared_segment_segment(s, t).sqrt()
 }
@@ -55,7 +55,7 @@ pub fn distance_point_polygon(p: Point, polygon: &Polygon) -> f64 {
     polygon.edges().map(|edge| distance_squared_point_segment(p, &edge)).fold(f64::INFINITY, f64::min).sqrt()
 }
 
-/// The distance from the segment to the closed, filled polygon, in metres; 0 where they share a point. O(vertices).
+/// The distance from the segment to the closed, filled polygon, in metres; 0 if they share a point. O(vertices).
 pub fn distance_segment_polygon(s: &Segment, polygon: &Polygon) -> f64 {
     if polygon.contains(s.a) {
         return 0.0;
@@ -63,7 +63,7 @@ pub fn distance_segment_polygon(s: &Segment, polygon: &Polygon) -> f64 {
     polygon.edges().map(|edge| distance_squared_segment_segment(s, &edge)).fold(f64::INFINITY, f64::min).sqrt()
 }
 
-/// The distance between the two closed, filled polygons, in metres; 0 where they share a point. O(n m).
+/// The distance between the two closed, filled polygons, in metres; 0 if they share a point. O(n m).
 ///
 /// Polygons that share a point either have borders that meet, or one holds all of the other, and so its first vertex.
 pub fn distance_polygon_polygon(a: &Polygon, b: &Polygon) -> f64 {

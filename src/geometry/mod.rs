@@ -5,28 +5,24 @@
 //! `intersects_*` is exact (Shewchuk's adaptive predicates); `distance_*` is rounded, with an error of a few units in the
 //! last place of the largest coordinate.
 
-mod aabb;
 mod angle;
 mod convex_pieces;
 mod crossing;
-mod disc;
 mod distance;
 mod intersects;
 mod polygon;
-mod segment;
+mod shapes;
 mod triangulation;
 
-pub use aabb::Aabb;
 pub use angle::{angular_distance, arc_pose, unwind, wrap};
 pub use convex_pieces::convex_pieces;
-pub use disc::Disc;
 pub use distance::{
     distance_point_polygon, distance_point_segment, distance_polygon_polygon, distance_segment_polygon,
     distance_segment_segment, distance_squared_point_segment, distance_squared_segment_segment,
 };
 pub use intersects::{intersects_polygon_polygon, intersects_segment_polygon, intersects_segment_segment};
 pub use polygon::{MAX_MAGNITUDE, MIN_MAGNITUDE, Polygon, PolygonFault};
-pub use segment::Segment;
+pub use shapes::{Aabb, Disc, Segment};
 pub use triangulation::triangles;
 
 /// A point of the workspace, in metres.

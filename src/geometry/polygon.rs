@@ -13,7 +13,7 @@ pub const MIN_MAGNITUDE: f64 = 1e-140;
 /// The largest magnitude of a vertex coordinate, in metres.
 pub const MAX_MAGNITUDE: f64 = 1e140;
 
-/// Why a list of points is not a simple polygon.
+/// The reason why a list of points is not a simple polygon.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PolygonFault {
@@ -41,10 +41,10 @@ pub struct Polygon {
 
 impl Polygon {
     /// A polygon from its corners in either direction, open or closed (the first point repeated at the end). Points that
-    /// repeat their predecessor are dropped; nothing else is mended.
+    /// repeat their predecessor are dropped; nothing else is repaired.
     ///
     /// # Errors
-    /// The [`PolygonFault`] where the points do not bound a simple polygon. Decided exactly.
+    /// The [`PolygonFault`] if the points do not bound a simple polygon. Decided exactly.
     ///
     /// # Complexity
     /// O(n log n) predicates for n points.
@@ -53,17 +53,18 @@ impl Polygon {
         if let Some(i) = points.iter().position(|p| !is_exact(p.x) || !is_exact(p.y)) {
             return Err(PolygonFault::Magnitude(i));
         }
-        let mut kept: Vec<usize> = Vec::with_capacity(points.len());
+        let mut distinct: Vec<usize> = Vec::with_capacity(points.len());
         for (i, p) in points.iter().enumerate() {
-            if kept.last().is_none_or(|&last| points[last] != *p) {
-                kept.push(i);
+            if distinct.last().is_none_or(|&last| points[last] != *p) {
+                distinct.push(i);
             }
         }
-        while kept.len() > 1 && points[kept[0]] == points[kept[kept.len() - 1]] {
-            kept.pop();
+        while distinct.len() > 1 && points[distinct[0]] == points[distinct[distinct.len() - 1]] {
+            distinct.pop();
         }
         // Adding zero turns -0 into +0, so that equal coordinates are equal bits.
-        let mut vertices: Vec<Point> = kept.iter().map(|&i| Point::new(points[i].x + 0.0, points[i].y + 0.0)).collect();
+        let mut vertices: Vec<Point> =
+            distinct.iter().map(|&i| Point::new(points[i].x + 0.0, points[i].y + 0.0)).collect();
         if vertices.len() < 3 {
             return Err(PolygonFault::TooFewVertices);
         }
@@ -72,7 +73,7 @@ impl Polygon {
             return Err(PolygonFault::ZeroArea);
         }
         if let Some((i, j)) = find_crossing(&vertices) {
-            return Err(PolygonFault::SelfCrossing(kept[i], kept[j]));
+            return Err(PolygonFault::SelfCrossing(distinct[i], distinct[j]));
         }
         if !is_counter_clockwise(&vertices) {
             vertices.reverse();
@@ -99,7 +100,7 @@ impl Polygon {
         Self { vertices, aabb, convex: self.convex }
     }
 
-    /// The distance from the origin to the farthest vertex, in metres: how far a body reaches from the origin of its frame.
+    /// The distance from the origin to the farthest vertex, in metres: the reach of a body from the origin of its frame.
     pub fn reach(&self) -> f64 {
         self.vertices.iter().map(|p| p.coords.norm()).fold(0.0, f64::max)
     }

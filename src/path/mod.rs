@@ -1,7 +1,6 @@
 //! Paths: length, splitting, proven improvements, and the independent judge.
 
 mod improve;
-mod partial_shortcut;
 mod reduce;
 mod result;
 mod shortcut;

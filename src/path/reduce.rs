@@ -1,4 +1,4 @@
-//! Vertex reduction: vertices of a path left out where the straight motion past them is proven free.
+//! Vertex reduction: vertices of a path are removed if the straight motion past them is proven free.
 //!
 //! Geraerts and Overmars 2007, "Creating high-quality paths for motion planning".
 
@@ -15,7 +15,7 @@ pub(super) struct Reduction {
 }
 
 impl Reduction {
-    /// The reduction of a path of so many vertices.
+    /// The reduction of a path with this number of vertices.
     pub fn new(vertices: usize) -> Self {
         Self { from: 0, to: vertices.saturating_sub(1) }
     }

@@ -1,4 +1,4 @@
-//! The document that a run ends with: what was asked, the path, its length, the work, and a fingerprint of the growth.
+//! The document that a run ends with: the query, the path, its length, the work, and a fingerprint of the growth.
 
 use crate::error::{Code, Error};
 use crate::json;
@@ -19,14 +19,14 @@ pub struct ResultDocument {
     pub planner: String,
     /// The seed, at most 2^53 - 1.
     pub seed: u64,
-    /// How the run ended.
+    /// The status at the end of the run.
     pub status: Status,
     /// The waypoints, one configuration each, from the start to the goal; empty unless solved.
     pub path: Vec<Vec<f64>>,
-    /// Of a car, what leads from each waypoint to the next along an exact arc: one fewer than there are waypoints.
+    /// Of a car, the motion from each waypoint to the next along an exact arc: one fewer than there are waypoints.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motions: Option<Vec<Motion>>,
-    /// `euler` where motions were computed by Euler's steps: the path is a picture, not a proof. Absent where they are exact.
+    /// `euler` if motions were computed by Euler's steps: the path is an illustration, not proven. Absent if they are exact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub integration: Option<String>,
     /// The sum of the space's distances along the path, of a car along its arcs; 0 without one.
@@ -37,28 +37,28 @@ pub struct ResultDocument {
     /// A hash over every vertex, edge and event; 16 lower-case hex digits in JSON.
     #[serde(with = "json::hex")]
     pub fingerprint: u64,
-    /// `sampled` where edges were only looked at in places: the path is not proven. Absent where it is.
+    /// `sampled` if edges were checked only at samples: the path is not proven. Absent if it is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub edge_check: Option<String>,
-    /// The estimated share of the free space that a visibility roadmap covers; absent for other planners, and where a kept one
-    /// was gone on with.
+    /// The estimated share of the free space that a visibility roadmap covers; absent for other planners, and if a stored
+    /// roadmap was continued.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "share")]
     pub coverage: Option<f64>,
-    /// How far an RRT came that gave up; absent otherwise.
+    /// The approximate solution of an RRT that found no path; absent otherwise.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub approximate: Option<Approximate>,
 }
 
-/// An approximate answer: the path to the vertex nearest to the goal. It does not reach the goal.
+/// An approximate solution: the path to the vertex nearest to the goal. It does not reach the goal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Approximate {
     /// The waypoints from the start on.
     pub path: Vec<Vec<f64>>,
-    /// Of a car, what leads from each to the next.
+    /// Of a car, the motion from each to the next.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motions: Option<Vec<Motion>>,
-    /// How far from the goal it ends, in the metric of the space.
+    /// The distance from its end to the goal, in the metric of the space.
     #[serde(deserialize_with = "json::not_negative")]
     pub goal_distance: f64,
 }
@@ -69,8 +69,8 @@ impl ResultDocument {
     /// # Errors
     /// With the pointer of the offending value: the codes of [`json::parse`], `unknown-field`, `missing-field`,
     /// `wrong-type`, `not-finite`, `out-of-range` (a seed or a count above 2^53 - 1 or with a fraction, a negative length or
-    /// time), and `invalid-result` for a status or a fingerprint that is none. Whether the path is any good is for
-    /// [`verify`](crate::path::verify) to say.
+    /// time), and `invalid-result` for a malformed status or fingerprint. Whether the path is valid is decided by
+    /// [`verify`](crate::path::verify).
     pub fn parse(text: &str) -> Result<Self, Error> {
         json::read(&json::parse(text)?).map_err(|error| match error.pointer() {
             "/status" | "/fingerprint" if error.code() == Code::OutOfRange => {

@@ -1,16 +1,16 @@
-//! Controls: what a driver does for a while, and what a planner may ask about it.
+//! Controls, motions, and the dynamics of a system that is moved by them.
 
 use crate::json::not_negative;
 use crate::random::Random;
 use serde::{Deserialize, Serialize};
 
-/// What a driver does: a speed v and a steering angle phi.
+/// A control: a speed v and a steering angle phi.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(from = "[f64; 2]", into = "[f64; 2]")]
 pub struct Control {
-    /// The speed, in metres a second; backward where negative.
+    /// The speed, in metres a second; backward if negative.
     pub speed: f64,
-    /// The angle of the front wheels, in radians; to the left where positive.
+    /// The angle of the front wheels, in radians; to the left if positive.
     pub steering: f64,
 }
 
@@ -26,20 +26,20 @@ impl From<Control> for [f64; 2] {
     }
 }
 
-/// A control that is held for a while.
+/// A control that is held for a duration.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Motion {
-    /// What is done.
+    /// The control.
     pub control: Control,
-    /// For how long, in seconds, at least 0.
+    /// The duration in seconds, at least 0.
     #[serde(deserialize_with = "not_negative")]
     pub duration: f64,
 }
 
 /// A system that is moved by controls: the one trait between planning and driving. Durations are whole numbers of steps.
 pub trait Dynamics<S> {
-    /// The step that durations are counted in, in seconds.
+    /// The step in which durations are counted, in seconds.
     fn step(&self) -> f64;
 
     /// A control drawn uniformly from all there are.
@@ -49,17 +49,17 @@ pub trait Dynamics<S> {
     /// full right; only the forward ones of a system that has no reverse.
     fn extremes(&self) -> Vec<Control>;
 
-    /// Where the control leads in so many steps.
+    /// The state after this many steps of the control.
     fn drive(&self, from: &S, control: Control, steps: u32) -> S;
 
-    /// How many of the first `steps` steps are proven free, each with all before it: `steps` where the whole motion is.
+    /// How many of the first `steps` steps are proven free, each with all before it: `steps` if the whole motion is.
     fn free_steps(&self, from: &S, control: Control, steps: u32) -> u32;
 
-    /// How long the motion is, in the metric of the space along its arc; never less than the distance between its ends, and in
-    /// proportion to its duration.
+    /// The length of the motion, in the metric of the space along its arc; never less than the distance between its ends, and
+    /// proportional to its duration.
     fn length(&self, motion: Motion) -> f64;
 
-    /// The motions that lead from one state to another along the curve of the space, each with where it leads, the last to `to`;
-    /// none in a space without curves.
+    /// The motions from one state to another along the curve of the space, each with the state it leads to, the last with
+    /// `to`; none in a space without curves.
     fn steer(&self, from: &S, to: &S) -> Vec<(Motion, S)>;
 }

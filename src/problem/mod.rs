@@ -1,15 +1,12 @@
-//! A planning problem: a space, what is free in it, a start, a goal, and for cars the dynamics; and what a run on it reports.
+//! A planning problem: a space, its collision checker, a start, a goal, and for cars the dynamics; and what a run on it
+//! reports.
 
 mod dynamics;
-mod phase;
-mod stats;
-mod status;
+mod report;
 mod validity;
 
 pub use dynamics::{Control, Dynamics, Motion};
-pub use phase::Phase;
-pub use stats::Stats;
-pub use status::Status;
+pub use report::{Phase, Stats, Status};
 pub use validity::{Contact, Touched, Validity};
 
 use crate::error::{Code, Error};
@@ -20,9 +17,9 @@ pub type Estimate<S> = Box<dyn Fn(&S, &S) -> f64>;
 
 /// The states that are as good as the goal.
 pub struct GoalRegion<S> {
-    /// Whether a state is one of them; the goal is.
+    /// Whether the region contains a state; it contains the goal.
     pub contains: Box<dyn Fn(&S) -> bool>,
-    /// None of them is farther from the goal, in the metric of the space.
+    /// The largest distance of any of them from the goal, in the metric of the space.
     pub reach: f64,
 }
 
@@ -64,13 +61,13 @@ impl<S: Space> Problem<S> {
         Ok(problem)
     }
 
-    /// The same with an estimate of distances from how far apart the end effector is: never above the distance.
+    /// The same with a lower bound on distances from the position of the end effector.
     #[must_use]
     pub fn with_end_effector(self, estimate: Estimate<S::State>) -> Self {
         Self { end_effector: Some(estimate), ..self }
     }
 
-    /// The same with more states to reach any one of: as good as the goal, and free.
+    /// The same with more goals, which must be free; any one is to be reached.
     #[must_use]
     pub fn with_other_goals(self, other_goals: Vec<S::State>) -> Self {
         Self { other_goals, ..self }
@@ -82,13 +79,13 @@ impl<S: Space> Problem<S> {
         Self { goal_region: Some(region), ..self }
     }
 
-    /// The same for what is moved by controls.
+    /// The same for a system that is moved by controls.
     #[must_use]
     pub fn with_dynamics(self, dynamics: Box<dyn Dynamics<S::State>>) -> Self {
         Self { dynamics: Some(dynamics), ..self }
     }
 
-    /// Refuses a start or a goal that is in collision.
+    /// Returns an error if the start or the goal is in collision.
     ///
     /// # Errors
     /// As [`Problem::new`]; the pointer is `/start` or `/goal`.
@@ -112,27 +109,27 @@ impl<S: Space> Problem<S> {
         &self.space
     }
 
-    /// What is free.
+    /// The collision checker.
     pub fn validity(&self) -> &dyn Validity<S::State> {
         &*self.validity
     }
 
-    /// Where the motion starts.
+    /// The start.
     pub fn start(&self) -> &S::State {
         &self.start
     }
 
-    /// Where the motion is to end; the first such state where there are several.
+    /// The goal; the first if there are several.
     pub fn goal(&self) -> &S::State {
         &self.goal
     }
 
-    /// Every state where the motion may end, one at least.
+    /// All goals, at least one.
     pub fn goals(&self) -> impl ExactSizeIterator<Item = &S::State> {
         (0..self.other_goals.len() + 1).map(|i| if i == 0 { &self.goal } else { &self.other_goals[i - 1] })
     }
 
-    /// One goal after another, by turns.
+    /// One goal after another, in turn.
     pub fn goal_in_turn(&self, turn: usize) -> &S::State {
         match turn % (self.other_goals.len() + 1) {
             0 => &self.goal,
@@ -140,12 +137,12 @@ impl<S: Space> Problem<S> {
         }
     }
 
-    /// How far the nearest goal is, in the metric of the space.
+    /// The distance to the nearest goal, in the metric of the space.
     pub fn distance_to_goal(&self, state: &S::State) -> f64 {
         self.goals().map(|goal| self.space.distance(state, goal)).fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether the state is as good as the goal: within the region about it, or one of the goals where there is none.
+    /// Whether the state is as good as the goal: within the region about it, or one of the goals if there is no region.
     pub fn is_goal(&self, state: &S::State) -> bool {
         match &self.goal_region {
             Some(region) => (region.contains)(state),
@@ -153,17 +150,17 @@ impl<S: Space> Problem<S> {
         }
     }
 
-    /// How far from the goal, in the metric of the space, [`Problem::is_goal`] may still hold.
+    /// The largest distance from the goal, in the metric of the space, at which [`Problem::is_goal`] may hold.
     pub fn goal_reach(&self) -> f64 {
         self.goal_region.as_ref().map_or(0.0, |region| region.reach)
     }
 
-    /// How the system is driven; `None` where it is not moved by controls.
+    /// The dynamics; `None` if the system is not moved by controls.
     pub fn dynamics(&self) -> Option<&dyn Dynamics<S::State>> {
         self.dynamics.as_deref()
     }
 
-    /// The estimate of distances from the end effector; `None` where the robot has none.
+    /// The lower bound on distances from the end effector; `None` if the robot has none.
     pub fn end_effector(&self) -> Option<&Estimate<S::State>> {
         self.end_effector.as_ref()
     }

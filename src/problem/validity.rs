@@ -1,9 +1,9 @@
 //! Collision checking as planners see it: the one trait between planning and collision.
 
-/// Whether configurations and motions are free. Planners know obstacles through this trait alone. An implementation of one's own
-/// needs [`contacts`](Validity::contacts) and [`is_motion_free`](Validity::is_motion_free).
+/// Whether configurations and motions are free. Planners know obstacles through this trait alone. An implementation needs
+/// [`contacts`](Validity::contacts) and [`is_motion_free`](Validity::is_motion_free).
 pub trait Validity<S> {
-    /// Every pair of a part of the robot and a thing that it touches; empty where the configuration is free.
+    /// Every pair of a part of the robot and something that it touches; empty if the configuration is free.
     fn contacts(&self, state: &S) -> Vec<Contact>;
 
     /// Whether the motion from `a` to `b` is proven free, both ends included. Checks the middle first, where collisions are
@@ -15,19 +15,19 @@ pub trait Validity<S> {
         self.contacts(state).is_empty()
     }
 
-    /// Where, as a fraction of the motion from `a` to `b`, the first interval begins that cannot be proven free; all before
-    /// it is proven. `None` where the whole motion is proven. The default knows no part of a motion that is refused.
+    /// The start, as a fraction of the motion from `a` to `b`, of the first interval that cannot be proven free; all
+    /// before it is proven. `None` if the whole motion is proven. The default is 0 for a motion that is refused.
     fn first_hit(&self, a: &S, b: &S) -> Option<f64> {
         if self.is_motion_free(a, b) { None } else { Some(0.0) }
     }
 
-    /// How many times the clearance of a part has been evaluated so far: the measure of work that is the same on every
-    /// machine. The default counts nothing.
+    /// How many times the clearance of a part has been evaluated so far: a measure of work that is the same on every machine.
+    /// The default is 0.
     fn clearance_evaluations(&self) -> u64 {
         0
     }
 
-    /// How many motions have been refused so far because the proof had spent its budget of evaluations. The default counts none.
+    /// How many motions have been refused so far because the budget of their proof was spent. The default is 0.
     fn unproven_motions(&self) -> u64 {
         0
     }
@@ -42,7 +42,7 @@ pub struct Contact {
     pub with: Touched,
 }
 
-/// What a part of the robot touches.
+/// An obstacle or the bounds, touched by a part of the robot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Touched {
     /// The obstacle with this index, from 0.

@@ -1,13 +1,16 @@
 //! A planar arm of revolute joints: a chain of capsules from a fixed base.
 
 use super::Part;
-use super::range::{LARGEST, check_radius, check_range, not_finite};
-use crate::error::{Code, Error, Number};
+use super::range::{LARGEST, check_limits, check_positive, check_range};
+use crate::error::{Code, Error};
 use crate::geometry::Point;
 use serde::Serialize;
 
 /// The largest number of links an arm may have.
 pub const MAX_LINKS: usize = 8;
+
+/// The largest joint limit, in radians.
+const WIDEST_LIMIT: f64 = 100.0;
 
 /// An arm of 1 to [`MAX_LINKS`] links. A configuration holds one angle a joint, in radians, counter-clockwise, each
 /// relative to the link before. Links may overlap each other. A joint without limits is a circle; with limits it is an
@@ -23,7 +26,7 @@ pub struct Arm {
 
 impl Arm {
     /// An arm: base and lengths in metres, `radius` half the width of its links (0 makes them segments), joint limits in
-    /// radians, one pair a link where given.
+    /// radians, one pair a link if given.
     ///
     /// # Errors
     /// `not-finite`, `out-of-range` or `wrong-dimension`, with a pointer into the `robot` object of a scenario: a number
@@ -38,20 +41,20 @@ impl Arm {
             return Err(Error::new(Code::OutOfRange, "/links", sentence));
         }
         for (i, &length) in links.iter().enumerate() {
-            let pointer = format!("/links/{i}");
-            check_range(&pointer, "the length of a link", length, 0.0)?;
-            if length == 0.0 {
-                return Err(Error::new(Code::OutOfRange, pointer, "the length of a link must be greater than 0"));
-            }
+            check_positive(&format!("/links/{i}"), "the length of a link", length, LARGEST)?;
         }
-        check_radius(radius)?;
-        if let Some(limits) = &joint_limits {
-            check_limits(limits, links.len())?;
+        check_range("/radius", "a radius", radius, 0.0)?;
+        if let Some(limits) = joint_limits.as_ref().filter(|limits| limits.len() != links.len()) {
+            let sentence = format!("joint_limits must hold one pair a link: {}, not {}", links.len(), limits.len());
+            return Err(Error::new(Code::WrongDimension, "/joint_limits", sentence));
+        }
+        for (i, &limits) in joint_limits.iter().flatten().enumerate() {
+            check_limits(&format!("/joint_limits/{i}"), "a joint limit", limits, WIDEST_LIMIT)?;
         }
         Ok(Self { base: Point::new(base.x + 0.0, base.y + 0.0), links, radius: radius + 0.0, joint_limits })
     }
 
-    /// Where the arm is fixed, in metres.
+    /// The position of the base, in metres.
     pub fn base(&self) -> Point {
         self.base
     }
@@ -66,12 +69,12 @@ impl Arm {
         self.radius
     }
 
-    /// The limits (low, high) of each joint in radians, where the arm has limits.
+    /// The limits (low, high) of each joint in radians, if the arm has limits.
     pub fn joint_limits(&self) -> Option<&[[f64; 2]]> {
         self.joint_limits.as_deref()
     }
 
-    /// The sum of the links' lengths: how far from the base the tip can be, in metres.
+    /// The sum of the links' lengths, in metres: the largest distance of the tip from the base.
     pub fn reach(&self) -> f64 {
         self.links.iter().sum()
     }
@@ -103,7 +106,7 @@ impl Arm {
         (0..self.links.len()).map(link).collect()
     }
 
-    /// How far any point of each link can travel, at most, while the joints turn by `delta` (radians, any size) at
+    /// An upper bound on how far any point of each link can travel while the joints turn by `delta` (radians, any size) at
     /// constant rates: link i moves at most the sum over m <= i of L_m |sum over j <= m of delta_j|, since joint m swings
     /// about the one before with the absolute rate of link m. In metres, one number a link. O(links).
     ///
@@ -119,30 +122,4 @@ impl Arm {
         }
         travel
     }
-}
-
-/// Refuses limits that are not one increasing pair a link within [-100, 100].
-fn check_limits(limits: &[[f64; 2]], links: usize) -> Result<(), Error> {
-    if limits.len() != links {
-        let sentence = format!("joint_limits must hold one pair a link: {links}, not {}", limits.len());
-        return Err(Error::new(Code::WrongDimension, "/joint_limits", sentence));
-    }
-    for (i, &[low, high]) in limits.iter().enumerate() {
-        for (k, value) in [low, high].into_iter().enumerate() {
-            let pointer = format!("/joint_limits/{i}/{k}");
-            if !value.is_finite() {
-                return Err(not_finite(&pointer, "a joint limit", value));
-            }
-            if value.abs() > 100.0 {
-                let sentence = format!("a joint limit must lie within [-100, 100] radians, not {}", Number(value));
-                return Err(Error::new(Code::OutOfRange, pointer, sentence));
-            }
-        }
-        if low >= high {
-            let [low, high] = [low, high].map(Number);
-            let sentence = format!("the lower joint limit {low} must be less than the upper {high}");
-            return Err(Error::new(Code::OutOfRange, format!("/joint_limits/{i}"), sentence));
-        }
-    }
-    Ok(())
 }

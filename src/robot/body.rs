@@ -1,39 +1,16 @@
 //! A rigid body that translates and turns: any simple polygon.
 
-use super::{Part, Weights};
+use super::Weights;
 use crate::geometry::Polygon;
 use serde::Serialize;
 
-/// A rigid body. A configuration is (x, y, theta): where the origin of the shape's own frame is, in metres, and by how much
-/// the frame is turned, in radians.
+/// A rigid body. A configuration is (x, y, theta): the position of the origin of the shape's own frame, in metres, and the
+/// rotation of the frame, in radians.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RigidBody {
-    shape: Polygon,
-    #[serde(rename = "metric")]
-    weights: Weights,
-}
-
-impl RigidBody {
-    /// A body of the given shape in its own frame.
-    pub fn new(shape: Polygon, weights: Weights) -> Self {
-        Self { shape, weights }
-    }
-
     /// The shape in its own frame, in metres.
-    pub fn shape(&self) -> &Polygon {
-        &self.shape
-    }
-
+    pub shape: Polygon,
     /// The weights of the metric.
-    pub fn weights(&self) -> Weights {
-        self.weights
-    }
-
-    /// The one part of the robot at `q`.
-    ///
-    /// # Panics
-    /// Where `q` has fewer than three entries.
-    pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
-        vec![Part::Polygon { vertices: self.shape.placed([q[0], q[1], q[2]]).vertices().to_vec() }]
-    }
+    #[serde(rename = "metric")]
+    pub weights: Weights,
 }

@@ -1,12 +1,11 @@
 //! A first-order car: q' = (v cos theta, v sin theta, v tan(phi) / L) under the control (v, phi).
 //!
-//! (x, y) is the point that the wheels roll from: the middle of the rear axle. The shape stands about it as its vertices say, so
-//! that a shape whose centre is its origin has its rear axle in its middle, as the course reports have it. LaValle 2006,
-//! "Planning Algorithms", section 13.1.2.
+//! (x, y) is the middle of the rear axle. The shape is given about it, so that a shape whose centre is its origin has its
+//! rear axle in its middle, as in the course reports. LaValle 2006, "Planning Algorithms", section 13.1.2.
 
-use super::range::{LARGEST, check_range, not_finite};
-use super::{Part, Weights};
-use crate::error::{Code, Error, Number};
+use super::Weights;
+use super::range::{LARGEST, check_limits, check_positive};
+use crate::error::Error;
 use crate::geometry::Polygon;
 use serde::Serialize;
 
@@ -60,12 +59,12 @@ impl Car {
         self.wheelbase
     }
 
-    /// The least and the greatest speed, in metres a second; backward where negative.
+    /// The least and the greatest speed, in metres a second; backward if negative.
     pub fn speed(&self) -> [f64; 2] {
         self.speed
     }
 
-    /// The least and the greatest steering angle, in radians; to the left where positive.
+    /// The least and the greatest steering angle, in radians; to the left if positive.
     pub fn steering(&self) -> [f64; 2] {
         self.steering
     }
@@ -80,57 +79,16 @@ impl Car {
         self.weights
     }
 
-    /// How fast the car turns under the control, in radians a second: v tan(phi) / L.
+    /// The turn rate of the car under the control, in radians a second: v tan(phi) / L.
     pub fn turn_rate(&self, speed: f64, steering: f64) -> f64 {
         speed * libm::tan(steering) / self.wheelbase
     }
 
-    /// The least radius, in metres, of a circle that the car can drive either way round, and the steering angle of it in
-    /// radians: L / tan(phi) for the lesser of its two largest angles. `None` of a car that cannot steer both ways.
+    /// The least radius, in metres, of a circle that the car can drive in both directions, and its steering angle in radians:
+    /// L / tan(phi) for the lesser of the two largest angles. `None` if the car cannot steer to both sides.
     pub fn turning_radius(&self) -> Option<(f64, f64)> {
         let [right, left] = self.steering;
         let angle = left.min(-right);
         (angle > 0.0).then(|| (self.wheelbase / libm::tan(angle), angle))
     }
-
-    /// The one part of the robot at `q`.
-    ///
-    /// # Panics
-    /// Where `q` has fewer than three entries.
-    pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
-        vec![Part::Polygon { vertices: self.shape.placed([q[0], q[1], q[2]]).vertices().to_vec() }]
-    }
-}
-
-/// Returns an error unless the value is finite and within (0, most].
-fn check_positive(pointer: &str, what: &str, value: f64, most: f64) -> Result<(), Error> {
-    check_range(pointer, what, value, 0.0)?;
-    if value == 0.0 || value > most {
-        let [value, most] = [value, most].map(Number);
-        let sentence = format!("{what} must be greater than 0 and at most {most}, not {value}");
-        return Err(Error::new(Code::OutOfRange, pointer, sentence));
-    }
-    Ok(())
-}
-
-/// Refuses limits that are not an increasing pair within [-most, most].
-fn check_limits(pointer: &str, what: &str, limits: [f64; 2], most: f64) -> Result<(), Error> {
-    for (k, value) in limits.into_iter().enumerate() {
-        let pointer = format!("{pointer}/{k}");
-        if !value.is_finite() {
-            return Err(not_finite(&pointer, what, value));
-        }
-        if value.abs() > most {
-            let [value, most] = [value, most].map(Number);
-            let sentence = format!("{what} must lie within [-{most}, {most}], not {value}");
-            return Err(Error::new(Code::OutOfRange, pointer, sentence));
-        }
-    }
-    let [low, high] = limits;
-    if low >= high {
-        let [low, high] = limits.map(Number);
-        let sentence = format!("the lower limit {low} must be less than the upper {high}");
-        return Err(Error::new(Code::OutOfRange, pointer, sentence));
-    }
-    Ok(())
 }

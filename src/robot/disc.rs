@@ -1,7 +1,7 @@
-//! A disc that translates; a point where its radius is 0.
+//! A disc that translates; a point if its radius is 0.
 
 use super::Part;
-use super::range::check_radius;
+use super::range::check_range;
 use crate::error::Error;
 use crate::geometry::Point;
 use serde::Serialize;
@@ -16,9 +16,9 @@ impl DiscRobot {
     /// A disc of the given radius in metres, 0 for a point.
     ///
     /// # Errors
-    /// `not-finite` or `out-of-range` (pointer `/radius`) where the radius is not a finite number from 0 to 1e6.
+    /// `not-finite` or `out-of-range` (pointer `/radius`) if the radius is not a finite number from 0 to 1e6.
     pub fn new(radius: f64) -> Result<Self, Error> {
-        check_radius(radius)?;
+        check_range("/radius", "a radius", radius, 0.0)?;
         Ok(Self { radius: radius + 0.0 })
     }
 
@@ -30,7 +30,7 @@ impl DiscRobot {
     /// The parts of the robot at `q`.
     ///
     /// # Panics
-    /// Where `q` has fewer than two entries.
+    /// If `q` has fewer than two entries.
     pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
         vec![Part::Disc { center: Point::new(q[0], q[1]), radius: self.radius }]
     }

@@ -5,7 +5,7 @@ use crate::geometry::Point;
 /// One part of a robot, placed in the workspace; lengths in metres.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Part {
-    /// All points within `radius` of the segment from `a` to `b`; a segment where the radius is 0.
+    /// All points within `radius` of the segment from `a` to `b`; a segment if the radius is 0.
     Capsule {
         /// One end of the axis.
         a: Point,
@@ -14,7 +14,7 @@ pub enum Part {
         /// Half the width, at least 0.
         radius: f64,
     },
-    /// A disc; a point where the radius is 0.
+    /// A disc; a point if the radius is 0.
     Disc {
         /// The centre.
         center: Point,

@@ -1,6 +1,6 @@
 //! Robots: kinematics, footprint, bound on motion, and configuration space. One file a robot.
 //!
-//! A robot knows its own shape and how far each of its parts can travel; it knows no obstacle and no planner.
+//! A robot knows its own shape and bounds on the travel of its parts; it knows no obstacle and no planner.
 
 mod arm;
 mod body;

@@ -1,4 +1,4 @@
-//! Which numbers a robot may be made from.
+//! The ranges of the numbers that a robot is made from.
 
 use crate::error::{Code, Error, Number};
 
@@ -6,25 +6,39 @@ use crate::error::{Code, Error, Number};
 /// turns; beyond, an angle no longer determines a direction well).
 pub const LARGEST: f64 = 1e6;
 
-/// The error for a coordinate, length or radius that is not finite.
-pub(super) fn not_finite(pointer: &str, what: &str, value: f64) -> Error {
-    Error::new(Code::NotFinite, pointer, format!("{what} must be a finite number, not {}", Number(value)))
-}
-
 /// Returns an error unless the value is finite and within [low, 1e6].
 pub(crate) fn check_range(pointer: &str, what: &str, value: f64, low: f64) -> Result<(), Error> {
-    if !value.is_finite() {
-        return Err(not_finite(pointer, what, value));
+    let range = format!("lie within [{}, {}]", Number(low), Number(LARGEST));
+    check(pointer, what, value, (low..=LARGEST).contains(&value), &range)
+}
+
+/// Returns an error unless the value is finite and within (0, most].
+pub(super) fn check_positive(pointer: &str, what: &str, value: f64, most: f64) -> Result<(), Error> {
+    let range = format!("be greater than 0 and at most {}", Number(most));
+    check(pointer, what, value, value > 0.0 && value <= most, &range)
+}
+
+/// Returns an error unless the limits are an increasing pair within [-most, most].
+pub(super) fn check_limits(pointer: &str, what: &str, limits: [f64; 2], most: f64) -> Result<(), Error> {
+    let range = format!("lie within [{}, {}]", Number(-most), Number(most));
+    for (k, value) in limits.into_iter().enumerate() {
+        check(&format!("{pointer}/{k}"), what, value, value.abs() <= most, &range)?;
     }
-    if !(low..=LARGEST).contains(&value) {
-        let [low, value] = [low, value].map(Number);
-        let sentence = format!("{what} must lie within [{low}, {}], not {value}", Number(LARGEST));
+    if limits[0] >= limits[1] {
+        let [low, high] = limits.map(Number);
+        let sentence = format!("the lower limit {low} must be less than the upper {high}");
         return Err(Error::new(Code::OutOfRange, pointer, sentence));
     }
     Ok(())
 }
 
-/// Refuses a radius that is not a finite number within [0, 1e6].
-pub(super) fn check_radius(radius: f64) -> Result<(), Error> {
-    check_range("/radius", "a radius", radius, 0.0)
+/// Returns an error unless the value is finite and within its range.
+fn check(pointer: &str, what: &str, value: f64, is_within: bool, range: &str) -> Result<(), Error> {
+    let (code, range) =
+        if value.is_finite() { (Code::OutOfRange, range) } else { (Code::NotFinite, "be a finite number") };
+    if is_within {
+        Ok(())
+    } else {
+        Err(Error::new(code, pointer, format!("{what} must {range}, not {}", Number(value))))
+    }
 }

@@ -4,10 +4,10 @@ use super::{Arm, Weights};
 use crate::geometry::{Aabb, Point, Polygon};
 use crate::space::{Coordinate, Metric, ProductSpace};
 
-/// The space of an arm: a circle for each joint, or an interval where the arm has limits; angles in radians.
+/// The space of an arm: a circle for each joint, or an interval if the arm has limits; angles in radians.
 ///
 /// # Panics
-/// Where the arm has more than `N` links.
+/// If the arm has more than `N` links.
 pub fn joint_space<const N: usize>(arm: &Arm, metric: Metric) -> ProductSpace<N> {
     let joints: Vec<Coordinate> = match arm.joint_limits() {
         Some(limits) => limits.iter().map(|&[low, high]| Coordinate::Interval { low, high }).collect(),
@@ -19,7 +19,7 @@ pub fn joint_space<const N: usize>(arm: &Arm, metric: Metric) -> ProductSpace<N>
 /// The space of a disc's centre: the bounds, in metres, with the Euclidean metric.
 ///
 /// # Panics
-/// Where `N` is less than 2.
+/// If `N` is less than 2.
 pub fn plane<const N: usize>(bounds: &Aabb) -> ProductSpace<N> {
     ProductSpace::of_box(&[bounds.min.x, bounds.min.y], &[bounds.max.x, bounds.max.y])
 }
@@ -27,7 +27,7 @@ pub fn plane<const N: usize>(bounds: &Aabb) -> ProductSpace<N> {
 /// The space of a body's placements (x, y, theta): all at which the body can lie within the bounds.
 ///
 /// # Panics
-/// Where `N` is less than 3.
+/// If `N` is less than 3.
 pub fn placements<const N: usize>(shape: &Polygon, weights: Weights, bounds: &Aabb) -> ProductSpace<N> {
     // An origin outside the shape can lie outside the bounds, by no more than the shape reaches.
     let sides = if shape.contains(Point::origin()) { *bounds } else { bounds.grown(shape.reach()) };

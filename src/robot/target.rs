@@ -1,4 +1,4 @@
-//! Where an end effector is to be.
+//! The target of an end effector.
 
 use crate::geometry::Point;
 use serde::Serialize;
@@ -6,7 +6,7 @@ use serde::Serialize;
 /// A position for the end effector of an arm, and optionally the orientation of its last link.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Target {
-    /// Where the tip is to be, in the world, in metres.
+    /// The position of the tip in the world, in metres.
     pub point: Point,
     /// The angle of the last link in the world, in radians, in any number of turns; any angle if absent.
     #[serde(skip_serializing_if = "Option::is_none")]

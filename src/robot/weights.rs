@@ -1,15 +1,15 @@
 //! The weights of translation and rotation in the metric of SE(2).
 
-use super::range::check_range;
-use crate::error::{Code, Error};
+use super::range::{LARGEST, check_positive};
+use crate::error::Error;
 use serde::Serialize;
 
 /// The weights of the metric w_t d_t + w_r d_r, of translation (metres) and rotation (radians).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Weights {
-    /// What a metre counts, greater than 0.
+    /// The weight of a metre, greater than 0.
     pub translation: f64,
-    /// What a radian counts, greater than 0.
+    /// The weight of a radian, greater than 0.
     pub rotation: f64,
 }
 
@@ -26,11 +26,7 @@ impl Weights {
     /// `not-finite` or `out-of-range` (pointer `/metric/translation` or `/metric/rotation`) unless both lie within (0, 1e6].
     pub fn new(translation: f64, rotation: f64) -> Result<Self, Error> {
         for (name, weight) in [("translation", translation), ("rotation", rotation)] {
-            let pointer = format!("/metric/{name}");
-            check_range(&pointer, "a weight", weight, 0.0)?;
-            if weight == 0.0 {
-                return Err(Error::new(Code::OutOfRange, pointer, "a weight of the metric must be greater than 0"));
-            }
+            check_positive(&format!("/metric/{name}"), "a weight", weight, LARGEST)?;
         }
         Ok(Self { translation, rotation })
     }

@@ -1,7 +1,5 @@
-//! What a scenario document may hold: the types that it is read into, and that the JSON Schema is generated from.
-//!
-//! They say what fields there are, of what type, and within which ranges numbers lie. The rest of the contract is held by
-//! [`validate`](super::validate).
+//! The types that a scenario document is read into, and that the JSON Schema is generated from: fields, their types, and
+//! the ranges of numbers. [`validate`](super::validate) checks the rest of the contract.
 
 use super::number::{Angle, Coordinate, JointLimit, Length, Positive, Speed, SteeringAngle, Step};
 use crate::json::by_type;
@@ -10,25 +8,162 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
 
-/// A motion planning scenario: a world, a robot in it, and questions. Lengths in metres, angles in radians,
-/// counter-clockwise, y up.
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(title = "Planarium scenario"))]
-#[serde(deny_unknown_fields)]
-pub(super) struct Document {
-    /// Which contract the document follows.
-    pub format: Format,
-    /// The name, used in results.
-    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
-    pub name: String,
-    /// The title for people.
-    pub title: Option<String>,
-    /// Where the robot moves.
-    pub world: World,
-    /// Who moves.
-    pub robot: Robot,
-    /// From where to where; names are distinct.
-    pub queries: Vec<Query>,
+/// The objects of a document: each is read with the fields that it has and no others, and has a schema.
+macro_rules! objects {
+    ($($item:item)*) => {
+        $(
+            #[derive(Deserialize)]
+            #[cfg_attr(feature = "schema", derive(JsonSchema))]
+            #[serde(deny_unknown_fields)]
+            $item
+        )*
+    };
+}
+
+objects! {
+    /// A motion planning scenario: a world, a robot in it, and queries. Lengths in metres, angles in radians,
+    /// counter-clockwise, y up.
+    #[cfg_attr(feature = "schema", schemars(title = "Planarium scenario"))]
+    pub(super) struct Document {
+        /// The format of the document.
+        pub format: Format,
+        /// The name, used in results.
+        #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
+        pub name: String,
+        /// The title for people.
+        pub title: Option<String>,
+        /// The bounds and obstacles.
+        pub world: World,
+        /// The robot.
+        pub robot: Robot,
+        /// The queries; names are distinct.
+        pub queries: Vec<Query>,
+    }
+
+    /// Bounds and obstacles. Only an arm needs no bounds.
+    pub(super) struct World {
+        /// The closed box that the whole robot stays in; it may touch it. Required for all but an arm.
+        pub bounds: Option<Bounds>,
+        /// Closed, filled obstacles: touching one is collision. All polygons together have at most 100000 vertices.
+        #[cfg_attr(feature = "schema", schemars(length(max = 10000)))]
+        pub obstacles: Vec<Obstacle>,
+    }
+
+    /// A box; min is less than max in both coordinates.
+    pub(super) struct Bounds {
+        /// The corner with the smallest coordinates.
+        pub min: Point,
+        /// The corner with the largest coordinates.
+        pub max: Point,
+    }
+
+    pub(super) struct Disc {
+        /// The centre.
+        pub center: Point,
+        /// The radius in metres.
+        pub radius: Positive,
+    }
+
+    pub(super) struct Polygon {
+        /// The corners in order; at least three differ, edges do not touch or cross. A coordinate is 0 or at least 1e-140 in
+        /// magnitude: for smaller ones orientations cannot be computed exactly.
+        #[cfg_attr(feature = "schema", schemars(length(min = 3)))]
+        pub vertices: Vec<Point>,
+    }
+
+    pub(super) struct Arm {
+        /// The position of the base; no obstacle may lie within `radius` of it.
+        pub base: Point,
+        /// The lengths of the links in metres, from the base outwards.
+        #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
+        pub links: Vec<Positive>,
+        /// Half the width of the links in metres; 0 makes them segments.
+        #[serde(default)]
+        pub radius: Length,
+        /// One pair (low, high) a link, low less than high, in radians: such a joint does not wrap. Without limits a joint is
+        /// a circle.
+        #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
+        pub joint_limits: Option<Vec<[JointLimit; 2]>>,
+    }
+
+    pub(super) struct RigidBody {
+        /// The shape in its own frame.
+        pub shape: Shape,
+        /// The metric of placements.
+        pub metric: Option<Metric>,
+    }
+
+    pub(super) struct Car {
+        /// The shape about the middle of the rear axle; x is forward.
+        pub shape: Shape,
+        /// The distance between the axles in metres.
+        pub wheelbase: Positive,
+        /// The least and the greatest speed in metres a second, the first less than the second.
+        pub speed: [Speed; 2],
+        /// The least and the greatest steering angle in radians, the first less than the second.
+        pub steering: [SteeringAngle; 2],
+        /// The step in which durations are counted, in seconds; 0.01 if it is absent.
+        pub integration_step: Option<Step>,
+        /// The metric of placements.
+        pub metric: Option<Metric>,
+    }
+
+    #[cfg_attr(feature = "schema", schemars(rename = "DiscRobot"))]
+    pub(super) struct DiscRobot {
+        /// The radius in metres; 0 makes it a point.
+        pub radius: Length,
+    }
+
+    /// The weights of a metre and a radian in the distance between two placements; 0.7 and 0.3 if it is absent.
+    pub(super) struct Metric {
+        /// The weight of a metre.
+        pub translation: Positive,
+        /// The weight of a radian.
+        pub rotation: Positive,
+    }
+
+    /// One query, with a goal or a target.
+    //
+    // Fields that not every robot has are read once the robot is known, so that they are refused as such whatever they
+    // contain.
+    #[cfg_attr(
+        feature = "schema",
+        schemars(extend("oneOf" = [{ "required": ["goal"] }, { "required": ["target"] }]))
+    )]
+    pub(super) struct Query {
+        /// The name, distinct within the scenario.
+        #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
+        pub name: String,
+        /// The configuration to start from: angles in any number of turns up to 1e6 radians, within the limits if the joint
+        /// has limits; coordinates in metres.
+        #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
+        pub start: Vec<Angle>,
+        /// The configuration to reach: exactly, except for a body or a car with a tolerance.
+        #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
+        pub goal: Option<Vec<Angle>>,
+        /// The target of the end effector of an arm, instead of a goal.
+        #[cfg_attr(feature = "schema", schemars(with = "Option<Target>"))]
+        pub target: Option<Value>,
+        /// The goal region; for bodies and cars only.
+        #[cfg_attr(feature = "schema", schemars(with = "Option<GoalTolerance>"))]
+        pub goal_tolerance: Option<Value>,
+    }
+
+    /// A target of the end effector: any configuration that reaches it is a goal.
+    pub(super) struct Target {
+        /// The position of the tip.
+        pub point: Point,
+        /// The angle of the last link in the world, in radians; any angle if it is absent.
+        pub orientation: Option<Angle>,
+    }
+
+    /// A goal region: both bounds must hold.
+    pub(super) struct GoalTolerance {
+        /// The largest distance, in metres.
+        pub translation: Length,
+        /// The largest turn, in radians.
+        pub rotation: Length,
+    }
 }
 
 /// The one format.
@@ -37,29 +172,6 @@ pub(super) struct Document {
 pub(super) enum Format {
     #[serde(rename = "planarium-scenario-1")]
     One,
-}
-
-/// Bounds and obstacles. Only an arm can do without bounds.
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub(super) struct World {
-    /// The closed box that the whole robot stays in; it may touch it. Required for all but an arm.
-    pub bounds: Option<Bounds>,
-    /// Closed, filled obstacles: touching one is collision. All polygons together have at most 100000 vertices.
-    #[cfg_attr(feature = "schema", schemars(length(max = 10000)))]
-    pub obstacles: Vec<Obstacle>,
-}
-
-/// A box; min is less than max in both coordinates.
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub(super) struct Bounds {
-    /// The corner with the smallest coordinates.
-    pub min: Point,
-    /// The corner with the largest coordinates.
-    pub max: Point,
 }
 
 /// A point [x, y] in metres.
@@ -78,95 +190,21 @@ pub(super) enum Obstacle {
 
 by_type!(Obstacle { "disc" => Disc, "polygon" => Polygon });
 
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub(super) struct Disc {
-    /// The centre.
-    pub center: Point,
-    /// The radius in metres.
-    pub radius: Positive,
-}
-
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub(super) struct Polygon {
-    /// The corners in order; at least three differ, edges do not touch or cross. A coordinate is 0 or at least 1e-140 in
-    /// magnitude: nearer to 0 the sides that points lie on cannot be computed exactly.
-    #[cfg_attr(feature = "schema", schemars(length(min = 3)))]
-    pub vertices: Vec<Point>,
-}
-
 /// The robot.
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]
 pub(super) enum Robot {
     /// A planar arm of revolute joints. A configuration holds one angle a link, each relative to the link before.
     Arm(Arm),
-    /// A polygon that translates and turns. A configuration is [x, y, theta], which places its frame.
+    /// A polygon that translates and rotates. A configuration is [x, y, theta], the position and rotation of its frame.
     RigidBody(RigidBody),
-    /// A first-order car. A configuration is [x, y, theta], the place of its rear axle and its heading; a control is a speed
-    /// and a steering angle.
+    /// A first-order car. A configuration is [x, y, theta], the position of its rear axle and its heading; a control is a
+    /// speed and a steering angle.
     Car(Car),
     /// A disc that translates. A configuration is its centre [x, y].
     Disc(DiscRobot),
 }
 
 by_type!(Robot { "arm" => Arm, "disc" => Disc, "rigid_body" => RigidBody, "car" => Car });
-
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub(super) struct Arm {
-    /// Where the arm is fixed; no obstacle may lie within `radius` of it.
-    pub base: Point,
-    /// The lengths of the links in metres, from the base outwards.
-    #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
-    pub links: Vec<Positive>,
-    /// Half the width of the links in metres; 0 makes them segments.
-    #[serde(default)]
-    pub radius: Length,
-    /// One pair (low, high) a link, low less than high, in radians: such a joint does not wrap. Without limits a joint is
-    /// a circle.
-    #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
-    pub joint_limits: Option<Vec<[JointLimit; 2]>>,
-}
-
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub(super) struct RigidBody {
-    /// The shape in its own frame.
-    pub shape: Shape,
-    /// How placements are measured.
-    pub metric: Option<Metric>,
-}
-
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub(super) struct Car {
-    /// The shape about the middle of the rear axle; x is forward.
-    pub shape: Shape,
-    /// The distance between the axles in metres.
-    pub wheelbase: Positive,
-    /// The least and the greatest speed in metres a second, the first less than the second.
-    pub speed: [Speed; 2],
-    /// The least and the greatest steering angle in radians, the first less than the second.
-    pub steering: [SteeringAngle; 2],
-    /// The step in which durations are counted, in seconds; 0.01 where it is absent.
-    pub integration_step: Option<Step>,
-    /// How placements are measured.
-    pub metric: Option<Metric>,
-}
-
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(rename = "DiscRobot"))]
-#[serde(deny_unknown_fields)]
-pub(super) struct DiscRobot {
-    /// The radius in metres; 0 makes it a point.
-    pub radius: Length,
-}
 
 /// The shape of a body in its own frame.
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]
@@ -176,65 +214,3 @@ pub(super) enum Shape {
 }
 
 by_type!(Shape { "polygon" => Polygon });
-
-/// What a metre and a radian count in the distance between two placements; 0.7 and 0.3 where it is absent.
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub(super) struct Metric {
-    /// What a metre counts.
-    pub translation: Positive,
-    /// What a radian counts.
-    pub rotation: Positive,
-}
-
-/// One question, with a goal or a target.
-//
-// What not every robot may have is read once the robot is known, so that it is refused as such whatever it holds.
-#[derive(Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(JsonSchema),
-    schemars(extend("oneOf" = [{ "required": ["goal"] }, { "required": ["target"] }]))
-)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Query {
-    /// The name, distinct within the scenario.
-    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
-    pub name: String,
-    /// The configuration to start from: angles in any number of turns up to 1e6 radians, within their limits where the joint
-    /// has limits; coordinates in metres.
-    #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
-    pub start: Vec<Angle>,
-    /// The configuration to reach, exactly but for a body or a car with a tolerance.
-    #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
-    pub goal: Option<Vec<Angle>>,
-    /// Where the end effector of an arm is to be, in place of a goal.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<Target>"))]
-    pub target: Option<Value>,
-    /// How near to the goal is near enough; for bodies and cars only.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<GoalTolerance>"))]
-    pub goal_tolerance: Option<Value>,
-}
-
-/// Where an end effector is to be: any configuration that reaches it will do.
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub(super) struct Target {
-    /// Where the tip is to be.
-    pub point: Point,
-    /// The angle of the last link in the world, in radians; any where it is absent.
-    pub orientation: Option<Angle>,
-}
-
-/// How near to the goal is near enough: both must hold.
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub(super) struct GoalTolerance {
-    /// How far away at most, in metres.
-    pub translation: Length,
-    /// Turned by how much at most, in radians.
-    pub rotation: Length,
-}

@@ -1,9 +1,10 @@
-//! The numbers of a document, each kind with its range: a type that is read within it, and whose schema says it.
+//! The numbers of a document, each kind with its range: a type that is checked when it is read, and whose schema has the
+//! range.
 
 use crate::error::Number;
 use serde::{Deserialize, Deserializer, de};
 
-/// The range in a sentence, and where its lower end is no part of it.
+/// Reads a number within the range, without its lower end if it is open.
 fn read<'de, D: Deserializer<'de>>(
     source: D,
     what: &str,

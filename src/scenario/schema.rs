@@ -1,7 +1,7 @@
 //! The JSON Schema of the scenario document, generated from the types that it is read into.
 //!
-//! A schema can say what fields there are, of what type and within which ranges. What needs more (simple polygons, distinct
-//! names, dimensions, a free base) only [`Scenario::parse`](super::Scenario::parse) can say.
+//! A schema describes fields, their types and ranges. The rest (simple polygons, distinct names, dimensions, a free base)
+//! only [`Scenario::parse`](super::Scenario::parse) checks.
 
 use super::document::Document;
 use schemars::Schema;
@@ -15,7 +15,8 @@ pub fn schema() -> Value {
     settings.into_generator().into_root_schema_for::<Document>().to_value()
 }
 
-/// Takes out what the types of Rust bring along: `null` for what may be absent, defaults, a choice of one, and the line breaks of comments.
+/// Removes artefacts of the Rust types: `null` for fields that may be absent, defaults, a choice of one, and the line
+/// breaks of comments.
 fn tidy(schema: &mut Schema) {
     schema.remove("default");
     if let Some(Value::Array(types)) = schema.get_mut("type") {

@@ -1,4 +1,4 @@
-//! What a scenario holds, once it has been checked.
+//! A checked scenario and its parts.
 
 use crate::geometry::{Aabb, Disc, Polygon};
 use crate::json;
@@ -23,7 +23,7 @@ impl Scenario {
         &self.name
     }
 
-    /// The title for people; the name where there is none.
+    /// The title for people; the name if there is none.
     pub fn title(&self) -> &str {
         self.title.as_deref().unwrap_or(&self.name)
     }
@@ -43,15 +43,15 @@ impl Scenario {
         &self.queries
     }
 
-    /// The normalised document as text, on one line: fields in the order of the contract, defaults written out, polygons open,
-    /// counter-clockwise and without repeated vertices. It reads back as an equal scenario; equal scenarios give equal text, on
-    /// every platform.
+    /// The normalised document as text, on one line: fields in the order of the contract, defaults written out, polygons
+    /// open, counter-clockwise and without repeated vertices. It reads back as an equal scenario; equal scenarios give
+    /// equal text, on every platform.
     pub fn to_json_string(&self) -> String {
         json::to_string(self)
     }
 }
 
-/// Where the robot moves. Lengths in metres.
+/// The bounds and obstacles. Lengths in metres.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct World {
     /// The closed box that the whole robot stays in; absent for an arm only.
@@ -82,8 +82,9 @@ impl Obstacle {
 }
 
 /// The robot of a scenario.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, strum::IntoStaticStr)]
 #[serde(tag = "type", rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum Robot {
     /// A planar arm.
     Arm(Arm),
@@ -96,7 +97,7 @@ pub enum Robot {
 }
 
 impl Robot {
-    /// How many numbers a configuration has.
+    /// The number of coordinates of a configuration.
     pub fn dimension(&self) -> usize {
         match self {
             Robot::Arm(arm) => arm.links().len(),
@@ -107,59 +108,56 @@ impl Robot {
 
     /// The word for its type in documents.
     pub fn kind(&self) -> &'static str {
-        match self {
-            Robot::Arm(_) => "arm",
-            Robot::Disc(_) => "disc",
-            Robot::RigidBody(_) => "rigid_body",
-            Robot::Car(_) => "car",
-        }
+        self.into()
     }
 
     /// The parts of the robot at `q`.
     ///
     /// # Panics
-    /// Where `q` has fewer entries than [`Robot::dimension`].
+    /// If `q` has fewer entries than [`Robot::dimension`].
     pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
         match self {
             Robot::Arm(arm) => arm.footprint(q),
             Robot::Disc(disc) => disc.footprint(q),
-            Robot::RigidBody(body) => body.footprint(q),
-            Robot::Car(car) => car.footprint(q),
+            Robot::RigidBody(_) | Robot::Car(_) => {
+                let (shape, _) = self.placed_shape().expect("bodies and cars have a shape");
+                vec![Part::Polygon { vertices: shape.placed([q[0], q[1], q[2]]).vertices().to_vec() }]
+            }
         }
     }
 
-    /// The shape in its own frame and the weights of the metric, of a robot that is placed by (x, y, theta).
+    /// The shape in its own frame and the weights of the metric, of a robot whose configuration is (x, y, theta).
     pub fn placed_shape(&self) -> Option<(&Polygon, Weights)> {
         match self {
             Robot::Arm(_) | Robot::Disc(_) => None,
-            Robot::RigidBody(body) => Some((body.shape(), body.weights())),
+            Robot::RigidBody(body) => Some((&body.shape, body.weights)),
             Robot::Car(car) => Some((car.shape(), car.weights())),
         }
     }
 }
 
-/// One question: from where to where.
+/// A query: a start, and a goal or a target.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Query {
     /// The name, distinct within the scenario.
     pub name: String,
     /// The configuration to start from, as written (angles of circle joints in any number of turns).
     pub start: Vec<f64>,
-    /// What is to be reached.
+    /// The goal or the target.
     #[serde(flatten)]
     pub goal: Goal,
-    /// How near to it is near enough, of bodies and cars; exactly there where it is absent.
+    /// The goal region of bodies and cars; the goal must be reached exactly if it is absent.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub goal_tolerance: Option<GoalTolerance>,
 }
 
-/// What a query asks for.
+/// The goal of a query.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub enum Goal {
     /// A configuration, as written.
     #[serde(rename = "goal")]
     Configuration(Vec<f64>),
-    /// Any configuration of an arm whose end effector is there.
+    /// Any configuration of an arm whose end effector is at the target.
     #[serde(rename = "target")]
     Target(Target),
 }
@@ -170,7 +168,7 @@ impl Query {
         std::iter::once(&self.start[..]).chain(self.configuration())
     }
 
-    /// The configuration to reach; `None` where any will do that reaches a target.
+    /// The configuration to reach; `None` if the goal is a target.
     pub fn configuration(&self) -> Option<&[f64]> {
         match &self.goal {
             Goal::Configuration(goal) => Some(goal),
@@ -179,11 +177,11 @@ impl Query {
     }
 }
 
-/// A goal region about a configuration (x, y, theta): both must hold.
+/// A goal region about a configuration (x, y, theta): both bounds must hold.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct GoalTolerance {
-    /// How far away at most, in metres.
+    /// The largest distance, in metres.
     pub translation: f64,
-    /// Turned by how much at most, the short way round, in radians.
+    /// The largest turn, the short way round, in radians.
     pub rotation: f64,
 }

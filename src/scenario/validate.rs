@@ -1,33 +1,34 @@
-//! From a document to a checked scenario: the rules of the contract that types cannot hold. The first one broken is the error.
+//! From a document to a checked scenario: the rules of the contract that types cannot express. The first one violated is
+//! the error.
 
 use super::document::{self, Document};
-use super::{FORMAT, Goal, GoalTolerance, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Query, Robot, Scenario, World, base};
+use super::{FORMAT, Goal, GoalTolerance, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Query, Robot, Scenario, World};
 use crate::error::{Code, Error, Number, quoted};
-use crate::geometry::{Aabb, Disc, MIN_MAGNITUDE, Point, Polygon, PolygonFault};
+use crate::geometry::{Aabb, Disc, MIN_MAGNITUDE, Point, Polygon, PolygonFault, Segment, distance_segment_polygon};
 use crate::json;
 use crate::robot::{Arm, Car, DiscRobot, RigidBody, Target, Weights};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::collections::BTreeSet;
 
-/// The step of integration where none is given, in seconds.
+/// The default step of integration, in seconds.
 const INTEGRATION_STEP: f64 = 0.01;
 
 impl Scenario {
     /// Reads a scenario from JSON text.
     ///
     /// # Errors
-    /// The first rule of the contract that is broken: a stable code, a sentence with the offending value, and its JSON
-    /// pointer. A field that is missing is pointed at where it would stand. Codes: those of [`json::parse`],
+    /// The first rule of the contract that is violated: a stable code, a sentence with the offending value, and its JSON
+    /// pointer; for a missing field, that of the field. Codes: those of [`json::parse`],
     /// `unknown-format`, `unknown-field`, `missing-field`, `wrong-type`, `unknown-type`, `out-of-range`,
     /// `wrong-dimension`, `degenerate-polygon`, `duplicate-name`, `base-in-collision` and `too-large`.
-    /// A start or a goal in collision is not refused here but when it is planned for.
+    /// A start or a goal in collision is not an error here but when a run starts.
     ///
     /// # Complexity
     /// O(n log n) in the length of the text.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let tree = json::parse(text)?;
-        // First of all, so that another kind of document is called just that.
+        // First, so that another kind of document is reported as such.
         if let Some(format) = tree.get("format").and_then(|format| format.as_str()).filter(|format| *format != FORMAT) {
             let sentence = format!("the format is {}; \"{FORMAT}\" is understood", quoted(format));
             return Err(Error::new(Code::UnknownFormat, "/format", sentence));
@@ -40,7 +41,7 @@ impl Scenario {
             let sentence = "the field \"bounds\" is missing; only an arm can do without";
             return Err(Error::new(Code::MissingField, "/world/bounds", sentence));
         }
-        base::check(&world, &robot)?;
+        check_base(&world, &robot)?;
         let queries = checked_queries(queries, &robot)?;
         Ok(Self { name, title, world, robot, queries })
     }
@@ -86,7 +87,7 @@ fn checked_bounds(bounds: document::Bounds) -> Result<Aabb, Error> {
     Ok(Aabb { min, max })
 }
 
-/// A simple polygon, whose corners count against those that are left.
+/// A simple polygon; its vertices are subtracted from those that are left.
 fn checked_polygon(polygon: &document::Polygon, vertices_left: &mut usize) -> Result<Polygon, Error> {
     let points: Vec<Point> = polygon.vertices.iter().copied().map(point).collect();
     *vertices_left = vertices_left.checked_sub(points.len()).ok_or_else(|| {
@@ -99,7 +100,7 @@ fn checked_polygon(polygon: &document::Polygon, vertices_left: &mut usize) -> Re
                 format!("vertex {i} has a coordinate that is neither 0 nor at least {MIN_MAGNITUDE:e} in magnitude")
             }
             PolygonFault::TooFewVertices => {
-                format!("a polygon has at least three distinct vertices; of these {} too few differ", points.len())
+                format!("a polygon has at least three distinct vertices; too few of these {} differ", points.len())
             }
             PolygonFault::ZeroArea => format!("the {} vertices lie on one line", points.len()),
             PolygonFault::SelfCrossing(i, j) => {
@@ -119,7 +120,7 @@ fn checked_robot(robot: document::Robot) -> Result<Robot, Error> {
         }
         document::Robot::Disc(disc) => DiscRobot::new(disc.radius.0).map(Robot::Disc),
         document::Robot::RigidBody(body) => checked_shape(&body.shape)
-            .and_then(|shape| Ok(Robot::RigidBody(RigidBody::new(shape, checked_weights(body.metric)?)))),
+            .and_then(|shape| Ok(Robot::RigidBody(RigidBody { shape, weights: checked_weights(body.metric)? }))),
         document::Robot::Car(car) => checked_shape(&car.shape).and_then(|shape| {
             let [speed, steering] = [car.speed.map(|speed| speed.0), car.steering.map(|angle| angle.0)];
             let step = car.integration_step.map_or(INTEGRATION_STEP, |step| step.0);
@@ -142,7 +143,7 @@ fn checked_queries(queries: Vec<document::Query>, robot: &Robot) -> Result<Vec<Q
     for (i, query) in queries.into_iter().enumerate() {
         let query = checked_query(query, robot).map_err(|error| error.under(&format!("/queries/{i}")))?;
         if !names.insert(query.name.clone()) {
-            let sentence = format!("another query is named {}, too", quoted(&query.name));
+            let sentence = format!("another query has the name {}, too", quoted(&query.name));
             return Err(Error::new(Code::DuplicateName, format!("/queries/{i}/name"), sentence));
         }
         checked.push(query);
@@ -183,7 +184,7 @@ fn read_under<T: DeserializeOwned>(value: &Value, pointer: &str) -> Result<T, Er
     json::read(value).map_err(|error| error.under(pointer))
 }
 
-/// A configuration of the robot; angles of joints that have limits lie within them.
+/// A configuration of the robot, within the joint limits if there are any.
 fn checked_configuration(
     configuration: &[super::number::Angle],
     pointer: &str,
@@ -199,10 +200,49 @@ fn checked_configuration(
             if !(low..=high).contains(angle) {
                 let [low, high, angle] = [low, high, *angle].map(Number);
                 let sentence =
-                    format!("the angle of joint {i} must, by its limits, be from {low} to {high}, not {angle}");
+                    format!("the angle of joint {i} must be within its limits, from {low} to {high}, not {angle}");
                 return Err(Error::new(Code::OutOfRange, format!("{pointer}/{i}"), sentence));
             }
         }
     }
     Ok(q)
+}
+
+/// Returns an error if an obstacle is within the arm's radius of its base, or the disc of that radius about the base is
+/// not within the bounds: the base never moves, so every configuration would be in collision. Contact with an obstacle is
+/// collision, contact with the bounds is not; both up to the slack of 1e-12 times the largest coordinate plus the reach.
+fn check_base(world: &World, robot: &Robot) -> Result<(), Error> {
+    let Robot::Arm(arm) = robot else { return Ok(()) };
+    let (base, radius, slack) = (arm.base(), arm.radius(), slack(world, arm));
+    for (i, obstacle) in world.obstacles.iter().enumerate() {
+        let distance = distance_to(base, obstacle);
+        if distance <= radius + slack {
+            let [x, y, radius, distance] = [base.x, base.y, radius, distance].map(Number);
+            let sentence =
+                format!("obstacle {i} is {distance} from the arm's base [{x}, {y}], within its radius of {radius}");
+            return Err(Error::new(Code::BaseInCollision, format!("/world/obstacles/{i}"), sentence));
+        }
+    }
+    if world.bounds.is_some_and(|bounds| bounds.depth(base) - radius < -slack) {
+        let [x, y, radius] = [base.x, base.y, radius].map(Number);
+        let sentence = format!("the arm's base [{x}, {y}] with its radius of {radius} is not within the bounds");
+        return Err(Error::new(Code::BaseInCollision, "/robot/base", sentence));
+    }
+    Ok(())
+}
+
+/// The distance from a point to an obstacle, in metres; 0 or less if the point lies in it.
+fn distance_to(p: Point, obstacle: &Obstacle) -> f64 {
+    match obstacle {
+        Obstacle::Disc(disc) => nalgebra::distance(&disc.center, &p) - disc.radius,
+        Obstacle::Polygon(polygon) => distance_segment_polygon(&Segment::new(p, p), polygon).max(0.0),
+    }
+}
+
+/// 1e-12 of the largest coordinate plus the arm's reach, in metres.
+fn slack(world: &World, arm: &Arm) -> f64 {
+    let boxes = world.obstacles.iter().map(Obstacle::aabb).chain(world.bounds);
+    let corners = boxes.flat_map(|aabb| [aabb.min, aabb.max]).chain([arm.base()]);
+    let largest = corners.map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
+    1e-12 * (largest + arm.reach() + arm.radius())
 }

@@ -1,10 +1,10 @@
-//! How far apart two numbers are on a line or on a circle.
+//! The distance between two numbers on a line or on a circle.
 
 /// The distance between two coordinates whose whole turn is `period` (infinite on a line), the short way round. Both within
 /// one turn of each other. O(1).
 ///
-/// The difference, or where that is shorter, what is left of the turn. Without a branch, and the same bits as asking whether
-/// the difference passes half a turn: beyond half, the rest is exact (Sterbenz) and shorter; up to half, the rest rounds to
+/// The difference, or if that is shorter, the rest of the turn. Without a branch, and the same bits as a test whether the
+/// difference exceeds half a turn: beyond half, the rest is exact (Sterbenz) and shorter; up to half, the rest rounds to
 /// half or more.
 #[inline(always)]
 pub fn gap(a: f64, b: f64, period: f64) -> f64 {
@@ -12,8 +12,8 @@ pub fn gap(a: f64, b: f64, period: f64) -> f64 {
     lesser(period - straight, straight)
 }
 
-/// The lesser of two numbers that are not negative; what is not a number where one is not. WebAssembly chooses between two
-/// doubles by a jump that cannot be foreseen, so there the bits are compared: those of such numbers order as they do.
+/// The lesser of two numbers that are not negative; NaN if one is NaN. WebAssembly chooses between two doubles by a jump that
+/// cannot be predicted, so there the bits are compared: those of such numbers have the same order.
 #[inline(always)]
 fn lesser(a: f64, b: f64) -> f64 {
     if cfg!(target_arch = "wasm32") {
@@ -31,7 +31,7 @@ fn lesser(a: f64, b: f64) -> f64 {
 ///
 /// Exact in floating point, so that it never exceeds a gap that it bounds: seen from outside, `|a - b|` only grows or only
 /// falls as `b` goes through the interval, and rounding keeps that order; as `|a - b|` grows, the gap first rises, up to half
-/// a turn, and then falls, so on the interval it is least at an end. Both ends are asked, which takes care of the wrap.
+/// a turn, and then falls, so on the interval it is least at an end. Both ends are checked, which covers the wrap.
 #[inline(always)]
 pub fn gap_to_interval(a: f64, low: f64, high: f64, period: f64) -> f64 {
     let least = lesser(gap(a, high, period), gap(a, low, period));

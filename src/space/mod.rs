@@ -1,8 +1,8 @@
 //! Configuration spaces: metric, interpolation, sampling.
 //!
-//! A planner knows a space through the trait [`Space`] alone. [`ProductSpace`] is the product of circles and intervals in which
-//! arms, discs and bodies move; [`MotionSpace`] is the same where motions may also be the curves of a car. A program can plan
-//! in a space of its own: see [`Space`].
+//! A planner knows a space through the trait [`Space`] alone. [`ProductSpace`] is the product of circles and intervals in
+//! which arms, discs and bodies move; [`MotionSpace`] is the same with motions that may also be the curves of a car. A
+//! program can plan in a space of its own: see [`Space`].
 //!
 //! - `product.rs`: [`ProductSpace`], its coordinates and its metrics. LaValle 2006, "Planning Algorithms", chapters 4 (products
 //!   of circles and intervals) and 5.1 (metrics, weights of rotation);
@@ -42,9 +42,10 @@ pub const MAX_DIMENSION: usize = 8;
 
 /// A configuration space.
 ///
-/// A space of one's own needs the eight methods without a default. The defaults are right for any space without curves or
-/// steered motions whose metric is symmetric. Nearest neighbours are then found by computing all distances, O(n) a query; give
-/// [`norm`](Space::norm), [`period`](Space::period) and [`is_norm_exact`](Space::is_norm_exact) too, and a kd-tree finds them.
+/// A user-defined space needs the eight methods without a default. The defaults are right for any space without curves or
+/// steered motions whose metric is symmetric. Nearest neighbours are then found by computing all distances, O(n) a query;
+/// give [`norm`](Space::norm), [`period`](Space::period) and [`is_norm_exact`](Space::is_norm_exact) too, and a kd-tree
+/// finds them.
 ///
 /// # Example
 /// A plane in which one moves along streets, around a wall:
@@ -130,11 +131,11 @@ pub trait Space {
     /// The canonical state with the given finite coordinates; angles may have any number of turns.
     ///
     /// # Panics
-    /// Where there are fewer numbers than `dimension`.
+    /// If there are fewer numbers than `dimension`.
     fn state(&self, coordinates: &[f64]) -> Self::State;
 
-    /// The distance from `a` to `b`: finite, 0 for equal states, no longer than a detour but for rounding, and symmetric where
-    /// [`Space::is_symmetric`] says so.
+    /// The distance from `a` to `b`: finite, 0 for equal states, no longer than a detour but for rounding, and symmetric if
+    /// [`Space::is_symmetric`].
     fn distance(&self, a: &Self::State, b: &Self::State) -> f64;
 
     /// The state a fraction `t` in [0, 1] along the motion from `a` to `b`; exactly `a` at 0 and `b` at 1.
@@ -143,14 +144,14 @@ pub trait Space {
     /// The state at a point of the unit cube [0, 1)^dimension: points drawn uniformly give states drawn uniformly.
     ///
     /// # Panics
-    /// Where there are fewer numbers than `dimension`.
+    /// If there are fewer numbers than `dimension`.
     fn at(&self, unit: &[f64]) -> Self::State;
 
     /// Whether the state lies within the limits of the space.
     fn contains(&self, state: &Self::State) -> bool;
 
-    /// The largest distance between two states, or a finite bound on it: it limits the steps of a greedy connection, and default
-    /// step lengths are fractions of it.
+    /// The largest distance between two states, or a finite bound on it: it limits the steps of a greedy connection, and
+    /// default step lengths are fractions of it.
     fn extent(&self) -> f64;
 
     /// A state drawn uniformly.
@@ -173,21 +174,21 @@ pub trait Space {
         self.turn(a, b)
     }
 
-    /// The length of a whole turn of coordinate `i`: 2 pi on a circle, infinity where nothing wraps.
+    /// The length of a whole turn of coordinate `i`: 2 pi on a circle, infinity if nothing wraps.
     fn period(&self, i: usize) -> f64 {
         let _ = i;
         f64::INFINITY
     }
 
     /// The metric as a function of the coordinates' gaps, for `L` pairs of states at once: `gap(i)` gives those of coordinate
-    /// `i`. With [`gap()`] between the coordinates of two states it is their `distance`, to the bit, or, where
-    /// [`Space::is_norm_exact`] is false, a lower bound on it in either direction. It must not fall where a gap grows, in
+    /// `i`. With [`gap()`] between the coordinates of two states it is their `distance`, to the bit, or, if
+    /// [`Space::is_norm_exact`] is false, a lower bound on it in either direction. It must not decrease when a gap grows, in
     /// floating point too, which holds for sums, products and roots of numbers that are not negative. So with
     /// [`gap_to_interval`] it is a lower bound on the distance to every state in a box. O(`L` dimension).
     ///
-    /// A gap that is not a number must give what is not a number: an index fills its last vector with such gaps.
+    /// A gap that is NaN must give NaN: an index fills its last vector with such gaps.
     ///
-    /// The default is 0, a lower bound in every space, and no help to an index.
+    /// The default is 0, a lower bound in every space, which an index cannot use.
     fn norm<const L: usize>(&self, mut gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
         gap(0).map(|gap| 0.0 * gap)
     }
@@ -198,14 +199,14 @@ pub trait Space {
         false
     }
 
-    /// Whether every motion can be made backwards, and `distance` is symmetric, to the bit. Where not, `distance(a, b)` and all
+    /// Whether every motion can be reversed, and `distance` is symmetric, to the bit. If not, `distance(a, b)` and all
     /// motions are directed from `a` to `b`.
     #[inline]
     fn is_symmetric(&self) -> bool {
         true
     }
 
-    /// The curve that the motion from `a` to `b` follows, in spaces of steered motions; `None` where motions are straight in the
+    /// The curve that the motion from `a` to `b` follows, in spaces of steered motions; `None` if motions are straight in the
     /// coordinates. It ends at `b` but for rounding: see [`steering`].
     fn curve(&self, a: &Self::State, b: &Self::State) -> Option<Curve> {
         let _ = (a, b);

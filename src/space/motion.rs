@@ -18,10 +18,10 @@ impl<const N: usize> MotionSpace<N> {
         Self { product, steering: None }
     }
 
-    /// The space of a car that turns no tighter than `radius` metres; its metric is the length of the curves.
+    /// The space of a car with a turning radius of at least `radius` metres; its metric is the length of the curves.
     ///
     /// # Panics
-    /// Unless the coordinates are two intervals and a circle, or where the radius is not greater than 0.
+    /// Unless the coordinates are two intervals and a circle, or if the radius is not greater than 0.
     pub fn steered(product: ProductSpace<N>, steering: Steering, radius: f64) -> Self {
         let circles: Vec<bool> = (0..product.dimension()).map(|i| product.is_circle(i)).collect();
         assert!(circles == [false, false, true], "only placements are steered");
@@ -34,7 +34,7 @@ impl<const N: usize> MotionSpace<N> {
         &self.product
     }
 
-    /// How it is steered, and the least turning radius in metres; `None` where it is not.
+    /// The steering and the least turning radius in metres; `None` if motions are straight.
     pub fn steering(&self) -> Option<(Steering, f64)> {
         self.steering
     }
@@ -45,7 +45,7 @@ impl<const N: usize> MotionSpace<N> {
     }
 }
 
-/// A lower bound on the length of a curve between positions so far apart that turns by so much.
+/// A lower bound on the length of a curve from the gaps of its ends.
 #[inline(always)]
 fn least(x: f64, y: f64, turn: f64, radius: f64) -> f64 {
     let (line, arc) = ((x * x + y * y).sqrt(), radius * turn);
@@ -77,7 +77,7 @@ impl<const N: usize> Space for MotionSpace<N> {
     fn distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
         let Some(steered) = self.steering else { return self.product.distance(a, b) };
         let [x, y, turn] = [0, 1, 2].map(|i| gap(a[i], b[i], self.product.period(i)));
-        // A curve may fall short of its goal by what rounding amounts to; the distance is never below its bound.
+        // A curve may fall short of its goal by rounding; the distance is never below its bound.
         self.curve_of(steered, a, b).length().max(least(x, y, turn, steered.1))
     }
 
@@ -104,10 +104,10 @@ impl<const N: usize> Space for MotionSpace<N> {
         self.product.contains(state)
     }
 
-    /// With steering, the diagonal of the box and what turning can add. Reversing, a turn of a quarter at most, a line and a
-    /// turn of a half at most lead everywhere, and centres are at most two radii farther apart than places. Forwards alone, 2.658
-    /// half turns are enough (Savla, Frazzoli and Bullo 2005, "On the point-to-point and traveling salesperson problems for
-    /// Dubins' vehicle").
+    /// With steering, the diagonal of the box and what turning can add. Reversing, a turn of a quarter at most, a line
+    /// and a turn of a half at most lead everywhere, and centres are at most two radii farther apart than positions.
+    /// Forwards alone, 2.658 half turns are enough (Savla, Frazzoli and Bullo 2005, "On the point-to-point and traveling
+    /// salesperson problems for Dubins' vehicle").
     fn extent(&self) -> f64 {
         use std::f64::consts::PI;
         let Some((steering, radius)) = self.steering else { return self.product.extent() };

@@ -13,7 +13,7 @@ const LAST: f64 = TAU.next_down();
 pub enum Coordinate {
     /// An angle that wraps: in (-pi, pi], differences the short way round.
     Circle,
-    /// A circle cut open at 0: angles in [0, 2 pi), linear, nothing wraps. A naive measure, kept to show why it misleads: 0.1
+    /// A circle cut open at 0: angles in [0, 2 pi), linear, nothing wraps. A naive measure, to show why it misleads: 0.1
     /// and 6.2 are near each other on a circle and far apart here.
     CutCircle,
     /// A number between two limits, in radians or metres; linear, nothing wraps.
@@ -25,7 +25,7 @@ pub enum Coordinate {
     },
 }
 
-/// How the distances of the coordinates make one distance.
+/// The combination of the distances of the coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Metric {
     /// Their sum.
@@ -48,7 +48,7 @@ pub struct ProductSpace<const N: usize> {
     dimension: usize,
     low: [f64; N],
     high: [f64; N],
-    /// A gap wider than this is shorter the other way round: pi on a circle, infinite on an interval.
+    /// A gap wider than this is shorter in the other direction: pi on a circle, infinite on an interval.
     half: [f64; N],
     is_cut: [bool; N],
     metric: Metric,
@@ -58,7 +58,7 @@ impl<const N: usize> ProductSpace<N> {
     /// The space with the given coordinates.
     ///
     /// # Panics
-    /// Where there are more than `N` coordinates, or an interval is empty.
+    /// If there are more than `N` coordinates, or an interval is empty.
     pub fn new(coordinates: &[Coordinate], metric: Metric) -> Self {
         assert!(coordinates.len() <= N, "at most {N} coordinates, not {}", coordinates.len());
         let (zeros, half) = ([0.0; N], [f64::INFINITY; N]);
@@ -80,7 +80,7 @@ impl<const N: usize> ProductSpace<N> {
     /// A closed box with the Euclidean metric, in which motions are straight; coordinates in metres.
     ///
     /// # Panics
-    /// Where a side is empty, or there are more than `N`.
+    /// If a side is empty, or there are more than `N`.
     pub fn of_box(low: &[f64], high: &[f64]) -> Self {
         let sides: Vec<Coordinate> =
             low.iter().zip(high).map(|(&low, &high)| Coordinate::Interval { low, high }).collect();
@@ -90,7 +90,7 @@ impl<const N: usize> ProductSpace<N> {
     /// The placements (x, y, theta) of a body whose origin stays in a box: two intervals in metres, a circle in radians.
     ///
     /// # Panics
-    /// Where a side is empty, or `N` is less than 3.
+    /// If a side is empty, or `N` is less than 3.
     pub fn of_placements(low: [f64; 2], high: [f64; 2], translation: f64, rotation: f64) -> Self {
         let side = |i: usize| Coordinate::Interval { low: low[i], high: high[i] };
         Self::new(&[side(0), side(1), Coordinate::Circle], Metric::Placement { translation, rotation })

@@ -1,4 +1,4 @@
-//! What is free for a robot in one of its spaces, before it is handed to a planner.
+//! The collision checker of a robot in one of its spaces, before it is passed to a planner.
 
 use crate::collision::{
     ArmValidity, BodyCollision, BodyValidity, CarDynamics, CollisionWorld, DiscValidity, Integration,
@@ -26,7 +26,7 @@ impl<const N: usize> Checker<N> {
         match robot {
             Robot::Arm(arm) => Self::Arm(ArmValidity::new(arm, space.product().clone(), world.clone(), tolerance)),
             Robot::Disc(disc) => Self::Disc(DiscValidity::new(disc, world.clone())),
-            Robot::RigidBody(rigid) => body(rigid.shape()),
+            Robot::RigidBody(rigid) => body(&rigid.shape),
             Robot::Car(car) => body(car.shape()),
         }
     }
@@ -44,7 +44,7 @@ impl<const N: usize> Checker<N> {
         }
     }
 
-    /// The same with the finest tolerance: it proves again whatever was proven with a coarser one.
+    /// The same with the finest tolerance: it proves whatever is proven with a coarser one.
     #[must_use]
     pub(crate) fn finest(self) -> Self {
         match self {

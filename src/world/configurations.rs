@@ -1,4 +1,4 @@
-//! Which lists of numbers are configurations of a robot.
+//! The lists of numbers that are configurations of a robot.
 
 use super::PlanningWorld;
 use crate::error::{Code, Error, Number};
@@ -6,7 +6,7 @@ use crate::scenario::{LARGEST, Robot};
 use crate::space::{MAX_DIMENSION, ProductSpace, Space};
 
 /// The configurations of one robot: its number of finite entries up to 1e6 in size; those of an arm's joints that have limits
-/// lie within them where that is asked. Positions outside the world's bounds are configurations in collision.
+/// lie within them on request. Positions outside the world's bounds are configurations in collision.
 #[derive(Debug, Clone)]
 pub struct Configurations {
     space: ProductSpace<MAX_DIMENSION>,
@@ -24,12 +24,12 @@ impl Configurations {
         &self.space
     }
 
-    /// How many numbers a configuration has.
+    /// The number of coordinates of a configuration.
     pub fn dimension(&self) -> usize {
         self.space.dimension()
     }
 
-    /// Refuses what is no configuration.
+    /// Returns an error if `q` is not a configuration.
     ///
     /// # Errors
     /// `wrong-dimension` with the pointer, `not-finite` and `out-of-range` with that of the entry.
@@ -53,7 +53,7 @@ impl Configurations {
         Ok(())
     }
 
-    /// Refuses what is no configuration, or lies outside the joint limits.
+    /// Returns an error if `q` is not a configuration, or lies outside the joint limits.
     ///
     /// # Errors
     /// Those of [`Configurations::refuse`], and `out-of-range` with the pointer of the entry.

@@ -1,6 +1,6 @@
-//! A scenario prepared for planning: from the robot to its configuration space and to what is free in it.
+//! A scenario prepared for planning: from the robot to its configuration space and its collision checker.
 //!
-//! Runs, viewers' questions, inverse kinematics, nearest neighbours and driving all begin here. Each accepts a
+//! Runs, viewers' queries, inverse kinematics, nearest neighbours and driving all start here. Each accepts a
 //! `&`[`Scenario`], which is then prepared for that one use, or a `&`[`PlanningWorld`], which is
 //! prepared once and shared.
 
@@ -25,8 +25,7 @@ pub(crate) const SMALL: usize = if cfg!(target_arch = "wasm32") { MAX_DIMENSION 
 /// A scenario and its obstacles prepared for collision queries. Cheap to clone: clones share all of it.
 ///
 /// ```
-/// use planarium::run::{self, Options};
-/// use planarium::run::inspect::Inspector;
+/// use planarium::run::{self, Options, inspect::Inspector};
 /// use planarium::{PlanningWorld, scenario::Scenario};
 ///
 /// let world = PlanningWorld::new(Scenario::parse(
@@ -70,7 +69,7 @@ impl PlanningWorld {
     /// The world's bounds.
     ///
     /// # Panics
-    /// Where there are none, which a scenario allows for an arm only.
+    /// If there are none, which a scenario allows for an arm only.
     pub(crate) fn bounds(&self) -> &Aabb {
         self.scenario().world().bounds.as_ref().expect("only an arm does without bounds")
     }
@@ -80,14 +79,14 @@ impl PlanningWorld {
         self.0.collision.get_or_init(|| CollisionWorld::from(self.scenario().world()))
     }
 
-    /// The robot's space with the named metric: `sum`, `euclidean` or `naive` for an arm, `sum` where none is named. A disc,
+    /// The robot's space with the named metric: `sum`, `euclidean` or `naive` for an arm, `sum` if none is named. A disc,
     /// a body and a car have one metric of their own.
     ///
     /// # Errors
     /// `out-of-range` (pointer `/metric`) for another metric of a robot that has one of its own.
     ///
     /// # Panics
-    /// Where a configuration has more than `N` numbers.
+    /// If a configuration has more than `N` numbers.
     pub(crate) fn space<const N: usize>(&self, metric: Option<MetricKind>) -> Result<ProductSpace<N>, Error> {
         let refuse = |sentence: String| Err(Error::new(Code::OutOfRange, "/metric", sentence));
         Ok(match (self.robot(), metric) {
@@ -110,23 +109,23 @@ impl PlanningWorld {
     /// The robot's space with its default metric.
     ///
     /// # Panics
-    /// Where a configuration has more than `N` numbers.
+    /// If a configuration has more than `N` numbers.
     pub(crate) fn default_space<const N: usize>(&self) -> ProductSpace<N> {
         match self.robot() {
             Robot::Arm(arm) => joint_space(arm, Metric::Sum),
             Robot::Disc(_) => plane(self.bounds()),
-            Robot::RigidBody(body) => placements(body.shape(), body.weights(), self.bounds()),
+            Robot::RigidBody(body) => placements(&body.shape, body.weights, self.bounds()),
             Robot::Car(car) => placements(car.shape(), car.weights(), self.bounds()),
         }
     }
 
-    /// What is free for the robot in one of its spaces; `tolerance` is the wanted tolerance as a fraction of the longer side of
-    /// the bounds (of twice an arm's reach where there are none), greater than 0.
+    /// The collision checker of the robot in one of its spaces; `tolerance` is the wanted tolerance as a fraction of the
+    /// longer side of the bounds (of twice an arm's reach if there are none), greater than 0.
     pub(crate) fn checker<const N: usize>(&self, space: &MotionSpace<N>, tolerance: f64) -> Checker<N> {
         Checker::new(self.robot(), space, self.collision(), tolerance)
     }
 
-    /// What is free for a body of this shape, with such a tolerance.
+    /// The collision checker of a body of this shape, with such a tolerance.
     pub(crate) fn body(&self, shape: &Polygon, tolerance: f64) -> BodyCollision {
         BodyCollision::new(shape, self.collision().clone(), tolerance)
     }

@@ -1,8 +1,14 @@
 //! Bodies, worlds and motions of many kinds, by seed.
 
+use parry2d_f64::math::Vector;
+use parry2d_f64::shape::Polyline;
 use planarium::collision::BodyMotion;
-use planarium::geometry::{Aabb, Disc, Point, Polygon, distance_point_polygon, intersects_polygon_polygon};
+use planarium::geometry::{
+    Aabb, Disc, Point, Polygon, Segment, distance_point_polygon, distance_point_segment, distance_polygon_polygon,
+    distance_segment_polygon, intersects_polygon_polygon,
+};
 use planarium::random::Random;
+use planarium::robot::Part;
 use planarium::scenario::{Obstacle, World};
 use std::f64::consts::{PI, TAU};
 
@@ -46,6 +52,26 @@ pub fn star(center: Point, size: f64, corners: usize, turn: f64) -> Vec<Point> {
     let (points, dents) =
         (round(center, size, corners, turn), round(center, 0.3 * size, corners, turn + PI / corners as f64));
     points.into_iter().zip(dents).flat_map(|(point, dent)| [point, dent]).collect()
+}
+
+/// A polygon with corners all round a centre, most often concave.
+pub fn random_star(random: &mut Random, side: f64) -> Polygon {
+    let center = p(side * (random.uniform() - 0.5), side * (random.uniform() - 0.5));
+    let corners = 3 + random.below(20);
+    let corner = |i| {
+        let (sin, cos) = libm::sincos(TAU * (i as f64 + 0.9 * random.uniform()) / corners as f64);
+        let radius = side * (0.02 + 0.4 * random.uniform());
+        p(center.x + radius * cos, center.y + radius * sin)
+    };
+    let corners: Vec<Point> = (0..corners).map(corner).collect();
+    Polygon::new(&corners).expect("corners in order round a centre")
+}
+
+/// The border of a polygon, as parry knows it.
+pub fn border(polygon: &Polygon) -> Polyline {
+    let n = polygon.vertices().len() as u32;
+    let corners = polygon.vertices().iter().map(|v| Vector::new(v.x, v.y)).collect();
+    Polyline::new(corners, Some((0..n).map(|i| [i, (i + 1) % n]).collect()))
 }
 
 /// Corners given along two axes through the centre, turned.
@@ -151,4 +177,27 @@ pub fn touches(body: &Polygon, world: &World, q: &[f64; 3]) -> bool {
         Obstacle::Polygon(polygon) => intersects_polygon_polygon(&placed, polygon),
         Obstacle::Disc(disc) => distance_point_polygon(disc.center, &placed) <= disc.radius,
     })
+}
+
+/// The distance from a part to an obstacle by the crate's own functions.
+pub fn part_distance(part: &Part, obstacle: &Obstacle) -> f64 {
+    match (part, obstacle) {
+        (Part::Capsule { a, b, radius }, Obstacle::Polygon(polygon)) => {
+            distance_segment_polygon(&Segment::new(*a, *b), polygon) - radius
+        }
+        (Part::Capsule { a, b, radius }, Obstacle::Disc(disc)) => {
+            distance_point_segment(disc.center, &Segment::new(*a, *b)) - radius - disc.radius
+        }
+        (Part::Disc { center, radius }, Obstacle::Polygon(polygon)) => {
+            distance_point_polygon(*center, polygon) - radius
+        }
+        (Part::Disc { center, radius }, Obstacle::Disc(disc)) => (center - disc.center).norm() - radius - disc.radius,
+        (Part::Polygon { vertices }, obstacle) => {
+            let body = Polygon::new(vertices).expect("a placed polygon");
+            match obstacle {
+                Obstacle::Polygon(polygon) => distance_polygon_polygon(&body, polygon),
+                Obstacle::Disc(disc) => distance_point_polygon(disc.center, &body) - disc.radius,
+            }
+        }
+    }
 }

@@ -1,7 +1,9 @@
 //! Valid documents, and invalid changes to them.
 
 use planarium::Error;
+use planarium::path::ResultDocument;
 use planarium::scenario::Scenario;
+use serde_json::Value;
 
 /// A document with every field that a scenario with an arm may have.
 pub const ARM: &str = r#"{
@@ -56,4 +58,53 @@ pub fn refusal(document: &str) -> Error {
         Err(error) => error,
         Ok(_) => panic!("this was accepted: {}", &document[..document.len().min(2000)]),
     }
+}
+
+/// The JSON pointers of all objects in the document.
+pub fn objects(document: &Value) -> Vec<String> {
+    fn add(value: &Value, pointer: String, found: &mut Vec<String>) {
+        match value {
+            Value::Object(fields) => {
+                fields.iter().for_each(|(name, field)| add(field, format!("{pointer}/{name}"), found));
+                found.push(pointer);
+            }
+            Value::Array(items) => {
+                items.iter().enumerate().for_each(|(i, item)| add(item, format!("{pointer}/{i}"), found));
+            }
+            _ => {}
+        }
+    }
+    let mut found = Vec::new();
+    add(document, String::new(), &mut found);
+    found
+}
+
+/// A solved result: the path as JSON, and of a car its motions.
+pub fn result(scenario: &str, path: &str, motions: Option<&str>, length: f64) -> ResultDocument {
+    let motions = motions.map_or(String::new(), |motions| format!(r#""motions": {motions},"#));
+    let text = format!(
+        r#"{{ "scenario": "{scenario}", "query": "q", "planner": "prm", "seed": 1, "status": "solved", "path": {path}, {motions}
+            "length": {length:e}, "stats": {{ "iterations": 0, "vertices": 0, "edges": 0, "configuration_checks": 0,
+                "motion_checks": 0, "nearest_queries": 0, "visited": 0, "clearance_evaluations": 0, "build_seconds": 0.0,
+                "search_seconds": 0.0 }}, "fingerprint": "0123456789abcdef" }}"#
+    );
+    ResultDocument::parse(&text).unwrap_or_else(|error| panic!("{error}: {text}"))
+}
+
+/// A scenario "s": bounds as `[0, 0], [4, 4]` or none, obstacles, a robot, and the fields of its query "q" besides the name.
+pub fn scenario(bounds: &str, obstacles: &str, robot: &str, query: &str) -> Scenario {
+    let bounds = bounds
+        .split_once("], ")
+        .map_or(String::new(), |(min, max)| format!(r#""bounds": {{ "min": {min}], "max": {max} }}, "#));
+    let queries = if query.is_empty() { String::new() } else { format!(r#"{{ "name": "q", {query} }}"#) };
+    super::parse(&format!(
+        r#"{{ "format": "planarium-scenario-1", "name": "s", "world": {{ {bounds}"obstacles": [{obstacles}] }},
+            "robot": {robot}, "queries": [{queries}] }}"#
+    ))
+}
+
+/// The field of a rectangular shape: half its length and half its width.
+pub fn shape(x: f64, y: f64) -> String {
+    let vertices = [[-x, -y], [x, -y], [x, y], [-x, y]];
+    format!(r#""shape": {{ "type": "polygon", "vertices": {vertices:?} }}"#)
 }

@@ -1,11 +1,11 @@
-//! A moving arm, as the driver of the proof sees it: every joint turns at a constant rate.
+//! A moving arm, for the driver of the proof: every joint turns at a constant rate.
 //!
-//! **Bounds.** The outer end of link i is the sum of L_j e_j over the links j up to it, e_j the unit vector along link j. With w_j
-//! the absolute rate of link j, its acceleration is minus the sum of L_j w_j^2 e_j, and W = sum of L_j |w_j|^3 bounds its third
-//! derivative (see `moving_point.rs`). Its bound of first order is the sum of L_j |w_j|, about half of the textbook's sum of
-//! reaches.
+//! **Bounds.** The outer end of link i is the sum of L_j e_j over the links j up to it, e_j the unit vector along link j.
+//! With w_j the absolute rate of link j, its acceleration is minus the sum of L_j w_j^2 e_j, and W = sum of L_j |w_j|^3
+//! bounds its third derivative (see `moving_point.rs`). Its bound of first order is the sum of L_j |w_j|, about half of
+//! the textbook's sum of reaches.
 //!
-//! **Slack.** S is the largest coordinate plus the reach; the slack is 1e-12 S. A test passes only where its terms sum to no more
+//! **Slack.** S is the largest coordinate plus the reach; the slack is 1e-12 S. A test passes only if its terms sum to no more
 //! than about 2 S. As W has no cancelling terms and the L_j sum to at most S, then h |v| < 3 S and h^2 |a| / 2 < 3 S, so that each of
 //! the roughly 30 roundings costs less than 8 S times 2^-53: below 3e-14 S in all. Unit vectors are products of those of
 //! `rotation.rs`: the absolute angle at the start, off by 1.4e-14 at most; half the turn by 2.8e-14; a quarter, an eighth and
@@ -13,7 +13,7 @@
 //! so much times S. Links that turn by more than 12.8 radians are not squared up but reduced level by level, each off by
 //! 1.4e-14, until they are small: of eight circles one level, with the widest limits nine, 1.3e-13 more. Absolute angles and
 //! rates are sums of up to eight joints: of circles up to 26 radians; with limits up to 50, sums up to 800 and differences up to
-//! 100, rounded to 5e-13 in all at worst. Where limits are wider, up to twice that, the slack is doubled.
+//! 100, rounded to 5e-13 in all at worst. If limits are wider, up to twice that, the slack is doubled.
 
 use super::driver::{Interval, Moving};
 use super::moving_point::{MovingPoint, dot, left_of};
@@ -29,11 +29,11 @@ const SQUARED: usize = 4;
 /// The fastest rate, in radians over the motion, whose thirty-second is small enough to be squared up.
 const FASTEST_SQUARED: f64 = 12.8;
 
-/// Where a link turns by more radians than this over half an interval, its bound of first order and its reach may be the better
-/// ones.
+/// Where a link turns by more radians than this over half an interval, its bound of first order and its reach may be the
+/// better ones.
 const FAST: f64 = 1.5;
 
-/// An arm of up to `N` links, and what is known of its motion.
+/// An arm of up to `N` links, and its motion.
 pub(in crate::collision) struct MovingArm<const N: usize> {
     base: Point,
     lengths: Vec<f64>,
@@ -76,8 +76,8 @@ impl<const N: usize> MovingArm<N> {
         }
     }
 
-    /// Begins a motion in which joint i turns by `delta[i]` radians; entries past the arm's links are 0. Returns the unit vectors
-    /// along the links in its middle.
+    /// Begins a motion in which joint i turns by `delta[i]` radians; entries past the arm's links are 0. Returns the unit
+    /// vectors along the links in its middle.
     #[inline(always)]
     pub fn begin(&mut self, from: &[f64; N], delta: &[f64; N]) -> UnitVectors<N> {
         self.finer_turns.clear();

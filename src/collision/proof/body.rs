@@ -1,7 +1,7 @@
-//! A moving body, as the driver of the proof sees it: convex pieces on a straight motion or an arc.
+//! A moving body, for the driver of the proof: convex pieces on a straight motion or an arc.
 //!
-//! **Slack.** S is the largest coordinate plus the reach; the slack is 1e-12 S. Nothing is summed up along a motion: every middle is
-//! found from the start. The heading there is the product of that at the start and of the turn since, each off by 1.4e-14 (see
+//! **Slack.** S is the largest coordinate plus the reach; the slack is 1e-12 S. Nothing is accumulated along a motion: every middle is
+//! computed from the start. The heading there is the product of that at the start and of the turn since, each off by 1.4e-14 (see
 //! `rotation.rs`) and by roundings of angles of 7 radians at most, 1e-15; on an arc, half of the turn is taken twice: 4.5e-14
 //! in all, and so much times S for every corner. A displacement is off by roundings, 4e-16 times its length, which is 9 S at most; a
 //! chord besides by its direction, 3e-14 times its length, and by the sine of half its turn, 1.4e-14 times the diameter
@@ -11,20 +11,23 @@
 //! passes: 9e-14 S. With no cancelling terms in W, each of the roughly 30 roundings of a test costs less than 8 S times
 //! 2^-53: 3e-14 S. Together that is below 4e-13 S.
 
-pub(in crate::collision) use super::body_shape::BodyShape;
-use super::body_shape::Corner;
 use super::driver::{Interval, Moving};
 use super::motion_bound::{Middle, MotionBound};
 use super::moving_point::{MovingPoint, dot, left_of};
 use super::pair::{Direction, Part, nearest_point, polygon_support};
 use super::rotation::{rotate, unit};
 use crate::collision::BodyMotion;
-use crate::collision::obstacles::Face;
-use crate::geometry::{Aabb, Point, Vector};
+use crate::collision::obstacles::{Face, faces_of};
+use crate::geometry::{Aabb, Point, Polygon, Vector, convex_pieces};
+use std::ops::Range;
 
-/// A body, and what is known of its motion.
+/// A body and its motion.
 pub(in crate::collision) struct MovingBody {
-    shape: BodyShape,
+    /// The faces of all convex pieces in the body's own frame, piece by piece, each counter-clockwise; and the range of each.
+    faces: Vec<Face>,
+    ranges: Vec<(u32, u32)>,
+    /// The distance from the origin of the frame to the farthest corner, in metres.
+    reach: f64,
     eta: f64,
     /// The angle last begun from, and its unit vector: roadmaps try many motions from one placement.
     from: f64,
@@ -36,16 +39,23 @@ pub(in crate::collision) struct MovingBody {
 }
 
 impl MovingBody {
-    /// The body, with this slack.
-    pub fn new(shape: BodyShape, eta: f64) -> Self {
-        let still = Middle::at_rest(Vector::zeros(), Vector::x());
+    /// The body, cut into convex pieces, with this slack. O(n log n).
+    pub fn new(body: &Polygon, eta: f64) -> Self {
+        let (mut faces, mut ranges) = (Vec::new(), Vec::new());
+        for piece in convex_pieces(body) {
+            let first = faces.len() as u32;
+            faces.extend(faces_of(&piece));
+            ranges.push((first, faces.len() as u32));
+        }
         Self {
-            shape,
+            faces,
+            ranges,
+            reach: body.reach(),
             eta,
             from: 0.0,
             heading: Vector::x(),
             bound: MotionBound::default(),
-            middle: still,
+            middle: Middle::at_rest(Vector::zeros(), Vector::x()),
             corners: Vec::new(),
         }
     }
@@ -57,13 +67,20 @@ impl MovingBody {
         if self.from != theta {
             (self.from, self.heading) = (theta, unit(theta));
         }
-        self.bound = MotionBound::new(motion, self.shape.reach(), self.heading);
+        self.bound = MotionBound::new(motion, self.reach, self.heading);
     }
 
     /// Places the body at rest.
     #[inline(always)]
     pub fn rest(&mut self, [x, y, theta]: [f64; 3]) {
-        self.set(Middle::at_rest(Vector::new(x, y), unit(theta)), self.shape.pieces());
+        self.set(Middle::at_rest(Vector::new(x, y), unit(theta)), self.ranges.len());
+    }
+
+    /// The range of a piece's faces among those of all.
+    #[inline(always)]
+    fn range(&self, piece: usize) -> Range<usize> {
+        let (first, end) = self.ranges[piece];
+        first as usize..end as usize
     }
 
     /// Places the first `pieces` pieces.
@@ -71,8 +88,8 @@ impl MovingBody {
     fn set(&mut self, middle: Middle, pieces: usize) {
         self.middle = middle;
         self.corners.clear();
-        let corners = &self.shape.corners()[..self.shape.range(pieces - 1).end];
-        self.corners.extend(corners.iter().map(|corner| middle.point(rotate(corner.at, middle.heading))));
+        let faces = &self.faces[..self.ranges[pieces - 1].1 as usize];
+        self.corners.extend(faces.iter().map(|face| middle.point(rotate(face.corner.coords, middle.heading))));
     }
 }
 
@@ -82,7 +99,7 @@ impl Moving for MovingBody {
 
     #[inline(always)]
     fn parts(&self) -> usize {
-        self.shape.pieces()
+        self.ranges.len()
     }
 
     #[inline(always)]
@@ -97,23 +114,23 @@ impl Moving for MovingBody {
 
     #[inline(always)]
     fn part(&self, part: usize, (): &()) -> Piece<'_> {
-        let range = self.shape.range(part);
+        let range = self.range(part);
         Piece {
             middle: &self.middle,
             direction: self.middle.direction,
-            faces: &self.shape.corners()[range.clone()],
+            faces: &self.faces[range.clone()],
             corners: &self.corners[range],
         }
     }
 
     #[inline(always)]
     fn swept_box(&self, part: usize, half: f64) -> Aabb {
-        self.bound.swept_box(&self.middle, half, &self.corners[self.shape.range(part)]).grown(self.eta)
+        self.bound.swept_box(&self.middle, half, &self.corners[self.range(part)]).grown(self.eta)
     }
 
     #[inline(always)]
     fn depth(&self, part: usize, bounds: &Aabb) -> f64 {
-        let corners = &self.corners[self.shape.range(part)];
+        let corners = &self.corners[self.range(part)];
         corners.iter().map(|corner| bounds.depth(corner.place())).fold(f64::INFINITY, f64::min)
     }
 
@@ -131,9 +148,9 @@ impl Moving for MovingBody {
 /// A convex piece of a body: its corners and faces, these in the body's frame.
 pub(in crate::collision) struct Piece<'a> {
     middle: &'a Middle,
-    /// The direction of motion, where it moves.
+    /// The direction of motion, if it moves.
     direction: Option<Vector>,
-    faces: &'a [Corner],
+    faces: &'a [Face],
     corners: &'a [MovingPoint],
 }
 
@@ -167,7 +184,7 @@ impl Part for Piece<'_> {
         let (x, y) = (self.middle.heading.x, self.middle.heading.y);
         let from = p.coords - self.middle.position;
         let center = Vector::new(x * from.x + y * from.y, x * from.y - y * from.x);
-        // The nearest point lies on the face that the point is farthest before, where it is beside that one.
+        // The nearest point lies on the face that the point is farthest in front of, if it is beside that one.
         let mut before = (f64::NEG_INFINITY, 0);
         for (i, face) in self.faces.iter().enumerate() {
             let distance = face.normal.dot(&center) - face.support;
@@ -178,12 +195,12 @@ impl Part for Piece<'_> {
         if before.0 <= 0.0 {
             return Vector::zeros();
         }
-        let at = |i: usize| self.faces[if i == self.faces.len() { 0 } else { i }].at;
+        let at = |i: usize| self.faces[if i == self.faces.len() { 0 } else { i }].corner.coords;
         let (face, next) = (&self.faces[before.1], at(before.1 + 1));
         let along = left_of(face.normal);
         let mut to = face.normal * before.0;
-        if along.dot(&(center - face.at)) < 0.0 || along.dot(&(center - next)) > 0.0 {
-            // All faces are tried: where two are in one line, or all but, rounding decides which of them is found.
+        if along.dot(&(center - face.corner.coords)) < 0.0 || along.dot(&(center - next)) > 0.0 {
+            // All faces are tried: if two are in one line, or nearly, rounding decides which of them is found.
             let mut least = f64::INFINITY;
             for i in 0..self.faces.len() {
                 let nearest = nearest_point(Point::from(center), Point::from(at(i)), Point::from(at(i + 1)));

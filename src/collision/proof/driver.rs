@@ -1,36 +1,33 @@
-//! The driver of the proof: the same for arms and bodies.
+//! The driver of the proof, for arms and bodies: the algorithm of the [module](super).
 //!
-//! The whole motion is the first interval, and every pair of a part and an obstacle near its swept box is tested on it. Pairs that
-//! are apart on an interval are dropped for good; a pair that touches in the middle refuses the motion; an interval is halved as
-//! long as pairs are open on it. An interval whose bound on travel is below the tolerance refuses the motion.
-//!
-//! **Budget.** Let l be the number of halvings until the bound on travel is below the tolerance, at most 48, and p the number of
-//! pairs open after the first interval. A motion that comes close to obstacles here and there leaves an interval or two open a
-//! pair and level, since clearance grows as fast as distance from the closest place: some 2 l p tests. One that slides along an
-//! obstacle at distance d leaves as many intervals open as third-order bounds need, about (travel/d)^(1/2). So a motion
-//! gets l (2 p + [`CLOSE_TESTS`]) tests after those of the first interval, which are no more than parts times obstacles. A motion
-//! that needs more is refused as not proven, and counted in [`Prover::unproven`]. The finest tolerance has more levels than any
-//! other: what a coarser one proves within its budget, it does too.
+//! **Budget.** Let l be the number of halvings until the bound on travel is below the tolerance, at most 48, and p the
+//! number of pairs open after the first interval. A motion that comes close to obstacles here and there leaves an
+//! interval or two open a pair and level, since clearance grows as fast as distance from the closest position: some 2 l p
+//! tests. One that slides along an obstacle at distance d leaves as many intervals open as third-order bounds need, about
+//! (travel/d)^(1/2). So a motion gets l (2 p + [`CLOSE_TESTS`]) tests after those of the first interval, which are no
+//! more than parts times obstacles. A motion that needs more is refused as not proven, and counted in
+//! [`Prover::unproven`]. The finest tolerance has more levels than any other: whatever a coarser one proves within its
+//! budget, it proves too.
 
 use super::pair::{Answer, NO_HINT, Part, find_direction, offset, separate_from_polygon};
 use crate::collision::{Obstacles, Tolerance};
 use crate::geometry::Aabb;
 use std::sync::Arc;
 
-/// How many intervals may be open before the proof goes on depth-first: bounds memory.
+/// The number of open intervals above which the proof continues depth-first: bounds memory.
 const WIDEST: usize = 1024;
 
-/// Tests a level that a motion is given besides two a pair.
+/// Tests per level that a motion is given in addition to two per pair.
 const CLOSE_TESTS: u64 = 1 << 13;
 
-/// A motion that has taken more tests than this, and 16 a pair, has the best direction computed for every pair that no direction at
-/// hand separates. Fewer tests are cheaper without.
+/// A motion that has taken more tests than this, and 16 a pair, has the best direction computed for every pair that no known
+/// direction separates. Fewer tests are cheaper without.
 const SEARCHED: u64 = 1 << 10;
 
-/// In place of an obstacle's index: the bounds of the world.
+/// Instead of an obstacle's index: the bounds of the world.
 const BOUNDS: u32 = u32::MAX;
 
-/// What surrounds the robot.
+/// The surroundings of the robot.
 pub(in crate::collision) struct Scene {
     /// The obstacles, each convex.
     pub obstacles: Arc<Obstacles>,
@@ -38,16 +35,16 @@ pub(in crate::collision) struct Scene {
     pub tolerance: Tolerance,
 }
 
-/// A robot of convex parts whose motion is proven: an arm or a body. It holds what is known of one motion and of the interval
+/// A robot of convex parts whose motion is proven: an arm or a body. It holds the data of one motion and of the interval
 /// under test.
 pub(in crate::collision) trait Moving {
-    /// What is known about the middle of an interval when it is halved.
+    /// The state in the middle of an interval.
     type State: Copy;
     type Part<'a>: Part
     where
         Self: 'a;
 
-    /// How many parts there are.
+    /// The number of parts.
     fn parts(&self) -> usize;
 
     /// Makes the first `parts` parts ready for tests on the interval.
@@ -62,19 +59,19 @@ pub(in crate::collision) trait Moving {
     /// A box that holds the part, grown by [`Moving::margin`], on the whole interval of this half-length.
     fn swept_box(&self, part: usize, half: f64) -> Aabb;
 
-    /// How deep the part lies within the bounds in the middle; negative where it is not wholly inside.
+    /// The depth of the part within the bounds in the middle; negative if it is not wholly inside.
     fn depth(&self, part: usize, bounds: &Aabb) -> f64;
 
-    /// How far any point of the part can travel along the whole motion, at most: a bound of first order. No part has a greater
-    /// one than the last.
+    /// An upper bound of first order on how far any point of the part can travel along the whole motion. No part has a
+    /// greater one than the last.
     fn travel(&self, part: usize) -> f64;
 
-    /// By how much a part must be ahead of an obstacle: its radius and the slack.
+    /// The least distance of a part from an obstacle: its radius and the slack.
     fn margin(&self) -> f64;
 }
 
-/// An interval of the motion: its middle and half its length, as fractions of the motion; how often the motion was halved to get
-/// it; and which pairs are open on it.
+/// An interval of the motion: its middle and half its length, as fractions of the motion; the number of halvings; and the
+/// range of the pairs that are open on it.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::collision) struct Interval<S> {
     pub middle: f64,
@@ -82,12 +79,6 @@ pub(in crate::collision) struct Interval<S> {
     pub level: usize,
     pairs: (usize, usize),
     pub state: S,
-}
-
-impl<S> Interval<S> {
-    fn whole(state: S) -> Self {
-        Self { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), state }
-    }
 }
 
 /// A part and an obstacle not yet known to be apart.
@@ -108,7 +99,7 @@ pub(in crate::collision) enum Order {
     FrontFirst,
 }
 
-/// A robot, the lists that proofs use again and again, and the counts of their work.
+/// A robot, lists that proofs reuse, and counts of their work.
 pub(in crate::collision) struct Prover<M: Moving> {
     pub moving: M,
     pairs: Vec<Pair>,
@@ -124,15 +115,16 @@ impl<M: Moving> Prover<M> {
         Self { moving, pairs: Vec::new(), intervals: Vec::new(), evaluations: 0, unproven: 0 }
     }
 
-    /// Where, as a fraction of the motion, the interval begins that refuses it, in this order the first; `None` where all of the
-    /// motion is proven free, ends included. Front first, all before that is proven. `state` is that of the whole motion.
+    /// The start, as a fraction of the motion, of the first interval, in this order, that cannot be proven free; `None`
+    /// if all of the motion is proven free, ends included. Front first, all before that is proven. `state` is that of the
+    /// whole motion.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     pub fn prove(&mut self, scene: &Scene, state: M::State, order: Order) -> Option<f64> {
         self.pairs.clear();
         self.intervals.clear();
         let mut proof = Proof { scene, order, searches: false, prover: self };
-        let whole = Interval::whole(state);
+        let whole = Interval { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), state };
         if proof.test_all(&whole) {
             return Some(0.0);
         }
@@ -146,8 +138,8 @@ impl<M: Moving> Prover<M> {
         while next < proof.prover.intervals.len() {
             let is_last = order == Order::FrontFirst || proof.prover.intervals.len() - next > WIDEST;
             let interval = if is_last {
-                // The front lies last; and too many open intervals are not all kept, but the last one is taken first. Pairs listed
-                // behind its own belong to intervals already done.
+                // The front is last; and if there are too many open intervals, the last one is taken first. Pairs listed
+                // after its own belong to intervals already done.
                 let last = proof.prover.intervals.pop().expect("some are left");
                 proof.prover.pairs.truncate(last.pairs.1);
                 last
@@ -175,8 +167,8 @@ impl<M: Moving> Prover<M> {
         None
     }
 
-    /// Whether the robot, placed at rest, is clear of everything: `None` where less than half the slack decides, so that exact
-    /// distances must tell.
+    /// Whether the robot, placed at rest, is clear of everything; `None` if less than half the slack decides, so that exact
+    /// distances are needed.
     pub fn is_free_at_rest(&mut self, scene: &Scene, state: &M::State) -> Option<bool> {
         let eta = scene.tolerance.eta;
         let mut is_clear = true;
@@ -215,7 +207,7 @@ impl<M: Moving> Prover<M> {
     }
 }
 
-/// One proof at work.
+/// One proof in progress.
 struct Proof<'a, M: Moving> {
     scene: &'a Scene,
     order: Order,
@@ -267,7 +259,7 @@ impl<M: Moving> Proof<'_, M> {
         })
     }
 
-    /// Tests a part and an obstacle; lists them where they stay open. Returns whether they refuse the interval.
+    /// Tests a part and an obstacle; lists them if they stay open. Returns whether they refuse the interval.
     #[inline(always)]
     fn test(&mut self, interval: &Interval<M::State>, part: usize, obstacle: usize, hint: u32) -> bool {
         self.prover.evaluations += 1;
@@ -297,7 +289,7 @@ impl<M: Moving> Proof<'_, M> {
         (self.separate_closely(&part, obstacle, bound), next)
     }
 
-    /// The same by the nearest points: their direction, their distance against the bound of first order, and where
+    /// The same by the nearest points: their direction, their distance against the bound of first order, and, if
     /// directions are searched for, the best.
     #[inline(never)]
     fn separate_closely(&self, part: &M::Part<'_>, obstacle: usize, bound: f64) -> Answer {
@@ -313,7 +305,7 @@ impl<M: Moving> Proof<'_, M> {
         }
     }
 
-    /// Whether the part stays within the bounds of the world, contact allowed; lists it where that is open. Returns whether it
+    /// Whether the part stays within the bounds of the world, contact allowed; lists it if that is open. Returns whether it
     /// refuses the interval.
     #[inline(always)]
     fn test_bounds(&mut self, interval: &Interval<M::State>, part: usize, swept: &Aabb) -> bool {
@@ -356,7 +348,7 @@ impl<M: Moving> Proof<'_, M> {
         self.prover.intervals.extend_from_slice(&halves);
     }
 
-    /// How many tests a motion is given after its first interval, which left so many pairs open.
+    /// The budget of tests after the first interval, which left `open` pairs open.
     #[cold]
     fn budget(&self, open: usize) -> u64 {
         let Tolerance { tau, bounds_tau, .. } = self.scene.tolerance;

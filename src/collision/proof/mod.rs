@@ -5,33 +5,33 @@
 //!     open = all pairs of a part of the robot and an obstacle near it
 //!     intervals = [(the whole motion, open)]
 //!     while an interval is left:
-//!         take one: the longest, or the front one where the first hit is wanted
+//!         take one: the longest, or the front one if the first hit is wanted
 //!         place the robot in the interval's middle
 //!         for every pair open on it:
 //!             apart on the whole interval?     drop the pair there for good
 //!             touching in the middle?          the motion is refused
 //!             bound on travel < tolerance?     the motion is refused
 //!             budget spent?                    the motion is refused as not proven, and counted
-//!         halve the interval where pairs are left open on it
+//!         halve the interval if pairs are left open on it
 //!     the motion is free
 //! ```
 //!
-//! In the middle of an interval it is known where the parts are, and a bound on how far each can travel to either end. A part
-//! that is farther from an obstacle than it can travel is apart from it on the whole interval: Schwarzer, Saha and Latombe 2005,
-//! "Adaptive dynamic collision checking for single and multiple articulated robots in complex environments"; LaValle 2006,
-//! "Planning Algorithms", section 5.3.4. Instead of distances, directions are tried here in which the part stays ahead of the
-//! obstacle, with bounds of third order in each: a link that slides along a wall needs few intervals.
+//! In the middle of an interval the positions of the parts are known, and a bound on how far each can travel to either
+//! end. A part that is farther from an obstacle than it can travel is apart from it on the whole interval: Schwarzer,
+//! Saha and Latombe 2005, "Adaptive dynamic collision checking for single and multiple articulated robots in complex
+//! environments"; LaValle 2006, "Planning Algorithms", section 5.3.4. Instead of distances, this proof tries directions
+//! in which the part stays ahead of the obstacle, with bounds of third order in each: a link that slides along a wall
+//! needs few intervals.
 //!
 //! - [`driver`]: the algorithm above, its order, tolerance and budget.
-//! - [`arm`], [`body`]: what moves, one implementation each of [`driver::Moving`]; [`motion_bound`] is a body's motion.
+//! - [`arm`], [`body`]: the robots, one implementation each of [`driver::Moving`]; [`motion_bound`] is a body's motion.
 //! - [`moving_point`]: the bound of third order on one point.
 //! - [`pair`]: whether a convex part and a convex obstacle are apart on an interval.
 //! - [`rotation`]: unit vectors of angles, fast and with a known error.
-//! - [`oracle`]: the same proof by distances and bounds of first order, as simple as it can be, for the tests.
+//! - [`oracle`]: the same proof by distances and bounds of first order, as simple as possible, for the tests.
 
 pub(super) mod arm;
 pub(super) mod body;
-mod body_shape;
 pub(super) mod driver;
 mod motion_bound;
 mod moving_point;

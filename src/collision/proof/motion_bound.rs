@@ -1,11 +1,11 @@
-//! Where a body is in the middle of an interval of its motion, and how far its points can get from there.
+//! The placement of a body in the middle of an interval of its motion, and bounds on how far its points can move from it.
 //!
-//! Let c be the position of the origin of the body's frame in the middle of an interval of half-length h (fractions of the motion),
-//! r a point of the body as seen from there, w the turn over the whole motion, and J the rotation by a right angle. The
-//! point is at c + r and moves with velocity v = c' + w J r; its acceleration is -a with a = w^2 r - c''. On a straight
-//! motion c' is constant and the third derivative of the point is no longer than |w|^3 |r|; on an arc of length s in direction
-//! e, c' = s e, c'' = s w J e, and it is no longer than w^2 (|s| + |w| |r|). The larger of the two for all points is the W of
-//! `moving_point.rs`.
+//! Let c be the position of the origin of the body's frame in the middle of an interval of half-length h (fractions of
+//! the motion), r a point of the body as seen from there, w the turn over the whole motion, and J the rotation by a right
+//! angle. The point is at c + r and moves with velocity v = c' + w J r; its acceleration is -a with a = w^2 r - c''. On a
+//! straight motion c' is constant and the third derivative of the point is no longer than |w|^3 |r|; on an arc of length
+//! s in direction e, c' = s e, c'' = s w J e, and it is no longer than w^2 (|s| + |w| |r|). The larger of the two for all
+//! points is the W of `moving_point.rs`.
 
 use super::moving_point::{MovingPoint, left_of};
 use super::rotation::{rotate, unit, unit_and_sinc};
@@ -45,7 +45,7 @@ pub(in crate::collision) struct Middle {
     pub position: Vector,
     /// The direction of the body's x axis.
     pub heading: Vector,
-    /// The direction in which c moves, where it does.
+    /// The direction in which c moves, if it does.
     pub direction: Option<Vector>,
     /// h c'.
     velocity: Vector,

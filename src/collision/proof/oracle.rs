@@ -1,22 +1,23 @@
-//! The proof by distances, as simple as it can be: the oracle of the tests.
+//! The proof by distances, as simple as possible: the oracle of the tests.
 //!
-//! On every interval the clearance of each part from all obstacles, and its depth within the bounds, are compared with the bound
-//! on its travel of the first order: of link i the sum over m <= i of L_m |w_m|, where w_m is the absolute rate of link m; of a
-//! body the path of its frame's origin plus its turn times the distance of its farthest vertex. It has no budget.
+//! On every interval the clearance of each part from all obstacles, and its depth within the bounds, are compared with
+//! the bound on its travel of the first order: of link i the sum over m <= i of L_m |w_m|, where w_m is the absolute rate
+//! of link m; of a body the path of its frame's origin plus its turn times the distance of its farthest vertex. It has no
+//! budget.
 
 use crate::collision::Tolerance;
 
-/// What is known of a part in the middle of an interval, all in metres.
+/// The distances of a part in the middle of an interval, in metres.
 pub(in crate::collision) struct PartDistance {
     /// From the nearest obstacle.
     pub clearance: f64,
     /// Within the bounds.
     pub depth: f64,
-    /// How far it travels along the whole motion, at most.
+    /// An upper bound on its travel along the whole motion.
     pub travel: f64,
 }
 
-/// Where, as a fraction of the motion, the first interval begins that cannot be proven free; `None` where all is proven. `parts`
+/// The start, as a fraction of the motion, of the first interval that cannot be proven free; `None` if all is proven. `parts`
 /// measures every part at a fraction of the motion.
 pub(in crate::collision) fn first_hit(tolerance: &Tolerance, parts: &impl Fn(f64) -> Vec<PartDistance>) -> Option<f64> {
     first_hit_within(tolerance, parts, 0.5, 0.5)

@@ -5,13 +5,13 @@ use crate::collision::Obstacles;
 use crate::collision::obstacles::Face;
 use crate::geometry::{Disc, Point, Vector};
 
-/// In place of the index of a direction: none in particular.
+/// Instead of the index of a direction: none in particular.
 pub(in crate::collision) const NO_HINT: u32 = u32::MAX;
 
-/// How many directions [`find_direction`] tries.
+/// The number of directions that [`find_direction`] tries.
 const DIRECTIONS: u32 = 8;
 
-/// What is known about a pair on an interval.
+/// The result of a test of a pair on an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::collision) enum Answer {
     /// Apart on the whole interval.
@@ -20,20 +20,20 @@ pub(in crate::collision) enum Answer {
     Open,
     /// Touching in the middle.
     Touching,
-    /// Neither is known.
+    /// None of these is known.
     Unknown,
 }
 
-/// A convex part of the robot in the middle of an interval: a polygon, or a segment. A link's radius is left to the margins of
-/// the tests.
+/// A convex part of the robot in the middle of an interval: a polygon, or a segment. A link's radius is left to the
+/// margins of the tests.
 pub(in crate::collision) trait Part {
     /// The corners, counter-clockwise.
     fn corners(&self) -> &[MovingPoint];
 
-    /// How many directions of its own the part offers to separate it from a polygon.
+    /// The number of directions of its own that the part offers to separate it from a polygon.
     fn directions(&self) -> usize;
 
-    /// One of them, with the polygon's support and how far the part is ahead of it.
+    /// One of them, with the polygon's support and the distance of the part ahead of it.
     fn direction(&self, i: usize, faces: &[Face]) -> Direction;
 
     /// The vector from `p` to the nearest point of the part; zero where `p` is inside.
@@ -68,9 +68,9 @@ pub(in crate::collision) struct Direction {
     pub ahead: f64,
 }
 
-/// Tries the normals of the polygon's faces and the part's own directions, `hint` first where there is one. `Unknown` where none
-/// separates the two by `margin` in the middle; `Touching` only where none would separate them even if they overlapped by
-/// `slack`. With the answer comes the next hint: the direction that separates them best in the middle.
+/// Tries the normals of the polygon's faces and the part's own directions, `hint` first if there is one. `Unknown` if none
+/// separates the two by `margin` in the middle; `Touching` only if none would separate them even if they overlapped by
+/// `slack`. The second result is the next hint: the direction that separates them best in the middle.
 #[inline(always)]
 pub(in crate::collision) fn separate_from_polygon(
     part: &impl Part,
@@ -120,9 +120,9 @@ pub(in crate::collision) fn separate_from_polygon(
     (answer, best.1)
 }
 
-/// The vector from the obstacle to the part between their nearest points, and their distance; for a polygon and a part that do
-/// not overlap. The distance is negative where the nearest point is inside a disc, and no more than 0 where a disc's centre is
-/// inside the part.
+/// The vector from the obstacle to the part between their nearest points, and their distance; for a polygon and a part
+/// that do not overlap. The distance is negative if the nearest point is inside a disc, and no more than 0 if a disc's
+/// centre is inside the part.
 pub(in crate::collision) fn offset(part: &impl Part, obstacles: &Obstacles, obstacle: usize) -> (Vector, f64) {
     if let Some(disc) = obstacles.disc(obstacle) {
         let to = part.offset_from(disc.center);
@@ -147,12 +147,12 @@ pub(in crate::collision) fn offset(part: &impl Part, obstacles: &Obstacles, obst
     (nearest.1, nearest.0.sqrt())
 }
 
-/// Whether some direction separates the two by more than `margin` on the whole interval: that of the vector `towards` from the
-/// obstacle to the part; with `all`, the best there is.
+/// Whether some direction separates the two by more than `margin` on the whole interval: that of the vector `towards`
+/// from the obstacle to the part; with `all`, the best there is.
 ///
-/// What the bound on motion allows a part to reach is convex, and so is its difference from the obstacle: the direction sought
-/// leads from the origin to the nearest point of that difference. It is found as by Gilbert, Johnson and Keerthi 1988, "A fast
-/// procedure for computing the distance between complex objects in three-dimensional space".
+/// The region that the bound on motion allows a part to reach is convex, and so is its difference from the obstacle: the
+/// direction sought leads from the origin to the nearest point of that difference. It is found as by Gilbert, Johnson and
+/// Keerthi 1988, "A fast procedure for computing the distance between complex objects in three-dimensional space".
 pub(in crate::collision) fn find_direction(
     part: &impl Part,
     obstacles: &Obstacles,

@@ -1,4 +1,4 @@
-//! A car: what its motions do, recomputed from their controls, and the arcs that they draw.
+//! A car: its motions, recomputed from their controls, and the arcs that they draw.
 
 use super::body::{self, Leg};
 use super::{LENGTH, Scale, Seen, difference};
@@ -7,22 +7,22 @@ use crate::problem::Motion;
 use crate::robot::Car;
 use crate::scenario::World;
 
-/// How near to the next waypoint a motion must lead, in metres and radians, relative to the coordinates of both where these are
+/// How near to the next waypoint a motion must end, in metres and radians, relative to the coordinates of both if these are
 /// larger than a metre.
 const LED: f64 = 1e-9;
 
 /// How far a control may lie outside the car's limits, relative to them: the rounding of a document.
 const WITHIN: f64 = 1e-12;
 
-/// The largest turn of one motion, in radians, as for planners: of more turns, rounding takes more off the heading at the end
-/// than the slack covers.
+/// The largest turn of one motion, in radians, as for planners: after more turns, rounding changes the heading at the end by
+/// more than the slack covers.
 const LARGEST_TURN: f64 = 1e3;
 
-/// Judges the motions of a car and the arcs that they draw.
+/// Examines the motions of a car and the arcs that they draw.
 pub(super) fn judge(world: &World, car: &Car, result: &ResultDocument, scale: &Scale) -> Result<Seen, String> {
     if let Some(word) = &result.integration {
         return Err(format!(
-            "the motions are integrated by {word}: such a path is a picture, the car would drive elsewhere"
+            "the motions are integrated by {word}: such a path is an illustration, the car would drive elsewhere"
         ));
     }
     let Some(motions) = &result.motions else {
@@ -35,11 +35,11 @@ pub(super) fn judge(world: &World, car: &Car, result: &ResultDocument, scale: &S
     let (mut legs, mut length) = (Vec::with_capacity(motions.len()), 0.0);
     for (i, (motion, ends)) in motions.iter().zip(path.windows(2)).enumerate() {
         check_control(car, i, motion)?;
-        let (way, turn) = extent(car, motion);
+        let (distance, turn) = extent(car, motion);
         if turn.is_nan() || turn.abs() > LARGEST_TURN * (1.0 + WITHIN) {
             return Err(format!("motion {i} turns by {turn:e} rad; at most {LARGEST_TURN} can be judged"));
         }
-        let leg = Leg::arc(&ends[0], way, turn);
+        let leg = Leg::arc(&ends[0], distance, turn);
         let size = ends.iter().flat_map(|q| &q[..2]).fold(1.0, |most: f64, x| most.max(x.abs()));
         let off = difference(2, &leg.at(1.0), &ends[1]);
         let most = LED * size + scale.overstep;
@@ -51,16 +51,16 @@ pub(super) fn judge(world: &World, car: &Car, result: &ResultDocument, scale: &S
                 ends[1]
             ));
         }
-        length += car.weights().translation * way.abs() + car.weights().rotation * turn.abs();
+        length += car.weights().translation * distance.abs() + car.weights().rotation * turn.abs();
         legs.push((i, leg));
-        // What is left to the waypoint, where it counts, is followed as well: no step leads through anything.
+        // The rest of the way to the waypoint, if it matters, is examined as well: no step leads through anything.
         if off[0].abs() + off[1].abs() + off[2].abs() * car.shape().reach() > scale.slack {
             legs.push((i, Leg::straight(&leg.at(1.0), &ends[1])));
         }
     }
     let off = (result.length - length).abs();
     if off.is_nan() || off > LENGTH * length + 1e-12 {
-        return Err(format!("the length is told as {}, but the motions measure {length}", result.length));
+        return Err(format!("the length is given as {}, but the motions measure {length}", result.length));
     }
     if legs.is_empty() {
         legs.push((0, Leg::straight(&path[0], &path[0])));
@@ -68,13 +68,13 @@ pub(super) fn judge(world: &World, car: &Car, result: &ResultDocument, scale: &S
     body::judge(world, car.shape(), legs, scale)
 }
 
-/// How far a motion goes along the car's own axis, in metres, and by how much it turns, in radians.
+/// The distance of a motion along the car's own axis, in metres, and its turn, in radians.
 fn extent(car: &Car, motion: &Motion) -> (f64, f64) {
     let Motion { control, duration } = *motion;
     (control.speed * duration, control.speed * libm::tan(control.steering) / car.wheelbase() * duration)
 }
 
-/// Refuses what the car cannot do.
+/// Returns an error if the car cannot do this.
 fn check_control(car: &Car, i: usize, Motion { control, duration }: &Motion) -> Result<(), String> {
     for (what, value, [low, high]) in
         [("speed", control.speed, car.speed()), ("steering angle", control.steering, car.steering())]

@@ -1,4 +1,4 @@
-//! A translating disc or point: the swept region of an edge is known exactly.
+//! A translating disc or point: the swept region of an edge is exact.
 
 use super::near::distance_segment_obstacle;
 use super::{Scale, Seen};
@@ -6,7 +6,7 @@ use crate::geometry::{Point, Segment, distance_point_segment, intersects_segment
 use crate::robot::DiscRobot;
 use crate::scenario::{Obstacle, World};
 
-/// Judges every edge as the segment that the centre moves along.
+/// Examines every edge as the segment that the centre moves along.
 pub(super) fn judge(world: &World, disc: &DiscRobot, path: &[Vec<f64>], scale: &Scale) -> Result<Seen, String> {
     let radius = disc.radius();
     let centers: Vec<Point> = path.iter().map(|q| Point::new(q[0], q[1])).collect();
@@ -32,7 +32,7 @@ pub(super) fn judge(world: &World, disc: &DiscRobot, path: &[Vec<f64>], scale: &
                 _ => clearance <= scale.slack,
             };
             if touches {
-                return Err(format!("edge {edge} touches obstacle {i}{}", place(&swept, obstacle)));
+                return Err(format!("edge {edge} touches obstacle {i}{}", ends_inside(&swept, obstacle)));
             }
             seen.clearance = seen.clearance.min(clearance.max(0.0));
         }
@@ -40,8 +40,8 @@ pub(super) fn judge(world: &World, disc: &DiscRobot, path: &[Vec<f64>], scale: &
     Ok(seen)
 }
 
-/// Which end of the edge is in contact, where one is nearest.
-fn place(swept: &Segment, obstacle: &Obstacle) -> &'static str {
+/// Which ends of the edge are in contact.
+fn ends_inside(swept: &Segment, obstacle: &Obstacle) -> &'static str {
     let inside = |p: Point| match obstacle {
         Obstacle::Polygon(polygon) => polygon.contains(p),
         Obstacle::Disc(disc) => distance_point_segment(disc.center, &Segment::new(p, p)) <= disc.radius,

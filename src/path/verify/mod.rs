@@ -1,17 +1,17 @@
 //! The independent judge of finished paths.
 //!
-//! A planner proves its edges by clearances and bounds on motion. The judge goes another way: it looks at the robot at many
-//! places along every edge, at most a thousandth of the world's size of motion apart (of the robot's, where that is smaller, but a
-//! hundred-thousandth of the world's at least), and between two looks it takes the
-//! whole region that each link of an arm, or each edge of a body's outline, can have swept: the convex hull of its two places, grown by how far the ends can leave
-//! their chords. Where that region comes near an obstacle, it looks again in between. So nothing is missed between two
-//! looks, however thin it is.
+//! A planner proves its edges by clearances and bounds on motion. The judge uses another method: it examines the robot at
+//! many samples along every edge, at most a thousandth of the world's size of motion apart (of the robot's, if that is
+//! smaller, but a hundred-thousandth of the world's at least). Between two samples it takes the whole region that each
+//! link of an arm, or each edge of a body's outline, can have swept: the convex hull of its two positions, grown by how
+//! far the ends can leave their chords. If that region comes near an obstacle, it takes another sample in between. So
+//! nothing is missed between two samples, however thin it is.
 //!
 //! **Promise.** Let S be the largest coordinate of the world plus the robot's reach. A path is called valid only if the
 //! robot keeps more than 1e-13 S away from every obstacle all along it, rounding included; so touching is collision. A
-//! point among polygons is judged exactly. A path that keeps more than 1e-12 S away is never refused for collision, unless
-//! it stays so near for so long that ten million looks do not settle it. Bounds may be touched, and overstepped by no
-//! more than 2e-12 S; joint limits not at all.
+//! point among polygons is judged exactly. A path that keeps more than 1e-12 S away is never refused for collision,
+//! unless it stays so near for so long that ten million samples do not decide. Bounds may be touched, and overstepped by
+//! no more than 2e-12 S; joint limits not at all.
 
 mod arm;
 mod body;
@@ -19,7 +19,6 @@ mod car;
 mod disc;
 mod moving;
 mod near;
-mod swept;
 
 pub use body::Leg;
 
@@ -34,8 +33,8 @@ use std::f64::consts::{PI, TAU};
 /// How near the first and the last waypoint must be to the start and the goal, in radians or metres a coordinate.
 const REACHED: f64 = 1e-9;
 
-/// How near the end effector must be to its target, as a part of the arm's reach, where that is less than [`REACHED`]; and what
-/// rounding takes of that at most, as a part of all lengths, and of many turns of a wanted orientation.
+/// How near the end effector must be to its target, as a part of the arm's reach, if that is less than [`REACHED`]; and
+/// the largest effect of rounding on that, as a part of all lengths, and of many turns of a wanted orientation.
 const AIMED: f64 = 1e-6;
 const ROUNDED: f64 = 2e-12;
 const TURNED: f64 = 1e-15;
@@ -43,20 +42,20 @@ const TURNED: f64 = 1e-15;
 /// How far from half a turn a step of a circle joint must stay, in radians: nearer, the short way round is ambiguous.
 const AMBIGUOUS: f64 = 1e-9;
 
-/// How far the told length may differ from the measured one, relative to it.
+/// How far the given length may differ from the measured one, relative to it.
 const LENGTH: f64 = 1e-9;
 
-/// What the judge says.
+/// The verdict on a path.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Verdict {
     /// The path leads from the start to the goal of its query, clear of everything.
     Valid {
         /// How many waypoints the path has.
         waypoints: usize,
-        /// How many times the judge looked at the robot; for a disc, swept segments.
+        /// How many samples of the robot were examined; for a disc, swept segments.
         looks: u64,
-        /// The smallest distance to an obstacle that was seen, in metres; infinite without obstacles. For a disc it is
-        /// the true one; for an arm or a body the true one is smaller by no more than half the motion between two looks.
+        /// The smallest distance to an obstacle at a sample, in metres; infinite without obstacles. For a disc it is the
+        /// true one; for an arm or a body the true one is smaller by at most half the motion between two samples.
         clearance: f64,
     },
     /// The path is refused.
@@ -66,7 +65,7 @@ pub enum Verdict {
     },
 }
 
-/// What has been seen so far.
+/// The samples so far, and the smallest clearance among them.
 struct Seen {
     looks: u64,
     clearance: f64,
@@ -78,18 +77,18 @@ struct Scale {
     slack: f64,
     /// How far the robot may leave the bounds.
     overstep: f64,
-    /// The largest motion between two looks.
+    /// The largest motion between two samples.
     spacing: f64,
 }
 
 /// Judges a result against its scenario.
 ///
 /// # Errors
-/// `invalid-result` (pointer `/scenario`) where the result belongs to another scenario, `unknown-query` (pointer `/query`)
-/// where the scenario has no query of that name. Everything else that is wrong is a [`Verdict::Invalid`].
+/// `invalid-result` (pointer `/scenario`) if the result belongs to another scenario, `unknown-query` (pointer `/query`) if the
+/// scenario has no query of that name. Everything else that is wrong is a [`Verdict::Invalid`].
 ///
 /// # Complexity
-/// For each edge, its motion divided by a thousandth of the world's size, times links, times what is near.
+/// For each edge, its motion divided by a thousandth of the world's size, times links, times obstacles nearby.
 pub fn verify(scenario: &Scenario, result: &ResultDocument) -> Result<Verdict, Error> {
     if result.scenario != scenario.name() {
         let sentence = format!("the result belongs to scenario {:?}, not to {:?}", result.scenario, scenario.name());
@@ -104,7 +103,7 @@ pub fn verify(scenario: &Scenario, result: &ResultDocument) -> Result<Verdict, E
     })
 }
 
-/// Judges legs of a body of this shape in a world, each by itself: whether they join is not asked. The verdict counts legs as
+/// Judges legs of a body of this shape in a world, each by itself: they need not be connected. The verdict counts legs as
 /// waypoints.
 pub fn verify_legs(world: &World, shape: &Polygon, legs: &[Leg]) -> Verdict {
     let scale = Scale::new(world, None, shape.reach());
@@ -114,7 +113,7 @@ pub fn verify_legs(world: &World, shape: &Polygon, legs: &[Leg]) -> Verdict {
     }
 }
 
-/// All that must hold, in the order in which a person would ask.
+/// Checks the status, the numbers, the ends, the motion and the length, in this order.
 fn judge(scenario: &Scenario, query: &Query, result: &ResultDocument) -> Result<Seen, String> {
     let (robot, path) = (scenario.robot(), &result.path);
     if result.status != Status::Solved {
@@ -130,11 +129,9 @@ fn judge(scenario: &Scenario, query: &Query, result: &ResultDocument) -> Result<
         Robot::Arm(arm) => arm::judge(scenario.world(), arm, path, &scale)?,
         Robot::Disc(disc) => disc::judge(scenario.world(), disc, path, &scale)?,
         Robot::RigidBody(body) => {
-            let mut legs: Vec<Leg> = path.windows(2).map(|ends| Leg::straight(&ends[0], &ends[1])).collect();
-            if legs.is_empty() {
-                legs.push(Leg::straight(&path[0], &path[0]));
-            }
-            body::judge(scenario.world(), body.shape(), legs.into_iter().enumerate(), &scale)?
+            let ends = (0..path.len().max(2) - 1).map(|i| [&path[i], &path[(i + 1).min(path.len() - 1)]]);
+            let legs = ends.map(|[from, to]| Leg::straight(from, to)).enumerate();
+            body::judge(scenario.world(), &body.shape, legs, &scale)?
         }
         // Its length is that of its motions.
         Robot::Car(car) => return car::judge(scenario.world(), car, result, &scale),
@@ -143,8 +140,8 @@ fn judge(scenario: &Scenario, query: &Query, result: &ResultDocument) -> Result<
     Ok(seen)
 }
 
-/// Refuses an empty path and waypoints that are not `dimension` numbers within the range of a scenario's: beyond it rounding
-/// takes more than the slack.
+/// Returns an error if the path is empty or a waypoint is not `dimension` numbers within the range of a scenario's: beyond it
+/// rounding errors exceed the slack.
 fn check_numbers(dimension: usize, path: &[Vec<f64>]) -> Result<(), String> {
     if path.is_empty() {
         return Err("the path is empty".into());
@@ -160,7 +157,7 @@ fn check_numbers(dimension: usize, path: &[Vec<f64>]) -> Result<(), String> {
     Ok(())
 }
 
-/// Refuses a path that does not lead from the start to the goal of the query, or into its region.
+/// Returns an error if the path does not lead from the start to the goal of the query, or into its region.
 fn check_ends(robot: &Robot, query: &Query, path: &[Vec<f64>]) -> Result<(), String> {
     let last = &path[path.len() - 1];
     if let Goal::Target(target) = &query.goal {
@@ -184,7 +181,7 @@ fn check_ends(robot: &Robot, query: &Query, path: &[Vec<f64>]) -> Result<(), Str
     Ok(())
 }
 
-/// Refuses a last waypoint whose end effector is not at the target, by sums of its own.
+/// Returns an error if the end effector is not at the target at the last waypoint, by forward kinematics of its own.
 fn check_target(robot: &Robot, target: &Target, last: &[f64]) -> Result<(), String> {
     let Robot::Arm(arm) = robot else { return Err("only an arm reaches for a target".into()) };
     let (mut x, mut y, mut angle, mut reach) = (arm.base().x, arm.base().y, 0.0, 0.0);
@@ -197,7 +194,7 @@ fn check_target(robot: &Robot, target: &Target, last: &[f64]) -> Result<(), Stri
     let (to_x, to_y) = (target.point.x, target.point.y);
     let left = ((x - to_x) * (x - to_x) + (y - to_y) * (y - to_y)).sqrt();
     let scale = reach + to_x.abs().max(to_y.abs());
-    // A small arm, or one far from the origin, has to be as near for its size as others are.
+    // The same relative accuracy for a small arm, or one far from the origin.
     let allowed = (REACHED * scale.max(1.0)).min(AIMED * reach).max(ROUNDED * scale.max(1.0));
     if left > allowed {
         return Err(format!("the path ends with the end effector at ({x}, {y}), {left} m from the target"));
@@ -212,7 +209,7 @@ fn check_target(robot: &Robot, target: &Target, last: &[f64]) -> Result<(), Stri
     Ok(())
 }
 
-/// Refuses steps that turn a circle joint, or a body, by half a turn: there is no short way round.
+/// Returns an error if a step turns a circle joint, or a body, by half a turn: the short way round is ambiguous.
 fn check_steps(robot: &Robot, path: &[Vec<f64>]) -> Result<(), String> {
     let first = first_circle(robot);
     for (edge, ends) in path.windows(2).enumerate() {
@@ -227,8 +224,9 @@ fn check_steps(robot: &Robot, path: &[Vec<f64>]) -> Result<(), String> {
     Ok(())
 }
 
-/// Refuses a told length that is not the sum of the steps, by either metric of an arm, by the weighted one of a body.
-fn check_length(robot: &Robot, path: &[Vec<f64>], told: f64) -> Result<(), String> {
+/// Returns an error if the given length is not the sum of the steps, by either metric of an arm, by the weighted one of a
+/// body.
+fn check_length(robot: &Robot, path: &[Vec<f64>], given: f64) -> Result<(), String> {
     let (mut sum, mut euclidean, mut weighted) = (0.0, 0.0, 0.0);
     let weights = robot.placed_shape().map(|(_, weights)| weights);
     for ends in path.windows(2) {
@@ -241,22 +239,20 @@ fn check_length(robot: &Robot, path: &[Vec<f64>], told: f64) -> Result<(), Strin
         euclidean += step.iter().map(|d| d * d).sum::<f64>().sqrt();
     }
     let largest = path.iter().flatten().fold(1.0, |largest: f64, value| largest.max(value.abs()));
-    let is_told = |measured: f64| f64::abs(told - measured) <= LENGTH * measured + 1e-12 * largest;
-    match robot {
-        Robot::Arm(_) if !is_told(sum) && !is_told(euclidean) => Err(format!(
-            "the length is told as {told}, but the path measures {sum} (sum of the joints) or {euclidean} (Euclidean)"
-        )),
-        Robot::Disc(_) if !is_told(euclidean) => {
-            Err(format!("the length is told as {told}, but the path measures {euclidean}"))
-        }
-        Robot::RigidBody(_) if !is_told(weighted) => {
-            Err(format!("the length is told as {told}, but the path measures {weighted}"))
-        }
-        _ => Ok(()),
+    let is_right = |measured: f64| f64::abs(given - measured) <= LENGTH * measured + 1e-12 * largest;
+    let measured = match robot {
+        Robot::Arm(_) if is_right(sum) => return Ok(()),
+        Robot::Arm(_) | Robot::Disc(_) => euclidean,
+        Robot::RigidBody(_) | Robot::Car(_) => weighted,
+    };
+    if is_right(measured) {
+        return Ok(());
     }
+    let or = if matches!(robot, Robot::Arm(_)) { format!("{sum} (sum of the joints) or ") } else { String::new() };
+    Err(format!("the length is given as {given}, but the path measures {or}{measured}"))
 }
 
-/// From which coordinate on all are circles.
+/// The index from which on all coordinates are circles.
 fn first_circle(robot: &Robot) -> usize {
     match robot {
         Robot::Arm(arm) if arm.joint_limits().is_none() => 0,
@@ -281,19 +277,19 @@ impl Scale {
         match robot {
             Robot::Arm(arm) => Self::new(world, Some(arm.base()), arm.reach() + arm.radius()),
             Robot::Disc(disc) => Self::new(world, None, disc.radius()),
-            Robot::RigidBody(body) => Self::new(world, None, body.shape().reach()),
+            Robot::RigidBody(body) => Self::new(world, None, body.shape.reach()),
             Robot::Car(car) => Self::new(world, None, car.shape().reach()),
         }
     }
 
-    /// The lengths for a robot that reaches so far, from its base where it has one.
+    /// The lengths for a robot of this reach, from its base if it has one.
     fn new(world: &World, base: Option<Point>, reach: f64) -> Self {
         let base = base.map(|at| Aabb { min: at, max: at });
         let boxes = world.obstacles.iter().map(Obstacle::aabb).chain(world.bounds).chain(base);
         let coordinates = boxes.flat_map(|b| [b.min.x, b.min.y, b.max.x, b.max.y]);
         let largest = coordinates.fold(0.0, |largest: f64, coordinate| largest.max(coordinate.abs())) + reach;
         let side = world.bounds.map_or(f64::INFINITY, |bounds| bounds.longer_side());
-        // Between looks nothing is missed: a grain of dust in a wide world need not be looked at in all places that it fills.
+        // Nothing is missed between samples: a tiny robot in a wide world needs no sample at every length of its own.
         let size = if reach > 0.0 { side.min(2.0 * reach) } else { side };
         let size = if side < f64::INFINITY { size.max(1e-2 * side) } else { size };
         Self { slack: 1e-13 * largest, overstep: 2e-12 * largest, spacing: 1e-3 * size }

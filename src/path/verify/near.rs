@@ -1,24 +1,25 @@
-//! What is near a moving link: the obstacles, and of polygons the edges, that can matter during a stretch of motion.
+//! The obstacles near a moving link, and of polygons the edges, that can matter during an interval of motion.
 
 use crate::geometry::{
-    Aabb, Disc, Polygon, Segment, distance_point_segment, distance_segment_polygon, distance_segment_segment,
+    Aabb, Disc, Point, Polygon, Segment, distance_point_segment, distance_segment_polygon, distance_segment_segment,
+    distance_squared_segment_segment, orientation,
 };
 use crate::scenario::Obstacle;
 
-/// An obstacle, or as much of it as is near.
+/// An obstacle near a link.
 pub(super) struct Near<'a> {
-    /// Which obstacle of the world.
+    /// The index of the obstacle in the world.
     pub index: usize,
     pub shape: Shape<'a>,
 }
 
 pub(super) enum Shape<'a> {
     Disc(Disc),
-    /// The whole polygon, to ask whether it contains a point, and those of its edges that are near.
+    /// The whole polygon, to decide whether it contains a point, and those of its edges that are near.
     Polygon(&'a Polygon, Vec<Segment>),
 }
 
-/// All that comes within `reach` of the box.
+/// The obstacles within `reach` of the box.
 pub(super) fn near<'a>(obstacles: &'a [Obstacle], around: &Aabb, reach: f64) -> Vec<Near<'a>> {
     let is_near = |other: &Aabb| gap(around, other) <= reach;
     let mut found = Vec::new();
@@ -37,7 +38,7 @@ pub(super) fn near<'a>(obstacles: &'a [Obstacle], around: &Aabb, reach: f64) -> 
 }
 
 impl Near<'_> {
-    /// The distance from the segment to what is near, in metres; 0 inside.
+    /// The distance from the segment to the obstacle, in metres; 0 inside.
     pub(super) fn distance(&self, s: &Segment) -> f64 {
         match &self.shape {
             Shape::Disc(disc) => distance_to_disc(s, disc),
@@ -47,10 +48,42 @@ impl Near<'_> {
             }
         }
     }
+
+    /// Whether the obstacle comes within `reach` of the region between two positions of a link: the convex hull of four
+    /// points. At the first position the link must be outside of a polygon: then the hull meets the polygon only if it
+    /// meets its border.
+    ///
+    /// Every point of the hull of four points lies in a triangle of three of them, and every edge of the hull is one of
+    /// their six connections; so tests against the triangles and the connections are tests against the hull.
+    pub(super) fn is_near_hull(&self, before: &Segment, after: &Segment, reach: f64) -> bool {
+        let [a, b, c, d] = [before.a, before.b, after.a, after.b];
+        let connections = [(a, b), (c, d), (a, c), (b, d), (a, d), (b, c)].map(|(p, q)| Segment::new(p, q));
+        let around = before.aabb().union(&after.aabb());
+        // Exact. Flat triangles hold only points of the connections.
+        let holds = |p: Point| {
+            around.contains(p)
+                && [[a, b, c], [a, b, d], [a, c, d], [b, c, d]].into_iter().any(|[a, b, c]| {
+                    let sides = [orientation(a, b, p), orientation(b, c, p), orientation(c, a, p)];
+                    orientation(a, b, c) != 0.0
+                        && (sides.iter().all(|&side| side >= 0.0) || sides.iter().all(|&side| side <= 0.0))
+                })
+        };
+        match &self.shape {
+            Shape::Disc(disc) => {
+                let far = reach + disc.radius;
+                gap(&around, &disc.aabb()) <= reach
+                    && (connections.iter().any(|s| distance_point_segment(disc.center, s) <= far) || holds(disc.center))
+            }
+            Shape::Polygon(_, edges) => edges.iter().any(|edge| {
+                gap(&around, &edge.aabb()) <= reach
+                    && (connections.iter().any(|s| distance_squared_segment_segment(s, edge) <= reach * reach)
+                        || holds(edge.a))
+            }),
+        }
+    }
 }
 
-/// The distance between two boxes along the axis on which they are farther apart: no more than their distance; 0 where
-/// they overlap.
+/// The distance between two boxes along the axis on which they are farther apart: at most their distance; 0 if they overlap.
 pub(super) fn gap(a: &Aabb, b: &Aabb) -> f64 {
     let x = (b.min.x - a.max.x).max(a.min.x - b.max.x);
     let y = (b.min.y - a.max.y).max(a.min.y - b.max.y);

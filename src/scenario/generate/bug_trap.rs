@@ -1,29 +1,29 @@
-//! The bug trap: a round pocket whose mouth is turned inwards, so that it is hard to leave for what grows towards samples
-//! (LaValle 2006, "Planning Algorithms", chapter 5). For a disc, from inside to outside or the other way.
+//! The bug trap: a round pocket whose mouth is turned inwards, so that a tree that grows towards samples hardly leaves it
+//! (LaValle 2006, "Planning Algorithms", chapter 5). For a disc, from inside to outside or the reverse.
 //!
-//! A path exists exactly where the mouth is wider than the disc (by more than 1e-9 m, to be safe from rounding); where it
-//! is not, the title says so.
+//! A path exists exactly if the mouth is wider than the disc (by more than 1e-9 m, to be safe from rounding); if it is not,
+//! the title says so.
 
 use super::free::polygon;
 use super::robots::SIDE;
-use super::{Generator, SEEDS};
+use super::{Generator, SEEDS, in_box, query};
 use crate::error::Error;
-use crate::geometry::{Aabb, Point, Vector};
+use crate::geometry::{Point, Vector};
 use crate::options::Options;
 use crate::random::{Random, Stream};
 use crate::robot::DiscRobot;
-use crate::scenario::{Goal, Obstacle, Query, Robot, Scenario, World};
+use crate::scenario::{Obstacle, Robot, Scenario};
 use std::f64::consts::TAU;
 
 /// The thickness of the trap's wall, in metres.
 const THICKNESS: f64 = 0.06;
 
-/// Where the round part of the wall ends, as an angle from the axis of the mouth, and in how many pieces it is cut.
+/// The end of the round part of the wall, as an angle from the axis of the mouth, and the number of its pieces.
 const OPENING: f64 = 0.6;
 const PIECES: usize = 32;
 
 crate::choice! {
-    /// Where the disc starts.
+    /// The start of the disc.
     pub enum BugTrapStart {
         /// In the trap; the goal is outside.
         Inside,
@@ -33,7 +33,7 @@ crate::choice! {
 }
 
 crate::choice! {
-    /// Where the mouth may look.
+    /// Which directions the mouth may face.
     pub enum Turn {
         /// Anywhere.
         Any,
@@ -47,11 +47,11 @@ crate::options! {
     pub struct BugTrapOptions for &[];
     /// The radius of the disc.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
-    /// How wide the mouth is; the disc passes where it is more than twice its radius.
+    /// The width of the mouth; the disc passes if it is more than twice its radius.
     mouth: f64 = 0.12, in 0.01..=0.4, "Width of the mouth", unit "m";
-    /// Whether the way leads out of the trap or into it.
+    /// Whether the path leads out of the trap or into it.
     start: BugTrapStart = BugTrapStart::Inside, "Start";
-    /// Whether the mouth looks anywhere or along an axis.
+    /// Whether the mouth faces any direction or along an axis.
     turn: Turn = Turn::Any, "Turn";
     /// The seed: 0 (default) to 2^53 - 1.
     seed: u64 = 0, in SEEDS;
@@ -62,51 +62,36 @@ impl Generator for BugTrapOptions {
     const TITLE: &'static str = "Bug trap";
     const SUMMARY: &'static str = "A disc in a round pocket whose mouth is turned inwards.";
 
+    /// In a box of 2 m by 2 m, with the query "out" or "in". The seed decides the position, the size (a radius of 0.55 to
+    /// 0.62 m) and the direction of the trap, and where in it and in which corner of the box the disc starts and ends.
     fn generate(&self) -> Result<Scenario, Error> {
-        bug_trap(self)
+        self.check()?;
+        let Self { radius, mouth, start, turn, seed } = *self;
+        let mut random = Random::new(seed, Stream::Scenario);
+        let size = 0.55 + 0.07 * random.uniform();
+        let mut near_middle = || SIDE / 2.0 + 0.1 * (random.uniform() - 0.5);
+        let center = Point::new(near_middle(), near_middle());
+        let (sin, cos) = match turn {
+            Turn::Any => libm::sincos(TAU * random.uniform()),
+            Turn::Quarter => [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][random.below(4) as usize],
+        };
+        let place = |p: Point| Point::new(center.x + cos * p.x - sin * p.y, center.y + sin * p.x + cos * p.y);
+        let corners: Vec<Point> = outline(size, mouth).into_iter().map(place).collect();
+
+        let inside = place(Point::new(size * (0.1 * random.uniform() - 0.5), size * 0.4 * (random.uniform() - 0.5)));
+        let mut corner = || if random.below(2) == 0 { 0.2 } else { SIDE - 0.2 };
+        let (inside, outside) = (vec![inside.x, inside.y], vec![corner(), corner()]);
+        let (id, word, start, goal) = match start {
+            BugTrapStart::Inside => ("out", "out of", inside, outside),
+            BugTrapStart::Outside => ("in", "into", outside, inside),
+        };
+        let narrow = if mouth <= 2.0 * radius { ", too narrow for it: no path" } else { "" };
+        let name = format!("bug-trap-{id}-{seed}");
+        let title =
+            format!("Disc of radius {radius} m {word} a bug trap with a mouth of {mouth} m{narrow}, seed {seed}");
+        let trap = Obstacle::Polygon(polygon(&corners));
+        Ok(in_box(name, title, SIDE, [trap], Robot::Disc(DiscRobot::new(radius)?), query(id, start, goal)))
     }
-}
-
-/// Sets a bug trap in a box of 2 m by 2 m, with one query, "out" or "in". The seed decides the place, the size (a radius of
-/// 0.55 to 0.62 m) and the turn of the trap, and where in it and in which corner of the box the disc starts and ends.
-///
-/// # Errors
-/// `out-of-range` or `not-finite` with the pointer of the option.
-pub fn bug_trap(options: &BugTrapOptions) -> Result<Scenario, Error> {
-    let BugTrapOptions { radius, mouth, start, turn, seed } = *options;
-    options.check()?;
-    let mut random = Random::new(seed, Stream::Scenario);
-    let size = 0.55 + 0.07 * random.uniform();
-    let mut near_middle = || SIDE / 2.0 + 0.1 * (random.uniform() - 0.5);
-    let center = Point::new(near_middle(), near_middle());
-    let (sin, cos) = match turn {
-        Turn::Any => libm::sincos(TAU * random.uniform()),
-        Turn::Quarter => [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][random.below(4) as usize],
-    };
-    let place = |p: Point| Point::new(center.x + cos * p.x - sin * p.y, center.y + sin * p.x + cos * p.y);
-    let corners: Vec<Point> = outline(size, mouth).into_iter().map(place).collect();
-    let trap = polygon(&corners);
-
-    let inside = place(Point::new(size * (0.1 * random.uniform() - 0.5), size * 0.4 * (random.uniform() - 0.5)));
-    let mut corner = || if random.below(2) == 0 { 0.2 } else { SIDE - 0.2 };
-    let (inside, outside) = (vec![inside.x, inside.y], vec![corner(), corner()]);
-    let (way, start, goal) = match start {
-        BugTrapStart::Inside => ("out", inside, outside),
-        BugTrapStart::Outside => ("in", outside, inside),
-    };
-    let narrow = if mouth <= 2.0 * radius { ", too narrow for it: no path" } else { "" };
-    let (disc, gap) = (radius, mouth);
-    let word = if way == "out" { "out of" } else { "into" };
-    Ok(Scenario {
-        name: format!("bug-trap-{way}-{seed}"),
-        title: Some(format!("Disc of radius {disc} m {word} a bug trap with a mouth of {gap} m{narrow}, seed {seed}")),
-        world: World {
-            bounds: Some(Aabb { min: Point::origin(), max: Point::new(SIDE, SIDE) }),
-            obstacles: vec![Obstacle::Polygon(trap)],
-        },
-        robot: Robot::Disc(DiscRobot::new(radius)?),
-        queries: vec![Query { name: way.to_owned(), start, goal: Goal::Configuration(goal), goal_tolerance: None }],
-    })
 }
 
 /// The trap around the origin with its mouth to the right: the wall follows a line from one lip through the throat, around

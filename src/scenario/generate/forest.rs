@@ -1,22 +1,18 @@
-//! The forest: an arm of unit links among equal triangles on a grid, as a course report had it.
+//! The forest: an arm of unit links among equal triangles on a grid, as in a course report.
 //!
 //! Each of the 4 R triangles has the corners (x, y), (x + 0.5, y), (x + 0.25, y + 0.5) with x and y on the half-unit grid in
 //! [-R, R), R the number of links. The report drew with repetition, dropped triangles with a corner on the base and left
 //! the rest to chance; here cells are distinct and a triangle that touches the base, the start or the goal is drawn again,
-//! so that every forest has all of its triangles and a question worth asking. A path need not exist.
+//! so that every forest has all of its triangles. A path need not exist.
 
 use super::free::{is_clear_of, polygon};
-use super::no_place;
-use super::{Generator, SEEDS};
+use super::{Generator, SEEDS, query, scatter};
 use crate::error::Error;
 use crate::geometry::{Point, Polygon};
 use crate::options::Options;
 use crate::random::{Random, Stream};
 use crate::robot::Arm;
-use crate::scenario::{Goal, Obstacle, Query, Robot, Scenario, World};
-
-/// After so many draws the generator gives up.
-const DRAWS: u32 = 10_000;
+use crate::scenario::{Obstacle, Robot, Scenario, World};
 
 crate::options! {
     /// What forest to grow.
@@ -33,50 +29,28 @@ impl Generator for ForestOptions {
     const SUMMARY: &'static str = "An arm of unit links among equal triangles on a grid.";
 
     fn generate(&self) -> Result<Scenario, Error> {
-        forest(self)
+        self.check()?;
+        let Self { links, seed } = *self;
+        let arm = Arm::new(Point::origin(), vec![1.0; links], 0.0, None)?;
+        let (start, goal) = ends(links);
+        let keep_clear = [arm.footprint(&start), arm.footprint(&goal)].concat();
+        let (count, side) = (4 * links, 4 * links as u64);
+        let mut random = Random::new(seed, Stream::Scenario);
+        let placed = scatter("seed", count, |placed: &[((u64, u64), Polygon)]| {
+            let cell = (random.below(side), random.below(side));
+            let triangle = triangle(cell, links);
+            let is_new = placed.iter().all(|(other, _)| *other != cell);
+            (is_new && is_clear_of(&triangle, &keep_clear, 0.0)).then_some((cell, triangle))
+        })?;
+        let obstacles = placed.into_iter().map(|(_, triangle)| Obstacle::Polygon(triangle)).collect();
+        Ok(Scenario {
+            name: format!("forest-{links}r-{seed}"),
+            title: Some(format!("{links}R arm in a forest of {count} triangles, seed {seed}")),
+            world: World { bounds: None, obstacles },
+            robot: Robot::Arm(arm),
+            queries: vec![query("report", start, goal)],
+        })
     }
-}
-
-/// Grows a forest: 4 triangles a link, no bounds, one query, "report".
-///
-/// # Errors
-/// `out-of-range` with the pointer of the option, also where the triangles find no place within 10,000 draws.
-pub fn forest(options: &ForestOptions) -> Result<Scenario, Error> {
-    let ForestOptions { links, seed } = *options;
-    options.check()?;
-    let arm = Arm::new(Point::origin(), vec![1.0; links], 0.0, None)?;
-    let (start, goal) = ends(links);
-    let keep_clear = [arm.footprint(&start), arm.footprint(&goal)].concat();
-    let (count, side) = (4 * links, 4 * links as u64);
-    let mut random = Random::new(seed, Stream::Scenario);
-    let mut cells: Vec<(u64, u64)> = Vec::with_capacity(count);
-    let mut obstacles = Vec::with_capacity(count);
-    for _ in 0..DRAWS {
-        if obstacles.len() == count {
-            break;
-        }
-        let cell = (random.below(side), random.below(side));
-        let triangle = triangle(cell, links);
-        if !cells.contains(&cell) && is_clear_of(&triangle, &keep_clear, 0.0) {
-            cells.push(cell);
-            obstacles.push(Obstacle::Polygon(triangle));
-        }
-    }
-    if obstacles.len() < count {
-        return Err(no_place("seed", obstacles.len(), count, DRAWS));
-    }
-    Ok(Scenario {
-        name: format!("forest-{links}r-{seed}"),
-        title: Some(format!("{links}R arm in a forest of {count} triangles, seed {seed}")),
-        world: World { bounds: None, obstacles },
-        robot: Robot::Arm(arm),
-        queries: vec![Query {
-            name: "report".to_owned(),
-            start,
-            goal: Goal::Configuration(goal),
-            goal_tolerance: None,
-        }],
-    })
 }
 
 /// The triangle in a cell of the grid, counted from its lower left corner (-links, -links).

@@ -1,4 +1,4 @@
-//! Whether an obstacle that has been drawn leaves a configuration free.
+//! Whether an obstacle keeps clear of parts of a robot and of other obstacles.
 
 use crate::geometry::{Disc, Point, Polygon, Segment, distance_point_segment, distance_segment_polygon};
 use crate::robot::Part;
@@ -45,7 +45,7 @@ pub(super) fn are_apart(p: &Polygon, q: &Polygon, gap: f64) -> bool {
 /// The polygon of corners that are known to make one.
 ///
 /// # Panics
-/// Where they do not.
+/// If they do not.
 pub(super) fn polygon(corners: &[Point]) -> Polygon {
     Polygon::new(corners).unwrap_or_else(|_| unreachable!("generators know their polygons"))
 }

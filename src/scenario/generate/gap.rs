@@ -1,29 +1,28 @@
-//! The gap: a wall across the world with one opening, the narrow passage of the textbooks, for a robot that goes through it or
-//! an arm that reaches through it.
+//! The gap: a wall across the world with one opening, the narrow passage of the textbooks, for a robot that goes through
+//! it or an arm that reaches through it.
 //!
-//! A disc has a path exactly where the gap is wider than the disc (by more than 1e-9 m, to be safe from rounding); where it
-//! is not, the title says so. The arm is at its goal stretched through the gap and bent behind it, at its start folded up in
-//! front of it. That a path exists is not promised: arms of three links and more mostly find the way in, two links often
-//! cannot.
+//! A disc has a path exactly if the gap is wider than the disc (by more than 1e-9 m, to be safe from rounding); if it is not,
+//! the title says so. At its goal the arm is stretched through the gap and bent behind it, at its start folded up in front of
+//! it. A path need not exist: arms of three links and more mostly have one, two links often do not.
 
 use super::free::{SOME, polygon};
 use super::robots::{RobotChoice, SIDE};
-use super::{Generator, SEEDS};
+use super::{Generator, SEEDS, in_box, query};
 use crate::error::Error;
-use crate::geometry::{Aabb, Point};
+use crate::geometry::Point;
 use crate::options::{Options, out_of_range};
 use crate::random::{Random, Stream};
 use crate::robot::{Arm, DiscRobot};
-use crate::scenario::{Goal, Obstacle, Query, Robot, Scenario, World};
+use crate::scenario::{Obstacle, Query, Robot, Scenario};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The sum of an arm's links, in metres.
 const REACH: f64 = 0.9;
 
-/// How far an arm's base is from the middle of the gap, in metres.
+/// The distance of an arm's base from the middle of the gap, in metres.
 const DISTANCE: f64 = 0.5;
 
-/// How much wider than an arm the gap is at least, in metres.
+/// The least difference between the widths of the gap and of an arm, in metres.
 const PLAY: f64 = 0.01;
 
 crate::options! {
@@ -35,9 +34,9 @@ crate::options! {
     links: usize = 4, in 2.0..=8.0, "Links";
     /// The radius of the disc, or half the width of the arm's links; not for a body or a car.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
-    /// How wide the gap is; a disc passes where it is more than twice its radius.
+    /// The width of the gap; a disc passes if it is more than twice its radius.
     width: f64 = 0.2, in 0.0..=1.0, "Width of the gap", unit "m";
-    /// How thick the wall is, so how long the passage.
+    /// The thickness of the wall, which is the length of the passage.
     thickness: f64 = 0.1, in 0.005..=0.5, "Thickness of the wall", unit "m";
     /// The seed: 0 (default) to 2^53 - 1.
     seed: u64 = 0, in SEEDS;
@@ -49,94 +48,61 @@ impl Generator for GapOptions {
     const SUMMARY: &'static str =
         "A wall across a box with one gap, for a robot that goes through it or an arm that reaches through it.";
 
+    /// With the query "through". The seed places the gap along the wall, start and goal.
     fn generate(&self) -> Result<Scenario, Error> {
-        gap(self)
-    }
-}
-
-impl GapOptions {
-    fn check_all(&self) -> Result<(), Error> {
-        let Self { robot, radius, width, .. } = *self;
         self.check()?;
-        if robot == RobotChoice::Arm && width - 2.0 * radius < PLAY - SOME {
+        let Self { robot: choice, links, radius, width, thickness, seed } = *self;
+        if choice == RobotChoice::Arm && width - 2.0 * radius < PLAY - SOME {
             let sentence = format!(
-                "an arm of radius {radius} needs a gap wider than twice that by {PLAY}, else it is never at its goal; {width} is less"
+                "an arm of radius {radius} reaches its goal only through a gap wider than twice that by {PLAY}; {width} is less"
             );
             return Err(out_of_range("width", sentence));
         }
-        Ok(())
+        let mut random = Random::new(seed, Stream::Scenario);
+        // The least length of the wall on either side; an arm needs more of the box to fold up.
+        let left = if choice == RobotChoice::Arm { 0.5 - width / 2.0 } else { 0.1 };
+        let low = width / 2.0 + left.max(0.1);
+        let middle = low + random.uniform() * (SIDE - 2.0 * low);
+        let (robot, start, goal) = match choice {
+            RobotChoice::Disc => {
+                let mut place = |left: f64| vec![left + 0.3 * random.uniform(), 0.15 + (SIDE - 0.3) * random.uniform()];
+                let (start, goal) = (place(0.15), place(SIDE - 0.45));
+                (Robot::Disc(DiscRobot::new(radius)?), start, goal)
+            }
+            RobotChoice::Arm => reach_through(self, middle, &mut random)?,
+            RobotChoice::RigidBody | RobotChoice::Car => {
+                // A body reaches 0.12 m from its origin.
+                let mut place = |left: f64| {
+                    let (x, y) = (left + 0.25 * random.uniform(), 0.2 + (SIDE - 0.4) * random.uniform());
+                    vec![x, y, PI * (2.0 * random.uniform() - 1.0)]
+                };
+                let (start, goal) = (place(0.2), place(SIDE - 0.45));
+                (choice.placed()?, start, goal)
+            }
+        };
+        let [_, id, title] = choice.words(links);
+        let title = match choice {
+            RobotChoice::Disc if width <= 2.0 * radius => {
+                format!("Disc of radius {radius} m at a gap of {width} m, too narrow for it: no path, seed {seed}")
+            }
+            RobotChoice::Disc => format!("Disc of radius {radius} m through a gap of {width} m, seed {seed}"),
+            RobotChoice::Arm => format!("{title} reaching through a gap of {width} m, seed {seed}"),
+            _ => format!("{title} through a gap of {width} m, seed {seed}"),
+        };
+        let wall = |low: f64, high: f64| {
+            let (left, right) = ((SIDE - thickness) / 2.0, (SIDE + thickness) / 2.0);
+            let corners = [(left, low), (right, low), (right, high), (left, high)].map(|(x, y)| Point::new(x, y));
+            Obstacle::Polygon(polygon(&corners))
+        };
+        let walls = [wall(0.0, middle - width / 2.0), wall(middle + width / 2.0, SIDE)];
+        let query = Query { goal_tolerance: choice.goal_tolerance(), ..query("through", start, goal) };
+        Ok(in_box(format!("gap-{id}-{seed}"), title, SIDE, walls, robot, query))
     }
 }
 
-/// Makes a wall with a gap, with one query, "through". The seed places the gap along the wall, start and goal.
-///
-/// # Errors
-/// `out-of-range` or `not-finite` with the pointer of the option; `out-of-range` at `/width` where an arm does not fit into
-/// the gap.
-pub fn gap(options: &GapOptions) -> Result<Scenario, Error> {
-    options.check_all()?;
-    let GapOptions { robot: choice, links, radius, width, thickness, seed } = *options;
-    let mut random = Random::new(seed, Stream::Scenario);
-    // So much of the wall is left on either side; an arm needs more room to fold up.
-    let left = if choice == RobotChoice::Arm { 0.5 - width / 2.0 } else { 0.1 };
-    let low = width / 2.0 + left.max(0.1);
-    let middle = low + random.uniform() * (SIDE - 2.0 * low);
-    let (robot, start, goal) = match choice {
-        RobotChoice::Disc => {
-            let mut place = |left: f64| vec![left + 0.3 * random.uniform(), 0.15 + (SIDE - 0.3) * random.uniform()];
-            let (start, goal) = (place(0.15), place(SIDE - 0.45));
-            (Robot::Disc(DiscRobot::new(radius)?), start, goal)
-        }
-        RobotChoice::Arm => reach_through(options, links, middle, &mut random)?,
-        RobotChoice::RigidBody | RobotChoice::Car => {
-            // A body reaches 0.12 m from its origin.
-            let mut place = |left: f64| {
-                let (x, y) = (left + 0.25 * random.uniform(), 0.2 + (SIDE - 0.4) * random.uniform());
-                vec![x, y, PI * (2.0 * random.uniform() - 1.0)]
-            };
-            let (start, goal) = (place(0.2), place(SIDE - 0.45));
-            (choice.placed()?.unwrap_or_else(|| unreachable!("both are placed")), start, goal)
-        }
-    };
-    let (disc, gap) = (radius, width);
-    let what = match choice {
-        RobotChoice::Disc if width <= 2.0 * radius => {
-            format!("Disc of radius {disc} m at a gap of {gap} m, too narrow for it: no path")
-        }
-        RobotChoice::Disc => format!("Disc of radius {disc} m through a gap of {gap} m"),
-        RobotChoice::Arm => format!("{links}R arm reaching through a gap of {gap} m"),
-        RobotChoice::RigidBody | RobotChoice::Car => format!("{} through a gap of {gap} m", choice.title(links)),
-    };
-    let wall = |low: f64, high: f64| {
-        let (left, right) = ((SIDE - thickness) / 2.0, (SIDE + thickness) / 2.0);
-        let corners = [(left, low), (right, low), (right, high), (left, high)].map(|(x, y)| Point::new(x, y));
-        Obstacle::Polygon(polygon(&corners))
-    };
-    Ok(Scenario {
-        name: format!("gap-{}-{seed}", choice.id(links)),
-        title: Some(format!("{what}, seed {seed}")),
-        world: World {
-            bounds: Some(Aabb { min: Point::origin(), max: Point::new(SIDE, SIDE) }),
-            obstacles: vec![wall(0.0, middle - width / 2.0), wall(middle + width / 2.0, SIDE)],
-        },
-        robot,
-        queries: vec![Query {
-            name: "through".to_owned(),
-            start,
-            goal: Goal::Configuration(goal),
-            goal_tolerance: choice.goal_tolerance(),
-        }],
-    })
-}
-
 /// An arm before a gap at height `middle`, its start and its goal.
-fn reach_through(
-    options: &GapOptions,
-    links: usize,
-    middle: f64,
-    random: &mut Random,
-) -> Result<(Robot, Vec<f64>, Vec<f64>), Error> {
-    let GapOptions { radius, width, thickness, .. } = *options;
+fn reach_through(options: &GapOptions, middle: f64, random: &mut Random) -> Result<(Robot, Vec<f64>, Vec<f64>), Error> {
+    let GapOptions { links, radius, width, thickness, .. } = *options;
     // A line through the middle of the gap, at an angle a to the level, keeps w/2 cos a - t/2 sin a from the wall. With
     // cos a >= 1 - a^2 / 2, sin a <= a and a <= 0.5 at least half of the play on either side is left up to this angle.
     let steepest = ((width / 2.0 - radius) / (thickness + width / 4.0)).min(0.5);
@@ -146,10 +112,10 @@ fn reach_through(
     let length = REACH / links as f64;
     let arm = Arm::new(base, vec![length; links], radius, None)?;
 
-    // Folded up (or down, where there is more room) with no link leaning towards the wall.
+    // Folded up (or down, if there is more of the box there) with no link leaning towards the wall.
     let turn = if base.y <= SIDE / 2.0 { 1.0 } else { -1.0 };
     let leaning: Vec<f64> = (0..links).map(|_| turn * (FRAC_PI_2 + 0.3 * random.uniform())).collect();
-    // Straight through the gap, then bent one way, though never back towards the wall.
+    // Straight through the gap, then bent to one side, though never back towards the wall.
     let bend = if random.below(2) == 0 { 1.0 } else { -1.0 };
     let behind = (SIDE + thickness) / 2.0 + radius + 0.01;
     let mut directions = vec![aim; links];

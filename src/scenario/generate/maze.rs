@@ -2,17 +2,17 @@
 //!
 //! The passages of a perfect maze are a spanning tree of its cells, here one drawn with equal chances from all of them by
 //! loop-erased random walks (Wilson 1996, "Generating random spanning trees more quickly than the cover time"); then a share
-//! of the walls that are left is taken away, so that ways meet in loops. Walls in a row make one rectangle. Every maze has a
-//! path, since the disc fits through its corridors.
+//! of the remaining walls is removed, which makes loops. Walls in a row make one rectangle. Every maze has a path, since the
+//! disc fits through its corridors.
 
 use super::free::{SOME, polygon};
-use super::{Generator, SEEDS};
+use super::{Generator, SEEDS, in_box, query};
 use crate::error::Error;
-use crate::geometry::{Aabb, Point, Polygon};
+use crate::geometry::{Point, Polygon};
 use crate::options::{Choice, Options, out_of_range};
 use crate::random::{Random, Stream};
 use crate::robot::DiscRobot;
-use crate::scenario::{Goal, Obstacle, Query, Robot, Scenario, World};
+use crate::scenario::{Obstacle, Robot, Scenario};
 
 /// The side of a cell, from the middle of one wall to the middle of the next, in metres.
 const CELL: f64 = 0.25;
@@ -21,13 +21,13 @@ const CELL: f64 = 0.25;
 const PLAY: f64 = 0.02;
 
 crate::choice! {
-    /// How hard a maze is.
+    /// The difficulty of a maze.
     pub enum Difficulty {
         /// 6 by 6 cells, one in five of the inner walls opened.
         Easy,
         /// 9 by 9 cells, one in ten of the inner walls opened.
         Medium,
-        /// 12 by 12 cells, a perfect maze: one way from each cell to each other.
+        /// 12 by 12 cells, a perfect maze: one path from each cell to each other.
         Hard,
     }
 }
@@ -46,11 +46,12 @@ impl Difficulty {
 crate::options! {
     /// Which maze to build.
     pub struct MazeOptions for &[];
-    /// easy: 6 by 6 cells, one wall of five opened; medium: 9 by 9, one of ten; hard: 12 by 12, none, so that one way leads to the goal.
+    /// easy: 6 by 6 cells, one wall of five opened; medium: 9 by 9, one of ten; hard: 12 by 12, none, so that one path
+    /// leads to the goal.
     difficulty: Difficulty = Difficulty::Easy, "Difficulty";
     /// The radius of the disc.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
-    /// How thick walls are; corridors are as wide as they leave of 0.25 m.
+    /// The thickness of the walls; corridors have the rest of 0.25 m.
     thickness: f64 = 0.03, in 0.005..=0.1, "Thickness", unit "m";
     /// The seed: 0 (default) to 2^53 - 1.
     seed: u64 = 0, in SEEDS;
@@ -62,83 +63,55 @@ impl Generator for MazeOptions {
     const SUMMARY: &'static str = "A maze of walls for a disc, from corner to corner; there is always a path.";
 
     fn generate(&self) -> Result<Scenario, Error> {
-        maze(self)
-    }
-}
-
-impl MazeOptions {
-    fn check_all(&self) -> Result<(), Error> {
-        let Self { radius, thickness, .. } = *self;
         self.check()?;
+        let Self { difficulty, radius, thickness, seed } = *self;
         let corridor = CELL - thickness;
         if corridor - 2.0 * radius < PLAY - SOME {
             let sentence =
                 format!("a disc of radius {radius} with {PLAY} of play does not fit a corridor {corridor} wide");
             return Err(out_of_range("radius", sentence));
         }
-        Ok(())
+        let (cells, opened) = difficulty.cells_and_opened();
+        let mut random = Random::new(seed, Stream::Scenario);
+        let mut walls = Walls::of_perfect_maze(cells, &mut random);
+        walls.open(opened, &mut random);
+        let (side, word) = (CELL * cells as f64, difficulty.word());
+        let (first, last) = (CELL / 2.0, side - CELL / 2.0);
+        let name = format!("maze-{word}-{seed}");
+        let title = format!("Disc in a maze of {cells} by {cells} cells, {word}, seed {seed}");
+        let walls = walls.rectangles(thickness).into_iter().map(Obstacle::Polygon);
+        let robot = Robot::Disc(DiscRobot::new(radius)?);
+        Ok(in_box(name, title, side, walls, robot, query("through", vec![first, first], vec![last, last])))
     }
-}
-
-/// Builds a maze, with one query, "through".
-///
-/// # Errors
-/// `out-of-range` or `not-finite` with the pointer of the option; `out-of-range` at `/radius` where the disc does not fit
-/// through the corridors.
-pub fn maze(options: &MazeOptions) -> Result<Scenario, Error> {
-    options.check_all()?;
-    let MazeOptions { difficulty, radius, thickness, seed } = *options;
-    let (cells, opened) = difficulty.cells_and_opened();
-    let mut random = Random::new(seed, Stream::Scenario);
-    let mut walls = Walls::of_perfect_maze(cells, &mut random);
-    walls.open(opened, &mut random);
-    let side = CELL * cells as f64;
-    let word = difficulty.word();
-    let (first, last) = (CELL / 2.0, side - CELL / 2.0);
-    Ok(Scenario {
-        name: format!("maze-{word}-{seed}"),
-        title: Some(format!("Disc in a maze of {cells} by {cells} cells, {word}, seed {seed}")),
-        world: World {
-            bounds: Some(Aabb { min: Point::origin(), max: Point::new(side, side) }),
-            obstacles: walls.rectangles(thickness).into_iter().map(Obstacle::Polygon).collect(),
-        },
-        robot: Robot::Disc(DiscRobot::new(radius)?),
-        queries: vec![Query {
-            name: "through".to_owned(),
-            start: vec![first, first],
-            goal: Goal::Configuration(vec![last, last]),
-            goal_tolerance: None,
-        }],
-    })
 }
 
 /// The inner walls of a square maze. Cells are numbered row by row from the lower left corner.
 struct Walls {
     cells: usize,
-    /// For each cell, whether there is a wall to its right and one above it; never at the border, where the bounds are.
+    /// For each cell, whether there is a wall to its right and one above it; never at the border, which is the bounds.
     closed: Vec<[bool; 2]>,
 }
 
 impl Walls {
-    /// The walls of a perfect maze: from every cell that is not joined yet a random walk leads to one that is, and what is
-    /// left of it without its loops becomes passages. O(cells) steps a walk on average, in practice fewer.
+    /// The walls of a perfect maze: from every cell that is not connected yet a random walk leads to one that is, and the
+    /// walk without its loops becomes passages. O(cells) steps a walk on average, in practice fewer.
     fn of_perfect_maze(cells: usize, random: &mut Random) -> Self {
         let count = cells * cells;
         let closed = (0..count).map(|cell| [cell % cells + 1 < cells, cell / cells + 1 < cells]).collect();
         let mut walls = Self { cells, closed };
-        let mut joined = vec![false; count];
-        joined[random.below(count as u64) as usize] = true;
-        // Where the walk last left each cell: to follow it leaves the loops out.
+        let mut connected = vec![false; count];
+        connected[random.below(count as u64) as usize] = true;
+        // The neighbour to which the walk last left each cell: following these omits the loops.
         let mut exit = vec![0; count];
         for first in 0..count {
             let mut cell = first;
-            while !joined[cell] {
+            while !connected[cell] {
                 exit[cell] = walls.neighbour(cell, random);
                 cell = exit[cell];
             }
             cell = first;
-            while !joined[cell] {
-                joined[cell] = true;
+            while !connected[cell] {
+                connected[cell] = true;
                 let (low, high) = (cell.min(exit[cell]), cell.max(exit[cell]));
                 walls.closed[low][usize::from(high != low + 1)] = false;
                 cell = exit[cell];
@@ -161,7 +134,7 @@ impl Walls {
         *there().nth(chosen).expect("a number below the count")
     }
 
-    /// Takes away so many of a hundred walls.
+    /// Removes so many of a hundred walls.
     fn open(&mut self, of_a_hundred: usize, random: &mut Random) {
         let both = |cell: usize| [(cell, 0), (cell, 1)];
         let mut left: Vec<(usize, usize)> = (0..self.closed.len()).flat_map(both).collect();
@@ -172,17 +145,17 @@ impl Walls {
         }
     }
 
-    /// The walls as rectangles, one for each run of walls in a line: first the upright ones from left to right, then the
-    /// level ones from below.
+    /// The walls as rectangles, one for each run of walls in a line: first the vertical ones from left to right, then the
+    /// horizontal ones from below.
     fn rectangles(&self, thickness: f64) -> Vec<Polygon> {
         let (n, half) = (self.cells, thickness / 2.0);
         let side = CELL * n as f64;
         let mut rectangles = Vec::new();
-        for upright in [true, false] {
+        for vertical in [true, false] {
             for line in 0..n - 1 {
                 let is_closed = |i: usize| {
-                    let cell = if upright { i * n + line } else { line * n + i };
-                    i < n && self.closed[cell][usize::from(!upright)]
+                    let cell = if vertical { i * n + line } else { line * n + i };
+                    i < n && self.closed[cell][usize::from(!vertical)]
                 };
                 let across = CELL * (line + 1) as f64;
                 let mut from = 0;
@@ -196,7 +169,7 @@ impl Walls {
                         let (low, high) = (low.max(0.0), high.min(side));
                         let wall =
                             [(across - half, low), (across + half, low), (across + half, high), (across - half, high)];
-                        rectangles.push(rectangle(wall, upright));
+                        rectangles.push(rectangle(wall, vertical));
                     }
                     from = i + 1;
                 }
@@ -207,7 +180,7 @@ impl Walls {
 }
 
 /// The rectangle of the corners, which are written as (across, along) a wall.
-fn rectangle(corners: [(f64, f64); 4], upright: bool) -> Polygon {
-    let corners = corners.map(|(u, v)| if upright { Point::new(u, v) } else { Point::new(v, u) });
+fn rectangle(corners: [(f64, f64); 4], vertical: bool) -> Polygon {
+    let corners = corners.map(|(u, v)| if vertical { Point::new(u, v) } else { Point::new(v, u) });
     polygon(&corners)
 }

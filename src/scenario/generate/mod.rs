@@ -1,34 +1,33 @@
-//! Scenarios made by seed: the same options give the same document on every platform. One file a generator.
+//! Scenarios made by seed: the same options give the same document on every platform.
 
 mod bug_trap;
-mod clutter;
-mod discs;
 mod forest;
 mod free;
 mod gap;
 mod maze;
 mod robots;
+mod scattered;
 
-pub use bug_trap::{BugTrapOptions, BugTrapStart, Turn, bug_trap};
-pub use clutter::{ClutterOptions, clutter};
-pub use discs::{DiscsOptions, Placement, discs};
-pub use forest::{ForestOptions, forest};
-pub use gap::{GapOptions, gap};
-pub use maze::{Difficulty, MazeOptions, maze};
+pub use bug_trap::{BugTrapOptions, BugTrapStart, Turn};
+pub use forest::ForestOptions;
+pub use gap::GapOptions;
+pub use maze::{Difficulty, MazeOptions};
 pub use robots::RobotChoice;
+pub use scattered::{ClutterOptions, DiscsOptions, Placement};
 
-use super::Scenario;
+use super::{Goal, Obstacle, Query, Robot, Scenario, World};
 use crate::error::{Code, Error, quoted};
+use crate::geometry::{Aabb, Point};
 use crate::options::{OptionInfo, Options, Value, out_of_range};
 use crate::random::MAX_SEED;
 use serde_json::Value as Json;
 
-/// What there is to know about a generator.
+/// The description of a generator.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GeneratorInfo {
     /// The id, in kebab-case, the same everywhere.
     pub id: &'static str,
-    /// The name for people.
+    /// The title for people.
     pub title: &'static str,
     /// What it makes, in one sentence.
     pub summary: &'static str,
@@ -40,15 +39,16 @@ pub struct GeneratorInfo {
 pub trait Generator: Options {
     /// The id, in kebab-case, the same everywhere.
     const ID: &'static str;
-    /// The name for people.
+    /// The title for people.
     const TITLE: &'static str;
     /// What it makes, in one sentence.
     const SUMMARY: &'static str;
 
-    /// Makes the scenario.
+    /// Makes the scenario, with one query.
     ///
     /// # Errors
-    /// `out-of-range` or `not-finite` with the pointer of the option.
+    /// `out-of-range` or `not-finite` with the pointer of the option; `out-of-range` at `/count` (`/seed` of a forest) if
+    /// the obstacles do not fit within 10,000 draws, and at `/radius` or `/width` if the robot does not fit.
     fn generate(&self) -> Result<Scenario, Error>;
 }
 
@@ -78,7 +78,7 @@ macro_rules! generators {
                 return read::<$Options>(options)?.generate();
             })*
             let known = [$(<$Options>::ID),*].join(", ");
-            let sentence = format!("nothing named {} is generated; there are {known}", quoted(kind));
+            let sentence = format!("there is no generator {}; there are {known}", quoted(kind));
             Err(Error::new(Code::UnknownGenerator, "", sentence))
         }
     };
@@ -103,7 +103,41 @@ fn read<O: Options>(options: &Json) -> Result<O, Error> {
     Ok(read)
 }
 
-/// The error of a generator that found no place for its obstacles.
-fn no_place(option: &str, placed: usize, wanted: usize, draws: u32) -> Error {
-    out_of_range(option, format!("only {placed} of {wanted} obstacles found a place in {draws} draws"))
+/// The most draws that a generator makes for all of its obstacles.
+const DRAWS: u32 = 10_000;
+
+/// Places `count` obstacles one after another. `draw` is given those already placed, and returns `None` if what it has
+/// drawn does not fit; if too few fit, the error is that of the option.
+fn scatter<T>(option: &str, count: usize, mut draw: impl FnMut(&[T]) -> Option<T>) -> Result<Vec<T>, Error> {
+    let mut placed = Vec::with_capacity(count);
+    for _ in 0..DRAWS {
+        if placed.len() == count {
+            break;
+        }
+        placed.extend(draw(&placed));
+    }
+    if placed.len() < count {
+        let sentence = format!("only {} of {count} obstacles could be placed in {DRAWS} draws", placed.len());
+        return Err(out_of_range(option, sentence));
+    }
+    Ok(placed)
+}
+
+/// A scenario in a square box with its lower left corner at the origin.
+fn in_box(
+    name: String,
+    title: String,
+    side: f64,
+    obstacles: impl IntoIterator<Item = Obstacle>,
+    robot: Robot,
+    query: Query,
+) -> Scenario {
+    let bounds = Some(Aabb { min: Point::origin(), max: Point::new(side, side) });
+    let world = World { bounds, obstacles: obstacles.into_iter().collect() };
+    Scenario { name, title: Some(title), world, robot, queries: vec![query] }
+}
+
+/// A query that is to reach its goal exactly.
+fn query(name: &str, start: Vec<f64>, goal: Vec<f64>) -> Query {
+    Query { name: name.to_owned(), start, goal: Goal::Configuration(goal), goal_tolerance: None }
 }

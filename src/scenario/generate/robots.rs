@@ -3,11 +3,12 @@
 //! Body and car are the rectangle of the course reports, 0.2 m by 0.1 m, and the car has their wheelbase and limits.
 
 use super::free::polygon;
+use super::query;
 use crate::error::{Code, Error};
 use crate::geometry::Point;
 use crate::options::{Value, refusal};
 use crate::robot::{Arm, Car, DiscRobot, Part, RigidBody, Weights};
-use crate::scenario::{Goal, GoalTolerance, Query, Robot};
+use crate::scenario::{GoalTolerance, Query, Robot};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 crate::choice! {
@@ -25,81 +26,41 @@ crate::choice! {
     }
 }
 
-/// Half the length and half the width of a body, in metres.
-const HALF: [f64; 2] = [0.1, 0.05];
-
-/// The wheelbase of a car, in metres.
-const WHEELBASE: f64 = 0.2;
-
-/// How fast a car goes either way, in metres a second.
-const FASTEST: f64 = 0.5;
-
-/// How far it steers either way, in radians.
-const STEEPEST: f64 = FRAC_PI_4;
-
-/// Its step of integration, in seconds.
-const STEP: f64 = 0.01;
-
-/// How near to its goal a car must come.
-const NEAR: GoalTolerance = GoalTolerance { translation: 0.1, rotation: 0.5 };
-
 /// The side of the box that most worlds are, in metres.
 pub(super) const SIDE: f64 = 2.0;
 
-/// How far an arm reaches from the middle of the box, in metres; with the largest radius it stays inside.
+/// The reach of an arm from the middle of the box, in metres; with the largest radius it stays inside.
 const REACH: f64 = 0.8;
 
 impl RobotChoice {
-    fn article(self) -> &'static str {
+    /// With an article, as in a scenario's name (`disc`, `3r`, `body` or `car`) and as in its title.
+    pub(super) fn words(self, links: usize) -> [String; 3] {
         match self {
-            RobotChoice::Disc => "a disc",
-            RobotChoice::Arm => "an arm",
-            RobotChoice::RigidBody => "a rigid body",
-            RobotChoice::Car => "a car",
+            RobotChoice::Disc => ["a disc", "disc", "Disc"].map(str::to_owned),
+            RobotChoice::Arm => ["an arm".to_owned(), format!("{links}r"), format!("{links}R arm")],
+            RobotChoice::RigidBody => ["a rigid body", "body", "Rigid body"].map(str::to_owned),
+            RobotChoice::Car => ["a car", "car", "Car"].map(str::to_owned),
         }
     }
 
-    /// What a scenario's name calls it: `disc`, `3r`, `body` or `car`.
-    pub(super) fn id(self, links: usize) -> String {
-        match self {
-            RobotChoice::Disc => "disc".to_owned(),
-            RobotChoice::Arm => format!("{links}r"),
-            RobotChoice::RigidBody => "body".to_owned(),
-            RobotChoice::Car => "car".to_owned(),
-        }
-    }
-
-    /// What a scenario's title calls it.
-    pub(super) fn title(self, links: usize) -> String {
-        match self {
-            RobotChoice::Disc => "Disc".to_owned(),
-            RobotChoice::Arm => format!("{links}R arm"),
-            RobotChoice::RigidBody => "Rigid body".to_owned(),
-            RobotChoice::Car => "Car".to_owned(),
-        }
-    }
-
-    /// The rectangle or the car that is placed by (x, y, theta); none else.
-    pub(super) fn placed(self) -> Result<Option<Robot>, Error> {
-        let [x, y] = HALF;
-        let shape = || polygon(&[(-x, -y), (x, -y), (x, y), (-x, y)].map(|(x, y)| Point::new(x, y)));
+    /// The car; the rigid body for any other.
+    pub(super) fn placed(self) -> Result<Robot, Error> {
+        let [x, y] = [0.1, 0.05];
+        let shape = polygon(&[(-x, -y), (x, -y), (x, y), (-x, y)].map(|(x, y)| Point::new(x, y)));
         let weights = Weights::default();
-        Ok(match self {
-            RobotChoice::Disc | RobotChoice::Arm => None,
-            RobotChoice::RigidBody => Some(Robot::RigidBody(RigidBody::new(shape(), weights))),
-            RobotChoice::Car => {
-                let [speed, steering] = [FASTEST, STEEPEST].map(|most| [-most, most]);
-                Some(Robot::Car(Car::new(shape(), WHEELBASE, speed, steering, STEP, weights)?))
-            }
-        })
+        if self != RobotChoice::Car {
+            return Ok(Robot::RigidBody(RigidBody { shape, weights }));
+        }
+        let (wheelbase, speed, steering, step) = (0.2, [-0.5, 0.5], [-FRAC_PI_4, FRAC_PI_4], 0.01);
+        Ok(Robot::Car(Car::new(shape, wheelbase, speed, steering, step, weights)?))
     }
 
-    /// How near to its goal it must come, where that is a region.
+    /// The goal region, if the robot has one.
     pub(super) fn goal_tolerance(self) -> Option<GoalTolerance> {
-        (self == RobotChoice::Car).then_some(NEAR)
+        (self == RobotChoice::Car).then_some(GoalTolerance { translation: 0.1, rotation: 0.5 })
     }
 
-    /// The robot in the box, and from where to where it shall go across: a disc, a body or a car between opposite corners, an
+    /// The robot in the box, and a query across it: a disc, a body or a car between opposite corners, an
     /// arm in the middle from one side to the other.
     pub(super) fn across(self, links: usize, radius: f64) -> Result<(Robot, Query), Error> {
         let (robot, start, goal) = match self {
@@ -111,20 +72,11 @@ impl RobotChoice {
                 (Robot::Arm(arm), bent(0.5, 0.3), bent(-2.6, -0.3))
             }
             RobotChoice::RigidBody | RobotChoice::Car => {
-                let robot = self.placed()?.unwrap_or_else(|| unreachable!("both are placed"));
                 let turn = if self == RobotChoice::Car { 0.0 } else { FRAC_PI_2 };
-                (robot, vec![0.25, 0.25, 0.0], vec![SIDE - 0.25, SIDE - 0.25, turn])
+                (self.placed()?, vec![0.25, 0.25, 0.0], vec![SIDE - 0.25, SIDE - 0.25, turn])
             }
         };
-        Ok((
-            robot,
-            Query {
-                name: "across".to_owned(),
-                start,
-                goal: Goal::Configuration(goal),
-                goal_tolerance: self.goal_tolerance(),
-            },
-        ))
+        Ok((robot, Query { goal_tolerance: self.goal_tolerance(), ..query("across", start, goal) }))
     }
 }
 
@@ -135,13 +87,14 @@ pub(super) fn check_given(given: &[(String, Value)]) -> Result<(), Error> {
         _ => None,
     });
     let robot = robot.unwrap_or(RobotChoice::Disc);
+    let [article, ..] = robot.words(0);
     let is_given = |option: &str| given.iter().any(|(name, _)| name == option);
     if is_given("links") && robot != RobotChoice::Arm {
-        let sentence = format!("{} has no links; say \"robot\": \"arm\" for an arm", robot.article());
+        let sentence = format!("{article} has no links; give \"robot\": \"arm\" for an arm");
         return Err(refusal(Code::UnknownField, "links", sentence));
     }
     if is_given("radius") && matches!(robot, RobotChoice::RigidBody | RobotChoice::Car) {
-        let sentence = format!("{} has no radius: it is a rectangle of 0.2 m by 0.1 m", robot.article());
+        let sentence = format!("{article} has no radius: it is a rectangle of 0.2 m by 0.1 m");
         return Err(refusal(Code::UnknownField, "radius", sentence));
     }
     Ok(())

@@ -18,7 +18,7 @@ impl Curve {
     /// The curve of the given segments, without those of length 0; `radius` in metres, greater than 0.
     ///
     /// # Panics
-    /// Where there are more than [`MAX_SEGMENTS`].
+    /// If there are more than [`MAX_SEGMENTS`].
     pub fn new(radius: f64, segments: &[(Turn, f64)]) -> Self {
         let nothing = Segment { turn: Turn::Straight, length: 0.0 };
         let mut curve = Self { segments: [nothing; MAX_SEGMENTS], count: 0, radius, length: 0.0 };
@@ -42,7 +42,7 @@ impl Curve {
         self.radius
     }
 
-    /// How long it is, in metres, in whatever direction it is driven.
+    /// The length in metres, in either direction.
     pub fn length(&self) -> f64 {
         self.length
     }

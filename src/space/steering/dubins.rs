@@ -1,7 +1,8 @@
 //! The shortest curve of a car that only drives forwards.
 //!
-//! Dubins 1957, "On curves of minimal length with a constraint on average curvature, and with prescribed initial and terminal
-//! positions and tangents": it is one of six words, an arc, then a straight line or an arc of the opposite direction, then an arc.
+//! Dubins 1957, "On curves of minimal length with a constraint on average curvature, and with prescribed initial and
+//! terminal positions and tangents": it is one of six words, an arc, then a straight line or an arc of the opposite
+//! direction, then an arc.
 
 use super::goal::{Goal, Shortest, forwards, short_words};
 use super::{Curve, Pose, Turn};
@@ -18,7 +19,7 @@ pub fn dubins(from: Pose, to: Pose, radius: f64) -> Curve {
             words(side).iter().for_each(|word| offer(shortest, side, word));
         }
     });
-    // Rounding drops none of the words that always exist but where numbers overflow.
+    // Rounding drops none of the words that always exist unless numbers overflow.
     found.unwrap_or_else(|| {
         let [(_, first), (_, line), (_, last)] = words(&goal)[0];
         let word = [(Turn::Left, forwards(first)), (Turn::Straight, line), (Turn::Left, forwards(last))];
@@ -26,7 +27,7 @@ pub fn dubins(from: Pose, to: Pose, radius: f64) -> Curve {
     })
 }
 
-/// The words that begin to the left, with unwrapped angles. Where one does not exist, its lengths are not numbers.
+/// The words that begin to the left, with unwrapped angles. If one does not exist, its lengths are not numbers.
 fn words(goal: &Goal) -> [[(Turn, f64); 3]; 3] {
     use Turn::{Left, Right, Straight};
     let (left, right) = (&goal.left, &goal.right);
@@ -36,15 +37,15 @@ fn words(goal: &Goal) -> [[(Turn, f64); 3]; 3] {
     let half = libm::asin(0.25 * left.length);
     let (first, middle) = (left.angle + PI - half, TAU - 2.0 * half);
     [
-        [(Left, left.angle), (Straight, left.length), (Left, goal.heading() - left.angle)],
-        [(Left, turn), (Straight, inner), (Right, turn - goal.heading())],
-        [(Left, first), (Right, middle), (Left, goal.heading() - first + middle)],
+        [(Left, left.angle), (Straight, left.length), (Left, goal.heading - left.angle)],
+        [(Left, turn), (Straight, inner), (Right, turn - goal.heading)],
+        [(Left, first), (Right, middle), (Left, goal.heading - first + middle)],
     ]
 }
 
 /// Offers a word if it can be driven forwards.
 fn offer(shortest: &mut Shortest, goal: &Goal, word: &[(Turn, f64)]) {
-    let is_forwards = |&(turn, length): &(Turn, f64)| turn != Turn::Straight || length >= -goal.slack();
+    let is_forwards = |&(turn, length): &(Turn, f64)| turn != Turn::Straight || length >= -goal.slack;
     if word.iter().all(is_forwards) {
         let mut segments = [(Turn::Straight, 0.0); 3];
         for (segment, &(turn, length)) in segments.iter_mut().zip(word) {

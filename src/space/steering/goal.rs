@@ -3,10 +3,10 @@
 use super::{Curve, Pose, Turn, wrap};
 use std::f64::consts::{PI, TAU};
 
-/// What a curve may miss its goal by, as a part of all lengths that are rounded, and in radians.
+/// How far a curve may end from its goal, as a part of all lengths that are rounded, and in radians.
 const SLACK: f64 = 1e-13;
 
-/// A word must be shorter by more than this part, and than what rounding amounts to, to be taken instead of an earlier one.
+/// A word must be shorter by more than this part, and than the effect of rounding, to be taken instead of an earlier one.
 const TIE: f64 = 1e-12;
 
 /// A goal seen from a start at (0, 0) with heading 0, in radii.
@@ -14,16 +14,17 @@ const TIE: f64 = 1e-12;
 pub(super) struct Goal {
     x: f64,
     y: f64,
-    heading: f64,
+    /// In (-pi, pi].
+    pub heading: f64,
     sin: f64,
     cos: f64,
     /// From the centre of the circle to the left of the start to that to the left of the goal.
     pub left: Between,
     /// The same to that to the right of the goal.
     pub right: Between,
-    /// What rounding can amount to, in radii.
-    slack: f64,
-    /// Whether left is right.
+    /// The largest effect of rounding, in radii.
+    pub slack: f64,
+    /// Whether left and right are exchanged.
     is_mirrored: bool,
 }
 
@@ -41,8 +42,8 @@ impl Between {
         Self { x, y, length: (x * x + y * y).sqrt(), angle: libm::atan2(y, x) }
     }
 
-    /// The rest of the square over a side of 2, which a straight line between circles that are passed on opposite sides is
-    /// long; not a number where they overlap.
+    /// The length of a straight line between the circles if they are passed on opposite sides: the other leg of a right
+    /// triangle with a leg of 2; not a number if they overlap.
     pub fn inner(&self) -> f64 {
         (self.length * self.length - 4.0).sqrt()
     }
@@ -70,16 +71,6 @@ impl Goal {
         Self::seen(self.x, -self.y, -self.heading, (-self.sin, self.cos), self.slack, !self.is_mirrored)
     }
 
-    /// The heading, in (-pi, pi].
-    pub fn heading(&self) -> f64 {
-        self.heading
-    }
-
-    /// What rounding can amount to, in radii.
-    pub fn slack(&self) -> f64 {
-        self.slack
-    }
-
     /// The words of at most two segments that lead there but for rounding, with unwrapped angles; fewer segments first. The
     /// straight line, which is its own mirror image, is listed once.
     fn short_words(&self) -> [Option<[(Turn, f64); 2]>; 5] {
@@ -101,7 +92,7 @@ impl Goal {
     fn is_end_of(&self, curve: &Curve) -> bool {
         let end = curve.end(Pose { x: 0.0, y: 0.0, heading: 0.0 });
         let (x, y) = (end.x - self.x, end.y - self.y);
-        // Written so that what is not a number is no end.
+        // False if it is not a number.
         (x * x + y * y).sqrt() <= 2.0 * self.slack && wrap(end.heading - self.heading).abs() <= 2.0 * SLACK
     }
 }
@@ -110,15 +101,15 @@ impl Goal {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Shortest {
     best: Option<(Goal, Curve)>,
-    /// What a word has to be shorter than to be taken.
+    /// A word is taken only if it is shorter than this.
     limit: f64,
     /// Whether every word is driven before it is taken.
     is_careful: bool,
 }
 
 impl Shortest {
-    /// The shortest of the words to one goal that `offer_all` offers, in metres; `None` where none leads there. The winner
-    /// alone is driven; where it misses, which rounding hardly ever brings about, all are.
+    /// The shortest of the words to one goal that `offer_all` offers, in metres; `None` if none leads there. The shortest
+    /// alone is driven; if it does not end at the goal, which rounding hardly ever causes, all are.
     pub fn find(radius: f64, offer_all: impl Fn(&mut Self)) -> Option<Curve> {
         for is_careful in [false, true] {
             let mut shortest = Self { best: None, limit: f64::INFINITY, is_careful };
@@ -131,10 +122,10 @@ impl Shortest {
         None
     }
 
-    /// Takes a word to the goal where it is shorter, and leads there.
+    /// Takes a word to the goal if it is shorter, and leads there.
     pub fn offer(&mut self, goal: &Goal, segments: &[(Turn, f64)]) {
         let length = segments.iter().fold(0.0, |sum, (_, length)| sum + length.abs());
-        // A word that does not exist has a length that is not a number, which is below nothing.
+        // A word that does not exist has a length that is not a number, for which this is false.
         if length < self.limit {
             let curve = Curve::new(1.0, segments);
             if !self.is_careful || goal.is_end_of(&curve) {
@@ -145,7 +136,7 @@ impl Shortest {
     }
 }
 
-/// Hands out the words of at most two segments to a goal, seen as it is and in the mirror, fewer segments first.
+/// Passes the words of at most two segments to a goal, seen as it is and in the mirror, to `offer`, fewer segments first.
 pub(super) fn short_words(sides: &[Goal; 2], mut offer: impl FnMut(&Goal, [(Turn, f64); 2])) {
     let words = [sides[0].short_words(), sides[1].short_words()];
     for i in 0..words[0].len() {
@@ -174,6 +165,6 @@ pub(super) fn forwards(mut angle: f64) -> f64 {
     while angle < 0.0 {
         angle += TAU;
     }
-    // What is a rounding below 0 comes out as a whole turn.
+    // A rounding error below 0 has become a whole turn.
     if angle >= TAU { 0.0 } else { angle + 0.0 }
 }

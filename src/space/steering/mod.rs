@@ -5,11 +5,11 @@
 //!
 //! # How curves are found, and what holds for them
 //! The goal is seen from the start, in radii. Every word (a sequence of turns) has a closed solution; the candidates are
-//! driven before one is taken, and one that misses the goal is dropped. A curve that is answered ends within
+//! driven before one is taken, and one that misses the goal is dropped. A curve that is returned ends within
 //! 2e-13 (radius + distance + largest coordinate) of the goal and within 2e-13 of its heading. Words of one and two segments
-//! have to fit that closely only: rounding of a pose on a curve costs neither a loop nor a shunt. Of curves as long as each
-//! other, to 1e-12, the first in the order of the words is taken. There is always an answer: one turn, a straight line and
-//! another turn lead to every pose.
+//! have to fit that closely only: rounding of a pose on a curve adds neither a loop nor a change of gear. Of curves as long as each
+//! other, to 1e-12, the first in the order of the words is taken. There is always a curve: one turn, a straight line and another
+//! turn lead to every pose.
 
 mod curve;
 mod dubins;
@@ -41,7 +41,7 @@ pub fn advance(from: Pose, curvature: f64, length: f64) -> Pose {
     Pose { x: x + 0.0, y: y + 0.0, heading: wrap(heading) }
 }
 
-/// How a car is steered from pose to pose.
+/// The curves of a car from pose to pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantNames)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Steering {
@@ -65,14 +65,14 @@ impl Steering {
         }
     }
 
-    /// Whether every curve can be driven back.
+    /// Whether every curve can be driven in reverse.
     #[inline]
     pub fn is_symmetric(self) -> bool {
         self == Steering::ReedsShepp
     }
 }
 
-/// What a segment does.
+/// The turn of a segment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Turn {
     /// An arc to the left of a car that drives forwards.

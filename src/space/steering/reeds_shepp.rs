@@ -1,15 +1,15 @@
 //! The shortest curve of a car that drives forwards and in reverse.
 //!
-//! Reeds and Shepp 1990, "Optimal paths for a car that goes both forwards and backwards": it is one of 48 words of up to five
-//! segments. With C an arc, S a straight line and | a change of gear they are the words CSC; C|C|C, C|CC and CC|C; CCu|CuC and
-//! C|CuCu|C with two arcs alike; C|CqSC and CSCq|C with a quarter of a turn, and C|CqSCq|C.
+//! Reeds and Shepp 1990, "Optimal paths for a car that goes both forwards and backwards": it is one of 48 words of up to
+//! five segments. With C an arc, S a straight line and | a change of gear they are the words CSC; C|C|C, C|CC and CC|C;
+//! CCu|CuC and C|CuCu|C with two arcs alike; C|CqSC and CSCq|C with a quarter of a turn, and C|CqSCq|C.
 //!
-//! Here gears are not told apart: a word says left, right or straight, and its signed lengths solve for the goal whatever
-//! their signs. Of angles that differ by a whole turn the shorter is driven, which is never longer than the word that the paper
-//! has; so few equations cover all its words, and what they cover besides leads to the goal too.
+//! Here gears are not distinguished: a word consists of left, right and straight, and its signed lengths solve for the
+//! goal whatever their signs. Of angles that differ by a whole turn the shorter is driven, which is never longer than the
+//! word that the paper has; so few equations cover all its words, and what they cover besides leads to the goal too.
 //!
 //! # The equations
-//! Points are complex numbers, e(h) the heading h, n(h) = e(h - pi/2) the way from a left circle's centre to a car on it. From the
+//! Points are complex numbers, e(h) the heading h, n(h) = e(h - pi/2) the vector from a left circle's centre to a car on it. From the
 //! centre of the circle left of the start to that left (right) of the goal the vector is, for arcs t, u, v and a line s,
 //! - LSL: s e(t); LSR: (s - 2i) e(t);
 //! - LRL: 2 n(t) - 2 n(t - u) = 4 sin(u/2) e(t - u/2);
@@ -27,7 +27,7 @@ use std::f64::consts::PI;
 const QUARTER: f64 = 0.5 * PI;
 
 /// The shortest curve from one pose to another for a car that turns no tighter than `radius` metres, greater than 0, and may
-/// reverse at any place. The curve back is the same, reversed, to the bit. O(1).
+/// reverse anywhere. The curve back is the same, reversed, to the bit. O(1).
 pub fn reeds_shepp(from: Pose, to: Pose, radius: f64) -> Curve {
     let order = from.x.total_cmp(&to.x).then(from.y.total_cmp(&to.y)).then(from.heading.total_cmp(&to.heading));
     if order == Ordering::Greater { find(to, from, radius).reversed() } else { find(from, to, radius) }
@@ -42,10 +42,10 @@ fn find(from: Pose, to: Pose, radius: f64) -> Curve {
             sides.iter().for_each(|goal| family(goal, shortest));
         }
     });
-    // Rounding drops none of the words that always exist but where numbers overflow.
+    // Rounding drops none of the words that always exist unless numbers overflow.
     found.unwrap_or_else(|| {
         let left = &goal.left;
-        let word = [left.angle, left.length, shorter(goal.heading() - left.angle)];
+        let word = [left.angle, left.length, shorter(goal.heading - left.angle)];
         Curve::new(1.0, &[(Turn::Left, word[0]), (Turn::Straight, word[1]), (Turn::Left, word[2])]).scaled(radius)
     })
 }
@@ -64,7 +64,7 @@ fn offer<const K: usize>(goal: &Goal, shortest: &mut Shortest, mut word: [(Turn,
 /// CSC.
 fn straight(goal: &Goal, shortest: &mut Shortest) {
     use Turn::{Left, Right, Straight};
-    let heading = goal.heading();
+    let heading = goal.heading;
     let left = &goal.left;
     for (t, s) in [(left.angle, left.length), (left.angle + PI, -left.length)] {
         offer(goal, shortest, [(Left, t), (Straight, s), (Left, heading - t)]);
@@ -86,14 +86,14 @@ fn arcs(goal: &Goal, shortest: &mut Shortest) {
     }
     let half = libm::asin(0.25 * left.length);
     for (t, u) in [(left.angle + half, 2.0 * half), (left.angle + PI - half, -2.0 * half)] {
-        offer(goal, shortest, [(Left, t), (Right, u), (Left, goal.heading() - t + u)]);
+        offer(goal, shortest, [(Left, t), (Right, u), (Left, goal.heading - t + u)]);
     }
 }
 
 /// CCu|CuC and C|CuCu|C.
 fn equal_arcs(goal: &Goal, shortest: &mut Shortest) {
     use Turn::{Left, Right};
-    let heading = goal.heading();
+    let heading = goal.heading;
     let right = &goal.right;
     if right.length > 6.0 {
         return;
@@ -119,7 +119,7 @@ fn equal_arcs(goal: &Goal, shortest: &mut Shortest) {
 /// C|CqSC, CSCq|C and C|CqSCq|C. A line that goes against the quarter before it is never part of a shortest curve.
 fn quarters(goal: &Goal, shortest: &mut Shortest) {
     use Turn::{Left, Right, Straight};
-    let heading = goal.heading();
+    let heading = goal.heading;
     let (left, right) = (&goal.left, &goal.right);
     for sign in [1.0, -1.0] {
         let q = sign * QUARTER;

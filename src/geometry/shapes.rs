@@ -1,4 +1,4 @@
-//! An axis-aligned bounding box.
+//! Boxes, discs and segments.
 
 use super::Point;
 use serde::Serialize;
@@ -59,5 +59,43 @@ impl Aabb {
     /// The longer side, in metres.
     pub fn longer_side(&self) -> f64 {
         (self.max.x - self.min.x).max(self.max.y - self.min.y)
+    }
+}
+
+/// A closed, filled disc.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(tag = "type", rename = "disc")]
+pub struct Disc {
+    /// The centre, in metres.
+    pub center: Point,
+    /// The radius, in metres, at least 0.
+    pub radius: f64,
+}
+
+impl Disc {
+    /// The smallest box around the disc.
+    pub fn aabb(&self) -> Aabb {
+        Aabb { min: self.center, max: self.center }.grown(self.radius)
+    }
+}
+
+/// A closed segment; both ends may coincide.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Segment {
+    /// One end, in metres.
+    pub a: Point,
+    /// The other end, in metres.
+    pub b: Point,
+}
+
+impl Segment {
+    /// The segment between the two points.
+    pub fn new(a: Point, b: Point) -> Self {
+        Self { a, b }
+    }
+
+    /// The smallest box around the segment.
+    pub fn aabb(&self) -> Aabb {
+        Aabb::of(self.a, self.b)
     }
 }

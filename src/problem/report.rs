@@ -1,0 +1,87 @@
+//! What a run reports: its status, its phase, and the work done, as counts that are the same on every platform and the
+//! seconds that a caller measured.
+
+use crate::json::not_negative;
+use serde::{Deserialize, Serialize};
+use strum::{IntoStaticStr, VariantArray};
+
+/// The status of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum Status {
+    /// More iterations may help.
+    Running,
+    /// A path was found.
+    Solved,
+    /// The budget of iterations, samples or memory (`graph::MAX_RECORDS`) is spent without a path.
+    Exhausted,
+}
+
+impl Status {
+    /// The status as it is printed: `running`, `solved` or `exhausted`.
+    pub fn as_str(self) -> &'static str {
+        self.into()
+    }
+}
+
+/// The phase of a run. Its number is its index in [`Phase::ALL`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "kebab-case")]
+pub enum Phase {
+    /// Samples are drawn and become vertices.
+    Sampling,
+    /// Vertices are connected to their neighbours.
+    Connecting,
+    /// Samples become guards of a visibility roadmap, or links between them.
+    Guarding,
+    /// The roadmap is searched.
+    Searching,
+    /// A tree grows, or two.
+    Growing,
+    /// A path was found and gets shorter.
+    Improving,
+    /// The run has ended.
+    Done,
+}
+
+impl Phase {
+    /// Every phase, in the order of their numbers.
+    pub const ALL: &[Phase] = Phase::VARIANTS;
+
+    /// The name of the phase, the same everywhere.
+    pub fn as_str(self) -> &'static str {
+        self.into()
+    }
+}
+
+/// The work of one planning run. Counts are part of what a seed decides; seconds are not.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Stats {
+    /// Iterations made, as the planner counts them.
+    pub iterations: u64,
+    /// Vertices of the graph.
+    pub vertices: u64,
+    /// Edges of the graph.
+    pub edges: u64,
+    /// Configurations tested for collision.
+    pub configuration_checks: u64,
+    /// Motions tested for collision.
+    pub motion_checks: u64,
+    /// Queries of the nearest-neighbour index.
+    pub nearest_queries: u64,
+    /// Vertices that the search of the graph expanded.
+    pub visited: u64,
+    /// Evaluations of the clearance of a part.
+    pub clearance_evaluations: u64,
+    /// Motions refused because their proof had spent its budget of evaluations.
+    #[serde(default)] // Absent in results written before proofs had budgets.
+    pub unproven_motions: u64,
+    /// Seconds spent on growing the graph; 0 if not measured: the core reads no clock.
+    #[serde(deserialize_with = "not_negative")]
+    pub build_seconds: f64,
+    /// Seconds spent on searching the graph and shortening the path; 0 if not measured.
+    #[serde(deserialize_with = "not_negative")]
+    pub search_seconds: f64,
+}

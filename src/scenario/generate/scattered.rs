@@ -1,0 +1,154 @@
+//! Clutter and discs: convex polygons or discs scattered over a box of 2 m by 2 m, for a robot that crosses it or an arm
+//! whose base is in its middle.
+//!
+//! The corners of a polygon lie on a circle, evenly spaced but for a random shift of up to a fifth of their spacing. A path
+//! need not exist, except for a disc among discs that are apart by at least twice its radius: grown by that radius they are
+//! still apart, and none is large enough to cut a corner of the box off.
+
+use super::free::{SOME, are_apart, is_clear_of, is_disc_clear_of, polygon};
+use super::robots::{RobotChoice, SIDE, parts_at_ends};
+use super::{Generator, SEEDS, in_box, scatter};
+use crate::error::Error;
+use crate::geometry::{Disc, Point, Polygon};
+use crate::options::{Options, out_of_range};
+use crate::random::{Random, Stream};
+use crate::scenario::{Obstacle, Scenario};
+use std::f64::consts::TAU;
+
+crate::choice! {
+    /// How discs lie to each other.
+    pub enum Placement {
+        /// Farther from each other than the gap.
+        Apart,
+        /// Anywhere.
+        Overlapping,
+    }
+}
+
+crate::options! {
+    /// What clutter to make.
+    pub struct ClutterOptions for &[];
+    /// What moves.
+    robot: RobotChoice = RobotChoice::Disc, "Robot";
+    /// How many links the arm has; for an arm only.
+    links: usize = 2, in 1.0..=8.0, "Links";
+    /// The radius of the disc, or half the width of the arm's links; not for a body or a car.
+    radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
+    /// How many polygons.
+    count: usize = 14, in 0.0..=60.0, "Obstacles";
+    /// The radius of the smallest circle that a polygon may fill, at most `largest`.
+    smallest: f64 = 0.08, in 0.02..=0.5, "Smallest", unit "m";
+    /// The radius of the largest such circle.
+    largest: f64 = 0.2, in 0.02..=0.5, "Largest", unit "m";
+    /// Polygons are farther than this from each other, and from the robot at its start and its goal.
+    gap: f64 = 0.05, in 0.0..=0.2, "Gap", unit "m";
+    /// The seed: 0 (default) to 2^53 - 1.
+    seed: u64 = 0, in SEEDS;
+}
+
+crate::options! {
+    /// Which discs to scatter.
+    pub struct DiscsOptions for &[];
+    /// What moves.
+    robot: RobotChoice = RobotChoice::Disc, "Robot";
+    /// How many links the arm has; for an arm only.
+    links: usize = 2, in 1.0..=8.0, "Links";
+    /// The radius of the disc, or half the width of the arm's links; not for a body or a car.
+    radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
+    /// How many discs.
+    count: usize = 24, in 0.0..=200.0, "Obstacles";
+    /// The least radius of a disc, at most `largest`.
+    smallest: f64 = 0.05, in 0.01..=0.5, "Smallest", unit "m";
+    /// The greatest radius of a disc.
+    largest: f64 = 0.18, in 0.01..=0.5, "Largest", unit "m";
+    /// Discs are farther than this from the robot at its start and its goal and, if they are apart, from each other.
+    gap: f64 = 0.07, in 0.0..=0.2, "Gap", unit "m";
+    /// Whether discs are apart or may overlap.
+    placement: Placement = Placement::Apart, "Placement";
+    /// The seed: 0 (default) to 2^53 - 1.
+    seed: u64 = 0, in SEEDS;
+}
+
+impl Generator for ClutterOptions {
+    const ID: &'static str = "clutter";
+    const TITLE: &'static str = "Clutter";
+    const SUMMARY: &'static str =
+        "Convex polygons scattered over a box, for a robot that crosses it or an arm in its middle.";
+
+    fn generate(&self) -> Result<Scenario, Error> {
+        self.check()?;
+        let Self { robot: choice, links, radius, count, smallest, largest, gap, seed } = *self;
+        check_sizes(smallest, largest)?;
+        let (robot, query) = choice.across(links, radius)?;
+        let keep_clear = parts_at_ends(&robot, &query);
+        let mut random = Random::new(seed, Stream::Scenario);
+        let placed = scatter("count", count, |placed: &[Polygon]| {
+            let drawn = draw_polygon(&mut random, smallest, largest);
+            let fits = is_clear_of(&drawn, &keep_clear, gap) && placed.iter().all(|p| are_apart(p, &drawn, gap));
+            fits.then_some(drawn)
+        })?;
+        let [_, id, title] = choice.words(links);
+        let name = format!("clutter-{id}-{count}-{seed}");
+        let title = format!("{title} among {count} convex polygons, seed {seed}");
+        Ok(in_box(name, title, SIDE, placed.into_iter().map(Obstacle::Polygon), robot, query))
+    }
+}
+
+impl Generator for DiscsOptions {
+    const ID: &'static str = "discs";
+    const TITLE: &'static str = "Discs";
+    const SUMMARY: &'static str = "Discs scattered over a box, for a robot that crosses it or an arm in its middle.";
+
+    fn generate(&self) -> Result<Scenario, Error> {
+        self.check()?;
+        let Self { robot: choice, links, radius, count, smallest, largest, gap, placement, seed } = *self;
+        check_sizes(smallest, largest)?;
+        let (robot, query) = choice.across(links, radius)?;
+        let keep_clear = parts_at_ends(&robot, &query);
+        let mut random = Random::new(seed, Stream::Scenario);
+        let placed = scatter("count", count, |placed: &[Disc]| {
+            let disc = draw_disc(&mut random, smallest, largest);
+            let is_apart = |other: &Disc| {
+                nalgebra::distance(&disc.center, &other.center) - disc.radius - other.radius > gap + SOME
+            };
+            let fits = is_disc_clear_of(&disc, &keep_clear, gap)
+                && (placement == Placement::Overlapping || placed.iter().all(is_apart));
+            fits.then_some(disc)
+        })?;
+        let [_, id, title] = choice.words(links);
+        let name = format!("discs-{id}-{count}-{seed}");
+        let title = format!("{title} among {count} discs, seed {seed}");
+        Ok(in_box(name, title, SIDE, placed.into_iter().map(Obstacle::Disc), robot, query))
+    }
+}
+
+fn check_sizes(smallest: f64, largest: f64) -> Result<(), Error> {
+    if smallest > largest {
+        let sentence = format!("smallest must be at most largest, {largest}, not {smallest}");
+        return Err(out_of_range("smallest", sentence));
+    }
+    Ok(())
+}
+
+/// A convex polygon of 3 to 7 corners somewhere in the box.
+fn draw_polygon(random: &mut Random, smallest: f64, largest: f64) -> Polygon {
+    let Disc { center, radius } = draw_disc(random, smallest, largest);
+    let corners = 3 + random.below(5);
+    let turn = TAU * random.uniform();
+    let corner = |i: u64| {
+        let shift = 0.4 * (random.uniform() - 0.5);
+        let (sin, cos) = libm::sincos(turn + TAU * (i as f64 + shift) / corners as f64);
+        Point::new(center.x + radius * cos, center.y + radius * sin)
+    };
+    let corners: Vec<Point> = (0..corners).map(corner).collect();
+    // Points in order on a circle, none closer than a tenth of a turn, bound a convex polygon.
+    polygon(&corners)
+}
+
+/// A disc somewhere in the box.
+fn draw_disc(random: &mut Random, smallest: f64, largest: f64) -> Disc {
+    let radius = smallest + random.uniform() * (largest - smallest);
+    let mut coordinate = || radius + random.uniform() * (SIDE - 2.0 * radius);
+    let (x, y) = (coordinate(), coordinate());
+    Disc { center: Point::new(x, y), radius }
+}

@@ -128,7 +128,7 @@ mod parry {
                     let mut offer = |to: &dyn Shape, place: &Pose| {
                         least = least.min(query::distance(&at, part, place, to).expect("parry has this pair").distance);
                     };
-                    for obstacle in &world.obstacles {
+                    for obstacle in world.obstacles.iter() {
                         match obstacle {
                             Obstacle::Disc(disc) => {
                                 let place = Pose::new(Vector::new(disc.center.x, disc.center.y), 0.0);

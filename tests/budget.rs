@@ -67,7 +67,7 @@ fn an_arm_with_something_close_by_takes_few_evaluations_a_motion() {
     let mut random = Random::new(1, Stream::Samples);
     let (mut free, mut worst) = (0, 0);
     for (name, obstacles, pieces) in close_by() {
-        let world = World { bounds: None, obstacles };
+        let world = World { bounds: None, obstacles: obstacles.into() };
         let coarse = || ArmValidity::new(&arm, space.clone(), &world, 1e-4);
         for validity in [coarse(), coarse().finest()] {
             let mut motions = vec![

@@ -250,7 +250,7 @@ fn culling_by_boxes_lists_all_that_meet_once_and_little_else() {
                     Obstacle::Disc(Disc { center, radius: scale * 0.02 * random.uniform() })
                 })
                 .collect();
-            let obstacles = Obstacles::new(&shapes);
+            let obstacles = Obstacles::new(shapes.clone());
             let (mut listed, mut meeting) = (0, 0);
             for _ in 0..seeds(200) {
                 let corner = |random: &mut Random| {

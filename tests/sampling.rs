@@ -65,7 +65,7 @@ fn clearance(q: &[f64; 2]) -> f64 {
     let scenario = Scenario::parse(WORLD).expect("it is right");
     let point = Point::new(q[0], q[1]);
     let segment = planarium::geometry::Segment::new(point, point);
-    planarium::collision::Obstacles::new(&scenario.world().obstacles).clearance(&segment)
+    planarium::collision::Obstacles::new(scenario.world().obstacles.clone()).clearance(&segment)
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -6,11 +6,12 @@ use crate::geometry::{
     distance_polygon_polygon, distance_segment_polygon, intersects_segment_polygon,
 };
 use crate::scenario::Obstacle;
+use std::sync::Arc;
 
 /// Obstacles with their boxes, which only exclude obstacles that are certainly apart; they decide no distance.
 #[derive(Clone)]
 pub struct Obstacles {
-    shapes: Vec<Obstacle>,
+    shapes: Arc<[Obstacle]>,
     boxes: Vec<Aabb>,
     prepared: Boxes,
     /// The faces of all convex polygons, and the range of those of each obstacle.
@@ -29,11 +30,12 @@ pub(super) struct Face {
 
 impl Obstacles {
     /// Prepares the obstacles. O(n log n).
-    pub fn new(shapes: &[Obstacle]) -> Self {
+    pub fn new(shapes: impl Into<Arc<[Obstacle]>>) -> Self {
+        let shapes = shapes.into();
         let boxes: Vec<Aabb> = shapes.iter().map(Obstacle::aabb).collect();
         let mut faces = Vec::new();
         let mut ranges = Vec::with_capacity(shapes.len());
-        for shape in shapes {
+        for shape in shapes.iter() {
             let first = faces.len() as u32;
             if let Obstacle::Polygon(polygon) = shape
                 && polygon.is_convex()
@@ -42,7 +44,7 @@ impl Obstacles {
             }
             ranges.push((first, faces.len() as u32));
         }
-        Self { shapes: shapes.to_vec(), prepared: Boxes::new(&boxes), boxes, faces, ranges }
+        Self { prepared: Boxes::new(&boxes), shapes, boxes, faces, ranges }
     }
 
     /// The faces of obstacle `i` if it is a convex polygon; else none.

@@ -39,7 +39,7 @@ impl CollisionWorld {
                 return Arc::clone(obstacles);
             }
             let pieces: Vec<Obstacle> = obstacles.shapes().iter().flat_map(pieces_of).collect();
-            Arc::new(Obstacles::new(&pieces))
+            Arc::new(Obstacles::new(pieces))
         };
         Arc::clone(self.0.pieces.get_or_init(cut))
     }
@@ -48,7 +48,7 @@ impl CollisionWorld {
 /// O(n log n) for n obstacles.
 impl From<&World> for CollisionWorld {
     fn from(world: &World) -> Self {
-        let obstacles = Arc::new(Obstacles::new(&world.obstacles));
+        let obstacles = Arc::new(Obstacles::new(Arc::clone(&world.obstacles)));
         Self(Arc::new(Prepared { bounds: world.bounds, obstacles, pieces: OnceLock::new() }))
     }
 }

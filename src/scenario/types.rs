@@ -4,6 +4,7 @@ use crate::geometry::{Aabb, Disc, Polygon};
 use crate::json;
 use crate::robot::{Arm, Car, DiscRobot, Part, RigidBody, Target, Weights};
 use serde::Serialize;
+use std::sync::Arc;
 
 /// A checked scenario: a world, a robot in it, and named queries.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -57,8 +58,8 @@ pub struct World {
     /// The closed box that the whole robot stays in; absent for an arm only.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bounds: Option<Aabb>,
-    /// Closed, filled obstacles.
-    pub obstacles: Vec<Obstacle>,
+    /// Closed, filled obstacles; clones share them.
+    pub obstacles: Arc<[Obstacle]>,
 }
 
 /// A closed, filled obstacle.

@@ -26,7 +26,7 @@ pub fn rectangle(low: [f64; 2], high: [f64; 2]) -> Polygon {
 
 pub fn world(low: [f64; 2], high: [f64; 2], obstacles: Vec<Obstacle>) -> World {
     let bounds = Aabb { min: p(low[0], low[1]), max: p(high[0], high[1]) };
-    World { bounds: Some(bounds), obstacles }
+    World { bounds: Some(bounds), obstacles: obstacles.into() }
 }
 
 pub fn straight(from: [f64; 3], to: [f64; 3]) -> BodyMotion {

@@ -1,14 +1,27 @@
-//! Planning by controls: what is driven is free, leads where it says, and keeps to the settings.
+//! Planning by controls: edges are free, end at their vertices, and keep to the settings.
 
 use crate::common::driven::{car, driven, edges, is_in_region, steps, vertices_of};
 use crate::common::{DRIVEN, arm_and_wall, begin_with, car_and_wall, car_shut_in, finish, options, parse, seeds};
 use planarium::path::{Leg, Verdict, verify, verify_legs};
 use planarium::planner::{default_planner, planners};
 use planarium::problem::Motion;
-use planarium::run::{Options, Status, start};
+use planarium::run::{Options, Run, Status, start};
 use planarium::scenario::Scenario;
 use planarium::space::{angular_distance, wrap};
+use serde_json::{Value as Json, json};
 use wasm_bindgen_test::wasm_bindgen_test;
+
+/// The world with its first query changed.
+fn with_query(world: &Scenario, change: impl FnOnce(&mut Json)) -> Scenario {
+    let mut document: Json = serde_json::from_str(&world.to_json_string()).expect("a document");
+    change(&mut document["queries"][0]);
+    parse(&document.to_string())
+}
+
+/// A run of the planner `rrt-control` to its end, with seed 1.
+fn grown(world: &Scenario, settings: &str) -> Box<dyn Run> {
+    finish(begin_with(world, "rrt-control", 1, settings))
+}
 
 #[wasm_bindgen_test(unsupported = test)]
 fn slices_change_nothing_and_seeds_decide_all() {
@@ -41,7 +54,7 @@ fn every_edge_is_free_and_leads_to_its_vertex_bit_by_bit() {
                     assert!((slow..=fast).contains(&edge.speed) && (right..=left).contains(&edge.steering), "{edge:?}");
                     let end = driven(car, vertices[edge.from], edge, steps(car, edge));
                     assert_eq!(end.map(f64::to_bits), vertices[edge.to].map(f64::to_bits), "{planner} {settings}");
-                    // Every leg is judged by dense looks, as a path is: some of many are enough.
+                    // A leg is verified by dense samples, as a path is: some of many are enough.
                     if i % 29 == 0 || i + 1 == run.edge_count() {
                         let turn = car.turn_rate(edge.speed, edge.steering) * edge.duration;
                         let leg = Leg::arc(&vertices[edge.from], edge.speed * edge.duration, turn);
@@ -57,7 +70,7 @@ fn every_edge_is_free_and_leads_to_its_vertex_bit_by_bit() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn paths_end_in_the_region_and_the_judge_agrees() {
+fn paths_end_in_the_region_and_are_verified() {
     let world = car_and_wall(0.1);
     let car = car(&world);
     for (planner, settings) in DRIVEN {
@@ -88,7 +101,7 @@ fn paths_end_in_the_region_and_the_judge_agrees() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_goal_is_met_after_the_first_step_that_is_there() {
+fn a_path_ends_with_the_first_step_in_the_region() {
     let world = car_and_wall(0.1);
     let car = car(&world);
     for (planner, settings, is_along) in
@@ -109,12 +122,12 @@ fn the_goal_is_met_after_the_first_step_that_is_there() {
                 }
             }
         }
-        assert_eq!(is_along, passed_by == 0, "at ends alone the goal is passed by now and then");
+        assert_eq!(is_along, passed_by == 0, "tested at ends alone, the goal is sometimes passed by");
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn six_controls_are_all_kept_and_vertices_grow_once() {
+fn all_six_controls_are_used_and_vertices_grow_once() {
     let world = car_and_wall(0.1);
     let settings = "controls=reeds-shepp duration_steps=60 once=true goal_test=ends max_iterations=400";
     let mut run = begin_with(&world, "rrt-control", 2, settings);
@@ -134,17 +147,17 @@ fn six_controls_are_all_kept_and_vertices_grow_once() {
         assert!(new.is_empty() || grown.insert(new[0].from), "vertex {} grows twice", new[0].from);
     }
     assert_eq!(most, 6);
-    // Where every drive is refused, nothing is left to grow from after the first iteration.
-    let mut document: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
-    document["world"] = serde_json::json!({ "bounds": { "min": [0, 0], "max": [0.9, 0.6] }, "obstacles": [] });
-    document["queries"][0]["goal"] = serde_json::json!([0.7, 0.3, 0]);
+    // If every drive is refused, there is nothing to grow from after the first iteration.
+    let mut document: Json = serde_json::from_str(&world.to_json_string()).expect("a document");
+    document["world"] = json!({ "bounds": { "min": [0, 0], "max": [0.9, 0.6] }, "obstacles": [] });
+    document["queries"][0]["goal"] = json!([0.7, 0.3, 0]);
     let settings = "controls=reeds-shepp once=true blocked=refused duration_steps=250";
     let run = finish(begin_with(&parse(&document.to_string()), "rrt-control", 2, settings));
     assert_eq!((run.status(), run.vertex_count(), run.iterations()), (Status::Exhausted, 1, 2));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn of_the_vertices_that_have_not_grown_the_nearest_does() {
+fn the_nearest_of_the_vertices_that_have_not_grown_grows() {
     let world = car_shut_in(0.1);
     let goal = [0, 1, 2].map(|i| world.queries()[0].configuration().unwrap()[i]);
     // Always towards the goal, so that the sample is known.
@@ -172,10 +185,8 @@ fn of_the_vertices_that_have_not_grown_the_nearest_does() {
 fn durations_keep_to_their_settings() {
     let world = car_shut_in(0.1);
     let car = car(&world);
-    let lengths = |settings: &str| -> Vec<u32> {
-        let run = finish(begin_with(&world, "rrt-control", 1, settings));
-        edges(&*run).iter().map(|edge| steps(car, edge)).collect()
-    };
+    let lengths =
+        |settings: &str| -> Vec<u32> { edges(&*grown(&world, settings)).iter().map(|edge| steps(car, edge)).collect() };
     let range = |lengths: &[u32]| (*lengths.iter().min().unwrap(), *lengths.iter().max().unwrap());
     let refused = "max_iterations=300 blocked=refused";
     assert_eq!(range(&lengths(&format!("{refused} duration_steps=40"))), (40, 40));
@@ -189,7 +200,7 @@ fn durations_keep_to_their_settings() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_last_quarter_is_different() {
+fn the_last_quarter_has_its_own_settings() {
     let world = car_shut_in(0.1);
     let car = car(&world);
     let settings =
@@ -201,31 +212,21 @@ fn the_last_quarter_is_different() {
         let expected = if run.iterations() <= 300 { 40 } else { 15 };
         edges(&*run)[before..].iter().for_each(|edge| assert_eq!(steps(car, edge), expected));
     }
-    // In the end all reaches for the goal, unless it is told otherwise.
-    let (late, early) = (
-        run.fingerprint(),
-        "max_iterations=400 duration_steps=40 late_duration_steps=15 goal_every=10 blocked=refused",
-    );
-    assert_ne!(finish(begin_with(&world, "rrt-control", 1, early)).fingerprint(), late);
+    // At the end every sample is the goal, only if set so.
+    let early = "max_iterations=400 duration_steps=40 late_duration_steps=15 goal_every=10 blocked=refused";
+    assert_ne!(grown(&world, early).fingerprint(), run.fingerprint());
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn durations_shrink_near_the_goal() {
     let world = car_shut_in(0.1);
-    let (car, query) = (car(&world), &world.queries()[0]);
+    let (car, goal) = (car(&world), [0.5, 1.2, 0.5]);
     // Towards a goal on this side of the wall, never reached: the region is a point.
-    let mut document: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
-    document["queries"][0]["goal"] = serde_json::json!([0.5, 1.2, 0.5]);
-    document["queries"][0]["goal_tolerance"] = serde_json::json!({ "translation": 0, "rotation": 0 });
-    let near = parse(&document.to_string());
-    let goal = near.queries()[0].configuration().unwrap();
-    assert_ne!(Some(goal), query.configuration());
-    let run = finish(begin_with(
-        &near,
-        "rrt-control",
-        1,
-        "max_iterations=2000 goal_bias=0.3 blocked=refused duration_steps=100 near_goal_steps=30",
-    ));
+    let near = with_query(&world, |query| {
+        query["goal"] = json!(goal);
+        query["goal_tolerance"] = json!({ "translation": 0, "rotation": 0 });
+    });
+    let run = grown(&near, "max_iterations=2000 goal_bias=0.3 blocked=refused duration_steps=100 near_goal_steps=30");
     let vertices = vertices_of(&*run);
     let (mut shrunk, mut least) = (0, 0);
     for edge in edges(&*run) {
@@ -242,7 +243,7 @@ fn durations_shrink_near_the_goal() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn what_is_shut_in_stays_there() {
+fn a_car_shut_in_stays_there() {
     for (planner, settings) in DRIVEN {
         for thickness in [0.1, 1e-6] {
             let world = car_shut_in(thickness);
@@ -264,10 +265,7 @@ fn what_is_shut_in_stays_there() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_start_in_the_region_is_a_path() {
-    let mut document: serde_json::Value =
-        serde_json::from_str(&car_and_wall(0.1).to_json_string()).expect("a document");
-    document["queries"][0]["goal"] = serde_json::json!([0.45, 0.3, 0.25]);
-    let world = parse(&document.to_string());
+    let world = with_query(&car_and_wall(0.1), |query| query["goal"] = json!([0.45, 0.3, 0.25]));
     for (planner, settings) in DRIVEN {
         let run = finish(begin_with(&world, planner, 1, settings));
         let result = run.result();
@@ -296,7 +294,7 @@ fn presets_are_settings_of_their_planner() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn euler_steps_are_a_picture_and_say_so() {
+fn euler_steps_are_marked_and_never_judged_valid() {
     let world = car_and_wall(0.1);
     let car = car(&world);
     let mut opened = 0.0f64;
@@ -327,14 +325,14 @@ fn euler_steps_are_a_picture_and_say_so() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn what_does_not_fit_is_refused_in_its_place() {
+fn unfit_options_are_refused_with_code_and_pointer() {
     let (cars, arms) = (car_and_wall(0.1), arm_and_wall(0.1));
     let refusal = |world: &Scenario, planner: &str, settings: &str| {
         let error = start(world, &options(planner, 1, settings)).err().expect("refused");
-        (error.code().as_str(), error.pointer().to_owned(), error.message().to_owned())
+        [error.code().as_str(), error.pointer(), error.message()].map(str::to_owned)
     };
-    let (code, pointer, why) = refusal(&arms, "sst", "");
-    assert_eq!((code, pointer.as_str()), ("unsupported", "/algorithm"));
+    let [code, pointer, why] = refusal(&arms, "sst", "");
+    assert_eq!([code.as_str(), pointer.as_str()], ["unsupported", "/algorithm"]);
     assert!(why.contains("car") && why.contains("rrt-connect") && !why.contains("rrt-control,"), "{why}");
     for (settings, name) in [
         ("shortest_steps=300 duration_steps=250", "shortest_steps"),
@@ -343,14 +341,15 @@ fn what_does_not_fit_is_refused_in_its_place() {
         ("blossom=0", "blossom"),
         ("goal_test=somewhere", "goal_test"),
     ] {
-        let (code, pointer, _) = refusal(&cars, "rrt-control", settings);
-        assert_eq!((code, pointer), ("out-of-range", format!("/{name}")), "{settings}");
+        assert_eq!(
+            refusal(&cars, "rrt-control", settings)[..2],
+            ["out-of-range".into(), format!("/{name}")],
+            "{settings}"
+        );
     }
-    assert_eq!(refusal(&cars, "sst", "blossom=3").0, "unknown-parameter");
-    let mut document: serde_json::Value = serde_json::from_str(&cars.to_json_string()).expect("a document");
-    document["queries"][0].as_object_mut().expect("a query").remove("goal_tolerance");
-    let (code, pointer, _) = refusal(&parse(&document.to_string()), "rrt-control", "");
-    assert_eq!((code, pointer.as_str()), ("missing-field", "/queries/0/goal_tolerance"));
+    assert_eq!(refusal(&cars, "sst", "blossom=3")[0], "unknown-parameter");
+    let without = with_query(&cars, |query| _ = query.as_object_mut().expect("a query").remove("goal_tolerance"));
+    assert_eq!(refusal(&without, "rrt-control", "")[..2], ["missing-field", "/queries/0/goal_tolerance"]);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

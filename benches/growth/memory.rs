@@ -1,4 +1,4 @@
-//! Memory of a roadmap, part by part: what is held once all is there, and the most that was held while it grew.
+//! Memory of a roadmap, part by part: the bytes held at the end, and the most held while it grew.
 
 use super::time::forest;
 use planarium::graph::{Adjacency, Event, EventKind, Graph, VertexId};
@@ -9,7 +9,7 @@ use planarium::space::{Coordinate, Metric, ProductSpace, Space};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-/// The system's allocator, counted: bytes held now, and the most since the last look.
+/// The system's allocator, counted: bytes held now, and the most since the last measurement.
 pub struct Counting;
 
 static HELD: AtomicUsize = AtomicUsize::new(0);
@@ -24,7 +24,7 @@ fn give(bytes: usize) {
     HELD.fetch_sub(bytes, Relaxed);
 }
 
-// SAFETY: every call is the system allocator's own; the counts beside it touch no memory that is handed out.
+// SAFETY: every call is the system allocator's own; the counters touch no memory that is allocated.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         take(layout.size());
@@ -45,7 +45,7 @@ unsafe impl GlobalAlloc for Counting {
     }
 }
 
-/// What a piece of work holds at its end and held at most, in bytes.
+/// The bytes that a piece of work holds at its end, and the most that it held.
 fn measure<T>(work: impl FnOnce() -> T) -> (T, usize, usize) {
     let before = HELD.load(Relaxed);
     MOST.store(before, Relaxed);
@@ -55,7 +55,7 @@ fn measure<T>(work: impl FnOnce() -> T) -> (T, usize, usize) {
 
 type Arm = ProductSpace<4>;
 
-/// Prints what a vertex and an edge cost.
+/// Prints the memory of a vertex and of an edge.
 pub fn print(is_quick: bool) {
     let n = if is_quick { 20_000 } else { 1_000_000 };
     let space = Arm::new(&[Coordinate::Circle; 4], Metric::Sum);
@@ -83,11 +83,15 @@ pub fn print(is_quick: bool) {
         }
         index
     });
-    let in_index =
-        row("vertex in the index: a second copy of the state 32, number 4, room in leaves, boxes", n, held, most);
-    // A clone takes no more than it needs: what is left is not the room of lists that double.
+    let in_index = row(
+        "vertex in the index: a second copy of the state 32, number 4, spare capacity in leaves, boxes",
+        n,
+        held,
+        most,
+    );
+    // A clone allocates no more than it needs: no spare capacity of lists that double.
     let (tight, held, most) = measure(|| (graph.clone(), index.clone()));
-    row("vertex in both, as a clone: without the room of lists that double", n, held, most);
+    row("vertex in both, as a clone: without spare capacity", n, held, most);
     drop((tight, index));
 
     let edges = 4 * n;
@@ -115,18 +119,18 @@ pub fn print(is_quick: bool) {
     );
     println!("Graph: {an_edge:.1} bytes an edge; aim: 16: {}.", verdict(an_edge, 16.0));
     println!(
-        "Lists double when they are full, so up to half of what is held may be room; {n} vertices fill theirs to {:.0} %.",
+        "Lists double when they are full, so up to half of the memory may be spare; {n} vertices fill theirs to {:.0} %.",
         filled(n)
     );
     whole_run(n);
 }
 
-/// How full a list is that doubled until it held so many, in percent.
+/// How full a list of that many is if its capacity doubles when it is full, in percent.
 fn filled(n: usize) -> f64 {
     100.0 * n as f64 / n.next_power_of_two() as f64
 }
 
-/// A real roadmap, with all that it keeps: events, what each vertex has tried, the search.
+/// A whole run, with everything that it stores: events, the edges tried, the search.
 fn whole_run(n: usize) {
     let world = forest(4);
     let parameters = [("samples", n as f64), ("k", 10.0), ("max_iterations", 4e9)];

@@ -8,13 +8,13 @@ use planarium::scenario::{Scenario, generate::generate};
 use serde_json::{Value as Json, json};
 use std::time::Instant;
 
-/// Samples where they are not what grows.
+/// Samples if another quantity grows.
 const SAMPLES: u64 = 2000;
 
-/// Neighbours where they are not what grows.
+/// Neighbours if another quantity grows.
 const K: u64 = 15;
 
-/// A case of a table: what grows and a world with it, samples and neighbours.
+/// A case of a table: the quantity that grows, a world with it, samples and neighbours.
 struct Case {
     x: u64,
     world: Scenario,
@@ -102,7 +102,7 @@ pub fn forest(links: u64) -> Scenario {
     generate("forest", &json!({ "links": links })).expect("a forest can be generated")
 }
 
-/// Equal triangles anywhere within the arm's reach but on it at start and goal. Their widths add up to 4 m, so that a link
+/// Equal triangles anywhere within the arm's reach except on the arm at start and goal. Their widths add up to 4 m, so that a link
 /// meets about as many whatever their number.
 fn gravel(count: u64) -> Scenario {
     let reach = 3.0;

@@ -182,7 +182,5 @@ impl Target {
 /// `wrong-dimension`, `not-finite` or `out-of-range` (beyond 1e6, or outside the limits), with pointers below `pointer`.
 pub(super) fn configuration(arm: &Arm, q: &[f64], pointer: &str) -> Result<[f64; MAX_LINKS], Error> {
     Configurations::of_arm(arm).refuse_outside(q, pointer)?;
-    let mut angles = [0.0; MAX_LINKS];
-    angles[..q.len()].copy_from_slice(q);
-    Ok(Joints::of(arm).hold_all(&angles))
+    Ok(Joints::of(arm).hold_all(|i| q[i]))
 }

@@ -3,7 +3,7 @@
 use planarium::geometry::Point;
 use planarium::random::{Random, Stream};
 use planarium::robot::Arm;
-use planarium::run::{Options, Status, Value, start};
+use planarium::run::{Options, Run, Status, Value, start};
 use planarium::scenario::{Scenario, generate::generate};
 use serde_json::{Value as Json, json};
 use std::time::Instant;
@@ -62,17 +62,12 @@ fn table(what: &str, sentence: &str, cases: impl Iterator<Item = Case>) {
     println!("| {what} | ms | us a motion | samples tried | motions | edges | status |\n|---|---|---|---|---|---|---|");
     let mut points = Vec::new();
     for Case { x, world, samples, k } in cases {
-        let parameters = [("samples", samples), ("k", k), ("max_iterations", 4_000_000_000)];
-        let parameters = parameters.map(|(name, value)| (name.to_owned(), Value::Number(value as f64))).to_vec();
         let mut times = Vec::new();
         let mut last = None;
         // Long runs are disturbed less, and repeating them is expensive.
         for seed in 0..if samples > 10_000 { 1 } else { 5 } {
-            let options =
-                Options { planner: Some("prm".to_owned()), query: None, seed, parameters: parameters.clone() };
             let began = Instant::now();
-            let mut run = start(&world, &options).expect("start and goal are free");
-            while run.step(u64::MAX) == Status::Running {}
+            let run = roadmap(&world, seed, samples, k);
             times.push(began.elapsed().as_secs_f64());
             last = Some((run.stats(), run.status()));
         }
@@ -87,6 +82,16 @@ fn table(what: &str, sentence: &str, cases: impl Iterator<Item = Case>) {
         points.push((x as f64, seconds));
     }
     println!("\nExponent: {:.2}.", exponent(&points));
+}
+
+/// A k-PRM at its end.
+pub fn roadmap(world: &Scenario, seed: u64, samples: u64, k: u64) -> Box<dyn Run> {
+    let parameters = [("samples", samples), ("k", k), ("max_iterations", 4_000_000_000)];
+    let parameters = parameters.map(|(name, value)| (name.to_owned(), Value::Number(value as f64))).to_vec();
+    let options = Options { planner: Some("prm".to_owned()), query: None, seed, parameters };
+    let mut run = start(world, &options).expect("start and goal are free");
+    while run.step(u64::MAX) == Status::Running {}
+    run
 }
 
 /// The slope of the line that fits best through the logarithms.

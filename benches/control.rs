@@ -9,10 +9,10 @@ use planarium::scenario::{Scenario, generate::generate};
 use serde_json::json;
 use std::time::Instant;
 
-/// Seeds a world.
+/// Seeds for each world.
 const SEEDS: u64 = 20;
 
-/// Worlds of a generator.
+/// Worlds of each generator.
 const WORLDS: u64 = 4;
 
 /// The most iterations of a run.

@@ -20,7 +20,6 @@ mod golden;
 mod history;
 mod ik;
 mod ik_golden;
-mod ik_nearest;
 mod json;
 mod limits;
 mod nearest;

@@ -15,7 +15,7 @@ use std::time::Instant;
 
 /// Passes over the motions, of which the fastest counts: the least disturbed one.
 const PASSES: usize = 9;
-/// Motions a world.
+/// Motions in each world.
 const MOTIONS: usize = 1000;
 /// The distance between the samples of the check that proves nothing, in metres and in radians alike.
 const RESOLUTION: f64 = 0.01;
@@ -28,16 +28,19 @@ fn main() {
         "| motions | obstacles | body | length | free | pairs free | refused | proof free ns | refused | distances | | sampled | |"
     );
     println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
-    let rectangle = [[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]];
-    let ell = [[0.0, 0.0], [0.12, 0.0], [0.12, 0.03], [0.03, 0.03], [0.03, 0.1], [0.0, 0.1]];
+    let polygon = |corners: &[[f64; 2]]| {
+        Polygon::new(&corners.iter().map(|&corner| corner.into()).collect::<Vec<_>>()).expect("a simple polygon")
+    };
+    let rectangle = polygon(&[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]]);
+    let ell = polygon(&[[0.0, 0.0], [0.12, 0.0], [0.12, 0.03], [0.03, 0.03], [0.03, 0.1], [0.0, 0.1]]);
     for length in [0.1, 0.3, 1.0] {
         if only.is_some_and(|only| *only != format!("{length}")) {
             continue;
         }
         for is_arc in [false, true] {
-            let row = |name: &str, body: &[[f64; 2]], count: usize, is_concave: bool| {
+            let row = |name: &str, body: &Polygon, count: usize, is_concave: bool| {
                 let kind = if is_arc { "arc" } else { "straight" };
-                let measured = measure(&polygon(body), (count, is_concave), (length, is_arc), is_alone);
+                let measured = measure(body, (count, is_concave), (length, is_arc), is_alone);
                 println!("| {kind} | {count} {name} | {length} | {measured}");
             };
             row("convex | rectangle", &rectangle, 16, false);
@@ -144,8 +147,4 @@ fn clutter(count: usize, is_concave: bool, seed: u64) -> World {
     };
     let bounds = Aabb { min: Point::new(-0.1, -0.1), max: Point::new(1.1, 1.1) };
     World { bounds: Some(bounds), obstacles: (0..count).map(obstacle).collect() }
-}
-
-fn polygon(corners: &[[f64; 2]]) -> Polygon {
-    Polygon::new(&corners.iter().map(|&[x, y]| Point::new(x, y)).collect::<Vec<_>>()).expect("a simple polygon")
 }

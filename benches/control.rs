@@ -5,13 +5,14 @@
 
 use planarium::planner::{Method, RrtControlOptions};
 use planarium::run::{Options, Status, Value, start};
-use planarium::scenario::Scenario;
+use planarium::scenario::{Scenario, generate::generate};
+use serde_json::json;
 use std::time::Instant;
 
-/// Seeds a world.
+/// Seeds for each world.
 const SEEDS: u64 = 20;
 
-/// Worlds of a generator.
+/// Worlds of each generator.
 const WORLDS: u64 = 4;
 
 /// The most iterations of a run.
@@ -27,8 +28,10 @@ fn main() {
             worlds.push(Scenario::parse(&text).expect("a scenario"));
         }
     } else {
-        worlds =
-            ["clutter", "discs", "gap"].iter().flat_map(|kind| (0..WORLDS).map(|seed| world(kind, seed))).collect();
+        for kind in ["clutter", "discs", "gap"] {
+            let world = |seed| generate(kind, &json!({ "robot": "car", "seed": seed })).expect("a world");
+            worlds.extend((0..WORLDS).map(world));
+        }
     }
     if arguments.is_empty() {
         arguments = ["rrt-control", "sst"].map(str::to_owned).to_vec();
@@ -62,7 +65,7 @@ fn main() {
     }
 }
 
-/// The median, and what 95 of 100 do not exceed.
+/// The median and the 95th percentile.
 fn quantiles(values: &mut [f64]) -> (f64, f64) {
     values.sort_by(f64::total_cmp);
     let at = |part: f64| values.get(((values.len() as f64 - 1.0) * part) as usize).copied().unwrap_or(f64::NAN);
@@ -78,9 +81,4 @@ fn options(line: &str, query: &str, seed: u64) -> Options {
         (name.to_owned(), Value::from_text(value))
     });
     Options { planner, query: Some(query.to_owned()), seed, parameters: parameters.collect() }
-}
-
-fn world(kind: &str, seed: u64) -> Scenario {
-    let options = serde_json::json!({ "robot": "car", "seed": seed });
-    planarium::scenario::generate::generate(kind, &options).expect("a world can be generated")
 }

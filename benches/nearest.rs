@@ -32,7 +32,7 @@ fn main() {
     crossovers::<6>();
 }
 
-/// How long a kd-tree takes to grow, in the order of the samples and in that of a coordinate, the worst for its balance.
+/// The time to build a kd-tree, in the order of the samples and in that of a coordinate, the worst for its balance.
 fn building() {
     let space = ProductSpace::<4>::new(&[Coordinate::Circle; 4], Metric::Sum);
     println!("\nThe kd-tree of the 4-torus built by insertion, ms\n\n| n | random | increasing |\n|---|---|---|");

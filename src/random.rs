@@ -11,6 +11,14 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 /// The largest seed: 2^53 - 1, the largest integer that JavaScript holds exactly.
 pub const MAX_SEED: u64 = (1 << 53) - 1;
 
+/// Refuses a seed that JavaScript could not hold: `out-of-range`, pointer `/seed`.
+pub(crate) fn check_seed(seed: u64) -> Result<(), Error> {
+    if seed <= MAX_SEED {
+        return Ok(());
+    }
+    Err(Error::new(Code::OutOfRange, "/seed", format!("a seed must lie within [0, {MAX_SEED}], not {seed}")))
+}
+
 /// What a stream of random numbers is for. Streams of one seed never overlap: each begins 2^192 draws after the last.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stream {

@@ -12,7 +12,6 @@ mod clearance;
 #[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
 mod cli;
 mod control;
-mod crossing;
 mod directed;
 mod driving;
 mod generate;
@@ -20,9 +19,7 @@ mod geometry;
 mod golden;
 mod history;
 mod ik;
-mod ik_follow;
 mod ik_golden;
-mod ik_nearest;
 mod json;
 mod limits;
 mod nearest;

@@ -1,4 +1,4 @@
-//! Queries with a target of the end effector: every planner may end at any configuration that reaches it.
+//! Queries with a target of the end effector: a path may end at any configuration that reaches it, for every planner.
 
 use crate::common::{SAMPLERS, arm_and_wall, arm_of, begin_with, finish, options, parse, seeds};
 use planarium::geometry::Point;
@@ -6,6 +6,7 @@ use planarium::path::{Verdict, verify};
 use planarium::run::inspect::Inspector;
 use planarium::run::{Run, Status, resume, start};
 use planarium::scenario::Scenario;
+use serde_json::Value as Json;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// Planners with settings that solve small worlds.
@@ -20,36 +21,40 @@ const PLANNERS: &[(&str, &str)] = &[
     ("visibility-prm", ""),
 ];
 
-/// The world with this target instead of the goal or target of its first query.
+/// The world whose first query has this target instead of its goal or target.
 fn reaching(world: &Scenario, target: &str) -> Scenario {
-    let mut document: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
-    let query = document["queries"][0].as_object_mut().expect("a query");
-    query.remove("goal");
-    query.insert("target".to_owned(), serde_json::from_str(target).expect("a target"));
+    let mut document: Json = serde_json::from_str(&world.to_json_string()).expect("a document");
+    document["queries"][0].as_object_mut().expect("a query").remove("goal");
+    document["queries"][0]["target"] = serde_json::from_str(target).expect("a target");
     parse(&document.to_string())
 }
 
-/// The world with a target where its goal takes the tip, which can be reached.
-fn reaching_its_goal(world: &Scenario) -> (Scenario, Point) {
-    let tip = Inspector::new(world).end_effector(world.queries()[0].configuration().unwrap()).unwrap();
-    (reaching(world, &format!(r#"{{"point": [{:?}, {:?}]}}"#, tip.x, tip.y)), tip)
+/// The world whose target is the tip at the goal of its first query, and that tip.
+fn reaching_tip(plain: &Scenario) -> (Scenario, Point) {
+    let tip = Inspector::new(plain).end_effector(plain.queries()[0].configuration().unwrap()).unwrap();
+    (reaching(plain, &format!(r#"{{"point": [{:?}, {:?}]}}"#, tip.x, tip.y)), tip)
 }
 
-/// Where the end effector is at the end of a path, and how its last link is turned.
-fn end(world: &Scenario, path: &[Vec<f64>]) -> ([f64; 2], f64) {
-    let last = &path[path.len() - 1];
-    let tip = Inspector::new(world).end_effector(last).unwrap();
-    ([tip.x, tip.y], last.iter().sum())
+#[track_caller]
+fn assert_valid(world: &Scenario, run: &dyn Run) {
+    let verdict = verify(world, &run.result());
+    assert!(matches!(verdict, Ok(Verdict::Valid { .. })), "{:?}, {verdict:?}", run.status());
 }
 
-fn is_valid(world: &Scenario, run: &dyn Run) -> bool {
-    matches!(verify(world, &run.result()), Ok(Verdict::Valid { .. }))
+/// Checks that a run has solved the world, and that its path ends with the tip there.
+#[track_caller]
+fn assert_ends_at(world: &Scenario, run: &dyn Run, tip: Point) {
+    assert_valid(world, run);
+    let path = run.path();
+    let end = Inspector::new(world).end_effector(&path[path.len() - 1]).unwrap();
+    assert!((end.x - tip.x).abs() <= 2e-9 && (end.y - tip.y).abs() <= 2e-9, "{end} is not {tip}");
 }
 
-/// The goals of a run: they are the vertices right after the start, without edges at first.
-fn goals(world: &Scenario, target: [f64; 2]) -> Vec<Vec<f64>> {
-    let run = begin_with(world, "rrt", 1, "");
-    let inspector = Inspector::new(world);
+/// The goals of a run to a target: the vertices after the start before its first iteration, which no edge reaches yet.
+fn goals(plain: &Scenario, target: [f64; 2]) -> (Scenario, Vec<Vec<f64>>) {
+    let world = reaching(plain, &format!(r#"{{"point": {target:?}}}"#));
+    let run = begin_with(&world, "rrt", 1, "");
+    let inspector = Inspector::new(&world);
     let rows = run.vertices_since(0);
     let goals: Vec<Vec<f64>> = rows.chunks(run.dimension()).skip(1).map(<[f64]>::to_vec).collect();
     for goal in &goals {
@@ -57,25 +62,24 @@ fn goals(world: &Scenario, target: [f64; 2]) -> Vec<Vec<f64>> {
         assert!((tip.x - target[0]).abs() <= 1e-9 && (tip.y - target[1]).abs() <= 1e-9, "{goal:?}");
         assert!(inspector.check(goal).unwrap().is_empty(), "a goal is free");
     }
-    goals
+    (world, goals)
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_planner_ends_where_the_end_effector_is_at_the_target() {
     for (links, is_limited) in [(2, false), (3, false), (4, true), (6, false)] {
-        let plain = arm_of(links, is_limited, 0.02);
-        let (world, tip) = reaching_its_goal(&plain);
+        let (world, tip) = reaching_tip(&arm_of(links, is_limited, 0.02));
         for &(planner, settings) in PLANNERS {
             for seed in 0..seeds(4) {
                 let run = finish(begin_with(&world, planner, seed, settings));
-                let what = format!("{planner} {settings}, {links} links, seed {seed}");
-                if run.status() != Status::Solved {
-                    assert!(planner == "visibility-prm" || links > 4, "{what}");
-                    continue;
+                if run.status() == Status::Solved {
+                    assert_ends_at(&world, &*run, tip);
+                } else {
+                    assert!(
+                        planner == "visibility-prm" || links > 4,
+                        "{planner} {settings}, {links} links, seed {seed}"
+                    );
                 }
-                let ([x, y], _) = end(&world, &run.path());
-                assert!((x - tip.x).abs() <= 2e-9 && (y - tip.y).abs() <= 2e-9, "{what}: ({x}, {y})");
-                assert!(is_valid(&world, run.as_ref()), "{what}: {:?}", verify(&world, &run.result()));
             }
         }
     }
@@ -91,39 +95,38 @@ fn an_orientation_is_kept() {
     for planner in ["rrt-connect", "prm"] {
         let run = finish(begin_with(&world, planner, 1, ""));
         assert_eq!(run.status(), Status::Solved, "{planner}");
-        let (_, angle) = end(&world, &run.path());
+        let path = run.path();
+        let angle: f64 = path[path.len() - 1].iter().sum();
         let turns = (angle - wanted) / std::f64::consts::TAU;
         assert!((turns - libm::rint(turns)).abs() < 1e-9, "{planner}: {angle} is not {wanted}");
-        assert!(is_valid(&world, run.as_ref()));
+        assert_ends_at(&world, &*run, tip);
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_way_that_is_free_is_found() {
-    // Both elbows reach the tip; a disc lies in the way of the one that the given goal has.
+fn the_free_elbow_is_found() {
+    // The tip is reached with the elbow on either side; a disc blocks the side of the given goal.
     let plain = parse(
         r#"{ "format": "planarium-scenario-1", "name": "elbows",
             "world": { "obstacles": [ { "type": "disc", "center": [1, 0.73], "radius": 0.1 } ] },
             "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
             "queries": [ { "name": "q", "start": [-1.5, 0], "goal": [0.3, -1] } ] }"#,
     );
-    let both = reaching(&plain, r#"{"point": [1.5, 0.6]}"#);
-    assert_eq!(goals(&both, [1.5, 0.6]).len(), 1, "one elbow is in collision");
-    let far = reaching(&plain, r#"{"point": [-0.6, -1.5]}"#);
-    assert_eq!(goals(&far, [-0.6, -1.5]).len(), 2, "both elbows are free");
-    for planner in ["rrt-connect", "rrt", "prm", "prm-star"] {
-        for world in [&both, &far] {
-            let run = finish(begin_with(world, planner, 3, ""));
+    // One elbow is in collision; both are free.
+    for (target, count) in [([1.5, 0.6], 1), ([-0.6, -1.5], 2)] {
+        let (world, goals) = goals(&plain, target);
+        assert_eq!(goals.len(), count);
+        for planner in ["rrt-connect", "rrt", "prm", "prm-star"] {
+            let run = finish(begin_with(&world, planner, 3, ""));
             assert_eq!(run.status(), Status::Solved, "{planner}");
-            assert!(is_valid(world, run.as_ref()));
+            assert_valid(&world, &*run);
         }
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_spare_joint_has_more_ways_and_all_are_roots() {
-    let world = reaching(&arm_of(4, false, 0.0), r#"{"point": [-0.8, 0.3]}"#);
-    let found = goals(&world, [-0.8, 0.3]);
+fn a_redundant_arm_has_several_goals_and_all_are_roots() {
+    let (_, found) = goals(&arm_of(4, false, 0.0), [-0.8, 0.3]);
     assert!(found.len() >= 3, "{} goals", found.len());
     for a in 0..found.len() {
         for b in a + 1..found.len() {
@@ -135,8 +138,7 @@ fn a_spare_joint_has_more_ways_and_all_are_roots() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn slices_and_samplers_make_no_difference() {
-    let plain = arm_and_wall(0.1);
-    let (world, _) = reaching_its_goal(&plain);
+    let (world, _) = reaching_tip(&arm_and_wall(0.1));
     for &(planner, settings) in PLANNERS {
         for &sampler in SAMPLERS {
             let settings = format!("{settings} sampler={sampler} max_iterations=4000");
@@ -149,47 +151,38 @@ fn slices_and_samplers_make_no_difference() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn what_cannot_be_reached_is_said_with_the_nearest_point() {
-    let plain = arm_and_wall(0.1);
-    let refusal = |target: &str| match start(&reaching(&plain, target), &options("prm", 1, "")) {
-        Err(error) => (error.code().as_str(), error.pointer().to_owned(), error.to_string()),
-        Ok(_) => panic!("{target} was accepted"),
-    };
-    let at = "/queries/0/target".to_owned();
-    // Links of 1 and 0.8.
-    let (code, pointer, sentence) = refusal(r#"{"point": [3, 0]}"#);
-    assert_eq!((code, &pointer), ("target-unreachable", &at));
-    assert!(sentence.contains("1.8") && sentence.contains("1.2"), "{sentence}");
-    let (code, pointer, sentence) = refusal(r#"{"point": [0, 0.1]}"#);
-    assert_eq!((code, &pointer), ("target-unreachable", &at));
-    assert!(sentence.contains("0.2"), "{sentence}");
-    // Within the wall.
-    let (code, pointer, sentence) = refusal(r#"{"point": [1.2, 0]}"#);
-    assert_eq!((code, &pointer), ("goal-in-collision", &at));
-    assert!(sentence.contains("obstacle 0"), "{sentence}");
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn a_kept_roadmap_is_asked_for_a_target() {
-    let plain = arm_of(3, false, 0.02);
-    let (world, tip) = reaching_its_goal(&plain);
-    let settings = "samples=300 k=10";
-    for built in [&plain, &world] {
-        let run = finish(begin_with(built, "prm", 2, settings));
-        let kept = run.roadmap().expect("a roadmap");
-        let again = finish(resume(&world, &options("prm", 2, ""), &kept).unwrap_or_else(|error| panic!("{error}")));
-        assert_eq!(again.status(), Status::Solved);
-        let ([x, y], _) = end(&world, &again.path());
-        assert!((x - tip.x).abs() <= 2e-9 && (y - tip.y).abs() <= 2e-9);
-        assert!(is_valid(&world, again.as_ref()));
+fn an_unreachable_target_is_refused_with_the_nearest_point() {
+    // Links of 1 and 0.8; the last target lies within the wall.
+    for (target, code, words) in [
+        (r#"{"point": [3, 0]}"#, "target-unreachable", ["1.8", "1.2"]),
+        (r#"{"point": [0, 0.1]}"#, "target-unreachable", ["0.2", ""]),
+        (r#"{"point": [1.2, 0]}"#, "goal-in-collision", ["obstacle 0", ""]),
+    ] {
+        let error = start(&reaching(&arm_and_wall(0.1), target), &options("prm", 1, "")).err().expect(target);
+        assert_eq!((error.code().as_str(), error.pointer()), (code, "/queries/0/target"));
+        assert!(words.iter().all(|word| error.message().contains(word)), "{error}");
     }
 }
 
-/// Whether the path of a world's solved run is accepted where its target is another one.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_saved_roadmap_is_queried_for_a_target() {
+    let plain = arm_of(3, false, 0.02);
+    let (world, tip) = reaching_tip(&plain);
+    let settings = "samples=300 k=10";
+    for built in [&plain, &world] {
+        let run = finish(begin_with(built, "prm", 2, settings));
+        let saved = run.roadmap().expect("a roadmap");
+        let again = finish(resume(&world, &options("prm", 2, ""), &saved).unwrap_or_else(|error| panic!("{error}")));
+        assert_eq!(again.status(), Status::Solved);
+        assert_ends_at(&world, &*again, tip);
+    }
+}
+
+/// Whether the path of a world's solved run is accepted for another target.
 fn is_accepted_for(world: &Scenario, target: &str) -> bool {
     let run = finish(begin_with(world, "rrt-connect", 1, ""));
-    assert!(is_valid(world, run.as_ref()), "{:?}", verify(world, &run.result()));
-    is_valid(&reaching(world, target), run.as_ref())
+    assert_valid(world, &*run);
+    matches!(verify(&reaching(world, target), &run.result()), Ok(Verdict::Valid { .. }))
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -219,16 +212,16 @@ fn the_end_of_a_path_is_judged_by_the_size_of_the_arm() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn joints_that_can_hardly_move_keep_no_target_out_of_reach() {
-    // The third joint has a range of two billionths of a radian: random starts led nowhere.
+    // The third joint has a range of two billionths of a radian, which random starts once failed to solve.
     let world = parse(
         r#"{ "format": "planarium-scenario-1", "name": "stiff", "world": { "obstacles": [] },
             "robot": { "type": "arm", "base": [0, 0], "links": [1, 0.5, 1, 2],
                 "joint_limits": [[-1.0471975511965976, 0.5235987755982988], [0.5, 1], [-1e-9, 1e-9], [0, 9.42477796076938]] },
             "queries": [ { "name": "q", "start": [0, 0.75, 0, 1], "goal": [0.5235987755982988, 1, 1e-9, 7.592182246175334] } ] }"#,
     );
-    let (world, _) = reaching_its_goal(&world);
+    let (world, _) = reaching_tip(&world);
     for seed in 0..seeds(10) {
         let run = finish(begin_with(&world, "rrt-connect", seed, ""));
-        assert!(is_valid(&world, run.as_ref()), "seed {seed}");
+        assert_valid(&world, &*run);
     }
 }

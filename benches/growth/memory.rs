@@ -1,15 +1,14 @@
-//! Memory of a roadmap, part by part: what is held once all is there, and the most that was held while it grew.
+//! Memory of a roadmap, part by part: the bytes held at the end, and the most held while it grew.
 
-use super::time::forest;
+use super::time::{forest, roadmap};
 use planarium::graph::{Adjacency, Event, EventKind, Graph, VertexId};
 use planarium::nearest::{Index, Nearest};
 use planarium::random::{Random, Stream};
-use planarium::run::{Options, Status, Value, start};
 use planarium::space::{Coordinate, Metric, ProductSpace, Space};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-/// The system's allocator, counted: bytes held now, and the most since the last look.
+/// The system's allocator, counted: bytes held now, and the most since the last measurement.
 pub struct Counting;
 
 static HELD: AtomicUsize = AtomicUsize::new(0);
@@ -24,7 +23,7 @@ fn give(bytes: usize) {
     HELD.fetch_sub(bytes, Relaxed);
 }
 
-// SAFETY: every call is the system allocator's own; the counts beside it touch no memory that is handed out.
+// SAFETY: every call is the system allocator's own; the counters touch no memory that is allocated.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         take(layout.size());
@@ -45,7 +44,7 @@ unsafe impl GlobalAlloc for Counting {
     }
 }
 
-/// What a piece of work holds at its end and held at most, in bytes.
+/// The bytes that a piece of work holds at its end, and the most that it held.
 fn measure<T>(work: impl FnOnce() -> T) -> (T, usize, usize) {
     let before = HELD.load(Relaxed);
     MOST.store(before, Relaxed);
@@ -53,9 +52,17 @@ fn measure<T>(work: impl FnOnce() -> T) -> (T, usize, usize) {
     (made, HELD.load(Relaxed) - before, MOST.load(Relaxed) - before)
 }
 
+/// Prints the row of a piece of work, bytes each; returns its result and what that holds.
+fn row<T>(what: &str, count: usize, work: impl FnOnce() -> T) -> (T, f64) {
+    let (made, held, most) = measure(work);
+    let [held, most] = [held, most].map(|bytes| bytes as f64 / count as f64);
+    println!("| {what} | {held:.1} | {most:.1} |");
+    (made, held)
+}
+
 type Arm = ProductSpace<4>;
 
-/// Prints what a vertex and an edge cost.
+/// Prints the memory of a vertex and of an edge.
 pub fn print(is_quick: bool) {
     let n = if is_quick { 20_000 } else { 1_000_000 };
     let space = Arm::new(&[Coordinate::Circle; 4], Metric::Sum);
@@ -63,47 +70,33 @@ pub fn print(is_quick: bool) {
     let states: Vec<[f64; 4]> = (0..n).map(|_| space.sample(&mut random)).collect();
     println!("\nMemory, 4R, {n} vertices, bytes each.\n");
     println!("| what | held | at most while growing |\n|---|---|---|");
-    let row = |what: &str, count: usize, held: usize, most: usize| {
-        println!("| {what} | {:.1} | {:.1} |", held as f64 / count as f64, most as f64 / count as f64);
-        held as f64 / count as f64
-    };
-
-    let (mut graph, held, most) = measure(|| {
+    let (mut graph, in_graph) = row("vertex in the graph: state 32, birth 4", n, || {
         let mut graph = Graph::<Arm>::default();
-        for (i, &state) in states.iter().enumerate() {
-            graph.add_vertex(i as u32, state);
-        }
+        states.iter().enumerate().for_each(|(i, &state)| _ = graph.add_vertex(i as u32, state));
         graph
     });
-    let in_graph = row("vertex in the graph: state 32, birth 4", n, held, most);
-    let (index, held, most) = measure(|| {
+    let what = "vertex in the index: a second copy of the state 32, number 4, spare capacity in leaves, boxes";
+    let (index, in_index) = row(what, n, || {
         let mut index = Index::<Arm>::default();
-        for (i, &state) in states.iter().enumerate() {
-            index.insert(&space, VertexId(i as u32), state);
-        }
+        states.iter().enumerate().for_each(|(i, &state)| index.insert(&space, VertexId(i as u32), state));
         index
     });
-    let in_index =
-        row("vertex in the index: a second copy of the state 32, number 4, room in leaves, boxes", n, held, most);
-    // A clone takes no more than it needs: what is left is not the room of lists that double.
-    let (tight, held, most) = measure(|| (graph.clone(), index.clone()));
-    row("vertex in both, as a clone: without the room of lists that double", n, held, most);
-    drop((tight, index));
+    // A clone allocates no more than it needs: no spare capacity of lists that double.
+    row("vertex in both, as a clone: without spare capacity", n, || (graph.clone(), index.clone()));
+    drop(index);
 
     let edges = 4 * n;
     let end = |i: usize, step: usize| VertexId(((i * step + 1) % n) as u32);
-    let ((), held, most) = measure(|| (0..edges).for_each(|i| graph.add_edge(i as u32, end(i, 7), end(i, 11))));
-    let an_edge = row("edge in the graph: two ends 8, birth 4", edges, held, most);
-    let (adjacency, held, most) = measure(|| Adjacency::joining(n, graph.edges(), &[]));
-    row("edge during a search: two ends 8, and the rows' starts", edges, held, most);
-    drop(adjacency);
-    let ((), held, most) = measure(|| {
+    let (_, an_edge) = row("edge in the graph: two ends 8, birth 4", edges, || {
+        (0..edges).for_each(|i| graph.add_edge(i as u32, end(i, 7), end(i, 11)));
+    });
+    row("edge during a search: two ends 8, and the rows' starts", edges, || Adjacency::joining(n, graph.edges(), &[]));
+    row("event, such as an edge refused: kind, birth, two vertices, a state", n, || {
         for (i, &state) in states.iter().enumerate() {
             let (vertex, other) = (Some(VertexId(i as u32)), Some(VertexId(0)));
             graph.add_event(Event { kind: EventKind::EdgeRefused, iteration: i as u32, vertex, other, state });
         }
     });
-    row("event, such as an edge refused: kind, birth, two vertices, a state", n, held, most);
     drop(graph);
 
     let state = size_of::<[f64; 4]>() as f64;
@@ -115,28 +108,17 @@ pub fn print(is_quick: bool) {
     );
     println!("Graph: {an_edge:.1} bytes an edge; aim: 16: {}.", verdict(an_edge, 16.0));
     println!(
-        "Lists double when they are full, so up to half of what is held may be room; {n} vertices fill theirs to {:.0} %.",
-        filled(n)
+        "Lists double when they are full, so up to half of the memory may be spare; {n} vertices fill theirs to {:.0} %.",
+        // Percent of a capacity that doubled until it was enough.
+        100.0 * n as f64 / n.next_power_of_two() as f64
     );
     whole_run(n);
 }
 
-/// How full a list is that doubled until it held so many, in percent.
-fn filled(n: usize) -> f64 {
-    100.0 * n as f64 / n.next_power_of_two() as f64
-}
-
-/// A real roadmap, with all that it keeps: events, what each vertex has tried, the search.
+/// A whole run, with everything that it stores: events, the edges tried, the search.
 fn whole_run(n: usize) {
     let world = forest(4);
-    let parameters = [("samples", n as f64), ("k", 10.0), ("max_iterations", 4e9)];
-    let parameters = parameters.map(|(name, value)| (name.to_owned(), Value::Number(value))).to_vec();
-    let options = Options { planner: Some("prm".to_owned()), query: None, seed: 1, parameters };
-    let (run, held, most) = measure(|| {
-        let mut run = start(&world, &options).expect("start and goal are free");
-        while run.step(u64::MAX) == Status::Running {}
-        run
-    });
+    let (run, held, most) = measure(|| roadmap(&world, 1, n as u64, 10));
     let megabytes = |bytes: usize| bytes as f64 / 1e6;
     println!(
         "\nA whole k-PRM, 4R forest, k = 10: {} vertices, {} edges, {} events: {:.0} MB held, {:.0} MB at most, {:.0} bytes a vertex.",

@@ -20,14 +20,14 @@ fn main() {
     }
     println!("{}", serde_json::json!({ "name": concat!("Planarium ", env!("CARGO_PKG_VERSION"), ", native") }));
     for job in std::io::stdin().lock().lines() {
-        let reply = answer(&job.expect("standard input is text"));
+        let reply = reply_to(&job.expect("standard input is text"));
         let reply = reply.unwrap_or_else(|error| serde_json::json!({ "error": error.to_string() }));
         println!("{reply}");
         std::io::stdout().flush().expect("standard output can be written");
     }
 }
 
-fn answer(job: &str) -> Result<serde_json::Value, Box<dyn std::error::Error>> {
+fn reply_to(job: &str) -> Result<serde_json::Value, Box<dyn std::error::Error>> {
     let mut words = job.split(' ');
     let mut next = || words.next().ok_or("a job has at least five words");
     let scenario = Scenario::parse(&std::fs::read_to_string(next()?)?)?;
@@ -47,11 +47,11 @@ fn parameter(word: &str) -> Option<(String, Value)> {
     Some((name.to_owned(), Value::from_text(value)))
 }
 
-/// One run, from nothing to its path.
+/// One run, from its set-up to its path.
 fn outcome(scenario: &Scenario, options: &Options, limit: f64) -> Result<serde_json::Value, planarium::Error> {
-    let asked = Instant::now();
+    let entered = Instant::now();
     let mut run = start(scenario, options)?;
-    let setup = asked.elapsed().as_secs_f64();
+    let setup = entered.elapsed().as_secs_f64();
     let began = Instant::now();
     let mut built = None;
     while run.step(SLICE) == Status::Running && began.elapsed().as_secs_f64() < limit {

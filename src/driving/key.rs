@@ -3,7 +3,7 @@
 use crate::problem::Control;
 use crate::robot::Car;
 use std::f64::consts::PI;
-use strum::{FromRepr, IntoStaticStr, VariantArray};
+use strum::{FromRepr, VariantArray};
 
 /// The change of the speed by one press, in metres per second.
 pub const SPEED_PRESS: f64 = 0.1;
@@ -12,8 +12,7 @@ pub const SPEED_PRESS: f64 = 0.1;
 pub const STEERING_PRESS: f64 = PI / 12.0;
 
 /// A key.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, FromRepr, IntoStaticStr, VariantArray)]
-#[strum(serialize_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, FromRepr, VariantArray)]
 #[repr(u8)]
 pub enum Key {
     /// v grows by 0.1.
@@ -31,11 +30,6 @@ pub enum Key {
 impl Key {
     /// Every key, in the order of their numbers.
     pub const ALL: &[Key] = Key::VARIANTS;
-
-    /// The word for it.
-    pub fn as_str(self) -> &'static str {
-        self.into()
-    }
 }
 
 /// Speed and steering angle, counted in presses: three times a tenth is three tenths, and zero is reached again after a limit that

@@ -49,12 +49,12 @@ impl Drive {
             return Err(Error::new(Code::UnknownQuery, "/q", "without a query the car needs a start"));
         };
         let start = road.pose(start, "/q")?;
-        if let Some(contact) = road.contacts(&start).first() {
+        if let Some(contact) = road.collision.contacts(&start).first() {
             let sentence = format!("the car cannot start there: {contact}");
             return Err(Error::new(Code::StartInCollision, "/q", sentence));
         }
         let road = road.fitted(&start);
-        let levels = Levels::new(road.car());
+        let levels = Levels::new(&road.car);
         Ok(Self { road, levels, steps: 0, blocked: None, trace: vec![start], record: Vec::new() })
     }
 
@@ -75,7 +75,7 @@ impl Drive {
 
     /// The length of a step, in seconds.
     pub fn step(&self) -> f64 {
-        self.road.car().integration_step()
+        self.road.car.integration_step()
     }
 
     /// The obstruction, if the car was stopped and has not moved since: what it would have touched, or `Some(None)` if it would only
@@ -152,7 +152,7 @@ impl Drive {
             let sentence = format!("press {i} comes at step {}, before the one that it follows", record[i].step);
             return Err(Error::new(Code::OutOfRange, format!("/record/{i}/step"), sentence));
         }
-        self.levels = Levels::new(self.road.car());
+        self.levels = Levels::new(&self.road.car);
         (self.steps, self.blocked) = (0, None);
         self.trace.truncate(1);
         self.record.clear();

@@ -3,7 +3,7 @@
 use crate::collision::{BodyCollision, BodyMotion, LONGEST_DRIVE};
 use crate::error::{Code, Error, Number};
 use crate::geometry::arc_pose;
-use crate::problem::{Contact, Control, Motion, Touched};
+use crate::problem::{Control, Motion, Touched};
 use crate::robot::Car;
 use crate::scenario::Robot;
 use crate::space::wrap;
@@ -21,9 +21,9 @@ const LOOKS: u32 = 8;
 
 /// A car and everything that it can touch.
 pub(super) struct Road {
-    car: Car,
+    pub car: Car,
     configurations: Configurations,
-    collision: BodyCollision,
+    pub collision: BodyCollision,
 }
 
 impl Road {
@@ -44,10 +44,6 @@ impl Road {
         self
     }
 
-    pub(super) fn car(&self) -> &Car {
-        &self.car
-    }
-
     /// A configuration of the car, theta in (-pi, pi].
     ///
     /// # Errors
@@ -55,11 +51,6 @@ impl Road {
     pub(super) fn pose(&self, q: &[f64], pointer: &str) -> Result<[f64; 3], Error> {
         self.configurations.refuse(q, pointer)?;
         Ok([q[0] + 0.0, q[1] + 0.0, wrap(q[2])])
-    }
-
-    /// The contacts of the car at a pose; empty if it is free.
-    pub(super) fn contacts(&self, pose: &[f64; 3]) -> Vec<Contact> {
-        self.collision.contacts(pose)
     }
 
     /// The pose after this duration under the control.
@@ -84,7 +75,7 @@ impl Road {
     fn touched(&self, from: &[f64; 3], control: Control, seconds: f64) -> Option<Touched> {
         (0..=2 * LOOKS).find_map(|i| {
             let at = self.after(from, control, seconds * f64::from(i) / f64::from(LOOKS));
-            self.contacts(&at).first().map(|contact| contact.with)
+            self.collision.contacts(&at).first().map(|contact| contact.with)
         })
     }
 }
@@ -112,10 +103,10 @@ pub fn rollout(scenario: impl Into<PlanningWorld>, q: &[f64], motion: Motion) ->
     let road = Road::new(&scenario.into())?;
     let start = road.pose(q, "/q")?;
     let Motion { control, duration } = motion;
-    let step = road.car().integration_step();
+    let step = road.car.integration_step();
     let ranges = [
-        ("/v", "v", control.speed, road.car().speed()),
-        ("/phi", "phi", control.steering, road.car().steering()),
+        ("/v", "v", control.speed, road.car.speed()),
+        ("/phi", "phi", control.steering, road.car.steering()),
         ("/duration", "the duration in seconds", duration, [0.0, step * MAX_STEPS as f64]),
     ];
     for (pointer, name, value, [low, high]) in ranges {
@@ -131,7 +122,7 @@ pub fn rollout(scenario: impl Into<PlanningWorld>, q: &[f64], motion: Motion) ->
         }
     }
     let mut rollout = Rollout { poses: vec![start], seconds: 0.0, blocked: None };
-    if let Some(contact) = road.contacts(&start).first() {
+    if let Some(contact) = road.collision.contacts(&start).first() {
         rollout.blocked = Some(Some(contact.with));
         return Ok(rollout);
     }

@@ -52,11 +52,11 @@ pub fn follow(arm: &Arm, q: &[f64], target: Target) -> Result<Followed, Error> {
     let wanted = Task::new(arm, &target.checked(arm)?);
     let task = drawn_in(&wanted);
     let enough = task.finest.max(1e-3 * NEAR * task.reach);
-    let mut at = settled(&task, approached(&task, q, enough), enough);
+    let mut at = approached(&task, q, enough);
     if task.deviation(&at).error() > enough {
         // The linear model of a straight arm has no direction that draws it in: it has to be bent first. If that does not help,
         // it stays as it was.
-        let other = settled(&task, approached(&task, bent(&task, &at), enough), enough);
+        let other = approached(&task, bent(&task, &at), enough);
         if task.deviation(&other).square() < HELPS * task.deviation(&at).square() {
             at = other;
         }
@@ -73,9 +73,17 @@ pub fn follow(arm: &Arm, q: &[f64], target: Target) -> Result<Followed, Error> {
     })
 }
 
-/// Damped least squares from `q`, until the error has settled.
+/// Damped least squares from `q` until the error has settled, then gradient descent: to a target that the limits keep out of
+/// reach damped least squares converge slowly.
 fn approached(task: &Task, q: [f64; MAX_LINKS], enough: f64) -> [f64; MAX_LINKS] {
-    let (mut at, mut method) = (q, DampedLeastSquares::new());
+    let near = best(task, &mut DampedLeastSquares::new(), q, enough, SETTLED);
+    best(task, &mut GradientDescent::default(), near, enough, f64::NEG_INFINITY)
+}
+
+/// The best configuration of a descent from `q`, which ends once the error is `enough` or an update decreases the squared error by
+/// less than the fraction `settled`.
+fn best(task: &Task, method: &mut dyn Method, q: [f64; MAX_LINKS], enough: f64, settled: f64) -> [f64; MAX_LINKS] {
+    let (mut best, mut least, mut at) = (q, task.deviation(&q).square(), q);
     for _ in 0..UPDATES {
         let before = task.deviation(&at);
         if before.error() <= enough {
@@ -85,29 +93,12 @@ fn approached(task: &Task, q: [f64; MAX_LINKS], enough: f64) -> [f64; MAX_LINKS]
             break;
         };
         at = next;
-        if task.deviation(&at).square() > before.square() * (1.0 - SETTLED) {
-            break;
-        }
-    }
-    at
-}
-
-/// The nearest configuration to a target that the limits keep out of reach, where damped least squares converge slowly: the best
-/// of a gradient descent from `q`.
-fn settled(task: &Task, q: [f64; MAX_LINKS], enough: f64) -> [f64; MAX_LINKS] {
-    let (mut best, mut least, mut at) = (q, task.deviation(&q).square(), q);
-    let mut method = GradientDescent::default();
-    for _ in 0..UPDATES {
-        if task.deviation(&at).error() <= enough {
-            break;
-        }
-        let Some(next) = method.update(task, &at) else {
-            break;
-        };
-        at = next;
         let square = task.deviation(&at).square();
         if square < least {
             (best, least) = (at, square);
+        }
+        if square > before.square() * (1.0 - settled) {
+            break;
         }
     }
     best

@@ -3,6 +3,7 @@
 use crate::random::Random;
 use crate::robot::{Arm, MAX_LINKS};
 use crate::space::wrap;
+use std::array::from_fn;
 use std::f64::consts::{PI, TAU};
 
 /// How far outside its limits, in radians, a computed angle still means the limit. The result is measured afterwards.
@@ -19,12 +20,9 @@ pub(super) struct Joints {
 impl Joints {
     /// The joints of the arm.
     pub fn of(arm: &Arm) -> Self {
-        let count = arm.links().len();
-        let mut ranges = [[0.0; 2]; MAX_LINKS];
-        for (i, range) in ranges.iter_mut().enumerate().take(count) {
-            *range = arm.joint_limits().map_or([-PI, PI], |limits| limits[i]);
-        }
-        Self { count, are_circles: arm.joint_limits().is_none(), ranges }
+        let (count, limits) = (arm.links().len(), arm.joint_limits());
+        let range = |i| if i < count { limits.map_or([-PI, PI], |limits| limits[i]) } else { [0.0; 2] };
+        Self { count, are_circles: limits.is_none(), ranges: from_fn(range) }
     }
 
     /// Whether the joint can point its link in every direction: a circle, or limits a whole turn apart.
@@ -76,28 +74,22 @@ impl Joints {
         if self.are_circles { wrap(to - from) } else { to - from }
     }
 
-    /// The configuration nearest to `q` within the limits, in canonical form.
+    /// The configuration within the limits nearest to the one with these angles, in canonical form.
     #[inline(never)]
-    pub fn hold_all(&self, q: &[f64; MAX_LINKS]) -> [f64; MAX_LINKS] {
-        let mut held = [0.0; MAX_LINKS];
-        for i in 0..self.count {
-            held[i] = self.hold(i, q[i]);
-        }
-        held
+    pub fn hold_all(&self, mut angle: impl FnMut(usize) -> f64) -> [f64; MAX_LINKS] {
+        from_fn(|i| if i < self.count { self.hold(i, angle(i)) } else { 0.0 })
     }
 
     /// All joints at 0, or as near to it as they may be.
     pub fn rest(&self) -> [f64; MAX_LINKS] {
-        self.hold_all(&[0.0; MAX_LINKS])
+        self.hold_all(|_| 0.0)
     }
 
     /// A configuration drawn uniformly: one number a joint.
     pub fn draw(&self, random: &mut Random) -> [f64; MAX_LINKS] {
-        let mut q = [0.0; MAX_LINKS];
-        for (i, angle) in q.iter_mut().enumerate().take(self.count) {
+        self.hold_all(|i| {
             let [low, high] = self.ranges[i];
-            *angle = self.hold(i, low + (high - low) * random.uniform());
-        }
-        q
+            low + (high - low) * random.uniform()
+        })
     }
 }

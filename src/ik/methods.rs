@@ -2,25 +2,28 @@
 
 use crate::error::{Code, Error, quoted};
 use crate::options::{OptionInfo, Options, Value};
-use crate::random::MAX_SEED;
 use crate::robot::{Arm, Target};
 use crate::scenario::{Robot, Scenario};
-use strum::{IntoStaticStr, VariantArray};
+use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
 /// The most updates of a run.
 pub const MOST_ITERATIONS: f64 = 200_000.0;
 
-/// A method of inverse kinematics.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, VariantArray)]
+/// A method of inverse kinematics; its documentation is its summary.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumMessage, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum MethodId {
-    /// The closed form.
+    /// Computes the angles of up to two joints directly, elbow on either side; a given orientation fixes one joint more.
+    #[strum(message = "Closed form")]
     ClosedForm,
-    /// Newton and Raphson's.
+    /// Solves the linear model by the pseudo-inverse of the Jacobian: fast, but unstable near singular configurations.
+    #[strum(message = "Newton-Raphson")]
     Newton,
-    /// Damped least squares, the default.
+    /// Weighs the error against the rotation of the joints, which keeps it stable near singular configurations.
+    #[strum(message = "Damped least squares")]
     DampedLeastSquares,
-    /// Gradient descent.
+    /// Turns every joint against the gradient while the error falls: simple, without any inverse, and slow near the target.
+    #[strum(message = "Gradient descent")]
     GradientDescent,
 }
 
@@ -116,28 +119,12 @@ impl MethodId {
 
     /// Its description.
     pub fn info(self) -> MethodInfo {
-        let (title, summary, parameters) = match self {
-            MethodId::ClosedForm => (
-                "Closed form",
-                "Computes the angles of up to two joints directly, elbow on either side; a given orientation fixes one joint more.",
-                ClosedFormOptions::table(),
-            ),
-            MethodId::Newton => (
-                "Newton-Raphson",
-                "Solves the linear model by the pseudo-inverse of the Jacobian: fast, but unstable near singular configurations.",
-                IterativeOptions::table(),
-            ),
-            MethodId::DampedLeastSquares => (
-                "Damped least squares",
-                "Weighs the error against the rotation of the joints, which keeps it stable near singular configurations.",
-                IterativeOptions::table(),
-            ),
-            MethodId::GradientDescent => (
-                "Gradient descent",
-                "Turns every joint against the gradient while the error falls: simple, without any inverse, and slow near the target.",
-                GradientDescentOptions::table(),
-            ),
+        let parameters = match self {
+            MethodId::ClosedForm => ClosedFormOptions::table(),
+            MethodId::Newton | MethodId::DampedLeastSquares => IterativeOptions::table(),
+            MethodId::GradientDescent => GradientDescentOptions::table(),
         };
+        let [title, summary] = [self.get_message(), self.get_documentation()].map(Option::unwrap_or_default);
         MethodInfo { id: self.as_str(), title, summary, parameters }
     }
 
@@ -180,15 +167,6 @@ impl SolverOptions {
     /// All defaults, for a target.
     pub fn to(target: Target) -> Self {
         Self { target, method: None, start: None, seed: 0, parameters: Vec::new() }
-    }
-
-    /// Refuses a seed that JavaScript could not hold.
-    pub(super) fn check_seed(&self) -> Result<(), Error> {
-        if self.seed <= MAX_SEED {
-            return Ok(());
-        }
-        let sentence = format!("a seed lies within [0, {MAX_SEED}], not {}", self.seed);
-        Err(Error::new(Code::OutOfRange, "/seed", sentence))
     }
 }
 

@@ -80,10 +80,7 @@ pub(super) fn nearest_configuration(task: &Task) -> [f64; MAX_LINKS] {
 /// rotates the last link nearer to it.
 fn farthest_turned(task: &Task) -> [f64; MAX_LINKS] {
     let ends = [0, 1].map(|end| {
-        let mut q = [0.0; MAX_LINKS];
-        for (i, angle) in q.iter_mut().enumerate().take(task.joints.count) {
-            *angle = task.joints.range(i)[end] + 0.0;
-        }
+        let q = task.joints.hold_all(|i| task.joints.range(i)[end]);
         (q, task.deviation(&q).turn)
     });
     if ends[1].1 < ends[0].1 { ends[1].0 } else { ends[0].0 }
@@ -292,7 +289,7 @@ impl Search<'_> {
                 None => return,
             }
         }
-        let q = self.task.joints.hold_all(&q);
+        let q = self.task.joints.hold_all(|i| q[i]);
         // An angle held at its limit may be off by a little, so configurations of the exact orientation come first.
         let deviation = self.task.deviation(&q);
         let turn = turn_of(self.task, &deviation);

@@ -33,9 +33,8 @@ pub enum Verdict {
 }
 
 /// Why a target is out of reach.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-#[strum(serialize_all = "kebab-case")]
 pub enum Reason {
     /// It is farther from the base than the stretched arm.
     TooFar,
@@ -45,13 +44,6 @@ pub enum Reason {
     Limits,
     /// The joint limits do not allow the wanted orientation anywhere.
     Orientation,
-}
-
-impl Reason {
-    /// The reason as it is printed, in kebab-case.
-    pub fn as_str(self) -> &'static str {
-        self.into()
-    }
 }
 
 impl Verdict {

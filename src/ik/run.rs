@@ -11,7 +11,7 @@ use super::task::{Task, configuration};
 use crate::error::Error;
 use crate::graph::Fingerprint;
 use crate::problem::{Status, Validity};
-use crate::random::{Random, Stream};
+use crate::random::{Random, Stream, check_seed};
 use crate::robot::{Arm, MAX_LINKS, Target};
 use crate::space::{MotionSpace, angular_distance};
 use crate::world::PlanningWorld;
@@ -80,7 +80,7 @@ impl Solver {
         let scenario = world.scenario();
         let arm = arm_of(scenario)?;
         let id = MethodId::of(options.method.as_deref())?;
-        options.check_seed()?;
+        check_seed(options.seed)?;
         let target = options.target.checked(arm)?;
         let (mut stopping, max_restarts, finding) = id.read(&options.parameters)?;
         let task = Task::new(arm, &target);

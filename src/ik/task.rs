@@ -1,9 +1,10 @@
 //! An arm and a target: the deviation of the tip from the target, and how it moves with the joints.
 
 use super::joints::Joints;
-use crate::error::{Code, Error, Number};
+use crate::error::{Code, Error};
 use crate::robot::{Arm, LARGEST, MAX_LINKS, Target, check_range};
 use crate::space::wrap;
+use crate::world::Configurations;
 
 /// Errors below this fraction of the reach and the coordinates are rounding.
 const FINEST: f64 = 1e-12;
@@ -180,26 +181,6 @@ impl Target {
 /// # Errors
 /// `wrong-dimension`, `not-finite` or `out-of-range` (beyond 1e6, or outside the limits), with pointers below `pointer`.
 pub(super) fn configuration(arm: &Arm, q: &[f64], pointer: &str) -> Result<[f64; MAX_LINKS], Error> {
-    let count = arm.links().len();
-    if q.len() != count {
-        let sentence = format!("a configuration of this arm has {count} numbers, not {}", q.len());
-        return Err(Error::new(Code::WrongDimension, pointer, sentence));
-    }
-    let mut angles = [0.0; MAX_LINKS];
-    for (i, &angle) in q.iter().enumerate() {
-        let pointer = format!("{pointer}/{i}");
-        check_range(&pointer, "a joint angle", angle, -LARGEST)?;
-        if let Some(limits) = arm.joint_limits() {
-            let [low, high] = limits[i];
-            if !(low..=high).contains(&angle) {
-                let [low, high, angle] = [low, high, angle].map(Number);
-                let sentence = format!("joint {i} must lie within its limits [{low}, {high}], not {angle}");
-                return Err(Error::new(Code::OutOfRange, pointer, sentence));
-            }
-            angles[i] = angle + 0.0;
-        } else {
-            angles[i] = wrap(angle);
-        }
-    }
-    Ok(angles)
+    Configurations::of_arm(arm).refuse_outside(q, pointer)?;
+    Ok(Joints::of(arm).hold_all(|i| q[i]))
 }

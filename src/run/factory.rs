@@ -12,6 +12,7 @@ use crate::planner::{
     ByControls, Connection, EdgeCheck, Improving, IntegrationKind, Joined, Limits, Planner, PlannerOptions, Searching,
 };
 use crate::problem::{Estimate, GoalRegion, Problem, Validity};
+use crate::random::check_seed;
 use crate::robot::{Arm, Car, Weights};
 use crate::run::storage::{RoadmapDocument, RoadmapMetric, fingerprint};
 use crate::scenario::{GoalTolerance, Robot, Scenario};
@@ -33,7 +34,7 @@ const SLOWEST: f64 = 1e-9;
 pub fn start(scenario: impl Into<PlanningWorld>, options: &Options) -> Result<Box<dyn Run>, Error> {
     let world = scenario.into();
     let planner = PlannerOptions::of(options.planner_for(world.scenario()))?;
-    options.check_seed()?;
+    check_seed(options.seed)?;
     launch(&world, options, planner.read(&options.parameters)?, None)
 }
 

@@ -3,7 +3,6 @@
 use super::Value;
 use crate::error::{Code, Error, quoted};
 use crate::planner::default_planner;
-use crate::random::MAX_SEED;
 use crate::scenario::{Query, Scenario};
 
 /// Planner, query, seed and parameters of a run.
@@ -44,14 +43,5 @@ impl Options {
             };
             Error::new(Code::UnknownQuery, "/query", sentence)
         })
-    }
-
-    /// Refuses a seed that JavaScript could not hold.
-    pub(super) fn check_seed(&self) -> Result<(), Error> {
-        if self.seed <= MAX_SEED {
-            return Ok(());
-        }
-        let sentence = format!("a seed must lie within [0, {MAX_SEED}], not {}", self.seed);
-        Err(Error::new(Code::OutOfRange, "/seed", sentence))
     }
 }

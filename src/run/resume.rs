@@ -6,6 +6,7 @@ use crate::error::{Code, Error, quoted};
 use crate::options::{Choice, Options as _, Value, out_of_range, refusal};
 use crate::planner::{EdgeCheck, Grows, Improving, Limits, PlannerOptions, Searching};
 use crate::problem::Validity;
+use crate::random::check_seed;
 use crate::robot::Car;
 use crate::run::storage::{RoadmapDocument, RoadmapMetric, damaged, fingerprint};
 use crate::scenario::Robot;
@@ -68,7 +69,7 @@ pub fn resume(
         let sentence = format!("the roadmap was built by {}, not {other}", planner.id());
         return Err(Error::new(Code::OutOfRange, "/algorithm", sentence));
     }
-    options.check_seed()?;
+    check_seed(options.seed)?;
     launch(&world, options, settings(planner, options, document, steering)?, Some(document))
 }
 

@@ -3,7 +3,7 @@
 use super::particle::{MOST_TURNING, Model};
 use crate::error::Error;
 use crate::options::{Choice, Options, Value, out_of_range};
-use crate::random::MAX_SEED;
+use crate::random::check_seed;
 use std::f64::consts::PI;
 
 impl Choice for Model {}
@@ -52,9 +52,7 @@ impl TrajectoryOptions {
     /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`.
     pub fn new(given: &[(String, Value)], seed: u64) -> Result<Self, Error> {
         let options: Self = Options::read(given)?;
-        if seed > MAX_SEED {
-            return Err(out_of_range("seed", format!("seed must lie within [0, {MAX_SEED}], not {seed}")));
-        }
+        check_seed(seed)?;
         let Self { slowest, fastest, least_turn_rate, greatest_turn_rate, duration, .. } = options;
         let pairs = [
             ("slowest", slowest, "fastest", fastest),

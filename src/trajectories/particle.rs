@@ -62,16 +62,12 @@ impl Particle {
         let Self { model, start, theta, speed, turn_rate, duration } = *self;
         ParticleOptions { model, x: start.x, y: start.y, theta, v: speed, w: turn_rate }.check()?;
         check_time(duration, "/duration")?;
-        let too_long = |what: &str, value: f64, most: f64| {
-            let sentence = format!("{what} x duration must be at most {}, not {}", Number(most), Number(value));
-            Err(Error::new(Code::OutOfRange, "/duration", sentence))
-        };
-        let (travel, turn) = (speed * duration, turn_rate.abs() * duration);
-        if travel > LARGEST {
-            return too_long("v", travel, LARGEST);
-        }
-        if turn > MOST_TURNING {
-            return too_long("|w|", turn, MOST_TURNING);
+        for (what, rate, most) in [("v", speed, LARGEST), ("|w|", turn_rate.abs(), MOST_TURNING)] {
+            if rate * duration > most {
+                let [most, value] = [most, rate * duration].map(Number);
+                let sentence = format!("{what} x duration must be at most {most}, not {value}");
+                return Err(Error::new(Code::OutOfRange, "/duration", sentence));
+            }
         }
         Ok(())
     }

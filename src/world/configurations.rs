@@ -2,8 +2,9 @@
 
 use super::PlanningWorld;
 use crate::error::{Code, Error, Number};
+use crate::robot::{Arm, joint_space};
 use crate::scenario::{LARGEST, Robot};
-use crate::space::{MAX_DIMENSION, ProductSpace, Space};
+use crate::space::{MAX_DIMENSION, Metric, ProductSpace, Space};
 
 /// The configurations of one robot: its number of finite entries up to 1e6 in size; those of an arm's joints that have limits
 /// lie within them on request. Positions outside the world's bounds are configurations in collision.
@@ -17,6 +18,11 @@ impl Configurations {
     /// Those of the scenario's robot.
     pub fn of(world: &PlanningWorld) -> Self {
         Self { space: world.default_space(), has_limits: matches!(world.robot(), Robot::Arm(_)) }
+    }
+
+    /// Those of an arm.
+    pub fn of_arm(arm: &Arm) -> Self {
+        Self { space: joint_space(arm, Metric::Sum), has_limits: true }
     }
 
     /// The robot's space with its default metric.

@@ -308,7 +308,7 @@ test("a recorded run leaves a row for every iteration, whoever steps it, and is 
   close(costs[costs.length - 1], planner.result().length);
   assert.equal(planner.takeHistory().length, 0);
   assert.equal(plain.takeHistory().length, 0);
-  assert.throws(() => plain.record(), { name: "PlanariumError", code: "unsupported", message: /from its first iteration on/ });
+  assert.throws(() => plain.record(), { name: "PlanariumError", code: "unsupported", message: /before the first iteration/ });
 });
 
 test("rawPath is the path as it was found", () => {

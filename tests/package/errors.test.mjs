@@ -126,7 +126,7 @@ test("motions asked of a run", () => {
   fails(() => planner.firstHits([1, 2, 3, 11]), "out-of-range", "/ends", /\[3\.0, 11\.0\] lies outside the limits/);
   fails(() => planner.firstHits([1e300, 2, 3, 4]), "out-of-range", "/ends");
   planner.step(1);
-  fails(() => planner.record(), "unsupported", "", /1 are made/);
+  fails(() => planner.record(), "unsupported", "", /1 were made/);
 });
 
 test("pictures of the configuration space", () => {

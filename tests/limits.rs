@@ -3,7 +3,7 @@
 
 use crate::common::bodies::*;
 use crate::common::documents::{refusal, result, scenario, shape};
-use crate::common::{finish, options, parse, seeds};
+use crate::common::{begin_with, finish, options, parse, seeds};
 use planarium::collision::{BodyCollision, BodyValidity};
 use planarium::driving::rollout;
 use planarium::geometry::{Disc, Polygon};
@@ -15,7 +15,7 @@ use planarium::run::storage::{RoadmapDocument, RoadmapMetric};
 use planarium::run::{self, Status};
 use planarium::scenario::{Obstacle, Scenario};
 use planarium::space::MotionSpace;
-use planarium::space::steering::Steering;
+use planarium::space::steering::{Pose, Steering};
 use std::rc::Rc;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -129,9 +129,7 @@ fn cars_whose_curves_would_overflow_are_refused() {
 #[wasm_bindgen_test(unsupported = test)]
 fn curves_are_traced_as_finely_as_they_bend() {
     for wheelbase in ["1e-8", "1e-3", "0.3"] {
-        let run = finish(
-            run::start(&car(wheelbase, "[-1, 1]", "[-1, 1]", "[9, 9, -2]"), &options("rrt", 1, "")).expect("a run"),
-        );
+        let run = finish(begin_with(&car(wheelbase, "[-1, 1]", "[-1, 1]", "[9, 9, -2]"), "rrt", 1, ""));
         let traces = run.traces_since(0);
         let rows: Vec<&[f64]> = traces.chunks(4).collect();
         assert!(rows.len() <= 170 * run.edge_count(), "{} rows for {} edges", rows.len(), run.edge_count());
@@ -146,41 +144,32 @@ fn curves_are_traced_as_finely_as_they_bend() {
 fn a_stored_roadmap_contains_the_steering_of_the_car() {
     let scenario = car("0.5", "[-1, 1]", "[-0.6, 0.6]", "[9, 9, -2]");
     for word in ["dubins", "reeds-shepp"] {
-        let settings = format!("samples=60 k=6 steering={word}");
-        let run = finish(run::start(&scenario, &options("prm", 1, &settings)).expect("a run"));
+        let run = finish(begin_with(&scenario, "prm", 1, &format!("samples=60 k=6 steering={word}")));
         let document = run.roadmap().expect("a roadmap");
         assert!(document.metric.to_string().contains(word), "{}", document.metric);
         assert_eq!(document.is_directed(), word == "dubins");
         assert_eq!(document.to_graphml().contains("edgedefault=\"directed\""), word == "dubins");
         assert_eq!(RoadmapDocument::parse(&document.to_json()).expect("its own JSON"), document);
-        // The same path, without a word about steering, and with the same one.
-        for given in [String::new(), format!("steering={word}")] {
-            let resumed = run::resume(&scenario, &options("prm", 1, &given), &document).expect("it fits");
-            let resumed = finish(resumed);
+        // The same path, with and without the steering given again.
+        for given in ["", &format!("steering={word}")] {
+            let resumed = finish(run::resume(&scenario, &options("prm", 1, given), &document).expect("it fits"));
             assert_eq!(resumed.path(), run.path());
             assert_eq!(resumed.roadmap().expect("a roadmap").edges, document.edges);
         }
         let other = if word == "dubins" { "reeds-shepp" } else { "dubins" };
         let error = run::resume(&scenario, &options("prm", 1, &format!("steering={other}")), &document).err();
         assert_eq!(error.expect("refused").pointer(), "/steering");
-        let plain = RoadmapDocument {
-            metric: RoadmapMetric::Placement { translation: 0.7, rotation: 0.3 },
-            ..document.clone()
-        };
+        let metric = RoadmapMetric::Placement { translation: 0.7, rotation: 0.3 };
+        let plain = RoadmapDocument { metric, ..document.clone() };
         let error = run::resume(&scenario, &options("prm", 1, ""), &plain).err().expect("refused");
         assert_eq!((error.code().as_str(), error.pointer()), ("invalid-roadmap", "/metric"));
         // Lengths of edges are those of the space.
-        let radius = 0.5 / libm::tan(0.6);
-        for &[from, to] in &document.edges {
-            let pose = |i: u32| document.rows().nth(i as usize).expect("a vertex");
-            let [a, b] = [from, to].map(|i| planarium::space::steering::Pose {
-                x: pose(i)[0],
-                y: pose(i)[1],
-                heading: pose(i)[2],
-            });
-            let steering = if word == "dubins" { Steering::Dubins } else { Steering::ReedsShepp };
-            let length = steering.shortest(a, b, radius).length();
-            assert!((document.length([from, to]) - length).abs() <= 1e-12 * length);
+        let rows: Vec<&[f64]> = document.rows().collect();
+        let steering = if word == "dubins" { Steering::Dubins } else { Steering::ReedsShepp };
+        for &edge in &document.edges {
+            let [a, b] = edge.map(|i| rows[i as usize]).map(|q| Pose { x: q[0], y: q[1], heading: q[2] });
+            let length = steering.shortest(a, b, 0.5 / libm::tan(0.6)).length();
+            assert!((document.length(edge) - length).abs() <= 1e-12 * length);
         }
     }
 }
@@ -267,17 +256,6 @@ fn a_car_is_not_driven_in_more_turns_than_can_be_told_apart() {
     let control = |speed: f64| Motion { control: Control { speed, steering: 0.7 }, duration: 10.0 };
     let driven = |speed: f64| rollout(&scenario, &[2.0, 1.0, 0.0], control(speed)).expect("a car").poses.len();
     assert_eq!([1.0, 50.0, 1e3, 1e6].map(driven), [2, 2, 1, 1]);
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn a_polygon_of_many_corners_is_cut_up_in_no_time() {
-    // Minutes, where every piece asks every other whether the two are one.
-    let many = if cfg!(target_arch = "wasm32") { 2_000 } else { 8_000 };
-    let body = Polygon::new(&star(p(0.0, 0.0), 1.0, many, 0.1)).expect("a star");
-    let pieces = planarium::geometry::convex_pieces(&body);
-    assert_eq!(pieces.len(), many + 1, "the points of the star, and its middle");
-    assert!(pieces.iter().all(Polygon::is_convex));
-    assert_eq!(pieces.iter().map(|piece| piece.vertices().len()).max(), Some(many));
 }
 
 /// A scene with one obstacle, and a body of this shape.

@@ -165,13 +165,8 @@ fn a_roadmap_gone_on_with_lights_lines_too() {
 #[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn the_committed_catalogue_is_up_to_date() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/schema/catalogue.json");
     let text = format!("{:#}\n", planarium::run::catalogue::catalogue());
-    if std::env::var_os("PLANARIUM_BLESS").is_some() {
-        std::fs::write(path, &text).expect("the file can be written");
-    }
-    let committed = std::fs::read_to_string(path).expect("the file is there");
-    assert!(committed == text, "schema/catalogue.json is out of date: PLANARIUM_BLESS=1 writes it anew");
+    crate::common::golden::committed("schema/catalogue.json", &text);
 }
 
 /// The patch of `docs/adding-a-planner.md` fits the tree as it is.

@@ -246,13 +246,10 @@ fn every_case_has_its_golden_neighbours() {
 #[allow(clippy::approx_constant)] // the reports say 3.14
 #[test]
 fn the_reports_targets_on_the_reports_lists() {
-    let Some(folder) = std::env::var_os("PLANARIUM_SCENARIOS").filter(|folder| !folder.is_empty()) else {
-        eprintln!("PLANARIUM_SCENARIOS is not set: the reports' lists are not looked at");
-        return;
-    };
+    let Some(shared) = crate::common::documents::shared() else { return };
     let read = |name: &str| -> Vec<Vec<f64>> {
-        let text = std::fs::read_to_string(std::path::Path::new(&folder).join(name)).expect("a list");
-        serde_json::from_str(&text).expect("an array of arrays of numbers")
+        let (_, text) = shared.iter().find(|(stem, _)| stem == name).expect("a list");
+        serde_json::from_str(text).expect("an array of arrays of numbers")
     };
     let arm = scene("firs");
     let body = scene("corner");
@@ -260,12 +257,12 @@ fn the_reports_targets_on_the_reports_lists() {
     let asked: [Asked; 2] = [
         (
             &arm,
-            "arm_configs.json",
+            "arm_configs",
             &[(&[0.0, 0.0], 3), (&[3.14, 1.5], 6), (&[4.0, 5.2], 4), (&[1.5, 1.1], 10), (&[5.8, -1.5], 5)],
         ),
         (
             &body,
-            "rigid_configs.json",
+            "rigid_configs",
             &[
                 (&[1.0, 1.0, 0.0], 3),
                 (&[0.5, 0.5, 0.0], 4),

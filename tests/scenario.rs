@@ -411,22 +411,14 @@ mod native {
 
     #[test]
     fn the_shared_scenarios_are_read_and_written_again() {
-        let Some(folder) = std::env::var_os("PLANARIUM_SCENARIOS") else {
-            eprintln!("PLANARIUM_SCENARIOS is not set: the shared scenarios are not examined");
-            return;
-        };
+        let Some(shared) = crate::common::documents::shared() else { return };
         let mut seen = 0;
-        for path in
-            std::fs::read_dir(folder).expect("PLANARIUM_SCENARIOS names a folder").map(|file| file.unwrap().path())
-        {
-            let text = std::fs::read_to_string(&path).unwrap_or_default();
-            if path.extension().is_some_and(|extension| extension == "json") && text.contains(FORMAT) {
-                let scenario = Scenario::parse(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-                assert_eq!(Some(scenario.name()), path.file_stem().unwrap().to_str());
-                assert!(!scenario.queries().is_empty());
-                assert_eq!(Scenario::parse(&scenario.to_json_string()), Ok(scenario));
-                seen += 1;
-            }
+        for (name, text) in shared.into_iter().filter(|(_, text)| text.contains(FORMAT)) {
+            let scenario = Scenario::parse(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+            assert_eq!(scenario.name(), name);
+            assert!(!scenario.queries().is_empty());
+            assert_eq!(Scenario::parse(&scenario.to_json_string()), Ok(scenario));
+            seen += 1;
         }
         assert!(seen >= 9, "there are shared scenarios");
     }

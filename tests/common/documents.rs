@@ -108,3 +108,20 @@ pub fn shape(x: f64, y: f64) -> String {
     let vertices = [[-x, -y], [x, -y], [x, y], [-x, y]];
     format!(r#""shape": {{ "type": "polygon", "vertices": {vertices:?} }}"#)
 }
+
+/// The JSON files of the folder `PLANARIUM_SCENARIOS`, by name, if there is one.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn shared() -> Option<Vec<(String, String)>> {
+    let Some(folder) = std::env::var_os("PLANARIUM_SCENARIOS").filter(|folder| !folder.is_empty()) else {
+        eprintln!("PLANARIUM_SCENARIOS is not set: the shared files are not examined");
+        return None;
+    };
+    let files = std::fs::read_dir(folder).expect("PLANARIUM_SCENARIOS names a folder");
+    let paths = files.map(|file| file.expect("a file").path());
+    let json = paths.filter(|path| path.extension().is_some_and(|extension| extension == "json"));
+    let read = |path: std::path::PathBuf| {
+        let name = path.file_stem().and_then(|name| name.to_str()).expect("a name");
+        (name.to_owned(), std::fs::read_to_string(&path).expect("text"))
+    };
+    Some(json.map(read).collect())
+}

@@ -1,6 +1,7 @@
 //! Scenarios by seed: what the generators promise.
 
 use crate::common::bodies::part_distance;
+use crate::common::documents::refuses;
 use planarium::geometry::{Aabb, Disc, Point, Polygon, Segment, distance_segment_polygon, intersects_segment_polygon};
 use planarium::options::Kind;
 use planarium::robot::Part;
@@ -233,28 +234,22 @@ fn options_that_are_wrong_are_refused() {
         ("bug_trap", "", "unknown-generator", ""),
     ];
     for (kind, options, code, pointer) in cases {
-        let error = try_make(kind, options).expect_err(options);
-        assert_eq!((error.code().as_str(), error.pointer()), (code, pointer), "{kind} {options}: {error}");
+        refuses(try_make(kind, options), code, pointer);
     }
     for whole in ["[]", "null"] {
-        let error = generate("forest", &planarium::json::parse(whole).unwrap()).unwrap_err();
-        assert_eq!((error.code().as_str(), error.pointer()), ("wrong-type", ""));
+        refuses(generate("forest", &planarium::json::parse(whole).unwrap()), "wrong-type", "");
     }
-    let by_type = |options: ClutterOptions| options.generate().unwrap_err();
-    for (error, code, pointer) in [
-        (ForestOptions { links: 9, seed: 0 }.generate().unwrap_err(), "out-of-range", "/links"),
-        (ForestOptions { links: 2, seed: 1 << 53 }.generate().unwrap_err(), "out-of-range", "/seed"),
-        (by_type(ClutterOptions { radius: f64::NAN, ..Default::default() }), "not-finite", "/radius"),
-        (by_type(ClutterOptions { gap: f64::NAN, ..Default::default() }), "not-finite", "/gap"),
-        (by_type(ClutterOptions { largest: f64::NAN, ..Default::default() }), "not-finite", "/largest"),
-        (by_type(ClutterOptions { count: 1 << 30, ..Default::default() }), "out-of-range", "/count"),
-    ] {
-        assert_eq!((error.code().as_str(), error.pointer()), (code, pointer), "{error}");
-    }
+    let by_type = |options: ClutterOptions, code, pointer| refuses(options.generate(), code, pointer);
+    refuses(ForestOptions { links: 9, seed: 0 }.generate(), "out-of-range", "/links");
+    refuses(ForestOptions { links: 2, seed: 1 << 53 }.generate(), "out-of-range", "/seed");
+    by_type(ClutterOptions { radius: f64::NAN, ..Default::default() }, "not-finite", "/radius");
+    by_type(ClutterOptions { gap: f64::NAN, ..Default::default() }, "not-finite", "/gap");
+    by_type(ClutterOptions { largest: f64::NAN, ..Default::default() }, "not-finite", "/largest");
+    by_type(ClutterOptions { count: 1 << 30, ..Default::default() }, "out-of-range", "/count");
     // What finds no place ends in an error, not in an endless loop.
-    let error = try_make("clutter", r#""count": 60, "smallest": 0.4, "largest": 0.5"#).unwrap_err();
-    assert_eq!((error.code().as_str(), error.pointer()), ("out-of-range", "/count"));
-    assert!(error.message().contains("of 60 obstacles could be placed in 10000 draws"), "{error}");
+    let message =
+        refuses(try_make("clutter", r#""count": 60, "smallest": 0.4, "largest": 0.5"#), "out-of-range", "/count");
+    assert!(message.contains("of 60 obstacles could be placed in 10000 draws"), "{message}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -274,8 +269,7 @@ fn the_table_of_options_is_what_generators_take() {
                     let Some(Value::Number(default)) = option.default else { panic!("{name} has a default") };
                     assert!(min < max && (min..=max).contains(&default), "{} {name}", info.id);
                     for outside in [min - 1.0, max + 1.0, min - 1e-9, max + 1e-9] {
-                        let error = one(outside.to_string()).unwrap_err();
-                        assert_eq!((error.code().as_str(), error.pointer()), ("out-of-range", &*format!("/{name}")));
+                        refuses(one(outside.to_string()), "out-of-range", &format!("/{name}"));
                     }
                     // At the ends of its range an option may conflict with the defaults of others, which is an error.
                     for inside in [min, max] {

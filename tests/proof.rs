@@ -2,11 +2,10 @@
 //! Node and Chrome alike, with many seeds natively.
 
 use crate::common::bodies::random_obstacle;
-use crate::common::documents::scenario;
-use crate::common::{arm_and_wall, arm_of, begin, disc_and_wall, finish, seeds, thick_arm_and_wall};
+use crate::common::documents::{refuses, scenario};
+use crate::common::{arm_and_wall, arm_of, assert_valid, begin, disc_and_wall, finish, seeds, thick_arm_and_wall};
 use planarium::collision::{ArmValidity, DiscValidity, Obstacles, Sampled};
 use planarium::geometry::{Aabb, Disc, Point, Segment, intersects_segment_polygon};
-use planarium::path::{Verdict, verify};
 use planarium::problem::Validity;
 use planarium::random::{Random, Stream};
 use planarium::robot::{Arm, MAX_LINKS, joint_space, plane};
@@ -37,9 +36,7 @@ fn no_path_of_a_roadmap_or_a_tree_crosses_a_wall_shortened_or_not() {
             let run = finish(begin(&scenario, planner, seed, parameters));
             if run.status() == Status::Solved {
                 solved += 1;
-                let verdict = verify(&scenario, &run.result()).expect("the result is well formed");
-                let what = format!("{planner}, seed {seed}, a wall {thickness} thick in {}", scenario.name());
-                assert!(matches!(verdict, Verdict::Valid { .. }), "{what}: {verdict:?}");
+                assert_valid(&scenario, &*run);
             }
         }
         assert!(solved * 10 >= all * 9, "{planner} solved only {solved} of {all}: too few paths were judged");
@@ -287,8 +284,7 @@ fn a_tight_start_can_be_left() {
         for planner in ["prm", "rrt-connect"] {
             let run = finish(begin(&world, planner, 1, &[]));
             assert_eq!(run.status(), Status::Solved, "{planner} from {gap} above a block");
-            let verdict = verify(&world, &run.result()).expect("well formed");
-            assert!(matches!(verdict, Verdict::Valid { .. }), "{verdict:?}");
+            assert_valid(&world, &*run);
         }
     }
 }
@@ -360,16 +356,11 @@ fn sliding_close_along_a_concave_wall_is_proven() {
 #[wasm_bindgen_test(unsupported = test)]
 fn configurations_that_make_no_sense_are_refused_before_any_proof() {
     let inspector = planarium::run::inspect::Inspector::new(&arm_of(2, true, 0.0));
-    let hit = |a: &[f64], b: &[f64]| inspector.first_hit(a, b).err();
-    for (error, code, pointer) in [
-        (hit(&[-1.7e308, 0.0], &[0.0, 0.0]), "out-of-range", "/a/0"),
-        (hit(&[0.0, 0.0], &[0.0, 50.0]), "out-of-range", "/b/1"),
-        (hit(&[0.0, f64::NAN], &[0.0, 0.0]), "not-finite", "/a/1"),
-        (hit(&[0.0], &[0.0, 0.0]), "wrong-dimension", "/a"),
-        (inspector.check(&[1e308, 0.0]).err(), "out-of-range", "/0"),
-        (inspector.footprint(&[0.0, -1e7]).err(), "out-of-range", "/1"),
-    ] {
-        let error = error.expect("refused");
-        assert_eq!((error.code().as_str(), error.pointer()), (code, pointer), "{error}");
-    }
+    let hit = |a: &[f64], b: &[f64], code, pointer| refuses(inspector.first_hit(a, b), code, pointer);
+    hit(&[-1.7e308, 0.0], &[0.0, 0.0], "out-of-range", "/a/0");
+    hit(&[0.0, 0.0], &[0.0, 50.0], "out-of-range", "/b/1");
+    hit(&[0.0, f64::NAN], &[0.0, 0.0], "not-finite", "/a/1");
+    hit(&[0.0], &[0.0, 0.0], "wrong-dimension", "/a");
+    refuses(inspector.check(&[1e308, 0.0]), "out-of-range", "/0");
+    refuses(inspector.footprint(&[0.0, -1e7]), "out-of-range", "/1");
 }

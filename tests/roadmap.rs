@@ -1,8 +1,8 @@
 //! Roadmaps: which samples are connected, PRM*, guards, searches by name, repeated queries, and improved paths.
 
-use crate::common::documents::scenario;
+use crate::common::documents::{refuses, scenario};
 use crate::common::graphs::{edges, events, rows, tried};
-use crate::common::{arm_and_wall, arm_of, begin_with, disc_and_wall, finish, no_way, seeds};
+use crate::common::{arm_and_wall, arm_of, assert_valid, begin_with, disc_and_wall, finish, no_way, seeds};
 use planarium::graph::EventKind;
 use planarium::planner::{logarithmic_k, prm_star_k};
 use planarium::run::{Phase, Run, Status};
@@ -182,8 +182,7 @@ fn a_roadmap_answers_while_it_grows_and_afterwards_and_stays_as_it_was() {
         let mut run = begin_with(&world, planner, 1, settings);
         while run.step(31) == Status::Running {
             run.query(&start, &goal, false).expect("it answers with what there is");
-            let error = run.query(&start, &goal, true).expect_err("they would be counted as samples");
-            assert_eq!((error.code().as_str(), error.pointer()), ("unsupported", "/keep"));
+            refuses(run.query(&start, &goal, true), "unsupported", "/keep");
         }
         let answer = run.query(&start, &goal, false).expect("free ends");
         assert_eq!((answer.status, answer.query.as_str()), (Status::Solved, "asked"), "{planner}");
@@ -216,8 +215,7 @@ fn queries_that_cannot_be_answered_are_refused() {
         (tree, free, free, "unsupported", ""),
     ] {
         let mut run = finish(begin_with(world, planner, 1, settings));
-        let error = run.query(start, goal, false).expect_err("refused");
-        assert_eq!((error.code().as_str(), error.pointer()), (code, pointer), "{error}");
+        refuses(run.query(start, goal, false), code, pointer);
     }
     let mut cut_off = finish(begin_with(&no_way(), "prm", 1, "samples=200"));
     let answer = cut_off.query(&[1.5, 0.0], &[-1.5, 0.0], false).expect("free ends");
@@ -284,8 +282,7 @@ fn the_naive_metric_goes_the_long_way_round() {
     assert!(wrapped.length() < 0.5, "0.4 the short way: {}", wrapped.length());
     assert!(naive.length() > 5.8, "2 pi - 0.4 the long way: {}", naive.length());
     assert!(naive.path().iter().flatten().all(|angle| (0.0..std::f64::consts::TAU).contains(angle)));
-    let verdict = planarium::path::verify(&world, &naive.result()).expect("a result of this scenario");
-    assert!(matches!(verdict, planarium::path::Verdict::Valid { .. }), "{verdict:?}");
+    assert_valid(&world, &*naive);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

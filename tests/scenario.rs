@@ -24,10 +24,8 @@ fn reaching() -> String {
 fn check_refusals(document: &str, cases: &[Case]) {
     Scenario::parse(document).expect("the document without a change is right");
     for &(piece, replacement, code, pointer, words) in cases {
-        let error = refusal(&with(document, piece, replacement));
-        let found = (error.code().as_str(), error.pointer());
-        assert_eq!(found, (code, pointer), "{piece} -> {replacement}: {error}");
-        assert!(error.message().contains(words), "{piece} -> {replacement}: {words:?} is not in {error}");
+        let message = refusal(&with(document, piece, replacement), code, pointer);
+        assert!(message.contains(words), "{piece} -> {replacement}: {words:?} is not in {message}");
     }
 }
 
@@ -65,9 +63,8 @@ fn every_field_is_optional_or_required_and_no_other_is_known() {
         for place in objects(&tree) {
             let mut more = tree.clone();
             more.pointer_mut(&place).unwrap()["a/b~c"] = Value::from(1);
-            let error = refusal(&more.to_string());
-            assert_eq!((error.code().as_str(), error.pointer()), ("unknown-field", &*format!("{place}/a~1b~0c")));
-            assert!(error.message().contains("a/b~c"), "{error}");
+            let message = refusal(&more.to_string(), "unknown-field", &format!("{place}/a~1b~0c"));
+            assert!(message.contains("a/b~c"), "{message}");
             for name in tree.pointer(&place).unwrap().as_object().unwrap().keys() {
                 let mut less = tree.clone();
                 less.pointer_mut(&place).unwrap().as_object_mut().unwrap().remove(name);
@@ -75,10 +72,9 @@ fn every_field_is_optional_or_required_and_no_other_is_known() {
                     Scenario::parse(&less.to_string()).expect(name);
                     continue;
                 }
-                let error = refusal(&less.to_string());
-                let pointer = format!("{place}/{}", if name == "target" { "goal" } else { name });
-                assert_eq!((error.code().as_str(), error.pointer()), ("missing-field", &*pointer), "{robot}: {error}");
-                assert!(error.message().contains(&pointer[pointer.rfind('/').unwrap() + 1..]), "{error}");
+                let name = if name == "target" { "goal" } else { name };
+                let message = refusal(&less.to_string(), "missing-field", &format!("{place}/{name}"));
+                assert!(message.contains(name), "{robot}: {message}");
             }
         }
     }
@@ -154,9 +150,8 @@ fn a_value_of_another_type_is_refused_and_named() {
         ],
     );
     for (document, words) in [("[]", "an array of 0"), ("3", "the number 3"), (r#""text""#, "the string")] {
-        let error = refusal(document);
-        assert_eq!((error.code().as_str(), error.pointer()), ("wrong-type", ""));
-        assert!(error.message().contains(words), "{error}");
+        let message = refusal(document, "wrong-type", "");
+        assert!(message.contains(words), "{message}");
     }
 }
 
@@ -295,9 +290,7 @@ fn too_many_obstacles_or_vertices_are_refused() {
     let world = |text: String| with(DISC, r#"{"type": "disc", "center": [1, 1], "radius": 0.5}"#, &text);
     let discs = |n: usize| vec![r#"{"type":"disc","center":[1,1],"radius":0.5}"#; n].join(",");
     assert_eq!(Scenario::parse(&world(discs(MAX_OBSTACLES))).unwrap().world().obstacles.len(), MAX_OBSTACLES);
-    let error = refusal(&world(discs(MAX_OBSTACLES + 1)));
-    assert_eq!((error.code().as_str(), error.pointer()), ("too-large", "/world/obstacles"), "{error}");
-    assert!(error.message().contains("10001"));
+    assert!(refusal(&world(discs(MAX_OBSTACLES + 1)), "too-large", "/world/obstacles").contains("10001"));
 
     // A comb of so many vertices, at most a millionth apart.
     let comb = |n: usize| {
@@ -307,8 +300,7 @@ fn too_many_obstacles_or_vertices_are_refused() {
     };
     let half = MAX_VERTICES / 2;
     Scenario::parse(&world(format!("{},{}", comb(half), comb(half)))).expect("as many vertices as allowed");
-    let error = refusal(&world(format!("{},{}", comb(half), comb(half + 1))));
-    assert_eq!((error.code().as_str(), error.pointer()), ("too-large", "/world/obstacles/1/vertices"), "{error}");
+    refusal(&world(format!("{},{}", comb(half), comb(half + 1))), "too-large", "/world/obstacles/1/vertices");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -2,7 +2,8 @@
 //! another scenario, or are not free.
 
 use crate::common::{
-    arm_and_wall, arm_of, begin_with, disc_and_wall, finish, fitting, options, parse, seeds, thick_arm_and_wall,
+    arm_and_wall, arm_of, assert_valid, begin_with, disc_and_wall, finish, fitting, options, parse, seeds,
+    thick_arm_and_wall,
 };
 use planarium::Error;
 use planarium::run::storage::{MAGIC, RoadmapDocument, RoadmapMetric, fingerprint};
@@ -139,8 +140,7 @@ fn another_query_of_the_same_world_is_joined_and_proven() {
             let ends = [&query.start[..], query.configuration().expect("a goal")];
             assert_eq!([run.path()[0].as_slice(), run.path().last().expect("a goal")], ends);
             assert_eq!(run.vertices_since(0)[..4], ends.concat());
-            let verdict = planarium::path::verify(&other, &run.result()).expect("of this scenario");
-            assert!(matches!(verdict, planarium::path::Verdict::Valid { .. }), "{verdict:?}");
+            assert_valid(&other, &*run);
             let edges = run.roadmap().expect("a roadmap").edges;
             let distinct: BTreeSet<[u32; 2]> = edges.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
             assert_eq!(distinct.len(), edges.len(), "no edge twice");

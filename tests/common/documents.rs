@@ -52,12 +52,18 @@ pub fn with(document: &str, piece: &str, replacement: &str) -> String {
     document.replacen(piece, replacement, 1)
 }
 
-/// The error of an invalid document.
-pub fn refusal(document: &str) -> Error {
-    match Scenario::parse(document) {
-        Err(error) => error,
-        Ok(_) => panic!("this was accepted: {}", &document[..document.len().min(2000)]),
-    }
+/// Checks code and pointer of a refusal; returns its message.
+#[track_caller]
+pub fn refuses<T>(result: Result<T, Error>, code: &str, pointer: &str) -> String {
+    let error = result.err().unwrap_or_else(|| panic!("this was accepted, not refused with {code} at {pointer}"));
+    assert_eq!((error.code().as_str(), error.pointer()), (code, pointer), "{error}");
+    error.message().to_owned()
+}
+
+/// The same of an invalid document.
+#[track_caller]
+pub fn refusal(document: &str, code: &str, pointer: &str) -> String {
+    refuses(Scenario::parse(document), code, pointer)
 }
 
 /// The JSON pointers of all objects in the document.

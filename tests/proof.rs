@@ -274,7 +274,7 @@ fn a_motion_that_samples_accept_through_a_thin_wall_is_refused() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_tight_start_can_be_left() {
+fn a_start_near_an_obstacle_or_the_bounds_can_be_left() {
     for gap in [1e-3, 1e-5, 1e-7, 1e-9] {
         // The arm lies along the top of a block, `gap` above it.
         let block =
@@ -286,6 +286,14 @@ fn a_tight_start_can_be_left() {
             assert_eq!(run.status(), Status::Solved, "{planner} from {gap} above a block");
             assert_valid(&world, &*run);
         }
+    }
+    for room in [1e-4, 1e-6, 1e-9] {
+        // The tip of the only link points at the upper bound, `room` below it.
+        let bounds = format!("[-10, -10], [10, {:?}]", 1.0 + 0.7 * 0.841_470_984_807_896_5 + room);
+        let robot = r#"{ "type": "arm", "base": [0, 1], "links": [0.7] }"#;
+        let world = scenario(&bounds, "", robot, r#""start": [1], "goal": [-1]"#);
+        let run = finish(begin(&world, "rrt-connect", 1, &[]));
+        assert_eq!(run.status(), Status::Solved, "{room} below the bound");
     }
 }
 
@@ -305,18 +313,6 @@ fn contact_with_an_obstacle_is_collision_and_contact_with_the_bounds_is_not() {
     assert!(!validity.is_motion_free(&[1.0, 1.5], &[1.75, 1.5]), "driving up to contact");
     let contacts = validity.contacts(&[2.5, 1.5]);
     assert_eq!(contacts.iter().map(ToString::to_string).collect::<Vec<_>>(), ["part 0 touches obstacle 0"]);
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn a_start_near_the_bounds_can_be_left() {
-    for room in [1e-4, 1e-6, 1e-9] {
-        // The tip of the only link points at the upper bound, `room` below it.
-        let bounds = format!("[-10, -10], [10, {:?}]", 1.0 + 0.7 * 0.841_470_984_807_896_5 + room);
-        let robot = r#"{ "type": "arm", "base": [0, 1], "links": [0.7] }"#;
-        let world = scenario(&bounds, "", robot, r#""start": [1], "goal": [-1]"#);
-        let run = finish(begin(&world, "rrt-connect", 1, &[]));
-        assert_eq!(run.status(), Status::Solved, "{room} below the bound");
-    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]

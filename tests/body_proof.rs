@@ -46,7 +46,7 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
                 room = room.min(collision.clearance(&q)).min(collision.depth(&q));
             }
             if let Some(hit) = hit {
-                // What is refused is near: a stretch no longer than twice the tolerance, and no farther from contact.
+                // What is refused is near: an interval no longer than twice the tolerance, and no farther from contact.
                 let q = motion.at(hit);
                 let room = collision.clearance(&q).min(collision.depth(&q));
                 assert!(room <= 2.0 * tau + 2.0 * eta, "world {number}: {motion:?} refused at {q:?}, {room} away");
@@ -75,18 +75,14 @@ fn no_accepted_motion_is_refuted_by_two_thousand_samples() {
         let collision = BodyCollision::new(&body, &world, FRACTION).finest();
         for _ in 0..60 {
             let from = random_placement(&mut random, scale);
-            if !collision.is_free(&from) {
-                continue;
-            }
             let motion = random_motion(&mut random, from, scale);
-            if !collision.is_motion_free(&motion) {
-                continue;
-            }
-            accepted += 1;
-            for i in 0..=2000 {
-                let q = motion.at(f64::from(i) / 2000.0);
-                assert!(!touches(&body, &world, &q), "world {number}: {motion:?} at {i} of 2000");
-                assert!(collision.is_free(&q), "world {number}: {motion:?} at {i} of 2000");
+            if collision.is_free(&from) && collision.is_motion_free(&motion) {
+                accepted += 1;
+                for i in 0..=2000 {
+                    let q = motion.at(f64::from(i) / 2000.0);
+                    let is_free = collision.is_free(&q) && !touches(&body, &world, &q);
+                    assert!(is_free, "world {number}: {motion:?} at {i} of 2000");
+                }
             }
         }
     }
@@ -179,18 +175,21 @@ fn a_body_may_slide_along_the_bounds_and_not_along_an_obstacle() {
     assert!(collision.is_free(&[0.1, 0.2, FRAC_PI_2]), "in the corner, turned");
     assert!(!collision.is_free(&[0.19999, 0.1, 0.0]), "beyond the bounds");
     assert_eq!(collision.contacts(&[0.1, 0.1, 0.0])[0].with, Touched::Bounds);
-    assert!(collision.is_motion_free(&straight([0.2, 0.1, 0.0], [1.29, 0.1, 0.0])), "sliding along the lower bound");
-    assert!(collision.is_motion_free(&straight([0.2, 1.9, 0.0], [3.8, 1.9, 0.0])), "sliding along the upper bound");
-    assert!(collision.is_motion_free(&arc([0.2, 1.9, 0.0], 1.0, 0.0, 3.6)), "driving along the upper bound");
-    assert!(collision.is_motion_free(&arc([3.8, 1.9, 0.0], -2.0, 0.0, 1.8)), "and backward");
-    assert!(collision.is_motion_free(&straight([0.1, 0.2, FRAC_PI_2], [0.1, 1.8, FRAC_PI_2])), "along the left bound");
-    assert!(!collision.is_motion_free(&straight([0.2, 1.9, 0.0], [3.9, 1.9, 0.0])), "out of the bounds at the end");
-    assert!(!collision.is_motion_free(&straight([0.2, 0.1, 0.0], [1.3, 0.1, 0.0])), "up to contact with an obstacle");
-    assert!(!collision.is_motion_free(&straight([1.8, 0.6, 0.0], [2.2, 0.6, 0.0])), "sliding along an obstacle");
-    assert!(collision.is_motion_free(&straight([0.2, 0.601, 0.0], [3.8, 0.601, 0.0])), "sliding just above it");
+    for (what, motion, is_free) in [
+        ("sliding along the lower bound", straight([0.2, 0.1, 0.0], [1.29, 0.1, 0.0]), true),
+        ("sliding along the upper bound", straight([0.2, 1.9, 0.0], [3.8, 1.9, 0.0]), true),
+        ("driving along the upper bound", arc([0.2, 1.9, 0.0], 1.0, 0.0, 3.6), true),
+        ("and backward", arc([3.8, 1.9, 0.0], -2.0, 0.0, 1.8), true),
+        ("along the left bound", straight([0.1, 0.2, FRAC_PI_2], [0.1, 1.8, FRAC_PI_2]), true),
+        ("out of the bounds at the end", straight([0.2, 1.9, 0.0], [3.9, 1.9, 0.0]), false),
+        ("up to contact with an obstacle", straight([0.2, 0.1, 0.0], [1.3, 0.1, 0.0]), false),
+        ("sliding along an obstacle", straight([1.8, 0.6, 0.0], [2.2, 0.6, 0.0]), false),
+        ("sliding just above it", straight([0.2, 0.601, 0.0], [3.8, 0.601, 0.0]), true),
+        ("away from the corner", straight([0.2, 0.1, 0.0], [0.5, 1.0, 0.0]), true),
+    ] {
+        assert_eq!(collision.is_motion_free(&motion), is_free, "{what}");
+    }
     assert_eq!(collision.contacts(&[2.0, 0.6, 0.0]), collision.contacts(&[2.0, 0.4, 0.0]), "contact is collision");
-    // Leaving contact with the bounds straight inwards, and turning the long side away from it.
-    assert!(collision.is_motion_free(&straight([0.2, 0.1, 0.0], [0.5, 1.0, 0.0])), "away from the corner");
     let hit = collision.first_hit(&straight([0.2, 1.0, 0.0], [7.8, 1.0, 0.0])).expect("it leaves the bounds");
     assert!(hit <= 3.6 / 7.6 && hit > 3.6 / 7.6 - 1e-3, "{hit}");
 }
@@ -284,22 +283,17 @@ fn a_motion_through_a_thin_wall_is_refused_and_past_it_is_not() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_narrow_gap_is_passed_where_the_body_fits() {
     let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
+    let bounded = |obstacles| BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 3.0], obstacles), FRACTION);
     for room in [1e-2, 1e-4, 1e-6, 1e-8] {
         let (below, above) = (rectangle([1.5, 0.0], [2.5, 1.0]), rectangle([1.5, 1.2 + 2.0 * room], [2.5, 3.0]));
-        let obstacles = [below, above].map(Obstacle::Polygon).to_vec();
-        let collision = BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 3.0], obstacles), FRACTION);
-        let through = straight([1.0, 1.1 + room, 0.0], [3.0, 1.1 + room, 0.0]);
-        let driving = arc([1.0, 1.1 + room, 0.0], 0.5, 0.0, 4.0);
-        for motion in [through, driving] {
-            // Nothing turns, so that separating lines hold for the whole stretch, however near.
+        let collision = bounded([below, above].map(Obstacle::Polygon).to_vec());
+        let (from, to) = ([1.0, 1.1 + room, 0.0], [3.0, 1.1 + room, 0.0]);
+        // Nothing turns, so that separating lines hold for the whole interval, however near.
+        for motion in [straight(from, to), arc(from, 0.5, 0.0, 4.0)] {
             assert!(collision.is_motion_free(&motion), "{room} to either side");
-            let [a, b] = [0.0, 1.0].map(|t| motion.at(t));
-            assert!(
-                BodyCollision::new(&body, &world([0.0, 0.0], [4.0, 3.0], vec![]), FRACTION).is_motion_free(&motion)
-            );
-            let turning = straight(a, [b[0], b[1], 1.0]);
-            assert!(!collision.is_motion_free(&turning), "turning in the gap");
+            assert!(bounded(vec![]).is_motion_free(&motion));
         }
+        assert!(!collision.is_motion_free(&straight(from, [to[0], to[1], 1.0])), "turning in the gap");
     }
 }
 
@@ -388,26 +382,21 @@ fn motions_that_make_no_sense_are_refused_and_long_ones_are_cut_at_the_bounds() 
     let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
     let collision = in_box(&body, vec![]);
     let at = [2.0, 2.0, 0.0];
+    let mut refused = vec![
+        straight(at, [2.0, 2.0, 8.0]),              // More than a turn on a straight path.
+        straight([2.0, 2.0, 2e4], [2.0, 2.0, 2e4]), // An angle too large to be accurate.
+    ];
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for i in 0..3 {
             let mut off = at;
             off[i] = bad;
             assert_eq!(collision.first_hit(&straight(off, at)), Some(0.0));
-            assert!(
-                !collision
-                    .is_motion_free(&BodyMotion::Straight { from: at, delta: [off[0] - 2.0, off[1] - 2.0, off[2]] })
-            );
-            assert!(!collision.is_motion_free(&arc(off, 1.0, 0.1, 1.0)));
+            let delta = [off[0] - 2.0, off[1] - 2.0, off[2]];
+            refused.extend([BodyMotion::Straight { from: at, delta }, arc(off, 1.0, 0.1, 1.0)]);
         }
-        assert!(!collision.is_motion_free(&arc(at, bad, 0.1, 1.0)));
-        assert!(!collision.is_motion_free(&arc(at, 0.1, bad, 1.0)));
-        assert!(!collision.is_motion_free(&arc(at, 0.1, 0.1, bad)));
+        refused.extend([arc(at, bad, 0.1, 1.0), arc(at, 0.1, bad, 1.0), arc(at, 0.1, 0.1, bad)]);
     }
-    assert!(!collision.is_motion_free(&straight(at, [2.0, 2.0, 8.0])), "more than a turn on a straight way");
-    assert!(
-        !collision.is_motion_free(&straight([2.0, 2.0, 2e4], [2.0, 2.0, 2e4])),
-        "an angle too large to be accurate"
-    );
+    assert!(refused.iter().all(|motion| !collision.is_motion_free(motion)));
     // As far as the bounds, whatever lies behind.
     assert_eq!(collision.first_hit(&straight(at, [1e200, 2.0, 0.0])), Some(0.0), "longer than its square can be");
     for length in [10.0, 100.0, 1e9, 1e100] {

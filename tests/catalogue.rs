@@ -58,13 +58,9 @@ fn settings() -> Vec<(&'static str, String)> {
     all.extend(DRIVEN.iter().map(|&(planner, words)| (planner, words.to_owned())));
     all.extend(["rrt-control", "sst"].map(|planner| (planner, "sampler=bridge max_iterations=400".to_owned())));
     all.push(("prm", "samples=60 k=1 insertion=one-by-one discard=true".to_owned()));
-    for (planner, few) in [
-        ("prm", "samples=60"),
-        ("prm-star", "samples=60"),
-        ("visibility-prm", "failures=40"),
-        ("rrt", ""),
-        ("rrt-connect", ""),
-    ] {
+    let (samples, failures) = ("samples=60", "failures=40");
+    let few = [("prm", samples), ("prm-star", samples), ("visibility-prm", failures), ("rrt", ""), ("rrt-connect", "")];
+    for (planner, few) in few {
         all.push((planner, format!("{few} sampler=bridge max_iterations=400")));
         all.push((planner, format!("{few} shortcut=5")));
     }
@@ -74,12 +70,8 @@ fn settings() -> Vec<(&'static str, String)> {
 #[wasm_bindgen_test(unsupported = test)]
 fn every_planner_and_parameter_says_in_one_short_sentence_what_it_does() {
     for info in planners() {
-        for (name, words) in info
-            .parameters
-            .iter()
-            .map(|row| (row.name, &*row.meaning))
-            .chain([(info.id, info.summary), (info.id, info.guarantee)])
-        {
+        let texts = info.parameters.iter().map(|row| (row.name, &*row.meaning));
+        for (name, words) in texts.chain([(info.id, info.summary), (info.id, info.guarantee)]) {
             let length = words.chars().count();
             assert!((30..=110).contains(&length), "{name}: {length} characters in {words:?}");
             assert!(words.ends_with('.') && !words.contains(". "), "{name}: one sentence, not {words:?}");
@@ -165,13 +157,8 @@ fn a_roadmap_gone_on_with_lights_lines_too() {
 #[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn the_committed_catalogue_is_up_to_date() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/schema/catalogue.json");
     let text = format!("{:#}\n", planarium::run::catalogue::catalogue());
-    if std::env::var_os("PLANARIUM_BLESS").is_some() {
-        std::fs::write(path, &text).expect("the file can be written");
-    }
-    let committed = std::fs::read_to_string(path).expect("the file is there");
-    assert!(committed == text, "schema/catalogue.json is out of date: PLANARIUM_BLESS=1 writes it anew");
+    crate::common::golden::committed("schema/catalogue.json", &text);
 }
 
 /// The patch of `docs/adding-a-planner.md` fits the tree as it is.

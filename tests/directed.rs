@@ -134,22 +134,21 @@ fn edges_are_free(graph: &Graph<Car>, problem: &Problem<Car>) {
 #[wasm_bindgen_test(unsupported = test)]
 fn trees_end_at_the_goal_and_are_driven_in_order() {
     for (steering, seed, problem) in problems() {
+        let mut trees: Vec<(String, Box<dyn Planner<Car>>, f64)> = Vec::new();
         for extend in [Extend::Step, Extend::Half, Extend::UntilObstacle] {
-            let mut planner = rrt(&problem, seed, extend);
-            let what = format!("rrt {steering:?} {extend:?} {seed}");
-            assert_eq!(finish(&mut *planner, &problem), Status::Solved, "{what}");
-            is_driven(&*planner, &problem, &what);
-            edges_are_free(planner.graph(), &problem);
+            trees.push((format!("rrt {extend:?}"), rrt(&problem, seed, extend), f64::INFINITY));
         }
         for step in [0.4, 1.0, 5.0] {
-            let mut planner = rrt_connect(&problem, seed, step);
-            let what = format!("rrt-connect {steering:?} {step} {seed}");
+            trees.push((format!("rrt-connect {step}"), rrt_connect(&problem, seed, step), step));
+        }
+        for (name, mut planner, longest) in trees {
+            let what = format!("{name} {steering:?} {seed}");
             assert_eq!(finish(&mut *planner, &problem), Status::Solved, "{what}");
             is_driven(&*planner, &problem, &what);
             edges_are_free(planner.graph(), &problem);
-            for &[from, to] in planner.graph().edges() {
-                let [a, b] = [from, to].map(|vertex| planner.graph().state(vertex));
-                assert!(problem.space().distance(a, b) <= step + 1e-6, "{what}: no edge is longer than a step");
+            for edge in planner.graph().edges() {
+                let [a, b] = edge.map(|vertex| planner.graph().state(vertex));
+                assert!(problem.space().distance(a, b) <= longest + 1e-6, "{what}: no edge is longer than a step");
             }
         }
     }
@@ -258,10 +257,8 @@ fn improved_paths_are_driven_in_order_and_never_longer() {
         let path = improvement.path();
         assert_eq!((path[0], path[path.len() - 1]), (*problem.start(), *problem.goal()));
         assert!(length(problem.space(), path) <= before + 1e-6);
-        assert!(
-            path.windows(2).all(|pair| problem.validity().is_motion_free(&pair[0], &pair[1])),
-            "{steering:?} {seed}"
-        );
+        let mut motions = path.windows(2).map(|pair| problem.validity().is_motion_free(&pair[0], &pair[1]));
+        assert!(motions.all(|is_free| is_free), "{steering:?} {seed}");
     }
 }
 

@@ -11,7 +11,6 @@ use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 type Wide = ProductSpace<8>;
-type Car = MotionSpace<4>;
 
 /// The vertex of a state by its position: numbers increase, but not by one.
 fn number(i: usize) -> VertexId {
@@ -37,19 +36,32 @@ fn same(found: &[Neighbour], expected: &[Neighbour], what: &dyn Fn() -> String) 
 
 /// Checks all queries of an index against the sorted distances to all states.
 fn answers<S: Space>(name: &str, index: &impl Nearest<S>, space: &S, from: &S::State, truth: &[Neighbour]) {
+    assert_eq!((index.len(), index.is_empty()), (truth.len(), false), "{name}");
+    let k_nearest = |k, found: &mut _| index.k_nearest(space, from, k, found);
+    let within = |radius, found: &mut _| index.within(space, from, radius, found);
+    answer(name, index.nearest(space, from), k_nearest, within, truth);
+}
+
+/// Checks the nearest, and the queries for the `k` nearest and for those within a radius.
+fn answer(
+    name: &str,
+    nearest: Option<Neighbour>,
+    k_nearest: impl Fn(usize, &mut Vec<Neighbour>) -> usize,
+    within: impl Fn(f64, &mut Vec<Neighbour>) -> usize,
+    truth: &[Neighbour],
+) {
     let n = truth.len();
     let mut found = Vec::new();
-    assert_eq!((index.len(), index.is_empty()), (n, false), "{name}");
-    assert_eq!(index.nearest(space, from), Some(truth[0]), "{name}");
+    assert_eq!(nearest, Some(truth[0]), "{name}");
     for k in [0, 1, 2, 10, 30, 100, n, n + 1, usize::MAX] {
-        let visited = index.k_nearest(space, from, k, &mut found);
+        let visited = k_nearest(k, &mut found);
         assert!(if k == 0 { visited == 0 } else { (k.min(n)..=n).contains(&visited) }, "{name}: {visited} of {n}");
         same(&found, &truth[..k.min(n)], &|| format!("{name}: {k} of {n}"));
     }
     // Radii that are distances themselves: a state exactly at the radius is included.
     for radius in [-1.0, 0.0, truth[n / 50].distance, truth[n / 3].distance, f64::INFINITY] {
         let inside = truth.partition_point(|neighbour| neighbour.distance <= radius);
-        index.within(space, from, radius, &mut found);
+        within(radius, &mut found);
         same(&found, &truth[..inside], &|| format!("{name}: within {radius} of {n}"));
     }
 }
@@ -132,7 +144,7 @@ fn sets(space: &Wide, random: &mut Random, n: usize) -> Vec<(&'static str, Vec<[
 }
 
 /// Arms of so many joints: all circles, all limited, and both, each in every metric, the naive one among them.
-fn arms(joints: usize) -> Vec<(String, Wide)> {
+fn arms_of(joints: usize) -> Vec<(String, Wide)> {
     let limited = |i: usize| Coordinate::Interval { low: -0.5 - i as f64, high: 2.0 + 0.3 * i as f64 };
     let kinds: [(&str, Vec<Coordinate>); 3] = [
         ("circles", vec![Coordinate::Circle; joints]),
@@ -182,13 +194,8 @@ fn hold(spaces: impl IntoIterator<Item = (String, Wide)>) {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn arms_of_one_to_four_joints() {
-    hold((1..=4).flat_map(arms));
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn arms_of_five_to_eight_joints() {
-    hold((5..=8).flat_map(arms));
+fn arms() {
+    hold((1..=8).flat_map(arms_of));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -199,7 +206,7 @@ fn the_plane_and_placements() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_hundred_thousand_states_of_any_kind() {
     let mut spaces = planes_and_placements().split_off(20);
-    spaces.extend([2, 4, 8].into_iter().flat_map(|joints| arms(joints).into_iter().step_by(4)));
+    spaces.extend([2, 4, 8].into_iter().flat_map(|joints| arms_of(joints).into_iter().step_by(4)));
     for (seed, (name, space)) in (4000..).zip(&spaces) {
         for (kind, states) in sets(space, &mut Random::new(seed, Stream::Samples), cases(100_000)).drain(..4) {
             let scan = grown(LinearScan::default(), space, &states);
@@ -230,7 +237,7 @@ fn an_empty_index_and_no_neighbours_are_no_trouble() {
         index.within(space, &from, 10.0, &mut found);
         assert!(found.is_empty());
     }
-    for (_, space) in arms(3).into_iter().chain(planes_and_placements()) {
+    for (_, space) in arms_of(3).into_iter().chain(planes_and_placements()) {
         empty(&LinearScan::default(), &space);
         empty(&KdTree::default(), &space);
         empty(&Index::default(), &space);
@@ -349,7 +356,7 @@ fn the_metric_of_the_gaps_is_the_distance_to_the_bit() {
             assert_eq!(distance.to_bits(), space.distance(a, b).to_bits(), "{a:?} {b:?}");
         }
     }
-    let spaces = (1..=4).flat_map(arms).chain(planes_and_placements());
+    let spaces = (1..=4).flat_map(arms_of).chain(planes_and_placements());
     spaces.for_each(|(_, space)| holds(&space));
 }
 
@@ -378,31 +385,6 @@ fn no_gap_is_less_than_the_gap_to_an_interval_around_it() {
     }
 }
 
-/// The queries of an index about motions in one direction.
-struct Directed<'a>(&'a Index<Car>, Direction);
-
-impl Nearest<Car> for Directed<'_> {
-    fn insert(&mut self, _: &Car, _: VertexId, _: [f64; 4]) {
-        unreachable!("the index is complete");
-    }
-
-    fn len(&self) -> usize {
-        self.0.len()
-    }
-
-    fn nearest(&self, space: &Car, state: &[f64; 4]) -> Option<Neighbour> {
-        self.0.nearest_by(space, self.1, state)
-    }
-
-    fn k_nearest(&self, space: &Car, state: &[f64; 4], k: usize, found: &mut Vec<Neighbour>) -> usize {
-        self.0.k_nearest_by(space, self.1, state, k, found)
-    }
-
-    fn within(&self, space: &Car, state: &[f64; 4], radius: f64, found: &mut Vec<Neighbour>) -> usize {
-        self.0.within_by(space, self.1, state, radius, found)
-    }
-}
-
 #[wasm_bindgen_test(unsupported = test)]
 fn steered_motions_have_the_neighbours_of_a_plain_scan_in_either_direction() {
     for (steering, radius) in [(Steering::Dubins, 0.5), (Steering::ReedsShepp, 0.5), (Steering::ReedsShepp, 4.0)] {
@@ -421,7 +403,10 @@ fn steered_motions_have_the_neighbours_of_a_plain_scan_in_either_direction() {
             for from in &asked {
                 for direction in [Direction::In, Direction::Out] {
                     let truth = truth(&space, direction, states, from);
-                    answers(&format!("{steering:?} {direction:?}"), &Directed(&index, direction), &space, from, &truth);
+                    let name = format!("{steering:?} {direction:?}");
+                    let k_nearest = |k, found: &mut _| index.k_nearest_by(&space, direction, from, k, found);
+                    let within = |radius, found: &mut _| index.within_by(&space, direction, from, radius, found);
+                    answer(&name, index.nearest_by(&space, direction, from), k_nearest, within, &truth);
                     if direction == Direction::In {
                         answers("plain queries are about motions to the state", &index, &space, from, &truth);
                     }

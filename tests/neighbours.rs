@@ -1,8 +1,8 @@
 //! Nearest neighbours of a scenario's robot: answers, counts, refusals, samples, and golden outcomes; on native, Node and Chrome
 //! alike. `PLANARIUM_BLESS=1 cargo test --test neighbours` writes the golden outcomes anew.
 
+use crate::common::documents::refuses;
 use crate::common::golden::{self, scene};
-use planarium::error::Code;
 use planarium::run::catalogue::catalogue;
 use planarium::run::inspect::{Inspector, MAX_SAMPLES};
 use planarium::run::neighbours::{Answer, Neighbours, index, indexes, recall};
@@ -104,31 +104,23 @@ fn the_same_seed_draws_the_same_forest_and_another_another() {
     assert_ne!(found(3.0), found(4.0));
 }
 
-/// The code and the pointer of a refusal.
-fn refusal<T>(answer: Result<T, planarium::Error>) -> (Code, String) {
-    let error = answer.err().expect("it is refused");
-    assert!(error.message().len() > 15, "{error}");
-    (error.code(), error.pointer().to_owned())
-}
-
 #[wasm_bindgen_test(unsupported = test)]
 fn what_makes_no_sense_is_refused_and_leaves_the_index_as_it_was() {
     let arm = scene("locked");
     for (id, name, value, code) in [
-        ("kd-tree", "trees", Value::Number(4.0), Code::UnknownParameter),
-        ("forest", "trees", Value::Number(0.0), Code::OutOfRange),
-        ("forest", "leaf", Value::Number(32.5), Code::OutOfRange),
-        ("forest", "seed", Value::Number(f64::NAN), Code::NotFinite),
-        ("linear", "metric", Value::Number(1.0), Code::WrongType),
-        ("linear", "metric", text("taxi"), Code::OutOfRange),
+        ("kd-tree", "trees", Value::Number(4.0), "unknown-parameter"),
+        ("forest", "trees", Value::Number(0.0), "out-of-range"),
+        ("forest", "leaf", Value::Number(32.5), "out-of-range"),
+        ("forest", "seed", Value::Number(f64::NAN), "not-finite"),
+        ("linear", "metric", Value::Number(1.0), "wrong-type"),
+        ("linear", "metric", text("taxi"), "out-of-range"),
     ] {
-        let found = refusal(index(&arm, Some(id), &[(name.to_owned(), value)]));
-        assert_eq!(found, (code, format!("/{name}")), "{id} {name}");
+        refuses(index(&arm, Some(id), &[(name.to_owned(), value)]), code, &format!("/{name}"));
     }
-    assert_eq!(refusal(index(&arm, Some("ball-tree"), &[])), (Code::OutOfRange, "/index".to_owned()));
+    refuses(index(&arm, Some("ball-tree"), &[]), "out-of-range", "/index");
     for name in ["corner", "turn", "rings"] {
         let naive = [("metric".to_owned(), text("naive"))];
-        assert_eq!(refusal(index(&scene(name), None, &naive)), (Code::OutOfRange, "/metric".to_owned()), "{name}");
+        refuses(index(&scene(name), None, &naive), "out-of-range", "/metric");
     }
     assert!(index(&scene("rings"), None, &[("metric".to_owned(), text("euclidean"))]).is_ok());
 
@@ -136,24 +128,23 @@ fn what_makes_no_sense_is_refused_and_leaves_the_index_as_it_was() {
         let mut index = made(&arm, info.id, &[]);
         index.add(&[0.1, 0.2]).expect("a row");
         for (rows, code, pointer) in [
-            (&[0.0, 0.0, 0.0][..], Code::WrongDimension, "/rows"),
-            (&[0.0, 0.0, 0.0, f64::NAN], Code::NotFinite, "/rows/1/1"),
-            (&[0.0, 0.0, 1e7, 0.0], Code::OutOfRange, "/rows/1/0"),
-            (&[0.0, 0.0, 100.0, 0.0], Code::OutOfRange, "/rows/1/0"),
+            (&[0.0, 0.0, 0.0][..], "wrong-dimension", "/rows"),
+            (&[0.0, 0.0, 0.0, f64::NAN], "not-finite", "/rows/1/1"),
+            (&[0.0, 0.0, 1e7, 0.0], "out-of-range", "/rows/1/0"),
+            (&[0.0, 0.0, 100.0, 0.0], "out-of-range", "/rows/1/0"),
         ] {
-            assert_eq!(refusal(index.add(rows)), (code, pointer.to_owned()), "{}", info.id);
+            refuses(index.add(rows), code, pointer);
             assert_eq!(index.len(), 1, "none of them was added");
         }
-        let ask = |q: &[f64]| refusal(index.k_nearest(q, 1));
-        assert_eq!(ask(&[0.0]), (Code::WrongDimension, "/q".to_owned()));
-        assert_eq!(ask(&[0.0, f64::INFINITY]), (Code::NotFinite, "/q/1".to_owned()));
-        assert_eq!(ask(&[100.0, 0.0]), (Code::OutOfRange, "/q/0".to_owned()));
-        assert_eq!(refusal(index.within(&[0.0, 0.0], -1.0)), (Code::OutOfRange, "/radius".to_owned()));
-        assert_eq!(refusal(index.within(&[0.0, 0.0], f64::NAN)), (Code::NotFinite, "/radius".to_owned()));
+        refuses(index.k_nearest(&[0.0], 1), "wrong-dimension", "/q");
+        refuses(index.k_nearest(&[0.0, f64::INFINITY], 1), "not-finite", "/q/1");
+        refuses(index.k_nearest(&[100.0, 0.0], 1), "out-of-range", "/q/0");
+        refuses(index.within(&[0.0, 0.0], -1.0), "out-of-range", "/radius");
+        refuses(index.within(&[0.0, 0.0], f64::NAN), "not-finite", "/radius");
     }
     let rows = vec![0.0; 2 * 156_251];
     let mut forest = made(&arm, "forest", &[("trees", Value::Number(64.0))]);
-    assert_eq!(refusal(forest.add(&rows)), (Code::TooLarge, "/rows".to_owned()), "10,000,000 / 64");
+    refuses(forest.add(&rows), "too-large", "/rows");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -185,12 +176,12 @@ fn samples_are_those_of_a_planner_of_the_same_seed() {
     }
     let inspector = Inspector::new(&scene("firs"));
     assert_eq!(inspector.samples(0, 0, true), Ok(Vec::new()));
-    assert_eq!(refusal(inspector.samples(MAX_SAMPLES + 1, 0, false)), (Code::OutOfRange, "/n".to_owned()));
-    assert_eq!(refusal(inspector.samples(1, 1 << 53, false)), (Code::OutOfRange, "/seed".to_owned()));
+    refuses(inspector.samples(MAX_SAMPLES + 1, 0, false), "out-of-range", "/n");
+    refuses(inspector.samples(1, 1 << 53, false), "out-of-range", "/seed");
     let full = r#"{"format": "planarium-scenario-1", "name": "full", "world": {"bounds": {"min": [0, 0], "max": [1, 1]},
         "obstacles": [{"type": "disc", "center": [0.5, 0.5], "radius": 2}]}, "robot": {"type": "disc", "radius": 0}, "queries": []}"#;
     let inspector = Inspector::new(&Scenario::parse(full).expect("a scenario"));
-    assert_eq!(refusal(inspector.samples(1, 0, true)), (Code::Unsupported, "/free".to_owned()));
+    refuses(inspector.samples(1, 0, true), "unsupported", "/free");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -246,13 +237,10 @@ fn every_case_has_its_golden_neighbours() {
 #[allow(clippy::approx_constant)] // the reports say 3.14
 #[test]
 fn the_reports_targets_on_the_reports_lists() {
-    let Some(folder) = std::env::var_os("PLANARIUM_SCENARIOS").filter(|folder| !folder.is_empty()) else {
-        eprintln!("PLANARIUM_SCENARIOS is not set: the reports' lists are not looked at");
-        return;
-    };
+    let Some(shared) = crate::common::documents::shared() else { return };
     let read = |name: &str| -> Vec<Vec<f64>> {
-        let text = std::fs::read_to_string(std::path::Path::new(&folder).join(name)).expect("a list");
-        serde_json::from_str(&text).expect("an array of arrays of numbers")
+        let (_, text) = shared.iter().find(|(stem, _)| stem == name).expect("a list");
+        serde_json::from_str(text).expect("an array of arrays of numbers")
     };
     let arm = scene("firs");
     let body = scene("corner");
@@ -260,12 +248,12 @@ fn the_reports_targets_on_the_reports_lists() {
     let asked: [Asked; 2] = [
         (
             &arm,
-            "arm_configs.json",
+            "arm_configs",
             &[(&[0.0, 0.0], 3), (&[3.14, 1.5], 6), (&[4.0, 5.2], 4), (&[1.5, 1.1], 10), (&[5.8, -1.5], 5)],
         ),
         (
             &body,
-            "rigid_configs.json",
+            "rigid_configs",
             &[
                 (&[1.0, 1.0, 0.0], 3),
                 (&[0.5, 0.5, 0.0], 4),

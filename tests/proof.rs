@@ -2,11 +2,10 @@
 //! Node and Chrome alike, with many seeds natively.
 
 use crate::common::bodies::random_obstacle;
-use crate::common::documents::scenario;
-use crate::common::{arm_and_wall, arm_of, begin, disc_and_wall, finish, seeds, thick_arm_and_wall};
+use crate::common::documents::{refuses, scenario};
+use crate::common::{arm_and_wall, arm_of, assert_valid, begin, disc_and_wall, finish, seeds, thick_arm_and_wall};
 use planarium::collision::{ArmValidity, DiscValidity, Obstacles, Sampled};
 use planarium::geometry::{Aabb, Disc, Point, Segment, intersects_segment_polygon};
-use planarium::path::{Verdict, verify};
 use planarium::problem::Validity;
 use planarium::random::{Random, Stream};
 use planarium::robot::{Arm, MAX_LINKS, joint_space, plane};
@@ -17,44 +16,31 @@ use wasm_bindgen_test::wasm_bindgen_test;
 
 const THICKNESSES: [f64; 7] = [0.5, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 
-/// Plans in walls of every thickness, with as many seeds in all as asked for, and has each path judged.
-fn no_path_crosses_a_wall(world: impl Fn(f64) -> Scenario, planner: &str, parameters: &[(&str, f64)], all: u64) {
-    let mut solved = 0;
-    for (i, thickness) in THICKNESSES.into_iter().enumerate() {
-        let scenario = world(thickness);
-        for seed in (0..all).filter(|seed| seed % THICKNESSES.len() as u64 == i as u64) {
+#[wasm_bindgen_test(unsupported = test)]
+fn no_path_of_a_roadmap_or_a_tree_crosses_a_wall_shortened_or_not() {
+    let (roadmap, shortcut) = (&[("samples", 250.0), ("k", 8.0)][..], &[("shortcut", 30.0)][..]);
+    for (world, planner, parameters, all) in [
+        (&arm_and_wall as &dyn Fn(f64) -> Scenario, "prm", roadmap, 1000),
+        (&thick_arm_and_wall, "prm", roadmap, 1000),
+        (&|thickness| disc_and_wall(0.0, thickness), "prm", roadmap, 1000),
+        (&arm_and_wall, "rrt-connect", &[], 1000),
+        (&thick_arm_and_wall, "rrt-connect", &[], 1000),
+        (&thick_arm_and_wall, "rrt-connect", shortcut, 200),
+        (&|thickness| disc_and_wall(0.2, thickness), "rrt-connect", &[], 1000),
+        (&|thickness| disc_and_wall(0.0, thickness), "rrt-connect", shortcut, 200),
+    ] {
+        let (all, mut solved) = (seeds(all), 0);
+        for seed in 0..all {
+            let thickness = THICKNESSES[seed as usize % THICKNESSES.len()];
+            let scenario = world(thickness);
             let run = finish(begin(&scenario, planner, seed, parameters));
-            if run.status() != Status::Solved {
-                continue;
-            }
-            solved += 1;
-            match verify(&scenario, &run.result()).expect("the result is well formed") {
-                Verdict::Valid { .. } => {}
-                Verdict::Invalid { why } => {
-                    panic!("{planner}, seed {seed}, a wall {thickness} thick in {}: {why}", scenario.name())
-                }
+            if run.status() == Status::Solved {
+                solved += 1;
+                assert_valid(&scenario, &*run);
             }
         }
+        assert!(solved * 10 >= all * 9, "{planner} solved only {solved} of {all}: too few paths were judged");
     }
-    assert!(solved * 10 >= all * 9, "{planner} solved only {solved} of {all}: too few paths were judged");
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn no_roadmap_path_crosses_a_wall() {
-    let roadmap = &[("samples", 250.0), ("k", 8.0)];
-    no_path_crosses_a_wall(arm_and_wall, "prm", roadmap, seeds(1000));
-    no_path_crosses_a_wall(thick_arm_and_wall, "prm", roadmap, seeds(1000));
-    no_path_crosses_a_wall(|thickness| disc_and_wall(0.0, thickness), "prm", roadmap, seeds(1000));
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn no_tree_path_crosses_a_wall_shortened_or_not() {
-    let shortcut = &[("shortcut", 30.0)];
-    no_path_crosses_a_wall(arm_and_wall, "rrt-connect", &[], seeds(1000));
-    no_path_crosses_a_wall(thick_arm_and_wall, "rrt-connect", &[], seeds(1000));
-    no_path_crosses_a_wall(thick_arm_and_wall, "rrt-connect", shortcut, seeds(200));
-    no_path_crosses_a_wall(|thickness| disc_and_wall(0.2, thickness), "rrt-connect", &[], seeds(1000));
-    no_path_crosses_a_wall(|thickness| disc_and_wall(0.0, thickness), "rrt-connect", shortcut, seeds(200));
 }
 
 /// An arm's space and validity, of the largest size.
@@ -116,32 +102,6 @@ fn no_accepted_motion_is_refuted_by_two_thousand_samples() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
-fn all_before_the_first_hit_is_free_and_a_free_motion_has_none() {
-    for world in arm_worlds() {
-        let (space, validity) = arm_in(&world);
-        let mut random = Random::new(3, Stream::Samples);
-        let mut hits = 0;
-        for _ in 0..seeds(300) {
-            let (a, b) = (space.sample(&mut random), space.sample(&mut random));
-            match validity.first_hit(&a, &b) {
-                None => assert!(validity.is_motion_free(&a, &b)),
-                Some(t) => {
-                    assert!(!validity.is_motion_free(&a, &b));
-                    assert!((0.0..1.0).contains(&t));
-                    hits += 1;
-                    // A motion that begins in collision has nothing before its hit.
-                    for i in (0..=100).filter(|_| t > 0.0) {
-                        let q = space.interpolate(&a, &b, t * f64::from(i) / 101.0);
-                        assert!(validity.is_free(&q), "{}: {a:?} to {b:?} hits at {t}, yet before", world.name());
-                    }
-                }
-            }
-        }
-        assert!(hits > 0, "{}: nothing was hit", world.name());
-    }
-}
-
 /// An arm of any size, thin or thick, with limits or without, in any unit of length, among up to a hundred obstacles, in
 /// bounds or not.
 fn random_world(random: &mut Random) -> (Arm, World) {
@@ -178,6 +138,7 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
             let (a, far) = (space.sample(&mut random), space.sample(&mut random));
             assert_eq!(validity.is_free(&a), validity.contacts(&a).is_empty(), "world {world_number}: {a:?}");
             if !validity.is_free(&a) {
+                assert_eq!(validity.first_hit(&a, &far), Some(0.0), "world {world_number}: {a:?} {far:?}");
                 continue;
             }
             // Far ends are many turns away where limits are wide.
@@ -187,6 +148,7 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
             assert!(fast || !slow, "world {world_number}: refused, though distances prove it free: {a:?} {b:?}");
             let hit = validity.first_hit(&a, &b);
             assert_eq!(fast, hit.is_none(), "world {world_number}: {a:?} {b:?}");
+            assert!(hit.is_none_or(|t| (0.0..1.0).contains(&t)), "world {world_number}: {hit:?}");
             let samples = if fast && !slow { 1000 } else { 30 };
             for i in 0..=samples {
                 // All of an accepted motion, and of others what lies before the hit: up to contact.
@@ -312,7 +274,7 @@ fn a_motion_that_samples_accept_through_a_thin_wall_is_refused() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_tight_start_can_be_left() {
+fn a_start_near_an_obstacle_or_the_bounds_can_be_left() {
     for gap in [1e-3, 1e-5, 1e-7, 1e-9] {
         // The arm lies along the top of a block, `gap` above it.
         let block =
@@ -322,9 +284,16 @@ fn a_tight_start_can_be_left() {
         for planner in ["prm", "rrt-connect"] {
             let run = finish(begin(&world, planner, 1, &[]));
             assert_eq!(run.status(), Status::Solved, "{planner} from {gap} above a block");
-            let verdict = verify(&world, &run.result()).expect("well formed");
-            assert!(matches!(verdict, Verdict::Valid { .. }), "{verdict:?}");
+            assert_valid(&world, &*run);
         }
+    }
+    for room in [1e-4, 1e-6, 1e-9] {
+        // The tip of the only link points at the upper bound, `room` below it.
+        let bounds = format!("[-10, -10], [10, {:?}]", 1.0 + 0.7 * 0.841_470_984_807_896_5 + room);
+        let robot = r#"{ "type": "arm", "base": [0, 1], "links": [0.7] }"#;
+        let world = scenario(&bounds, "", robot, r#""start": [1], "goal": [-1]"#);
+        let run = finish(begin(&world, "rrt-connect", 1, &[]));
+        assert_eq!(run.status(), Status::Solved, "{room} below the bound");
     }
 }
 
@@ -343,20 +312,7 @@ fn contact_with_an_obstacle_is_collision_and_contact_with_the_bounds_is_not() {
     assert!(validity.is_motion_free(&[0.25, 0.25], &[3.75, 0.25]), "sliding along the bounds");
     assert!(!validity.is_motion_free(&[1.0, 1.5], &[1.75, 1.5]), "driving up to contact");
     let contacts = validity.contacts(&[2.5, 1.5]);
-    assert_eq!(contacts.len(), 1);
-    assert_eq!(contacts[0].to_string(), "part 0 touches obstacle 0");
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn a_start_near_the_bounds_can_be_left() {
-    for room in [1e-4, 1e-6, 1e-9] {
-        // The tip of the only link points at the upper bound, `room` below it.
-        let bounds = format!("[-10, -10], [10, {:?}]", 1.0 + 0.7 * 0.841_470_984_807_896_5 + room);
-        let robot = r#"{ "type": "arm", "base": [0, 1], "links": [0.7] }"#;
-        let world = scenario(&bounds, "", robot, r#""start": [1], "goal": [-1]"#);
-        let run = finish(begin(&world, "rrt-connect", 1, &[]));
-        assert_eq!(run.status(), Status::Solved, "{room} below the bound");
-    }
+    assert_eq!(contacts.iter().map(ToString::to_string).collect::<Vec<_>>(), ["part 0 touches obstacle 0"]);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -396,12 +352,11 @@ fn sliding_close_along_a_concave_wall_is_proven() {
 #[wasm_bindgen_test(unsupported = test)]
 fn configurations_that_make_no_sense_are_refused_before_any_proof() {
     let inspector = planarium::run::inspect::Inspector::new(&arm_of(2, true, 0.0));
-    let code = |error: planarium::Error| (error.code().as_str(), error.pointer().to_owned());
-    let refused = |a: &[f64], b: &[f64]| code(inspector.first_hit(a, b).expect_err("refused"));
-    assert_eq!(refused(&[-1.7e308, 0.0], &[0.0, 0.0]), ("out-of-range", "/a/0".to_owned()));
-    assert_eq!(refused(&[0.0, 0.0], &[0.0, 50.0]), ("out-of-range", "/b/1".to_owned()));
-    assert_eq!(refused(&[0.0, f64::NAN], &[0.0, 0.0]), ("not-finite", "/a/1".to_owned()));
-    assert_eq!(refused(&[0.0], &[0.0, 0.0]), ("wrong-dimension", "/a".to_owned()));
-    assert_eq!(code(inspector.check(&[1e308, 0.0]).expect_err("refused")), ("out-of-range", "/0".to_owned()));
-    assert_eq!(code(inspector.footprint(&[0.0, -1e7]).expect_err("refused")), ("out-of-range", "/1".to_owned()));
+    let hit = |a: &[f64], b: &[f64], code, pointer| refuses(inspector.first_hit(a, b), code, pointer);
+    hit(&[-1.7e308, 0.0], &[0.0, 0.0], "out-of-range", "/a/0");
+    hit(&[0.0, 0.0], &[0.0, 50.0], "out-of-range", "/b/1");
+    hit(&[0.0, f64::NAN], &[0.0, 0.0], "not-finite", "/a/1");
+    hit(&[0.0], &[0.0, 0.0], "wrong-dimension", "/a");
+    refuses(inspector.check(&[1e308, 0.0]), "out-of-range", "/0");
+    refuses(inspector.footprint(&[0.0, -1e7]), "out-of-range", "/1");
 }

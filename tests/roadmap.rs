@@ -1,12 +1,16 @@
 //! Roadmaps: which samples are connected, PRM*, guards, searches by name, repeated queries, and improved paths.
 
+use crate::common::documents::{refuses, scenario};
 use crate::common::graphs::{edges, events, rows, tried};
-use crate::common::{arm_and_wall, arm_of, begin_with, disc_and_wall, finish, no_way, options, parse, seeds};
+use crate::common::{arm_and_wall, arm_of, assert_valid, begin_with, disc_and_wall, finish, no_way, seeds};
 use planarium::graph::EventKind;
 use planarium::planner::{logarithmic_k, prm_star_k};
-use planarium::run::{Phase, Run, Status, start};
+use planarium::run::{Phase, Run, Status};
 use planarium::space::angular_distance;
 use wasm_bindgen_test::wasm_bindgen_test;
+
+/// An arm of two links at the origin.
+const ARM: &str = r#"{ "type": "arm", "base": [0, 0], "links": [1, 1] }"#;
 
 /// The distance of two configurations of an arm of circles, summed over the joints.
 fn distance(a: &[f64], b: &[f64]) -> f64 {
@@ -56,19 +60,15 @@ fn a_radius_larger_than_the_space_changes_nothing() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn start_and_goal_that_see_each_other_are_joined_without_any_sample() {
-    let world = parse(
-        r#"{ "format": "planarium-scenario-1", "name": "empty", "world": { "obstacles": [] },
-            "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
-            "queries": [ { "name": "q", "start": [0, 0], "goal": [1, 1] } ] }"#,
-    );
+fn start_and_goal_that_see_each_other_are_connected_without_any_sample() {
+    let world = scenario("", "", ARM, r#""start": [0, 0], "goal": [1, 1]"#);
     for settings in ["samples=0", "samples=0 insertion=one-by-one", "samples=0 insertion=one-by-one discard=true"] {
         assert_eq!(finish(begin_with(&world, "prm", 1, settings)).status(), Status::Solved, "{settings}");
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn inserted_one_by_one_a_sample_is_joined_to_the_nearest_before_it() {
+fn inserted_one_by_one_a_sample_is_connected_to_the_nearest_before_it() {
     let run = finish(begin_with(&arm_of(2, false, 0.0), "prm", 6, "samples=100 k=5 insertion=one-by-one"));
     let vertices = rows(run.as_ref());
     assert_eq!(vertices.len(), 102);
@@ -88,7 +88,7 @@ fn with_discarding_every_vertex_but_start_and_goal_has_an_edge() {
     let run = finish(begin_with(&arm_of(3, false, 0.05), "prm", 2, settings));
     let edges = edges(run.as_ref());
     for v in 2..run.vertex_count() {
-        assert!(edges.iter().any(|[from, _]| *from == v), "vertex {v} was joined when it came");
+        assert!(edges.iter().any(|[from, _]| *from == v), "vertex {v} was connected when it came");
     }
     let discarded = events(run.as_ref(), EventKind::SampleDiscarded);
     assert!(!discarded.is_empty() && discarded.iter().all(|event| event[2] == -1.0));
@@ -124,7 +124,7 @@ fn guards_see_no_other_guard_and_links_see_two_components() {
         let edges = edges(run.as_ref());
         for v in (2..vertices.len()).filter(|v| !guards.contains(v)) {
             let linked: Vec<usize> = edges.iter().filter(|[from, _]| *from == v).map(|[_, to]| *to).collect();
-            assert!(linked.len() >= 2 && linked.iter().all(|to| guards.contains(to)), "a link joins guards");
+            assert!(linked.len() >= 2 && linked.iter().all(|to| guards.contains(to)), "a link connects guards");
         }
         let coverage = run.result().coverage.expect("it estimates its coverage");
         assert!((1.0 - coverage - 1.0 / 150.0).abs() < 1e-12, "{coverage}");
@@ -173,73 +173,53 @@ fn every_search_answers_by_its_own_measure() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_roadmap_answers_again_and_stays_as_it_was() {
+fn a_roadmap_answers_while_it_grows_and_afterwards_and_stays_as_it_was() {
     let world = arm_of(3, false, 0.0);
+    let inspector = planarium::run::inspect::Inspector::new(&world);
+    let (start, goal) = ([0.2, 0.1, 0.3], [-3.0, -0.2, 0.1]);
     for (planner, settings) in [("prm", "samples=400"), ("prm-star", "samples=300"), ("visibility-prm", "")] {
-        let mut run = finish(begin_with(&world, planner, 1, settings));
-        let before = (run.fingerprint(), run.vertex_count(), run.edge_count());
-        let (start, goal) = ([0.2, 0.1, 0.3], [-3.0, -0.2, 0.1]);
+        let before = finish(begin_with(&world, planner, 1, settings));
+        let mut run = begin_with(&world, planner, 1, settings);
+        while run.step(31) == Status::Running {
+            run.query(&start, &goal, false).expect("it answers with what there is");
+            refuses(run.query(&start, &goal, true), "unsupported", "/keep");
+        }
         let answer = run.query(&start, &goal, false).expect("free ends");
-        assert_eq!(answer.status, Status::Solved, "{planner}");
-        assert_eq!((answer.query.as_str(), answer.path[0].as_slice()), ("asked", start.as_slice()));
-        assert_eq!(answer.path[answer.path.len() - 1], goal);
-        assert_eq!((run.fingerprint(), run.vertex_count(), run.edge_count()), before, "{planner} keeps its roadmap");
-        assert_eq!(run.query(&start, &goal, false).expect("free ends").path, answer.path, "the same again");
-        let inspector = planarium::run::inspect::Inspector::new(&world);
+        assert_eq!((answer.status, answer.query.as_str()), (Status::Solved, "asked"), "{planner}");
+        assert_eq!([&answer.path[0], &answer.path[answer.path.len() - 1]], [&start.to_vec(), &goal.to_vec()]);
         for pair in answer.path.windows(2) {
             assert_eq!(inspector.first_hit(&pair[0], &pair[1]).expect("of this arm"), None);
         }
+        assert_eq!(run.query(&start, &goal, false).expect("free ends").path, answer.path, "the same again");
+        assert_eq!(run.fingerprint(), before.fingerprint(), "{planner}: queries leave no trace");
         run.query(&start, &goal, true).expect("free ends");
-        let (vertices, kept) = (rows(run.as_ref()), run.vertex_count());
-        assert_eq!(kept, before.1 + 2, "{planner} keeps the two when asked to");
-        assert_eq!((vertices[kept - 2].as_slice(), vertices[kept - 1].as_slice()), (&start[..], &goal[..]));
-        assert!(run.edge_count() > before.2);
+        let vertices = rows(run.as_ref());
+        assert_eq!(vertices[before.vertex_count()..], [start.to_vec(), goal.to_vec()], "{planner} keeps the two");
+        assert!(run.edge_count() > before.edge_count());
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_roadmap_that_still_grows_answers_but_takes_in_no_guests() {
-    let world = arm_of(3, false, 0.0);
-    let (start, goal) = ([0.2, 0.1, 0.3], [-3.0, -0.2, 0.1]);
-    for (planner, settings) in [("prm", "samples=60"), ("prm-star", "samples=60"), ("visibility-prm", "failures=40")] {
-        let whole = finish(begin_with(&world, planner, 1, settings));
-        let mut run = begin_with(&world, planner, 1, settings);
-        while run.step(7) == Status::Running {
-            run.query(&start, &goal, false).expect("it answers with what there is");
-            let error = run.query(&start, &goal, true).expect_err("guests would be taken for samples");
-            assert_eq!((error.code().as_str(), error.pointer()), ("unsupported", "/keep"));
-        }
-        assert_eq!(run.fingerprint(), whole.fingerprint(), "{planner}: questions leave no trace");
+fn queries_that_cannot_be_answered_are_refused() {
+    let (world, limited) = (arm_and_wall(0.1), arm_of(2, true, 0.0));
+    let (prm, tree) = ((&world, "prm", "samples=100"), (&world, "rrt-connect", ""));
+    let free = &[0.6, 0.2][..];
+    for ((world, planner, settings), start, goal, code, pointer) in [
+        (prm, free, &[0.6][..], "wrong-dimension", "/goal"),
+        (prm, free, &[0.6, f64::NAN], "not-finite", "/goal/1"),
+        (prm, free, &[1e7, 0.0], "out-of-range", "/goal/0"),
+        (prm, free, &[0.0, 0.0], "goal-in-collision", "/goal"),
+        (prm, free, &[0.6, 0.2, 0.0], "wrong-dimension", "/goal"),
+        (prm, &[0.0, 0.0], free, "start-in-collision", "/start"),
+        ((&limited, "prm", "samples=50"), &[0.1, 0.1], &[0.1, 3.6], "out-of-range", "/goal"),
+        (tree, free, free, "unsupported", ""),
+    ] {
+        let mut run = finish(begin_with(world, planner, 1, settings));
+        refuses(run.query(start, goal, false), code, pointer);
     }
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn questions_that_cannot_be_asked_are_refused() {
-    let mut run = finish(begin_with(&arm_and_wall(0.1), "prm", 1, "samples=100"));
-    let free = [0.6, 0.2];
-    let cases: [(&[f64], &str, &str); 5] = [
-        (&[0.6], "wrong-dimension", "/goal"),
-        (&[0.6, f64::NAN], "not-finite", "/goal/1"),
-        (&[1e7, 0.0], "out-of-range", "/goal/0"),
-        (&[0.0, 0.0], "goal-in-collision", "/goal"),
-        (&[0.6, 0.2, 0.0], "wrong-dimension", "/goal"),
-    ];
-    for (goal, code, pointer) in cases {
-        let error = run.query(&free, goal, false).expect_err("refused");
-        assert_eq!((error.code().as_str(), error.pointer()), (code, pointer), "{error}");
-    }
-    let error = run.query(&[0.0, 0.0], &free, false).expect_err("refused");
-    assert_eq!((error.code().as_str(), error.pointer()), ("start-in-collision", "/start"));
-    let mut tree = finish(begin_with(&arm_and_wall(0.1), "rrt-connect", 1, ""));
-    let error = tree.query(&free, &free, false).expect_err("a tree is no roadmap");
-    assert_eq!(error.code().as_str(), "unsupported");
     let mut cut_off = finish(begin_with(&no_way(), "prm", 1, "samples=200"));
     let answer = cut_off.query(&[1.5, 0.0], &[-1.5, 0.0], false).expect("free ends");
     assert_eq!((answer.status, answer.path.len()), (Status::Exhausted, 0), "never a wrong yes");
-    let limited = start(&arm_of(2, true, 0.0), &options("prm", 1, "samples=50")).expect("it starts");
-    let mut limited = finish(limited);
-    let error = limited.query(&[0.1, 0.1], &[0.1, 3.6], false).expect_err("beyond a limit");
-    assert_eq!((error.code().as_str(), error.pointer()), ("out-of-range", "/goal"));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -296,18 +276,13 @@ fn edges_that_are_only_sampled_are_named_and_jump_through_a_thin_wall() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_naive_metric_goes_the_long_way_round() {
-    let world = parse(
-        r#"{ "format": "planarium-scenario-1", "name": "turn", "world": { "obstacles": [] },
-            "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
-            "queries": [ { "name": "across", "start": [0.2, 0.1], "goal": [-0.2, 0.1] } ] }"#,
-    );
+    let world = scenario("", "", ARM, r#""start": [0.2, 0.1], "goal": [-0.2, 0.1]"#);
     let wrapped = finish(begin_with(&world, "prm", 1, "samples=300 metric=euclidean"));
     let naive = finish(begin_with(&world, "prm", 1, "samples=300 metric=naive"));
     assert!(wrapped.length() < 0.5, "0.4 the short way: {}", wrapped.length());
     assert!(naive.length() > 5.8, "2 pi - 0.4 the long way: {}", naive.length());
     assert!(naive.path().iter().flatten().all(|angle| (0.0..std::f64::consts::TAU).contains(angle)));
-    let verdict = planarium::path::verify(&world, &naive.result()).expect("a result of this scenario");
-    assert!(matches!(verdict, planarium::path::Verdict::Valid { .. }), "{verdict:?}");
+    assert_valid(&world, &*naive);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

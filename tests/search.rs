@@ -138,18 +138,10 @@ fn every_search_finds_the_best_path_by_its_own_measure_and_only_where_there_is_o
     let met = best_paths(2000, false, false);
     assert!(met.reachable > 800, "{met:?}");
     assert!(met.fewer.iter().all(|&fewer| fewer > met.reachable / 4), "{met:?}: guidance and two sides pay");
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn of_several_goals_the_best_is_found() {
-    let met = best_paths(1000, true, false);
-    assert!(met.reachable > 400, "{met:?}");
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn searches_follow_edges_that_lead_one_way() {
-    let met = best_paths(2000, false, true);
-    assert!(met.reachable > 300 && met.only_back > 100, "{met:?}");
+    let of_several_goals = best_paths(1000, true, false);
+    assert!(of_several_goals.reachable > 400, "{of_several_goals:?}");
+    let directed = best_paths(2000, false, true);
+    assert!(directed.reachable > 300 && directed.only_back > 100, "{directed:?}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -26,8 +26,9 @@ pub struct BodyCollision {
     /// The obstacles as they are; those of the scene are their convex pieces.
     obstacles: Arc<Obstacles>,
     bounds: Aabb,
-    scale: f64,
-    scene: Scene,
+    /// The largest coordinate of the world plus the reach of the body, in metres.
+    pub(super) scale: f64,
+    pub(super) scene: Scene,
     prover: RefCell<Prover<MovingBody>>,
 }
 
@@ -151,15 +152,5 @@ impl BodyCollision {
             && x.abs() <= self.scale
             && y.abs() <= self.scale;
         is_covered.then(|| motion.decisive_part(LONGEST_PATH * self.scale))
-    }
-
-    /// The largest coordinate of the world plus the reach of the body, in metres.
-    pub(super) fn scale(&self) -> f64 {
-        self.scale
-    }
-
-    /// The slack of the proof, in metres.
-    pub(super) fn slack(&self) -> f64 {
-        self.scene.tolerance.eta
     }
 }

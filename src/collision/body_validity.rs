@@ -30,7 +30,7 @@ impl<const N: usize> BodyValidity<N> {
         let mut reached = [0.0; N];
         (reached[0], reached[1], reached[2]) = (end[0], end[1], wrap(end[2]));
         let [x, y, turn] = placement(&self.space.product().difference(&reached, state)).map(f64::abs);
-        x + y + 4.0 * self.collision.scale() * turn <= 0.5 * self.collision.slack()
+        x + y + 4.0 * self.collision.scale * turn <= 0.5 * self.collision.scene.tolerance.eta
     }
 
     /// The straight motion; `None` if the short way round is ambiguous.

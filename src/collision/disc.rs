@@ -107,11 +107,8 @@ impl<const N: usize> Validity<[f64; N]> for DiscValidity {
         let (at, near) = (segment(q, q), self.near(&segment(q, q)));
         let obstacles = (0..self.obstacles.len()).filter(|&i| self.obstacles.aabb(i).intersects(&near));
         let touched = obstacles.filter(|&i| self.touches(i, &at)).map(Touched::Obstacle);
-        let mut contacts: Vec<Contact> = touched.map(|with| Contact { part: 0, with }).collect();
-        if !self.is_inside(Point::new(q[0], q[1])) {
-            contacts.push(Contact { part: 0, with: Touched::Bounds });
-        }
-        contacts
+        let leaves = (!self.is_inside(at.a)).then_some(Touched::Bounds);
+        touched.chain(leaves).map(|with| Contact { part: 0, with }).collect()
     }
 
     fn clearance_evaluations(&self) -> u64 {

@@ -11,7 +11,7 @@ use std::sync::Arc;
 /// Obstacles with their boxes, which only exclude obstacles that are certainly apart; they decide no distance.
 #[derive(Clone)]
 pub struct Obstacles {
-    shapes: Arc<[Obstacle]>,
+    pub(super) shapes: Arc<[Obstacle]>,
     boxes: Vec<Aabb>,
     prepared: Boxes,
     /// The faces of all convex polygons, and the range of those of each obstacle.
@@ -57,11 +57,6 @@ impl Obstacles {
     /// Obstacle `i` if it is a disc.
     pub(super) fn disc(&self, i: usize) -> Option<&Disc> {
         if let Obstacle::Disc(disc) = &self.shapes[i] { Some(disc) } else { None }
-    }
-
-    /// The obstacles themselves.
-    pub(super) fn shapes(&self) -> &[Obstacle] {
-        &self.shapes
     }
 
     /// The number of obstacles.

@@ -35,10 +35,10 @@ impl CollisionWorld {
             Obstacle::Disc(_) => true,
         };
         let cut = || {
-            if obstacles.shapes().iter().all(is_convex) {
+            if obstacles.shapes.iter().all(is_convex) {
                 return Arc::clone(obstacles);
             }
-            let pieces: Vec<Obstacle> = obstacles.shapes().iter().flat_map(pieces_of).collect();
+            let pieces: Vec<Obstacle> = obstacles.shapes.iter().flat_map(pieces_of).collect();
             Arc::new(Obstacles::new(pieces))
         };
         Arc::clone(self.0.pieces.get_or_init(cut))

@@ -173,13 +173,8 @@ impl<S: Space> DrivenTree<S> {
 
     /// The first of the counted vertices that are nearest to the goal. O(vertices).
     pub fn closest(&self, is_counted: impl Fn(VertexId) -> bool) -> VertexId {
-        let mut closest = (ROOT, f64::INFINITY);
-        for (i, &left) in self.left.iter().enumerate() {
-            if left < closest.1 && is_counted(VertexId(i as u32)) {
-                closest = (VertexId(i as u32), left);
-            }
-        }
-        closest.0
+        let counted = (0..).map(VertexId).zip(&self.left).filter(|&(vertex, _)| is_counted(vertex));
+        counted.min_by(|(_, a), (_, b)| a.total_cmp(b)).map_or(ROOT, |(vertex, _)| vertex)
     }
 }
 

@@ -68,6 +68,8 @@ pub struct PlannerInfo {
     pub grows: Grows,
     /// Whether its edges are controlled motions.
     pub is_driven: bool,
+    /// Whether every motion must be possible in both directions.
+    pub needs_symmetry: bool,
     /// Its pseudo-code.
     pub pseudocode: &'static [PseudocodeLine],
     /// The types of robots that it plans for, as in documents.
@@ -88,6 +90,7 @@ impl PlannerInfo {
             guarantee: M::GUARANTEE,
             grows: M::GROWS,
             is_driven: M::is_driven(),
+            needs_symmetry: M::NEEDS_SYMMETRY,
             pseudocode: M::PSEUDOCODE,
             robots: M::ROBOTS,
             presets: M::PRESETS,

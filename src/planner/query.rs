@@ -61,8 +61,7 @@ pub(super) struct Query {
 
 impl Query {
     /// A search over the graph's edges and `joined` ones, along their direction if the space is not symmetric, from one vertex
-    /// to any of the goals; `more` are the states of vertices numbered
-    /// after the graph's.
+    /// to any of the goals; `more` are the states of vertices numbered after the graph's.
     pub fn new<S: Space>(
         space: &S,
         graph: &Graph<S>,

@@ -1,7 +1,7 @@
 //! The planners: one line each. Their files declare everything else.
 
 use super::Planner;
-use super::info::{Grows, Method, PlannerInfo};
+use super::info::{Method, PlannerInfo};
 use crate::error::{Code, Error, quoted};
 use crate::options::{Field, Options, Value};
 use crate::problem::Problem;
@@ -42,29 +42,9 @@ macro_rules! registry {
                 match self { $(PlannerOptions::$Variant(_) => <$Options>::ID,)* }
             }
 
-            /// The types of robots that it plans for.
-            pub fn robots(&self) -> &'static [&'static str] {
-                match self { $(PlannerOptions::$Variant(_) => <$Options>::ROBOTS,)* }
-            }
-
-            /// What it grows.
-            pub fn grows(&self) -> Grows {
-                match self { $(PlannerOptions::$Variant(_) => <$Options>::GROWS,)* }
-            }
-
-            /// Whether every motion must be possible in both directions.
-            pub fn needs_symmetry(&self) -> bool {
-                match self { $(PlannerOptions::$Variant(_) => <$Options>::NEEDS_SYMMETRY,)* }
-            }
-
             /// Its description.
             pub fn info(&self) -> PlannerInfo {
                 match self { $(PlannerOptions::$Variant(_) => PlannerInfo::of::<$Options>(),)* }
-            }
-
-            /// Whether it has an option of this name.
-            pub fn has_option(&self, name: &str) -> bool {
-                match self { $(PlannerOptions::$Variant(_) => <$Options>::has(name),)* }
             }
 
             /// The same planner with options given by name; the rest take their defaults.
@@ -115,12 +95,12 @@ impl PlannerOptions {
     /// # Errors
     /// `unsupported`, pointer `/algorithm`, naming planners for it.
     pub fn check_robot(&self, robot: &str) -> Result<(), Error> {
-        if self.robots().contains(&robot) {
+        let PlannerInfo { id, robots, .. } = self.info();
+        if robots.contains(&robot) {
             return Ok(());
         }
-        let fitting = Self::all().into_iter().filter(|planner| planner.robots().contains(&robot));
-        let fitting = fitting.map(|planner| planner.id()).collect::<Vec<_>>().join(", ");
-        let (id, own) = (self.id(), self.robots().join(", "));
+        let fitting = planners().into_iter().filter(|info| info.robots.contains(&robot)).map(|info| info.id);
+        let (own, fitting) = (robots.join(", "), fitting.collect::<Vec<_>>().join(", "));
         let sentence = format!("{id} plans for robots of type {own}, not {robot}; planners for it are {fitting}");
         Err(Error::new(Code::Unsupported, "/algorithm", sentence))
     }

@@ -265,17 +265,12 @@ pub(super) fn state<'a, S: Space>(graph: &'a Graph<S>, more: &'a [S::State], ver
     if vertex.index() < count { graph.state(vertex) } else { &more[vertex.index() - count] }
 }
 
-/// The first line of planners that draw a given number of samples.
+// Lines of pseudo-code that roadmap planners share.
+
 pub(super) const BEGIN: PseudocodeLine = line(0, "G ← {start, goal}; until it has n samples:", &[]);
-/// The line of drawing a sample.
 pub(super) const SAMPLE: PseudocodeLine = line(1, "q ← a random configuration", &[Mark::Sampling]);
-/// The line of keeping it.
 pub(super) const KEEP: PseudocodeLine = line(1, "add q to G", &[Mark::Vertex]);
-/// The line of connecting it.
 pub(super) const JOIN: PseudocodeLine = line(1, "if the motion q – p is free: add that edge", &[Mark::Edge]);
-/// The line of not connecting it.
 pub(super) const REFUSE: PseudocodeLine = line(1, "else: refuse it", &[Mark::Refused]);
-/// The line of the search.
 pub(super) const SEARCH: PseudocodeLine = line(0, "search G from start to goal:", &[Mark::Searching]);
-/// The line of its steps.
 pub(super) const EXPAND: PseudocodeLine = line(1, "expand the next open vertex", &[Mark::Expanded, Mark::Solved]);

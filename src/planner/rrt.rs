@@ -152,14 +152,9 @@ impl<S: Space> Rrt<S> {
 
     /// The goal nearest to the state, ties by number, and its distance.
     fn nearest_goal(&self, problem: &Problem<S>, state: &S::State) -> (VertexId, f64) {
-        let mut nearest = (GOAL, f64::INFINITY);
-        for (i, goal) in problem.goals().enumerate() {
-            let left = problem.space().distance(state, goal);
-            if left < nearest.1 {
-                nearest = (VertexId(GOAL.0 + i as u32), left);
-            }
-        }
-        nearest
+        let lefts = problem.goals().map(|goal| problem.space().distance(state, goal));
+        let all = (GOAL.0..).map(VertexId).zip(lefts);
+        all.min_by(|(_, a), (_, b)| a.total_cmp(b)).expect("a query has a goal")
     }
 
     /// Adds a goal to the tree.

@@ -110,35 +110,22 @@ impl<S: Space> Guarding<S> {
         self.components.add();
         self.seen.push(0);
     }
-
-    /// The first guard of every component that sees the state.
-    fn visible_guards(
-        &mut self,
-        roadmap: &mut Roadmap<S>,
-        problem: &Problem<S>,
-        iteration: u32,
-        state: &S::State,
-    ) -> Vec<VertexId> {
-        let mut visible = Vec::new();
-        for &guard in &self.guards {
-            let component = self.components.find(guard.index());
-            if self.seen[component] == iteration {
-                continue;
-            }
-            let there = roadmap.growth.state(guard);
-            if roadmap.growth.is_motion_free(problem, state, &there) {
-                self.seen[component] = iteration;
-                visible.push(guard);
-            }
-        }
-        visible
-    }
 }
 
 impl<S: Space> Build<S> for Guarding<S> {
     fn build(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> bool {
         let Some(state) = roadmap.growth.draw_free(problem, iteration, &mut *self.sampler) else { return false };
-        match self.visible_guards(roadmap, problem, iteration, &state).as_slice() {
+        // The first guard of every component that sees the state.
+        let mut visible = Vec::new();
+        for &guard in &self.guards {
+            let component = self.components.find(guard.index());
+            let there = roadmap.growth.state(guard);
+            if self.seen[component] != iteration && roadmap.growth.is_motion_free(problem, &state, &there) {
+                self.seen[component] = iteration;
+                visible.push(guard);
+            }
+        }
+        match visible.as_slice() {
             [] => {
                 self.add_component();
                 let vertex = roadmap.add_vertex(problem.space(), iteration, state);

@@ -7,9 +7,8 @@ use super::{Options, Run};
 use crate::collision::{Integration, Sampled};
 use crate::error::{Code, Error, Number};
 use crate::path::Wanted;
-use crate::planner;
 use crate::planner::{
-    ByControls, Connection, EdgeCheck, Improving, IntegrationKind, Joined, Limits, Planner, PlannerOptions, Searching,
+    self, ByControls, Connection, EdgeCheck, IntegrationKind, Joined, Limits, Planner, PlannerOptions, Searching,
 };
 use crate::problem::{Estimate, GoalRegion, Problem, Validity};
 use crate::random::check_seed;
@@ -88,7 +87,11 @@ pub(super) fn launch(
         planner: planner.id(),
         seed: options.seed,
         max_iterations: limits.max_iterations,
-        wanted: joined.map(|joined| wanted(&joined.improving)).unwrap_or_default(),
+        wanted: joined.map_or_else(Wanted::default, |Joined { improving, .. }| Wanted {
+            reduce: improving.reduce,
+            shortcuts: improving.shortcut,
+            partial_shortcuts: improving.partial_shortcut,
+        }),
         is_sampled: joined.is_some_and(|joined| joined.edge_check == EdgeCheck::Sampled),
         is_euler: driving.is_some_and(|by| by.integration == IntegrationKind::Euler),
     };
@@ -114,12 +117,6 @@ pub(super) fn launch(
     let run = if scenario.robot().dimension() <= SMALL { launch.run::<SMALL>() } else { launch.run::<MAX_DIMENSION>() };
     let in_query = |error: &Error| matches!(error.code(), Code::StartInCollision | Code::GoalInCollision);
     run.map_err(|error| if in_query(&error) { error.under(&format!("/queries/{index}")) } else { error })
-}
-
-/// The improvements of a path.
-fn wanted(improving: &Improving) -> Wanted {
-    let Improving { reduce, shortcut, partial_shortcut } = *improving;
-    Wanted { reduce, shortcuts: shortcut, partial_shortcuts: partial_shortcut }
 }
 
 /// Everything that a run is made from.
@@ -249,7 +246,7 @@ impl Launch<'_> {
             let [used, slowest] = [used, SLOWEST].map(Number);
             return Err(unsupported(&format!("curves need a speed of at least {slowest} m/s, not {used}")));
         }
-        if steering == Steering::Dubins && self.planner.needs_symmetry() {
+        if steering == Steering::Dubins && self.planner.info().needs_symmetry {
             return Err(unsupported(
                 "visibility is mutual, and a car on dubins curves cannot drive back; take reeds-shepp",
             ));

@@ -51,10 +51,8 @@ pub(super) fn goals(world: &PlanningWorld, query: &Query, place: usize, seed: u6
     let (code, sentence) = match reach.explain() {
         Verdict::InCollision { contacts } => {
             let contacts = contacts.iter().map(Contact::to_string).collect::<Vec<_>>().join(", ");
-            (
-                Code::GoalInCollision,
-                format!("every configuration found that reaches the target is in collision: {contacts}"),
-            )
+            let all = "every configuration found that reaches the target is in collision";
+            (Code::GoalInCollision, format!("{all}: {contacts}"))
         }
         Verdict::OutOfReach { nearest, .. } => {
             let [x, y] = [target.point.x, target.point.y].map(readable);
@@ -71,11 +69,8 @@ pub(super) fn goals(world: &PlanningWorld, query: &Query, place: usize, seed: u6
             (Code::TargetUnreachable, sentence)
         }
         _ => {
-            let starts = reach.restarts() + 1;
-            (
-                Code::TargetUnreachable,
-                format!("no configuration that reaches the target was found from {starts} starts"),
-            )
+            let none = "no configuration that reaches the target was found";
+            (Code::TargetUnreachable, format!("{none} from {} starts", reach.restarts() + 1))
         }
     };
     Err(Error::new(code, pointer, sentence))

@@ -58,7 +58,7 @@ pub fn resume(
         let sentence = format!("the metric of this robot is {metric}, not {}", document.metric);
         return Err(damaged("/metric", sentence));
     }
-    let builds_roadmap = |planner: &PlannerOptions| planner.grows() == Grows::Roadmap;
+    let builds_roadmap = |planner: &PlannerOptions| planner.info().grows == Grows::Roadmap;
     let Some(planner) = PlannerOptions::of(&document.planner).ok().filter(builds_roadmap) else {
         return Err(damaged(
             "/planner",
@@ -112,8 +112,9 @@ fn settings(
     let held = [&all[..], &[number("k", f64::from(document.k)), number("radius", document.radius)]].concat();
     // Options about the use of a roadmap, not about its construction.
     let is_free = |name: &str| Searching::has(name) || Improving::has(name) || Limits::has(name);
+    let known = planner.info().parameters;
     for (name, value) in &options.parameters {
-        let is_known = planner.has_option(name);
+        let is_known = known.iter().any(|option| option.name == name);
         match held.iter().find(|(other, _)| is_known && other == name) {
             Some((_, kept)) if kept == value => {}
             Some((_, kept)) => {

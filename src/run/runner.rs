@@ -81,7 +81,9 @@ impl<S: Space> Runner<S> {
 
     /// Takes the planner's path as it is now.
     fn accept(&mut self) {
-        let improvement = Improvement::new(self.found(), self.info.wanted, self.info.seed);
+        let graph = self.planner.graph();
+        let path = self.planner.path().into_iter().map(|vertex| *graph.state(vertex)).collect();
+        let improvement = Improvement::new(path, self.info.wanted, self.info.seed);
         self.status = if improvement.is_done() { Status::Solved } else { Status::Running };
         self.improvement = Some(improvement);
     }
@@ -108,12 +110,6 @@ impl<S: Space> Runner<S> {
             stats.clearance_evaluations as f64,
             self.cost(),
         ]
-    }
-
-    /// The states of the planner's path, as it found it; none until then.
-    fn found(&self) -> Vec<S::State> {
-        let graph = self.planner.graph();
-        self.planner.path().into_iter().map(|vertex| *graph.state(vertex)).collect()
     }
 
     /// The planner's path as it found it; empty until then.

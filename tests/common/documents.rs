@@ -52,12 +52,18 @@ pub fn with(document: &str, piece: &str, replacement: &str) -> String {
     document.replacen(piece, replacement, 1)
 }
 
-/// The error of an invalid document.
-pub fn refusal(document: &str) -> Error {
-    match Scenario::parse(document) {
-        Err(error) => error,
-        Ok(_) => panic!("this was accepted: {}", &document[..document.len().min(2000)]),
-    }
+/// Checks code and pointer of a refusal; returns its message.
+#[track_caller]
+pub fn refuses<T>(result: Result<T, Error>, code: &str, pointer: &str) -> String {
+    let error = result.err().unwrap_or_else(|| panic!("this was accepted, not refused with {code} at {pointer}"));
+    assert_eq!((error.code().as_str(), error.pointer()), (code, pointer), "{error}");
+    error.message().to_owned()
+}
+
+/// The same of an invalid document.
+#[track_caller]
+pub fn refusal(document: &str, code: &str, pointer: &str) -> String {
+    refuses(Scenario::parse(document), code, pointer)
 }
 
 /// The JSON pointers of all objects in the document.
@@ -107,4 +113,21 @@ pub fn scenario(bounds: &str, obstacles: &str, robot: &str, query: &str) -> Scen
 pub fn shape(x: f64, y: f64) -> String {
     let vertices = [[-x, -y], [x, -y], [x, y], [-x, y]];
     format!(r#""shape": {{ "type": "polygon", "vertices": {vertices:?} }}"#)
+}
+
+/// The JSON files of the folder `PLANARIUM_SCENARIOS`, by name, if there is one.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn shared() -> Option<Vec<(String, String)>> {
+    let Some(folder) = std::env::var_os("PLANARIUM_SCENARIOS").filter(|folder| !folder.is_empty()) else {
+        eprintln!("PLANARIUM_SCENARIOS is not set: the shared files are not examined");
+        return None;
+    };
+    let files = std::fs::read_dir(folder).expect("PLANARIUM_SCENARIOS names a folder");
+    let paths = files.map(|file| file.expect("a file").path());
+    let json = paths.filter(|path| path.extension().is_some_and(|extension| extension == "json"));
+    let read = |path: std::path::PathBuf| {
+        let name = path.file_stem().and_then(|name| name.to_str()).expect("a name");
+        (name.to_owned(), std::fs::read_to_string(&path).expect("text"))
+    };
+    Some(json.map(read).collect())
 }

@@ -31,3 +31,14 @@ pub fn check(file: &str, text: &str, least: usize, outcome: impl Fn(&Json) -> Js
         assert_eq!(outcome(case), case["outcome"], "{case}");
     }
 }
+
+/// The committed file is this text; `PLANARIUM_BLESS=1` writes it anew.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn committed(file: &str, text: &str) {
+    let path = format!("{}/{file}", env!("CARGO_MANIFEST_DIR"));
+    if std::env::var_os("PLANARIUM_BLESS").is_some() {
+        std::fs::write(&path, text).expect("the file can be written");
+    }
+    let committed = std::fs::read_to_string(path).expect("the file exists");
+    assert!(committed == text, "{file} is out of date: PLANARIUM_BLESS=1 writes it anew");
+}

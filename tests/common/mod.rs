@@ -190,6 +190,13 @@ pub fn fitting(scenario: &Scenario, settings: &str) -> String {
     settings.split_whitespace().filter(fits).collect::<Vec<_>>().join(" ")
 }
 
+/// Has the path of a run judged, which must be valid.
+#[track_caller]
+pub fn assert_valid(scenario: &Scenario, run: &dyn Run) {
+    let verdict = planarium::path::verify(scenario, &run.result()).expect("its own scenario");
+    assert!(matches!(verdict, planarium::path::Verdict::Valid { .. }), "{}: {verdict:?}", run.result().to_json());
+}
+
 /// Runs to the end.
 pub fn finish(mut run: Box<dyn Run>) -> Box<dyn Run> {
     run.step(u64::MAX);

@@ -97,18 +97,19 @@ pub fn verify(scenario: &Scenario, result: &ResultDocument) -> Result<Verdict, E
     let query = scenario.queries().iter().find(|query| query.name == result.query).ok_or_else(|| {
         Error::new(Code::UnknownQuery, "/query", format!("the scenario has no query {:?}", result.query))
     })?;
-    Ok(match judge(scenario, query, result) {
-        Ok(Seen { looks, clearance }) => Verdict::Valid { waypoints: result.path.len(), looks, clearance },
-        Err(why) => Verdict::Invalid { why },
-    })
+    Ok(verdict(result.path.len(), judge(scenario, query, result)))
 }
 
 /// Judges legs of a body of this shape in a world, each by itself: they need not be connected. The verdict counts legs as
 /// waypoints.
 pub fn verify_legs(world: &World, shape: &Polygon, legs: &[Leg]) -> Verdict {
     let scale = Scale::new(world, None, shape.reach());
-    match body::judge(world, shape, legs.iter().copied().enumerate(), &scale) {
-        Ok(Seen { looks, clearance }) => Verdict::Valid { waypoints: legs.len(), looks, clearance },
+    verdict(legs.len(), body::judge(world, shape, legs.iter().copied().enumerate(), &scale))
+}
+
+fn verdict(waypoints: usize, seen: Result<Seen, String>) -> Verdict {
+    match seen {
+        Ok(Seen { looks, clearance }) => Verdict::Valid { waypoints, looks, clearance },
         Err(why) => Verdict::Invalid { why },
     }
 }

@@ -33,9 +33,10 @@ pub(super) struct Moving<'a> {
 }
 
 impl Moving<'_> {
-    /// The name of the segment from point `i` on.
+    /// The name of the segment from point `i` on, and of the edge.
     fn name(&self, i: usize) -> String {
-        if self.body.is_some() { "the body".into() } else { format!("link {i}") }
+        let part = if self.body.is_some() { "the body".into() } else { format!("link {i}") };
+        format!("edge {}, {part}", self.edge)
     }
 }
 
@@ -69,7 +70,7 @@ impl<'a> Judge<'a> {
                     Shape::Polygon(polygon, _) => polygon.vertices()[0],
                 };
                 if i == 0 && robot.body.as_ref().is_some_and(|body| body.contains(inside)) {
-                    return Err(format!("edge {}, {} holds obstacle {}", robot.edge, robot.name(i), obstacle.index));
+                    return Err(format!("{} holds obstacle {}", robot.name(i), obstacle.index));
                 }
             }
         }
@@ -129,8 +130,7 @@ impl<'a> Judge<'a> {
     fn look(&mut self, robot: &Moving, i: usize, obstacle: &Near, here: &Segment, t: f64) -> Result<(), String> {
         let clearance = obstacle.distance(here) - robot.radius;
         if clearance <= self.scale.slack {
-            let (edge, name, index) = (robot.edge, robot.name(i), obstacle.index);
-            return Err(format!("edge {edge}, {name} touches obstacle {index} at {t} of the edge"));
+            return Err(format!("{} touches obstacle {} at {t} of the edge", robot.name(i), obstacle.index));
         }
         self.seen.clearance = self.seen.clearance.min(clearance);
         Ok(())
@@ -151,10 +151,8 @@ impl<'a> Judge<'a> {
         let middle = 0.5 * (t + u);
         let travel = robot.travel[i].max(robot.travel[i + 1]);
         if travel * (u - t) <= self.scale.slack || middle <= t || middle >= u {
-            let (edge, name, index) = (robot.edge, robot.name(i), obstacle.index);
-            return Err(format!(
-                "edge {edge}, {name} comes too near to obstacle {index} between {t} and {u} of the edge"
-            ));
+            let (name, index) = (robot.name(i), obstacle.index);
+            return Err(format!("{name} comes too near to obstacle {index} between {t} and {u} of the edge"));
         }
         let here = segment(&self.look_between(robot, middle)?, i);
         self.look(robot, i, obstacle, &here, middle)?;
@@ -165,10 +163,7 @@ impl<'a> Judge<'a> {
     /// Returns an error if the robot is not wholly within the bounds at `t`.
     fn check_inside(&self, robot: &Moving, points: &[Point], t: f64) -> Result<(), String> {
         match (0..points.len()).find(|&k| self.depth(robot, points[k]) < -self.scale.overstep) {
-            Some(k) => {
-                let (edge, name) = (robot.edge, robot.name(k.saturating_sub(1)));
-                Err(format!("edge {edge}, {name} leaves the bounds at {t} of the edge"))
-            }
+            Some(k) => Err(format!("{} leaves the bounds at {t} of the edge", robot.name(k.saturating_sub(1)))),
             None => Ok(()),
         }
     }
@@ -188,8 +183,7 @@ impl<'a> Judge<'a> {
         let Some(k) = (0..before.len()).find(|&k| !stays(k)) else { return Ok(()) };
         let middle = 0.5 * (t + u);
         if middle <= t || middle >= u {
-            let (edge, name) = (robot.edge, robot.name(k.saturating_sub(1)));
-            return Err(format!("edge {edge}, {name} leaves the bounds at {t} of the edge"));
+            return Err(format!("{} leaves the bounds at {t} of the edge", robot.name(k.saturating_sub(1))));
         }
         let points = self.look_between(robot, middle)?;
         self.check_inside(robot, &points, middle)?;

@@ -70,7 +70,7 @@ export type Obstacle =
 
 /** What the robot moves in. */
 export interface World {
-  /** The robot stays inside, and may touch them. Only an arm can do without. */
+  /** The robot stays inside, and may touch them. Optional only for an arm. */
   bounds?: Box;
   /** May be empty. */
   obstacles: Obstacle[];

@@ -1,7 +1,7 @@
 //! Motion planning that a person can watch.
 //!
-//! A planning problem is a configuration space, a way to tell what is free in it, a start and a goal. Planners grow a graph
-//! towards the answer one step at a time, and every edge they add is proven free, not sampled. Lengths are metres, angles
+//! A planning problem is a configuration space, a collision checker, a start and a goal. Planners extend a graph
+//! step by step until it contains a path. By default every edge is proven free; edges can be sampled instead, for comparison. Lengths are metres, angles
 //! radians, counter-clockwise, y up. Scenario, planner, parameters and seed decide every bit of a result, on every platform.
 //!
 //! # Where to start
@@ -19,8 +19,8 @@
 //! `collision` (with the proof of a motion), `world`; `graph`, `nearest`, `sampling`, [`path`]; `planner`; [`run`]; and beside
 //! it [`ik`], [`driving`] and [`trajectories`]. On top stand the bindings to JavaScript and the command line. A module uses only
 //! modules below it: a planner sees a space and the traits [`problem::Validity`] and [`problem::Dynamics`], never a robot, a
-//! scenario or a shape. The core reads no clock, prints nothing, has no global state and calls nothing back. A test holds this
-//! against the code. Modules hidden from this page are public for the tests and benches only; they may change at any time.
+//! scenario or a shape. The core reads no clock, prints nothing, has no global state and takes no callbacks. A test
+//! enforces this. Modules hidden from this page are public for the tests and benches only; they may change at any time.
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
 

@@ -3,7 +3,7 @@
 use crate::common::car_shut_in;
 use crate::common::driven::car;
 use planarium::collision::{BodyCollision, BodyValidity, CarDynamics, Integration};
-use planarium::planner::{Blocked, ByControls, GoalTest, Method, Reaching, RrtControlOptions};
+use planarium::planner::{Blocked, ByControls, GoalBias, GoalTest, Method, RrtControlOptions};
 use planarium::problem::{Control, Dynamics, Motion, Problem};
 use planarium::random::Random;
 use planarium::robot::placements;
@@ -77,7 +77,7 @@ fn of_a_blossom_the_one_that_comes_closest_is_kept() {
             shortest_steps: Some(10),
             blocked,
             // Always towards the goal, so that the target is known.
-            reaching: Reaching { goal_bias: 1.0, goal_every: None },
+            reaching: GoalBias { goal_bias: 1.0, goal_every: None },
             driving: ByControls { goal_test: GoalTest::Ends, ..ByControls::default() },
             ..RrtControlOptions::default()
         };

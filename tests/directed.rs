@@ -4,7 +4,7 @@
 use planarium::graph::{Graph, VertexId};
 use planarium::path::{Improvement, Wanted, length};
 use planarium::planner::{
-    Algorithm, Extend, Insertion, Method, Planner, PrmOptions, Reaching, RrtConnectOptions, RrtOptions, Searching,
+    Algorithm, Extend, GoalBias, Insertion, Method, Planner, PrmOptions, RrtConnectOptions, RrtOptions, Searching,
     Status,
 };
 use planarium::problem::{Contact, Problem, Touched, Validity};
@@ -96,7 +96,7 @@ fn prm(
 }
 
 fn rrt(problem: &Problem<Car>, seed: u64, extend: Extend) -> Box<dyn Planner<Car>> {
-    let reaching = Reaching { goal_bias: 0.1, goal_every: None };
+    let reaching = GoalBias { goal_bias: 0.1, goal_every: None };
     begin(&RrtOptions { step: Some(1.0), extend, reaching, ..RrtOptions::default() }, problem, seed)
 }
 
@@ -264,7 +264,7 @@ fn improved_paths_are_driven_in_order_and_never_longer() {
 
 #[cfg(not(target_arch = "wasm32"))]
 #[test]
-#[should_panic(expected = "guards see only where motions can be made back")]
+#[should_panic(expected = "requires a symmetric space")]
 fn guards_need_motions_that_can_be_made_back() {
     begin(&planarium::planner::VisibilityPrmOptions::default(), &problem(Steering::Dubins), 1);
 }

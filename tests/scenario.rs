@@ -79,7 +79,7 @@ fn every_field_is_optional_or_required_and_no_other_is_known() {
         }
     }
     let bounds = r#""bounds": {"min": [0, 0], "max": [2, 2]}, "#;
-    check_refusals(DISC, &[(bounds, "", "missing-field", "/world/bounds", "only an arm can do without")]);
+    check_refusals(DISC, &[(bounds, "", "missing-field", "/world/bounds", "optional only for an arm")]);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

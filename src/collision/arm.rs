@@ -98,11 +98,11 @@ impl<const N: usize> ArmValidity<N> {
 
     /// The start of the first interval, in this order, that cannot be proven free.
     #[inline(always)]
-    fn prove(&self, a: &[f64; N], b: &[f64; N], order: Order) -> Option<f64> {
+    fn first_unproven(&self, a: &[f64; N], b: &[f64; N], order: Order) -> Option<f64> {
         let Some(delta) = self.delta(a, b) else { return Some(0.0) };
         let prover = &mut *self.prover.borrow_mut();
         let state = prover.moving.begin(a, &delta);
-        prover.prove(&self.scene, state, order)
+        prover.first_unproven(&self.scene, state, order)
     }
 
     /// The clearance if it is at most `most`; else something larger.
@@ -148,11 +148,11 @@ impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
     }
 
     fn is_motion_free(&self, a: &[f64; N], b: &[f64; N]) -> bool {
-        self.prove(a, b, Order::MiddleFirst).is_none()
+        self.first_unproven(a, b, Order::MiddleFirst).is_none()
     }
 
     fn first_hit(&self, a: &[f64; N], b: &[f64; N]) -> Option<f64> {
-        self.prove(a, b, Order::FrontFirst)
+        self.first_unproven(a, b, Order::FrontFirst)
     }
 
     /// Ordered by link, then by obstacle, the bounds last.

@@ -100,14 +100,14 @@ impl BodyCollision {
 
     /// Whether the motion is proven free, both ends included. Tests the middle first, where collisions are found early.
     pub fn is_motion_free(&self, motion: &BodyMotion) -> bool {
-        self.prove(motion, Order::MiddleFirst).is_none()
+        self.first_unproven(motion, Order::MiddleFirst).is_none()
     }
 
     /// The start, as a fraction of the motion, of the first interval that cannot be proven free; all before it is proven.
     /// `None` if the whole motion is proven. The result is 0 for motions that are not finite or longer than 1e150, begin
     /// far outside the bounds or at an angle beyond 1e4 radians, or turn by more than 7 on a straight motion.
     pub fn first_hit(&self, motion: &BodyMotion) -> Option<f64> {
-        self.prove(motion, Order::FrontFirst)
+        self.first_unproven(motion, Order::FrontFirst)
     }
 
     /// The verdict of the proof by distances: slower and simpler, the oracle of the tests.
@@ -133,11 +133,11 @@ impl BodyCollision {
 
     /// The start of the first interval, in this order, that cannot be proven free.
     #[inline(always)]
-    fn prove(&self, motion: &BodyMotion, order: Order) -> Option<f64> {
+    fn first_unproven(&self, motion: &BodyMotion, order: Order) -> Option<f64> {
         let Some((motion, fraction)) = self.decisive_part(motion) else { return Some(0.0) };
         let prover = &mut *self.prover.borrow_mut();
         prover.moving.begin(&motion);
-        prover.prove(&self.scene, (), order).map(|hit| hit * fraction)
+        prover.first_unproven(&self.scene, (), order).map(|hit| hit * fraction)
     }
 
     /// The part of the motion that decides about all of it, and its fraction of the motion; `None` if proofs do not cover it.

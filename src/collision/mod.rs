@@ -1,16 +1,19 @@
-//! Collision checking: configurations, contacts, and the proof that a motion is free, in `proof/`.
+//! Collision checking: configurations, contacts, and the proof that a motion is free.
+//!
+//! Motions of arms and bodies are proven in `proof/`, called from `arm.rs` and `body.rs`; `body_validity.rs` splits the curve of a
+//! car into arcs, `car_dynamics.rs` proves controlled motions arc by arc, and `disc.rs` has an exact test of its own.
 //!
 //! Obstacles are closed and filled: contact is collision. Bounds are closed: contact with them is allowed.
 //!
-//! **Slack.** Every clearance is compared with `eta` = 1e-12 times the largest coordinate plus the reach. It covers the
-//! rounding of kinematics, midpoints, distances and bounds, below it in all (see `proof/arm.rs` and `proof/body.rs`).
+//! **Slack.** Every clearance is compared with `eta` = 1e-12 times the largest coordinate plus the reach. It exceeds
+//! the total rounding error of kinematics, midpoints, distances and bounds (see `proof/arm.rs` and `proof/body.rs`).
 //! Nothing is promised about features smaller than `eta`; except for points, a configuration with clearance up to `eta`
 //! is in collision.
 //!
 //! **Tolerance.** An interval that is still unproven when its bound on travel is below `tau` counts as hit: see
-//! [`Tolerance`]. So accepted means free along all of it. Refused without a collision are only motions that come within
-//! `tau` of an obstacle or of the bounds, those whose short way round is ambiguous, and those whose proof would take more
-//! evaluations than its budget (see `proof/driver.rs`).
+//! [`Tolerance`]. An accepted motion is therefore free everywhere. A collision-free motion is refused only if it comes
+//! within `tau` of an obstacle or of the bounds, if the shorter direction of its turn is ambiguous, or if its proof would take
+//! more evaluations than its budget (see `proof/driver.rs`).
 
 mod arm;
 mod body;

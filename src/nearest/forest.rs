@@ -4,7 +4,7 @@
 //! Dasgupta and Freund 2008, "Random projection trees and low dimensional manifolds": each tree halves the states recursively
 //! at the median of their projections on a random direction, here that between two of the states. States are
 //! embedded in a Euclidean space, circles as (cos, sin), each coordinate by its weight in the metric. A query takes
-//! leaves from all trees, those nearest beyond the planes first, until it has seen enough states; the metric itself ranks
+//! leaves from all trees, those nearest beyond the planes first, until it has collected enough candidates; the metric itself ranks
 //! these. So neighbours have their true distances, but some of the nearest may be missed: see [`recall`].
 
 use super::closest::Closest;
@@ -21,7 +21,7 @@ use std::collections::BinaryHeap;
 /// A tree is rebuilt in part if it is deeper than twice the least depth by more than this. Random states are far from that.
 const SPARE_DEPTH: usize = 16;
 
-/// How a forest is made and asked.
+/// Construction and query parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ForestParameters {
     /// How many trees, at least 1. Building and memory grow with them; recall too.

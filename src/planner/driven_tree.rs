@@ -136,7 +136,7 @@ impl<S: Space> DrivenTree<S> {
     }
 
     /// The part of the motion to be added; `None` if it is refused.
-    pub fn prove(
+    pub fn free_part(
         &mut self,
         problem: &Problem<S>,
         from: &S::State,
@@ -180,7 +180,7 @@ impl<S: Space> DrivenTree<S> {
 
 /// The dynamics of the problem.
 pub(super) fn dynamics<S: Space>(problem: &Problem<S>) -> &dyn Dynamics<S::State> {
-    problem.dynamics().expect("what is planned by controls is driven")
+    problem.dynamics().expect("planners by controls require a problem with dynamics")
 }
 
 /// The length of the fastest straight motion of this duration, in the metric of the space.

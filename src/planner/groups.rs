@@ -102,7 +102,7 @@ impl Choice for MetricKind {}
 
 crate::options! {
     /// The metric of joint differences.
-    pub struct Measuring for &["arm", "disc"];
+    pub struct MetricOptions for &["arm", "disc"];
     /// How joint differences combine: L1 (sum), L2 (euclidean), or L2 without wrap-around (naive).
     metric: Option<MetricKind>, "Metric", else "sum for arms, euclidean for discs";
 }
@@ -120,7 +120,7 @@ impl Choice for Steering {}
 
 crate::options! {
     /// Options of all planners whose edges are motions of the space.
-    pub struct Joined for crate::options::ALL;
+    pub struct EdgeOptions for crate::options::ALL;
     /// Proven: continuous collision checking; sampled: a few points per edge, so a path may cross a thin wall.
     edge_check: EdgeCheck = EdgeCheck::Proven, "Collision checking";
     /// Number of evenly spaced checks on a sampled edge: fewer are faster and miss more.
@@ -128,7 +128,7 @@ crate::options! {
     /// How the final path is improved.
     improving: Improving;
     /// The metric.
-    measuring: Measuring;
+    measuring: MetricOptions;
     /// Curves between placements of a car: the shortest forward (dubins), or with reversals (reeds-shepp).
     steering: Option<Steering>, "Steering", else "reeds-shepp for a car with a reverse gear, else dubins", for CAR;
     /// When a run ends.
@@ -137,32 +137,32 @@ crate::options! {
 
 crate::options! {
     /// When a tree grows towards the goal and not towards a sample.
-    pub struct Reaching for crate::options::ALL;
+    pub struct GoalBias for crate::options::ALL;
     /// Probability of growing towards the goal instead of a sample: high values get stuck at obstacles.
     goal_bias: f64 = 0.05, in 0.0..=1.0, "Goal bias";
-    /// Grows towards the goal every n-th iteration, in place of the goal bias: a small number is often.
+    /// Grows towards the goal every n-th iteration, replacing the goal bias; a smaller n means more often.
     goal_every: Option<u32>, in 1.0..=1e6, "Goal every n-th", else "never: the goal bias decides";
 }
 
-/// What a tree grows towards: samples, and now and then a goal, each of several in turn.
+/// Selects targets: samples, occasionally a goal; several goals take turns.
 pub(super) struct Aim<S: Space> {
-    pub reaching: Reaching,
+    pub reaching: GoalBias,
     sampler: Box<dyn Sampler<S>>,
-    /// Decides when a goal is due.
+    /// Draws whether the next target is a goal.
     random: Random,
     /// How many goals were drawn.
     goals: usize,
 }
 
 impl<S: Space> Aim<S> {
-    pub fn new(reaching: Reaching, sampling: &Sampling, space: &S, seed: u64) -> Self {
+    pub fn new(reaching: GoalBias, sampling: &Sampling, space: &S, seed: u64) -> Self {
         let random = Random::new(seed, Stream::Bias);
         Self { reaching, sampler: sampling.sampler(space, seed), random, goals: 0 }
     }
 
     /// The next target; `None`, with an event, if the sampler found none.
     pub fn next(&mut self, problem: &Problem<S>, iteration: u32, growth: &mut Growth<S>) -> Option<S::State> {
-        let Reaching { goal_bias, goal_every } = self.reaching;
+        let GoalBias { goal_bias, goal_every } = self.reaching;
         let is_due = match goal_every {
             Some(n) => iteration.is_multiple_of(n),
             None => goal_bias > 0.0 && self.random.uniform() < goal_bias,

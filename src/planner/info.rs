@@ -174,10 +174,10 @@ pub(super) const fn line(indent: u8, text: &'static str, lit_by: &'static [Mark]
 }
 
 /// The line for a sampler that finds nothing.
-pub(super) const NONE_FOUND: PseudocodeLine = line(1, "if the sampler finds none: once more", &[Mark::Rejected]);
+pub(super) const NONE_FOUND: PseudocodeLine = line(1, "if the sampler finds none: try again", &[Mark::Rejected]);
 /// The line of planners whose path may be improved.
-pub(super) const IMPROVE: PseudocodeLine = line(0, "shorten the path, where that is asked for", &[Mark::Improving]);
+pub(super) const IMPROVE: PseudocodeLine = line(0, "shorten the path, if requested", &[Mark::Improving]);
 /// The last line of planners without an approximate path.
 pub(super) const END: PseudocodeLine = line(0, "return the path, or that there is none", &[Mark::Done]);
 /// The last line of planners with one.
-pub(super) const END_NEAR: PseudocodeLine = line(0, "return the path, or the nearest miss", &[Mark::Done]);
+pub(super) const END_NEAR: PseudocodeLine = line(0, "return the path, or the closest approach", &[Mark::Done]);

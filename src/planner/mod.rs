@@ -20,7 +20,8 @@ mod visibility_prm;
 
 pub use driven_tree::{Blocked, ByControls, Durations, GoalTest, IntegrationKind};
 pub use groups::{
-    DEFAULT_TOLERANCE, EdgeCheck, Improving, Joined, Limits, Measuring, Reaching, SamplerKind, Sampling, Searching,
+    DEFAULT_TOLERANCE, EdgeCheck, EdgeOptions, GoalBias, Improving, Limits, MetricOptions, SamplerKind, Sampling,
+    Searching,
 };
 pub use growth::{Counters, Growth};
 pub use info::{Grows, Mark, Method, PlannerInfo, Preset, PseudocodeLine};

@@ -60,12 +60,12 @@ pub(super) struct Query {
 }
 
 impl Query {
-    /// A search over the graph's edges and `joined` ones, along their direction if the space is not symmetric, from one vertex
+    /// A search over the graph's edges and `added` ones, along their direction if the space is not symmetric, from one vertex
     /// to any of the goals; `more` are the states of vertices numbered after the graph's.
     pub fn new<S: Space>(
         space: &S,
         graph: &Graph<S>,
-        joined: &[[VertexId; 2]],
+        added: &[[VertexId; 2]],
         more: &[S::State],
         start: VertexId,
         goals: Goals,
@@ -80,14 +80,14 @@ impl Query {
         let scale = match (rules.cost, rules.heuristic) {
             (Cost::Hops, Heuristic::Metric | Heuristic::EndEffector) => {
                 let length = |&[a, b]: &[VertexId; 2]| space.distance(state(graph, more, a), state(graph, more, b));
-                let longest = graph.edges().iter().chain(joined).map(length).fold(0.0, f64::max);
+                let longest = graph.edges().iter().chain(added).map(length).fold(0.0, f64::max);
                 if longest > 0.0 { BELOW / longest } else { 0.0 }
             }
             (Cost::Metric, Heuristic::EndEffector) => BELOW,
             _ => 1.0,
         };
         let join = if space.is_symmetric() { Adjacency::joining } else { Adjacency::directed };
-        Self { adjacency: join(vertices, graph.edges(), joined), walker, rules, goals, scale }
+        Self { adjacency: join(vertices, graph.edges(), added), walker, rules, goals, scale }
     }
 
     /// Expands one vertex.

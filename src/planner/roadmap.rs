@@ -129,7 +129,7 @@ impl<S: Space> Roadmap<S> {
         let space = problem.space();
         let count = self.len() as u32;
         let [start, goal] = [VertexId(count), VertexId(count + 1)];
-        let (mut joined, mut found) = (Vec::new(), Vec::new());
+        let (mut added, mut found) = (Vec::new(), Vec::new());
         // Out of the start, and into the goal if that makes a difference.
         let directions = [Direction::Out, if space.is_symmetric() { Direction::Out } else { Direction::In }];
         for ((end, vertex), direction) in ends.iter().zip([start, goal]).zip(directions) {
@@ -138,15 +138,15 @@ impl<S: Space> Roadmap<S> {
                 let other = self.growth.state(neighbour.vertex);
                 let [from, to] = direction.ends(end, &other);
                 if self.growth.is_motion_free(problem, from, to) {
-                    joined.push(direction.ends(vertex, neighbour.vertex));
+                    added.push(direction.ends(vertex, neighbour.vertex));
                 }
             }
         }
         if self.growth.is_motion_free(problem, &ends[0], &ends[1]) {
-            joined.push([start, goal]);
+            added.push([start, goal]);
         }
         let mut query =
-            Query::new(space, &self.growth.graph, &joined, &ends, start, goal..VertexId(count + 2), self.rules);
+            Query::new(space, &self.growth.graph, &added, &ends, start, goal..VertexId(count + 2), self.rules);
         let mut visited = 0;
         let path = loop {
             match query.step(problem, &self.growth.graph, &ends) {
@@ -163,7 +163,7 @@ impl<S: Space> Roadmap<S> {
             for end in ends {
                 self.add_vertex(space, iteration, end);
             }
-            joined.into_iter().for_each(|[from, to]| self.growth.graph.add_edge(iteration, from, to));
+            added.into_iter().for_each(|[from, to]| self.growth.graph.add_edge(iteration, from, to));
         }
         Answer { path, visited }
     }

@@ -4,7 +4,7 @@
 //! kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 5.5. The goal is vertex 1 from the beginning, but in
 //! the tree only once it is reached; several goals are the vertices from 1 on, and the tree grows towards each in turn.
 
-use super::groups::{Aim, Joined, Reaching, Sampling, step_in};
+use super::groups::{Aim, EdgeOptions, GoalBias, Sampling, step_in};
 use super::growth::Growth;
 use super::info::{END_NEAR, Grows, IMPROVE, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
 use super::{Phase, Planner, Status};
@@ -38,11 +38,11 @@ crate::options! {
     /// How far the tree grows towards a sample: one step, half the distance, or until just before an obstacle.
     extend: Extend = Extend::Step, "Growth";
     /// When the tree grows towards the goal.
-    reaching: Reaching;
+    reaching: GoalBias;
     /// Where samples come from.
     sampling: Sampling;
-    /// What its edges are.
-    joined: Joined;
+    /// Collision checking, metric, steering and limits of its edges, and improvement of the path.
+    edges: EdgeOptions;
 }
 
 impl Method for RrtOptions {

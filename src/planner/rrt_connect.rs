@@ -6,7 +6,7 @@
 //! "Planning Algorithms", section 5.5.3). If motions have a direction, the goal's tree grows against it: its motions
 //! lead from new vertices to it. Several goals are roots of one forest.
 
-use super::groups::{Joined, Sampling, step_in};
+use super::groups::{EdgeOptions, Sampling, step_in};
 use super::growth::Growth;
 use super::info::{END, Grows, IMPROVE, Mark, Method, NONE_FOUND, PseudocodeLine, line};
 use super::{Phase, Planner, Status};
@@ -25,8 +25,8 @@ crate::options! {
         else "a fifth of the largest distance in the space";
     /// Where samples come from.
     sampling: Sampling;
-    /// What its edges are.
-    joined: Joined;
+    /// Collision checking, metric, steering and limits of its edges, and improvement of the path.
+    edges: EdgeOptions;
 }
 
 impl Method for RrtConnectOptions {
@@ -57,7 +57,7 @@ impl Method for RrtConnectOptions {
             sampler: self.sampling.sampler(problem.space(), seed),
             growth: Growth::default(),
             forest: Tree::default(),
-            trees: [Index::default(), Index::default()],
+            indices: [Index::default(), Index::default()],
             bridge: None,
         };
         let roots = std::iter::once((0, problem.start())).chain(problem.goals().map(|goal| (1, goal)));
@@ -76,7 +76,7 @@ struct RrtConnect<S: Space> {
     /// Both trees, as one forest.
     forest: Tree,
     /// The start's tree, then the goal's.
-    trees: [Index<S>; 2],
+    indices: [Index<S>; 2],
     /// The vertices at which the trees met: one of the start's tree, one of the goal's.
     bridge: Option<[VertexId; 2]>,
 }
@@ -92,8 +92,8 @@ enum Step<S> {
 }
 
 impl<S: Space> RrtConnect<S> {
-    /// The direction of motions between the states that a tree grows to and its vertices.
-    fn way(space: &S, tree: usize) -> Direction {
+    /// The direction of the motions of a tree, seen from the new state: from the tree (`In`), or to it for the goal's (`Out`).
+    fn direction(space: &S, tree: usize) -> Direction {
         if tree == 0 || space.is_symmetric() { Direction::In } else { Direction::Out }
     }
 
@@ -106,10 +106,10 @@ impl<S: Space> RrtConnect<S> {
         state: S::State,
     ) -> VertexId {
         let vertex = self.growth.graph.add_vertex(iteration, state);
-        self.trees[tree].insert(space, vertex, state);
+        self.indices[tree].insert(space, vertex, state);
         self.forest.add(vertex, parent.unwrap_or(vertex));
         if let Some(parent) = parent {
-            let [from, to] = Self::way(space, tree).ends(vertex, parent);
+            let [from, to] = Self::direction(space, tree).ends(vertex, parent);
             self.growth.graph.add_edge(iteration, from, to);
         }
         vertex
@@ -118,7 +118,7 @@ impl<S: Space> RrtConnect<S> {
     /// The vertex of a tree that is nearest to the state.
     fn nearest(&mut self, space: &S, tree: usize, state: &S::State) -> VertexId {
         self.growth.counters.nearest_queries += 1;
-        self.trees[tree].nearest_by(space, Self::way(space, tree), state).expect("a tree has a root").vertex
+        self.indices[tree].nearest_by(space, Self::direction(space, tree), state).expect("a tree has a root").vertex
     }
 
     /// Grows a tree from one of its vertices by one step towards the target.
@@ -132,7 +132,7 @@ impl<S: Space> RrtConnect<S> {
     ) -> Step<S::State> {
         let space = problem.space();
         let origin = self.growth.state(from);
-        let way = Self::way(space, tree);
+        let way = Self::direction(space, tree);
         let [a, b] = way.ends(target, &origin);
         let distance = space.distance(a, b);
         let arrives = distance <= self.step;
@@ -156,7 +156,7 @@ impl<S: Space> RrtConnect<S> {
     fn connect(&mut self, problem: &Problem<S>, iteration: u32, tree: usize, target: VertexId) -> Option<VertexId> {
         let state = self.growth.state(target);
         let mut from = self.nearest(problem.space(), tree, &state);
-        // Every step brings the tree nearer by its length. Rounding could keep a steered one from that, but not forever.
+        // Each step reduces the distance by its length. With steering, rounding could prevent this: the number is bounded.
         let most = libm::ceil(problem.space().extent() / self.step) as u64 + 2;
         for _ in 0..most {
             match self.grow(problem, iteration, tree, from, &state) {
@@ -175,7 +175,7 @@ impl<S: Space> Planner<S> for RrtConnect<S> {
             return Status::Solved;
         }
         let space = problem.space();
-        let tree = usize::from(self.trees[1].len() < self.trees[0].len());
+        let tree = usize::from(self.indices[1].len() < self.indices[0].len());
         let Some(sample) = self.growth.draw(problem, iteration, &mut *self.sampler) else { return Status::Running };
         let sample = sample.state;
         let near = self.nearest(space, tree, &sample);

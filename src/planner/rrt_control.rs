@@ -6,7 +6,7 @@
 use super::driven_tree::{
     Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, straight_reach, up_to_goal,
 };
-use super::groups::{Aim, Reaching};
+use super::groups::{Aim, GoalBias};
 use super::growth::Growth;
 use super::info::{END_NEAR, Grows, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
 use super::removable_index::RemovableIndex;
@@ -64,7 +64,7 @@ crate::options! {
     /// Extends each vertex only once; when all were extended, the planner gives up.
     once: bool = false, "Only once";
     /// When the tree grows towards the goal.
-    reaching: Reaching;
+    reaching: GoalBias;
     /// The longest duration in the last quarter of the iterations: short motions hit a small goal region better.
     late_duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Late duration", unit "steps of integration",
         else "as before";
@@ -113,7 +113,7 @@ impl Method for RrtControlOptions {
         line(1, "q ← a random placement, or the goal", &[Mark::Growing]),
         NONE_FOUND,
         line(1, "near ← the vertex of T nearest to q", &[Mark::Edge, Mark::Refused]),
-        line(1, "if no vertex sees q: once more", &[Mark::Discarded]),
+        line(1, "if no vertex sees q: try again", &[Mark::Discarded]),
         line(1, "for b controls u, for a while each:", &[Mark::Edge, Mark::Refused]),
         line(2, "drive u from near, up to an obstacle", &[Mark::Edge, Mark::Refused]),
         line(1, "add the end nearest to q, with its u, to T", &[Mark::Vertex, Mark::Edge]),
@@ -151,7 +151,7 @@ struct RrtControl<S: Space> {
     /// How long controls are held.
     early: Durations,
     /// From this iteration on, if something is different then: how long controls are held, and when the goal is due.
-    late: Option<(u32, Durations, Reaching)>,
+    late: Option<(u32, Durations, GoalBias)>,
     tree: DrivenTree<S>,
     /// The vertices that may be extended.
     open: RemovableIndex<S>,
@@ -210,7 +210,7 @@ impl<S: Space> RrtControl<S> {
         };
         if self.options.controls == Controls::ReedsShepp {
             let drives = dynamics.extremes().into_iter().map(|control| held(control, random));
-            return drives.filter_map(|drive| self.tree.prove(problem, from, drive, blocked)).collect();
+            return drives.filter_map(|drive| self.tree.free_part(problem, from, drive, blocked)).collect();
         }
         let measured = |drive: Drive<S::State>| (problem.space().distance(&drive.end, target), drive);
         let drives = (0..self.options.blossom).map(|_| {
@@ -218,14 +218,14 @@ impl<S: Space> RrtControl<S> {
             measured(held(control, random))
         });
         if blocked == Blocked::Cut {
-            let cut = drives.filter_map(|(_, drive)| self.tree.prove(problem, from, drive, blocked)).map(measured);
+            let cut = drives.filter_map(|(_, drive)| self.tree.free_part(problem, from, drive, blocked)).map(measured);
             let cut: Vec<_> = cut.collect();
             return closest(&cut).map(|i| cut[i].1).into_iter().collect();
         }
         // Motions that end farther away need not be proven.
         let mut drives: Vec<_> = drives.collect();
         while let Some(i) = closest(&drives) {
-            if let Some(drive) = self.tree.prove(problem, from, drives.remove(i).1, blocked) {
+            if let Some(drive) = self.tree.free_part(problem, from, drives.remove(i).1, blocked) {
                 return vec![drive];
             }
         }
@@ -234,7 +234,7 @@ impl<S: Space> RrtControl<S> {
 }
 
 /// What is different in the last quarter of the iterations, if anything is, and from which iteration on.
-fn late(options: &RrtControlOptions, early: Durations) -> Result<Option<(u32, Durations, Reaching)>, Error> {
+fn late(options: &RrtControlOptions, early: Durations) -> Result<Option<(u32, Durations, GoalBias)>, Error> {
     let RrtControlOptions { late_duration_steps: longest, late_goal_every: every, reaching, .. } = *options;
     if longest.is_none() && every.is_none() {
         return Ok(None);
@@ -242,7 +242,7 @@ fn late(options: &RrtControlOptions, early: Durations) -> Result<Option<(u32, Du
     let longest = longest.unwrap_or(early.longest);
     let durations =
         Durations { shortest: early.shortest.min(longest), longest }.with_shortest(options.shortest_steps)?;
-    let reaching = Reaching { goal_every: every.or(reaching.goal_every), ..reaching };
+    let reaching = GoalBias { goal_every: every.or(reaching.goal_every), ..reaching };
     let most = options.driving.limits.max_iterations;
     Ok(Some((most - most / 4 + 1, durations, reaching)))
 }

@@ -6,7 +6,7 @@
 //! path in the metric of the space, along its arcs.
 
 use super::driven_tree::{Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, up_to_goal};
-use super::groups::{Aim, Reaching};
+use super::groups::{Aim, GoalBias};
 use super::growth::Growth;
 use super::info::{END_NEAR, Grows, Mark, Method, NONE_FOUND, PseudocodeLine, line};
 use super::removable_index::RemovableIndex;
@@ -43,7 +43,7 @@ crate::options! {
     /// A blocked motion ends after its last free step (cut), or is rejected as a whole (refused).
     blocked: Blocked = Blocked::Cut, "Blocked motion";
     /// When the tree grows towards the goal.
-    reaching: Reaching;
+    reaching: GoalBias;
     /// Options of all planners by controls.
     driving: ByControls;
 }
@@ -62,11 +62,11 @@ impl Method for SstOptions {
         line(1, "q ← a random placement, or the goal", &[Mark::Growing, Mark::Improving]),
         NONE_FOUND,
         line(1, "near ← the cheapest of T about q", &[Mark::Edge, Mark::Refused, Mark::Discarded]),
-        line(1, "drive a random control for a random while", &[Mark::Edge, Mark::Refused, Mark::Discarded]),
+        line(1, "drive a random control for a random duration", &[Mark::Edge, Mark::Refused, Mark::Discarded]),
         line(1, "if that is not free: refuse it", &[Mark::Refused]),
         line(1, "if the end costs least about it: add it", &[Mark::Vertex, Mark::Edge]),
-        line(2, "what cost least there before grows no more", &[Mark::Vertex]),
-        line(2, "and leaves T once nothing hangs on it", &[Mark::Removed]),
+        line(2, "deactivate the vertex that was cheapest there", &[Mark::Vertex]),
+        line(2, "remove it from T once it has no children", &[Mark::Removed]),
         line(2, "within the goal region: solved", &[Mark::Solved]),
         line(1, "else: throw it away", &[Mark::Discarded]),
         END_NEAR,
@@ -108,7 +108,7 @@ struct Best {
     since: u32,
 }
 
-/// The planner. An iteration takes one sample, or the goal, and tries one random control for one random while.
+/// The planner. An iteration takes one sample, or the goal, and tries one random control for a random duration.
 struct Sst<S: Space> {
     options: SstOptions,
     /// The cheapest vertex within this distance of a sample is extended; the nearest vertex if there is none.
@@ -180,7 +180,7 @@ impl<S: Space> Sst<S> {
         vertex
     }
 
-    /// Makes the vertex the representative of the witness; the former one grows no more.
+    /// Makes the vertex the representative of the witness; the former one becomes inactive.
     fn replace(&mut self, problem: &Problem<S>, iteration: u32, (witness, is_new): (usize, bool), vertex: VertexId) {
         let (space, graph) = (problem.space(), &self.tree.growth.graph);
         self.active.insert(space, graph, vertex);
@@ -193,7 +193,7 @@ impl<S: Space> Sst<S> {
         self.prune(iteration, beaten);
     }
 
-    /// Removes the vertex from the tree if it is a leaf that grows no more, then its parent likewise, and so on. The end
+    /// Removes the vertex from the tree if it is a leaf that is inactive, then its parent likewise, and so on. The end
     /// of the best path stays.
     fn prune(&mut self, iteration: u32, vertex: VertexId) {
         let mut leaf = Some(vertex);
@@ -226,7 +226,7 @@ impl<S: Space> Sst<S> {
         let control = dynamics.sample(&mut self.controls);
         let steps = self.durations.sample(&mut self.controls);
         let wanted = Drive { control, steps, end: dynamics.drive(&from, control, steps) };
-        let Some(drive) = self.tree.prove(problem, &from, wanted, self.options.blocked) else {
+        let Some(drive) = self.tree.free_part(problem, &from, wanted, self.options.blocked) else {
             let kind = EventKind::EdgeRefused;
             return self.tree.growth.add_event(kind, iteration, Some(origin), None, wanted.end);
         };

@@ -5,7 +5,7 @@
 //! m samples in a row that made no guard the free space is covered but for an estimated share of 1/m. Visibility
 //! has to be mutual: the space must be symmetric.
 
-use super::groups::{Joined, Sampling, Searching};
+use super::groups::{EdgeOptions, Sampling, Searching};
 use super::info::{END, Grows, IMPROVE, Mark, Method, PseudocodeLine, line};
 use super::roadmap::{Build, Connection, EXPAND, Roadmap, RoadmapPlanner, SEARCH, START};
 use super::{Phase, Planner};
@@ -27,8 +27,8 @@ crate::options! {
     sampling: Sampling;
     /// How the roadmap is searched.
     searching: Searching;
-    /// What its edges are.
-    joined: Joined;
+    /// Collision checking, metric, steering and limits of its edges, and improvement of the path.
+    edges: EdgeOptions;
 }
 
 impl Method for VisibilityPrmOptions {
@@ -42,7 +42,7 @@ impl Method for VisibilityPrmOptions {
     const NEEDS_SYMMETRY: bool = true;
     const PSEUDOCODE: &'static [PseudocodeLine] = &[
         // A resumed roadmap connects the two to its guards.
-        line(0, "G ← start and goal, joined where that is free", &[Mark::Connecting]),
+        line(0, "G ← start and goal, connected if that is free", &[Mark::Connecting]),
         line(0, "until m samples in a row make no guard:", &[]),
         line(1, "q ← a random configuration", &[Mark::Guarding]),
         line(1, "if q collides: next sample", &[Mark::Rejected]),
@@ -59,7 +59,7 @@ impl Method for VisibilityPrmOptions {
     /// # Panics
     /// If the space is not symmetric.
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
-        assert!(problem.space().is_symmetric(), "guards see only where motions can be made back");
+        assert!(problem.space().is_symmetric(), "visibility PRM requires a symmetric space");
         let connection = Connection { k: MOST_GUARDS, radius: f64::INFINITY };
         let mut roadmap = Roadmap::new(problem, connection, self.searching);
         let mut guarding = Guarding {

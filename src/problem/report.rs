@@ -14,7 +14,7 @@ pub enum Status {
     Running,
     /// A path was found.
     Solved,
-    /// The budget of iterations, samples or memory (`graph::MAX_RECORDS`) is spent without a path.
+    /// No path: the budget of iterations, samples or memory (`graph::MAX_RECORDS`) is spent, or the complete roadmap has none.
     Exhausted,
 }
 
@@ -59,7 +59,7 @@ impl Phase {
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Stats {
-    /// Iterations made, as the planner counts them.
+    /// Iterations of the planner, and attempts at improving its path.
     pub iterations: u64,
     /// Vertices of the graph.
     pub vertices: u64,

@@ -8,7 +8,7 @@ use crate::collision::{Integration, Sampled};
 use crate::error::{Code, Error, Number};
 use crate::path::Wanted;
 use crate::planner::{
-    self, ByControls, Connection, EdgeCheck, IntegrationKind, Joined, Limits, Planner, PlannerOptions, Searching,
+    self, ByControls, Connection, EdgeCheck, EdgeOptions, IntegrationKind, Limits, Planner, PlannerOptions, Searching,
 };
 use crate::problem::{Estimate, GoalRegion, Problem, Validity};
 use crate::random::check_seed;
@@ -22,7 +22,7 @@ use crate::world::{PlanningWorld, SMALL};
 /// The turning radii of steered cars, in metres: far beyond all worlds on either side. Outside, lengths and durations of curves might
 /// overflow.
 const TURNING_RADII: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
-/// The slowest that a steered car may be at its fastest, in metres a second, for the same reason.
+/// The least allowed top speed of a steered car, in metres per second, for the same reason.
 const SLOWEST: f64 = 1e-9;
 
 /// Begins a run. The scenario may be given as it is, or prepared as a [`PlanningWorld`] that several runs share.
@@ -79,7 +79,7 @@ pub(super) fn launch(
             format!("{} needs a goal_tolerance in the query", planner.id()),
         ));
     }
-    let joined = planner.group::<Joined>().copied();
+    let edges = planner.group::<EdgeOptions>().copied();
     let limits = planner.group::<Limits>().copied().unwrap_or_default();
     let info = RunInfo {
         scenario: scenario.name().to_owned(),
@@ -87,16 +87,16 @@ pub(super) fn launch(
         planner: planner.id(),
         seed: options.seed,
         max_iterations: limits.max_iterations,
-        wanted: joined.map_or_else(Wanted::default, |Joined { improving, .. }| Wanted {
+        wanted: edges.map_or_else(Wanted::default, |EdgeOptions { improving, .. }| Wanted {
             reduce: improving.reduce,
             shortcuts: improving.shortcut,
             partial_shortcuts: improving.partial_shortcut,
         }),
-        is_sampled: joined.is_some_and(|joined| joined.edge_check == EdgeCheck::Sampled),
+        is_sampled: edges.is_some_and(|edges| edges.edge_check == EdgeCheck::Sampled),
         is_euler: driving.is_some_and(|by| by.integration == IntegrationKind::Euler),
     };
     if !matches!(scenario.robot(), Robot::Car(_))
-        && let Some(steering) = joined.and_then(|joined| joined.steering)
+        && let Some(steering) = edges.and_then(|edges| edges.steering)
     {
         let word = steering.as_str();
         let sentence = format!("only a car is steered: \"{word}\" is not for this robot");
@@ -105,8 +105,8 @@ pub(super) fn launch(
     let launch = Launch {
         world,
         planner,
-        metric: joined.and_then(|joined| joined.measuring.metric),
-        joined,
+        metric: edges.and_then(|edges| edges.measuring.metric),
+        edges,
         tolerance: limits.tolerance,
         info,
         kept,
@@ -124,7 +124,7 @@ struct Launch<'a> {
     world: &'a PlanningWorld,
     planner: PlannerOptions,
     /// The options of its edges, if they are not controlled motions.
-    joined: Option<Joined>,
+    edges: Option<EdgeOptions>,
     tolerance: f64,
     /// The metric that was requested.
     metric: Option<MetricKind>,
@@ -153,7 +153,7 @@ impl Launch<'_> {
         let integration = if self.info.is_euler { Integration::Euler } else { Integration::Exact };
         let (validity, dynamics) = fitted.with_dynamics(robot, integration);
 
-        let edge_samples = self.joined.filter(|_| self.info.is_sampled).map(|joined| joined.edge_samples);
+        let edge_samples = self.edges.filter(|_| self.info.is_sampled).map(|edges| edges.edge_samples);
         let checked = |proven: Box<dyn Validity<_>>| -> Box<dyn Validity<_>> {
             match edge_samples {
                 Some(samples) => Box::new(Sampled::new(space.clone(), proven, samples)),
@@ -178,7 +178,7 @@ impl Launch<'_> {
         let seed = self.info.seed;
         let mut planner = match self.kept.zip(self.planner.group::<Searching>()) {
             Some((document, searching)) => {
-                let states = resume::prove(&space, &*checked(checker().finest().validity()), document)?;
+                let states = resume::checked_states(&space, &*checked(checker().finest().validity()), document)?;
                 let connection = Connection { k: document.k as usize, radius: document.radius };
                 planner::resume(&problem, connection, *searching, &states, &document.edges)
             }
@@ -221,10 +221,12 @@ impl Launch<'_> {
 
     /// The space of a car: along the named curves or those that its speeds allow, or straight for a planner by controls.
     fn car_space<const N: usize>(&self, car: &Car, product: ProductSpace<N>) -> Result<MotionSpace<N>, Error> {
-        let Some(joined) = &self.joined else { return Ok(MotionSpace::new(product)) };
+        let Some(edges) = &self.edges else { return Ok(MotionSpace::new(product)) };
         let unsupported = |sentence: &str| Error::new(Code::Unsupported, "/steering", sentence);
         let Some((radius, _)) = car.turning_radius() else {
-            return Err(unsupported("the car cannot steer both ways, so that no curve leads everywhere"));
+            return Err(unsupported(
+                "the car cannot steer both left and right, so curves cannot reach every placement",
+            ));
         };
         if !TURNING_RADII.contains(&radius) {
             let [low, high] = [*TURNING_RADII.start(), *TURNING_RADII.end()].map(Number);
@@ -235,10 +237,10 @@ impl Launch<'_> {
         }
         let [backward, forward] = car.speed();
         let default = if backward < 0.0 { Steering::ReedsShepp } else { Steering::Dubins };
-        let steering = joined.steering.unwrap_or(default);
+        let steering = edges.steering.unwrap_or(default);
         if forward <= 0.0 || (steering == Steering::ReedsShepp && backward >= 0.0) {
             return Err(unsupported(
-                "the car's speeds do not admit these curves: dubins goes forwards, reeds-shepp both ways",
+                "the car's speed range does not allow these curves: dubins needs a positive speed, reeds-shepp also a negative one",
             ));
         }
         let used = if steering == Steering::Dubins { forward } else { forward.min(-backward) };
@@ -248,7 +250,7 @@ impl Launch<'_> {
         }
         if steering == Steering::Dubins && self.planner.info().needs_symmetry {
             return Err(unsupported(
-                "visibility is mutual, and a car on dubins curves cannot drive back; take reeds-shepp",
+                "visibility-prm requires a symmetric space, which dubins curves are not; use steering = reeds-shepp",
             ));
         }
         Ok(MotionSpace::steered(product, steering, radius))

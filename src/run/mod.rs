@@ -1,8 +1,8 @@
 //! One planning run behind an object-safe trait: what the bindings and the command line hold.
 //!
 //! # How a slice of steps ends
-//! [`Run::step`]`(n)` makes iterations one after the other (`Runner::step`, `iterate` and `accept` in `runner.rs`). It returns
-//! after `n` of them, or as soon as the status is no longer `Running`. After each iteration:
+//! A slice is one call of [`Run::step`]`(n)`. It makes iterations one after the other (`Runner::step`, `iterate` and `accept`
+//! in `runner.rs`). It returns after `n` of them, or as soon as the status is no longer `Running`. After each iteration:
 //!
 //! | what happened | status |
 //! |---|---|
@@ -10,7 +10,7 @@
 //! | the planner has a path, and no improvement is wanted | `Solved` |
 //! | the planner has a path to be improved | `Running` in the phase `Improving`; each further iteration is one attempt, and the last one ends in `Solved` |
 //! | the planner knows that it finds no path | `Exhausted` |
-//! | `max_iterations` are made without a path | `Exhausted` |
+//! | `max_iterations` are made without a path, or the graph is full (`graph::MAX_RECORDS`) | `Exhausted` |
 //! | `max_iterations` are made by a planner that improves its path itself | as if it had just found the path |
 //!
 //! An iteration is never interrupted, and nothing depends on where a slice ends: so 1000 slices of one iteration give the same
@@ -84,10 +84,10 @@ pub trait Run {
     /// none; it only ever falls. [`Run::finish`] is no iteration and leaves no row.
     fn take_history(&mut self) -> Vec<f64>;
 
-    /// Iterations made so far.
+    /// Iterations made so far, attempts at improving the path included.
     fn iterations(&self) -> u64;
 
-    /// The number of iterations without a path after which the planner gives up.
+    /// The number of the planner's iterations without a path after which the run ends; attempts at improvement do not count.
     fn max_iterations(&self) -> u64;
 
     /// How many numbers a configuration has.

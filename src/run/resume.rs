@@ -15,8 +15,8 @@ use crate::space::{MetricKind, Space};
 use crate::world::PlanningWorld;
 
 /// Begins a run of the planner that built the roadmap, with the roadmap as it was saved: start and goals of the query are its
-/// first vertices, connected to their neighbours unless the roadmap has them already, and it is searched. Nothing else
-/// grows, whatever was left to build. Before, every vertex is checked and every edge proven again; a roadmap whose edges were
+/// first vertices, connected to their neighbours unless the roadmap has them already, and it is searched. The
+/// roadmap is not extended, even if it was saved unfinished. First every vertex is checked and every edge proven again; a roadmap whose edges were
 /// sampled is sampled again, and still named as such.
 ///
 /// How the roadmap was built is the document's: `options` name its planner, how to search, and what to do with the path.
@@ -87,7 +87,7 @@ fn steering(car: &Car, document: &RoadmapDocument) -> Result<Steering, Error> {
     )
 }
 
-/// The options of the run: what the document holds, and of those given what may be.
+/// The options of the run: the values stored in the document, and the given options that may still be chosen.
 fn settings(
     planner: PlannerOptions,
     options: &Options,
@@ -134,7 +134,7 @@ fn settings(
 ///
 /// # Errors
 /// `invalid-roadmap` with the pointer of the first vertex or edge that is not free.
-pub(super) fn prove<S: Space>(
+pub(super) fn checked_states<S: Space>(
     space: &S,
     validity: &dyn Validity<S::State>,
     document: &RoadmapDocument,

@@ -1,7 +1,7 @@
 //! The types that a scenario document is read into, and that the JSON Schema is generated from: fields, their types, and
 //! the ranges of numbers. [`validate`](super::validate) checks the rest of the contract.
 
-use super::number::{Angle, Coordinate, JointLimit, Length, Positive, Speed, SteeringAngle, Step};
+use super::number::{Angle, Coordinate, JointLimit, NonNegative, Positive, Speed, SteeringAngle, Step};
 use crate::json::by_type;
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;
@@ -79,7 +79,7 @@ objects! {
         pub links: Vec<Positive>,
         /// Half the width of the links in metres; 0 makes them segments.
         #[serde(default)]
-        pub radius: Length,
+        pub radius: NonNegative,
         /// One pair (low, high) a link, low less than high, in radians: such a joint does not wrap. Without limits a joint is
         /// a circle.
         #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
@@ -111,7 +111,7 @@ objects! {
     #[cfg_attr(feature = "schema", schemars(rename = "DiscRobot"))]
     pub(super) struct DiscRobot {
         /// The radius in metres; 0 makes it a point.
-        pub radius: Length,
+        pub radius: NonNegative,
     }
 
     /// The weights of a metre and a radian in the distance between two placements; 0.7 and 0.3 if it is absent.
@@ -160,9 +160,9 @@ objects! {
     /// A goal region: both bounds must hold.
     pub(super) struct GoalTolerance {
         /// The largest distance, in metres.
-        pub translation: Length,
+        pub translation: NonNegative,
         /// The largest turn, in radians.
-        pub rotation: Length,
+        pub rotation: NonNegative,
     }
 }
 

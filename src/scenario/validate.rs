@@ -30,7 +30,7 @@ impl Scenario {
         let tree = json::parse(text)?;
         // First, so that another kind of document is reported as such.
         if let Some(format) = tree.get("format").and_then(|format| format.as_str()).filter(|format| *format != FORMAT) {
-            let sentence = format!("the format is {}; \"{FORMAT}\" is understood", quoted(format));
+            let sentence = format!("unsupported format {}; expected \"{FORMAT}\"", quoted(format));
             return Err(Error::new(Code::UnknownFormat, "/format", sentence));
         }
         let Document { format: document::Format::One, name, title, world, robot, queries } = json::read(&tree)?;
@@ -38,7 +38,7 @@ impl Scenario {
         let world = checked_world(world)?;
         let robot = checked_robot(robot)?;
         if world.bounds.is_none() && !matches!(robot, Robot::Arm(_)) {
-            let sentence = "the field \"bounds\" is missing; only an arm can do without";
+            let sentence = "the field \"bounds\" is missing; it is optional only for an arm";
             return Err(Error::new(Code::MissingField, "/world/bounds", sentence));
         }
         check_base(&world, &robot)?;

@@ -6,10 +6,10 @@
 //! tests. One that slides along an obstacle at distance d leaves as many intervals open as third-order bounds need, about
 //! (travel/d)^(1/2). So a motion gets l (2 p + [`CLOSE_TESTS`]) tests after those of the first interval, which are no
 //! more than parts times obstacles. A motion that needs more is refused as not proven, and counted in
-//! [`Prover::unproven`]. The finest tolerance has more levels than any other: whatever a coarser one proves within its
-//! budget, it proves too.
+//! [`Prover::unproven`]. The finest tolerance allows the most halvings, so it also proves every motion that a coarser
+//! one proves within its budget.
 
-use super::pair::{Answer, NO_HINT, Part, find_direction, offset, separate_from_polygon};
+use super::pair::{NO_HINT, Part, Separation, find_direction, offset, separate_from_polygon};
 use crate::collision::{Obstacles, Tolerance};
 use crate::geometry::Aabb;
 use std::sync::Arc;
@@ -20,8 +20,8 @@ const WIDEST: usize = 1024;
 /// Tests per level that a motion is given in addition to two per pair.
 const CLOSE_TESTS: u64 = 1 << 13;
 
-/// A motion that has taken more tests than this, and 16 a pair, has the best direction computed for every pair that no known
-/// direction separates. Fewer tests are cheaper without.
+/// After this many tests, and 16 more per pair, the best separating direction is searched for each unresolved pair. For
+/// shorter proofs the search does not pay off.
 const SEARCHED: u64 = 1 << 10;
 
 /// Instead of an obstacle's index: the bounds of the world.
@@ -116,11 +116,11 @@ impl<M: Moving> Prover<M> {
     }
 
     /// The start, as a fraction of the motion, of the first interval, in this order, that cannot be proven free; `None`
-    /// if all of the motion is proven free, ends included. Front first, all before that is proven. `state` is that of the
-    /// whole motion.
+    /// if all of the motion is proven free, ends included. With [`Order::FrontFirst`] everything before that is proven
+    /// free. `state` is the state in the middle of the whole motion.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     #[cfg_attr(target_arch = "wasm32", inline(never))]
-    pub fn prove(&mut self, scene: &Scene, state: M::State, order: Order) -> Option<f64> {
+    pub fn first_unproven(&mut self, scene: &Scene, state: M::State, order: Order) -> Option<f64> {
         self.pairs.clear();
         self.intervals.clear();
         let mut proof = Proof { scene, order, searches: false, prover: self };
@@ -167,8 +167,8 @@ impl<M: Moving> Prover<M> {
         None
     }
 
-    /// Whether the robot, placed at rest, is clear of everything; `None` if less than half the slack decides, so that exact
-    /// distances are needed.
+    /// Whether the robot, placed at rest, is clear of everything; `None` if the result depends on less than half the slack, so
+    /// that exact distances are needed.
     pub fn is_free_at_rest(&mut self, scene: &Scene, state: &M::State) -> Option<bool> {
         let eta = scene.tolerance.eta;
         let mut is_clear = true;
@@ -190,9 +190,9 @@ impl<M: Moving> Prover<M> {
                 let faces = scene.obstacles.faces(obstacle);
                 if !faces.is_empty() {
                     match separate_from_polygon(&part, faces, NO_HINT, margin + 0.5 * eta, eta).0 {
-                        Answer::Apart => return false,
-                        Answer::Touching => return true,
-                        Answer::Open | Answer::Unknown => {}
+                        Separation::Apart => return false,
+                        Separation::Touching => return true,
+                        Separation::Open | Separation::Unknown => {}
                     }
                 }
                 let room = offset(&part, &scene.obstacles, obstacle).1 - margin;
@@ -265,13 +265,13 @@ impl<M: Moving> Proof<'_, M> {
         self.prover.evaluations += 1;
         let (answer, hint) = self.separate(interval, part, obstacle, hint);
         let pair = Pair { part: part as u32, obstacle: obstacle as u32, hint };
-        answer != Answer::Apart && self.keep(interval, pair, answer, self.scene.tolerance.tau)
+        answer != Separation::Apart && self.list_or_refuse(interval, pair, answer, self.scene.tolerance.tau)
     }
 
     /// Whether part and obstacle are apart on the whole interval: in the directions at hand, else in those of
     /// [`Proof::separate_closely`].
     #[inline(always)]
-    fn separate(&self, interval: &Interval<M::State>, part: usize, obstacle: usize, hint: u32) -> (Answer, u32) {
+    fn separate(&self, interval: &Interval<M::State>, part: usize, obstacle: usize, hint: u32) -> (Separation, u32) {
         let Tolerance { eta, tau, .. } = self.scene.tolerance;
         let moving = &self.prover.moving;
         let faces = self.scene.obstacles.faces(obstacle);
@@ -281,8 +281,8 @@ impl<M: Moving> Proof<'_, M> {
         if !faces.is_empty() {
             let answer;
             (answer, next) = separate_from_polygon(&part, faces, hint, moving.margin(), eta);
-            let is_enough = answer == Answer::Open && bound >= tau && !self.searches;
-            if is_enough || matches!(answer, Answer::Apart | Answer::Touching) {
+            let is_enough = answer == Separation::Open && bound >= tau && !self.searches;
+            if is_enough || matches!(answer, Separation::Apart | Separation::Touching) {
                 return (answer, next);
             }
         }
@@ -292,16 +292,16 @@ impl<M: Moving> Proof<'_, M> {
     /// The same by the nearest points: their direction, their distance against the bound of first order, and, if
     /// directions are searched for, the best.
     #[inline(never)]
-    fn separate_closely(&self, part: &M::Part<'_>, obstacle: usize, bound: f64) -> Answer {
+    fn separate_closely(&self, part: &M::Part<'_>, obstacle: usize, bound: f64) -> Separation {
         let (obstacles, margin) = (&self.scene.obstacles, self.prover.moving.margin());
         let (towards, distance) = offset(part, obstacles, obstacle);
         if distance <= margin {
-            Answer::Touching
+            Separation::Touching
         } else if distance - bound > margin || find_direction(part, obstacles, obstacle, towards, margin, self.searches)
         {
-            Answer::Apart
+            Separation::Apart
         } else {
-            Answer::Open
+            Separation::Open
         }
     }
 
@@ -320,15 +320,15 @@ impl<M: Moving> Proof<'_, M> {
         if depth - self.prover.moving.travel(part) * interval.half >= -eta {
             return false;
         }
-        let answer = if depth < -eta { Answer::Touching } else { Answer::Open };
-        self.keep(interval, Pair { part: part as u32, obstacle: BOUNDS, hint: NO_HINT }, answer, bounds_tau)
+        let answer = if depth < -eta { Separation::Touching } else { Separation::Open };
+        self.list_or_refuse(interval, Pair { part: part as u32, obstacle: BOUNDS, hint: NO_HINT }, answer, bounds_tau)
     }
 
     /// Lists a pair that is not apart; returns whether it refuses the interval instead.
     #[inline(always)]
-    fn keep(&mut self, interval: &Interval<M::State>, pair: Pair, answer: Answer, finest: f64) -> bool {
-        let is_hit = answer == Answer::Touching && self.order == Order::MiddleFirst;
-        if is_hit || self.prover.moving.travel(pair.part as usize) * interval.half < finest {
+    fn list_or_refuse(&mut self, interval: &Interval<M::State>, pair: Pair, answer: Separation, tau: f64) -> bool {
+        let is_hit = answer == Separation::Touching && self.order == Order::MiddleFirst;
+        if is_hit || self.prover.moving.travel(pair.part as usize) * interval.half < tau {
             return true;
         }
         self.prover.pairs.push(pair);

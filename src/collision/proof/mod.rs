@@ -1,17 +1,17 @@
 //! The proof that a motion of an arm or of a body is free.
 //!
 //! ```text
-//! prove(motion):
+//! first_unproven(motion):
 //!     open = all pairs of a part of the robot and an obstacle near it
 //!     intervals = [(the whole motion, open)]
 //!     while an interval is left:
 //!         take one: the longest, or the front one if the first hit is wanted
 //!         place the robot in the interval's middle
+//!         budget spent?                        the motion is refused as not proven, and counted
 //!         for every pair open on it:
 //!             apart on the whole interval?     drop the pair there for good
-//!             touching in the middle?          the motion is refused
+//!             touching in the middle?          the motion is refused, unless the first hit is wanted
 //!             bound on travel < tolerance?     the motion is refused
-//!             budget spent?                    the motion is refused as not proven, and counted
 //!         halve the interval if pairs are left open on it
 //!     the motion is free
 //! ```
@@ -19,9 +19,9 @@
 //! In the middle of an interval the positions of the parts are known, and a bound on how far each can travel to either
 //! end. A part that is farther from an obstacle than it can travel is apart from it on the whole interval: Schwarzer,
 //! Saha and Latombe 2005, "Adaptive dynamic collision checking for single and multiple articulated robots in complex
-//! environments"; LaValle 2006, "Planning Algorithms", section 5.3.4. Instead of distances, this proof tries directions
-//! in which the part stays ahead of the obstacle, with bounds of third order in each: a link that slides along a wall
-//! needs few intervals.
+//! environments"; LaValle 2006, "Planning Algorithms", section 5.3.4. Instead of distances, the proof looks for a
+//! separating direction: one along which a third-order bound on motion keeps the part away from the obstacle. So a link that
+//! slides along a wall needs few intervals.
 //!
 //! - [`driver`]: the algorithm above, its order, tolerance and budget.
 //! - [`arm`], [`body`]: the robots, one implementation each of [`driver::Moving`]; [`motion_bound`] is a body's motion.

@@ -5,7 +5,7 @@ use crate::collision::Obstacles;
 use crate::collision::obstacles::Face;
 use crate::geometry::{Disc, Point, Vector};
 
-/// Instead of the index of a direction: none in particular.
+/// Instead of the index of a direction: no direction to try first.
 pub(in crate::collision) const NO_HINT: u32 = u32::MAX;
 
 /// The number of directions that [`find_direction`] tries.
@@ -13,14 +13,14 @@ const DIRECTIONS: u32 = 8;
 
 /// The result of a test of a pair on an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::collision) enum Answer {
+pub(in crate::collision) enum Separation {
     /// Apart on the whole interval.
     Apart,
     /// Apart in the middle.
     Open,
     /// Touching in the middle.
     Touching,
-    /// None of these is known.
+    /// Inconclusive: within the slack of contact, or no direction applies.
     Unknown,
 }
 
@@ -78,7 +78,7 @@ pub(in crate::collision) fn separate_from_polygon(
     hint: u32,
     margin: f64,
     slack: f64,
-) -> (Answer, u32) {
+) -> (Separation, u32) {
     if hint != NO_HINT {
         let (n, support) = match faces.get(hint as usize) {
             Some(face) => (face.normal, face.support),
@@ -88,7 +88,7 @@ pub(in crate::collision) fn separate_from_polygon(
             }
         };
         if part.stays_ahead(n, support, margin) {
-            return (Answer::Apart, hint);
+            return (Separation::Apart, hint);
         }
     }
     let mut best = (f64::NEG_INFINITY, NO_HINT);
@@ -98,7 +98,7 @@ pub(in crate::collision) fn separate_from_polygon(
             best = (ahead, i as u32);
         }
         if ahead > margin && part.stays_ahead(face.normal, face.support, margin) {
-            return (Answer::Apart, hint);
+            return (Separation::Apart, hint);
         }
     }
     for i in 0..part.directions() {
@@ -107,15 +107,15 @@ pub(in crate::collision) fn separate_from_polygon(
             best = (ahead, (faces.len() + i) as u32);
         }
         if ahead > margin && part.stays_ahead(n, support, margin) {
-            return (Answer::Apart, hint);
+            return (Separation::Apart, hint);
         }
     }
     let answer = if best.0 > margin {
-        Answer::Open
+        Separation::Open
     } else if best.0 > -slack {
-        Answer::Unknown
+        Separation::Unknown
     } else {
-        Answer::Touching
+        Separation::Touching
     };
     (answer, best.1)
 }

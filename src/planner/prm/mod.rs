@@ -17,7 +17,7 @@ pub use resume::resume;
 pub use star::{NeighbourRule, PrmStarOptions, logarithmic_k, prm_star_k};
 
 use super::Planner;
-use super::groups::{Joined, Sampling, Searching};
+use super::groups::{EdgeOptions, Sampling, Searching};
 use super::info::{END, Grows, IMPROVE, Mark, Method, Preset, PseudocodeLine, line};
 use super::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
 use crate::error::Error;
@@ -61,8 +61,8 @@ crate::options! {
     sampling: Sampling;
     /// How the roadmap is searched.
     searching: Searching;
-    /// What its edges are.
-    joined: Joined;
+    /// Collision checking, metric, steering and limits of its edges, and improvement of the path.
+    edges: EdgeOptions;
 }
 
 impl Method for PrmOptions {

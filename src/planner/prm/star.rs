@@ -6,7 +6,7 @@ use super::batch::Batch;
 use super::check_motions;
 use crate::error::Error;
 use crate::planner::Planner;
-use crate::planner::groups::{Joined, Sampling, Searching};
+use crate::planner::groups::{EdgeOptions, Sampling, Searching};
 use crate::planner::info::{END, Grows, IMPROVE, Mark, Method, PseudocodeLine, line};
 use crate::planner::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
 use crate::problem::Problem;
@@ -33,8 +33,8 @@ crate::options! {
     sampling: Sampling;
     /// How the roadmap is searched.
     searching: Searching;
-    /// What its edges are.
-    joined: Joined;
+    /// Collision checking, metric, steering and limits of its edges, and improvement of the path.
+    edges: EdgeOptions;
 }
 
 /// The k of PRM* for a finished batch of `vertices` vertices: the least whole number above e (1 + 1/d) ln n.

@@ -2,7 +2,7 @@
 
 use crate::error::{Code, Error, quoted};
 use crate::options::{ALL, OptionInfo, Options};
-use crate::planner::Measuring;
+use crate::planner::MetricOptions;
 use crate::random::MAX_SEED;
 use strum::{IntoStaticStr, VariantArray};
 
@@ -37,14 +37,14 @@ crate::options! {
     /// Options of the exact indexes.
     pub struct ExactOptions for ALL;
     /// The metric.
-    measuring: Measuring;
+    measuring: MetricOptions;
 }
 
 crate::options! {
     /// Options of the forest.
     pub struct ForestOptions for ALL;
     /// The metric.
-    measuring: Measuring;
+    measuring: MetricOptions;
     /// Number of trees: more find more of the nearest but take longer to build.
     trees: usize = 8, in 1.0..=64.0, "Trees";
     /// Number of configurations in a leaf before it is split.

@@ -75,7 +75,7 @@ impl RoadmapDocument {
         let tree = json::parse(text)?;
         // First of all, so that the error for another kind of document names the format.
         if let Some(format) = tree.get("format").and_then(Value::as_str).filter(|format| *format != FORMAT) {
-            let sentence = format!("the format is {}; \"{FORMAT}\" is understood", quoted(format));
+            let sentence = format!("unsupported format {}; expected \"{FORMAT}\"", quoted(format));
             return Err(damaged("/format", sentence));
         }
         let document: Document = json::read(&tree).map_err(|error| match error.pointer() {

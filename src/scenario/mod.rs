@@ -15,6 +15,7 @@ pub use crate::json::{MAX_DEPTH, MAX_TEXT};
 pub use crate::robot::LARGEST;
 #[cfg(feature = "schema")]
 pub use schema::schema;
+use types::Parts;
 pub use types::{Goal, GoalTolerance, Obstacle, Query, Robot, Scenario, World};
 
 /// The `format` of a scenario.

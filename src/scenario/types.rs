@@ -6,10 +6,14 @@ use crate::robot::{Arm, Car, DiscRobot, Part, RigidBody, Target, Weights};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// A checked scenario: a world, a robot in it, and named queries.
+/// A checked scenario: a world, a robot in it, and named queries. Clones share all of it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Scenario(pub(super) Arc<Parts>);
+
+/// The parts of a scenario, as its document has them.
+#[derive(Debug, PartialEq, Serialize)]
 #[serde(tag = "format", rename = "planarium-scenario-1")]
-pub struct Scenario {
+pub(super) struct Parts {
     pub(super) name: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) title: Option<String>,
@@ -18,30 +22,36 @@ pub struct Scenario {
     pub(super) queries: Vec<Query>,
 }
 
+impl From<Parts> for Scenario {
+    fn from(parts: Parts) -> Self {
+        Self(Arc::new(parts))
+    }
+}
+
 impl Scenario {
     /// The name, used in results.
     pub fn name(&self) -> &str {
-        &self.name
+        &self.0.name
     }
 
     /// The title for people; the name if there is none.
     pub fn title(&self) -> &str {
-        self.title.as_deref().unwrap_or(&self.name)
+        self.0.title.as_deref().unwrap_or(self.name())
     }
 
     /// Bounds and obstacles.
     pub fn world(&self) -> &World {
-        &self.world
+        &self.0.world
     }
 
     /// The robot.
     pub fn robot(&self) -> &Robot {
-        &self.robot
+        &self.0.robot
     }
 
     /// The queries in the order of the document; names are distinct.
     pub fn queries(&self) -> &[Query] {
-        &self.queries
+        &self.0.queries
     }
 
     /// The normalised document as text, on one line: fields in the order of the contract, defaults written out, polygons

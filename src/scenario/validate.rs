@@ -2,7 +2,7 @@
 //! the error.
 
 use super::document::{self, Document};
-use super::{FORMAT, Goal, GoalTolerance, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Query, Robot, Scenario, World};
+use super::{FORMAT, Goal, GoalTolerance, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Parts, Query, Robot, Scenario, World};
 use crate::error::{Code, Error, Number, quoted};
 use crate::geometry::{Aabb, Disc, MIN_MAGNITUDE, Point, Polygon, PolygonFault, Segment, distance_segment_polygon};
 use crate::json;
@@ -43,7 +43,7 @@ impl Scenario {
         }
         check_base(&world, &robot)?;
         let queries = checked_queries(queries, &robot)?;
-        Ok(Self { name, title, world, robot, queries })
+        Ok(Parts { name, title, world, robot, queries }.into())
     }
 }
 

@@ -12,7 +12,7 @@ use crate::geometry::{Point, Polygon};
 use crate::options::Options;
 use crate::random::{Random, Stream};
 use crate::robot::Arm;
-use crate::scenario::{Obstacle, Robot, Scenario, World};
+use crate::scenario::{Obstacle, Parts, Robot, Scenario, World};
 
 crate::options! {
     /// What forest to grow.
@@ -43,13 +43,14 @@ impl Generator for ForestOptions {
             (is_new && is_clear_of(&triangle, &keep_clear, 0.0)).then_some((cell, triangle))
         })?;
         let obstacles = placed.into_iter().map(|(_, triangle)| Obstacle::Polygon(triangle)).collect();
-        Ok(Scenario {
+        Ok(Parts {
             name: format!("forest-{links}r-{seed}"),
             title: Some(format!("{links}R arm in a forest of {count} triangles, seed {seed}")),
             world: World { bounds: None, obstacles },
             robot: Robot::Arm(arm),
             queries: vec![query("report", start, goal)],
-        })
+        }
+        .into())
     }
 }
 

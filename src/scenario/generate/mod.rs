@@ -15,7 +15,7 @@ pub use maze::{Difficulty, MazeOptions};
 pub use robots::RobotChoice;
 pub use scattered::{ClutterOptions, DiscsOptions, Placement};
 
-use super::{Goal, Obstacle, Query, Robot, Scenario, World};
+use super::{Goal, Obstacle, Parts, Query, Robot, Scenario, World};
 use crate::error::{Code, Error, quoted};
 use crate::geometry::{Aabb, Point};
 use crate::options::{OptionInfo, Options, Value, out_of_range};
@@ -134,7 +134,7 @@ fn in_box(
 ) -> Scenario {
     let bounds = Some(Aabb { min: Point::origin(), max: Point::new(side, side) });
     let world = World { bounds, obstacles: obstacles.into_iter().collect() };
-    Scenario { name, title: Some(title), world, robot, queries: vec![query] }
+    Parts { name, title: Some(title), world, robot, queries: vec![query] }.into()
 }
 
 /// A query that is to reach its goal exactly.

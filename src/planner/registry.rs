@@ -42,6 +42,11 @@ macro_rules! registry {
                 match self { $(PlannerOptions::$Variant(_) => <$Options>::ID,)* }
             }
 
+            /// The types of robots that it plans for.
+            fn robots(&self) -> &'static [&'static str] {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::ROBOTS,)* }
+            }
+
             /// Its description.
             pub fn info(&self) -> PlannerInfo {
                 match self { $(PlannerOptions::$Variant(_) => PlannerInfo::of::<$Options>(),)* }
@@ -95,7 +100,7 @@ impl PlannerOptions {
     /// # Errors
     /// `unsupported`, pointer `/algorithm`, naming planners for it.
     pub fn check_robot(&self, robot: &str) -> Result<(), Error> {
-        let PlannerInfo { id, robots, .. } = self.info();
+        let (id, robots) = (self.id(), self.robots());
         if robots.contains(&robot) {
             return Ok(());
         }

@@ -341,7 +341,7 @@ test("what is not for a robot, or beyond a car, is refused where it stands", () 
   fails(() => bodies.planner({ steering: "dubins" }), "out-of-range", "/steering", /only a car is steered/);
   fails(() => cars.planner({ algorithm: "rrt", steering: "straight" }), "out-of-range", "/steering", /straight/);
   for (const scenario of [bodies, cars]) fails(() => scenario.planner({ algorithm: "rrt", metric: "euclidean" }), "out-of-range", "/metric", /scenario's/);
-  fails(() => cars.planner({ algorithm: "visibility-prm", steering: "dubins" }), "unsupported", "/steering", /take reeds-shepp/);
+  fails(() => cars.planner({ algorithm: "visibility-prm", steering: "dubins" }), "unsupported", "/steering", /use steering = reeds-shepp/);
   fails(() => other({ speed: [0, 0.5] }).planner({ algorithm: "rrt", steering: "reeds-shepp" }), "unsupported", "/steering", /speed range does not allow/);
   fails(() => other({ speed: [-0.5, 0] }).planner({ algorithm: "rrt", steering: "dubins" }), "unsupported", "/steering");
   fails(() => other({ steering: [0, 0.5] }).planner({ algorithm: "rrt" }), "unsupported", "/steering", /cannot steer both left and right/);

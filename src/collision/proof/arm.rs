@@ -245,6 +245,11 @@ impl Part for Link<'_> {
         1
     }
 
+    #[inline(always)]
+    fn sides(&self) -> usize {
+        1
+    }
+
     /// The normal of the link, on the side of the polygon: the only one that can separate them.
     #[inline(always)]
     fn direction(&self, _: usize, faces: &[Face]) -> Direction {

@@ -162,7 +162,12 @@ impl Part for Piece<'_> {
 
     #[inline(always)]
     fn directions(&self) -> usize {
-        self.faces.len() + if self.direction.is_some() { 2 } else { 0 }
+        self.sides() + if self.direction.is_some() { 2 } else { 0 }
+    }
+
+    #[inline(always)]
+    fn sides(&self) -> usize {
+        self.faces.len()
     }
 
     /// The normals of the piece's faces, turned inwards; then both directions across that of motion.

@@ -30,8 +30,12 @@ pub(in crate::collision) trait Part {
     /// The corners, counter-clockwise.
     fn corners(&self) -> &[MovingPoint];
 
-    /// The number of directions of its own that the part offers to separate it from a polygon.
+    /// The number of directions of its own that the part offers to separate it from a polygon. The normals of its sides
+    /// come first.
     fn directions(&self) -> usize;
+
+    /// The number of its sides.
+    fn sides(&self) -> usize;
 
     /// One of them, with the polygon's support and the distance of the part ahead of it.
     fn direction(&self, i: usize, faces: &[Face]) -> Direction;
@@ -102,6 +106,10 @@ pub(in crate::collision) fn separate_from_polygon(
         }
     }
     for i in 0..part.directions() {
+        // Where no side of either separates the two, nothing does.
+        if i == part.sides() && best.0 <= -slack {
+            break;
+        }
         let Direction { n, support, ahead } = part.direction(i, faces);
         if ahead > best.0 {
             best = (ahead, (faces.len() + i) as u32);

@@ -236,8 +236,8 @@ pub(in crate::collision) struct Link<'a> {
 
 impl Part for Link<'_> {
     #[inline(always)]
-    fn corners(&self) -> &[MovingPoint] {
-        self.ends
+    fn corners(&self) -> impl Iterator<Item = MovingPoint> + Clone {
+        self.ends.iter().copied()
     }
 
     #[inline(always)]

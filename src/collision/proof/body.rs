@@ -33,9 +33,9 @@ pub(in crate::collision) struct MovingBody {
     from: f64,
     heading: Vector,
     bound: MotionBound,
-    /// The body and its corners in the middle of the interval under test.
+    /// The body in the middle of the interval under test, and its corners as seen from the origin of its frame.
     middle: Middle,
-    corners: Vec<MovingPoint>,
+    corners: Vec<Vector>,
 }
 
 impl MovingBody {
@@ -89,7 +89,7 @@ impl MovingBody {
         self.middle = middle;
         self.corners.clear();
         let faces = &self.faces[..self.ranges[pieces - 1].1 as usize];
-        self.corners.extend(faces.iter().map(|face| middle.point(rotate(face.corner.coords, middle.heading))));
+        self.corners.extend(faces.iter().map(|face| rotate(face.corner.coords, middle.heading)));
     }
 }
 
@@ -131,7 +131,7 @@ impl Moving for MovingBody {
     #[inline(always)]
     fn depth(&self, part: usize, bounds: &Aabb) -> f64 {
         let corners = &self.corners[self.range(part)];
-        corners.iter().map(|corner| bounds.depth(corner.place())).fold(f64::INFINITY, f64::min)
+        corners.iter().map(|r| bounds.depth(Point::from(self.middle.position + r))).fold(f64::INFINITY, f64::min)
     }
 
     #[inline(always)]
@@ -151,13 +151,13 @@ pub(in crate::collision) struct Piece<'a> {
     /// The direction of motion, if it moves.
     direction: Option<Vector>,
     faces: &'a [Face],
-    corners: &'a [MovingPoint],
+    corners: &'a [Vector],
 }
 
 impl Part for Piece<'_> {
     #[inline(always)]
-    fn corners(&self) -> &[MovingPoint] {
-        self.corners
+    fn corners(&self) -> impl Iterator<Item = MovingPoint> + Clone {
+        self.corners.iter().map(|&r| self.middle.point(r))
     }
 
     #[inline(always)]

@@ -103,10 +103,10 @@ impl MotionBound {
 
     /// A box that holds the points on the whole interval of half-length `h`.
     #[inline(always)]
-    pub fn swept_box(&self, middle: &Middle, h: f64, points: &[MovingPoint]) -> Aabb {
-        let mut swept = points[0].swept_box();
-        for point in &points[1..] {
-            let b = point.swept_box();
+    pub fn swept_box(&self, middle: &Middle, h: f64, points: &[Vector]) -> Aabb {
+        let mut swept = middle.point(points[0]).swept_box();
+        for &point in &points[1..] {
+            let b = middle.point(point).swept_box();
             swept.min.x = if b.min.x < swept.min.x { b.min.x } else { swept.min.x };
             swept.min.y = if b.min.y < swept.min.y { b.min.y } else { swept.min.y };
             swept.max.x = if b.max.x > swept.max.x { b.max.x } else { swept.max.x };

@@ -28,7 +28,7 @@ pub(in crate::collision) enum Separation {
 /// margins of the tests.
 pub(in crate::collision) trait Part {
     /// The corners, counter-clockwise.
-    fn corners(&self) -> &[MovingPoint];
+    fn corners(&self) -> impl Iterator<Item = MovingPoint> + Clone;
 
     /// The number of directions of its own that the part offers to separate it from a polygon. The normals of its sides
     /// come first.
@@ -136,7 +136,7 @@ pub(in crate::collision) fn offset(part: &impl Part, obstacles: &Obstacles, obst
         let to = part.offset_from(disc.center);
         return (to, to.norm() - disc.radius);
     }
-    let (corners, faces) = (part.corners(), obstacles.faces(obstacle));
+    let faces = obstacles.faces(obstacle);
     let mut nearest = (f64::INFINITY, Vector::zeros());
     let mut offer = |to: Vector| {
         let squared = to.norm_squared();
@@ -144,8 +144,8 @@ pub(in crate::collision) fn offset(part: &impl Part, obstacles: &Obstacles, obst
             nearest = (squared, to);
         }
     };
-    for (i, corner) in corners.iter().enumerate() {
-        let (a, b) = (corner.place(), corners[if i + 1 == corners.len() { 0 } else { i + 1 }].place());
+    for (a, b) in part.corners().zip(part.corners().cycle().skip(1)) {
+        let (a, b) = (a.place(), b.place());
         for (k, face) in faces.iter().enumerate() {
             let next = faces[if k + 1 == faces.len() { 0 } else { k + 1 }].corner;
             offer(nearest_point(face.corner, a, b) - face.corner);

@@ -161,6 +161,11 @@ impl Part for Piece<'_> {
     }
 
     #[inline(always)]
+    fn stays_ahead(&self, n: Vector, support: f64, margin: f64) -> bool {
+        self.middle.stays_ahead(n, support, margin, self.corners)
+    }
+
+    #[inline(always)]
     fn directions(&self) -> usize {
         self.sides() + if self.direction.is_some() { 2 } else { 0 }
     }

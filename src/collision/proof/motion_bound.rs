@@ -7,7 +7,7 @@
 //! s in direction e, c' = s e, c'' = s w J e, and it is no longer than w^2 (|s| + |w| |r|). The larger of the two for all
 //! points is the W of `moving_point.rs`.
 
-use super::moving_point::{MovingPoint, left_of};
+use super::moving_point::{MovingPoint, dot, left_of};
 use super::rotation::{rotate, unit, unit_and_sinc};
 use crate::collision::BodyMotion;
 use crate::geometry::{Aabb, Point, Vector};
@@ -148,5 +148,21 @@ impl Middle {
             acceleration: r * self.centripetal + self.drift,
             remainder: self.remainder,
         }
+    }
+
+    /// Whether these points, as seen from c, stay ahead of the line n.x = `support` by more than `margin` on the whole
+    /// interval: [`MovingPoint::retreat`] of each, with the terms that they share computed once.
+    #[inline(always)]
+    pub fn stays_ahead(&self, n: Vector, support: f64, margin: f64, points: &[Vector]) -> bool {
+        let (ahead, needed) = (dot(n, self.position) - support, margin + self.remainder);
+        let (velocity, drift) = (dot(n, self.velocity), dot(n, self.drift));
+        let mut stays = true;
+        for &r in points {
+            let along = dot(n, r);
+            let swing = self.turn * dot(n, left_of(r));
+            let acceleration = self.centripetal * along + drift;
+            stays &= (ahead + along) - (velocity + swing).abs() - (acceleration + acceleration.abs()) > needed;
+        }
+        stays
     }
 }

@@ -161,6 +161,16 @@ impl Part for Piece<'_> {
     }
 
     #[inline(always)]
+    fn ahead(&self, n: Vector, support: f64) -> f64 {
+        let mut least = f64::INFINITY;
+        for &r in self.corners {
+            let along = dot(n, r);
+            least = if along < least { along } else { least };
+        }
+        (dot(n, self.middle.position) - support) + least
+    }
+
+    #[inline(always)]
     fn stays_ahead(&self, n: Vector, support: f64, margin: f64) -> bool {
         self.middle.stays_ahead(n, support, margin, self.corners)
     }

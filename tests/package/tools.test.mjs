@@ -38,11 +38,10 @@ test("a taken port is named at once, by serve and by npm start", async () => {
   const { port } = /** @type {import("node:net").AddressInfo} */ (squatter.address());
   try {
     await assert.rejects(serve({ root, port }), (error) => error instanceof Problem && error.message.includes(`Port ${port} is taken`));
-    const began = performance.now();
-    const { status, stderr } = spawnSync(process.execPath, [join(root, "scripts", "start.mjs")], { env: { ...process.env, PORT: String(port) }, encoding: "utf8", timeout: 30_000 });
+    const { status, stdout, stderr } = spawnSync(process.execPath, [join(root, "scripts", "start.mjs")], { env: { ...process.env, PORT: String(port) }, encoding: "utf8", timeout: 30_000 });
     assert.equal(status, 1);
     assert.match(stderr, new RegExp(`Port ${port} is taken`));
-    assert.ok(performance.now() - began < 10_000);
+    assert.equal(stdout, "", "nothing is built first");
   } finally {
     squatter.close();
   }

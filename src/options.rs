@@ -163,6 +163,9 @@ pub trait Field: Sized + 'static {
 
 /// A struct of options, as [`options!`](crate::options!) declares it.
 pub trait Options: Field + Default + Copy {
+    /// The robots that they are for, by their types in documents; empty if there is no robot.
+    const ROBOTS: &'static [&'static str];
+
     /// The table of its options.
     fn table() -> Vec<OptionInfo> {
         let mut table = Vec::new();
@@ -405,7 +408,9 @@ macro_rules! options {
             }
         }
 
-        impl $crate::options::Options for $Name {}
+        impl $crate::options::Options for $Name {
+            const ROBOTS: &'static [&'static str] = $all;
+        }
     };
     (@or ($other:expr)) => { $other };
     (@or ($other:expr) $given:expr) => { $given };

@@ -3,7 +3,7 @@
 use crate::common::car_shut_in;
 use crate::common::driven::car;
 use planarium::collision::{BodyCollision, BodyValidity, CarDynamics, Integration};
-use planarium::planner::{Blocked, ByControls, GoalBias, GoalTest, Method, RrtControlOptions};
+use planarium::planner::{Blocked, ByControls, GoalBias, GoalTest, PlannerKind, RrtControlOptions};
 use planarium::problem::{Control, Dynamics, Motion, Problem};
 use planarium::random::Random;
 use planarium::robot::placements;

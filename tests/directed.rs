@@ -4,7 +4,7 @@
 use planarium::graph::{Graph, VertexId};
 use planarium::path::{Improvement, Wanted, length};
 use planarium::planner::{
-    Algorithm, Extend, GoalBias, Insertion, Method, Planner, PrmOptions, RrtConnectOptions, RrtOptions, Searching,
+    Algorithm, Extend, GoalBias, Insertion, Planner, PlannerKind, PrmOptions, RrtConnectOptions, RrtOptions, Searching,
     Status,
 };
 use planarium::problem::{Contact, Problem, Touched, Validity};
@@ -80,7 +80,7 @@ fn problem(steering: Steering) -> Problem<Car> {
 }
 
 /// A planner at its beginning.
-fn begin(options: &impl Method, problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {
+fn begin(options: &impl PlannerKind, problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {
     options.begin(problem, seed).unwrap_or_else(|error| panic!("{error}"))
 }
 

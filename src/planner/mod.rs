@@ -24,7 +24,7 @@ pub use groups::{
     Searching,
 };
 pub use growth::{Counters, Growth};
-pub use info::{Grows, Mark, Method, PlannerInfo, Preset, PseudocodeLine};
+pub use info::{Grows, Mark, PlannerInfo, PlannerKind, Preset, PseudocodeLine};
 pub use prm::{Insertion, NeighbourRule, PrmOptions, PrmStarOptions, logarithmic_k, prm_star_k, resume};
 pub use query::{Algorithm, Cost, Heuristic};
 pub use registry::{PlannerOptions, default_planner, planners};

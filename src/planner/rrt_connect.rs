@@ -8,7 +8,7 @@
 
 use super::groups::{EdgeOptions, Sampling, step_in};
 use super::growth::Growth;
-use super::info::{END, Grows, IMPROVE, Mark, Method, NONE_FOUND, PseudocodeLine, line};
+use super::info::{END, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
 use super::{Phase, Planner, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, Tree, VertexId};
@@ -29,27 +29,28 @@ crate::options! {
     edges: EdgeOptions;
 }
 
-impl Method for RrtConnectOptions {
-    const ID: &'static str = "rrt-connect";
-    const TITLE: &'static str = "RRT-Connect";
-    const SUMMARY: &'static str =
-        "Grows one tree from the start and one from the goal, each towards the other, until they meet.";
-    const GUARANTEE: &'static str =
-        "Probabilistically complete: more iterations find any path that has clearance; paths are not short.";
-    const GROWS: Grows = Grows::Trees;
-    const PSEUDOCODE: &'static [PseudocodeLine] = &[
-        line(0, "two trees, {start} and {goal}; repeat:", &[]),
-        line(1, "A ← the smaller tree, B ← the other one", &[Mark::Growing]),
-        line(1, "q ← a random configuration", &[Mark::Growing]),
-        NONE_FOUND,
-        line(1, "new ← from A's nearest a step towards q", &[Mark::Vertex, Mark::Refused]),
-        line(1, "if that is free: add it to A, and", &[Mark::Vertex, Mark::Edge]),
-        line(2, "B goes step by step from its nearest to new", &[Mark::Vertex, Mark::Edge]),
-        line(2, "if B arrives: join the trees, solved", &[Mark::Solved]),
-        line(1, "a step that is not free is refused", &[Mark::Refused]),
-        IMPROVE,
-        END,
-    ];
+impl PlannerKind for RrtConnectOptions {
+    const INFO: PlannerInfo = PlannerInfo {
+        id: "rrt-connect",
+        title: "RRT-Connect",
+        summary: "Grows one tree from the start and one from the goal, each towards the other, until they meet.",
+        guarantee: "Probabilistically complete: more iterations find any path that has clearance; paths are not short.",
+        grows: Grows::Trees,
+        presets: &[],
+        pseudocode: &[
+            line(0, "two trees, {start} and {goal}; repeat:", &[]),
+            line(1, "A ← the smaller tree, B ← the other one", &[Mark::Growing]),
+            line(1, "q ← a random configuration", &[Mark::Growing]),
+            NONE_FOUND,
+            line(1, "new ← from A's nearest a step towards q", &[Mark::Vertex, Mark::Refused]),
+            line(1, "if that is free: add it to A, and", &[Mark::Vertex, Mark::Edge]),
+            line(2, "B goes step by step from its nearest to new", &[Mark::Vertex, Mark::Edge]),
+            line(2, "if B arrives: join the trees, solved", &[Mark::Solved]),
+            line(1, "a step that is not free is refused", &[Mark::Refused]),
+            IMPROVE,
+            END,
+        ],
+    };
 
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let mut planner = RrtConnect {

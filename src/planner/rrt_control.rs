@@ -8,7 +8,7 @@ use super::driven_tree::{
 };
 use super::groups::{Aim, GoalBias};
 use super::growth::Growth;
-use super::info::{END_NEAR, Grows, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
+use super::info::{END_NEAR, Grows, Mark, NONE_FOUND, PlannerInfo, PlannerKind, Preset, line};
 use super::removable_index::RemovableIndex;
 use super::{Phase, Planner, Status};
 use crate::error::Error;
@@ -74,53 +74,54 @@ crate::options! {
     driving: ByControls;
 }
 
-impl Method for RrtControlOptions {
-    const ID: &'static str = "rrt-control";
-    const TITLE: &'static str = "RRT by controls";
-    const SUMMARY: &'static str = "Kinodynamic RRT: tries controls from the vertex nearest to a sample and keeps the one that ends closest to it.";
-    const GUARANTEE: &'static str = "None: a tree that always keeps the best of several controls may get stuck.";
-    const GROWS: Grows = Grows::Tree;
-    const ROBOTS: &'static [&'static str] = CAR;
-    const PRESETS: &'static [Preset] = &[
-        Preset {
-            id: "blossom-1",
-            title: "Blossom of 1",
-            settings: "blossom=1 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
-        },
-        Preset {
-            id: "blossom-3",
-            title: "Blossom of 3",
-            settings: "blossom=3 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
-        },
-        Preset {
-            id: "blossom-5",
-            title: "Blossom of 5",
-            settings: "blossom=5 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
-        },
-        Preset {
-            id: "schedule",
-            title: "Finer in the end",
-            settings: "blossom=30 duration_steps=200 late_duration_steps=100 goal_every=10 late_goal_every=5 blocked=refused goal_test=ends max_iterations=4000",
-        },
-        Preset {
-            id: "six-controls",
-            title: "Six controls",
-            settings: "controls=reeds-shepp nearest=nearest-visible once=true duration_steps=100 near_goal_steps=10 goal_test=ends max_iterations=2000",
-        },
-    ];
-    const PSEUDOCODE: &'static [PseudocodeLine] = &[
-        line(0, "T ← {start}; repeat:", &[]),
-        line(1, "q ← a random placement, or the goal", &[Mark::Growing]),
-        NONE_FOUND,
-        line(1, "near ← the vertex of T nearest to q", &[Mark::Edge, Mark::Refused]),
-        line(1, "if no vertex sees q: try again", &[Mark::Discarded]),
-        line(1, "for b controls u, for a while each:", &[Mark::Edge, Mark::Refused]),
-        line(2, "drive u from near, up to an obstacle", &[Mark::Edge, Mark::Refused]),
-        line(1, "add the end nearest to q, with its u, to T", &[Mark::Vertex, Mark::Edge]),
-        line(2, "within the goal region: solved", &[Mark::Solved]),
-        line(1, "if none is free: refuse them", &[Mark::Refused]),
-        END_NEAR,
-    ];
+impl PlannerKind for RrtControlOptions {
+    const INFO: PlannerInfo = PlannerInfo {
+        id: "rrt-control",
+        title: "RRT by controls",
+        summary: "Kinodynamic RRT: tries controls from the vertex nearest to a sample and keeps the one that ends closest to it.",
+        guarantee: "None: a tree that always keeps the best of several controls may get stuck.",
+        grows: Grows::Tree,
+        presets: &[
+            Preset {
+                id: "blossom-1",
+                title: "Blossom of 1",
+                settings: "blossom=1 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
+            },
+            Preset {
+                id: "blossom-3",
+                title: "Blossom of 3",
+                settings: "blossom=3 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
+            },
+            Preset {
+                id: "blossom-5",
+                title: "Blossom of 5",
+                settings: "blossom=5 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
+            },
+            Preset {
+                id: "schedule",
+                title: "Finer in the end",
+                settings: "blossom=30 duration_steps=200 late_duration_steps=100 goal_every=10 late_goal_every=5 blocked=refused goal_test=ends max_iterations=4000",
+            },
+            Preset {
+                id: "six-controls",
+                title: "Six controls",
+                settings: "controls=reeds-shepp nearest=nearest-visible once=true duration_steps=100 near_goal_steps=10 goal_test=ends max_iterations=2000",
+            },
+        ],
+        pseudocode: &[
+            line(0, "T ← {start}; repeat:", &[]),
+            line(1, "q ← a random placement, or the goal", &[Mark::Growing]),
+            NONE_FOUND,
+            line(1, "near ← the vertex of T nearest to q", &[Mark::Edge, Mark::Refused]),
+            line(1, "if no vertex sees q: try again", &[Mark::Discarded]),
+            line(1, "for b controls u, for a while each:", &[Mark::Edge, Mark::Refused]),
+            line(2, "drive u from near, up to an obstacle", &[Mark::Edge, Mark::Refused]),
+            line(1, "add the end nearest to q, with its u, to T", &[Mark::Vertex, Mark::Edge]),
+            line(2, "within the goal region: solved", &[Mark::Solved]),
+            line(1, "if none is free: refuse them", &[Mark::Refused]),
+            END_NEAR,
+        ],
+    };
 
     /// # Panics
     /// If the problem has no dynamics.

@@ -8,7 +8,7 @@
 use super::driven_tree::{Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, up_to_goal};
 use super::groups::{Aim, GoalBias};
 use super::growth::Growth;
-use super::info::{END_NEAR, Grows, Mark, Method, NONE_FOUND, PseudocodeLine, line};
+use super::info::{END_NEAR, Grows, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
 use super::removable_index::RemovableIndex;
 use super::{Phase, Planner, Status};
 use crate::error::Error;
@@ -48,29 +48,29 @@ crate::options! {
     driving: ByControls;
 }
 
-impl Method for SstOptions {
-    const ID: &'static str = "sst";
-    const TITLE: &'static str = "SST";
-    const SUMMARY: &'static str =
-        "Kinodynamic and sparse: of vertices near each other only the cheapest grows; it can go on to shorter paths.";
-    const GUARANTEE: &'static str =
-        "Asymptotically near-optimal if random controls have clearance: as near the shortest as its radii allow.";
-    const GROWS: Grows = Grows::Tree;
-    const ROBOTS: &'static [&'static str] = CAR;
-    const PSEUDOCODE: &'static [PseudocodeLine] = &[
-        line(0, "T ← {start}; repeat:", &[]),
-        line(1, "q ← a random placement, or the goal", &[Mark::Growing, Mark::Improving]),
-        NONE_FOUND,
-        line(1, "near ← the cheapest of T about q", &[Mark::Edge, Mark::Refused, Mark::Discarded]),
-        line(1, "drive a random control for a random duration", &[Mark::Edge, Mark::Refused, Mark::Discarded]),
-        line(1, "if that is not free: refuse it", &[Mark::Refused]),
-        line(1, "if the end costs least about it: add it", &[Mark::Vertex, Mark::Edge]),
-        line(2, "deactivate the vertex that was cheapest there", &[Mark::Vertex]),
-        line(2, "remove it from T once it has no children", &[Mark::Removed]),
-        line(2, "within the goal region: solved", &[Mark::Solved]),
-        line(1, "else: throw it away", &[Mark::Discarded]),
-        END_NEAR,
-    ];
+impl PlannerKind for SstOptions {
+    const INFO: PlannerInfo = PlannerInfo {
+        id: "sst",
+        title: "SST",
+        summary: "Kinodynamic and sparse: of vertices near each other only the cheapest grows; it can go on to shorter paths.",
+        guarantee: "Asymptotically near-optimal if random controls have clearance: as near the shortest as its radii allow.",
+        grows: Grows::Tree,
+        presets: &[],
+        pseudocode: &[
+            line(0, "T ← {start}; repeat:", &[]),
+            line(1, "q ← a random placement, or the goal", &[Mark::Growing, Mark::Improving]),
+            NONE_FOUND,
+            line(1, "near ← the cheapest of T about q", &[Mark::Edge, Mark::Refused, Mark::Discarded]),
+            line(1, "drive a random control for a random duration", &[Mark::Edge, Mark::Refused, Mark::Discarded]),
+            line(1, "if that is not free: refuse it", &[Mark::Refused]),
+            line(1, "if the end costs least about it: add it", &[Mark::Vertex, Mark::Edge]),
+            line(2, "deactivate the vertex that was cheapest there", &[Mark::Vertex]),
+            line(2, "remove it from T once it has no children", &[Mark::Removed]),
+            line(2, "within the goal region: solved", &[Mark::Solved]),
+            line(1, "else: throw it away", &[Mark::Discarded]),
+            END_NEAR,
+        ],
+    };
 
     /// # Panics
     /// If the problem has no dynamics.

@@ -76,7 +76,7 @@ pub(super) fn launch(
         return Err(Error::new(
             Code::MissingField,
             pointer,
-            format!("{} needs a goal_tolerance in the query", planner.id()),
+            format!("{} needs a goal_tolerance in the query", planner.info().id),
         ));
     }
     let edges = planner.group::<EdgeOptions>().copied();
@@ -84,7 +84,7 @@ pub(super) fn launch(
     let info = RunInfo {
         scenario: scenario.name().to_owned(),
         query: query.name.clone(),
-        planner: planner.id(),
+        planner: planner.info().id,
         seed: options.seed,
         max_iterations: limits.max_iterations,
         wanted: edges.map_or_else(Wanted::default, |EdgeOptions { improving, .. }| Wanted {
@@ -248,7 +248,7 @@ impl Launch<'_> {
             let [used, slowest] = [used, SLOWEST].map(Number);
             return Err(unsupported(&format!("curves need a speed of at least {slowest} m/s, not {used}")));
         }
-        if steering == Steering::Dubins && self.planner.info().needs_symmetry {
+        if steering == Steering::Dubins && self.planner.needs_symmetry() {
             return Err(unsupported(
                 "visibility-prm requires a symmetric space, which dubins curves are not; use steering = reeds-shepp",
             ));

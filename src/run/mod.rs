@@ -43,7 +43,7 @@ pub use options::Options;
 pub use resume::resume;
 
 pub use crate::options::Value;
-pub use crate::planner::{Phase, PlannerInfo, Preset, Status, planners};
+pub use crate::planner::{Phase, PlannerInfo, PlannerOptions, Preset, Status, planners};
 
 use crate::error::Error;
 use crate::path::ResultDocument;

@@ -65,8 +65,8 @@ pub fn resume(
             format!("{} is not a planner that builds a roadmap", quoted(&document.planner)),
         ));
     };
-    if let Some(other) = options.planner.as_ref().filter(|other| *other != planner.id()) {
-        let sentence = format!("the roadmap was built by {}, not {other}", planner.id());
+    if let Some(other) = options.planner.as_ref().filter(|other| *other != planner.info().id) {
+        let sentence = format!("the roadmap was built by {}, not {other}", planner.info().id);
         return Err(Error::new(Code::OutOfRange, "/algorithm", sentence));
     }
     check_seed(options.seed)?;
@@ -112,7 +112,7 @@ fn settings(
     let held = [&all[..], &[number("k", f64::from(document.k)), number("radius", document.radius)]].concat();
     // Options about the use of a roadmap, not about its construction.
     let is_free = |name: &str| Searching::has(name) || Improving::has(name) || Limits::has(name);
-    let known = planner.info().parameters;
+    let known = planner.table();
     for (name, value) in &options.parameters {
         let is_known = known.iter().any(|option| option.name == name);
         match held.iter().find(|(other, _)| is_known && other == name) {

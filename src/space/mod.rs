@@ -51,7 +51,7 @@ pub const MAX_DIMENSION: usize = 8;
 /// A plane in which one moves along streets, around a wall:
 ///
 /// ```
-/// use planarium::planner::{Method, Planner, RrtConnectOptions, Status};
+/// use planarium::planner::{Planner, PlannerKind, RrtConnectOptions, Status};
 /// use planarium::problem::Problem;
 /// use planarium::space::Space;
 /// use planarium::problem::{Contact, Touched, Validity};

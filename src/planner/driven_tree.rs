@@ -180,7 +180,7 @@ impl<S: Space> DrivenTree<S> {
 
 /// The dynamics of the problem.
 pub(super) fn dynamics<S: Space>(problem: &Problem<S>) -> &dyn Dynamics<S::State> {
-    problem.dynamics().expect("planners by controls require a problem with dynamics")
+    problem.dynamics.as_deref().expect("planners by controls require a problem with dynamics")
 }
 
 /// The length of the fastest straight motion of this duration, in the metric of the space.

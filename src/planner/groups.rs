@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::options::{CAR, Choice, out_of_range};
 use crate::problem::Problem;
 use crate::random::{Random, Stream};
-use crate::sampling::{BridgeTest, Gaussian, GoalBiased, Halton, Lattice, ObstacleBased, Sampler, Uniform};
+use crate::sampling::{BridgeTest, Gaussian, GoalBiased, ObstacleBased, Sampler, Uniform, halton, lattice};
 use crate::space::steering::Steering;
 use crate::space::{MetricKind, Space};
 
@@ -56,8 +56,8 @@ impl Sampling {
         let spread = self.spread.unwrap_or(DEFAULT_SPREAD * space.extent() / space.dimension() as f64);
         match self.sampler {
             SamplerKind::Uniform => Box::new(Uniform(random)),
-            SamplerKind::Halton => Box::new(Halton::new(random)),
-            SamplerKind::Lattice => Box::new(Lattice::new(space.dimension(), random)),
+            SamplerKind::Halton => Box::new(halton(random)),
+            SamplerKind::Lattice => Box::new(lattice(space.dimension(), random)),
             SamplerKind::Gaussian => Box::new(Gaussian { random, deviation: spread }),
             SamplerKind::Bridge => Box::new(BridgeTest { random, deviation: spread }),
             SamplerKind::ObstacleBased => Box::new(ObstacleBased(random)),
@@ -170,8 +170,9 @@ impl<S: Space> Aim<S> {
         if !is_due {
             return Some(growth.draw(problem, iteration, &mut *self.sampler)?.state);
         }
+        let goal = *problem.goal_in_turn(self.goals);
         self.goals = self.goals.wrapping_add(1);
-        Some(*problem.goal_in_turn(self.goals - 1))
+        Some(goal)
     }
 }
 

@@ -23,7 +23,7 @@ pub use groups::{
     DEFAULT_TOLERANCE, EdgeCheck, EdgeOptions, GoalBias, Improving, Limits, MetricOptions, SamplerKind, Sampling,
     Searching,
 };
-pub use growth::{Counters, Growth};
+pub use growth::Growth;
 pub use info::{Grows, Mark, PlannerInfo, PlannerKind, Preset, PseudocodeLine};
 pub use prm::{Insertion, NeighbourRule, PrmOptions, PrmStarOptions, logarithmic_k, prm_star_k, resume};
 pub use query::{Algorithm, Cost, Heuristic};

@@ -101,7 +101,7 @@ impl Query {
             (goals.start.0..goals.end.0).map(|goal| estimate(VertexId(goal))).fold(f64::INFINITY, f64::min)
         };
         let cost = |a, b| if rules.cost == Cost::Metric { distance(a, b) } else { 1.0 };
-        let heuristic = |vertex| match (rules.search, rules.heuristic, problem.end_effector()) {
+        let heuristic = |vertex| match (rules.search, rules.heuristic, &problem.end_effector) {
             (Algorithm::AStar, Heuristic::Metric | Heuristic::MetricAsHops, _) => {
                 scale * least(&|goal| distance(vertex, goal))
             }

@@ -105,8 +105,8 @@ impl<S: Space> Roadmap<S> {
     }
 
     /// The search from the start to a goal on the roadmap as it is.
-    fn begin_search(&self, space: &S) -> RoadmapSearch {
-        RoadmapSearch::Searching(Query::new(space, &self.growth.graph, &[], &[], START, self.goals(), self.rules))
+    fn begin_search(&self, space: &S) -> Query {
+        Query::new(space, &self.growth.graph, &[], &[], START, self.goals(), self.rules)
     }
 
     /// Expands one vertex of the search.
@@ -187,23 +187,17 @@ pub(super) trait Build<S: Space> {
 pub(super) struct RoadmapPlanner<S: Space, B> {
     roadmap: Roadmap<S>,
     builder: B,
-    /// The search, once the roadmap is complete.
-    search: Option<RoadmapSearch>,
-}
-
-/// The search for a path, and its result.
-enum RoadmapSearch {
-    /// The search goes on.
-    Searching(Query),
-    /// The path from start to goal; empty if there is none.
-    Done(Vec<VertexId>),
+    /// The search, while it goes on.
+    search: Option<Query>,
+    /// The path from start to goal, once the search is over; empty if there is none.
+    path: Option<Vec<VertexId>>,
 }
 
 impl<S: Space, B: Build<S>> RoadmapPlanner<S, B> {
     /// A planner that continues with a roadmap; if it is complete, it is only searched.
     pub fn new(problem: &Problem<S>, roadmap: Roadmap<S>, builder: B, is_complete: bool) -> Self {
         let search = is_complete.then(|| roadmap.begin_search(problem.space()));
-        Self { roadmap, builder, search }
+        Self { roadmap, builder, search, path: None }
     }
 }
 
@@ -215,21 +209,20 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
             }
             return Status::Running;
         };
-        if let RoadmapSearch::Searching(query) = search {
-            match self.roadmap.search(problem, iteration, query) {
-                Expansion::Vertex(_) => return Status::Running,
-                Expansion::Goal => *search = RoadmapSearch::Done(query.path()),
-                Expansion::Nothing => *search = RoadmapSearch::Done(Vec::new()),
-            }
-        }
-        if self.path().is_empty() { Status::Exhausted } else { Status::Solved }
+        let (path, status) = match self.roadmap.search(problem, iteration, search) {
+            Expansion::Vertex(_) => return Status::Running,
+            Expansion::Goal => (search.path(), Status::Solved),
+            Expansion::Nothing => (Vec::new(), Status::Exhausted),
+        };
+        (self.path, self.search) = (Some(path), None);
+        status
     }
 
     fn phase(&self) -> Phase {
-        match &self.search {
-            None => self.builder.phase(&self.roadmap),
-            Some(RoadmapSearch::Searching(_)) => Phase::Searching,
-            Some(RoadmapSearch::Done(_)) => Phase::Done,
+        match (&self.path, &self.search) {
+            (Some(_), _) => Phase::Done,
+            (None, Some(_)) => Phase::Searching,
+            (None, None) => self.builder.phase(&self.roadmap),
         }
     }
 
@@ -238,7 +231,7 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
     }
 
     fn path(&self) -> Vec<VertexId> {
-        if let Some(RoadmapSearch::Done(path)) = &self.search { path.clone() } else { Vec::new() }
+        self.path.clone().unwrap_or_default()
     }
 
     fn coverage(&self) -> Option<f64> {

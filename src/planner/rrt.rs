@@ -152,7 +152,7 @@ impl<S: Space> Rrt<S> {
 
     /// The goal nearest to the state, ties by number, and its distance.
     fn nearest_goal(&self, problem: &Problem<S>, state: &S::State) -> (VertexId, f64) {
-        let lefts = problem.goals().map(|goal| problem.space().distance(state, goal));
+        let lefts = problem.goals().iter().map(|goal| problem.space().distance(state, goal));
         let all = (GOAL.0..).map(VertexId).zip(lefts);
         all.min_by(|(_, a), (_, b)| a.total_cmp(b)).expect("a query has a goal")
     }
@@ -170,9 +170,6 @@ impl<S: Space> Rrt<S> {
 
 impl<S: Space> Planner<S> for Rrt<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
-        if self.arrived.is_some() {
-            return Status::Solved;
-        }
         let space = problem.space();
         let Some(target) = self.aim.next(problem, iteration, &mut self.growth) else { return Status::Running };
         self.growth.counters.nearest_queries += 1;

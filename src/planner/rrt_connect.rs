@@ -61,7 +61,7 @@ impl PlannerKind for RrtConnectOptions {
             indices: [Index::default(), Index::default()],
             bridge: None,
         };
-        let roots = std::iter::once((0, problem.start())).chain(problem.goals().map(|goal| (1, goal)));
+        let roots = std::iter::once((0, problem.start())).chain(problem.goals().iter().map(|goal| (1, goal)));
         for (tree, root) in roots {
             planner.add_vertex(problem.space(), tree, 0, None, *root);
         }
@@ -172,9 +172,6 @@ impl<S: Space> RrtConnect<S> {
 
 impl<S: Space> Planner<S> for RrtConnect<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
-        if self.bridge.is_some() {
-            return Status::Solved;
-        }
         let space = problem.space();
         let tree = usize::from(self.indices[1].len() < self.indices[0].len());
         let Some(sample) = self.growth.draw(problem, iteration, &mut *self.sampler) else { return Status::Running };

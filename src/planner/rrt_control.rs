@@ -13,6 +13,7 @@ use super::removable_index::RemovableIndex;
 use super::{Phase, Planner, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, VertexId};
+use crate::nearest::Nearest;
 use crate::options::CAR;
 use crate::problem::{Control, Problem};
 use crate::random::{Random, Stream};
@@ -127,7 +128,7 @@ impl PlannerKind for RrtControlOptions {
     /// If the problem has no dynamics.
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let (tree, mut open) = (DrivenTree::new(problem), RemovableIndex::default());
-        open.insert(problem.space(), &tree.growth.graph, ROOT);
+        open.insert(problem.space(), ROOT, *problem.start());
         let early = Durations::new(problem, self.duration_steps, self.shortest_steps)?;
         Ok(Box::new(RrtControl {
             options: *self,
@@ -255,11 +256,8 @@ fn closest<T>(measured: &[(f64, T)]) -> Option<usize> {
 
 impl<S: Space> Planner<S> for RrtControl<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
-        if self.arrived.is_none() && problem.is_goal(problem.start()) {
+        if problem.is_goal(problem.start()) {
             return self.arrive(iteration, ROOT, *problem.start());
-        }
-        if self.arrived.is_some() {
-            return Status::Solved;
         }
         if self.open.is_empty() {
             return Status::Exhausted;
@@ -288,7 +286,7 @@ impl<S: Space> Planner<S> for RrtControl<S> {
             if is_there {
                 return self.arrive(iteration, vertex, drive.end);
             }
-            self.open.insert(problem.space(), &self.tree.growth.graph, vertex);
+            self.open.insert(problem.space(), vertex, drive.end);
         }
         Status::Running
     }

@@ -94,7 +94,7 @@ impl PlannerKind for SstOptions {
             is_done: false,
             found: Vec::new(),
         };
-        sst.active.insert(space, &sst.tree.growth.graph, ROOT);
+        sst.active.insert(space, ROOT, *problem.start());
         sst.witnesses.insert(space, VertexId(0), *problem.start());
         Ok(Box::new(sst))
     }
@@ -183,7 +183,7 @@ impl<S: Space> Sst<S> {
     /// Makes the vertex the representative of the witness; the former one becomes inactive.
     fn replace(&mut self, problem: &Problem<S>, iteration: u32, (witness, is_new): (usize, bool), vertex: VertexId) {
         let (space, graph) = (problem.space(), &self.tree.growth.graph);
-        self.active.insert(space, graph, vertex);
+        self.active.insert(space, vertex, *graph.state(vertex));
         if is_new {
             self.representatives.push(vertex);
             return;

@@ -165,15 +165,14 @@ impl Launch<'_> {
             Robot::Arm(arm) => from_end_effector(arm, matches!(self.metric, None | Some(MetricKind::Sum))),
             _ => Box::new(move |a, b| measure.distance(a, b)),
         };
-        let mut problem = Problem::new(space.clone(), checked(validity), start, goals[0])?
-            .with_end_effector(end_effector)
-            .with_other_goals(goals[1..].to_vec());
-        if let Some((region, (_, weights))) = self.goal_tolerance.zip(robot.placed_shape()) {
-            problem = problem.with_goal_region(goal_region(product, goals[0], weights, region));
-        }
-        if let Some(dynamics) = dynamics {
-            problem = problem.with_dynamics(dynamics);
-        }
+        let mut problem = Problem::new(space.clone(), checked(validity), start, goals[0])?;
+        problem.add_goals(&goals[1..]);
+        problem.end_effector = Some(end_effector);
+        problem.goal_region = self
+            .goal_tolerance
+            .zip(robot.placed_shape())
+            .map(|(region, (_, weights))| goal_region(product, goals[0], weights, region));
+        problem.dynamics = dynamics;
 
         let seed = self.info.seed;
         let mut planner = match self.kept.zip(self.planner.group::<Searching>()) {

@@ -125,7 +125,7 @@ impl<S: Space> Runner<S> {
             Some(improvement) if self.status == Status::Solved => {
                 EmittedPath::through(&self.problem, improvement.path())
             }
-            _ => EmittedPath::none(&self.problem),
+            _ => EmittedPath::through(&self.problem, &[]),
         }
     }
 
@@ -281,7 +281,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn goals(&self) -> Vec<Vec<f64>> {
-        self.rows(&self.problem.goals().copied().collect::<Vec<_>>())
+        self.rows(self.problem.goals())
     }
 
     fn path(&self) -> Vec<Vec<f64>> {
@@ -314,14 +314,10 @@ impl<S: Space> Run for Runner<S> {
             iterations: self.iterations(),
             vertices: self.vertex_count() as u64,
             edges: self.edge_count() as u64,
-            configuration_checks: counters.configuration_checks,
             motion_checks: counters.motion_checks + improvement_checks,
-            nearest_queries: counters.nearest_queries,
-            visited: counters.visited,
             clearance_evaluations: self.problem.validity().clearance_evaluations() - self.viewer_work[0],
             unproven_motions: self.problem.validity().unproven_motions() - self.viewer_work[1],
-            build_seconds: 0.0,
-            search_seconds: 0.0,
+            ..counters
         }
     }
 

@@ -6,7 +6,7 @@ mod obstacles;
 mod sequences;
 
 pub use obstacles::{BridgeTest, Gaussian, ObstacleBased};
-pub use sequences::{Halton, Lattice, radical_inverse};
+pub use sequences::{Sequence, halton, lattice, radical_inverse};
 
 use crate::problem::Problem;
 use crate::random::Random;

@@ -136,6 +136,40 @@ impl<const N: usize> ProductSpace<N> {
         let gap = (a - b).abs();
         if gap > self.half[i] { TAU - gap } else { gap }
     }
+
+    /// The metric as a function of the gaps of the first `count` coordinates: see [`Space::norm`].
+    #[inline(always)]
+    fn combine<const L: usize>(&self, count: usize, mut gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
+        let mut sum = [0.0; L];
+        match self.metric {
+            Metric::Sum => {
+                for i in 0..count {
+                    let gaps = gap(i);
+                    for lane in 0..L {
+                        sum[lane] += gaps[lane];
+                    }
+                }
+                sum
+            }
+            Metric::Euclidean => {
+                for i in 0..count {
+                    let gaps = gap(i);
+                    for lane in 0..L {
+                        sum[lane] += gaps[lane] * gaps[lane];
+                    }
+                }
+                sum.map(f64::sqrt)
+            }
+            Metric::Placement { translation, rotation } => {
+                let [x, y, turn] = [gap(0), gap(1), gap(2)];
+                for lane in 0..L {
+                    let far = (x[lane] * x[lane] + y[lane] * y[lane]).sqrt();
+                    sum[lane] = translation * far + rotation * turn[lane];
+                }
+                sum
+            }
+        }
+    }
 }
 
 impl<const N: usize> Space for ProductSpace<N> {
@@ -165,26 +199,8 @@ impl<const N: usize> Space for ProductSpace<N> {
 
     #[inline]
     fn distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
-        let mut sum = 0.0;
-        match self.metric {
-            Metric::Sum => {
-                for i in 0..N {
-                    sum += self.gap(i, a[i], b[i]);
-                }
-                sum
-            }
-            Metric::Euclidean => {
-                for i in 0..N {
-                    let gap = self.gap(i, a[i], b[i]);
-                    sum += gap * gap;
-                }
-                sum.sqrt()
-            }
-            Metric::Placement { translation, rotation } => {
-                let [x, y, turn] = [0, 1, 2].map(|i| self.gap(i, a[i], b[i]));
-                translation * (x * x + y * y).sqrt() + rotation * turn
-            }
-        }
+        let [distance] = self.combine(N, |i| [self.gap(i, a[i], b[i])]);
+        distance
     }
 
     fn interpolate(&self, a: &[f64; N], b: &[f64; N], t: f64) -> [f64; N] {
@@ -231,13 +247,8 @@ impl<const N: usize> Space for ProductSpace<N> {
 
     fn extent(&self) -> f64 {
         let longest = |i: usize| if self.is_circle(i) { PI } else { self.high[i] - self.low[i] };
-        match self.metric {
-            Metric::Sum => (0..self.dimension).map(longest).sum(),
-            Metric::Euclidean => (0..self.dimension).map(|i| longest(i) * longest(i)).sum::<f64>().sqrt(),
-            Metric::Placement { translation, rotation } => {
-                translation * (longest(0) * longest(0) + longest(1) * longest(1)).sqrt() + rotation * longest(2)
-            }
-        }
+        let [extent] = self.norm(|i| [longest(i)]);
+        extent
     }
 
     fn turn(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
@@ -260,35 +271,7 @@ impl<const N: usize> Space for ProductSpace<N> {
     }
 
     #[inline(always)]
-    fn norm<const L: usize>(&self, mut gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
-        let mut sum = [0.0; L];
-        match self.metric {
-            Metric::Sum => {
-                for i in 0..self.dimension {
-                    let gaps = gap(i);
-                    for lane in 0..L {
-                        sum[lane] += gaps[lane];
-                    }
-                }
-                sum
-            }
-            Metric::Euclidean => {
-                for i in 0..self.dimension {
-                    let gaps = gap(i);
-                    for lane in 0..L {
-                        sum[lane] += gaps[lane] * gaps[lane];
-                    }
-                }
-                sum.map(f64::sqrt)
-            }
-            Metric::Placement { translation, rotation } => {
-                let [x, y, turn] = [gap(0), gap(1), gap(2)];
-                for lane in 0..L {
-                    let far = (x[lane] * x[lane] + y[lane] * y[lane]).sqrt();
-                    sum[lane] = translation * far + rotation * turn[lane];
-                }
-                sum
-            }
-        }
+    fn norm<const L: usize>(&self, gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
+        self.combine(self.dimension, gap)
     }
 }

@@ -2,8 +2,9 @@
 
 use super::connect::Connect;
 use crate::graph::VertexId;
-use crate::planner::Phase;
-use crate::planner::roadmap::{Build, Roadmap, RoadmapPlanner};
+use crate::planner::groups::Searching;
+use crate::planner::roadmap::{Build, Connection, Roadmap, RoadmapPlanner};
+use crate::planner::{Phase, Planner};
 use crate::problem::Problem;
 use crate::sampling::Sampler;
 use crate::space::Space;
@@ -31,13 +32,6 @@ impl<S: Space> Batch<S> {
         let builder = Self { samples: Some((vertices, sampler)), left, connect: Connect::default() };
         RoadmapPlanner::new(problem, roadmap, builder, false)
     }
-
-    /// A planner whose roadmap has its samples: only these vertices are left to connect.
-    pub fn resumed(problem: &Problem<S>, roadmap: Roadmap<S>, left: Vec<VertexId>) -> RoadmapPlanner<S, Self> {
-        let is_complete = left.is_empty();
-        let builder = Self { samples: None, left: Box::new(left.into_iter()), connect: Connect::default() };
-        RoadmapPlanner::new(problem, roadmap, builder, is_complete)
-    }
 }
 
 impl<S: Space> Build<S> for Batch<S> {
@@ -60,4 +54,36 @@ impl<S: Space> Build<S> for Batch<S> {
         let is_sampling = self.samples.as_ref().is_some_and(|(vertices, _)| roadmap.len() < *vertices);
         if is_sampling { Phase::Sampling } else { Phase::Connecting }
     }
+}
+
+/// A planner whose roadmap exists and is proven: it draws no samples, connects start and goals to their neighbours and searches. A
+/// vertex of the roadmap that is the start or a goal becomes that end and keeps its edges; all others come after these
+/// ends, in their order. O(states + edges), and the index of neighbours.
+///
+/// # Panics
+/// If an edge names a vertex that does not exist.
+pub fn resume<S: Space + 'static>(
+    problem: &Problem<S>,
+    connection: Connection,
+    rules: Searching,
+    states: &[S::State],
+    edges: &[[u32; 2]],
+) -> Box<dyn Planner<S>> {
+    let mut roadmap = Roadmap::new(problem, connection, rules);
+    // The ends that are not vertices of the saved roadmap.
+    let mut left: Vec<VertexId> = (0..roadmap.len() as u32).map(VertexId).collect();
+    let mut vertices = Vec::with_capacity(states.len());
+    for state in states {
+        vertices.push(match left.iter().position(|&end| roadmap.graph().state(end) == state) {
+            Some(i) => left.remove(i),
+            None => roadmap.add_vertex(problem.space(), 0, *state),
+        });
+    }
+    for edge in edges {
+        let [from, to] = edge.map(|vertex| vertices[vertex as usize]);
+        roadmap.growth.graph.add_edge(0, from, to);
+    }
+    let is_complete = left.is_empty();
+    let builder = Batch { samples: None, left: Box::new(left.into_iter()), connect: Connect::default() };
+    Box::new(RoadmapPlanner::new(problem, roadmap, builder, is_complete))
 }

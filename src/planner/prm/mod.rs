@@ -10,10 +10,9 @@
 mod batch;
 mod connect;
 mod one_by_one;
-mod resume;
 mod star;
 
-pub use resume::resume;
+pub use batch::resume;
 pub use star::{NeighbourRule, PrmStarOptions, logarithmic_k, prm_star_k};
 
 use super::Planner;

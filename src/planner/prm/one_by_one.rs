@@ -26,7 +26,7 @@ impl<S: Space> OneByOne<S> {
         discard: bool,
         sampler: Box<dyn Sampler<S>>,
     ) -> RoadmapPlanner<S, Self> {
-        for (i, goal) in problem.goals().enumerate() {
+        for (i, goal) in problem.goals().iter().enumerate() {
             for way in Direction::all(problem.space()) {
                 if way.distance(problem.space(), goal, problem.start()) <= roadmap.connection().radius {
                     let [from, to] = way.ends(VertexId(GOAL.0 + i as u32), START);

@@ -1,6 +1,6 @@
 //! From a scenario and parameters to an index: names become types.
 
-use super::table::{ExactOptions, ForestOptions, IndexId};
+use super::table::{ForestOptions, IndexId};
 use super::{Answer, MAX_CONFIGURATIONS, MAX_PLACES, Neighbours};
 use crate::error::{Code, Error, Number};
 use crate::graph::VertexId;
@@ -27,8 +27,7 @@ pub fn index(
     let options = match id {
         IndexId::Forest => Options::read(given)?,
         IndexId::Linear | IndexId::KdTree => {
-            let ExactOptions { measuring } = Options::read(given)?;
-            ForestOptions { measuring, ..ForestOptions::default() }
+            ForestOptions { measuring: Options::read(given)?, ..ForestOptions::default() }
         }
     };
     if world.robot().dimension() <= SMALL {

@@ -6,7 +6,7 @@ mod table;
 
 pub use crate::nearest::{Neighbour, recall};
 pub use factory::index;
-pub use table::{ExactOptions, ForestOptions, IndexId, IndexInfo, indexes};
+pub use table::{ForestOptions, IndexId, IndexInfo, indexes};
 
 use crate::error::Error;
 

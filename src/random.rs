@@ -1,4 +1,4 @@
-//! The seeded, portable generator: the same seed gives the same draws on every platform, for good.
+//! The seeded, portable generator: the same seed gives the same draws on every platform and in every version.
 //!
 //! Xoshiro256++ (Blackman and Vigna 2021, "Scrambled linear pseudorandom number generators"), seeded through SplitMix64.
 //! Results must not change with the version of the crate rand, so [`Random::normal`] and [`below`] are written here: rand and

@@ -229,7 +229,7 @@ fn a_roadmap_answers_other_questions_in_the_direction_asked() {
             let ends = ends.map(|q| space.state(&q));
             let roadmap = planner.roadmap().expect("a roadmap");
             let before = roadmap.graph().states().len();
-            let answer = roadmap.answer(&problem, ends, keep);
+            let answer = roadmap.query(&problem, ends, keep);
             assert_eq!(roadmap.graph().states().len(), before + if keep.is_some() { 2 } else { 0 });
             edges_are_free(roadmap.graph(), &problem);
             if !answer.path.is_empty() {

@@ -1,4 +1,4 @@
-//! The part of every planner that viewers see: its graph and its counters.
+//! The part of every planner that is shown to viewers: its graph and its counters.
 
 use crate::graph::{Event, EventKind, Graph, VertexId};
 use crate::problem::{Problem, Stats};

@@ -4,11 +4,11 @@ use crate::graph::{Graph, VertexId};
 use crate::nearest::{Index, Nearest, Neighbour};
 use crate::space::Space;
 
-/// Vertices of a graph. Removed ones stay in the index below, where queries skip them, until they are half of it:
+/// Vertices of a graph. Removed ones stay in the underlying index, where queries skip them, until they are half of it;
 /// then it is rebuilt. So a removal costs O(log n) amortized.
 pub(super) struct RemovableIndex<S: Space> {
     index: Index<S>,
-    /// The vertices of the index, in the order in which they came.
+    /// The vertices of the index, in the order of insertion.
     members: Vec<VertexId>,
     /// Whether the vertex of this number is in the index.
     is_in: Vec<bool>,

@@ -1,4 +1,4 @@
-//! What all roadmap planners share: vertices with their neighbours, edges that are proven before they are added, and
+//! The common part of all roadmap planners: vertices with their neighbours, edges that are proven before they are added, and
 //! repeated queries. In a space that is not symmetric an edge leads from its first vertex to its second only.
 
 use super::groups::Searching;
@@ -30,17 +30,18 @@ pub struct Connection {
 #[derive(Debug, Clone)]
 pub struct Roadmap<S: Space> {
     pub(super) growth: Growth<S>,
-    /// How many goals there are.
-    goals: u32,
+    /// The vertices of the goals.
+    pub(super) goals: Goals,
     nearest: Index<S>,
-    connection: Connection,
+    /// The neighbours that vertices are connected to.
+    pub connection: Connection,
     rules: Searching,
 }
 
 impl<S: Space> Roadmap<S> {
     /// A roadmap of the start and the goals alone.
     pub fn new(problem: &Problem<S>, connection: Connection, rules: Searching) -> Self {
-        let goals = problem.goals().len() as u32;
+        let goals = GOAL..VertexId(GOAL.0 + problem.goals().len() as u32);
         let mut roadmap = Self { growth: Growth::default(), goals, nearest: Index::default(), connection, rules };
         for state in std::iter::once(problem.start()).chain(problem.goals()) {
             roadmap.add_vertex(problem.space(), 0, *state);
@@ -48,12 +49,7 @@ impl<S: Space> Roadmap<S> {
         roadmap
     }
 
-    /// The neighbours that vertices are connected to.
-    pub fn connection(&self) -> Connection {
-        self.connection
-    }
-
-    /// All that has grown so far.
+    /// The graph so far.
     pub fn graph(&self) -> &Graph<S> {
         &self.growth.graph
     }
@@ -99,14 +95,9 @@ impl<S: Space> Roadmap<S> {
         }
     }
 
-    /// The vertices of the goals.
-    pub(super) fn goals(&self) -> Goals {
-        GOAL..VertexId(GOAL.0 + self.goals)
-    }
-
     /// The search from the start to a goal on the roadmap as it is.
     fn begin_search(&self, space: &S) -> Query {
-        Query::new(space, &self.growth.graph, &[], &[], START, self.goals(), self.rules)
+        Query::new(space, &self.growth.graph, &[], &[], START, self.goals.clone(), self.rules)
     }
 
     /// Expands one vertex of the search.
@@ -122,10 +113,10 @@ impl<S: Space> Roadmap<S> {
         expansion
     }
 
-    /// Answers another query: connects start and goal to the roadmap by motions that are proven free, and searches it. The
-    /// roadmap is unchanged unless `keep` is an iteration; then the two become its last vertices, created in it.
+    /// Queries the roadmap again: connects start and goal to the roadmap by motions that are proven free, and searches it. The
+    /// roadmap is unchanged unless `added_in` is an iteration; then the two become its last vertices, created in it.
     /// O(e log e) for e edges.
-    pub fn answer(&mut self, problem: &Problem<S>, ends: [S::State; 2], keep: Option<u32>) -> Answer<S::State> {
+    pub fn query(&mut self, problem: &Problem<S>, ends: [S::State; 2], added_in: Option<u32>) -> QueryResult<S::State> {
         let space = problem.space();
         let count = self.len() as u32;
         let [start, goal] = [VertexId(count), VertexId(count + 1)];
@@ -159,13 +150,13 @@ impl<S: Space> Roadmap<S> {
             }
         };
         self.growth.counters.visited += visited;
-        if let Some(iteration) = keep {
+        if let Some(iteration) = added_in {
             for end in ends {
                 self.add_vertex(space, iteration, end);
             }
             added.into_iter().for_each(|[from, to]| self.growth.graph.add_edge(iteration, from, to));
         }
-        Answer { path, visited }
+        QueryResult { path, visited }
     }
 }
 
@@ -187,7 +178,7 @@ pub(super) trait Build<S: Space> {
 pub(super) struct RoadmapPlanner<S: Space, B> {
     roadmap: Roadmap<S>,
     builder: B,
-    /// The search, while it goes on.
+    /// The search, while it is running.
     search: Option<Query>,
     /// The path from start to goal, once the search is over; empty if there is none.
     path: Option<Vec<VertexId>>,
@@ -243,9 +234,9 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
     }
 }
 
-/// The answer of a roadmap to a query.
+/// The result of a query of a roadmap.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Answer<S> {
+pub struct QueryResult<S> {
     /// The states from start to goal; empty if the roadmap has no path.
     pub path: Vec<S>,
     /// How many vertices the search expanded.

@@ -7,7 +7,7 @@
 use super::groups::{Aim, EdgeOptions, GoalBias, Sampling, step_in};
 use super::growth::Growth;
 use super::info::{END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, Preset, line};
-use super::{Phase, Planner, Status};
+use super::{Planner, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, Tree, VertexId};
 use crate::nearest::{Index, Nearest};
@@ -200,10 +200,6 @@ impl<S: Space> Planner<S> for Rrt<S> {
             self.refuse(iteration, vertex, Some(goal), target);
         }
         Status::Running
-    }
-
-    fn phase(&self) -> Phase {
-        if self.arrived.is_some() { Phase::Done } else { Phase::Growing }
     }
 
     fn growth(&self) -> &Growth<S> {

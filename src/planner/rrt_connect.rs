@@ -9,7 +9,7 @@
 use super::groups::{EdgeOptions, Sampling, step_in};
 use super::growth::Growth;
 use super::info::{END, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
-use super::{Phase, Planner, Status};
+use super::{Planner, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, Tree, VertexId};
 use crate::nearest::{Direction, Index, Nearest};
@@ -82,7 +82,7 @@ struct RrtConnect<S: Space> {
     bridge: Option<[VertexId; 2]>,
 }
 
-/// What one step towards a target did.
+/// The result of one step towards a target.
 enum Step<S> {
     /// The motion is not free.
     Refused,
@@ -93,7 +93,7 @@ enum Step<S> {
 }
 
 impl<S: Space> RrtConnect<S> {
-    /// The direction of the motions of a tree, seen from the new state: from the tree (`In`), or to it for the goal's (`Out`).
+    /// The direction of the motions of a tree, relative to the new state: from the tree (`In`), or to it for the goal's (`Out`).
     fn direction(space: &S, tree: usize) -> Direction {
         if tree == 0 || space.is_symmetric() { Direction::In } else { Direction::Out }
     }
@@ -133,16 +133,16 @@ impl<S: Space> RrtConnect<S> {
     ) -> Step<S::State> {
         let space = problem.space();
         let origin = self.growth.state(from);
-        let way = Self::direction(space, tree);
-        let [a, b] = way.ends(target, &origin);
+        let direction = Self::direction(space, tree);
+        let [a, b] = direction.ends(target, &origin);
         let distance = space.distance(a, b);
         let arrives = distance <= self.step;
-        let next = match way {
+        let next = match direction {
             _ if arrives => *target,
             Direction::In => space.interpolate(a, b, self.step / distance),
             Direction::Out => space.interpolate(a, b, 1.0 - self.step / distance),
         };
-        let [a, b] = way.ends(&next, &origin);
+        let [a, b] = direction.ends(&next, &origin);
         if !self.growth.is_motion_free(problem, a, b) {
             self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), None, next);
             return Step::Refused;
@@ -189,10 +189,6 @@ impl<S: Space> Planner<S> for RrtConnect<S> {
         self.growth.add_event(EventKind::SolutionFound, iteration, Some(added), Some(reached), state);
         self.bridge = Some(bridge);
         Status::Solved
-    }
-
-    fn phase(&self) -> Phase {
-        if self.bridge.is_some() { Phase::Done } else { Phase::Growing }
     }
 
     fn growth(&self) -> &Growth<S> {

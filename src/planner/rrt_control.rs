@@ -1,7 +1,7 @@
 //! RRT by controls: a tree of controlled motions.
 //!
 //! LaValle and Kuffner 2001, "Randomized kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 14.4.3. No
-//! control leads exactly to a given state, so several are tried, and the one that ends closest is kept; the goal is a region.
+//! control leads exactly to a given state, so several are tried, and the one that ends closest becomes an edge; the goal is a region.
 
 use super::driven_tree::{
     Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, straight_reach, up_to_goal,
@@ -10,7 +10,7 @@ use super::groups::{Aim, GoalBias};
 use super::growth::Growth;
 use super::info::{END_NEAR, Grows, Mark, NONE_FOUND, PlannerInfo, PlannerKind, Preset, line};
 use super::removable_index::RemovableIndex;
-use super::{Phase, Planner, Status};
+use super::{Planner, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, VertexId};
 use crate::nearest::Nearest;
@@ -19,8 +19,8 @@ use crate::problem::{Control, Problem};
 use crate::random::{Random, Stream};
 use crate::space::Space;
 
-/// How many of the nearest vertices are checked for a free motion to the sample.
-const MOST_LOOKS: usize = 32;
+/// The most of the nearest vertices that are checked for a free motion to the sample.
+const MOST_VISIBLE: usize = 32;
 
 crate::choice! {
     /// Which vertex is extended.
@@ -152,7 +152,7 @@ struct RrtControl<S: Space> {
     controls: Random,
     /// How long controls are held.
     early: Durations,
-    /// From this iteration on, if something is different then: how long controls are held, and when the goal is due.
+    /// See [`late`].
     late: Option<(u32, Durations, GoalBias)>,
     tree: DrivenTree<S>,
     /// The vertices that may be extended.
@@ -176,7 +176,7 @@ impl<S: Space> RrtControl<S> {
             return Some(self.open.nearest(space, target)?.vertex);
         }
         let mut near = Vec::new();
-        self.open.k_nearest(space, target, MOST_LOOKS, &mut near);
+        self.open.k_nearest(space, target, MOST_VISIBLE, &mut near);
         near.into_iter().map(|neighbour| neighbour.vertex).find(|&vertex| {
             let state = self.tree.growth.state(vertex);
             self.tree.growth.is_motion_free(problem, &state, target)
@@ -235,7 +235,7 @@ impl<S: Space> RrtControl<S> {
     }
 }
 
-/// What is different in the last quarter of the iterations, if anything is, and from which iteration on.
+/// The iteration at which the last quarter begins, and the durations and the goal bias from then on; `None` if they stay the same.
 fn late(options: &RrtControlOptions, early: Durations) -> Result<Option<(u32, Durations, GoalBias)>, Error> {
     let RrtControlOptions { late_duration_steps: longest, late_goal_every: every, reaching, .. } = *options;
     if longest.is_none() && every.is_none() {
@@ -289,10 +289,6 @@ impl<S: Space> Planner<S> for RrtControl<S> {
             self.open.insert(problem.space(), vertex, drive.end);
         }
         Status::Running
-    }
-
-    fn phase(&self) -> Phase {
-        if self.arrived.is_some() { Phase::Done } else { Phase::Growing }
     }
 
     fn growth(&self) -> &Growth<S> {

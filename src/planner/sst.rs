@@ -199,8 +199,8 @@ impl<S: Space> Sst<S> {
         let mut leaf = Some(vertex);
         while let Some(vertex) = leaf {
             let is_best = self.best.is_some_and(|best| best.vertex == vertex);
-            let is_kept = self.children[vertex.index()] > 0 || self.active.contains(vertex) || is_best;
-            let Some(parent) = self.tree.tree.parent(vertex).filter(|_| !is_kept) else { return };
+            let stays = self.children[vertex.index()] > 0 || self.active.contains(vertex) || is_best;
+            let Some(parent) = self.tree.tree.parent(vertex).filter(|_| !stays) else { return };
             self.is_removed[vertex.index()] = true;
             self.children[parent.index()] -= 1;
             let state = self.tree.growth.state(vertex);

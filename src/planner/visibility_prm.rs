@@ -71,7 +71,7 @@ impl PlannerKind for VisibilityPrmOptions {
             failures: 0,
             seen: Vec::new(),
         };
-        let goals = roadmap.goals();
+        let goals = roadmap.goals.clone();
         for end in 0..goals.end.0 {
             guarding.add_component();
             guarding.add_guard(&mut roadmap, 0, VertexId(end));
@@ -95,7 +95,7 @@ struct Guarding<S: Space> {
     /// The number of samples in a row without a new guard after which the roadmap is complete.
     most_failures: u32,
     failures: u32,
-    /// The last iteration whose sample was seen by each component.
+    /// The last iteration whose sample was visible from each component.
     seen: Vec<u32>,
 }
 

@@ -76,14 +76,14 @@ pub(super) fn trace<S: Space>(problem: &Problem<S>, graph: &Graph<S>, edge: usiz
         states.extend((1..steps.div_ceil(STEPS)).map(|piece| dynamics.drive(&from, control, piece * STEPS)));
     } else if let Some(curve) = space.curve(&from, &to) {
         let [x, y, heading] = [0, 1, 2].map(|i| space.coordinates(&from)[i]);
-        let (mut before, mut places) = (0.0, Vec::new());
+        let (mut before, mut distances) = (0.0, Vec::new());
         for segment in curve.segments() {
             let length = segment.length.abs();
             let pieces = libm::ceil(length * curve.curvature(segment.turn).abs() / BEND).max(1.0) as u32;
-            places.extend((0..pieces).map(|piece| before + length * f64::from(piece) / f64::from(pieces)));
+            distances.extend((0..pieces).map(|piece| before + length * f64::from(piece) / f64::from(pieces)));
             before += length;
         }
-        states.extend(places.into_iter().skip(1).map(|along| {
+        states.extend(distances.into_iter().skip(1).map(|along| {
             let at = curve.at(Pose { x, y, heading }, along);
             space.state(&[at.x, at.y, at.heading])
         }));

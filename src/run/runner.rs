@@ -13,7 +13,7 @@ use crate::space::Space;
 const ASKED: &str = "asked";
 
 /// The names and numbers that a run carries into its result.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct RunInfo {
     pub scenario: String,
     pub query: String,
@@ -32,15 +32,15 @@ pub(super) struct Runner<S: Space> {
     planner: Box<dyn Planner<S>>,
     info: RunInfo,
     /// The document of the roadmap without vertices and edges; `None` for planners that build none.
-    kept: Option<RoadmapDocument>,
+    roadmap: Option<RoadmapDocument>,
     /// Iterations of the planner.
     iteration: u32,
     status: Status,
     /// The path being improved, once the planner has solved the problem.
     improvement: Option<Improvement<S>>,
-    /// The rows of recorded iterations that were not taken yet; `None` if iterations are not recorded.
+    /// The rows of recorded iterations that have not been taken yet; `None` if iterations are not recorded.
     history: Option<Vec<f64>>,
-    /// Clearances evaluated and motions left unproven for viewers, not for the run.
+    /// Clearance evaluations and unproven motions on behalf of viewers, not of the run.
     viewer_work: [u64; 2],
 }
 
@@ -49,10 +49,10 @@ impl<S: Space> Runner<S> {
         problem: Problem<S>,
         planner: Box<dyn Planner<S>>,
         info: RunInfo,
-        kept: Option<RoadmapDocument>,
+        roadmap: Option<RoadmapDocument>,
     ) -> Self {
         let (iteration, status, improvement, history, viewer_work) = (0, Status::Running, None, None, [0; 2]);
-        Self { problem, planner, info, kept, iteration, status, improvement, history, viewer_work }
+        Self { problem, planner, info, roadmap, iteration, status, improvement, history, viewer_work }
     }
 
     /// One iteration: of the planner, or an attempt at improving its path.
@@ -79,7 +79,7 @@ impl<S: Space> Runner<S> {
         }
     }
 
-    /// Takes the planner's path as it is now.
+    /// Accepts the planner's path as it is now.
     fn accept(&mut self) {
         let graph = self.planner.graph();
         let path = self.planner.path().into_iter().map(|vertex| *graph.state(vertex)).collect();
@@ -331,7 +331,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn roadmap(&self) -> Option<RoadmapDocument> {
-        self.kept.as_ref().map(|kept| kept.filled(self.vertices_since(0), &self.edges_since(0)))
+        self.roadmap.as_ref().map(|roadmap| roadmap.filled(self.vertices_since(0), &self.edges_since(0)))
     }
 
     fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error> {
@@ -345,14 +345,13 @@ impl<S: Space> Run for Runner<S> {
             );
             return Err(Error::new(Code::Unsupported, "/keep", sentence));
         }
-        let keep = keep.then_some(self.iteration);
         let Some(roadmap) = self.planner.roadmap() else {
             let sentence = format!("{} builds no roadmap to query", self.info.planner);
             return Err(Error::new(Code::Unsupported, "", sentence));
         };
-        let answer = roadmap.answer(&self.problem, ends, keep);
-        let status = if answer.path.is_empty() { Status::Exhausted } else { Status::Solved };
-        let path = EmittedPath::through(&self.problem, &answer.path);
+        let found = roadmap.query(&self.problem, ends, keep.then_some(self.iteration));
+        let status = if found.path.is_empty() { Status::Exhausted } else { Status::Solved };
+        let path = EmittedPath::through(&self.problem, &found.path);
         Ok(self.document(ASKED, status, path))
     }
 }

@@ -1,6 +1,6 @@
 //! Samplers of the configuration space: any planner works with any of them.
 //!
-//! Some samplers check for collisions: they return what they learned about the sample.
+//! Some samplers check for collisions: they also return what they learned about the sample.
 
 mod obstacles;
 mod sequences;

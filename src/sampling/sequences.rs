@@ -76,7 +76,7 @@ pub fn lattice(dimension: usize, random: Random) -> Sequence<impl Fn(usize, u64)
     })
 }
 
-/// The root above 1 of x^(d+1) = x + 1, by fixed-point iteration, which contracts by at least a third a round.
+/// The root above 1 of x^(d+1) = x + 1, by fixed-point iteration, which contracts by at least a third per round.
 fn root(dimension: usize) -> f64 {
     (0..64).fold(2.0, |g, _| libm::pow(1.0 + g, 1.0 / (dimension + 1) as f64))
 }

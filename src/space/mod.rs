@@ -43,7 +43,7 @@ pub const MAX_DIMENSION: usize = 8;
 /// A configuration space.
 ///
 /// A user-defined space needs the eight methods without a default. The defaults are right for any space without curves or
-/// steered motions whose metric is symmetric. Nearest neighbours are then found by computing all distances, O(n) a query;
+/// steered motions whose metric is symmetric. Nearest neighbours are then found by computing all distances, O(n) per query;
 /// give [`norm`](Space::norm), [`period`](Space::period) and [`is_norm_exact`](Space::is_norm_exact) too, and a kd-tree
 /// finds them.
 ///

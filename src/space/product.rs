@@ -13,7 +13,7 @@ const LAST: f64 = TAU.next_down();
 pub enum Coordinate {
     /// An angle that wraps: in (-pi, pi], differences the short way round.
     Circle,
-    /// A circle cut open at 0: angles in [0, 2 pi), linear, nothing wraps. A naive measure, to show why it misleads: 0.1
+    /// A circle cut open at 0: angles in [0, 2 pi), linear, nothing wraps. A naive measure, for comparison: 0.1
     /// and 6.2 are near each other on a circle and far apart here.
     CutCircle,
     /// A number between two limits, in radians or metres; linear, nothing wraps.

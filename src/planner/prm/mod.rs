@@ -8,7 +8,6 @@
 //! probabilistic learning approach"): a vertex is connected to the nearest that it leads to and to the nearest that lead to it.
 
 mod batch;
-mod connect;
 mod one_by_one;
 mod star;
 

@@ -1,7 +1,7 @@
 //! From a scenario and parameters to an index: names become types.
 
 use super::table::{ForestOptions, IndexId};
-use super::{Answer, MAX_CONFIGURATIONS, MAX_PLACES, Neighbours};
+use super::{MAX_CONFIGURATIONS, MAX_PLACES, NearestResult, Neighbours};
 use crate::error::{Code, Error, Number};
 use crate::graph::VertexId;
 use crate::nearest::{Forest, ForestParameters, KdTree, LinearScan, Nearest, Neighbour};
@@ -69,11 +69,11 @@ struct Held<S, I> {
 
 impl<S: Space, I: Nearest<S>> Held<S, I> {
     /// The neighbours of `q`.
-    fn ask(&self, q: &[f64], ask: impl Fn(&S::State, &mut Vec<Neighbour>) -> usize) -> Result<Answer, Error> {
+    fn ask(&self, q: &[f64], ask: impl Fn(&S::State, &mut Vec<Neighbour>) -> usize) -> Result<NearestResult, Error> {
         self.configurations.refuse_outside(q, "/q")?;
         let mut neighbours = Vec::new();
         let visited = ask(&self.space.state(q), &mut neighbours);
-        Ok(Answer { neighbours, visited })
+        Ok(NearestResult { neighbours, visited })
     }
 }
 
@@ -108,11 +108,11 @@ impl<S: Space, I: Nearest<S>> Neighbours for Held<S, I> {
         Ok(())
     }
 
-    fn k_nearest(&self, q: &[f64], k: usize) -> Result<Answer, Error> {
+    fn k_nearest(&self, q: &[f64], k: usize) -> Result<NearestResult, Error> {
         self.ask(q, |state, found| self.index.k_nearest(&self.space, state, k.min(self.len()), found))
     }
 
-    fn within(&self, q: &[f64], radius: f64) -> Result<Answer, Error> {
+    fn within(&self, q: &[f64], radius: f64) -> Result<NearestResult, Error> {
         // Not a number, too.
         if !(radius >= 0.0 && radius.is_finite()) {
             let code = if radius.is_finite() { Code::OutOfRange } else { Code::NotFinite };

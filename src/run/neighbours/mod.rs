@@ -16,9 +16,9 @@ pub const MAX_CONFIGURATIONS: usize = 1_000_000;
 /// The most that a forest holds, times its trees.
 pub const MAX_PLACES: usize = 10_000_000;
 
-/// The answer to a query.
+/// The result of a query.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Answer {
+pub struct NearestResult {
     /// The neighbours, nearest first, ties by number.
     pub neighbours: Vec<Neighbour>,
     /// The number of configurations whose distance was computed.
@@ -51,11 +51,11 @@ pub trait Neighbours {
     ///
     /// # Errors
     /// `wrong-dimension`, `not-finite` or `out-of-range`, with a pointer at or below `/q`.
-    fn k_nearest(&self, q: &[f64], k: usize) -> Result<Answer, Error>;
+    fn k_nearest(&self, q: &[f64], k: usize) -> Result<NearestResult, Error>;
 
     /// Those no farther from `q` than `radius`, in the unit of the metric; a forest finds those among its candidates.
     ///
     /// # Errors
     /// Of `q` as above; `not-finite` or `out-of-range` with the pointer `/radius` for one that is negative.
-    fn within(&self, q: &[f64], radius: f64) -> Result<Answer, Error>;
+    fn within(&self, q: &[f64], radius: f64) -> Result<NearestResult, Error>;
 }

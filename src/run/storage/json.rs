@@ -97,7 +97,7 @@ impl Document {
             return Err(Error::new(Code::OutOfRange, "/dimension", sentence));
         }
         if self.circles.len() != dimension {
-            let sentence = format!("there must be {dimension}, one a coordinate, not {}", self.circles.len());
+            let sentence = format!("there must be {dimension}, one per coordinate, not {}", self.circles.len());
             return Err(damaged("/circles", sentence));
         }
         let radius = match &self.radius {
@@ -106,7 +106,7 @@ impl Document {
         };
         let edge_samples = match (self.edge_check, self.edge_samples) {
             (EdgeCheck::Proven, None) => None,
-            (EdgeCheck::Sampled, Some(places @ 1..)) => Some(places),
+            (EdgeCheck::Sampled, Some(samples @ 1..)) => Some(samples),
             _ => {
                 return Err(damaged(
                     "/edge_samples",

@@ -3,8 +3,8 @@
 //! [`options!`](crate::options!) declares a struct whose fields are options. Each field is given by its type, its default, its
 //! range, its title and, as its documentation, its meaning. From that follow the struct itself, its defaults, reading
 //! values by name ([`Options::read`]) and the table that help texts and controls are made from ([`Options::table`]). A field
-//! whose type is another such struct contributes all options of it: a group that several tables share. The texts of a table
-//! are not part of what reads values.
+//! whose type is another such struct contributes all options of it: a group that several tables share. Reading values
+//! does not depend on the texts of a table.
 
 use crate::error::{Code, Error, quoted};
 use std::any::Any;

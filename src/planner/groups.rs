@@ -9,6 +9,7 @@ use crate::random::{Random, Stream};
 use crate::sampling::{BridgeTest, Gaussian, GoalBiased, ObstacleBased, Sampler, Uniform, halton, lattice};
 use crate::space::steering::Steering;
 use crate::space::{MetricKind, Space};
+use serde::{Deserialize, Serialize};
 
 /// The default tolerance, as a fraction of the world's longer side.
 pub const DEFAULT_TOLERANCE: f64 = 1e-4;
@@ -79,6 +80,8 @@ crate::options! {
 
 crate::choice! {
     /// How edges are checked.
+    #[derive(Serialize, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
     pub enum EdgeCheck {
         /// They are proven free along all of their length.
         Proven,

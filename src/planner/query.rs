@@ -49,7 +49,7 @@ crate::choice! {
 /// Less than 1 by more than the rounding of an estimate, so that no estimate exceeds a true cost.
 const BELOW: f64 = 1.0 - 1e-12;
 
-/// A search at work.
+/// A running search.
 pub(super) struct Query {
     adjacency: Adjacency,
     walker: Box<dyn Walker>,
@@ -86,8 +86,8 @@ impl Query {
             (Cost::Metric, Heuristic::EndEffector) => BELOW,
             _ => 1.0,
         };
-        let join = if space.is_symmetric() { Adjacency::joining } else { Adjacency::directed };
-        Self { adjacency: join(vertices, graph.edges(), added), walker, rules, goals, scale }
+        let adjacency = Adjacency::new(vertices, graph.edges(), added, !space.is_symmetric());
+        Self { adjacency, walker, rules, goals, scale }
     }
 
     /// Expands one vertex.

@@ -85,32 +85,21 @@ impl<S: Space> Roadmap<S> {
         }
     }
 
-    /// Connects two vertices if the motion from the one to the other is proven free; else adds an event.
-    pub(super) fn try_edge(&mut self, problem: &Problem<S>, iteration: u32, from: VertexId, to: VertexId) {
+    /// Connects two vertices if the motion from the one to the other is proven free; else adds an event. Returns whether it is.
+    pub(super) fn try_edge(&mut self, problem: &Problem<S>, iteration: u32, from: VertexId, to: VertexId) -> bool {
         let (origin, target) = (self.growth.state(from), self.growth.state(to));
-        if self.growth.is_motion_free(problem, &origin, &target) {
+        let is_free = self.growth.is_motion_free(problem, &origin, &target);
+        if is_free {
             self.growth.graph.add_edge(iteration, from, to);
         } else {
             self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), Some(to), target);
         }
+        is_free
     }
 
     /// The search from the start to a goal on the roadmap as it is.
     fn begin_search(&self, space: &S) -> Query {
         Query::new(space, &self.growth.graph, &[], &[], START, self.goals.clone(), self.rules)
-    }
-
-    /// Expands one vertex of the search.
-    fn search(&mut self, problem: &Problem<S>, iteration: u32, query: &mut Query) -> Expansion {
-        let expansion = query.step(problem, &self.growth.graph, &[]);
-        let (kind, vertex) = match expansion {
-            Expansion::Vertex(vertex) => (EventKind::VertexExpanded, vertex),
-            Expansion::Goal => (EventKind::SolutionFound, query.path().last().copied().unwrap_or(GOAL)),
-            Expansion::Nothing => return expansion,
-        };
-        self.growth.counters.visited += 1;
-        self.growth.add_event(kind, iteration, Some(vertex), None, self.growth.state(vertex));
-        expansion
     }
 
     /// Queries the roadmap again: connects start and goal to the roadmap by motions that are proven free, and searches it. The
@@ -200,12 +189,23 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
             }
             return Status::Running;
         };
-        let (path, status) = match self.roadmap.search(problem, iteration, search) {
-            Expansion::Vertex(_) => return Status::Running,
-            Expansion::Goal => (search.path(), Status::Solved),
-            Expansion::Nothing => (Vec::new(), Status::Exhausted),
+        let growth = &mut self.roadmap.growth;
+        let (kind, vertex, status) = match search.step(problem, &growth.graph, &[]) {
+            Expansion::Vertex(vertex) => (EventKind::VertexExpanded, vertex, Status::Running),
+            Expansion::Goal => {
+                let path = self.path.insert(search.path());
+                (EventKind::SolutionFound, path.last().copied().unwrap_or(GOAL), Status::Solved)
+            }
+            Expansion::Nothing => {
+                (self.path, self.search) = (Some(Vec::new()), None);
+                return Status::Exhausted;
+            }
         };
-        (self.path, self.search) = (Some(path), None);
+        growth.counters.visited += 1;
+        growth.add_event(kind, iteration, Some(vertex), None, growth.state(vertex));
+        if status == Status::Solved {
+            self.search = None;
+        }
         status
     }
 

@@ -146,10 +146,6 @@ impl<S: Space> Rrt<S> {
         self.growth.graph.add_edge(iteration, from, to);
     }
 
-    fn refuse(&mut self, iteration: u32, from: VertexId, other: Option<VertexId>, state: S::State) {
-        self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), other, state);
-    }
-
     /// The goal nearest to the state, ties by number, and its distance.
     fn nearest_goal(&self, problem: &Problem<S>, state: &S::State) -> (VertexId, f64) {
         let lefts = problem.goals().iter().map(|goal| problem.space().distance(state, goal));
@@ -178,7 +174,7 @@ impl<S: Space> Planner<S> for Rrt<S> {
         let reached = match self.steer(problem, &origin, &target) {
             Ok(reached) => reached,
             Err(wanted) => {
-                self.refuse(iteration, near, None, wanted);
+                self.growth.add_event(EventKind::EdgeRefused, iteration, Some(near), None, wanted);
                 return Status::Running;
             }
         };
@@ -197,7 +193,7 @@ impl<S: Space> Planner<S> for Rrt<S> {
             if self.growth.is_motion_free(problem, &reached, &target) {
                 return self.arrive(iteration, vertex, goal);
             }
-            self.refuse(iteration, vertex, Some(goal), target);
+            self.growth.add_event(EventKind::EdgeRefused, iteration, Some(vertex), Some(goal), target);
         }
         Status::Running
     }

@@ -148,13 +148,14 @@ impl<S: Space> Sst<S> {
         self.active.within(space, target, self.selection_radius, &mut self.found);
         let near = self.found.iter().map(|neighbour| neighbour.vertex);
         let cheapest = near.min_by(|&a, &b| self.cost(a).total_cmp(&self.cost(b)).then(a.cmp(&b)));
-        cheapest.unwrap_or_else(|| self.active.nearest(space, target).expect("a witness stands for one").vertex)
+        cheapest
+            .unwrap_or_else(|| self.active.nearest(space, target).expect("every witness has a representative").vertex)
     }
 
     /// The witness of a state: the nearest, or a new one if that is too far; and whether it is new.
     fn witness(&mut self, problem: &Problem<S>, state: &S::State) -> (usize, bool) {
         self.tree.growth.counters.nearest_queries += 1;
-        let nearest = self.witnesses.nearest(problem.space(), state).expect("the start has one");
+        let nearest = self.witnesses.nearest(problem.space(), state).expect("the start is a witness");
         if nearest.distance <= self.pruning_radius {
             return (nearest.vertex.index(), false);
         }

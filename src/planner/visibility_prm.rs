@@ -77,9 +77,7 @@ impl PlannerKind for VisibilityPrmOptions {
             guarding.add_guard(&mut roadmap, 0, VertexId(end));
         }
         for goal in goals.start.0..goals.end.0 {
-            let edges = roadmap.graph().edges().len();
-            roadmap.try_edge(problem, 0, START, VertexId(goal));
-            if roadmap.graph().edges().len() > edges {
+            if roadmap.try_edge(problem, 0, START, VertexId(goal)) {
                 guarding.components.join(START.index(), goal as usize);
             }
         }

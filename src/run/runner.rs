@@ -12,7 +12,7 @@ use crate::space::Space;
 /// The name of further queries in result documents.
 const ASKED: &str = "asked";
 
-/// The names and numbers that a run carries into its result.
+/// The names and numbers that a run copies into its result.
 #[derive(Debug, Clone, Default)]
 pub(super) struct RunInfo {
     pub scenario: String,

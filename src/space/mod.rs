@@ -7,7 +7,7 @@
 //! - `product.rs`: [`ProductSpace`], its coordinates and its metrics. LaValle 2006, "Planning Algorithms", chapters 4 (products
 //!   of circles and intervals) and 5.1 (metrics, weights of rotation);
 //! - `motion.rs`: [`MotionSpace`], straight motions or the curves of [`steering`];
-//! - `angle.rs`, `gap.rs`: distances on a line and on a circle, exact enough to bound a kd-tree.
+//! - `gap.rs`: distances on a line and on a circle, exact enough to bound a kd-tree.
 //!
 //! A state is a small `Copy` value in canonical form: finite, angles of circles in (-pi, pi], never -0. Arrays of `N` numbers
 //! serve every dimension up to `N`: entries past [`Space::dimension`] are 0 and add exactly nothing.

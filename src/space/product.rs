@@ -2,7 +2,7 @@
 //!
 //! LaValle 2006, "Planning Algorithms", sections 4.1.2 and 4.2 (products of circles and intervals) and 5.1.2 (metrics).
 
-use super::{Space, unwind, wrap};
+use super::{Space, gap, unwind, wrap};
 use std::f64::consts::{PI, TAU};
 
 /// The largest angle below 2 pi.
@@ -130,13 +130,6 @@ impl<const N: usize> ProductSpace<N> {
         })
     }
 
-    /// The distance of coordinate `i` alone.
-    #[inline]
-    fn gap(&self, i: usize, a: f64, b: f64) -> f64 {
-        let gap = (a - b).abs();
-        if gap > self.half[i] { TAU - gap } else { gap }
-    }
-
     /// The metric as a function of the gaps of the first `count` coordinates: see [`Space::norm`].
     #[inline(always)]
     fn combine<const L: usize>(&self, count: usize, mut gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
@@ -199,7 +192,7 @@ impl<const N: usize> Space for ProductSpace<N> {
 
     #[inline]
     fn distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
-        let [distance] = self.combine(N, |i| [self.gap(i, a[i], b[i])]);
+        let [distance] = self.combine(N, |i| [gap(a[i], b[i], self.period(i))]);
         distance
     }
 
@@ -252,12 +245,12 @@ impl<const N: usize> Space for ProductSpace<N> {
     }
 
     fn turn(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
-        (0..self.dimension).filter(|&i| self.is_circle(i)).map(|i| self.gap(i, a[i], b[i])).fold(0.0, f64::max)
+        (0..self.dimension).filter(|&i| self.is_circle(i)).map(|i| gap(a[i], b[i], self.period(i))).fold(0.0, f64::max)
     }
 
     fn sweep(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
         let cut = (0..self.dimension).filter(|&i| self.is_cut[i]);
-        cut.map(|i| self.gap(i, a[i], b[i])).fold(self.turn(a, b), f64::max)
+        cut.map(|i| gap(a[i], b[i], self.period(i))).fold(self.turn(a, b), f64::max)
     }
 
     #[inline]

@@ -13,8 +13,8 @@ use crate::error::Error;
 /// The most configurations that an index holds.
 pub const MAX_CONFIGURATIONS: usize = 1_000_000;
 
-/// The most that a forest holds, times its trees.
-pub const MAX_PLACES: usize = 10_000_000;
+/// The most configurations of a forest, times its trees.
+pub const MAX_ENTRIES: usize = 10_000_000;
 
 /// The result of a query.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,7 +43,7 @@ pub trait Neighbours {
     ///
     /// # Errors
     /// `wrong-dimension` if the last row is not whole; `not-finite` or `out-of-range` with a pointer of row and number, such
-    /// as `/rows/2/0`; `too-large` beyond [`MAX_CONFIGURATIONS`], or [`MAX_PLACES`] in a forest.
+    /// as `/rows/2/0`; `too-large` beyond [`MAX_CONFIGURATIONS`], or [`MAX_ENTRIES`] in a forest.
     fn add(&mut self, rows: &[f64]) -> Result<(), Error>;
 
     /// The `k` configurations nearest to `q`; all, if there are fewer. O(n) by a scan, about O(log n + k) by a kd-tree in few

@@ -3,6 +3,7 @@
 use super::{MAX_DIMENSION, RoadmapDocument, RoadmapMetric, damaged};
 use crate::error::{Code, Error, quoted};
 use crate::json;
+use crate::planner::EdgeCheck;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -33,13 +34,6 @@ struct Document {
     edges: Vec<[u32; 2]>,
     #[serde(with = "json::hex")]
     checksum: u64,
-}
-
-#[derive(Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum EdgeCheck {
-    Proven,
-    Sampled,
 }
 
 impl RoadmapDocument {

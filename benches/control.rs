@@ -3,7 +3,7 @@
 //! `cargo bench --bench control` prints a table for the defaults and the presets; `-- "rrt-control blossom=3" "sst"` one for these
 //! settings; `-- --scenarios FILE...` before them takes other worlds. A run pinned to one core is quieter.
 
-use planarium::planner::{Method, RrtControlOptions};
+use planarium::planner::{PlannerKind, RrtControlOptions};
 use planarium::run::{Options, Status, Value, start};
 use planarium::scenario::{Scenario, generate::generate};
 use serde_json::json;
@@ -35,7 +35,7 @@ fn main() {
     }
     if arguments.is_empty() {
         arguments = ["rrt-control", "sst"].map(str::to_owned).to_vec();
-        for preset in RrtControlOptions::PRESETS {
+        for preset in RrtControlOptions::INFO.presets {
             arguments.push(format!("rrt-control {}", preset.settings));
         }
     }

@@ -6,6 +6,7 @@
 //! its scenario, for other verifiers. Milliseconds are for comparison within one table.
 
 use planarium::path::{Verdict, verify};
+use planarium::planner::ByControls;
 use planarium::run::{Options, Status, Value, planners, start};
 use planarium::scenario::{Robot, Scenario};
 use std::path::{Path, PathBuf};
@@ -17,10 +18,11 @@ type Arm = (String, &'static str, Vec<(String, Value)>);
 /// Every planner that applies to the robot, with its defaults, or with both kinds of curves if it steers along curves; then the
 /// presets of the course reports.
 fn arms(robot: &Robot) -> Vec<Arm> {
-    let fitting = planners().into_iter().filter(|info| info.robots.contains(&robot.kind()));
+    let fitting = planners().into_iter().filter(|planner| planner.robots().contains(&robot.kind()));
     let mut arms = Vec::new();
-    for info in fitting {
-        if !matches!(robot, Robot::Car(_)) || info.is_driven {
+    for planner in fitting {
+        let info = planner.info();
+        if !matches!(robot, Robot::Car(_)) || planner.group::<ByControls>().is_some() {
             arms.push((info.title.to_owned(), info.id, Vec::new()));
             let name = |title| format!("{}: {title}", info.title);
             arms.extend(info.presets.iter().map(|preset| (name(preset.title), info.id, preset.parameters())));

@@ -3,8 +3,8 @@
 //! [`options!`](crate::options!) declares a struct whose fields are options. Each field is given by its type, its default, its
 //! range, its title and, as its documentation, its meaning. From that follow the struct itself, its defaults, reading
 //! values by name ([`Options::read`]) and the table that help texts and controls are made from ([`Options::table`]). A field
-//! whose type is another such struct contributes all options of it: a group that several tables share. The texts of a table
-//! are not part of what reads values.
+//! whose type is another such struct contributes all options of it: a group that several tables share. Reading values
+//! does not depend on the texts of a table.
 
 use crate::error::{Code, Error, quoted};
 use std::any::Any;
@@ -53,7 +53,7 @@ pub struct OptionInfo {
     pub computed: &'static str,
     /// Its meaning, in one sentence.
     pub meaning: String,
-    /// The types of robots that it is for, as in documents; it has no effect on others. Empty if there is no robot.
+    /// The types of robots that it is for, as in documents; others have no use for it, and may refuse it. Empty if there is no robot.
     pub robots: &'static [&'static str],
 }
 
@@ -133,12 +133,12 @@ impl Given<'_> {
         T::from_value(&value)
     }
 
-    /// Refuses names that are not known or given twice; `unknown` is the code of the former.
-    fn finish(mut self, unknown: Code) -> Result<(), Error> {
+    /// Refuses names that are not known or given twice.
+    fn finish(mut self) -> Result<(), Error> {
         for (at, (name, _)) in self.given.iter().enumerate() {
             if !self.known.contains(&name.as_str()) {
                 let sentence = format!("unknown option {}; known options are {}", quoted(name), self.known.join(", "));
-                self.refuse(at, refusal(unknown, name, sentence));
+                self.refuse(at, refusal(Code::UnknownParameter, name, sentence));
             } else if self.given[..at].iter().any(|(earlier, _)| earlier == name) {
                 self.refuse(at, refusal(Code::DuplicateField, name, format!("{name} is given twice")));
             }
@@ -163,6 +163,9 @@ pub trait Field: Sized + 'static {
 
 /// A struct of options, as [`options!`](crate::options!) declares it.
 pub trait Options: Field + Default + Copy {
+    /// The robots that they are for, by their types in documents; empty if there is no robot.
+    const ROBOTS: &'static [&'static str];
+
     /// The table of its options.
     fn table() -> Vec<OptionInfo> {
         let mut table = Vec::new();
@@ -175,15 +178,7 @@ pub trait Options: Field + Default + Copy {
     /// # Errors
     /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`.
     fn read(given: &[(String, Value)]) -> Result<Self, Error> {
-        Self::read_or(given, Code::UnknownParameter)
-    }
-
-    /// The same with another code for names that are not known.
-    ///
-    /// # Errors
-    /// As [`Options::read`].
-    fn read_or(given: &[(String, Value)], unknown: Code) -> Result<Self, Error> {
-        Self::default().updated(given, unknown)
+        Self::default().updated(given)
     }
 
     /// Whether there is an option of this name.
@@ -197,17 +192,17 @@ pub trait Options: Field + Default + Copy {
     /// # Errors
     /// `not-finite` or `out-of-range`, with the pointer `/name`.
     fn check(&self) -> Result<(), Error> {
-        self.updated(&[], Code::UnknownParameter).map(|_| ())
+        self.updated(&[]).map(|_| ())
     }
 
     /// These options with the values given by name; all must be in range.
     ///
     /// # Errors
-    /// As [`Options::read_or`].
-    fn updated(self, given: &[(String, Value)], unknown: Code) -> Result<Self, Error> {
+    /// As [`Options::read`].
+    fn updated(self, given: &[(String, Value)]) -> Result<Self, Error> {
         let mut given = Given { given, known: Vec::new(), refused: None };
         let options = self.take("", &ANY, &mut given);
-        given.finish(unknown).map(|()| options)
+        given.finish().map(|()| options)
     }
 }
 
@@ -405,7 +400,9 @@ macro_rules! options {
             }
         }
 
-        impl $crate::options::Options for $Name {}
+        impl $crate::options::Options for $Name {
+            const ROBOTS: &'static [&'static str] = $all;
+        }
     };
     (@or ($other:expr)) => { $other };
     (@or ($other:expr) $given:expr) => { $given };

@@ -1,4 +1,4 @@
-//! The seeded, portable generator: the same seed gives the same draws on every platform, for good.
+//! The seeded, portable generator: the same seed gives the same draws on every platform and in every version.
 //!
 //! Xoshiro256++ (Blackman and Vigna 2021, "Scrambled linear pseudorandom number generators"), seeded through SplitMix64.
 //! Results must not change with the version of the crate rand, so [`Random::normal`] and [`below`] are written here: rand and
@@ -19,7 +19,7 @@ pub(crate) fn check_seed(seed: u64) -> Result<(), Error> {
     Err(Error::new(Code::OutOfRange, "/seed", format!("a seed must lie within [0, {MAX_SEED}], not {seed}")))
 }
 
-/// What a stream of random numbers is for. Streams of one seed never overlap: each begins 2^192 draws after the last.
+/// The purpose of a stream of random numbers. Streams of one seed never overlap: each begins 2^192 draws after the last.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stream {
     /// Samples of the configuration space.

@@ -3,7 +3,7 @@
 use crate::common::car_shut_in;
 use crate::common::driven::car;
 use planarium::collision::{BodyCollision, BodyValidity, CarDynamics, Integration};
-use planarium::planner::{Blocked, ByControls, GoalBias, GoalTest, Method, RrtControlOptions};
+use planarium::planner::{Blocked, ByControls, GoalBias, GoalTest, PlannerKind, RrtControlOptions};
 use planarium::problem::{Control, Dynamics, Motion, Problem};
 use planarium::random::Random;
 use planarium::robot::placements;
@@ -69,8 +69,8 @@ fn of_a_blossom_the_one_that_comes_closest_is_kept() {
         let (drives, proofs) = (Rc::default(), Rc::default());
         let noted = Noted { driving: driving(), drives: Rc::clone(&drives), proofs: Rc::clone(&proofs) };
         let validity = BodyValidity::new(space.clone(), Rc::clone(&collision));
-        let problem = Problem::new(space.clone(), Box::new(validity), start, goal).expect("both are free");
-        let problem = problem.with_dynamics(Box::new(noted));
+        let mut problem = Problem::new(space.clone(), Box::new(validity), start, goal).expect("both are free");
+        problem.dynamics = Some(Box::new(noted));
         let options = RrtControlOptions {
             blossom: 8,
             duration_steps: Some(120),

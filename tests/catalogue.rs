@@ -69,20 +69,21 @@ fn settings() -> Vec<(&'static str, String)> {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_planner_and_parameter_says_in_one_short_sentence_what_it_does() {
-    for info in planners() {
-        let texts = info.parameters.iter().map(|row| (row.name, &*row.meaning));
+    for planner in planners() {
+        let (info, table) = (planner.info(), planner.table());
+        let texts = table.iter().map(|row| (row.name, &*row.meaning));
         for (name, words) in texts.chain([(info.id, info.summary), (info.id, info.guarantee)]) {
             let length = words.chars().count();
             assert!((30..=110).contains(&length), "{name}: {length} characters in {words:?}");
             assert!(words.ends_with('.') && !words.contains(". "), "{name}: one sentence, not {words:?}");
         }
-        assert!(info.parameters.iter().all(|row| (1..=20).contains(&row.title.chars().count())), "{}", info.id);
+        assert!(table.iter().all(|row| (1..=20).contains(&row.title.chars().count())), "{}", info.id);
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_planner_has_a_few_short_lines() {
-    for info in planners() {
+    for info in planners().map(|planner| planner.info()) {
         let lines = info.pseudocode;
         assert!((6..=12).contains(&lines.len()), "{}: {} lines", info.id, lines.len());
         assert_eq!(lines[0].indent, 0, "{}", info.id);
@@ -104,9 +105,9 @@ fn every_iteration_lights_a_line_and_every_mark_is_met() {
     let cars = [car_and_wall(0.1), car_shut_in(0.1)];
     let mut met: BTreeSet<(&str, String)> = BTreeSet::new();
     for (planner, words) in settings() {
-        let info = PlannerOptions::of(planner).expect("a planner").info();
-        let lines = info.pseudocode;
-        for world in if info.robots == ["car"] { &cars[..] } else { &worlds } {
+        let options = PlannerOptions::of(planner).expect("a planner");
+        let lines = options.info().pseudocode;
+        for world in if options.robots() == ["car"] { &cars[..] } else { &worlds } {
             let settings = fitting(world, &words);
             let limit = if settings.contains("max_iterations") { "" } else { " max_iterations=1500" };
             let mut run = begin_with(world, planner, 5, &(settings + limit));
@@ -117,7 +118,7 @@ fn every_iteration_lights_a_line_and_every_mark_is_met() {
             }
         }
     }
-    for info in planners() {
+    for info in planners().map(|planner| planner.info()) {
         let marks = |lines: &[PseudocodeLine]| -> BTreeSet<String> {
             lines.iter().flat_map(|line| line.lit_by).copied().map(word).collect()
         };

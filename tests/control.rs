@@ -265,9 +265,10 @@ fn a_start_in_the_region_is_a_path() {
 fn presets_are_settings_of_their_planner() {
     let (cars, arms) = (car_and_wall(0.1), arm_and_wall(0.1));
     let mut found = 0;
-    for info in planners() {
+    for planner in planners() {
+        let info = planner.info();
         for preset in info.presets {
-            let world = if info.robots.contains(&"arm") { &arms } else { &cars };
+            let world = if planner.robots().contains(&"arm") { &arms } else { &cars };
             let parameters = preset.parameters();
             let options = Options { planner: Some(info.id.to_owned()), parameters, ..Options::default() };
             let mut run = start(world, &options).unwrap_or_else(|error| panic!("{}: {error}", preset.id));

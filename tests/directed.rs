@@ -4,7 +4,7 @@
 use planarium::graph::{Graph, VertexId};
 use planarium::path::{Improvement, Wanted, length};
 use planarium::planner::{
-    Algorithm, Extend, GoalBias, Insertion, Method, Planner, PrmOptions, RrtConnectOptions, RrtOptions, Searching,
+    Algorithm, Extend, GoalBias, Insertion, Planner, PlannerKind, PrmOptions, RrtConnectOptions, RrtOptions, Searching,
     Status,
 };
 use planarium::problem::{Contact, Problem, Touched, Validity};
@@ -80,7 +80,7 @@ fn problem(steering: Steering) -> Problem<Car> {
 }
 
 /// A planner at its beginning.
-fn begin(options: &impl Method, problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {
+fn begin(options: &impl PlannerKind, problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {
     options.begin(problem, seed).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -229,7 +229,7 @@ fn a_roadmap_answers_other_questions_in_the_direction_asked() {
             let ends = ends.map(|q| space.state(&q));
             let roadmap = planner.roadmap().expect("a roadmap");
             let before = roadmap.graph().states().len();
-            let answer = roadmap.answer(&problem, ends, keep);
+            let answer = roadmap.query(&problem, ends, keep);
             assert_eq!(roadmap.graph().states().len(), before + if keep.is_some() { 2 } else { 0 });
             edges_are_free(roadmap.graph(), &problem);
             if !answer.path.is_empty() {

@@ -5,7 +5,7 @@ use crate::common::documents::refuses;
 use crate::common::golden::{self, scene};
 use planarium::run::catalogue::catalogue;
 use planarium::run::inspect::{Inspector, MAX_SAMPLES};
-use planarium::run::neighbours::{Answer, Neighbours, index, indexes, recall};
+use planarium::run::neighbours::{NearestResult, Neighbours, index, indexes, recall};
 use planarium::run::{Options, Value, start};
 use planarium::scenario::Scenario;
 use serde_json::{Value as Json, json};
@@ -23,7 +23,7 @@ fn made(scenario: &Scenario, id: &str, set: &[(&str, Value)]) -> Box<dyn Neighbo
     index(scenario, Some(id), &set).expect("it can be made")
 }
 
-fn bits(answer: &Answer) -> Vec<(u32, u64)> {
+fn bits(answer: &NearestResult) -> Vec<(u32, u64)> {
     answer.neighbours.iter().map(|neighbour| (neighbour.vertex.0, neighbour.distance.to_bits())).collect()
 }
 

@@ -1,7 +1,7 @@
 //! Planning in a space and among obstacles that the test defines itself, through the public API alone.
 
 use planarium::path::Wanted;
-use planarium::planner::{Method, PrmOptions, RrtConnectOptions};
+use planarium::planner::{PlannerKind, PrmOptions, RrtConnectOptions};
 use planarium::problem::{Contact, Problem, Touched, Validity};
 use planarium::run::{self, Run, Status};
 use planarium::space::Space;

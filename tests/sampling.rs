@@ -6,7 +6,7 @@ use planarium::problem::Problem;
 use planarium::random::{Random, Stream};
 use planarium::robot::DiscRobot;
 use planarium::sampling::{
-    BridgeTest, Gaussian, GoalBiased, Halton, Known, Lattice, ObstacleBased, Sampler, Uniform, radical_inverse,
+    BridgeTest, Gaussian, GoalBiased, Known, ObstacleBased, Sampler, Uniform, halton, lattice, radical_inverse,
 };
 use planarium::scenario::{Robot, Scenario};
 use planarium::space::{ProductSpace, Space};
@@ -35,8 +35,8 @@ fn samplers(seed: u64) -> Vec<(&'static str, Box<dyn Sampler<Plane>>)> {
     let random = || Random::new(seed, Stream::Samples);
     vec![
         ("uniform", Box::new(Uniform(random()))),
-        ("halton", Box::new(Halton::new(random()))),
-        ("lattice", Box::new(Lattice::new(2, random()))),
+        ("halton", Box::new(halton(random()))),
+        ("lattice", Box::new(lattice(2, random()))),
         ("gaussian", Box::new(Gaussian { random: random(), deviation: 0.5 })),
         ("bridge", Box::new(BridgeTest { random: random(), deviation: 1.0 })),
         ("obstacle-based", Box::new(ObstacleBased(random()))),

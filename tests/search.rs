@@ -89,8 +89,7 @@ fn best_paths(seeds: u64, has_more_goals: bool, is_directed: bool) -> Met {
             false => (best(world.costs::<Undirected>(metric)), undirected),
         };
         let (some, more) = world.edges.split_at(world.edges.len() / 2);
-        let adjacency =
-            if is_directed { Adjacency::directed(n, some, more) } else { Adjacency::joining(n, some, more) };
+        let adjacency = Adjacency::new(n, some, more, is_directed);
         let none = |_: VertexId| 0.0;
         let to_goal = |v| (first..n).map(|goal| world.length(v, VertexId(goal as u32))).fold(f64::INFINITY, f64::min);
         // Admissible but inconsistent: full strength at some vertices, nothing at others.
@@ -146,7 +145,7 @@ fn every_search_finds_the_best_path_by_its_own_measure_and_only_where_there_is_o
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_search_from_a_vertex_to_itself_is_over_at_once() {
-    let adjacency = Adjacency::joining(2, &[[VertexId(0), VertexId(1)]], &[]);
+    let adjacency = Adjacency::new(2, &[[VertexId(0), VertexId(1)]], &[], false);
     let view = View { adjacency: &adjacency, cost: &|_, _| 1.0, heuristic: &|_| 0.0 };
     let goals = START..VertexId(1);
     assert_eq!(walk(BestFirst::new(2, START, goals.clone()), &view), (vec![START], 0));

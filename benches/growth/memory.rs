@@ -90,7 +90,9 @@ pub fn print(is_quick: bool) {
     let (_, an_edge) = row("edge in the graph: two ends 8, birth 4", edges, || {
         (0..edges).for_each(|i| graph.add_edge(i as u32, end(i, 7), end(i, 11)));
     });
-    row("edge during a search: two ends 8, and the rows' starts", edges, || Adjacency::joining(n, graph.edges(), &[]));
+    row("edge during a search: two ends 8, and the rows' starts", edges, || {
+        Adjacency::new(n, graph.edges(), &[], false)
+    });
     row("event, such as an edge refused: kind, birth, two vertices, a state", n, || {
         for (i, &state) in states.iter().enumerate() {
             let (vertex, other) = (Some(VertexId(i as u32)), Some(VertexId(0)));

@@ -2,7 +2,7 @@
 
 use super::convert::size;
 use crate::Error;
-use crate::run::neighbours::{Answer, Neighbours};
+use crate::run::neighbours::{NearestResult, Neighbours};
 use wasm_bindgen::prelude::*;
 
 /// An index of configurations.
@@ -10,9 +10,9 @@ use wasm_bindgen::prelude::*;
 pub struct RawNeighbours(pub(super) Box<dyn Neighbours>);
 
 /// The number of visited configurations, then index and distance of each neighbour.
-fn numbers(answer: Answer) -> Vec<f64> {
-    let rows = answer.neighbours.iter().flat_map(|neighbour| [f64::from(neighbour.vertex.0), neighbour.distance]);
-    std::iter::once(answer.visited as f64).chain(rows).collect()
+fn numbers(result: NearestResult) -> Vec<f64> {
+    let rows = result.neighbours.iter().flat_map(|neighbour| [f64::from(neighbour.vertex.0), neighbour.distance]);
+    std::iter::once(result.visited as f64).chain(rows).collect()
 }
 
 #[wasm_bindgen]

@@ -53,7 +53,7 @@ impl RawPlanner {
             self.spent.set(spent);
             left -= made;
             let room = (budget / 4.0).min(budget - (now - began));
-            // A run that made fewer than it was asked for is over.
+            // A run that made fewer iterations than requested is over.
             if made < asked || room <= 0.0 {
                 break;
             }
@@ -161,19 +161,19 @@ getters! { RawPlanner(self)
     phase: u8 = self.run.borrow().phase() as u8;
     /// The rows recorded since the last call, `history_width` numbers each.
     take_history: Vec<f64> = self.run.borrow_mut().take_history();
-    /// Numbers a row of the history.
+    /// Numbers per row of the history.
     history_width: usize = HISTORY_WIDTH;
     iterations: f64 = self.run.borrow().iterations() as f64;
-    /// Numbers a configuration.
+    /// Numbers per configuration.
     dimension: usize = self.run.borrow().dimension();
-    /// Numbers an event row.
+    /// Numbers per event row.
     event_width: usize = EVENT_HEAD + self.dimension();
     vertex_count: usize = self.run.borrow().vertex_count();
     edge_count: usize = self.run.borrow().edge_count();
     event_count: usize = self.run.borrow().event_count();
     /// The configurations at which the run may end, in rows of `dimension`.
     goals: Vec<f64> = self.run.borrow().goals().concat();
-    /// The path, `dimension` numbers a waypoint; empty until solved.
+    /// The path, `dimension` numbers per waypoint; empty until solved.
     path: Vec<f64> = self.run.borrow().path().concat();
     /// The path as the planner found it, in the same form.
     raw_path: Vec<f64> = self.run.borrow().raw_path().concat();

@@ -42,7 +42,7 @@ getters! { RawReach(self)
     /// Error, manipulability, iterations, restarts, the number of iterates, of solutions and of rejected configurations.
     state: Vec<f64> = {
         let rows = [self.0.iterates().len(), self.0.solutions().len(), self.0.rejected().len()];
-        let counts = [self.0.iterations(), u64::from(self.0.restarts())].into_iter().chain(rows.map(|rows| rows as u64));
+        let counts = [self.0.iterations(), u64::from(self.0.stats().restarts)].into_iter().chain(rows.map(|rows| rows as u64));
         [self.0.error(), self.0.manipulability()].into_iter().chain(counts.map(|count| count as f64)).collect()
     };
     configuration: Vec<f64> = self.0.configuration()[..self.0.dimension()].to_vec();

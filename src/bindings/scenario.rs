@@ -104,7 +104,7 @@ impl RawScenario {
         self.inspector.first_hit(a, b)
     }
 
-    /// The configuration space of an arm of two links, one byte a cell, 1 for collision.
+    /// The configuration space of an arm of two links, one byte per cell, 1 for collision.
     pub fn cspace(&self, width: f64, height: f64) -> Result<Vec<u8>, Error> {
         self.inspector.configuration_space(size(width, "width")?, size(height, "height")?)
     }
@@ -172,11 +172,11 @@ getters! { RawScenario(self)
     title: String = self.world.scenario().title().to_owned();
     /// The type of the robot, as in documents.
     robot: String = self.world.scenario().robot().kind().to_owned();
-    /// Numbers a configuration.
+    /// Numbers per configuration.
     dimension: usize = self.inspector.dimension();
     /// The scenario as a document, normalised.
     document: JsValue = record(self.world.scenario());
-    /// The box worth drawing: min x, min y, max x, max y.
+    /// The box to draw: min x, min y, max x, max y.
     extent: Vec<f64> = {
         let extent = self.inspector.extent();
         vec![extent.min.x, extent.min.y, extent.max.x, extent.max.y]

@@ -45,15 +45,15 @@ impl Rows {
 }
 
 impl Adjacency {
-    /// The neighbours along two lists of edges, in both directions, among `vertices` vertices. O(vertices + edges).
-    pub fn joining(vertices: usize, edges: &[[VertexId; 2]], more: &[[VertexId; 2]]) -> Self {
-        Self { successors: Rows::new(vertices, [edges, more], &[[0, 1], [1, 0]]), predecessors: None }
-    }
-
-    /// The neighbours along two lists of directed edges, from the first vertex to the second. O(vertices + edges).
-    pub fn directed(vertices: usize, edges: &[[VertexId; 2]], more: &[[VertexId; 2]]) -> Self {
-        let rows = |ends| Rows::new(vertices, [edges, more], &[ends]);
-        Self { successors: rows([0, 1]), predecessors: Some(rows([1, 0])) }
+    /// The neighbours along two lists of edges among `vertices` vertices: in both directions, or only from the first vertex
+    /// of an edge to the second. O(vertices + edges).
+    pub fn new(vertices: usize, edges: &[[VertexId; 2]], more: &[[VertexId; 2]], is_directed: bool) -> Self {
+        let rows = |ends: &[_]| Rows::new(vertices, [edges, more], ends);
+        if is_directed {
+            Self { successors: rows(&[[0, 1]]), predecessors: Some(rows(&[[1, 0]])) }
+        } else {
+            Self { successors: rows(&[[0, 1], [1, 0]]), predecessors: None }
+        }
     }
 
     /// The vertices that an edge leads to from this one.

@@ -65,7 +65,7 @@ pub struct Event<S> {
 }
 
 /// How many vertices, edges and events a graph holds in all before a run of a planner ends as exhausted: as many as fit into the
-/// 4 GB of a WebAssembly module, with the index of neighbours and with the room that growing lists take.
+/// 4 GB of a WebAssembly module, with the index of neighbours and the spare capacity of growing lists.
 pub const MAX_RECORDS: usize = 15_000_000;
 
 /// Vertices, edges and events in the order of their creation.

@@ -4,7 +4,7 @@ use super::Neighbour;
 use super::packs::{LANES, lane};
 use crate::graph::VertexId;
 
-/// Keeps the first `k` of the neighbours offered, in the order of [`Neighbour::is_before`].
+/// Collects the first `k` of the neighbours offered, in the order of [`Neighbour::is_before`].
 pub(super) struct Closest<'a> {
     found: &'a mut Vec<Neighbour>,
     k: usize,
@@ -68,14 +68,14 @@ impl<'a> Closest<'a> {
             }
             self.found.pop();
         }
-        let at = self.found.iter().rposition(|kept| kept.is_before(&neighbour)).map_or(0, |i| i + 1);
+        let at = self.found.iter().rposition(|other| other.is_before(&neighbour)).map_or(0, |i| i + 1);
         self.found.insert(at, neighbour);
         if self.found.len() == self.k {
             self.limit = self.found[self.k - 1].distance;
         }
     }
 
-    /// Keeps the first `k`, in no order. O(1) amortized per candidate, as it runs at twice `k`.
+    /// Selects the first `k`, in no order. O(1) amortized per candidate, as it runs at twice `k`.
     fn pick(&mut self) {
         // In WebAssembly one routine serves both, for size.
         if cfg!(target_arch = "wasm32") {

@@ -55,9 +55,9 @@ enum Node {
     Leaf(Vec<u32>),
 }
 
-/// A forest that grows. Insertion mostly costs O(trees log n), a query O(candidates + trees log n). States that come in order, or the same
-/// again and again, would make a tree deep and slow: a subtree too deep for its size is rebuilt (Galperin and Rivest 1993,
-/// "Scapegoat trees"), which costs O(trees log^2 n) an insertion on average. The states, and for each its
+/// A forest that grows. Insertion mostly costs O(trees log n), a query O(candidates + trees log n). States that come in order, or repeatedly the same,
+/// would make a tree deep and slow: a subtree too deep for its size is rebuilt (Galperin and Rivest 1993,
+/// "Scapegoat trees"), which costs O(trees log^2 n) per insertion on average. A forest stores the states, and for each its
 /// embedding and about trees (4 + 8 embedded dimension / leaf) bytes.
 #[derive(Debug, Clone)]
 pub struct Forest<S: Space> {
@@ -70,7 +70,7 @@ pub struct Forest<S: Space> {
     points: Vec<f64>,
     /// The first node of each is its root.
     trees: Vec<Vec<Node>>,
-    /// Of each tree the nodes that are out of use.
+    /// Of each tree the nodes that are not in use.
     spare: Vec<Vec<u32>>,
 }
 
@@ -132,10 +132,10 @@ impl<S: Space> Forest<S> {
         SPARE_DEPTH + libm::ceil(2.0 * libm::log2(leaves.max(1.0))) as usize
     }
 
-    /// Rebuilds the lowest subtree on the path from the root to a leaf that is deeper than it may be. The whole tree is.
-    fn even_out(&mut self, tree: usize, way: &[u32]) {
+    /// Rebuilds the lowest subtree on the path from the root to a leaf that is too deep for its size. At least the whole tree is.
+    fn even_out(&mut self, tree: usize, path: &[u32]) {
         let (mut members, mut free) = (Vec::new(), Vec::new());
-        for (depth, &top) in (1..).zip(way.iter().rev()) {
+        for (depth, &top) in (1..).zip(path.iter().rev()) {
             let mut open = vec![top];
             while let Some(node) = open.pop() {
                 // The previous subtree, further down, is empty by now.
@@ -187,11 +187,11 @@ impl<S: Space> Forest<S> {
         deepest
     }
 
-    /// Offers the states of leaves, nearest planes first, until there were `enough`. Returns how many there were.
+    /// Offers the states of leaves, nearest planes first, until there are `enough`. Returns how many there are.
     fn search(&self, space: &S, from: &S::State, enough: usize, closest: &mut Closest) -> usize {
         let point = embedded(space, from);
         let mut seen = vec![0u64; self.states.len().div_ceil(64)];
-        let mut looked = 0;
+        let mut visited = 0;
         let mut pack = ([f64::NAN; LANES], [VertexId(u32::MAX); LANES], 0);
         // Margins are not negative, so their bits order as they do; ties by tree and node.
         let mut waiting: BinaryHeap<Reverse<(u64, u32, u32)>> = BinaryHeap::new();
@@ -215,7 +215,7 @@ impl<S: Space> Forest<S> {
                     continue;
                 }
                 seen[word] |= bit;
-                looked += 1;
+                visited += 1;
                 let (distances, vertices, filled) = &mut pack;
                 distances[*filled] = space.distance(from, &self.states[member as usize]);
                 vertices[*filled] = self.vertices[member as usize];
@@ -225,42 +225,42 @@ impl<S: Space> Forest<S> {
                     pack = ([f64::NAN; LANES], [VertexId(u32::MAX); LANES], 0);
                 }
             }
-            if looked >= enough {
+            if visited >= enough {
                 break;
             }
         }
         closest.offer(&[pack.0], |_, lane| pack.1[lane]);
-        looked
+        visited
     }
 }
 
 impl<S: Space> Nearest<S> for Forest<S> {
     fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
-        let place = self.states.len() as u32;
+        let member = self.states.len() as u32;
         self.vertices.push(vertex);
         self.states.push(state);
         let point = embedded(space, &state);
         self.points.extend_from_slice(&point);
-        let mut way = Vec::new();
+        let mut path = Vec::new();
         for tree in 0..self.trees.len() {
             let nodes = &mut self.trees[tree];
             let mut node = 0;
-            way.clear();
-            way.push(0);
+            path.clear();
+            path.push(0);
             while let Node::Branch { direction, threshold, children } = &nodes[node] {
                 let child = children[usize::from(projection(direction, &point) >= *threshold)];
-                way.push(child);
+                path.push(child);
                 node = child as usize;
             }
             if let Node::Leaf(members) = &mut nodes[node] {
-                members.push(place);
+                members.push(member);
                 if members.len() > self.parameters.leaf {
                     let members = std::mem::take(members);
                     self.split(tree, node, members);
                 }
             }
-            if way.len() > self.deepest(self.states.len()) {
-                self.even_out(tree, &way);
+            if path.len() > self.deepest(self.states.len()) {
+                self.even_out(tree, &path);
             }
         }
     }
@@ -272,16 +272,16 @@ impl<S: Space> Nearest<S> for Forest<S> {
     fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
         let mut closest = Closest::new(found, k, f64::INFINITY, k <= 16);
         let enough = self.parameters.candidates.max(k);
-        let looked = if k > 0 { self.search(space, state, enough, &mut closest) } else { 0 };
+        let visited = if k > 0 { self.search(space, state, enough, &mut closest) } else { 0 };
         closest.finish();
-        looked
+        visited
     }
 
     fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
         let mut closest = Closest::within(found, radius);
-        let looked = self.search(space, state, self.parameters.candidates, &mut closest);
+        let visited = self.search(space, state, self.parameters.candidates, &mut closest);
         closest.finish();
-        looked
+        visited
     }
 }
 

@@ -4,7 +4,7 @@ use super::{Direction, KdTree, LinearScan, Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
 
-/// Whether the scan is used. Without vector instructions it is no faster than the tree, so WebAssembly does without it.
+/// Whether the scan is used. Without vector instructions it is no faster than the tree, so WebAssembly does not use it.
 const SCANS: bool = !cfg!(target_arch = "wasm32");
 
 /// The scan's copy of the states is dropped above this size; only a very large k would still favour it.
@@ -106,7 +106,7 @@ impl<S: Space> Index<S> {
                     }
                     found.pop();
                 }
-                let at = found.iter().rposition(|kept| kept.is_before(&neighbour)).map_or(0, |i| i + 1);
+                let at = found.iter().rposition(|other| other.is_before(&neighbour)).map_or(0, |i| i + 1);
                 found.insert(at, neighbour);
             }
             ranked = candidates.len();

@@ -16,7 +16,7 @@ pub(super) const fn lane(at: usize) -> usize {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Packs {
     pub dimension: usize,
-    /// `dimension` rows a pack.
+    /// `dimension` rows per pack.
     rows: Vec<[f64; LANES]>,
     vertices: Vec<[VertexId; LANES]>,
 }
@@ -34,7 +34,7 @@ impl Packs {
         self.vertices.len()
     }
 
-    /// The rows of a pack, one a coordinate.
+    /// The rows of a pack, one per coordinate.
     #[inline]
     pub fn rows(&self, pack: usize) -> &[[f64; LANES]] {
         &self.rows[pack * self.dimension..][..self.dimension]

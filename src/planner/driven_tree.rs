@@ -1,4 +1,4 @@
-//! A tree whose edges are controlled motions: what the planners by controls share.
+//! A tree whose edges are controlled motions: the common part of the planners by controls.
 
 use super::groups::{Limits, Sampling};
 use super::growth::Growth;
@@ -20,7 +20,7 @@ pub const MOST_STEPS: f64 = 10_000.0;
 const DEFAULT_DRIVE: f64 = 0.3;
 
 crate::choice! {
-    /// Where the goal is tested for.
+    /// The states at which the goal is tested for.
     pub enum GoalTest {
         /// After each step along an edge; the edge ends as soon as the goal is met.
         Along,
@@ -30,7 +30,7 @@ crate::choice! {
 }
 
 crate::choice! {
-    /// What happens to a motion that cannot be proven free to its end.
+    /// The treatment of a motion that cannot be proven free to its end.
     pub enum Blocked {
         /// It ends with the last step that is proven free.
         Cut,
@@ -72,8 +72,8 @@ pub struct Durations {
 }
 
 impl Durations {
-    /// The durations that are given in steps; by default as many as the fastest straight motion takes for a part of the extent, and
-    /// all equally long.
+    /// The durations that are given in steps; by default all as long as the fastest straight motion takes for a part of
+    /// the extent.
     ///
     /// # Errors
     /// `out-of-range`, pointer `/shortest_steps`, if the shortest is longer than the longest.
@@ -180,7 +180,7 @@ impl<S: Space> DrivenTree<S> {
 
 /// The dynamics of the problem.
 pub(super) fn dynamics<S: Space>(problem: &Problem<S>) -> &dyn Dynamics<S::State> {
-    problem.dynamics().expect("planners by controls require a problem with dynamics")
+    problem.dynamics.as_deref().expect("planners by controls require a problem with dynamics")
 }
 
 /// The length of the fastest straight motion of this duration, in the metric of the space.

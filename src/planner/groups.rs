@@ -6,9 +6,10 @@ use crate::error::Error;
 use crate::options::{CAR, Choice, out_of_range};
 use crate::problem::Problem;
 use crate::random::{Random, Stream};
-use crate::sampling::{BridgeTest, Gaussian, GoalBiased, Halton, Lattice, ObstacleBased, Sampler, Uniform};
+use crate::sampling::{BridgeTest, Gaussian, GoalBiased, ObstacleBased, Sampler, Uniform, halton, lattice};
 use crate::space::steering::Steering;
 use crate::space::{MetricKind, Space};
+use serde::{Deserialize, Serialize};
 
 /// The default tolerance, as a fraction of the world's longer side.
 pub const DEFAULT_TOLERANCE: f64 = 1e-4;
@@ -56,8 +57,8 @@ impl Sampling {
         let spread = self.spread.unwrap_or(DEFAULT_SPREAD * space.extent() / space.dimension() as f64);
         match self.sampler {
             SamplerKind::Uniform => Box::new(Uniform(random)),
-            SamplerKind::Halton => Box::new(Halton::new(random)),
-            SamplerKind::Lattice => Box::new(Lattice::new(space.dimension(), random)),
+            SamplerKind::Halton => Box::new(halton(random)),
+            SamplerKind::Lattice => Box::new(lattice(space.dimension(), random)),
             SamplerKind::Gaussian => Box::new(Gaussian { random, deviation: spread }),
             SamplerKind::Bridge => Box::new(BridgeTest { random, deviation: spread }),
             SamplerKind::ObstacleBased => Box::new(ObstacleBased(random)),
@@ -79,6 +80,8 @@ crate::options! {
 
 crate::choice! {
     /// How edges are checked.
+    #[derive(Serialize, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
     pub enum EdgeCheck {
         /// They are proven free along all of their length.
         Proven,
@@ -170,8 +173,9 @@ impl<S: Space> Aim<S> {
         if !is_due {
             return Some(growth.draw(problem, iteration, &mut *self.sampler)?.state);
         }
+        let goal = *problem.goal_in_turn(self.goals);
         self.goals = self.goals.wrapping_add(1);
-        Some(*problem.goal_in_turn(self.goals - 1))
+        Some(goal)
     }
 }
 

@@ -1,35 +1,22 @@
-//! The part of every planner that viewers see: its graph and its counters.
+//! The part of every planner that is shown to viewers: its graph and its counters.
 
 use crate::graph::{Event, EventKind, Graph, VertexId};
-use crate::problem::Problem;
+use crate::problem::{Problem, Stats};
 use crate::sampling::{Known, Sample, Sampler};
 use crate::space::Space;
 
-/// The work of a planner so far.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Counters {
-    /// Configurations checked on their own.
-    pub configuration_checks: u64,
-    /// Motions checked.
-    pub motion_checks: u64,
-    /// Nearest-neighbour queries.
-    pub nearest_queries: u64,
-    /// Vertices expanded by a search.
-    pub visited: u64,
-}
-
-/// A graph that grows, with its counters.
+/// A graph that grows, with the work so far.
 #[derive(Debug, Clone)]
 pub struct Growth<S: Space> {
     /// Vertices, edges and events.
     pub graph: Graph<S>,
-    /// What was counted.
-    pub counters: Counters,
+    /// The checks, queries and expansions so far; the run fills in the rest.
+    pub counters: Stats,
 }
 
 impl<S: Space> Default for Growth<S> {
     fn default() -> Self {
-        Self { graph: Graph::default(), counters: Counters::default() }
+        Self { graph: Graph::default(), counters: Stats::default() }
     }
 }
 

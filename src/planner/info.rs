@@ -1,8 +1,8 @@
 //! The declaration of a planner, on the type of its options.
 
-use super::{ByControls, Planner};
+use super::Planner;
 use crate::error::Error;
-use crate::options::{OptionInfo, Options, Value};
+use crate::options::{Options, Value};
 use crate::problem::Problem;
 use crate::space::Space;
 use strum::{IntoStaticStr, VariantArray};
@@ -19,32 +19,12 @@ pub enum Grows {
     Trees,
 }
 
-/// A planner as its file declares it: constants for help and documents, and how a run begins. The implementing type holds its
-/// options.
-pub trait Method: Options {
-    /// The id, in kebab-case, the same everywhere.
-    const ID: &'static str;
-    /// The name for people.
-    const TITLE: &'static str;
-    /// What it does, in a sentence.
-    const SUMMARY: &'static str;
-    /// What is known about its results, in a sentence.
-    const GUARANTEE: &'static str;
-    /// What it grows.
-    const GROWS: Grows;
+/// A kind of planner, as its file declares it. The implementing type holds its options.
+pub trait PlannerKind: Options {
+    /// Its description.
+    const INFO: PlannerInfo;
     /// Whether every motion must be possible in both directions.
     const NEEDS_SYMMETRY: bool = false;
-    /// The types of robots that it plans for, as in documents.
-    const ROBOTS: &'static [&'static str] = crate::options::ALL;
-    /// Named settings.
-    const PRESETS: &'static [Preset] = &[];
-    /// Its pseudo-code.
-    const PSEUDOCODE: &'static [PseudocodeLine];
-
-    /// Whether edges are controlled motions: the options contain [`ByControls`].
-    fn is_driven() -> bool {
-        Self::default().group::<ByControls>().is_some()
-    }
 
     /// The planner at its beginning.
     ///
@@ -53,8 +33,8 @@ pub trait Method: Options {
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error>;
 }
 
-/// The description of a planner.
-#[derive(Debug, Clone, PartialEq)]
+/// The description of a planner, for help and documents.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlannerInfo {
     /// The id, in kebab-case, the same everywhere.
     pub id: &'static str,
@@ -66,37 +46,10 @@ pub struct PlannerInfo {
     pub guarantee: &'static str,
     /// What it grows.
     pub grows: Grows,
-    /// Whether its edges are controlled motions.
-    pub is_driven: bool,
-    /// Whether every motion must be possible in both directions.
-    pub needs_symmetry: bool,
-    /// Its pseudo-code.
-    pub pseudocode: &'static [PseudocodeLine],
-    /// The types of robots that it plans for, as in documents.
-    pub robots: &'static [&'static str],
     /// Named settings.
     pub presets: &'static [Preset],
-    /// Its options.
-    pub parameters: Vec<OptionInfo>,
-}
-
-impl PlannerInfo {
-    /// The description of the planner with these options.
-    pub(super) fn of<M: Method>() -> Self {
-        Self {
-            id: M::ID,
-            title: M::TITLE,
-            summary: M::SUMMARY,
-            guarantee: M::GUARANTEE,
-            grows: M::GROWS,
-            is_driven: M::is_driven(),
-            needs_symmetry: M::NEEDS_SYMMETRY,
-            pseudocode: M::PSEUDOCODE,
-            robots: M::ROBOTS,
-            presets: M::PRESETS,
-            parameters: M::table(),
-        }
-    }
+    /// Its pseudo-code.
+    pub pseudocode: &'static [PseudocodeLine],
 }
 
 /// Named settings of a planner.

@@ -1,7 +1,7 @@
-//! Planners, one file an algorithm, all behind one small trait; each file declares the planner's options and pseudo-code, too.
+//! Planners, one file per algorithm, all behind one small trait; each file declares the planner's options and pseudo-code, too.
 //!
 //! A planner sees a space and its free states, never a robot or an obstacle. It owns its graph and its generator, so
-//! that stepping in any slices gives the same result.
+//! stepping in slices of any size gives the same result.
 
 mod driven_tree;
 mod groups;
@@ -23,12 +23,12 @@ pub use groups::{
     DEFAULT_TOLERANCE, EdgeCheck, EdgeOptions, GoalBias, Improving, Limits, MetricOptions, SamplerKind, Sampling,
     Searching,
 };
-pub use growth::{Counters, Growth};
-pub use info::{Grows, Mark, Method, PlannerInfo, Preset, PseudocodeLine};
+pub use growth::Growth;
+pub use info::{Grows, Mark, PlannerInfo, PlannerKind, Preset, PseudocodeLine};
 pub use prm::{Insertion, NeighbourRule, PrmOptions, PrmStarOptions, logarithmic_k, prm_star_k, resume};
 pub use query::{Algorithm, Cost, Heuristic};
 pub use registry::{PlannerOptions, default_planner, planners};
-pub use roadmap::{Answer, Connection, Roadmap};
+pub use roadmap::{Connection, QueryResult, Roadmap};
 pub use rrt::{Extend, RrtOptions};
 pub use rrt_connect::RrtConnectOptions;
 pub use rrt_control::{Controls, Origin, RrtControlOptions};
@@ -47,8 +47,10 @@ pub trait Planner<S: Space> {
     /// number of motion checks. Called only while the status is `Running`.
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status;
 
-    /// The present phase.
-    fn phase(&self) -> Phase;
+    /// The present phase: by default, that of a tree that grows until there is a path.
+    fn phase(&self) -> Phase {
+        if self.path().is_empty() { Phase::Growing } else { Phase::Done }
+    }
 
     /// The graph and the counters so far.
     fn growth(&self) -> &Growth<S>;

@@ -49,7 +49,7 @@ crate::choice! {
 /// Less than 1 by more than the rounding of an estimate, so that no estimate exceeds a true cost.
 const BELOW: f64 = 1.0 - 1e-12;
 
-/// A search at work.
+/// A running search.
 pub(super) struct Query {
     adjacency: Adjacency,
     walker: Box<dyn Walker>,
@@ -86,8 +86,8 @@ impl Query {
             (Cost::Metric, Heuristic::EndEffector) => BELOW,
             _ => 1.0,
         };
-        let join = if space.is_symmetric() { Adjacency::joining } else { Adjacency::directed };
-        Self { adjacency: join(vertices, graph.edges(), added), walker, rules, goals, scale }
+        let adjacency = Adjacency::new(vertices, graph.edges(), added, !space.is_symmetric());
+        Self { adjacency, walker, rules, goals, scale }
     }
 
     /// Expands one vertex.
@@ -101,7 +101,7 @@ impl Query {
             (goals.start.0..goals.end.0).map(|goal| estimate(VertexId(goal))).fold(f64::INFINITY, f64::min)
         };
         let cost = |a, b| if rules.cost == Cost::Metric { distance(a, b) } else { 1.0 };
-        let heuristic = |vertex| match (rules.search, rules.heuristic, problem.end_effector()) {
+        let heuristic = |vertex| match (rules.search, rules.heuristic, &problem.end_effector) {
             (Algorithm::AStar, Heuristic::Metric | Heuristic::MetricAsHops, _) => {
                 scale * least(&|goal| distance(vertex, goal))
             }

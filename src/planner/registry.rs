@@ -1,9 +1,9 @@
 //! The planners: one line each. Their files declare everything else.
 
 use super::Planner;
-use super::info::{Method, PlannerInfo};
+use super::info::{PlannerInfo, PlannerKind};
 use crate::error::{Code, Error, quoted};
-use crate::options::{Field, Options, Value};
+use crate::options::{Field, OptionInfo, Options, Value};
 use crate::problem::Problem;
 use crate::space::Space;
 
@@ -19,7 +19,7 @@ registry! {
 
 /// The default planner for a robot of this type.
 pub fn default_planner(robot: &str) -> &'static str {
-    if robot == "car" { super::RrtControlOptions::ID } else { super::RrtConnectOptions::ID }
+    if robot == "car" { super::RrtControlOptions::INFO.id } else { super::RrtConnectOptions::INFO.id }
 }
 
 /// Everything that names each planner.
@@ -31,25 +31,30 @@ macro_rules! registry {
             $(#[allow(missing_docs)] $Variant($Options),)*
         }
 
+        /// Every planner with its default options.
+        pub fn planners() -> [PlannerOptions; [$(stringify!($Variant)),*].len()] {
+            [$(PlannerOptions::$Variant(Default::default())),*]
+        }
+
         impl PlannerOptions {
-            /// Every planner with its default options.
-            fn all() -> [Self; [$(stringify!($Variant)),*].len()] {
-                [$(PlannerOptions::$Variant(Default::default())),*]
+            /// Its description.
+            pub fn info(&self) -> PlannerInfo {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::INFO,)* }
             }
 
-            /// The id, in kebab-case.
-            pub fn id(&self) -> &'static str {
-                match self { $(PlannerOptions::$Variant(_) => <$Options>::ID,)* }
-            }
-
-            /// The types of robots that it plans for.
-            fn robots(&self) -> &'static [&'static str] {
+            /// The types of robots that it plans for, as in documents.
+            pub fn robots(&self) -> &'static [&'static str] {
                 match self { $(PlannerOptions::$Variant(_) => <$Options>::ROBOTS,)* }
             }
 
-            /// Its description.
-            pub fn info(&self) -> PlannerInfo {
-                match self { $(PlannerOptions::$Variant(_) => PlannerInfo::of::<$Options>(),)* }
+            /// Whether every motion must be possible in both directions.
+            pub fn needs_symmetry(&self) -> bool {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::NEEDS_SYMMETRY,)* }
+            }
+
+            /// The table of its options.
+            pub fn table(&self) -> Vec<OptionInfo> {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::table(),)* }
             }
 
             /// The same planner with options given by name; the rest take their defaults.
@@ -77,19 +82,14 @@ macro_rules! registry {
 }
 use registry;
 
-/// Every planner.
-pub fn planners() -> Vec<PlannerInfo> {
-    PlannerOptions::all().iter().map(PlannerOptions::info).collect()
-}
-
 impl PlannerOptions {
     /// The planner with the given id and its default options.
     ///
     /// # Errors
     /// `unknown-planner`, pointer `/algorithm`, naming those that exist.
     pub fn of(id: &str) -> Result<Self, Error> {
-        Self::all().into_iter().find(|planner| planner.id() == id).ok_or_else(|| {
-            let known = Self::all().map(|planner| planner.id()).join(", ");
+        planners().into_iter().find(|planner| planner.info().id == id).ok_or_else(|| {
+            let known = planners().map(|planner| planner.info().id).join(", ");
             let sentence = format!("unknown planner {}; known planners are {known}", quoted(id));
             Error::new(Code::UnknownPlanner, "/algorithm", sentence)
         })
@@ -100,12 +100,13 @@ impl PlannerOptions {
     /// # Errors
     /// `unsupported`, pointer `/algorithm`, naming planners for it.
     pub fn check_robot(&self, robot: &str) -> Result<(), Error> {
-        let (id, robots) = (self.id(), self.robots());
+        let (id, robots) = (self.info().id, self.robots());
         if robots.contains(&robot) {
             return Ok(());
         }
-        let fitting = planners().into_iter().filter(|info| info.robots.contains(&robot)).map(|info| info.id);
-        let (own, fitting) = (robots.join(", "), fitting.collect::<Vec<_>>().join(", "));
+        let fitting: Vec<&str> =
+            planners().iter().filter(|other| other.robots().contains(&robot)).map(|other| other.info().id).collect();
+        let (own, fitting) = (robots.join(", "), fitting.join(", "));
         let sentence = format!("{id} plans for robots of type {own}, not {robot}; planners for it are {fitting}");
         Err(Error::new(Code::Unsupported, "/algorithm", sentence))
     }

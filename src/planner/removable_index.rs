@@ -4,11 +4,11 @@ use crate::graph::{Graph, VertexId};
 use crate::nearest::{Index, Nearest, Neighbour};
 use crate::space::Space;
 
-/// Vertices of a graph. Removed ones stay in the index below, where queries skip them, until they are half of it:
+/// Vertices of a graph. Removed ones stay in the underlying index, where queries skip them, until they are half of it;
 /// then it is rebuilt. So a removal costs O(log n) amortized.
 pub(super) struct RemovableIndex<S: Space> {
     index: Index<S>,
-    /// The vertices of the index, in the order in which they came.
+    /// The vertices of the index, in the order of insertion.
     members: Vec<VertexId>,
     /// Whether the vertex of this number is in the index.
     is_in: Vec<bool>,
@@ -22,15 +22,6 @@ impl<S: Space> Default for RemovableIndex<S> {
 }
 
 impl<S: Space> RemovableIndex<S> {
-    /// Adds a vertex that was never added before.
-    pub fn insert(&mut self, space: &S, graph: &Graph<S>, vertex: VertexId) {
-        self.index.insert(space, vertex, *graph.state(vertex));
-        self.members.push(vertex);
-        self.is_in.resize(self.is_in.len().max(vertex.index() + 1), false);
-        self.is_in[vertex.index()] = true;
-        self.len += 1;
-    }
-
     /// Removes a vertex of the index.
     pub fn remove(&mut self, space: &S, graph: &Graph<S>, vertex: VertexId) {
         self.is_in[vertex.index()] = false;
@@ -44,45 +35,42 @@ impl<S: Space> RemovableIndex<S> {
         }
     }
 
-    /// Whether the index is empty.
-    pub fn is_empty(&self) -> bool {
-        self.len == 0
-    }
-
     /// Whether the vertex is in the index.
     pub fn contains(&self, vertex: VertexId) -> bool {
         self.is_in.get(vertex.index()) == Some(&true)
     }
+}
 
-    /// The vertex nearest to the state, ties by number; `None` if the index is empty.
-    pub fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
-        let first = self.index.nearest(space, state)?;
-        if self.contains(first.vertex) {
-            return Some(first);
-        }
-        let mut found = Vec::new();
-        self.k_nearest(space, state, 1, &mut found);
-        found.first().copied()
+impl<S: Space> Nearest<S> for RemovableIndex<S> {
+    fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
+        self.index.insert(space, vertex, state);
+        self.members.push(vertex);
+        self.is_in.resize(self.is_in.len().max(vertex.index() + 1), false);
+        self.is_in[vertex.index()] = true;
+        self.len += 1;
     }
 
-    /// The `k` vertices nearest to the state (all, if there are fewer), nearest first, into `found`.
-    pub fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) {
+    fn len(&self) -> usize {
+        self.len
+    }
+
+    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
         let mut asked = k;
         loop {
-            self.index.k_nearest(space, state, asked, found);
+            let visited = self.index.k_nearest(space, state, asked, found);
             let all = found.len();
             found.retain(|neighbour| self.contains(neighbour.vertex));
             found.truncate(k);
             if found.len() == k || all < asked {
-                return;
+                return visited;
             }
             asked *= 2;
         }
     }
 
-    /// Every vertex no farther from the state than the radius, nearest first, into `found`.
-    pub fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) {
-        self.index.within(space, state, radius, found);
+    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
+        let visited = self.index.within(space, state, radius, found);
         found.retain(|neighbour| self.contains(neighbour.vertex));
+        visited
     }
 }

@@ -1,4 +1,4 @@
-//! What all roadmap planners share: vertices with their neighbours, edges that are proven before they are added, and
+//! The common part of all roadmap planners: vertices with their neighbours, edges that are proven before they are added, and
 //! repeated queries. In a space that is not symmetric an edge leads from its first vertex to its second only.
 
 use super::groups::Searching;
@@ -30,17 +30,18 @@ pub struct Connection {
 #[derive(Debug, Clone)]
 pub struct Roadmap<S: Space> {
     pub(super) growth: Growth<S>,
-    /// How many goals there are.
-    goals: u32,
+    /// The vertices of the goals.
+    pub(super) goals: Goals,
     nearest: Index<S>,
-    connection: Connection,
+    /// The neighbours that vertices are connected to.
+    pub connection: Connection,
     rules: Searching,
 }
 
 impl<S: Space> Roadmap<S> {
     /// A roadmap of the start and the goals alone.
     pub fn new(problem: &Problem<S>, connection: Connection, rules: Searching) -> Self {
-        let goals = problem.goals().len() as u32;
+        let goals = GOAL..VertexId(GOAL.0 + problem.goals().len() as u32);
         let mut roadmap = Self { growth: Growth::default(), goals, nearest: Index::default(), connection, rules };
         for state in std::iter::once(problem.start()).chain(problem.goals()) {
             roadmap.add_vertex(problem.space(), 0, *state);
@@ -48,12 +49,7 @@ impl<S: Space> Roadmap<S> {
         roadmap
     }
 
-    /// The neighbours that vertices are connected to.
-    pub fn connection(&self) -> Connection {
-        self.connection
-    }
-
-    /// All that has grown so far.
+    /// The graph so far.
     pub fn graph(&self) -> &Graph<S> {
         &self.growth.graph
     }
@@ -89,43 +85,27 @@ impl<S: Space> Roadmap<S> {
         }
     }
 
-    /// Connects two vertices if the motion from the one to the other is proven free; else adds an event.
-    pub(super) fn try_edge(&mut self, problem: &Problem<S>, iteration: u32, from: VertexId, to: VertexId) {
+    /// Connects two vertices if the motion from the one to the other is proven free; else adds an event. Returns whether it is.
+    pub(super) fn try_edge(&mut self, problem: &Problem<S>, iteration: u32, from: VertexId, to: VertexId) -> bool {
         let (origin, target) = (self.growth.state(from), self.growth.state(to));
-        if self.growth.is_motion_free(problem, &origin, &target) {
+        let is_free = self.growth.is_motion_free(problem, &origin, &target);
+        if is_free {
             self.growth.graph.add_edge(iteration, from, to);
         } else {
             self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), Some(to), target);
         }
-    }
-
-    /// The vertices of the goals.
-    pub(super) fn goals(&self) -> Goals {
-        GOAL..VertexId(GOAL.0 + self.goals)
+        is_free
     }
 
     /// The search from the start to a goal on the roadmap as it is.
-    fn begin_search(&self, space: &S) -> RoadmapSearch {
-        RoadmapSearch::Searching(Query::new(space, &self.growth.graph, &[], &[], START, self.goals(), self.rules))
+    fn begin_search(&self, space: &S) -> Query {
+        Query::new(space, &self.growth.graph, &[], &[], START, self.goals.clone(), self.rules)
     }
 
-    /// Expands one vertex of the search.
-    fn search(&mut self, problem: &Problem<S>, iteration: u32, query: &mut Query) -> Expansion {
-        let expansion = query.step(problem, &self.growth.graph, &[]);
-        let (kind, vertex) = match expansion {
-            Expansion::Vertex(vertex) => (EventKind::VertexExpanded, vertex),
-            Expansion::Goal => (EventKind::SolutionFound, query.path().last().copied().unwrap_or(GOAL)),
-            Expansion::Nothing => return expansion,
-        };
-        self.growth.counters.visited += 1;
-        self.growth.add_event(kind, iteration, Some(vertex), None, self.growth.state(vertex));
-        expansion
-    }
-
-    /// Answers another query: connects start and goal to the roadmap by motions that are proven free, and searches it. The
-    /// roadmap is unchanged unless `keep` is an iteration; then the two become its last vertices, created in it.
+    /// Queries the roadmap again: connects start and goal to the roadmap by motions that are proven free, and searches it. The
+    /// roadmap is unchanged unless `added_in` is an iteration; then the two become its last vertices, created in it.
     /// O(e log e) for e edges.
-    pub fn answer(&mut self, problem: &Problem<S>, ends: [S::State; 2], keep: Option<u32>) -> Answer<S::State> {
+    pub fn query(&mut self, problem: &Problem<S>, ends: [S::State; 2], added_in: Option<u32>) -> QueryResult<S::State> {
         let space = problem.space();
         let count = self.len() as u32;
         let [start, goal] = [VertexId(count), VertexId(count + 1)];
@@ -159,13 +139,13 @@ impl<S: Space> Roadmap<S> {
             }
         };
         self.growth.counters.visited += visited;
-        if let Some(iteration) = keep {
+        if let Some(iteration) = added_in {
             for end in ends {
                 self.add_vertex(space, iteration, end);
             }
             added.into_iter().for_each(|[from, to]| self.growth.graph.add_edge(iteration, from, to));
         }
-        Answer { path, visited }
+        QueryResult { path, visited }
     }
 }
 
@@ -187,23 +167,17 @@ pub(super) trait Build<S: Space> {
 pub(super) struct RoadmapPlanner<S: Space, B> {
     roadmap: Roadmap<S>,
     builder: B,
-    /// The search, once the roadmap is complete.
-    search: Option<RoadmapSearch>,
-}
-
-/// The search for a path, and its result.
-enum RoadmapSearch {
-    /// The search goes on.
-    Searching(Query),
-    /// The path from start to goal; empty if there is none.
-    Done(Vec<VertexId>),
+    /// The search, while it is running.
+    search: Option<Query>,
+    /// The path from start to goal, once the search is over; empty if there is none.
+    path: Option<Vec<VertexId>>,
 }
 
 impl<S: Space, B: Build<S>> RoadmapPlanner<S, B> {
     /// A planner that continues with a roadmap; if it is complete, it is only searched.
     pub fn new(problem: &Problem<S>, roadmap: Roadmap<S>, builder: B, is_complete: bool) -> Self {
         let search = is_complete.then(|| roadmap.begin_search(problem.space()));
-        Self { roadmap, builder, search }
+        Self { roadmap, builder, search, path: None }
     }
 }
 
@@ -215,21 +189,31 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
             }
             return Status::Running;
         };
-        if let RoadmapSearch::Searching(query) = search {
-            match self.roadmap.search(problem, iteration, query) {
-                Expansion::Vertex(_) => return Status::Running,
-                Expansion::Goal => *search = RoadmapSearch::Done(query.path()),
-                Expansion::Nothing => *search = RoadmapSearch::Done(Vec::new()),
+        let growth = &mut self.roadmap.growth;
+        let (kind, vertex, status) = match search.step(problem, &growth.graph, &[]) {
+            Expansion::Vertex(vertex) => (EventKind::VertexExpanded, vertex, Status::Running),
+            Expansion::Goal => {
+                let path = self.path.insert(search.path());
+                (EventKind::SolutionFound, path.last().copied().unwrap_or(GOAL), Status::Solved)
             }
+            Expansion::Nothing => {
+                (self.path, self.search) = (Some(Vec::new()), None);
+                return Status::Exhausted;
+            }
+        };
+        growth.counters.visited += 1;
+        growth.add_event(kind, iteration, Some(vertex), None, growth.state(vertex));
+        if status == Status::Solved {
+            self.search = None;
         }
-        if self.path().is_empty() { Status::Exhausted } else { Status::Solved }
+        status
     }
 
     fn phase(&self) -> Phase {
-        match &self.search {
-            None => self.builder.phase(&self.roadmap),
-            Some(RoadmapSearch::Searching(_)) => Phase::Searching,
-            Some(RoadmapSearch::Done(_)) => Phase::Done,
+        match (&self.path, &self.search) {
+            (Some(_), _) => Phase::Done,
+            (None, Some(_)) => Phase::Searching,
+            (None, None) => self.builder.phase(&self.roadmap),
         }
     }
 
@@ -238,7 +222,7 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
     }
 
     fn path(&self) -> Vec<VertexId> {
-        if let Some(RoadmapSearch::Done(path)) = &self.search { path.clone() } else { Vec::new() }
+        self.path.clone().unwrap_or_default()
     }
 
     fn coverage(&self) -> Option<f64> {
@@ -250,9 +234,9 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
     }
 }
 
-/// The answer of a roadmap to a query.
+/// The result of a query of a roadmap.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Answer<S> {
+pub struct QueryResult<S> {
     /// The states from start to goal; empty if the roadmap has no path.
     pub path: Vec<S>,
     /// How many vertices the search expanded.

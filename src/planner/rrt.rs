@@ -6,8 +6,8 @@
 
 use super::groups::{Aim, EdgeOptions, GoalBias, Sampling, step_in};
 use super::growth::Growth;
-use super::info::{END_NEAR, Grows, IMPROVE, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
-use super::{Phase, Planner, Status};
+use super::info::{END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, Preset, line};
+use super::{Planner, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, Tree, VertexId};
 use crate::nearest::{Index, Nearest};
@@ -45,40 +45,40 @@ crate::options! {
     edges: EdgeOptions;
 }
 
-impl Method for RrtOptions {
-    const ID: &'static str = "rrt";
-    const TITLE: &'static str = "RRT";
-    const SUMMARY: &'static str =
-        "Grows a tree from the start: the vertex nearest to a random sample takes a step towards it, repeatedly.";
-    const GUARANTEE: &'static str =
-        "Probabilistically complete: more iterations find any path that has clearance; paths are not short.";
-    const GROWS: Grows = Grows::Tree;
-    const PRESETS: &'static [Preset] = &[
-        Preset {
-            id: "half-way",
-            title: "Half the distance",
-            settings: "extend=half goal_bias=0.05 max_iterations=1000",
-        },
-        Preset {
-            id: "last-free-point",
-            title: "To the last free point",
-            settings: "extend=until-obstacle goal_bias=0.05 max_iterations=1000",
-        },
-        Preset { id: "every-fifth", title: "Goal every 5th sample", settings: "goal_every=5 max_iterations=2000" },
-    ];
-    const PSEUDOCODE: &'static [PseudocodeLine] = &[
-        line(0, "T ← {start}; repeat:", &[]),
-        line(1, "q ← a random configuration, or the goal", &[Mark::Growing]),
-        NONE_FOUND,
-        line(1, "near ← the vertex of T nearest to q", &[Mark::Edge, Mark::Refused]),
-        line(1, "new ← from near some way towards q", &[Mark::Edge, Mark::Refused]),
-        line(1, "if near – new is free: add both to T", &[Mark::Vertex, Mark::Edge]),
-        line(1, "within a step of the goal, try new – goal:", &[]),
-        line(2, "if that is free: solved", &[Mark::Solved]),
-        line(1, "a motion that is not free is refused", &[Mark::Refused]),
-        IMPROVE,
-        END_NEAR,
-    ];
+impl PlannerKind for RrtOptions {
+    const INFO: PlannerInfo = PlannerInfo {
+        id: "rrt",
+        title: "RRT",
+        summary: "Grows a tree from the start: the vertex nearest to a random sample takes a step towards it, repeatedly.",
+        guarantee: "Probabilistically complete: more iterations find any path that has clearance; paths are not short.",
+        grows: Grows::Tree,
+        presets: &[
+            Preset {
+                id: "half-way",
+                title: "Half the distance",
+                settings: "extend=half goal_bias=0.05 max_iterations=1000",
+            },
+            Preset {
+                id: "last-free-point",
+                title: "To the last free point",
+                settings: "extend=until-obstacle goal_bias=0.05 max_iterations=1000",
+            },
+            Preset { id: "every-fifth", title: "Goal every 5th sample", settings: "goal_every=5 max_iterations=2000" },
+        ],
+        pseudocode: &[
+            line(0, "T ← {start}; repeat:", &[]),
+            line(1, "q ← a random configuration, or the goal", &[Mark::Growing]),
+            NONE_FOUND,
+            line(1, "near ← the vertex of T nearest to q", &[Mark::Edge, Mark::Refused]),
+            line(1, "new ← from near some way towards q", &[Mark::Edge, Mark::Refused]),
+            line(1, "if near – new is free: add both to T", &[Mark::Vertex, Mark::Edge]),
+            line(1, "within a step of the goal, try new – goal:", &[]),
+            line(2, "if that is free: solved", &[Mark::Solved]),
+            line(1, "a motion that is not free is refused", &[Mark::Refused]),
+            IMPROVE,
+            END_NEAR,
+        ],
+    };
 
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let space = problem.space();
@@ -146,13 +146,9 @@ impl<S: Space> Rrt<S> {
         self.growth.graph.add_edge(iteration, from, to);
     }
 
-    fn refuse(&mut self, iteration: u32, from: VertexId, other: Option<VertexId>, state: S::State) {
-        self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), other, state);
-    }
-
     /// The goal nearest to the state, ties by number, and its distance.
     fn nearest_goal(&self, problem: &Problem<S>, state: &S::State) -> (VertexId, f64) {
-        let lefts = problem.goals().map(|goal| problem.space().distance(state, goal));
+        let lefts = problem.goals().iter().map(|goal| problem.space().distance(state, goal));
         let all = (GOAL.0..).map(VertexId).zip(lefts);
         all.min_by(|(_, a), (_, b)| a.total_cmp(b)).expect("a query has a goal")
     }
@@ -170,9 +166,6 @@ impl<S: Space> Rrt<S> {
 
 impl<S: Space> Planner<S> for Rrt<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
-        if self.arrived.is_some() {
-            return Status::Solved;
-        }
         let space = problem.space();
         let Some(target) = self.aim.next(problem, iteration, &mut self.growth) else { return Status::Running };
         self.growth.counters.nearest_queries += 1;
@@ -181,7 +174,7 @@ impl<S: Space> Planner<S> for Rrt<S> {
         let reached = match self.steer(problem, &origin, &target) {
             Ok(reached) => reached,
             Err(wanted) => {
-                self.refuse(iteration, near, None, wanted);
+                self.growth.add_event(EventKind::EdgeRefused, iteration, Some(near), None, wanted);
                 return Status::Running;
             }
         };
@@ -200,13 +193,9 @@ impl<S: Space> Planner<S> for Rrt<S> {
             if self.growth.is_motion_free(problem, &reached, &target) {
                 return self.arrive(iteration, vertex, goal);
             }
-            self.refuse(iteration, vertex, Some(goal), target);
+            self.growth.add_event(EventKind::EdgeRefused, iteration, Some(vertex), Some(goal), target);
         }
         Status::Running
-    }
-
-    fn phase(&self) -> Phase {
-        if self.arrived.is_some() { Phase::Done } else { Phase::Growing }
     }
 
     fn growth(&self) -> &Growth<S> {

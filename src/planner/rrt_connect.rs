@@ -8,8 +8,8 @@
 
 use super::groups::{EdgeOptions, Sampling, step_in};
 use super::growth::Growth;
-use super::info::{END, Grows, IMPROVE, Mark, Method, NONE_FOUND, PseudocodeLine, line};
-use super::{Phase, Planner, Status};
+use super::info::{END, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
+use super::{Planner, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, Tree, VertexId};
 use crate::nearest::{Direction, Index, Nearest};
@@ -29,27 +29,28 @@ crate::options! {
     edges: EdgeOptions;
 }
 
-impl Method for RrtConnectOptions {
-    const ID: &'static str = "rrt-connect";
-    const TITLE: &'static str = "RRT-Connect";
-    const SUMMARY: &'static str =
-        "Grows one tree from the start and one from the goal, each towards the other, until they meet.";
-    const GUARANTEE: &'static str =
-        "Probabilistically complete: more iterations find any path that has clearance; paths are not short.";
-    const GROWS: Grows = Grows::Trees;
-    const PSEUDOCODE: &'static [PseudocodeLine] = &[
-        line(0, "two trees, {start} and {goal}; repeat:", &[]),
-        line(1, "A ← the smaller tree, B ← the other one", &[Mark::Growing]),
-        line(1, "q ← a random configuration", &[Mark::Growing]),
-        NONE_FOUND,
-        line(1, "new ← from A's nearest a step towards q", &[Mark::Vertex, Mark::Refused]),
-        line(1, "if that is free: add it to A, and", &[Mark::Vertex, Mark::Edge]),
-        line(2, "B goes step by step from its nearest to new", &[Mark::Vertex, Mark::Edge]),
-        line(2, "if B arrives: join the trees, solved", &[Mark::Solved]),
-        line(1, "a step that is not free is refused", &[Mark::Refused]),
-        IMPROVE,
-        END,
-    ];
+impl PlannerKind for RrtConnectOptions {
+    const INFO: PlannerInfo = PlannerInfo {
+        id: "rrt-connect",
+        title: "RRT-Connect",
+        summary: "Grows one tree from the start and one from the goal, each towards the other, until they meet.",
+        guarantee: "Probabilistically complete: more iterations find any path that has clearance; paths are not short.",
+        grows: Grows::Trees,
+        presets: &[],
+        pseudocode: &[
+            line(0, "two trees, {start} and {goal}; repeat:", &[]),
+            line(1, "A ← the smaller tree, B ← the other one", &[Mark::Growing]),
+            line(1, "q ← a random configuration", &[Mark::Growing]),
+            NONE_FOUND,
+            line(1, "new ← from A's nearest a step towards q", &[Mark::Vertex, Mark::Refused]),
+            line(1, "if that is free: add it to A, and", &[Mark::Vertex, Mark::Edge]),
+            line(2, "B goes step by step from its nearest to new", &[Mark::Vertex, Mark::Edge]),
+            line(2, "if B arrives: join the trees, solved", &[Mark::Solved]),
+            line(1, "a step that is not free is refused", &[Mark::Refused]),
+            IMPROVE,
+            END,
+        ],
+    };
 
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let mut planner = RrtConnect {
@@ -60,7 +61,7 @@ impl Method for RrtConnectOptions {
             indices: [Index::default(), Index::default()],
             bridge: None,
         };
-        let roots = std::iter::once((0, problem.start())).chain(problem.goals().map(|goal| (1, goal)));
+        let roots = std::iter::once((0, problem.start())).chain(problem.goals().iter().map(|goal| (1, goal)));
         for (tree, root) in roots {
             planner.add_vertex(problem.space(), tree, 0, None, *root);
         }
@@ -81,7 +82,7 @@ struct RrtConnect<S: Space> {
     bridge: Option<[VertexId; 2]>,
 }
 
-/// What one step towards a target did.
+/// The result of one step towards a target.
 enum Step<S> {
     /// The motion is not free.
     Refused,
@@ -92,7 +93,7 @@ enum Step<S> {
 }
 
 impl<S: Space> RrtConnect<S> {
-    /// The direction of the motions of a tree, seen from the new state: from the tree (`In`), or to it for the goal's (`Out`).
+    /// The direction of the motions of a tree, relative to the new state: from the tree (`In`), or to it for the goal's (`Out`).
     fn direction(space: &S, tree: usize) -> Direction {
         if tree == 0 || space.is_symmetric() { Direction::In } else { Direction::Out }
     }
@@ -132,16 +133,16 @@ impl<S: Space> RrtConnect<S> {
     ) -> Step<S::State> {
         let space = problem.space();
         let origin = self.growth.state(from);
-        let way = Self::direction(space, tree);
-        let [a, b] = way.ends(target, &origin);
+        let direction = Self::direction(space, tree);
+        let [a, b] = direction.ends(target, &origin);
         let distance = space.distance(a, b);
         let arrives = distance <= self.step;
-        let next = match way {
+        let next = match direction {
             _ if arrives => *target,
             Direction::In => space.interpolate(a, b, self.step / distance),
             Direction::Out => space.interpolate(a, b, 1.0 - self.step / distance),
         };
-        let [a, b] = way.ends(&next, &origin);
+        let [a, b] = direction.ends(&next, &origin);
         if !self.growth.is_motion_free(problem, a, b) {
             self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), None, next);
             return Step::Refused;
@@ -171,9 +172,6 @@ impl<S: Space> RrtConnect<S> {
 
 impl<S: Space> Planner<S> for RrtConnect<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
-        if self.bridge.is_some() {
-            return Status::Solved;
-        }
         let space = problem.space();
         let tree = usize::from(self.indices[1].len() < self.indices[0].len());
         let Some(sample) = self.growth.draw(problem, iteration, &mut *self.sampler) else { return Status::Running };
@@ -191,10 +189,6 @@ impl<S: Space> Planner<S> for RrtConnect<S> {
         self.growth.add_event(EventKind::SolutionFound, iteration, Some(added), Some(reached), state);
         self.bridge = Some(bridge);
         Status::Solved
-    }
-
-    fn phase(&self) -> Phase {
-        if self.bridge.is_some() { Phase::Done } else { Phase::Growing }
     }
 
     fn growth(&self) -> &Growth<S> {

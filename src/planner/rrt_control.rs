@@ -1,25 +1,26 @@
 //! RRT by controls: a tree of controlled motions.
 //!
 //! LaValle and Kuffner 2001, "Randomized kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 14.4.3. No
-//! control leads exactly to a given state, so several are tried, and the one that ends closest is kept; the goal is a region.
+//! control leads exactly to a given state, so several are tried, and the one that ends closest becomes an edge; the goal is a region.
 
 use super::driven_tree::{
     Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, straight_reach, up_to_goal,
 };
 use super::groups::{Aim, GoalBias};
 use super::growth::Growth;
-use super::info::{END_NEAR, Grows, Mark, Method, NONE_FOUND, Preset, PseudocodeLine, line};
+use super::info::{END_NEAR, Grows, Mark, NONE_FOUND, PlannerInfo, PlannerKind, Preset, line};
 use super::removable_index::RemovableIndex;
-use super::{Phase, Planner, Status};
+use super::{Planner, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, VertexId};
+use crate::nearest::Nearest;
 use crate::options::CAR;
 use crate::problem::{Control, Problem};
 use crate::random::{Random, Stream};
 use crate::space::Space;
 
-/// How many of the nearest vertices are checked for a free motion to the sample.
-const MOST_LOOKS: usize = 32;
+/// The most of the nearest vertices that are checked for a free motion to the sample.
+const MOST_VISIBLE: usize = 32;
 
 crate::choice! {
     /// Which vertex is extended.
@@ -74,59 +75,60 @@ crate::options! {
     driving: ByControls;
 }
 
-impl Method for RrtControlOptions {
-    const ID: &'static str = "rrt-control";
-    const TITLE: &'static str = "RRT by controls";
-    const SUMMARY: &'static str = "Kinodynamic RRT: tries controls from the vertex nearest to a sample and keeps the one that ends closest to it.";
-    const GUARANTEE: &'static str = "None: a tree that always keeps the best of several controls may get stuck.";
-    const GROWS: Grows = Grows::Tree;
-    const ROBOTS: &'static [&'static str] = CAR;
-    const PRESETS: &'static [Preset] = &[
-        Preset {
-            id: "blossom-1",
-            title: "Blossom of 1",
-            settings: "blossom=1 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
-        },
-        Preset {
-            id: "blossom-3",
-            title: "Blossom of 3",
-            settings: "blossom=3 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
-        },
-        Preset {
-            id: "blossom-5",
-            title: "Blossom of 5",
-            settings: "blossom=5 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
-        },
-        Preset {
-            id: "schedule",
-            title: "Finer in the end",
-            settings: "blossom=30 duration_steps=200 late_duration_steps=100 goal_every=10 late_goal_every=5 blocked=refused goal_test=ends max_iterations=4000",
-        },
-        Preset {
-            id: "six-controls",
-            title: "Six controls",
-            settings: "controls=reeds-shepp nearest=nearest-visible once=true duration_steps=100 near_goal_steps=10 goal_test=ends max_iterations=2000",
-        },
-    ];
-    const PSEUDOCODE: &'static [PseudocodeLine] = &[
-        line(0, "T ← {start}; repeat:", &[]),
-        line(1, "q ← a random placement, or the goal", &[Mark::Growing]),
-        NONE_FOUND,
-        line(1, "near ← the vertex of T nearest to q", &[Mark::Edge, Mark::Refused]),
-        line(1, "if no vertex sees q: try again", &[Mark::Discarded]),
-        line(1, "for b controls u, for a while each:", &[Mark::Edge, Mark::Refused]),
-        line(2, "drive u from near, up to an obstacle", &[Mark::Edge, Mark::Refused]),
-        line(1, "add the end nearest to q, with its u, to T", &[Mark::Vertex, Mark::Edge]),
-        line(2, "within the goal region: solved", &[Mark::Solved]),
-        line(1, "if none is free: refuse them", &[Mark::Refused]),
-        END_NEAR,
-    ];
+impl PlannerKind for RrtControlOptions {
+    const INFO: PlannerInfo = PlannerInfo {
+        id: "rrt-control",
+        title: "RRT by controls",
+        summary: "Kinodynamic RRT: tries controls from the vertex nearest to a sample and keeps the one that ends closest to it.",
+        guarantee: "None: a tree that always keeps the best of several controls may get stuck.",
+        grows: Grows::Tree,
+        presets: &[
+            Preset {
+                id: "blossom-1",
+                title: "Blossom of 1",
+                settings: "blossom=1 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
+            },
+            Preset {
+                id: "blossom-3",
+                title: "Blossom of 3",
+                settings: "blossom=3 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
+            },
+            Preset {
+                id: "blossom-5",
+                title: "Blossom of 5",
+                settings: "blossom=5 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
+            },
+            Preset {
+                id: "schedule",
+                title: "Finer in the end",
+                settings: "blossom=30 duration_steps=200 late_duration_steps=100 goal_every=10 late_goal_every=5 blocked=refused goal_test=ends max_iterations=4000",
+            },
+            Preset {
+                id: "six-controls",
+                title: "Six controls",
+                settings: "controls=reeds-shepp nearest=nearest-visible once=true duration_steps=100 near_goal_steps=10 goal_test=ends max_iterations=2000",
+            },
+        ],
+        pseudocode: &[
+            line(0, "T ← {start}; repeat:", &[]),
+            line(1, "q ← a random placement, or the goal", &[Mark::Growing]),
+            NONE_FOUND,
+            line(1, "near ← the vertex of T nearest to q", &[Mark::Edge, Mark::Refused]),
+            line(1, "if no vertex sees q: try again", &[Mark::Discarded]),
+            line(1, "for b controls u, for a while each:", &[Mark::Edge, Mark::Refused]),
+            line(2, "drive u from near, up to an obstacle", &[Mark::Edge, Mark::Refused]),
+            line(1, "add the end nearest to q, with its u, to T", &[Mark::Vertex, Mark::Edge]),
+            line(2, "within the goal region: solved", &[Mark::Solved]),
+            line(1, "if none is free: refuse them", &[Mark::Refused]),
+            END_NEAR,
+        ],
+    };
 
     /// # Panics
     /// If the problem has no dynamics.
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let (tree, mut open) = (DrivenTree::new(problem), RemovableIndex::default());
-        open.insert(problem.space(), &tree.growth.graph, ROOT);
+        open.insert(problem.space(), ROOT, *problem.start());
         let early = Durations::new(problem, self.duration_steps, self.shortest_steps)?;
         Ok(Box::new(RrtControl {
             options: *self,
@@ -150,7 +152,7 @@ struct RrtControl<S: Space> {
     controls: Random,
     /// How long controls are held.
     early: Durations,
-    /// From this iteration on, if something is different then: how long controls are held, and when the goal is due.
+    /// See [`late`].
     late: Option<(u32, Durations, GoalBias)>,
     tree: DrivenTree<S>,
     /// The vertices that may be extended.
@@ -174,7 +176,7 @@ impl<S: Space> RrtControl<S> {
             return Some(self.open.nearest(space, target)?.vertex);
         }
         let mut near = Vec::new();
-        self.open.k_nearest(space, target, MOST_LOOKS, &mut near);
+        self.open.k_nearest(space, target, MOST_VISIBLE, &mut near);
         near.into_iter().map(|neighbour| neighbour.vertex).find(|&vertex| {
             let state = self.tree.growth.state(vertex);
             self.tree.growth.is_motion_free(problem, &state, target)
@@ -233,7 +235,7 @@ impl<S: Space> RrtControl<S> {
     }
 }
 
-/// What is different in the last quarter of the iterations, if anything is, and from which iteration on.
+/// The iteration at which the last quarter begins, and the durations and the goal bias from then on; `None` if they stay the same.
 fn late(options: &RrtControlOptions, early: Durations) -> Result<Option<(u32, Durations, GoalBias)>, Error> {
     let RrtControlOptions { late_duration_steps: longest, late_goal_every: every, reaching, .. } = *options;
     if longest.is_none() && every.is_none() {
@@ -254,11 +256,8 @@ fn closest<T>(measured: &[(f64, T)]) -> Option<usize> {
 
 impl<S: Space> Planner<S> for RrtControl<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
-        if self.arrived.is_none() && problem.is_goal(problem.start()) {
+        if problem.is_goal(problem.start()) {
             return self.arrive(iteration, ROOT, *problem.start());
-        }
-        if self.arrived.is_some() {
-            return Status::Solved;
         }
         if self.open.is_empty() {
             return Status::Exhausted;
@@ -287,13 +286,9 @@ impl<S: Space> Planner<S> for RrtControl<S> {
             if is_there {
                 return self.arrive(iteration, vertex, drive.end);
             }
-            self.open.insert(problem.space(), &self.tree.growth.graph, vertex);
+            self.open.insert(problem.space(), vertex, drive.end);
         }
         Status::Running
-    }
-
-    fn phase(&self) -> Phase {
-        if self.arrived.is_some() { Phase::Done } else { Phase::Growing }
     }
 
     fn growth(&self) -> &Growth<S> {

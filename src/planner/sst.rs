@@ -8,7 +8,7 @@
 use super::driven_tree::{Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, up_to_goal};
 use super::groups::{Aim, GoalBias};
 use super::growth::Growth;
-use super::info::{END_NEAR, Grows, Mark, Method, NONE_FOUND, PseudocodeLine, line};
+use super::info::{END_NEAR, Grows, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
 use super::removable_index::RemovableIndex;
 use super::{Phase, Planner, Status};
 use crate::error::Error;
@@ -48,29 +48,29 @@ crate::options! {
     driving: ByControls;
 }
 
-impl Method for SstOptions {
-    const ID: &'static str = "sst";
-    const TITLE: &'static str = "SST";
-    const SUMMARY: &'static str =
-        "Kinodynamic and sparse: of vertices near each other only the cheapest grows; it can go on to shorter paths.";
-    const GUARANTEE: &'static str =
-        "Asymptotically near-optimal if random controls have clearance: as near the shortest as its radii allow.";
-    const GROWS: Grows = Grows::Tree;
-    const ROBOTS: &'static [&'static str] = CAR;
-    const PSEUDOCODE: &'static [PseudocodeLine] = &[
-        line(0, "T ← {start}; repeat:", &[]),
-        line(1, "q ← a random placement, or the goal", &[Mark::Growing, Mark::Improving]),
-        NONE_FOUND,
-        line(1, "near ← the cheapest of T about q", &[Mark::Edge, Mark::Refused, Mark::Discarded]),
-        line(1, "drive a random control for a random duration", &[Mark::Edge, Mark::Refused, Mark::Discarded]),
-        line(1, "if that is not free: refuse it", &[Mark::Refused]),
-        line(1, "if the end costs least about it: add it", &[Mark::Vertex, Mark::Edge]),
-        line(2, "deactivate the vertex that was cheapest there", &[Mark::Vertex]),
-        line(2, "remove it from T once it has no children", &[Mark::Removed]),
-        line(2, "within the goal region: solved", &[Mark::Solved]),
-        line(1, "else: throw it away", &[Mark::Discarded]),
-        END_NEAR,
-    ];
+impl PlannerKind for SstOptions {
+    const INFO: PlannerInfo = PlannerInfo {
+        id: "sst",
+        title: "SST",
+        summary: "Kinodynamic and sparse: of vertices near each other only the cheapest grows; it can go on to shorter paths.",
+        guarantee: "Asymptotically near-optimal if random controls have clearance: as near the shortest as its radii allow.",
+        grows: Grows::Tree,
+        presets: &[],
+        pseudocode: &[
+            line(0, "T ← {start}; repeat:", &[]),
+            line(1, "q ← a random placement, or the goal", &[Mark::Growing, Mark::Improving]),
+            NONE_FOUND,
+            line(1, "near ← the cheapest of T about q", &[Mark::Edge, Mark::Refused, Mark::Discarded]),
+            line(1, "drive a random control for a random duration", &[Mark::Edge, Mark::Refused, Mark::Discarded]),
+            line(1, "if that is not free: refuse it", &[Mark::Refused]),
+            line(1, "if the end costs least about it: add it", &[Mark::Vertex, Mark::Edge]),
+            line(2, "deactivate the vertex that was cheapest there", &[Mark::Vertex]),
+            line(2, "remove it from T once it has no children", &[Mark::Removed]),
+            line(2, "within the goal region: solved", &[Mark::Solved]),
+            line(1, "else: throw it away", &[Mark::Discarded]),
+            END_NEAR,
+        ],
+    };
 
     /// # Panics
     /// If the problem has no dynamics.
@@ -94,7 +94,7 @@ impl Method for SstOptions {
             is_done: false,
             found: Vec::new(),
         };
-        sst.active.insert(space, &sst.tree.growth.graph, ROOT);
+        sst.active.insert(space, ROOT, *problem.start());
         sst.witnesses.insert(space, VertexId(0), *problem.start());
         Ok(Box::new(sst))
     }
@@ -148,13 +148,14 @@ impl<S: Space> Sst<S> {
         self.active.within(space, target, self.selection_radius, &mut self.found);
         let near = self.found.iter().map(|neighbour| neighbour.vertex);
         let cheapest = near.min_by(|&a, &b| self.cost(a).total_cmp(&self.cost(b)).then(a.cmp(&b)));
-        cheapest.unwrap_or_else(|| self.active.nearest(space, target).expect("a witness stands for one").vertex)
+        cheapest
+            .unwrap_or_else(|| self.active.nearest(space, target).expect("every witness has a representative").vertex)
     }
 
     /// The witness of a state: the nearest, or a new one if that is too far; and whether it is new.
     fn witness(&mut self, problem: &Problem<S>, state: &S::State) -> (usize, bool) {
         self.tree.growth.counters.nearest_queries += 1;
-        let nearest = self.witnesses.nearest(problem.space(), state).expect("the start has one");
+        let nearest = self.witnesses.nearest(problem.space(), state).expect("the start is a witness");
         if nearest.distance <= self.pruning_radius {
             return (nearest.vertex.index(), false);
         }
@@ -183,7 +184,7 @@ impl<S: Space> Sst<S> {
     /// Makes the vertex the representative of the witness; the former one becomes inactive.
     fn replace(&mut self, problem: &Problem<S>, iteration: u32, (witness, is_new): (usize, bool), vertex: VertexId) {
         let (space, graph) = (problem.space(), &self.tree.growth.graph);
-        self.active.insert(space, graph, vertex);
+        self.active.insert(space, vertex, *graph.state(vertex));
         if is_new {
             self.representatives.push(vertex);
             return;
@@ -199,8 +200,8 @@ impl<S: Space> Sst<S> {
         let mut leaf = Some(vertex);
         while let Some(vertex) = leaf {
             let is_best = self.best.is_some_and(|best| best.vertex == vertex);
-            let is_kept = self.children[vertex.index()] > 0 || self.active.contains(vertex) || is_best;
-            let Some(parent) = self.tree.tree.parent(vertex).filter(|_| !is_kept) else { return };
+            let stays = self.children[vertex.index()] > 0 || self.active.contains(vertex) || is_best;
+            let Some(parent) = self.tree.tree.parent(vertex).filter(|_| !stays) else { return };
             self.is_removed[vertex.index()] = true;
             self.children[parent.index()] -= 1;
             let state = self.tree.growth.state(vertex);

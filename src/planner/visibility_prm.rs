@@ -6,7 +6,7 @@
 //! has to be mutual: the space must be symmetric.
 
 use super::groups::{EdgeOptions, Sampling, Searching};
-use super::info::{END, Grows, IMPROVE, Mark, Method, PseudocodeLine, line};
+use super::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
 use super::roadmap::{Build, Connection, EXPAND, Roadmap, RoadmapPlanner, SEARCH, START};
 use super::{Phase, Planner};
 use crate::error::Error;
@@ -31,30 +31,31 @@ crate::options! {
     edges: EdgeOptions;
 }
 
-impl Method for VisibilityPrmOptions {
-    const ID: &'static str = "visibility-prm";
-    const TITLE: &'static str = "Visibility PRM";
-    const SUMMARY: &'static str =
-        "Keeps few samples: guards, which no other guard sees, and connectors between guards.";
-    const GUARANTEE: &'static str =
-        "None for a run; after m failures in a row an estimated 1 - 1/m of the free space is covered.";
-    const GROWS: Grows = Grows::Roadmap;
+impl PlannerKind for VisibilityPrmOptions {
+    const INFO: PlannerInfo = PlannerInfo {
+        id: "visibility-prm",
+        title: "Visibility PRM",
+        summary: "Keeps few samples: guards, which no other guard sees, and connectors between guards.",
+        guarantee: "None for a run; after m failures in a row an estimated 1 - 1/m of the free space is covered.",
+        grows: Grows::Roadmap,
+        presets: &[],
+        pseudocode: &[
+            // A resumed roadmap connects the two to its guards.
+            line(0, "G ← start and goal, connected if that is free", &[Mark::Connecting]),
+            line(0, "until m samples in a row make no guard:", &[]),
+            line(1, "q ← a random configuration", &[Mark::Guarding]),
+            line(1, "if q collides: next sample", &[Mark::Rejected]),
+            line(1, "which parts of G have a guard that sees q?", &[Mark::Vertex, Mark::Discarded]),
+            line(2, "none: add q, as a guard", &[Mark::Guard]),
+            line(2, "one: discard q", &[Mark::Discarded]),
+            line(2, "several: add q, and an edge to each of them", &[Mark::Edge]),
+            SEARCH,
+            EXPAND,
+            IMPROVE,
+            END,
+        ],
+    };
     const NEEDS_SYMMETRY: bool = true;
-    const PSEUDOCODE: &'static [PseudocodeLine] = &[
-        // A resumed roadmap connects the two to its guards.
-        line(0, "G ← start and goal, connected if that is free", &[Mark::Connecting]),
-        line(0, "until m samples in a row make no guard:", &[]),
-        line(1, "q ← a random configuration", &[Mark::Guarding]),
-        line(1, "if q collides: next sample", &[Mark::Rejected]),
-        line(1, "which parts of G have a guard that sees q?", &[Mark::Vertex, Mark::Discarded]),
-        line(2, "none: add q, as a guard", &[Mark::Guard]),
-        line(2, "one: discard q", &[Mark::Discarded]),
-        line(2, "several: add q, and an edge to each of them", &[Mark::Edge]),
-        SEARCH,
-        EXPAND,
-        IMPROVE,
-        END,
-    ];
 
     /// # Panics
     /// If the space is not symmetric.
@@ -70,15 +71,13 @@ impl Method for VisibilityPrmOptions {
             failures: 0,
             seen: Vec::new(),
         };
-        let goals = roadmap.goals();
+        let goals = roadmap.goals.clone();
         for end in 0..goals.end.0 {
             guarding.add_component();
             guarding.add_guard(&mut roadmap, 0, VertexId(end));
         }
         for goal in goals.start.0..goals.end.0 {
-            let edges = roadmap.graph().edges().len();
-            roadmap.try_edge(problem, 0, START, VertexId(goal));
-            if roadmap.graph().edges().len() > edges {
+            if roadmap.try_edge(problem, 0, START, VertexId(goal)) {
                 guarding.components.join(START.index(), goal as usize);
             }
         }
@@ -94,7 +93,7 @@ struct Guarding<S: Space> {
     /// The number of samples in a row without a new guard after which the roadmap is complete.
     most_failures: u32,
     failures: u32,
-    /// The last iteration whose sample was seen by each component.
+    /// The last iteration whose sample was visible from each component.
     seen: Vec<u32>,
 }
 

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(from = "[f64; 2]", into = "[f64; 2]")]
 pub struct Control {
-    /// The speed, in metres a second; backward if negative.
+    /// The speed, in metres per second; backward if negative.
     pub speed: f64,
     /// The angle of the front wheels, in radians; to the left if positive.
     pub steering: f64,
@@ -42,11 +42,11 @@ pub trait Dynamics<S> {
     /// The step in which durations are counted, in seconds.
     fn step(&self) -> f64;
 
-    /// A control drawn uniformly from all there are.
+    /// A control drawn uniformly from all controls.
     fn sample(&self, random: &mut Random) -> Control;
 
-    /// The six controls of Reeds and Shepp, as fast as the system goes: forward and backward, each straight, full left and
-    /// full right; only the forward ones of a system that has no reverse.
+    /// The six controls of Reeds and Shepp, at the full speed of the system: forward and backward, each straight, full left and
+    /// full right; only the forward ones if the system has no reverse.
     fn extremes(&self) -> Vec<Control>;
 
     /// The state after this many steps of the control.

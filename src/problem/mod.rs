@@ -28,12 +28,14 @@ pub struct Problem<S: Space> {
     space: S,
     validity: Box<dyn Validity<S::State>>,
     start: S::State,
-    goal: S::State,
-    /// Other states that are as good as the goal.
-    other_goals: Vec<S::State>,
-    end_effector: Option<Estimate<S::State>>,
-    goal_region: Option<GoalRegion<S::State>>,
-    dynamics: Option<Box<dyn Dynamics<S::State>>>,
+    /// At least one.
+    goals: Vec<S::State>,
+    /// A lower bound on distances from the position of the end effector; `None` if the robot has none.
+    pub end_effector: Option<Estimate<S::State>>,
+    /// The states that are as good as the goal; `None` if only the goals themselves are.
+    pub goal_region: Option<GoalRegion<S::State>>,
+    /// The dynamics; `None` if the system is not moved by controls.
+    pub dynamics: Option<Box<dyn Dynamics<S::State>>>,
 }
 
 impl<S: Space> Problem<S> {
@@ -47,42 +49,15 @@ impl<S: Space> Problem<S> {
         start: S::State,
         goal: S::State,
     ) -> Result<Self, Error> {
-        let problem = Self {
-            space,
-            validity,
-            start,
-            goal,
-            other_goals: Vec::new(),
-            end_effector: None,
-            goal_region: None,
-            dynamics: None,
-        };
+        let goals = vec![goal];
+        let problem = Self { space, validity, start, goals, end_effector: None, goal_region: None, dynamics: None };
         problem.check_ends(&start, &goal)?;
         Ok(problem)
     }
 
-    /// The same with a lower bound on distances from the position of the end effector.
-    #[must_use]
-    pub fn with_end_effector(self, estimate: Estimate<S::State>) -> Self {
-        Self { end_effector: Some(estimate), ..self }
-    }
-
-    /// The same with more goals, which must be free; any one is to be reached.
-    #[must_use]
-    pub fn with_other_goals(self, other_goals: Vec<S::State>) -> Self {
-        Self { other_goals, ..self }
-    }
-
-    /// The same with a region about the goal.
-    #[must_use]
-    pub fn with_goal_region(self, region: GoalRegion<S::State>) -> Self {
-        Self { goal_region: Some(region), ..self }
-    }
-
-    /// The same for a system that is moved by controls.
-    #[must_use]
-    pub fn with_dynamics(self, dynamics: Box<dyn Dynamics<S::State>>) -> Self {
-        Self { dynamics: Some(dynamics), ..self }
+    /// Adds goals, which must be free; any one is to be reached.
+    pub fn add_goals(&mut self, goals: &[S::State]) {
+        self.goals.extend_from_slice(goals);
     }
 
     /// Returns an error if the start or the goal is in collision.
@@ -100,7 +75,8 @@ impl<S: Space> Problem<S> {
             return Ok(());
         }
         let q = self.space.coordinates(state);
-        let sentence = format!("the {what} {q:?} is in collision: {}", enumerate(&contacts));
+        let contacts = contacts.iter().map(Contact::to_string).collect::<Vec<_>>().join(", ");
+        let sentence = format!("the {what} {q:?} is in collision: {contacts}");
         Err(Error::new(code, format!("/{what}"), sentence))
     }
 
@@ -121,32 +97,29 @@ impl<S: Space> Problem<S> {
 
     /// The goal; the first if there are several.
     pub fn goal(&self) -> &S::State {
-        &self.goal
+        &self.goals[0]
     }
 
     /// All goals, at least one.
-    pub fn goals(&self) -> impl ExactSizeIterator<Item = &S::State> {
-        (0..self.other_goals.len() + 1).map(|i| if i == 0 { &self.goal } else { &self.other_goals[i - 1] })
+    pub fn goals(&self) -> &[S::State] {
+        &self.goals
     }
 
     /// One goal after another, in turn.
     pub fn goal_in_turn(&self, turn: usize) -> &S::State {
-        match turn % (self.other_goals.len() + 1) {
-            0 => &self.goal,
-            i => &self.other_goals[i - 1],
-        }
+        &self.goals[turn % self.goals.len()]
     }
 
     /// The distance to the nearest goal, in the metric of the space.
     pub fn distance_to_goal(&self, state: &S::State) -> f64 {
-        self.goals().map(|goal| self.space.distance(state, goal)).fold(f64::INFINITY, f64::min)
+        self.goals.iter().map(|goal| self.space.distance(state, goal)).fold(f64::INFINITY, f64::min)
     }
 
     /// Whether the state is as good as the goal: within the region about it, or one of the goals if there is no region.
     pub fn is_goal(&self, state: &S::State) -> bool {
         match &self.goal_region {
             Some(region) => (region.contains)(state),
-            None => self.goals().any(|goal| goal == state),
+            None => self.goals.contains(state),
         }
     }
 
@@ -154,19 +127,4 @@ impl<S: Space> Problem<S> {
     pub fn goal_reach(&self) -> f64 {
         self.goal_region.as_ref().map_or(0.0, |region| region.reach)
     }
-
-    /// The dynamics; `None` if the system is not moved by controls.
-    pub fn dynamics(&self) -> Option<&dyn Dynamics<S::State>> {
-        self.dynamics.as_deref()
-    }
-
-    /// The lower bound on distances from the end effector; `None` if the robot has none.
-    pub fn end_effector(&self) -> Option<&Estimate<S::State>> {
-        self.end_effector.as_ref()
-    }
-}
-
-/// The contacts as a list in words.
-fn enumerate(contacts: &[Contact]) -> String {
-    contacts.iter().map(Contact::to_string).collect::<Vec<_>>().join(", ")
 }

@@ -12,7 +12,7 @@ pub const MAX_LINKS: usize = 8;
 /// The largest joint limit, in radians.
 const WIDEST_LIMIT: f64 = 100.0;
 
-/// An arm of 1 to [`MAX_LINKS`] links. A configuration holds one angle a joint, in radians, counter-clockwise, each
+/// An arm of 1 to [`MAX_LINKS`] links. A configuration holds one angle per joint, in radians, counter-clockwise, each
 /// relative to the link before. Links may overlap each other. A joint without limits is a circle; with limits it is an
 /// interval of the real line, in which nothing wraps.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -26,12 +26,12 @@ pub struct Arm {
 
 impl Arm {
     /// An arm: base and lengths in metres, `radius` half the width of its links (0 makes them segments), joint limits in
-    /// radians, one pair a link if given.
+    /// radians, one pair per link if given.
     ///
     /// # Errors
     /// `not-finite`, `out-of-range` or `wrong-dimension`, with a pointer into the `robot` object of a scenario: a number
     /// that is not finite, coordinates beyond 1e6, no link or more than [`MAX_LINKS`], a length that is not positive, a
-    /// negative radius, limits that are not one increasing pair a link within [-100, 100].
+    /// negative radius, limits that are not one increasing pair per link within [-100, 100].
     pub fn new(base: Point, links: Vec<f64>, radius: f64, joint_limits: Option<Vec<[f64; 2]>>) -> Result<Self, Error> {
         for (i, &coordinate) in base.coords.iter().enumerate() {
             check_range(&format!("/base/{i}"), "a coordinate", coordinate, -LARGEST)?;
@@ -45,7 +45,7 @@ impl Arm {
         }
         check_range("/radius", "a radius", radius, 0.0)?;
         if let Some(limits) = joint_limits.as_ref().filter(|limits| limits.len() != links.len()) {
-            let sentence = format!("joint_limits must hold one pair a link: {}, not {}", links.len(), limits.len());
+            let sentence = format!("joint_limits must hold one pair per link: {}, not {}", links.len(), limits.len());
             return Err(Error::new(Code::WrongDimension, "/joint_limits", sentence));
         }
         for (i, &limits) in joint_limits.iter().flatten().enumerate() {
@@ -82,16 +82,16 @@ impl Arm {
     /// The positions of all joints at `q`, from the base to the tip, in metres: `links + 1` points, the rest of the array
     /// repeats the tip. O(links).
     pub fn joints(&self, q: &[f64]) -> [Point; MAX_LINKS + 1] {
-        let mut places = [self.base; MAX_LINKS + 1];
+        let mut points = [self.base; MAX_LINKS + 1];
         let (mut angle, mut at) = (0.0, self.base);
         for (i, &length) in self.links.iter().enumerate() {
             angle += q[i];
             let (sin, cos) = libm::sincos(angle);
             at = Point::new(at.x + length * cos, at.y + length * sin);
-            places[i + 1] = at;
+            points[i + 1] = at;
         }
-        places[self.links.len()..].fill(at);
-        places
+        points[self.links.len()..].fill(at);
+        points
     }
 
     /// The position of the end effector at `q`, in metres.
@@ -101,14 +101,14 @@ impl Arm {
 
     /// The links at `q` as capsules, from the base outwards.
     pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
-        let places = self.joints(q);
-        let link = |i: usize| Part::Capsule { a: places[i], b: places[i + 1], radius: self.radius };
+        let joints = self.joints(q);
+        let link = |i: usize| Part::Capsule { a: joints[i], b: joints[i + 1], radius: self.radius };
         (0..self.links.len()).map(link).collect()
     }
 
     /// An upper bound on how far any point of each link can travel while the joints turn by `delta` (radians, any size) at
     /// constant rates: link i moves at most the sum over m <= i of L_m |sum over j <= m of delta_j|, since joint m swings
-    /// about the one before with the absolute rate of link m. In metres, one number a link. O(links).
+    /// about the one before with the absolute rate of link m. In metres, one number per link. O(links).
     ///
     /// Source: the bound on displacement of Schwarzer, Saha and Latombe 2005, "Adaptive dynamic collision checking for
     /// single and multiple articulated robots in complex environments", with signed rates.
@@ -122,4 +122,14 @@ impl Arm {
         }
         travel
     }
+}
+
+/// A position for the end effector of an arm, and optionally the orientation of its last link.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Target {
+    /// The position of the tip in the world, in metres.
+    pub point: Point,
+    /// The angle of the last link in the world, in radians, in any number of turns; any angle if absent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub orientation: Option<f64>,
 }

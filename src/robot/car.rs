@@ -1,6 +1,6 @@
 //! A first-order car: q' = (v cos theta, v sin theta, v tan(phi) / L) under the control (v, phi).
 //!
-//! (x, y) is the middle of the rear axle. The shape is given about it, so that a shape whose centre is its origin has its
+//! (x, y) is the middle of the rear axle. It is the origin of the shape's frame, so a shape whose centre is its origin has its
 //! rear axle in its middle, as in the course reports. LaValle 2006, "Planning Algorithms", section 13.1.2.
 
 use super::Weights;
@@ -15,7 +15,7 @@ const STEEPEST: f64 = 1.55;
 /// The longest step of integration, in seconds.
 const LONGEST_STEP: f64 = 10.0;
 
-/// A car. A configuration is (x, y, theta), in metres and radians; a control is (v, phi), in metres a second and radians.
+/// A car. A configuration is (x, y, theta), in metres and radians; a control is (v, phi), in metres per second and radians.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Car {
     shape: Polygon,
@@ -28,7 +28,7 @@ pub struct Car {
 }
 
 impl Car {
-    /// A car: wheelbase L in metres, the least and the greatest speed in metres a second and steering angle in radians, the
+    /// A car: wheelbase L in metres, the least and the greatest speed in metres per second and steering angle in radians, the
     /// step in which durations are counted, in seconds.
     ///
     /// # Errors
@@ -59,7 +59,7 @@ impl Car {
         self.wheelbase
     }
 
-    /// The least and the greatest speed, in metres a second; backward if negative.
+    /// The least and the greatest speed, in metres per second; backward if negative.
     pub fn speed(&self) -> [f64; 2] {
         self.speed
     }
@@ -79,7 +79,7 @@ impl Car {
         self.weights
     }
 
-    /// The turn rate of the car under the control, in radians a second: v tan(phi) / L.
+    /// The turn rate of the car under the control, in radians per second: v tan(phi) / L.
     pub fn turn_rate(&self, speed: f64, steering: f64) -> f64 {
         speed * libm::tan(steering) / self.wheelbase
     }

@@ -1,4 +1,4 @@
-//! Robots: kinematics, footprint, bound on motion, and configuration space. One file a robot.
+//! Robots: kinematics, footprint, bound on motion, and configuration space. One file per robot.
 //!
 //! A robot knows its own shape and bounds on the travel of its parts; it knows no obstacle and no planner.
 
@@ -6,19 +6,41 @@ mod arm;
 mod body;
 mod car;
 mod disc;
-mod footprint;
 mod range;
 mod space;
-mod target;
-mod weights;
 
-pub use arm::{Arm, MAX_LINKS};
-pub use body::RigidBody;
+pub use arm::{Arm, MAX_LINKS, Target};
+pub use body::{RigidBody, Weights};
 pub use car::Car;
 pub use disc::DiscRobot;
-pub use footprint::Part;
 pub use range::LARGEST;
 pub(crate) use range::check_range;
 pub use space::{joint_space, placements, plane};
-pub use target::Target;
-pub use weights::Weights;
+
+use crate::geometry::Point;
+
+/// One part of a robot, placed in the workspace; lengths in metres.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Part {
+    /// All points within `radius` of the segment from `a` to `b`; a segment if the radius is 0.
+    Capsule {
+        /// The first end of the axis.
+        a: Point,
+        /// The second end of the axis.
+        b: Point,
+        /// Half the width, at least 0.
+        radius: f64,
+    },
+    /// A disc; a point if the radius is 0.
+    Disc {
+        /// The centre.
+        center: Point,
+        /// The radius, at least 0.
+        radius: f64,
+    },
+    /// A simple polygon, filled.
+    Polygon {
+        /// The corners, counter-clockwise.
+        vertices: Vec<Point>,
+    },
+}

@@ -5,7 +5,7 @@
 use crate::error::Code;
 use crate::ik::methods;
 use crate::options::{Kind, OptionInfo, Options, Value};
-use crate::planner::planners;
+use crate::planner::{ByControls, Preset, PseudocodeLine, planners};
 use crate::run::neighbours::indexes;
 use crate::scenario::generate::generators;
 use crate::trajectories::TrajectoryOptions;
@@ -14,12 +14,13 @@ use serde_json::{Value as Json, json};
 /// The document.
 pub fn catalogue() -> Json {
     json!({
-        "planners": planners().iter().map(|info| {
-            let line = |line: &crate::planner::PseudocodeLine| {
+        "planners": planners().iter().map(|planner| {
+            let info = planner.info();
+            let line = |line: &PseudocodeLine| {
                 let lit_by: Vec<&str> = line.lit_by.iter().map(|&mark| mark.into()).collect();
                 json!({ "text": line.text, "indent": line.indent, "lit_by": lit_by })
             };
-            let preset = |preset: &crate::planner::Preset| {
+            let preset = |preset: &Preset| {
                 let settings = preset.parameters().into_iter().map(|(name, setting)| (name, value(&setting)));
                 let settings: serde_json::Map<String, Json> = settings.collect();
                 json!({ "id": preset.id, "title": preset.title, "settings": settings })
@@ -27,11 +28,11 @@ pub fn catalogue() -> Json {
             let grows: &str = info.grows.into();
             json!({
                 "id": info.id, "title": info.title, "summary": info.summary, "guarantee": info.guarantee,
-                "grows": grows, "driven": info.is_driven,
+                "grows": grows, "driven": planner.group::<ByControls>().is_some(),
                 "pseudocode": info.pseudocode.iter().map(line).collect::<Vec<_>>(),
-                "robots": info.robots,
+                "robots": planner.robots(),
                 "presets": info.presets.iter().map(preset).collect::<Vec<_>>(),
-                "parameters": table(&info.parameters),
+                "parameters": table(&planner.table()),
             })
         }).collect::<Vec<_>>(),
         "reach_methods": methods().iter().map(|info| json!({

@@ -21,14 +21,9 @@ pub(super) struct EmittedPath<S: Space> {
 }
 
 impl<S: Space> EmittedPath<S> {
-    /// No path.
-    pub fn none(problem: &Problem<S>) -> Self {
-        Self { states: Vec::new(), motions: problem.dynamics().is_some().then(Vec::new) }
-    }
-
-    /// The path through these states: curves are split into their segments, straight motions if they turn too far.
+    /// The path through these states, if any: curves are split into their segments, straight motions if they turn too far.
     pub fn through(problem: &Problem<S>, states: &[S::State]) -> Self {
-        let Some(dynamics) = problem.dynamics() else {
+        let Some(dynamics) = &problem.dynamics else {
             return Self { states: path::split(problem.space(), states), motions: None };
         };
         let (mut waypoints, mut motions) = (states.first().copied().into_iter().collect::<Vec<_>>(), Vec::new());
@@ -54,7 +49,7 @@ impl<S: Space> EmittedPath<S> {
 
     /// The length: of a car along its motions, else in the metric of the space.
     pub fn length(&self, problem: &Problem<S>) -> f64 {
-        match problem.dynamics().zip(self.motions.as_ref()) {
+        match problem.dynamics.as_ref().zip(self.motions.as_ref()) {
             Some((dynamics, motions)) => motions.iter().map(|&motion| dynamics.length(motion)).sum::<f64>() + 0.0,
             None => path::length(problem.space(), &self.states),
         }
@@ -67,7 +62,7 @@ pub(super) fn motions<S: Space>(problem: &Problem<S>, graph: &Graph<S>, edge: us
         return vec![motion];
     }
     let [from, to] = graph.edges()[edge].map(|vertex| graph.state(vertex));
-    let steered = problem.dynamics().map(|dynamics| dynamics.steer(from, to)).unwrap_or_default();
+    let steered = problem.dynamics.as_ref().map(|dynamics| dynamics.steer(from, to)).unwrap_or_default();
     steered.into_iter().map(|(motion, _)| motion).collect()
 }
 
@@ -76,19 +71,19 @@ pub(super) fn trace<S: Space>(problem: &Problem<S>, graph: &Graph<S>, edge: usiz
     let space = problem.space();
     let [from, to] = graph.edges()[edge].map(|vertex| *graph.state(vertex));
     let mut states = vec![from];
-    if let Some((&Motion { control, duration }, dynamics)) = graph.motions().get(edge).zip(problem.dynamics()) {
+    if let Some((&Motion { control, duration }, dynamics)) = graph.motions().get(edge).zip(problem.dynamics.as_ref()) {
         let steps = libm::round(duration / dynamics.step()) as u32;
         states.extend((1..steps.div_ceil(STEPS)).map(|piece| dynamics.drive(&from, control, piece * STEPS)));
     } else if let Some(curve) = space.curve(&from, &to) {
         let [x, y, heading] = [0, 1, 2].map(|i| space.coordinates(&from)[i]);
-        let (mut before, mut places) = (0.0, Vec::new());
+        let (mut before, mut distances) = (0.0, Vec::new());
         for segment in curve.segments() {
             let length = segment.length.abs();
             let pieces = libm::ceil(length * curve.curvature(segment.turn).abs() / BEND).max(1.0) as u32;
-            places.extend((0..pieces).map(|piece| before + length * f64::from(piece) / f64::from(pieces)));
+            distances.extend((0..pieces).map(|piece| before + length * f64::from(piece) / f64::from(pieces)));
             before += length;
         }
-        states.extend(places.into_iter().skip(1).map(|along| {
+        states.extend(distances.into_iter().skip(1).map(|along| {
             let at = curve.at(Pose { x, y, heading }, along);
             space.state(&[at.x, at.y, at.heading])
         }));

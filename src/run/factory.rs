@@ -6,6 +6,7 @@ use super::runner::{RunInfo, Runner};
 use super::{Options, Run};
 use crate::collision::{Integration, Sampled};
 use crate::error::{Code, Error, Number};
+use crate::options::Choice;
 use crate::path::Wanted;
 use crate::planner::{
     self, ByControls, Connection, EdgeCheck, EdgeOptions, IntegrationKind, Limits, Planner, PlannerOptions, Searching,
@@ -14,7 +15,7 @@ use crate::problem::{Estimate, GoalRegion, Problem, Validity};
 use crate::random::check_seed;
 use crate::robot::{Arm, Car, Weights};
 use crate::run::storage::{RoadmapDocument, RoadmapMetric, fingerprint};
-use crate::scenario::{GoalTolerance, Robot, Scenario};
+use crate::scenario::{GoalTolerance, Query, Robot, Scenario};
 use crate::space::steering::Steering;
 use crate::space::{MAX_DIMENSION, MetricKind, MotionSpace, ProductSpace, Space};
 use crate::world::{PlanningWorld, SMALL};
@@ -46,16 +47,7 @@ pub fn start_on<S: Space + 'static>(
     improvement: Wanted,
     seed: u64,
 ) -> Box<dyn Run> {
-    let info = RunInfo {
-        scenario: String::new(),
-        query: String::new(),
-        planner: "custom",
-        seed,
-        max_iterations,
-        wanted: improvement,
-        is_sampled: false,
-        is_euler: false,
-    };
+    let info = RunInfo { planner: "custom", seed, max_iterations, wanted: improvement, ..RunInfo::default() };
     Box::new(Runner::new(problem, planner, info, None))
 }
 
@@ -64,7 +56,7 @@ pub(super) fn launch(
     world: &PlanningWorld,
     options: &Options,
     planner: PlannerOptions,
-    kept: Option<&RoadmapDocument>,
+    saved: Option<&RoadmapDocument>,
 ) -> Result<Box<dyn Run>, Error> {
     let scenario = world.scenario();
     let (index, query) = options.find_query(scenario)?;
@@ -76,7 +68,7 @@ pub(super) fn launch(
         return Err(Error::new(
             Code::MissingField,
             pointer,
-            format!("{} needs a goal_tolerance in the query", planner.id()),
+            format!("{} needs a goal_tolerance in the query", planner.info().id),
         ));
     }
     let edges = planner.group::<EdgeOptions>().copied();
@@ -84,7 +76,7 @@ pub(super) fn launch(
     let info = RunInfo {
         scenario: scenario.name().to_owned(),
         query: query.name.clone(),
-        planner: planner.id(),
+        planner: planner.info().id,
         seed: options.seed,
         max_iterations: limits.max_iterations,
         wanted: edges.map_or_else(Wanted::default, |EdgeOptions { improving, .. }| Wanted {
@@ -98,22 +90,13 @@ pub(super) fn launch(
     if !matches!(scenario.robot(), Robot::Car(_))
         && let Some(steering) = edges.and_then(|edges| edges.steering)
     {
-        let word = steering.as_str();
+        let word = steering.word();
         let sentence = format!("only a car is steered: \"{word}\" is not for this robot");
         return Err(Error::new(Code::OutOfRange, "/steering", sentence));
     }
-    let launch = Launch {
-        world,
-        planner,
-        metric: edges.and_then(|edges| edges.measuring.metric),
-        edges,
-        tolerance: limits.tolerance,
-        info,
-        kept,
-        start: &query.start,
-        goals: goals(world, query, index, options.seed)?,
-        goal_tolerance: query.goal_tolerance,
-    };
+    let metric = edges.and_then(|edges| edges.measuring.metric);
+    let goals = goals(world, query, index, options.seed)?;
+    let launch = Launch { world, planner, edges, tolerance: limits.tolerance, metric, info, saved, query, goals };
     let run = if scenario.robot().dimension() <= SMALL { launch.run::<SMALL>() } else { launch.run::<MAX_DIMENSION>() };
     let in_query = |error: &Error| matches!(error.code(), Code::StartInCollision | Code::GoalInCollision);
     run.map_err(|error| if in_query(&error) { error.under(&format!("/queries/{index}")) } else { error })
@@ -130,11 +113,10 @@ struct Launch<'a> {
     metric: Option<MetricKind>,
     info: RunInfo,
     /// The roadmap to continue with.
-    kept: Option<&'a RoadmapDocument>,
-    start: &'a [f64],
+    saved: Option<&'a RoadmapDocument>,
+    query: &'a Query,
     /// The goals, any of which may be reached: at least one; several only for arms.
     goals: Vec<Vec<f64>>,
-    goal_tolerance: Option<GoalTolerance>,
 }
 
 impl Launch<'_> {
@@ -146,7 +128,7 @@ impl Launch<'_> {
             Robot::Car(car) => self.car_space(car, product.clone())?,
             Robot::Arm(_) | Robot::Disc(_) | Robot::RigidBody(_) => MotionSpace::new(product.clone()),
         };
-        let start = space.state(self.start);
+        let start = space.state(&self.query.start);
         let goals: Vec<_> = self.goals.iter().map(|q| space.state(q)).collect();
         let checker = || self.world.checker(&space, self.tolerance);
         let fitted = goals.iter().fold(checker(), |checker, goal| checker.fitted(&start, goal));
@@ -165,18 +147,18 @@ impl Launch<'_> {
             Robot::Arm(arm) => from_end_effector(arm, matches!(self.metric, None | Some(MetricKind::Sum))),
             _ => Box::new(move |a, b| measure.distance(a, b)),
         };
-        let mut problem = Problem::new(space.clone(), checked(validity), start, goals[0])?
-            .with_end_effector(end_effector)
-            .with_other_goals(goals[1..].to_vec());
-        if let Some((region, (_, weights))) = self.goal_tolerance.zip(robot.placed_shape()) {
-            problem = problem.with_goal_region(goal_region(product, goals[0], weights, region));
-        }
-        if let Some(dynamics) = dynamics {
-            problem = problem.with_dynamics(dynamics);
-        }
+        let mut problem = Problem::new(space.clone(), checked(validity), start, goals[0])?;
+        problem.add_goals(&goals[1..]);
+        problem.end_effector = Some(end_effector);
+        problem.goal_region = self
+            .query
+            .goal_tolerance
+            .zip(robot.placed_shape())
+            .map(|(region, (_, weights))| goal_region(product, goals[0], weights, region));
+        problem.dynamics = dynamics;
 
         let seed = self.info.seed;
-        let mut planner = match self.kept.zip(self.planner.group::<Searching>()) {
+        let mut planner = match self.saved.zip(self.planner.group::<Searching>()) {
             Some((document, searching)) => {
                 let states = resume::checked_states(&space, &*checked(checker().finest().validity()), document)?;
                 let connection = Connection { k: document.k as usize, radius: document.radius };
@@ -184,7 +166,7 @@ impl Launch<'_> {
             }
             None => self.planner.begin(&problem, seed)?,
         };
-        let connection = planner.roadmap().map(|roadmap| roadmap.connection());
+        let connection = planner.roadmap().map(|roadmap| roadmap.connection);
         let roadmap = connection.map(|connection| self.empty_document(&space, connection, edge_samples));
         Ok(Box::new(Runner::new(problem, planner, self.info, roadmap)))
     }
@@ -248,7 +230,7 @@ impl Launch<'_> {
             let [used, slowest] = [used, SLOWEST].map(Number);
             return Err(unsupported(&format!("curves need a speed of at least {slowest} m/s, not {used}")));
         }
-        if steering == Steering::Dubins && self.planner.info().needs_symmetry {
+        if steering == Steering::Dubins && self.planner.needs_symmetry() {
             return Err(unsupported(
                 "visibility-prm requires a symmetric space, which dubins curves are not; use steering = reeds-shepp",
             ));

@@ -25,14 +25,14 @@ const ITERATIONS: f64 = 4000.0;
 /// # Errors
 /// `target-unreachable` if none was found, naming the nearest point; `goal-in-collision` if all that were found
 /// touch something, naming what touches what at the first; `unsupported` for an orientation of an arm of one link. The pointer
-/// leads to the target of the query, whose index is `place`.
-pub(super) fn goals(world: &PlanningWorld, query: &Query, place: usize, seed: u64) -> Result<Vec<Vec<f64>>, Error> {
+/// leads to the target of the query, whose index is `index`.
+pub(super) fn goals(world: &PlanningWorld, query: &Query, index: usize, seed: u64) -> Result<Vec<Vec<f64>>, Error> {
     let scenario = world.scenario();
     let target = match &query.goal {
         Goal::Configuration(goal) => return Ok(vec![goal.clone()]),
         Goal::Target(target) => *target,
     };
-    let pointer = format!("/queries/{place}/target");
+    let pointer = format!("/queries/{index}/target");
     let at_target = |error: Error| Error::new(error.code(), pointer.as_str(), error.message());
     let mut wanted = options(scenario, query, target, seed);
     let mut reach = Solver::new(world, &wanted).map_err(at_target)?;
@@ -70,7 +70,7 @@ pub(super) fn goals(world: &PlanningWorld, query: &Query, place: usize, seed: u6
         }
         _ => {
             let none = "no configuration that reaches the target was found";
-            (Code::TargetUnreachable, format!("{none} from {} starts", reach.restarts() + 1))
+            (Code::TargetUnreachable, format!("{none} from {} starts", reach.stats().restarts + 1))
         }
     };
     Err(Error::new(code, pointer, sentence))

@@ -22,9 +22,9 @@
 //! - `runner.rs`: the one implementation of [`Run`]; `emitted.rs`: paths and edges as they are reported;
 //! - `resume.rs`: a run on a saved roadmap; `questions.rs`: configurations in requests.
 //!
-//! Inside, planners are generic over the space and compiled for each; outside, a `Box<dyn Run>` costs one virtual call a
-//! slice. A run calls its planner once an iteration, and the planner its collision checker once a check, by virtual calls, whose
-//! cost is small against the work they do: so a planner is compiled once a space, whatever the robot.
+//! Inside, planners are generic over the space and compiled for each; outside, a `Box<dyn Run>` costs one virtual call per
+//! slice. A run calls its planner once per iteration, and the planner its collision checker once per check, by virtual calls. Their
+//! cost is small compared with the work that they do. So a planner is compiled once per space, whatever the robot.
 
 pub mod catalogue;
 mod emitted;
@@ -43,7 +43,7 @@ pub use options::Options;
 pub use resume::resume;
 
 pub use crate::options::Value;
-pub use crate::planner::{Phase, PlannerInfo, Preset, Status, planners};
+pub use crate::planner::{Phase, PlannerInfo, PlannerOptions, Preset, Status, planners};
 
 use crate::error::Error;
 use crate::path::ResultDocument;
@@ -59,10 +59,10 @@ pub const HISTORY_WIDTH: usize = 8;
 
 /// A planning run: a value that is stepped and inspected. Rows are numbered from 0 in the order of creation.
 pub trait Run {
-    /// Does at most `iterations` iterations, and nothing once the status is no longer `Running`.
+    /// Makes at most `iterations` iterations, and nothing once the status is no longer `Running`.
     fn step(&mut self, iterations: u64) -> Status;
 
-    /// Ends the run with the present path if that is being improved; else does nothing. It is no iteration.
+    /// Ends the run with the present path if that is being improved; else does nothing. This is not an iteration.
     fn finish(&mut self) -> Status;
 
     /// The status of the run.
@@ -72,7 +72,7 @@ pub trait Run {
     fn phase(&self) -> Phase;
 
     /// Records a row for every iteration, for [`Run::take_history`]; this changes nothing else. Until they are
-    /// taken, rows are stored: 64 bytes an iteration. Calling it again has no effect.
+    /// taken, rows are stored: 64 bytes per iteration. Calling it again has no effect.
     ///
     /// # Errors
     /// `unsupported` after the first iteration, unless it was called before.
@@ -81,7 +81,7 @@ pub trait Run {
     /// Returns the rows recorded since the last call and removes them; empty if nothing is recorded. Row i
     /// of the run, from 0, is the state after iteration i + 1: [`HISTORY_WIDTH`] numbers each, the counts those of
     /// [`Run::stats`], the last one the length of the best path so far in the metric of the space, infinite while there is
-    /// none; it only ever falls. [`Run::finish`] is no iteration and leaves no row.
+    /// none; it only ever falls. [`Run::finish`] is not an iteration and adds no row.
     fn take_history(&mut self) -> Vec<f64>;
 
     /// Iterations made so far, attempts at improving the path included.
@@ -109,7 +109,7 @@ pub trait Run {
     fn edges_since(&self, row: usize) -> Vec<u32>;
 
     /// The controlled motions along the edges from row `row` on, of a car: the number of the edge, speed, steering angle and duration
-    /// (metres a second, radians, seconds) each; an edge of several motions has as many rows, in the order in which it is driven.
+    /// (metres per second, radians, seconds) each; an edge of several motions has as many rows, in the order in which it is driven.
     fn motions_since(&self, row: usize) -> Vec<f64>;
 
     /// The shapes of the curved edges from row `row` on: the number of the edge and a configuration on it each,
@@ -126,7 +126,7 @@ pub trait Run {
     /// The path from start to goal, split so that no step turns a circle joint by more than 3 radians; empty until solved.
     fn path(&self) -> Vec<Vec<f64>>;
 
-    /// The path as the planner found it, before any improvement, split in the same way; empty until it is found. Available while
+    /// The path as the planner found it, before any improvement, split likewise; empty until it is found. Available while
     /// the path is being improved, and after.
     fn raw_path(&self) -> Vec<Vec<f64>>;
 

@@ -65,8 +65,8 @@ pub fn resume(
             format!("{} is not a planner that builds a roadmap", quoted(&document.planner)),
         ));
     };
-    if let Some(other) = options.planner.as_ref().filter(|other| *other != planner.id()) {
-        let sentence = format!("the roadmap was built by {}, not {other}", planner.id());
+    if let Some(other) = options.planner.as_ref().filter(|other| *other != planner.info().id) {
+        let sentence = format!("the roadmap was built by {}, not {other}", planner.info().id);
         return Err(Error::new(Code::OutOfRange, "/algorithm", sentence));
     }
     check_seed(options.seed)?;
@@ -106,19 +106,19 @@ fn settings(
     let edge_check = if document.edge_samples.is_some() { EdgeCheck::Sampled } else { EdgeCheck::Proven };
     let mut all = vec![text("edge_check", edge_check.word()), number("tolerance", document.tolerance)];
     all.extend(metric.map(|metric| text("metric", metric.word())));
-    all.extend(steering.map(|steering| text("steering", steering.as_str())));
-    all.extend(document.edge_samples.map(|places| number("edge_samples", f64::from(places))));
+    all.extend(steering.map(|steering| text("steering", steering.word())));
+    all.extend(document.edge_samples.map(|samples| number("edge_samples", f64::from(samples))));
     planner.read(&all).map_err(|error| damaged(error.pointer(), error.message()))?;
-    let held = [&all[..], &[number("k", f64::from(document.k)), number("radius", document.radius)]].concat();
+    let stored = [&all[..], &[number("k", f64::from(document.k)), number("radius", document.radius)]].concat();
     // Options about the use of a roadmap, not about its construction.
     let is_free = |name: &str| Searching::has(name) || Improving::has(name) || Limits::has(name);
-    let known = planner.info().parameters;
+    let known = planner.table();
     for (name, value) in &options.parameters {
         let is_known = known.iter().any(|option| option.name == name);
-        match held.iter().find(|(other, _)| is_known && other == name) {
-            Some((_, kept)) if kept == value => {}
-            Some((_, kept)) => {
-                return Err(out_of_range(name, format!("the roadmap was built with {name} = {kept}, not {value}")));
+        match stored.iter().find(|(other, _)| is_known && other == name) {
+            Some((_, stored)) if stored == value => {}
+            Some((_, stored)) => {
+                return Err(out_of_range(name, format!("the roadmap was built with {name} = {stored}, not {value}")));
             }
             None if is_known && !is_free(name) => {
                 let sentence = format!("{name} affects how a roadmap is built; this one is complete");

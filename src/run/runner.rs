@@ -12,8 +12,8 @@ use crate::space::Space;
 /// The name of further queries in result documents.
 const ASKED: &str = "asked";
 
-/// The names and numbers that a run carries into its result.
-#[derive(Debug, Clone)]
+/// The names and numbers that a run copies into its result.
+#[derive(Debug, Clone, Default)]
 pub(super) struct RunInfo {
     pub scenario: String,
     pub query: String,
@@ -32,15 +32,15 @@ pub(super) struct Runner<S: Space> {
     planner: Box<dyn Planner<S>>,
     info: RunInfo,
     /// The document of the roadmap without vertices and edges; `None` for planners that build none.
-    kept: Option<RoadmapDocument>,
+    roadmap: Option<RoadmapDocument>,
     /// Iterations of the planner.
     iteration: u32,
     status: Status,
     /// The path being improved, once the planner has solved the problem.
     improvement: Option<Improvement<S>>,
-    /// The rows of recorded iterations that were not taken yet; `None` if iterations are not recorded.
+    /// The rows of recorded iterations that have not been taken yet; `None` if iterations are not recorded.
     history: Option<Vec<f64>>,
-    /// Clearances evaluated and motions left unproven for viewers, not for the run.
+    /// Clearance evaluations and unproven motions on behalf of viewers, not of the run.
     viewer_work: [u64; 2],
 }
 
@@ -49,10 +49,10 @@ impl<S: Space> Runner<S> {
         problem: Problem<S>,
         planner: Box<dyn Planner<S>>,
         info: RunInfo,
-        kept: Option<RoadmapDocument>,
+        roadmap: Option<RoadmapDocument>,
     ) -> Self {
         let (iteration, status, improvement, history, viewer_work) = (0, Status::Running, None, None, [0; 2]);
-        Self { problem, planner, info, kept, iteration, status, improvement, history, viewer_work }
+        Self { problem, planner, info, roadmap, iteration, status, improvement, history, viewer_work }
     }
 
     /// One iteration: of the planner, or an attempt at improving its path.
@@ -79,7 +79,7 @@ impl<S: Space> Runner<S> {
         }
     }
 
-    /// Takes the planner's path as it is now.
+    /// Accepts the planner's path as it is now.
     fn accept(&mut self) {
         let graph = self.planner.graph();
         let path = self.planner.path().into_iter().map(|vertex| *graph.state(vertex)).collect();
@@ -125,7 +125,7 @@ impl<S: Space> Runner<S> {
             Some(improvement) if self.status == Status::Solved => {
                 EmittedPath::through(&self.problem, improvement.path())
             }
-            _ => EmittedPath::none(&self.problem),
+            _ => EmittedPath::through(&self.problem, &[]),
         }
     }
 
@@ -281,7 +281,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn goals(&self) -> Vec<Vec<f64>> {
-        self.rows(&self.problem.goals().copied().collect::<Vec<_>>())
+        self.rows(self.problem.goals())
     }
 
     fn path(&self) -> Vec<Vec<f64>> {
@@ -314,14 +314,10 @@ impl<S: Space> Run for Runner<S> {
             iterations: self.iterations(),
             vertices: self.vertex_count() as u64,
             edges: self.edge_count() as u64,
-            configuration_checks: counters.configuration_checks,
             motion_checks: counters.motion_checks + improvement_checks,
-            nearest_queries: counters.nearest_queries,
-            visited: counters.visited,
             clearance_evaluations: self.problem.validity().clearance_evaluations() - self.viewer_work[0],
             unproven_motions: self.problem.validity().unproven_motions() - self.viewer_work[1],
-            build_seconds: 0.0,
-            search_seconds: 0.0,
+            ..counters
         }
     }
 
@@ -335,7 +331,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn roadmap(&self) -> Option<RoadmapDocument> {
-        self.kept.as_ref().map(|kept| kept.filled(self.vertices_since(0), &self.edges_since(0)))
+        self.roadmap.as_ref().map(|roadmap| roadmap.filled(self.vertices_since(0), &self.edges_since(0)))
     }
 
     fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error> {
@@ -349,14 +345,13 @@ impl<S: Space> Run for Runner<S> {
             );
             return Err(Error::new(Code::Unsupported, "/keep", sentence));
         }
-        let keep = keep.then_some(self.iteration);
         let Some(roadmap) = self.planner.roadmap() else {
             let sentence = format!("{} builds no roadmap to query", self.info.planner);
             return Err(Error::new(Code::Unsupported, "", sentence));
         };
-        let answer = roadmap.answer(&self.problem, ends, keep);
-        let status = if answer.path.is_empty() { Status::Exhausted } else { Status::Solved };
-        let path = EmittedPath::through(&self.problem, &answer.path);
+        let found = roadmap.query(&self.problem, ends, keep.then_some(self.iteration));
+        let status = if found.path.is_empty() { Status::Exhausted } else { Status::Solved };
+        let path = EmittedPath::through(&self.problem, &found.path);
         Ok(self.document(ASKED, status, path))
     }
 }

@@ -1,12 +1,12 @@
 //! Samplers of the configuration space: any planner works with any of them.
 //!
-//! Some samplers check for collisions: they return what they learned about the sample.
+//! Some samplers check for collisions: they also return what they learned about the sample.
 
 mod obstacles;
 mod sequences;
 
 pub use obstacles::{BridgeTest, Gaussian, ObstacleBased};
-pub use sequences::{Halton, Lattice, radical_inverse};
+pub use sequences::{Sequence, halton, lattice, radical_inverse};
 
 use crate::problem::Problem;
 use crate::random::Random;

@@ -6,24 +6,26 @@ use crate::problem::Problem;
 use crate::random::Random;
 use crate::space::{MAX_DIMENSION, Space};
 
-/// The shift and the number of points drawn.
+/// A sequence of samples: `term` gives the coordinate in [0, 1) of axis i at number n, from 1.
 #[derive(Debug, Clone)]
-struct Shifted {
+pub struct Sequence<F> {
+    term: F,
     shift: [f64; MAX_DIMENSION],
     drawn: u64,
 }
 
-impl Shifted {
-    /// A shift drawn from the stream.
-    fn new(mut random: Random) -> Self {
-        Self { shift: std::array::from_fn(|_| random.uniform()), drawn: 0 }
+impl<F: Fn(usize, u64) -> f64> Sequence<F> {
+    /// The sequence with a shift drawn from the stream.
+    fn new(mut random: Random, term: F) -> Self {
+        Self { term, shift: std::array::from_fn(|_| random.uniform()), drawn: 0 }
     }
+}
 
-    /// The next sample: `term` gives the coordinate in [0, 1) of axis i at number n, from 1.
-    fn next<S: Space>(&mut self, problem: &Problem<S>, term: impl Fn(usize, u64) -> f64) -> Sample<S::State> {
+impl<S: Space, F: Fn(usize, u64) -> f64> Sampler<S> for Sequence<F> {
+    fn draw(&mut self, problem: &Problem<S>, _: &mut u64) -> Sample<S::State> {
         self.drawn += 1;
         let point: [f64; MAX_DIMENSION] = std::array::from_fn(|i| {
-            let moved = term(i, self.drawn) + self.shift[i];
+            let moved = (self.term)(i, self.drawn) + self.shift[i];
             if moved >= 1.0 { moved - 1.0 } else { moved }
         });
         Sample { state: problem.space().at(&point), known: Known::Nothing }
@@ -36,20 +38,8 @@ const BASES: [u64; MAX_DIMENSION] = [2, 3, 5, 7, 11, 13, 17, 19];
 /// The Halton sequence (Halton 1960, "On the efficiency of certain quasi-random sequences of points in evaluating
 /// multi-dimensional integrals"; LaValle 2006, "Planning Algorithms", section 5.2.3): coordinate i is the radical inverse in
 /// the i-th prime.
-#[derive(Debug, Clone)]
-pub struct Halton(Shifted);
-
-impl Halton {
-    /// The sequence with a shift drawn from the stream.
-    pub fn new(random: Random) -> Self {
-        Self(Shifted::new(random))
-    }
-}
-
-impl<S: Space> Sampler<S> for Halton {
-    fn draw(&mut self, problem: &Problem<S>, _: &mut u64) -> Sample<S::State> {
-        self.0.next(problem, |i, n| radical_inverse(BASES[i], n))
-    }
+pub fn halton(random: Random) -> Sequence<impl Fn(usize, u64) -> f64> {
+    Sequence::new(random, |i, n| radical_inverse(BASES[i], n))
 }
 
 /// The digits of `n` in the base, mirrored at the point: a number in [0, 1). O(log n).
@@ -71,37 +61,22 @@ pub fn radical_inverse(base: u64, n: u64) -> f64 {
 
 /// A lattice without a last point: multiples of one direction with irrational coordinates, modulo 1 (Richtmyer 1951, "The
 /// evaluation of definite integrals, and a quasi-Monte-Carlo method based on the properties of algebraic numbers"; LaValle
-/// 2006, "Planning Algorithms", section 5.2.4). The direction is (1/g, 1/g^2, ...), g the root above 1 of x^(d+1) = x + 1:
-/// for d = 1 the golden ratio.
-#[derive(Debug, Clone)]
-pub struct Lattice {
-    points: Shifted,
-    direction: [f64; MAX_DIMENSION],
+/// 2006, "Planning Algorithms", section 5.2.4). The direction is (1/g, 1/g^2, ...), g the root above 1 of x^(d+1) = x + 1
+/// for d coordinates: for d = 1 the golden ratio.
+pub fn lattice(dimension: usize, random: Random) -> Sequence<impl Fn(usize, u64) -> f64> {
+    let g = root(dimension);
+    let mut power = 1.0;
+    let direction: [f64; MAX_DIMENSION] = std::array::from_fn(|_| {
+        power /= g;
+        power
+    });
+    Sequence::new(random, move |i, n| {
+        let along = direction[i] * n as f64;
+        along - libm::floor(along)
+    })
 }
 
-impl Lattice {
-    /// A lattice in `dimension` coordinates with a shift drawn from the stream.
-    pub fn new(dimension: usize, random: Random) -> Self {
-        let g = root(dimension);
-        let mut power = 1.0;
-        let direction = std::array::from_fn(|_| {
-            power /= g;
-            power
-        });
-        Self { points: Shifted::new(random), direction }
-    }
-}
-
-impl<S: Space> Sampler<S> for Lattice {
-    fn draw(&mut self, problem: &Problem<S>, _: &mut u64) -> Sample<S::State> {
-        self.points.next(problem, |i, n| {
-            let along = self.direction[i] * n as f64;
-            along - libm::floor(along)
-        })
-    }
-}
-
-/// The root above 1 of x^(d+1) = x + 1, by fixed-point iteration, which contracts by at least a third a round.
+/// The root above 1 of x^(d+1) = x + 1, by fixed-point iteration, which contracts by at least a third per round.
 fn root(dimension: usize) -> f64 {
     (0..64).fold(2.0, |g, _| libm::pow(1.0 + g, 1.0 / (dimension + 1) as f64))
 }

@@ -27,7 +27,7 @@ fn lesser(a: f64, b: f64) -> f64 {
     }
 }
 
-/// The least [`gap`] between `a` and any number from `low` to `high`; 0 where `a` lies between them. O(1).
+/// The least [`gap`] between `a` and any number from `low` to `high`; 0 if `a` lies between them. O(1).
 ///
 /// Exact in floating point, so that it never exceeds a gap that it bounds: seen from outside, `|a - b|` only grows or only
 /// falls as `b` goes through the interval, and rounding keeps that order; as `|a - b|` grows, the gap first rises, up to half

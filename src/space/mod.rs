@@ -7,7 +7,7 @@
 //! - `product.rs`: [`ProductSpace`], its coordinates and its metrics. LaValle 2006, "Planning Algorithms", chapters 4 (products
 //!   of circles and intervals) and 5.1 (metrics, weights of rotation);
 //! - `motion.rs`: [`MotionSpace`], straight motions or the curves of [`steering`];
-//! - `angle.rs`, `gap.rs`: distances on a line and on a circle, exact enough to bound a kd-tree.
+//! - `gap.rs`: distances on a line and on a circle, exact enough to bound a kd-tree.
 //!
 //! A state is a small `Copy` value in canonical form: finite, angles of circles in (-pi, pi], never -0. Arrays of `N` numbers
 //! serve every dimension up to `N`: entries past [`Space::dimension`] are 0 and add exactly nothing.
@@ -43,7 +43,7 @@ pub const MAX_DIMENSION: usize = 8;
 /// A configuration space.
 ///
 /// A user-defined space needs the eight methods without a default. The defaults are right for any space without curves or
-/// steered motions whose metric is symmetric. Nearest neighbours are then found by computing all distances, O(n) a query;
+/// steered motions whose metric is symmetric. Nearest neighbours are then found by computing all distances, O(n) per query;
 /// give [`norm`](Space::norm), [`period`](Space::period) and [`is_norm_exact`](Space::is_norm_exact) too, and a kd-tree
 /// finds them.
 ///
@@ -51,7 +51,7 @@ pub const MAX_DIMENSION: usize = 8;
 /// A plane in which one moves along streets, around a wall:
 ///
 /// ```
-/// use planarium::planner::{Method, Planner, RrtConnectOptions, Status};
+/// use planarium::planner::{Planner, PlannerKind, RrtConnectOptions, Status};
 /// use planarium::problem::Problem;
 /// use planarium::space::Space;
 /// use planarium::problem::{Contact, Touched, Validity};

@@ -82,13 +82,9 @@ impl<const N: usize> Space for MotionSpace<N> {
     }
 
     fn interpolate(&self, a: &[f64; N], b: &[f64; N], t: f64) -> [f64; N] {
-        let Some(steered) = self.steering else { return self.product.interpolate(a, b, t) };
-        if t == 0.0 {
-            return *a;
-        }
-        if t == 1.0 {
-            return *b;
-        }
+        let Some(steered) = self.steering.filter(|_| t != 0.0 && t != 1.0) else {
+            return self.product.interpolate(a, b, t);
+        };
         let curve = self.curve_of(steered, a, b);
         let at = curve.at(pose(a), t * curve.length());
         let mut state = [0.0; N];

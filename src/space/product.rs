@@ -2,7 +2,7 @@
 //!
 //! LaValle 2006, "Planning Algorithms", sections 4.1.2 and 4.2 (products of circles and intervals) and 5.1.2 (metrics).
 
-use super::{Space, unwind, wrap};
+use super::{Space, gap, unwind, wrap};
 use std::f64::consts::{PI, TAU};
 
 /// The largest angle below 2 pi.
@@ -13,7 +13,7 @@ const LAST: f64 = TAU.next_down();
 pub enum Coordinate {
     /// An angle that wraps: in (-pi, pi], differences the short way round.
     Circle,
-    /// A circle cut open at 0: angles in [0, 2 pi), linear, nothing wraps. A naive measure, to show why it misleads: 0.1
+    /// A circle cut open at 0: angles in [0, 2 pi), linear, nothing wraps. A naive measure, for comparison: 0.1
     /// and 6.2 are near each other on a circle and far apart here.
     CutCircle,
     /// A number between two limits, in radians or metres; linear, nothing wraps.
@@ -130,11 +130,38 @@ impl<const N: usize> ProductSpace<N> {
         })
     }
 
-    /// The distance of coordinate `i` alone.
-    #[inline]
-    fn gap(&self, i: usize, a: f64, b: f64) -> f64 {
-        let gap = (a - b).abs();
-        if gap > self.half[i] { TAU - gap } else { gap }
+    /// The metric as a function of the gaps of the first `count` coordinates: see [`Space::norm`].
+    #[inline(always)]
+    fn combine<const L: usize>(&self, count: usize, mut gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
+        let mut sum = [0.0; L];
+        match self.metric {
+            Metric::Sum => {
+                for i in 0..count {
+                    let gaps = gap(i);
+                    for lane in 0..L {
+                        sum[lane] += gaps[lane];
+                    }
+                }
+                sum
+            }
+            Metric::Euclidean => {
+                for i in 0..count {
+                    let gaps = gap(i);
+                    for lane in 0..L {
+                        sum[lane] += gaps[lane] * gaps[lane];
+                    }
+                }
+                sum.map(f64::sqrt)
+            }
+            Metric::Placement { translation, rotation } => {
+                let [x, y, turn] = [gap(0), gap(1), gap(2)];
+                for lane in 0..L {
+                    let far = (x[lane] * x[lane] + y[lane] * y[lane]).sqrt();
+                    sum[lane] = translation * far + rotation * turn[lane];
+                }
+                sum
+            }
+        }
     }
 }
 
@@ -165,26 +192,8 @@ impl<const N: usize> Space for ProductSpace<N> {
 
     #[inline]
     fn distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
-        let mut sum = 0.0;
-        match self.metric {
-            Metric::Sum => {
-                for i in 0..N {
-                    sum += self.gap(i, a[i], b[i]);
-                }
-                sum
-            }
-            Metric::Euclidean => {
-                for i in 0..N {
-                    let gap = self.gap(i, a[i], b[i]);
-                    sum += gap * gap;
-                }
-                sum.sqrt()
-            }
-            Metric::Placement { translation, rotation } => {
-                let [x, y, turn] = [0, 1, 2].map(|i| self.gap(i, a[i], b[i]));
-                translation * (x * x + y * y).sqrt() + rotation * turn
-            }
-        }
+        let [distance] = self.combine(N, |i| [gap(a[i], b[i], self.period(i))]);
+        distance
     }
 
     fn interpolate(&self, a: &[f64; N], b: &[f64; N], t: f64) -> [f64; N] {
@@ -231,22 +240,17 @@ impl<const N: usize> Space for ProductSpace<N> {
 
     fn extent(&self) -> f64 {
         let longest = |i: usize| if self.is_circle(i) { PI } else { self.high[i] - self.low[i] };
-        match self.metric {
-            Metric::Sum => (0..self.dimension).map(longest).sum(),
-            Metric::Euclidean => (0..self.dimension).map(|i| longest(i) * longest(i)).sum::<f64>().sqrt(),
-            Metric::Placement { translation, rotation } => {
-                translation * (longest(0) * longest(0) + longest(1) * longest(1)).sqrt() + rotation * longest(2)
-            }
-        }
+        let [extent] = self.norm(|i| [longest(i)]);
+        extent
     }
 
     fn turn(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
-        (0..self.dimension).filter(|&i| self.is_circle(i)).map(|i| self.gap(i, a[i], b[i])).fold(0.0, f64::max)
+        (0..self.dimension).filter(|&i| self.is_circle(i)).map(|i| gap(a[i], b[i], self.period(i))).fold(0.0, f64::max)
     }
 
     fn sweep(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
         let cut = (0..self.dimension).filter(|&i| self.is_cut[i]);
-        cut.map(|i| self.gap(i, a[i], b[i])).fold(self.turn(a, b), f64::max)
+        cut.map(|i| gap(a[i], b[i], self.period(i))).fold(self.turn(a, b), f64::max)
     }
 
     #[inline]
@@ -260,35 +264,7 @@ impl<const N: usize> Space for ProductSpace<N> {
     }
 
     #[inline(always)]
-    fn norm<const L: usize>(&self, mut gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
-        let mut sum = [0.0; L];
-        match self.metric {
-            Metric::Sum => {
-                for i in 0..self.dimension {
-                    let gaps = gap(i);
-                    for lane in 0..L {
-                        sum[lane] += gaps[lane];
-                    }
-                }
-                sum
-            }
-            Metric::Euclidean => {
-                for i in 0..self.dimension {
-                    let gaps = gap(i);
-                    for lane in 0..L {
-                        sum[lane] += gaps[lane] * gaps[lane];
-                    }
-                }
-                sum.map(f64::sqrt)
-            }
-            Metric::Placement { translation, rotation } => {
-                let [x, y, turn] = [gap(0), gap(1), gap(2)];
-                for lane in 0..L {
-                    let far = (x[lane] * x[lane] + y[lane] * y[lane]).sqrt();
-                    sum[lane] = translation * far + rotation * turn[lane];
-                }
-                sum
-            }
-        }
+    fn norm<const L: usize>(&self, gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
+        self.combine(self.dimension, gap)
     }
 }

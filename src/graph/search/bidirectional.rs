@@ -74,7 +74,7 @@ impl Walker for Bidirectional {
         let Some(&vertex) = ours.level.get(ours.done) else { return Expansion::Nothing };
         ours.done += 1;
         let depth = ours.depths[vertex.index()];
-        // The goal's side goes against the edges.
+        // The goal's side follows edges backwards.
         let neighbours = match self.turn {
             0 => view.adjacency.neighbours(vertex),
             _ => view.adjacency.predecessors(vertex),

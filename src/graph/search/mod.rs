@@ -25,7 +25,7 @@ pub struct View<'a> {
 /// What one step of a search did.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Expansion {
-    /// The vertex was expanded; the search goes on.
+    /// The vertex was expanded; the search continues.
     Vertex(VertexId),
     /// A path to the goal is known.
     Goal,
@@ -33,7 +33,7 @@ pub enum Expansion {
     Nothing,
 }
 
-/// A search from one vertex to another, one expansion a step.
+/// A search from one vertex to another, one expansion per step.
 pub trait Walker {
     /// Expands one vertex, or returns that the search is over.
     fn step(&mut self, view: &View) -> Expansion;

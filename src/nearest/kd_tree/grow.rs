@@ -31,7 +31,7 @@ impl KdTree {
         self.root = Node::leaf(0);
     }
 
-    /// Adds a state. O(log n) but for rebuilding, which costs O(log^2 n) a state over time.
+    /// Adds a state. O(log n) but for rebuilding, which costs O(log^2 n) per state over time.
     pub(super) fn grow(&mut self, vertex: VertexId, coordinates: &[f64]) {
         let mut node = self.root;
         let mut parent = None;

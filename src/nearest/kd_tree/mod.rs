@@ -6,7 +6,7 @@
 //!
 //! Results equal the linear scan's bit for bit. The bound of a box is the metric's own expression on gaps that are, in
 //! floating point, no wider than those to any state inside; rounded sums, products and roots keep that order, so the bound
-//! never exceeds a distance. Boxes are pruned only if the bound is *greater* than the worst distance kept, so every tie
+//! never exceeds a distance. Boxes are pruned only if the bound is *greater* than the worst distance found, so every tie
 //! is seen and decided by the vertex number. The shape of the tree changes the time but never the result.
 
 mod grow;
@@ -78,7 +78,7 @@ pub struct KdTree {
     packs: Packs,
     leaves: Vec<Leaf>,
     branches: Vec<Branch>,
-    /// `dimension` a branch.
+    /// `dimension` per branch.
     boxes: Vec<Sides>,
     root: Node,
     len: usize,

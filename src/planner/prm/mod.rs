@@ -8,17 +8,15 @@
 //! probabilistic learning approach"): a vertex is connected to the nearest that it leads to and to the nearest that lead to it.
 
 mod batch;
-mod connect;
 mod one_by_one;
-mod resume;
 mod star;
 
-pub use resume::resume;
+pub use batch::resume;
 pub use star::{NeighbourRule, PrmStarOptions, logarithmic_k, prm_star_k};
 
 use super::Planner;
 use super::groups::{EdgeOptions, Sampling, Searching};
-use super::info::{END, Grows, IMPROVE, Mark, Method, Preset, PseudocodeLine, line};
+use super::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, Preset, line};
 use super::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
 use crate::error::Error;
 use crate::options::out_of_range;
@@ -65,36 +63,36 @@ crate::options! {
     edges: EdgeOptions;
 }
 
-impl Method for PrmOptions {
-    const ID: &'static str = "prm";
-    const TITLE: &'static str = "PRM";
-    const SUMMARY: &'static str =
-        "Samples free configurations, connects each to its nearest neighbours, and searches this roadmap for a path.";
-    const GUARANTEE: &'static str =
-        "Probabilistically complete with a radius: more samples find any path that has clearance.";
-    const GROWS: Grows = Grows::Roadmap;
-    const PRESETS: &'static [Preset] = &[
-        Preset { id: "thirty-nearest", title: "1000 samples, k = 30", settings: "samples=1000 k=30" },
-        Preset {
-            id: "three-nearest",
-            title: "500 connected, k = 3",
-            settings: "samples=500 k=3 insertion=one-by-one discard=true",
-        },
-    ];
-    const PSEUDOCODE: &'static [PseudocodeLine] = &[
-        BEGIN,
-        SAMPLE,
-        line(1, "if q collides, or is discarded: next sample", &[Mark::Rejected, Mark::Discarded]),
-        KEEP,
-        // Inserted one by one, samples get their edges at once.
-        line(0, "for q of G, for p of its nearest neighbours:", &[Mark::Connecting, Mark::Edge, Mark::Refused]),
-        JOIN,
-        REFUSE,
-        SEARCH,
-        EXPAND,
-        IMPROVE,
-        END,
-    ];
+impl PlannerKind for PrmOptions {
+    const INFO: PlannerInfo = PlannerInfo {
+        id: "prm",
+        title: "PRM",
+        summary: "Samples free configurations, connects each to its nearest neighbours, and searches this roadmap for a path.",
+        guarantee: "Probabilistically complete with a radius: more samples find any path that has clearance.",
+        grows: Grows::Roadmap,
+        presets: &[
+            Preset { id: "thirty-nearest", title: "1000 samples, k = 30", settings: "samples=1000 k=30" },
+            Preset {
+                id: "three-nearest",
+                title: "500 connected, k = 3",
+                settings: "samples=500 k=3 insertion=one-by-one discard=true",
+            },
+        ],
+        pseudocode: &[
+            BEGIN,
+            SAMPLE,
+            line(1, "if q collides, or is discarded: next sample", &[Mark::Rejected, Mark::Discarded]),
+            KEEP,
+            // Inserted one by one, samples get their edges at once.
+            line(0, "for q of G, for p of its nearest neighbours:", &[Mark::Connecting, Mark::Edge, Mark::Refused]),
+            JOIN,
+            REFUSE,
+            SEARCH,
+            EXPAND,
+            IMPROVE,
+            END,
+        ],
+    };
 
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let sampler = self.sampling.sampler(problem.space(), seed);

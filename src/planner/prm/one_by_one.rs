@@ -26,10 +26,10 @@ impl<S: Space> OneByOne<S> {
         discard: bool,
         sampler: Box<dyn Sampler<S>>,
     ) -> RoadmapPlanner<S, Self> {
-        for (i, goal) in problem.goals().enumerate() {
-            for way in Direction::all(problem.space()) {
-                if way.distance(problem.space(), goal, problem.start()) <= roadmap.connection().radius {
-                    let [from, to] = way.ends(VertexId(GOAL.0 + i as u32), START);
+        for (i, goal) in problem.goals().iter().enumerate() {
+            for direction in Direction::all(problem.space()) {
+                if direction.distance(problem.space(), goal, problem.start()) <= roadmap.connection.radius {
+                    let [from, to] = direction.ends(VertexId(GOAL.0 + i as u32), START);
                     roadmap.try_edge(problem, 0, from, to);
                 }
             }
@@ -44,15 +44,15 @@ impl<S: Space> Build<S> for OneByOne<S> {
         let Some(state) = roadmap.growth.draw_free(problem, iteration, &mut *self.sampler) else { return false };
         let space = problem.space();
         let mut neighbours = Vec::new();
-        for &way in Direction::all(space) {
-            roadmap.neighbours(space, way, &state, false, &mut self.neighbours);
-            neighbours.extend(self.neighbours.iter().map(|neighbour| (way, neighbour.vertex)));
+        for &direction in Direction::all(space) {
+            roadmap.neighbours(space, direction, &state, false, &mut self.neighbours);
+            neighbours.extend(self.neighbours.iter().map(|neighbour| (direction, neighbour.vertex)));
         }
         if self.discard {
             // Whether there will be a vertex is known only after its edges are.
-            neighbours.retain(|&(way, other)| {
+            neighbours.retain(|&(direction, other)| {
                 let other = roadmap.growth.state(other);
-                let [from, to] = way.ends(&state, &other);
+                let [from, to] = direction.ends(&state, &other);
                 roadmap.growth.is_motion_free(problem, from, to)
             });
             if neighbours.is_empty() {
@@ -61,8 +61,8 @@ impl<S: Space> Build<S> for OneByOne<S> {
             }
         }
         let vertex = roadmap.add_vertex(space, iteration, state);
-        for (way, other) in neighbours {
-            let [from, to] = way.ends(vertex, other);
+        for (direction, other) in neighbours {
+            let [from, to] = direction.ends(vertex, other);
             if self.discard {
                 roadmap.growth.graph.add_edge(iteration, from, to);
             } else {

@@ -7,7 +7,7 @@ use super::check_motions;
 use crate::error::Error;
 use crate::planner::Planner;
 use crate::planner::groups::{EdgeOptions, Sampling, Searching};
-use crate::planner::info::{END, Grows, IMPROVE, Mark, Method, PseudocodeLine, line};
+use crate::planner::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
 use crate::planner::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
 use crate::problem::Problem;
 use crate::space::Space;
@@ -48,28 +48,29 @@ pub fn logarithmic_k(vertices: usize) -> usize {
     (libm::ceil(libm::log(vertices as f64)) as usize).max(1)
 }
 
-impl Method for PrmStarOptions {
-    const ID: &'static str = "prm-star";
-    const TITLE: &'static str = "PRM*";
-    const SUMMARY: &'static str =
-        "A PRM with enough neighbours, more as samples grow, for the path to approach the shortest.";
-    const GUARANTEE: &'static str =
-        "Asymptotically optimal by its first rule: with more samples the path approaches the shortest.";
-    const GROWS: Grows = Grows::Roadmap;
-    const PSEUDOCODE: &'static [PseudocodeLine] = &[
-        BEGIN,
-        SAMPLE,
-        line(1, "if q collides: next sample", &[Mark::Rejected]),
-        KEEP,
-        line(0, "k ← e (1 + 1/d) ln n, or by the rule chosen", &[]),
-        line(0, "for q of G, for p of its k nearest:", &[Mark::Connecting]),
-        JOIN,
-        REFUSE,
-        SEARCH,
-        EXPAND,
-        IMPROVE,
-        END,
-    ];
+impl PlannerKind for PrmStarOptions {
+    const INFO: PlannerInfo = PlannerInfo {
+        id: "prm-star",
+        title: "PRM*",
+        summary: "A PRM with enough neighbours, more as samples grow, for the path to approach the shortest.",
+        guarantee: "Asymptotically optimal by its first rule: with more samples the path approaches the shortest.",
+        grows: Grows::Roadmap,
+        presets: &[],
+        pseudocode: &[
+            BEGIN,
+            SAMPLE,
+            line(1, "if q collides: next sample", &[Mark::Rejected]),
+            KEEP,
+            line(0, "k ← e (1 + 1/d) ln n, or by the rule chosen", &[]),
+            line(0, "for q of G, for p of its k nearest:", &[Mark::Connecting]),
+            JOIN,
+            REFUSE,
+            SEARCH,
+            EXPAND,
+            IMPROVE,
+            END,
+        ],
+    };
 
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let sampler = self.sampling.sampler(problem.space(), seed);

@@ -16,7 +16,7 @@ use crate::scenario::{Obstacle, Robot};
 use crate::space::{MAX_DIMENSION, MotionSpace, ProductSpace, Space};
 use crate::world::{Configurations, PlanningWorld};
 
-/// The most cells that a picture of the configuration space has on a side.
+/// The most cells per side of a picture of the configuration space.
 pub const MAX_CELLS: usize = 4096;
 
 /// The most configurations that are drawn at once.
@@ -140,16 +140,16 @@ impl Inspector {
         }
     }
 
-    /// The configuration space of an arm of two links as a picture: one byte a cell, 1 for collision, checked at the
+    /// The configuration space of an arm of two links as a picture: one byte per cell, 1 for collision, checked at the
     /// centre of the cell; row by row from the lowest angle of the second joint, each row from the lowest of the first.
     ///
     /// # Errors
-    /// `unsupported` for another robot; `out-of-range` for fewer than 1 or more than [`MAX_CELLS`] cells a side.
+    /// `unsupported` for another robot; `out-of-range` for fewer than 1 or more than [`MAX_CELLS`] cells per side.
     pub fn configuration_space(&self, width: usize, height: usize) -> Result<Vec<u8>, Error> {
         let range = self.configuration_space_range()?;
         for (pointer, cells) in [("/width", width), ("/height", height)] {
             if cells == 0 || cells > MAX_CELLS {
-                let sentence = format!("a picture has 1 to {MAX_CELLS} cells a side, not {cells}");
+                let sentence = format!("a picture has 1 to {MAX_CELLS} cells per side, not {cells}");
                 return Err(Error::new(Code::OutOfRange, pointer, sentence));
             }
         }

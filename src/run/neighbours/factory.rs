@@ -1,7 +1,7 @@
 //! From a scenario and parameters to an index: names become types.
 
-use super::table::{ExactOptions, ForestOptions, IndexId};
-use super::{Answer, MAX_CONFIGURATIONS, MAX_PLACES, Neighbours};
+use super::table::{ForestOptions, IndexId};
+use super::{MAX_CONFIGURATIONS, MAX_ENTRIES, NearestResult, Neighbours};
 use crate::error::{Code, Error, Number};
 use crate::graph::VertexId;
 use crate::nearest::{Forest, ForestParameters, KdTree, LinearScan, Nearest, Neighbour};
@@ -27,19 +27,18 @@ pub fn index(
     let options = match id {
         IndexId::Forest => Options::read(given)?,
         IndexId::Linear | IndexId::KdTree => {
-            let ExactOptions { measuring } = Options::read(given)?;
-            ForestOptions { measuring, ..ForestOptions::default() }
+            ForestOptions { measuring: Options::read(given)?, ..ForestOptions::default() }
         }
     };
     if world.robot().dimension() <= SMALL {
-        held::<SMALL>(&world, id, options)
+        index_of::<SMALL>(&world, id, options)
     } else {
-        held::<MAX_DIMENSION>(&world, id, options)
+        index_of::<MAX_DIMENSION>(&world, id, options)
     }
 }
 
-/// The index over states of one size.
-fn held<const N: usize>(
+/// The index over states of `N` numbers.
+fn index_of<const N: usize>(
     world: &PlanningWorld,
     id: IndexId,
     ForestOptions { measuring, trees, leaf, candidates, seed }: ForestOptions,
@@ -49,18 +48,18 @@ fn held<const N: usize>(
     let configurations = Configurations::of(world);
     let most = MAX_CONFIGURATIONS;
     Ok(match id {
-        IndexId::Linear => Box::new(Held { space, index: LinearScan::default(), configurations, most }),
-        IndexId::KdTree => Box::new(Held { space, index: KdTree::default(), configurations, most }),
+        IndexId::Linear => Box::new(TypedIndex { space, index: LinearScan::default(), configurations, most }),
+        IndexId::KdTree => Box::new(TypedIndex { space, index: KdTree::default(), configurations, most }),
         IndexId::Forest => {
             let key = Random::new(seed, Stream::Projections).bits();
             let index = Forest::new(ForestParameters { trees, leaf, candidates }, key);
-            Box::new(Held { space, index, configurations, most: most.min(MAX_PLACES / trees) })
+            Box::new(TypedIndex { space, index, configurations, most: most.min(MAX_ENTRIES / trees) })
         }
     })
 }
 
 /// An index with its space and the configurations that it may hold.
-struct Held<S, I> {
+struct TypedIndex<S, I> {
     space: S,
     index: I,
     configurations: Configurations,
@@ -68,17 +67,17 @@ struct Held<S, I> {
     most: usize,
 }
 
-impl<S: Space, I: Nearest<S>> Held<S, I> {
+impl<S: Space, I: Nearest<S>> TypedIndex<S, I> {
     /// The neighbours of `q`.
-    fn ask(&self, q: &[f64], ask: impl Fn(&S::State, &mut Vec<Neighbour>) -> usize) -> Result<Answer, Error> {
+    fn query(&self, q: &[f64], find: impl Fn(&S::State, &mut Vec<Neighbour>) -> usize) -> Result<NearestResult, Error> {
         self.configurations.refuse_outside(q, "/q")?;
         let mut neighbours = Vec::new();
-        let visited = ask(&self.space.state(q), &mut neighbours);
-        Ok(Answer { neighbours, visited })
+        let visited = find(&self.space.state(q), &mut neighbours);
+        Ok(NearestResult { neighbours, visited })
     }
 }
 
-impl<S: Space, I: Nearest<S>> Neighbours for Held<S, I> {
+impl<S: Space, I: Nearest<S>> Neighbours for TypedIndex<S, I> {
     fn dimension(&self) -> usize {
         self.configurations.dimension()
     }
@@ -109,17 +108,17 @@ impl<S: Space, I: Nearest<S>> Neighbours for Held<S, I> {
         Ok(())
     }
 
-    fn k_nearest(&self, q: &[f64], k: usize) -> Result<Answer, Error> {
-        self.ask(q, |state, found| self.index.k_nearest(&self.space, state, k.min(self.len()), found))
+    fn k_nearest(&self, q: &[f64], k: usize) -> Result<NearestResult, Error> {
+        self.query(q, |state, found| self.index.k_nearest(&self.space, state, k.min(self.len()), found))
     }
 
-    fn within(&self, q: &[f64], radius: f64) -> Result<Answer, Error> {
+    fn within(&self, q: &[f64], radius: f64) -> Result<NearestResult, Error> {
         // Not a number, too.
         if !(radius >= 0.0 && radius.is_finite()) {
             let code = if radius.is_finite() { Code::OutOfRange } else { Code::NotFinite };
             let sentence = format!("a radius must be a finite number of at least 0, not {}", Number(radius));
             return Err(Error::new(code, "/radius", sentence));
         }
-        self.ask(q, |state, found| self.index.within(&self.space, state, radius, found))
+        self.query(q, |state, found| self.index.within(&self.space, state, radius, found))
     }
 }

@@ -6,19 +6,19 @@ mod table;
 
 pub use crate::nearest::{Neighbour, recall};
 pub use factory::index;
-pub use table::{ExactOptions, ForestOptions, IndexId, IndexInfo, indexes};
+pub use table::{ForestOptions, IndexId, IndexInfo, indexes};
 
 use crate::error::Error;
 
 /// The most configurations that an index holds.
 pub const MAX_CONFIGURATIONS: usize = 1_000_000;
 
-/// The most that a forest holds, times its trees.
-pub const MAX_PLACES: usize = 10_000_000;
+/// The most configurations of a forest, times its trees.
+pub const MAX_ENTRIES: usize = 10_000_000;
 
-/// The answer to a query.
+/// The result of a query.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Answer {
+pub struct NearestResult {
     /// The neighbours, nearest first, ties by number.
     pub neighbours: Vec<Neighbour>,
     /// The number of configurations whose distance was computed.
@@ -43,7 +43,7 @@ pub trait Neighbours {
     ///
     /// # Errors
     /// `wrong-dimension` if the last row is not whole; `not-finite` or `out-of-range` with a pointer of row and number, such
-    /// as `/rows/2/0`; `too-large` beyond [`MAX_CONFIGURATIONS`], or [`MAX_PLACES`] in a forest.
+    /// as `/rows/2/0`; `too-large` beyond [`MAX_CONFIGURATIONS`], or [`MAX_ENTRIES`] in a forest.
     fn add(&mut self, rows: &[f64]) -> Result<(), Error>;
 
     /// The `k` configurations nearest to `q`; all, if there are fewer. O(n) by a scan, about O(log n + k) by a kd-tree in few
@@ -51,11 +51,11 @@ pub trait Neighbours {
     ///
     /// # Errors
     /// `wrong-dimension`, `not-finite` or `out-of-range`, with a pointer at or below `/q`.
-    fn k_nearest(&self, q: &[f64], k: usize) -> Result<Answer, Error>;
+    fn k_nearest(&self, q: &[f64], k: usize) -> Result<NearestResult, Error>;
 
     /// Those no farther from `q` than `radius`, in the unit of the metric; a forest finds those among its candidates.
     ///
     /// # Errors
     /// Of `q` as above; `not-finite` or `out-of-range` with the pointer `/radius` for one that is negative.
-    fn within(&self, q: &[f64], radius: f64) -> Result<Answer, Error>;
+    fn within(&self, q: &[f64], radius: f64) -> Result<NearestResult, Error>;
 }

@@ -1,21 +1,21 @@
 //! The indexes with their options.
 
 use crate::error::{Code, Error, quoted};
-use crate::options::{ALL, OptionInfo, Options};
+use crate::options::{ALL, Choice, OptionInfo, Options};
 use crate::planner::MetricOptions;
 use crate::random::MAX_SEED;
-use strum::{IntoStaticStr, VariantArray};
+use strum::VariantNames;
 
-/// An index of configurations.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, VariantArray)]
-#[strum(serialize_all = "kebab-case")]
-pub enum IndexId {
-    /// A linear scan.
-    Linear,
-    /// A kd-tree, the default.
-    KdTree,
-    /// A forest of random projections.
-    Forest,
+crate::choice! {
+    /// An index of configurations.
+    pub enum IndexId {
+        /// A linear scan.
+        Linear,
+        /// A kd-tree, the default.
+        KdTree,
+        /// A forest of random projections.
+        Forest,
+    }
 }
 
 /// The description of an index.
@@ -34,13 +34,6 @@ pub struct IndexInfo {
 }
 
 crate::options! {
-    /// Options of the exact indexes.
-    pub struct ExactOptions for ALL;
-    /// The metric.
-    measuring: MetricOptions;
-}
-
-crate::options! {
     /// Options of the forest.
     pub struct ForestOptions for ALL;
     /// The metric.
@@ -56,19 +49,14 @@ crate::options! {
 }
 
 impl IndexId {
-    /// The id, in kebab-case.
-    pub fn as_str(self) -> &'static str {
-        self.into()
-    }
-
     /// The index with the given id; the kd-tree by default.
     ///
     /// # Errors
     /// `out-of-range`, pointer `/index`, naming those that exist.
     pub fn of(id: Option<&str>) -> Result<Self, Error> {
         let Some(id) = id else { return Ok(IndexId::KdTree) };
-        Self::VARIANTS.iter().copied().find(|index| index.as_str() == id).ok_or_else(|| {
-            let known = Self::VARIANTS.iter().map(|index| index.as_str()).collect::<Vec<_>>().join(", ");
+        id.parse().map_err(|_| {
+            let known = Self::VARIANTS.join(", ");
             Error::new(Code::OutOfRange, "/index", format!("unknown index {}; known indexes are {known}", quoted(id)))
         })
     }
@@ -79,12 +67,12 @@ impl IndexId {
             IndexId::Linear => (
                 "Linear scan",
                 "Examines every configuration: simple, exact, and the reference for the others.",
-                ExactOptions::table(),
+                MetricOptions::table(),
             ),
             IndexId::KdTree => (
                 "kd-tree",
                 "Halves the configurations recursively and skips boxes that are too far; angles wrap. Exact.",
-                ExactOptions::table(),
+                MetricOptions::table(),
             ),
             IndexId::Forest => (
                 "Forest of random projections",
@@ -92,11 +80,11 @@ impl IndexId {
                 ForestOptions::table(),
             ),
         };
-        IndexInfo { id: self.as_str(), title, summary, is_exact: self != IndexId::Forest, parameters }
+        IndexInfo { id: self.word(), title, summary, is_exact: self != IndexId::Forest, parameters }
     }
 }
 
 /// Every index.
 pub fn indexes() -> Vec<IndexInfo> {
-    IndexId::VARIANTS.iter().map(|index| index.info()).collect()
+    [IndexId::Linear, IndexId::KdTree, IndexId::Forest].map(IndexId::info).into()
 }

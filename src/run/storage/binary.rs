@@ -3,7 +3,7 @@
 //! Magic (8 bytes), version (u32), dimension (u32) and a byte for each coordinate that is a circle, fingerprint (u64), k (u32), checks
 //! per edge (u32, 0 if edges are proven), radius and tolerance (f64), then scenario, planner and metric as in JSON (u32 length,
 //! UTF-8), the counts of vertices and edges (u32), the vertices (f64 rows), the edges (u32 pairs), and FNV-1a over all of that
-//! (u64). About 8 bytes a coordinate and 8 an edge.
+//! (u64). About 8 bytes per coordinate and 8 per edge.
 
 use super::{MAX_DIMENSION, RoadmapDocument, RoadmapMetric, damaged};
 use crate::error::Error;
@@ -74,7 +74,7 @@ impl RoadmapDocument {
         let circles = source.take(dimension)?.iter().map(|&byte| byte != 0).collect();
         let fingerprint = u64::from_le_bytes(source.array()?);
         let k = source.count()?;
-        let edge_samples = Some(source.count()?).filter(|&places| places != 0);
+        let edge_samples = Some(source.count()?).filter(|&samples| samples != 0);
         let [radius, tolerance] = [f64::from_le_bytes(source.array()?), f64::from_le_bytes(source.array()?)];
         let [scenario, planner, metric] =
             [source.text("/scenario")?, source.text("/planner")?, source.text("/metric")?];
@@ -126,9 +126,7 @@ struct Source<'a> {
 
 impl<'a> Source<'a> {
     fn take(&mut self, length: usize) -> Result<&'a [u8], Error> {
-        let (taken, rest) = self.rest.split_at_checked(length).ok_or_else(too_short)?;
-        self.rest = rest;
-        Ok(taken)
+        self.rest.split_off(..length).ok_or_else(too_short)
     }
 
     fn array<const N: usize>(&mut self) -> Result<[u8; N], Error> {

@@ -3,6 +3,7 @@
 use super::{MAX_DIMENSION, RoadmapDocument, RoadmapMetric, damaged};
 use crate::error::{Code, Error, quoted};
 use crate::json;
+use crate::planner::EdgeCheck;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -33,13 +34,6 @@ struct Document {
     edges: Vec<[u32; 2]>,
     #[serde(with = "json::hex")]
     checksum: u64,
-}
-
-#[derive(Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum EdgeCheck {
-    Proven,
-    Sampled,
 }
 
 impl RoadmapDocument {
@@ -97,7 +91,7 @@ impl Document {
             return Err(Error::new(Code::OutOfRange, "/dimension", sentence));
         }
         if self.circles.len() != dimension {
-            let sentence = format!("there must be {dimension}, one a coordinate, not {}", self.circles.len());
+            let sentence = format!("there must be {dimension}, one per coordinate, not {}", self.circles.len());
             return Err(damaged("/circles", sentence));
         }
         let radius = match &self.radius {
@@ -106,7 +100,7 @@ impl Document {
         };
         let edge_samples = match (self.edge_check, self.edge_samples) {
             (EdgeCheck::Proven, None) => None,
-            (EdgeCheck::Sampled, Some(places @ 1..)) => Some(places),
+            (EdgeCheck::Sampled, Some(samples @ 1..)) => Some(samples),
             _ => {
                 return Err(damaged(
                     "/edge_samples",

@@ -92,9 +92,10 @@ fn read<O: Options>(options: &Json) -> Result<O, Error> {
         return Err(Error::new(Code::WrongType, "", "options must be an object"));
     };
     let given: Vec<_> = fields.iter().map(|(name, value)| (name.clone(), Value::from(value))).collect();
-    let read = O::read_or(&given, Code::UnknownField).map_err(|error| match (error.code(), error.pointer()) {
+    let read = O::read(&given).map_err(|error| match (error.code(), error.pointer()) {
         // Robots are types, as in a scenario.
         (Code::OutOfRange, "/robot") => Error::new(Code::UnknownType, "/robot", error.message()),
+        (Code::UnknownParameter, pointer) => Error::new(Code::UnknownField, pointer, error.message()),
         _ => error,
     })?;
     if O::has("robot") {

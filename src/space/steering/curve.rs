@@ -37,11 +37,6 @@ impl Curve {
         &self.segments[..self.count]
     }
 
-    /// The radius of the arcs, in metres.
-    pub fn radius(&self) -> f64 {
-        self.radius
-    }
-
     /// The length in metres, in either direction.
     pub fn length(&self) -> f64 {
         self.length

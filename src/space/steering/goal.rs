@@ -1,4 +1,4 @@
-//! A goal as a car sees it, and the shortest of the words that lead there.
+//! A goal in the frame of the start, and the shortest of the words that lead there.
 
 use super::{Curve, Pose, Turn, wrap};
 use std::f64::consts::{PI, TAU};
@@ -9,7 +9,7 @@ const SLACK: f64 = 1e-13;
 /// A word must be shorter by more than this part, and than the effect of rounding, to be taken instead of an earlier one.
 const TIE: f64 = 1e-12;
 
-/// A goal seen from a start at (0, 0) with heading 0, in radii.
+/// A goal relative to a start at (0, 0) with heading 0, in radii.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Goal {
     x: f64,
@@ -50,7 +50,7 @@ impl Between {
 }
 
 impl Goal {
-    /// The pose `to` seen from `from`.
+    /// The pose `to` relative to `from`.
     pub fn new(from: Pose, to: Pose, radius: f64) -> Self {
         let (sin, cos) = libm::sincos(from.heading);
         let (dx, dy) = (to.x - from.x, to.y - from.y);

@@ -52,11 +52,6 @@ pub enum Steering {
 }
 
 impl Steering {
-    /// Its name.
-    pub fn as_str(self) -> &'static str {
-        self.into()
-    }
-
     /// The shortest curve from one pose to another for a turning radius in metres, greater than 0.
     pub fn shortest(self, from: Pose, to: Pose, radius: f64) -> Curve {
         match self {

@@ -6,7 +6,7 @@
 //!
 //! Here gears are not distinguished: a word consists of left, right and straight, and its signed lengths solve for the
 //! goal whatever their signs. Of angles that differ by a whole turn the shorter is driven, which is never longer than the
-//! word that the paper has; so few equations cover all its words, and what they cover besides leads to the goal too.
+//! word that the paper has; so a few equations cover all its words, and any other words that they cover lead to the goal too.
 //!
 //! # The equations
 //! Points are complex numbers, e(h) the heading h, n(h) = e(h - pi/2) the vector from a left circle's centre to a car on it. From the

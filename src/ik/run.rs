@@ -279,16 +279,6 @@ impl Solver {
         self.stats
     }
 
-    /// Iterations made so far.
-    pub fn iterations(&self) -> u64 {
-        self.stats.iterations
-    }
-
-    /// Starts drawn so far.
-    pub fn restarts(&self) -> u32 {
-        self.stats.restarts
-    }
-
     /// The outcome so far. O(4^links) at worst if nothing has been found: see [`nearest_reachable`](super::nearest_reachable).
     pub fn explain(&self) -> Verdict {
         if !self.solutions.is_empty() {

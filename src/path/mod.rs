@@ -1,4 +1,4 @@
-//! Paths: length, splitting, proven improvements, and the independent judge.
+//! Paths: length, splitting, proven improvements, and the independent verifier.
 
 mod improve;
 mod reduce;

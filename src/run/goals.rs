@@ -70,7 +70,7 @@ pub(super) fn goals(world: &PlanningWorld, query: &Query, place: usize, seed: u6
         }
         _ => {
             let none = "no configuration that reaches the target was found";
-            (Code::TargetUnreachable, format!("{none} from {} starts", reach.restarts() + 1))
+            (Code::TargetUnreachable, format!("{none} from {} starts", reach.stats().restarts + 1))
         }
     };
     Err(Error::new(code, pointer, sentence))

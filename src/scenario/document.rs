@@ -1,7 +1,7 @@
 //! The types that a scenario document is read into, and that the JSON Schema is generated from: fields, their types, and
 //! the ranges of numbers. [`validate`](super::validate) checks the rest of the contract.
 
-use super::number::{Angle, Coordinate, JointLimit, NonNegative, Positive, Speed, SteeringAngle, Step};
+use super::number::{AngleOrCoordinate, Coordinate, JointLimit, NonNegative, Positive, Speed, SteeringAngle, Step};
 use crate::json::by_type;
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;
@@ -137,10 +137,10 @@ objects! {
         /// The configuration to start from: angles in any number of turns up to 1e6 radians, within the limits if the joint
         /// has limits; coordinates in metres.
         #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
-        pub start: Vec<Angle>,
+        pub start: Vec<AngleOrCoordinate>,
         /// The configuration to reach: exactly, except for a body or a car with a tolerance.
         #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
-        pub goal: Option<Vec<Angle>>,
+        pub goal: Option<Vec<AngleOrCoordinate>>,
         /// The target of the end effector of an arm, instead of a goal.
         #[cfg_attr(feature = "schema", schemars(with = "Option<Target>"))]
         pub target: Option<Value>,
@@ -154,7 +154,7 @@ objects! {
         /// The position of the tip.
         pub point: Point,
         /// The angle of the last link in the world, in radians; any angle if it is absent.
-        pub orientation: Option<Angle>,
+        pub orientation: Option<AngleOrCoordinate>,
     }
 
     /// A goal region: both bounds must hold.

@@ -52,7 +52,7 @@ macro_rules! number {
 }
 
 number!(Coordinate, "a coordinate", -1e6, 1e6, false);
-number!(Angle, "an angle or a coordinate", -1e6, 1e6, false);
+number!(AngleOrCoordinate, "an angle or a coordinate", -1e6, 1e6, false);
 number!(NonNegative, "a radius or a tolerance", 0.0, 1e6, false);
 number!(Positive, "a radius, a length or a weight", 0.0, 1e6, true);
 number!(JointLimit, "a joint limit", -100.0, 100.0, false);

@@ -1,6 +1,9 @@
 //! A checked scenario and its parts.
 
-use crate::geometry::{Aabb, Disc, Polygon};
+use crate::geometry::{
+    Aabb, Disc, Polygon, Segment, distance_point_polygon, distance_point_segment, distance_polygon_polygon,
+    distance_segment_polygon,
+};
 use crate::json;
 use crate::robot::{Arm, Car, DiscRobot, Part, RigidBody, Target, Weights};
 use serde::Serialize;
@@ -88,6 +91,22 @@ impl Obstacle {
         match self {
             Obstacle::Disc(disc) => disc.aabb(),
             Obstacle::Polygon(polygon) => *polygon.aabb(),
+        }
+    }
+
+    /// The distance from the segment to the obstacle, in metres; 0 or less if they share a point. O(vertices).
+    pub fn distance_to_segment(&self, segment: &Segment) -> f64 {
+        match self {
+            Obstacle::Disc(disc) => distance_point_segment(disc.center, segment) - disc.radius,
+            Obstacle::Polygon(polygon) => distance_segment_polygon(segment, polygon),
+        }
+    }
+
+    /// The distance from the polygon to the obstacle, in metres; 0 or less if they share a point. O(product of vertices).
+    pub fn distance_to_polygon(&self, other: &Polygon) -> f64 {
+        match self {
+            Obstacle::Disc(disc) => distance_point_polygon(disc.center, other) - disc.radius,
+            Obstacle::Polygon(polygon) => distance_polygon_polygon(other, polygon),
         }
     }
 }

@@ -4,7 +4,6 @@ use crate::error::{Code, Error, Number};
 use crate::geometry::{Point, arc_pose};
 use crate::options::{Options, Value};
 use std::f64::consts::FRAC_PI_4;
-use strum::VariantArray;
 
 /// The largest turn of a particle over its duration, and its largest heading, in radians: rounding stays below the slack.
 pub const MOST_TURNING: f64 = 100.0;
@@ -12,26 +11,14 @@ pub const MOST_TURNING: f64 = 100.0;
 /// The largest travel and time of a particle, in metres and seconds.
 const LARGEST: f64 = 1e6;
 
-/// How a particle moves.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantNames, strum::VariantArray,
-)]
-#[strum(serialize_all = "kebab-case")]
-pub enum Model {
-    /// x' = v cos theta, y' = v sin theta, theta' = w: a circular arc, straight if w is 0.
-    Arc,
-    /// p(t) = p(0) + v t (cos(theta + w t), sin(theta + w t)): a spiral of Archimedes about its start. It results if the current
-    /// heading is mistaken for the direction of the whole motion.
-    Spiral,
-}
-
-impl Model {
-    /// Every model, in the order of their numbers.
-    pub const ALL: &[Model] = Model::VARIANTS;
-
-    /// The name of the model, the same everywhere.
-    pub fn as_str(self) -> &'static str {
-        self.into()
+crate::choice! {
+    /// How a particle moves.
+    pub enum Model {
+        /// x' = v cos theta, y' = v sin theta, theta' = w: a circular arc, straight if w is 0.
+        Arc,
+        /// p(t) = p(0) + v t (cos(theta + w t), sin(theta + w t)): a spiral of Archimedes about its start. It results if the
+        /// current heading is mistaken for the direction of the whole motion.
+        Spiral,
     }
 }
 

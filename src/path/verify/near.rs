@@ -1,7 +1,7 @@
 //! The obstacles near a moving link, and of polygons the edges, that can matter during an interval of motion.
 
 use crate::geometry::{
-    Aabb, Disc, Point, Polygon, Segment, distance_point_segment, distance_segment_polygon, distance_segment_segment,
+    Aabb, Disc, Point, Polygon, Segment, distance_point_segment, distance_segment_segment,
     distance_squared_segment_segment, orientation,
 };
 use crate::scenario::Obstacle;
@@ -38,10 +38,10 @@ pub(super) fn near<'a>(obstacles: &'a [Obstacle], around: &Aabb, reach: f64) -> 
 }
 
 impl Near<'_> {
-    /// The distance from the segment to the obstacle, in metres; 0 inside.
+    /// The distance from the segment to the obstacle, in metres; 0 or less inside.
     pub(super) fn distance(&self, s: &Segment) -> f64 {
         match &self.shape {
-            Shape::Disc(disc) => distance_to_disc(s, disc),
+            Shape::Disc(disc) => distance_point_segment(disc.center, s) - disc.radius,
             Shape::Polygon(polygon, _) if polygon.contains(s.a) => 0.0,
             Shape::Polygon(_, edges) => {
                 edges.iter().map(|edge| distance_segment_segment(s, edge)).fold(f64::INFINITY, f64::min)
@@ -88,16 +88,4 @@ pub(super) fn gap(a: &Aabb, b: &Aabb) -> f64 {
     let x = (b.min.x - a.max.x).max(a.min.x - b.max.x);
     let y = (b.min.y - a.max.y).max(a.min.y - b.max.y);
     x.max(y).max(0.0)
-}
-
-/// The distance from the segment to the whole obstacle, in metres; 0 inside.
-pub(super) fn distance_segment_obstacle(s: &Segment, obstacle: &Obstacle) -> f64 {
-    match obstacle {
-        Obstacle::Disc(disc) => distance_to_disc(s, disc),
-        Obstacle::Polygon(polygon) => distance_segment_polygon(s, polygon),
-    }
-}
-
-fn distance_to_disc(s: &Segment, disc: &Disc) -> f64 {
-    (distance_point_segment(disc.center, s) - disc.radius).max(0.0)
 }

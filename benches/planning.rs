@@ -131,6 +131,9 @@ fn seeds(arguments: &Arguments) {
     if let (true, Ok(folder)) = (worlds.is_empty(), std::env::var("PLANARIUM_SCENARIOS")) {
         worlds = stored(&folder);
     }
+    if worlds.is_empty() {
+        println!("\nFor the table of seeds, name a folder of scenarios, or set PLANARIUM_SCENARIOS.");
+    }
     for world @ (_, scenario) in worlds.iter().filter(|world| world.1.robot().placed_shape().is_some()) {
         for query in scenario.queries() {
             for planner in &all_planners(scenario.robot()) {

@@ -239,7 +239,7 @@ fn motions(collision: &BodyCollision, length: f64, is_arc: bool, seed: u64) -> V
     motions
 }
 
-/// Polygons anywhere in the unit square, of the same total size whatever their number; every other one concave if wanted.
+/// Polygons anywhere in the unit square, whose total size does not depend on their number; every other one concave if wanted.
 fn clutter(count: usize, is_concave: bool, seed: u64) -> World {
     let mut random = Random::new(seed, Stream::Scenario);
     let size = 0.4 / (count as f64).sqrt();

@@ -1,5 +1,5 @@
-//! Many trajectories: microseconds per accepted one against the number of accepted ones, with the grid and without; the fastest of
-//! a few runs, since other work on the machine only adds time.
+//! Many trajectories: microseconds per accepted one against the number of accepted ones, with the grid and without, in the fastest
+//! of several runs.
 //!
 //! `cargo bench --bench trajectories`; a run pinned to one core is quieter.
 

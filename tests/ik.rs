@@ -242,7 +242,7 @@ fn the_table_lists_every_method() {
     assert_eq!(ids, ["closed-form", "newton", "damped-least-squares", "gradient-descent"]);
     for info in methods() {
         assert!(info.title.len() > 3 && info.summary.ends_with('.'));
-        assert!(info.parameters.iter().all(|row| row.robots == ["arm"] && row.meaning.ends_with('.')));
+        assert!(info.options.iter().all(|row| row.robots == ["arm"] && row.meaning.ends_with('.')));
     }
 }
 

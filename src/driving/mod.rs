@@ -1,6 +1,5 @@
 //! A car driven by keys: keys change its control, time advances in fixed steps, and each step is an exact arc that is proven free
-//! before it is made. No clock is read: the caller advances the steps, so the same keys at the same steps give the same bits
-//! whatever the frame rate.
+//! before it is made. The caller advances the steps, so the same keys at the same steps give the same bits at any frame rate.
 
 mod key;
 mod road;

@@ -1,5 +1,4 @@
-//! The numbers of a document, each kind with its range: a type that is checked when it is read, and whose schema has the
-//! range.
+//! The numbers of a document: each kind is a type with a range, which is checked when it is read and is part of its schema.
 
 use crate::error::Number;
 use serde::{Deserialize, Deserializer, de};

@@ -57,7 +57,7 @@ impl Scenario {
         &self.0.queries
     }
 
-    /// The normalised document as text, on one line: fields in the order of the contract, defaults written out, polygons
+    /// The normalised document as text, on one line: fields in a fixed order, defaults written out, polygons
     /// open, counter-clockwise and without repeated vertices. It reads back as an equal scenario; equal scenarios give
     /// equal text, on every platform.
     pub fn to_json_string(&self) -> String {

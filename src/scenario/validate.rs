@@ -1,5 +1,4 @@
-//! From a document to a checked scenario: the rules of the contract that types cannot express. The first one violated is
-//! the error.
+//! From a document to a checked scenario: the rules that types cannot express. The first one violated is the error.
 
 use super::document::{self, Document};
 use super::number::AngleOrCoordinate;
@@ -19,8 +18,8 @@ impl Scenario {
     /// Reads a scenario from JSON text.
     ///
     /// # Errors
-    /// The first rule of the contract that is violated: a stable code, a sentence with the offending value, and its JSON
-    /// pointer; for a missing field, that of the field. Codes: those of [`json::parse`],
+    /// The first rule that is violated: a stable code, a sentence with the offending value, and its JSON pointer; for a
+    /// missing field, that of the field. Codes: those of [`json::parse`],
     /// `unknown-format`, `unknown-field`, `missing-field`, `wrong-type`, `unknown-type`, `out-of-range`,
     /// `wrong-dimension`, `degenerate-polygon`, `duplicate-name`, `base-in-collision` and `too-large`.
     /// A start or a goal in collision is not an error here but when a run starts.
@@ -29,7 +28,7 @@ impl Scenario {
     /// O(n log n) in the length of the text.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let tree = json::parse(text)?;
-        // First, so that another kind of document is reported as such.
+        // First, so that any other document is reported as such.
         if let Some(format) = tree.get("format").and_then(|format| format.as_str()).filter(|format| *format != FORMAT) {
             let sentence = format!("unsupported format {}; expected \"{FORMAT}\"", quoted(format));
             return Err(Error::new(Code::UnknownFormat, "/format", sentence));
@@ -88,7 +87,7 @@ fn checked_bounds(bounds: document::Bounds) -> Result<Aabb, Error> {
     Ok(Aabb { min, max })
 }
 
-/// A simple polygon; its vertices are subtracted from those that are left.
+/// A simple polygon; its vertices are subtracted from the remaining ones.
 fn checked_polygon(polygon: &document::Polygon, vertices_left: &mut usize) -> Result<Polygon, Error> {
     let points: Vec<Point> = polygon.vertices.iter().copied().map(point).collect();
     *vertices_left = vertices_left.checked_sub(points.len()).ok_or_else(|| {

@@ -31,9 +31,9 @@ pub struct Particle {
     pub start: Point,
     /// Its first heading, in radians.
     pub theta: f64,
-    /// Its speed, in metres a second; at least 0.
+    /// Its speed, in metres per second; at least 0.
     pub speed: f64,
-    /// Its turn rate, in radians a second, counter-clockwise.
+    /// Its turn rate, in radians per second, counter-clockwise.
     pub turn_rate: f64,
     /// The duration of its motion, in seconds; at least 0.
     pub duration: f64,
@@ -97,7 +97,7 @@ impl Particle {
         self.turn_rate == 0.0 || self.travel() == 0.0
     }
 
-    /// A bound on its acceleration up to `time`, in metres a second squared: v |w| on the arc. On the spiral the derivative of
+    /// A bound on its acceleration up to `time`, in metres per second squared: v |w| on the arc. On the spiral the derivative of
     /// v e + v t w e' is 2 v w e' - v t w^2 e, with e and e' unit vectors at right angles; its length is below the sum.
     pub(super) fn acceleration(&self, time: f64) -> f64 {
         let turn_rate = self.turn_rate.abs();
@@ -108,7 +108,7 @@ impl Particle {
         }
     }
 
-    /// A bound on its speed at all times, in metres a second.
+    /// A bound on its speed at all times, in metres per second.
     pub(super) fn fastest(&self) -> f64 {
         match self.model {
             Model::Arc => self.speed,
@@ -134,8 +134,8 @@ crate::options! {
     w: f64 = FRAC_PI_4, in -1e6..=1e6, "Turn rate", unit "rad/s";
 }
 
-/// The positions, x and y each, of a particle at these times, in seconds. The particle is given by `model` ("arc" or "spiral"), `x`,
-/// `y`, `theta`, `v` and `w`; defaults are 0, but 1 m/s and pi / 4 rad/s.
+/// The positions (x, y) of a particle at these times, in seconds. The particle is given by `model` ("arc" or "spiral"), `x`,
+/// `y`, `theta`, `v` and `w`; see [`ParticleOptions`] for the defaults.
 ///
 /// # Errors
 /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name` or `/times/i`.

@@ -60,7 +60,7 @@ impl Trajectories {
         })
     }
 
-    /// Does at most `iterations` iterations, one trajectory tried each; none once all are accepted or the budget is spent.
+    /// Does at most `iterations` iterations, one trajectory each; none once all are accepted or the budget is spent.
     pub fn step(&mut self, iterations: u64) -> Status {
         for _ in 0..iterations {
             if self.status() != Status::Running {
@@ -106,7 +106,7 @@ impl Trajectories {
         }
     }
 
-    /// A random trajectory. Every draw is made whatever the ranges are, so that changing one range does not affect the others.
+    /// A random trajectory. Every number is drawn even if its range is a point, so that changing one range does not affect the others.
     fn draw(&mut self) -> Particle {
         let random = &mut self.random;
         let mut between = |low: f64, high: f64| low + random.uniform() * (high - low) + 0.0;

@@ -88,7 +88,7 @@ pub fn nearest(arguments: &Nearest) -> Answer {
     Ok(true)
 }
 
-/// The same error, about the configuration that is called `target` here.
+/// The same error, about the configuration that is named `target` on the command line.
 fn name_target(error: Error) -> Error {
     match error.pointer().strip_prefix("/q") {
         Some(rest) => Error::new(error.code(), format!("/target{rest}"), error.message()),

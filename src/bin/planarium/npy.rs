@@ -26,7 +26,7 @@ pub fn read(bytes: &[u8]) -> Result<Table, String> {
     let &[height, width] = header.shape() else {
         return Err(format!("its shape must have two numbers, rows and columns, not {:?}", header.shape()));
     };
-    let DType::Plain(kind) = header.dtype() else { return Err("it holds records, not numbers".to_owned()) };
+    let DType::Plain(kind) = header.dtype() else { return Err("it contains records, not numbers".to_owned()) };
     // The product that npyz takes of the shape may have wrapped around.
     let size = height.checked_mul(width).and_then(|count| count.checked_mul(kind.size_field()));
     if size != Some(data.len() as u64) {

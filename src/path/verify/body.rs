@@ -27,7 +27,7 @@ pub struct Leg {
 }
 
 impl Leg {
-    /// From one placement straight to another, the short way round.
+    /// From one placement straight to another, turning in the shorter direction.
     ///
     /// # Panics
     /// If either has fewer than three entries.
@@ -90,7 +90,7 @@ pub(super) fn check(
     let reach = shape.reach();
     for (edge, leg) in legs {
         let leg = leg.first_turn();
-        // The vertices, the first once more at the end.
+        // The vertices, the first repeated at the end.
         let points = |t: f64| {
             let mut points = shape.placed(leg.at(t)).vertices().to_vec();
             points.push(points[0]);

@@ -30,7 +30,7 @@ use crate::robot::{LARGEST, Target};
 use crate::scenario::{Goal, GoalTolerance, Obstacle, Query, Robot, Scenario, World};
 use std::f64::consts::{PI, TAU};
 
-/// How near the first and the last waypoint must be to the start and the goal, in radians or metres a coordinate.
+/// How near the first and the last waypoint must be to the start and the goal, in radians or metres per coordinate.
 const REACHED: f64 = 1e-9;
 
 /// How near the end effector must be to its target, as a fraction of the arm's reach, if that is less than [`REACHED`]; and
@@ -39,7 +39,7 @@ const AIMED: f64 = 1e-6;
 const ROUNDED: f64 = 2e-12;
 const TURNED: f64 = 1e-15;
 
-/// How far from half a turn a step of a circle joint must stay, in radians: nearer, the short way round is ambiguous.
+/// How far from half a turn a step of a circle joint must stay, in radians: nearer, the shorter direction is ambiguous.
 const AMBIGUOUS: f64 = 1e-9;
 
 /// How far the given length may differ from the measured one, relative to it.
@@ -210,7 +210,7 @@ fn check_target(robot: &Robot, target: &Target, last: &[f64]) -> Result<(), Stri
     Ok(())
 }
 
-/// Returns an error if a step turns a circle joint, or a body, by half a turn: the short way round is ambiguous.
+/// Returns an error if a step turns a circle joint, or a body, by half a turn: the shorter direction is ambiguous.
 fn check_steps(robot: &Robot, path: &[Vec<f64>]) -> Result<(), String> {
     let first = first_circle(robot);
     for (edge, ends) in path.windows(2).enumerate() {
@@ -219,7 +219,7 @@ fn check_steps(robot: &Robot, path: &[Vec<f64>]) -> Result<(), String> {
         if let Some(i) = (0..turns.len()).find(is_ambiguous) {
             let turn = turns[i].abs();
             let what = if first == 0 { format!("joint {i}") } else { "the body".into() };
-            return Err(format!("edge {edge} turns {what} by {turn} rad: the short way round is ambiguous"));
+            return Err(format!("edge {edge} turns {what} by {turn} rad: the shorter direction is ambiguous"));
         }
     }
     Ok(())
@@ -262,8 +262,8 @@ fn first_circle(robot: &Robot) -> usize {
     }
 }
 
-/// The step from `a` to `b`, angles the short way round from the first circle on. The double nearest to 2 pi stands for a
-/// turn: off by less than an angle's own rounding.
+/// The step from `a` to `b`, angles in the shorter direction from the first circle on. The double nearest to 2 pi stands for a
+/// turn: its error is less than the rounding of an angle.
 fn difference(first_circle: usize, a: &[f64], b: &[f64]) -> Vec<f64> {
     let step = |i: usize| {
         let (a, b) = (a[i], b[i]);

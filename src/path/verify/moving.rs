@@ -5,10 +5,10 @@
 //! fixed convex combination of its ends, leaves the hull of its two positions by no more than the ends leave their
 //! chords.
 
-use super::near::{Near, Shape, near};
+use super::near::{Near, near};
 use super::{Examined, Scale};
 use crate::geometry::{Aabb, Point, Polygon, Segment};
-use crate::scenario::World;
+use crate::scenario::{Obstacle, World};
 
 /// Samples that are taken together, so that the obstacles nearby are found once.
 const BLOCK: u64 = 64;
@@ -65,9 +65,9 @@ impl<'a> Checker<'a> {
             let here = segment(&points, i);
             for obstacle in near(&self.world.obstacles, &here.aabb(), f64::INFINITY) {
                 self.check_segment(robot, i, &obstacle, &here, 0.0)?;
-                let inside = match &obstacle.shape {
-                    Shape::Disc(disc) => disc.center,
-                    Shape::Polygon(polygon, _) => polygon.vertices()[0],
+                let inside = match obstacle.obstacle {
+                    Obstacle::Disc(disc) => disc.center,
+                    Obstacle::Polygon(polygon) => polygon.vertices()[0],
                 };
                 if i == 0 && robot.body.as_ref().is_some_and(|body| body.contains(inside)) {
                     return Err(format!("{} contains obstacle {}", robot.name(i), obstacle.index));

@@ -1,9 +1,8 @@
 //! The forest: an arm of unit links among equal triangles on a grid, as in a course report.
 //!
 //! Each of the 4 R triangles has the corners (x, y), (x + 0.5, y), (x + 0.25, y + 0.5) with x and y on the half-unit grid in
-//! [-R, R), R the number of links. The report drew with repetition, dropped triangles with a corner on the base and left
-//! the rest to chance; here cells are distinct and a triangle that touches the base, the start or the goal is drawn again,
-//! so that every forest has all of its triangles. A path need not exist.
+//! [-R, R), R the number of links. The report drew with repetition and dropped triangles with a corner on the base; here
+//! cells are distinct, and a triangle that touches the base, the start or the goal is drawn again. A path need not exist.
 
 use super::free::{is_clear_of, polygon};
 use super::{Generator, SEEDS, query, scatter};
@@ -17,17 +16,13 @@ use crate::scenario::{Obstacle, Parts, Robot, Scenario, World};
 crate::options! {
     /// What forest to grow.
     pub struct ForestOptions for &[];
-    /// How many links of length 1 the arm has; four triangles a link.
+    /// How many links of length 1 the arm has; four triangles per link.
     links: usize = 2, in 1.0..=8.0, "Links";
     /// The seed: 0 (default) to 2^53 - 1.
     seed: u64 = 0, in SEEDS;
 }
 
 impl Generator for ForestOptions {
-    const ID: &'static str = "forest";
-    const TITLE: &'static str = "Forest";
-    const SUMMARY: &'static str = "An arm of unit links among equal triangles on a grid.";
-
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
         let Self { links, seed } = *self;

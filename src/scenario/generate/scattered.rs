@@ -3,20 +3,21 @@
 //!
 //! The corners of a polygon lie on a circle, evenly spaced but for a random shift of up to a fifth of their spacing. A path
 //! need not exist, except for a disc among discs that are apart by at least twice its radius: grown by that radius they are
-//! still apart, and none is large enough to cut a corner of the box off.
+//! still apart, and too small to cut off a corner of the box.
 
 use super::free::{are_apart, is_clear_of, polygon};
-use super::robots::{RobotChoice, SIDE, parts_at_ends};
+use super::robots::{RobotChoice, SIDE};
 use super::{Generator, SEEDS, in_box, scatter};
 use crate::error::Error;
 use crate::geometry::{Disc, Point};
 use crate::options::{Options, out_of_range};
 use crate::random::{Random, Stream};
+use crate::robot::Part;
 use crate::scenario::{Obstacle, Scenario};
 use std::f64::consts::TAU;
 
 crate::choice! {
-    /// How discs lie to each other.
+    /// The placement of discs.
     pub enum Placement {
         /// Farther from each other than the gap.
         Apart,
@@ -70,28 +71,19 @@ crate::options! {
 }
 
 impl Generator for ClutterOptions {
-    const ID: &'static str = "clutter";
-    const TITLE: &'static str = "Clutter";
-    const SUMMARY: &'static str =
-        "Convex polygons scattered over a box, for a robot that crosses it or an arm in its middle.";
-
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
         let Self { robot, links, radius, count, smallest, largest, gap, seed } = *self;
         let placement = Placement::Apart;
         let options = DiscsOptions { robot, links, radius, count, smallest, largest, gap, placement, seed };
-        scattered(&options, Self::ID, "convex polygons", draw_polygon)
+        scattered(&options, "clutter", "convex polygons", draw_polygon)
     }
 }
 
 impl Generator for DiscsOptions {
-    const ID: &'static str = "discs";
-    const TITLE: &'static str = "Discs";
-    const SUMMARY: &'static str = "Discs scattered over a box, for a robot that crosses it or an arm in its middle.";
-
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
-        scattered(self, Self::ID, "discs", |random, smallest, largest| {
+        scattered(self, "discs", "discs", |random, smallest, largest| {
             Obstacle::Disc(draw_disc(random, smallest, largest))
         })
     }
@@ -110,7 +102,7 @@ fn scattered(
         return Err(out_of_range("smallest", sentence));
     }
     let (robot, query) = choice.across(links, radius)?;
-    let keep_clear = parts_at_ends(&robot, &query);
+    let keep_clear: Vec<Part> = query.ends().flat_map(|q| robot.footprint(q)).collect();
     let mut random = Random::new(seed, Stream::Scenario);
     let placed = scatter("count", count, |placed: &[Obstacle]| {
         let drawn = draw(&mut random, smallest, largest);

@@ -90,11 +90,15 @@ fn main() {
          edges | length |"
     );
     println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
-    let tables: [(&str, fn(&Arguments)); 3] = [("reports", reports), ("control", control), ("seeds", seeds)];
-    for (name, print) in tables {
-        if arguments.table.as_deref().is_none_or(|table| table == name) {
-            print(&arguments);
-        }
+    let is_wanted = |name: &str| arguments.table.as_deref().is_none_or(|table| table == name);
+    if is_wanted("reports") {
+        reports(&arguments);
+    }
+    if is_wanted("control") {
+        control(&arguments);
+    }
+    if is_wanted("seeds") {
+        seeds(&arguments);
     }
 }
 

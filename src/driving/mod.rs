@@ -29,7 +29,6 @@ pub struct Drive {
     levels: Levels,
     steps: u64,
     blocked: Option<Option<Touched>>,
-    /// The start, and the pose after each step that moved the car.
     trace: Vec<[f64; 3]>,
     record: Vec<Press>,
 }

@@ -14,7 +14,7 @@ pub fn unwind(angle: f64) -> f64 {
     if rest >= 0.0 { rest + 0.0 } else { (rest + TAU).min(TAU.next_down()) }
 }
 
-/// The distance between two angles the short way round, in [0, pi]; any finite angles, any number of turns. O(1).
+/// The distance between two angles in the shorter direction, in [0, pi]; any finite angles, any number of turns. O(1).
 ///
 /// ```
 /// assert_eq!(planarium::geometry::angular_distance(1.0, 5.0), 2.2831853071795862);

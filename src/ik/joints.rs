@@ -65,7 +65,7 @@ impl Joints {
         angle.max(low).min(high) + 0.0
     }
 
-    /// The rotation of the joint from one angle to another: the short way round on circles.
+    /// The rotation of the joint from one angle to another: in the shorter direction on circles.
     pub fn turn(&self, from: f64, to: f64) -> f64 {
         if self.are_circles { wrap(to - from) } else { to - from }
     }

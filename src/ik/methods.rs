@@ -6,9 +6,6 @@ use crate::robot::{Arm, Target};
 use crate::scenario::{Robot, Scenario};
 use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
-/// The most updates of a run.
-pub const MOST_ITERATIONS: f64 = 200_000.0;
-
 /// A method of inverse kinematics; its documentation is its summary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumMessage, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
@@ -52,7 +49,7 @@ crate::options! {
     /// How far from the target the tip may end, in metres, and its orientation, in radians; rounding sets a floor for large arms.
     tolerance: f64 = 1e-9, in 1e-12..=1.0, "Tolerance", unit "m, rad";
     /// After how many iterations the run ends: one is an update of the joints, or the drawing of a new start.
-    max_iterations: u64 = 10_000, in 0.0..=MOST_ITERATIONS, "Iterations at most";
+    max_iterations: u64 = 10_000, in 0.0..=200_000.0, "Iterations at most";
 }
 
 crate::options! {

@@ -129,11 +129,8 @@ impl Task {
     /// The inner and the outer radius, in metres, of the ring that the tip of the first `count` links can reach without joint
     /// limits.
     pub fn ring(&self, count: usize) -> [f64; 2] {
-        let (mut sum, mut longest) = (0.0, 0.0);
-        for &link in &self.links[..count] {
-            sum += link;
-            longest = f64::max(longest, link);
-        }
+        let links = &self.links[..count];
+        let (sum, longest) = (links.iter().sum::<f64>(), links.iter().copied().fold(0.0, f64::max));
         [(longest - (sum - longest)).max(0.0), sum]
     }
 

@@ -212,6 +212,6 @@ impl Query {
 pub struct GoalTolerance {
     /// The largest distance, in metres.
     pub translation: f64,
-    /// The largest turn, the short way round, in radians.
+    /// The largest turn, in the shorter direction, in radians.
     pub rotation: f64,
 }

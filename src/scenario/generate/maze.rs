@@ -32,17 +32,6 @@ crate::choice! {
     }
 }
 
-impl Difficulty {
-    /// The cells per side, and the percentage of the walls that are opened.
-    fn cells_and_opened(self) -> (usize, usize) {
-        match self {
-            Difficulty::Easy => (6, 20),
-            Difficulty::Medium => (9, 10),
-            Difficulty::Hard => (12, 0),
-        }
-    }
-}
-
 crate::options! {
     /// Which maze to build.
     pub struct MazeOptions for &[];
@@ -67,7 +56,12 @@ impl Generator for MazeOptions {
                 format!("a disc of radius {radius} with {PLAY} of play does not fit a corridor {corridor} wide");
             return Err(out_of_range("radius", sentence));
         }
-        let (cells, opened) = difficulty.cells_and_opened();
+        // The cells per side, and the percentage of the walls that are opened.
+        let (cells, opened) = match difficulty {
+            Difficulty::Easy => (6, 20),
+            Difficulty::Medium => (9, 10),
+            Difficulty::Hard => (12, 0),
+        };
         let mut random = Random::new(seed, Stream::Scenario);
         let mut walls = Walls::of_perfect_maze(cells, &mut random);
         walls.open(opened, &mut random);
@@ -165,7 +159,8 @@ impl Walls {
                         let (low, high) = (low.max(0.0), high.min(side));
                         let wall =
                             [(across - half, low), (across + half, low), (across + half, high), (across - half, high)];
-                        rectangles.push(rectangle(wall, vertical));
+                        let corner = |(u, v)| if vertical { Point::new(u, v) } else { Point::new(v, u) };
+                        rectangles.push(polygon(&wall.map(corner)));
                     }
                     from = i + 1;
                 }
@@ -173,10 +168,4 @@ impl Walls {
         }
         rectangles
     }
-}
-
-/// The rectangle of the corners, which are written as (across, along) a wall.
-fn rectangle(corners: [(f64, f64); 4], vertical: bool) -> Polygon {
-    let corners = corners.map(|(u, v)| if vertical { Point::new(u, v) } else { Point::new(v, u) });
-    polygon(&corners)
 }

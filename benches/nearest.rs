@@ -1,4 +1,4 @@
-//! Nearest neighbours on toruses: microseconds a query, medians, of the linear scan, the kd-tree and the approximate index.
+//! Nearest neighbours on toruses: median microseconds per query of the linear scan, the kd-tree and the approximate index.
 //!
 //! `cargo bench --bench nearest`; a run pinned to one core is quieter.
 
@@ -10,7 +10,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 fn main() {
-    println!("Microseconds a query; the approximate index with its recall\n");
+    println!("Microseconds per query; the approximate index with its recall\n");
     println!(
         "| dimension | n | k | linear | kd-tree | index | approximate | recall | kd-tree, approximate built in ms |"
     );
@@ -104,7 +104,7 @@ fn build<S: Space, I: Nearest<S>>(mut index: I, space: &S, states: &[S::State]) 
     (index, began.elapsed().as_secs_f64() * 1e3)
 }
 
-/// Microseconds a query: the median over short runs, of which another process disturbs only some.
+/// Microseconds per query: the median over short runs, of which another process disturbs only some.
 fn time<S: Space>(index: &impl Nearest<S>, space: &S, asked: &[S::State], k: usize) -> f64 {
     let mut found: Vec<Neighbour> = Vec::new();
     let mut times = Vec::new();

@@ -1,5 +1,5 @@
-//! Many trajectories: microseconds per accepted one against the number of accepted ones, with the grid and without; the fastest of
-//! a few runs, since other work on the machine only adds time.
+//! Many trajectories: microseconds per accepted one against the number of accepted ones, with the grid and without, in the fastest
+//! of several runs.
 //!
 //! `cargo bench --bench trajectories`; a run pinned to one core is quieter.
 
@@ -37,7 +37,7 @@ fn growth(model: &str, index: &str, ends: &[usize]) -> Vec<(f64, f64)> {
         let mut from = 0;
         for (row, &end) in rows.iter_mut().zip(ends) {
             let (began, before) = (Instant::now(), trajectories.tally().iterations);
-            while trajectories.accepted_count() < end {
+            while trajectories.accepted().len() < end {
                 trajectories.step(1);
             }
             let (microseconds, accepted) = (began.elapsed().as_secs_f64() * 1e6, (end - from) as f64);

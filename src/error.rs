@@ -1,6 +1,6 @@
-//! The one error type of the crate: a stable code, a sentence with the offending value, and its JSON pointer.
+//! The error type of the crate.
 
-use std::fmt::{self, Write};
+use std::fmt;
 use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
 /// The kind of an error, as a stable kebab-case code that programs may match on.
@@ -10,11 +10,11 @@ use strum::{EnumMessage, IntoStaticStr, VariantArray};
 pub enum Code {
     /// The text is not JSON, or a number in it does not fit a 64-bit float.
     InvalidJson,
-    /// The document has another format than planarium-scenario-1.
+    /// The format of the document is not planarium-scenario-1.
     UnknownFormat,
-    /// A field that the contract does not know.
+    /// An unknown field.
     UnknownField,
-    /// A field that the contract requires is absent.
+    /// A required field is absent.
     MissingField,
     /// A field or a parameter is given twice.
     DuplicateField,
@@ -54,7 +54,7 @@ pub enum Code {
     Unsupported,
     /// A file cannot be read or written (command line only).
     File,
-    /// A result does not fulfil the contract of results.
+    /// A result document is malformed, or belongs to another scenario.
     InvalidResult,
     /// A saved roadmap is damaged, contradicts itself, or has vertices or edges that are not free.
     InvalidRoadmap,
@@ -79,8 +79,8 @@ impl Code {
     }
 }
 
-/// An error: what, in a sentence with the offending value, and where, as a JSON pointer (RFC 6901; empty where
-/// the whole document or no document is meant).
+/// An error: a stable code, a sentence with the offending value, and the JSON pointer of that value (RFC 6901; empty for the
+/// whole document or without one).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Error(Box<Detail>);
 
@@ -108,7 +108,7 @@ impl Error {
         &self.0.message
     }
 
-    /// The JSON pointer of the offending value; empty for the document as a whole.
+    /// The JSON pointer of the offending value.
     pub fn pointer(&self) -> &str {
         &self.0.pointer
     }
@@ -140,14 +140,10 @@ pub(crate) fn quoted(text: &str) -> String {
         if i == 60 {
             return quoted + "\"...";
         }
-        match character {
-            '"' | '\\' => quoted.extend(['\\', character]),
-            '\n' => quoted.push_str("\\n"),
-            '\r' => quoted.push_str("\\r"),
-            '\t' => quoted.push_str("\\t"),
-            // Writing to a string cannot fail.
-            '\0'..' ' | '\u{7f}'..'\u{a0}' => drop(write!(quoted, "\\u{{{:x}}}", u32::from(character))),
-            _ => quoted.push(character),
+        if character.is_control() || matches!(character, '"' | '\\') {
+            quoted.extend(character.escape_default());
+        } else {
+            quoted.push(character);
         }
     }
     quoted + "\""

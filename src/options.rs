@@ -57,6 +57,19 @@ pub struct OptionInfo {
     pub robots: &'static [&'static str],
 }
 
+/// The description of a method or a generator.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Info {
+    /// The id, in kebab-case, the same everywhere.
+    pub id: &'static str,
+    /// The title for people.
+    pub title: &'static str,
+    /// A summary, in one sentence.
+    pub summary: &'static str,
+    /// Its options; a generator takes `seed` as well, a whole number from 0 (default) to 2^53 - 1.
+    pub options: Vec<OptionInfo>,
+}
+
 /// A value given for an option.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {

@@ -38,7 +38,8 @@ fn drive() -> Drive {
 /// Presses the keys of a text: faster, slower, left, right, keep.
 fn press(drive: &mut Drive, keys: &str) {
     for key in keys.chars() {
-        drive.press(Key::ALL["+-lr=".find(key).expect("a key")]).expect("a drive of few keys");
+        let number = "+-lr=".find(key).expect("a key") as u8;
+        drive.press(Key::from_repr(number).expect("a key")).expect("a drive of few keys");
     }
 }
 
@@ -181,7 +182,7 @@ fn no_pose_of_a_wild_drive_touches_anything() {
     for _ in 0..common::seeds(40) {
         let mut drive = drive();
         for _ in 0..60 {
-            let key = Key::ALL[(random.uniform() * 4.0) as usize];
+            let key = Key::from_repr((random.uniform() * 4.0) as u8).expect("a key");
             drive.press(key).expect("a key");
             drive.tick(20).expect("time");
         }

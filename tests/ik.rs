@@ -107,9 +107,9 @@ fn slices_change_nothing() {
             let mut run = Solver::new(&scenario, &options).expect("a run");
             while run.step(slice) == Status::Running {}
             assert_eq!(run.fingerprint(), whole.fingerprint(), "{method} in slices of {slice}");
-            assert_eq!((run.iterations(), run.restarts()), (whole.iterations(), whole.restarts()));
+            assert_eq!(run.stats(), whole.stats());
         }
-        assert_eq!(whole.iterates().len() as u64, whole.iterations() + 1);
+        assert_eq!(whole.iterates().len() as u64, whole.stats().iterations + 1);
         options.seed = 4;
         assert_ne!(solve(&scenario, &options).fingerprint(), whole.fingerprint());
     }
@@ -121,7 +121,7 @@ fn solutions_are_distinct_and_as_many_as_there_are() {
     for method in ITERATIVE {
         let run = solve(&two, &options(at(1.0, 0.6), method, &[("solutions", 9.0), ("separation", 0.01)]));
         assert_eq!((run.status(), run.solutions().len()), (Status::Solved, 2), "{method}");
-        assert_eq!(run.restarts(), 200, "it has searched for more");
+        assert_eq!(run.stats().restarts, 200, "it has searched for more");
         let five = solve(&scenario(&free(&[0.5; 5]), ""), &options(at(1.0, 0.6), method, &[("solutions", 12.0)]));
         let found = five.solutions();
         assert_eq!(found.len(), 12, "{method}");
@@ -132,11 +132,14 @@ fn solutions_are_distinct_and_as_many_as_there_are() {
         }
     }
     let nothing = solve(&two, &options(at(1.0, 0.6), "newton", &[("max_iterations", 0.0)]));
-    assert_eq!((nothing.status(), nothing.iterations(), nothing.explain()), (Status::Exhausted, 0, Verdict::NotFound));
+    assert_eq!(
+        (nothing.status(), nothing.stats().iterations, nothing.explain()),
+        (Status::Exhausted, 0, Verdict::NotFound)
+    );
     let mut here = options(at(1.8, 0.0), "newton", &[]);
     here.start = Some(vec![0.0, 0.0]);
     let here = Solver::new(&two, &here).expect("a run");
-    assert_eq!((here.status(), here.iterations()), (Status::Solved, 0));
+    assert_eq!((here.status(), here.stats().iterations), (Status::Solved, 0));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -239,7 +242,7 @@ fn the_table_lists_every_method() {
     assert_eq!(ids, ["closed-form", "newton", "damped-least-squares", "gradient-descent"]);
     for info in methods() {
         assert!(info.title.len() > 3 && info.summary.ends_with('.'));
-        assert!(info.parameters.iter().all(|row| row.robots == ["arm"] && row.meaning.ends_with('.')));
+        assert!(info.options.iter().all(|row| row.robots == ["arm"] && row.meaning.ends_with('.')));
     }
 }
 

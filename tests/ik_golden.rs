@@ -58,7 +58,7 @@ fn outcome(case: &Json) -> Json {
     json!({
         "status": run.status().as_str(),
         "verdict": run.explain().as_str(),
-        "iterations": run.iterations(),
+        "iterations": run.stats().iterations,
         "solutions": run.solutions().len(),
         "rejected": run.rejected().len(),
         "fingerprint": format!("{:016x}", run.fingerprint()),

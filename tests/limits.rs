@@ -200,7 +200,7 @@ fn no_waypoint_has_an_angle_too_large_to_be_accurate() {
         .expect("such an angle");
     let length = 2.8 + 0.3 * 2.0 * turns(angle);
     let lying = why(&scenario, &format!("[[1, 1, 1.5], [1, 1, {angle:e}], [5, 1, 1.5]]"), None, length);
-    assert!(lying.expect("it is refused").contains("waypoint 1 holds"));
+    assert!(lying.expect("it is refused").contains("waypoint 1 contains"));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -347,7 +347,7 @@ fn the_judge_bounds_what_it_can_compute() {
     let scenario = self::scenario("", "", arm, r#""start": [0, 0], "goal": [1, 1]"#);
     for angle in [1e308, -1e16, 1.0000001e6] {
         let lying = why(&scenario, &format!("[[0, 0], [{angle:e}, 0], [1, 1]]"), None, 17.0);
-        assert!(lying.expect("it is refused").contains("waypoint 1 holds"), "{angle}");
+        assert!(lying.expect("it is refused").contains("waypoint 1 contains"), "{angle}");
     }
 }
 

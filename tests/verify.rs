@@ -258,7 +258,7 @@ fn malformed_paths_are_refused_by_name() {
     refused(judge(&with_path(vec![vec![0.0, 0.0], vec![1.0]])), &["waypoint 1 has 1 numbers", "has 2"]);
     refused(judge(&with_path(vec![vec![0.0; 3], vec![1.0, 0.0]])), &["waypoint 0 has 3 numbers"]);
     for bad in [f64::NAN, f64::INFINITY] {
-        refused(judge(&with_path(vec![vec![0.0, 0.0], vec![bad, 0.0], vec![1.0, 0.0]])), &["waypoint 1 holds"]);
+        refused(judge(&with_path(vec![vec![0.0, 0.0], vec![bad, 0.0], vec![1.0, 0.0]])), &["waypoint 1 contains"]);
         refused(judge(&ResultDocument { length: bad, ..good.clone() }), &["length"]);
     }
     for status in ["running", "exhausted"] {

@@ -1,6 +1,6 @@
 //! How time and memory grow with the samples, the neighbours, the links and the obstacles of a k-PRM.
 //!
-//! `cargo bench --bench growth` prints a table each, with the exponent e that fits best: time grows like x^e. `-- --quick`
+//! `cargo bench --bench growth` prints a table for each, with the best-fitting exponent e: time grows like x^e. `-- --quick`
 //! measures small cases only; `-- time` and `-- memory` one part. A run pinned to one core is quieter.
 
 mod memory;
@@ -8,7 +8,7 @@ mod time;
 
 use memory::Counting;
 
-/// Counts what is allocated; the crate itself holds no `unsafe`, a benchmark may.
+/// Counts allocated bytes.
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 

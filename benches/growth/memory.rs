@@ -8,7 +8,7 @@ use planarium::space::{Coordinate, Metric, ProductSpace, Space};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-/// The system's allocator, counted: bytes held now, and the most since the last measurement.
+/// The system's allocator, which counts the bytes held now, and the most since the last measurement.
 pub struct Counting;
 
 static HELD: AtomicUsize = AtomicUsize::new(0);
@@ -44,7 +44,7 @@ unsafe impl GlobalAlloc for Counting {
     }
 }
 
-/// The bytes that a piece of work holds at its end, and the most that it held.
+/// The result of a piece of work, the bytes that it holds at its end, and the most that it held.
 fn measure<T>(work: impl FnOnce() -> T) -> (T, usize, usize) {
     let before = HELD.load(Relaxed);
     MOST.store(before, Relaxed);
@@ -52,7 +52,7 @@ fn measure<T>(work: impl FnOnce() -> T) -> (T, usize, usize) {
     (made, HELD.load(Relaxed) - before, MOST.load(Relaxed) - before)
 }
 
-/// Prints the row of a piece of work, bytes each; returns its result and what that holds.
+/// Prints the row of a piece of work, in bytes per item; returns its result and the bytes per item that it holds.
 fn row<T>(what: &str, count: usize, work: impl FnOnce() -> T) -> (T, f64) {
     let (made, held, most) = measure(work);
     let [held, most] = [held, most].map(|bytes| bytes as f64 / count as f64);
@@ -68,7 +68,7 @@ pub fn print(is_quick: bool) {
     let space = Arm::new(&[Coordinate::Circle; 4], Metric::Sum);
     let mut random = Random::new(1, Stream::Samples);
     let states: Vec<[f64; 4]> = (0..n).map(|_| space.sample(&mut random)).collect();
-    println!("\nMemory, 4R, {n} vertices, bytes each.\n");
+    println!("\nMemory, 4R, {n} vertices, bytes per item.\n");
     println!("| what | held | at most while growing |\n|---|---|---|");
     let (mut graph, in_graph) = row("vertex in the graph: state 32, birth 4", n, || {
         let mut graph = Graph::<Arm>::default();
@@ -105,10 +105,10 @@ pub fn print(is_quick: bool) {
     let verdict = |value: f64, aim: f64| if value <= aim { "reached" } else { "MISSED" };
     let a_vertex = in_graph + in_index;
     println!(
-        "\nGraph and index: {a_vertex:.1} bytes a vertex; aim: the state, {state}, + 32: {}.",
+        "\nGraph and index: {a_vertex:.1} bytes per vertex; aim: the state, {state}, + 32: {}.",
         verdict(a_vertex, state + 32.0)
     );
-    println!("Graph: {an_edge:.1} bytes an edge; aim: 16: {}.", verdict(an_edge, 16.0));
+    println!("Graph: {an_edge:.1} bytes per edge; aim: 16: {}.", verdict(an_edge, 16.0));
     println!(
         "Lists double when they are full, so up to half of the memory may be spare; {n} vertices fill theirs to {:.0} %.",
         // Percent of a capacity that doubled until it was enough.
@@ -123,7 +123,7 @@ fn whole_run(n: usize) {
     let (run, held, most) = measure(|| roadmap(&world, 1, n as u64, 10));
     let megabytes = |bytes: usize| bytes as f64 / 1e6;
     println!(
-        "\nA whole k-PRM, 4R forest, k = 10: {} vertices, {} edges, {} events: {:.0} MB held, {:.0} MB at most, {:.0} bytes a vertex.",
+        "\nA whole k-PRM, 4R forest, k = 10: {} vertices, {} edges, {} events: {:.0} MB held, {:.0} MB at most, {:.0} bytes per vertex.",
         run.vertex_count(),
         run.edge_count(),
         run.event_count(),

@@ -24,8 +24,7 @@ struct Case {
 
 /// Prints the four tables.
 pub fn print(is_quick: bool) {
-    let forest = || forest(3);
-    let case = |x| Case { x, world: forest(), samples: SAMPLES, k: K };
+    let case = |x| Case { x, world: forest(3), samples: SAMPLES, k: K };
     let most = if is_quick { 3000 } else { 100_000 };
     let samples = [1000, 3000, 10_000, 30_000, 100_000].into_iter().filter(|&n| n <= most);
     table(
@@ -42,15 +41,15 @@ pub fn print(is_quick: bool) {
     );
     table(
         "links",
-        "Forests with four triangles a link, n = 2000, k = 15. A motion moves l links among 4 l triangles, which would be l^2 \
+        "Forests with four triangles per link, n = 2000, k = 15. A motion moves l links among 4 l triangles, which would be l^2 \
          without the boxes; and in more dimensions neighbours lie farther apart. Arrays have 2, 4 or 8 entries.",
-        (1..=8).map(|links| Case { world: self::forest(links), ..case(links) }),
+        (1..=8).map(|links| Case { world: forest(links), ..case(links) }),
     );
     let most = if is_quick { 256 } else { 4096 };
     let counts = [4, 16, 64, 256, 1024, 4096].into_iter().filter(|&count| count <= most);
     table(
         "obstacles",
-        "3R arm among equal triangles with the same width in all however many they are, so that about as many samples are \
+        "3R arm among equal triangles whose total width does not depend on their number, so that about as many samples are \
          free but more and more motions are not; n = 2000, k = 15. The steps from 256 on show the limit: linear, were every \
          obstacle examined for every motion.",
         counts.map(|count| Case { world: gravel(count), ..case(count) }),
@@ -59,7 +58,9 @@ pub fn print(is_quick: bool) {
 
 fn table(what: &str, sentence: &str, cases: impl Iterator<Item = Case>) {
     println!("\nk-PRM against {what}. {sentence}\n");
-    println!("| {what} | ms | us a motion | samples tried | motions | edges | status |\n|---|---|---|---|---|---|---|");
+    println!(
+        "| {what} | ms | us per motion | samples tried | motions | edges | status |\n|---|---|---|---|---|---|---|"
+    );
     let mut points = Vec::new();
     for Case { x, world, samples, k } in cases {
         let mut times = Vec::new();
@@ -108,7 +109,7 @@ pub fn forest(links: u64) -> Scenario {
 }
 
 /// Equal triangles anywhere within the arm's reach except on the arm at start and goal. Their widths add up to 4 m, so that a link
-/// meets about as many whatever their number.
+/// meets about as many for any number.
 fn gravel(count: u64) -> Scenario {
     let reach = 3.0;
     let size = 4.0 / count as f64;

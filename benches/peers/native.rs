@@ -1,4 +1,4 @@
-//! The crate's side of `npm run bench`: one job a line of standard input, one line of JSON each.
+//! The crate's side of `npm run bench`: one job per line of standard input, one line of JSON for each.
 //!
 //!   FILE PLANNER SEED RUNS LIMIT name=value ...
 //!

@@ -14,9 +14,9 @@ pub struct RawReach(pub(super) Solver);
 impl RawReach {
     /// Does at most `iterations` iterations; returns how many it did.
     pub fn advance(&mut self, iterations: f64) -> Result<f64, Error> {
-        let before = self.0.iterations();
+        let before = self.0.stats().iterations;
         self.0.step(count(iterations, "n")?);
-        Ok((self.0.iterations() - before) as f64)
+        Ok((self.0.stats().iterations - before) as f64)
     }
 
     /// The iterates from row `row` on: restart, error, configuration each.
@@ -42,7 +42,8 @@ getters! { RawReach(self)
     /// Error, manipulability, iterations, restarts, the number of iterates, of solutions and of rejected configurations.
     state: Vec<f64> = {
         let rows = [self.0.iterates().len(), self.0.solutions().len(), self.0.rejected().len()];
-        let counts = [self.0.iterations(), u64::from(self.0.stats().restarts)].into_iter().chain(rows.map(|rows| rows as u64));
+        let stats = self.0.stats();
+        let counts = [stats.iterations, u64::from(stats.restarts)].into_iter().chain(rows.map(|rows| rows as u64));
         [self.0.error(), self.0.manipulability()].into_iter().chain(counts.map(|count| count as f64)).collect()
     };
     configuration: Vec<f64> = self.0.configuration()[..self.0.dimension()].to_vec();

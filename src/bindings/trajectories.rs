@@ -25,14 +25,15 @@ impl RawTrajectories {
 
     /// The accepted ones from row `row` on, six numbers each.
     pub fn accepted_since(&self, row: f64) -> Result<Vec<f64>, Error> {
-        let from = cursor(row, self.0.accepted_count())?;
-        Ok(self.0.accepted_since(from).flat_map(|particle| particle.numbers()).collect())
+        let accepted = self.0.accepted();
+        let from = cursor(row, accepted.len())?;
+        Ok(accepted.skip(from).flat_map(|particle| particle.numbers()).collect())
     }
 
     /// The refused ones from row `row` on, nine numbers each.
     pub fn refused_since(&self, row: f64) -> Result<Vec<f64>, Error> {
-        let from = cursor(row, self.0.refused_count())?;
-        Ok(self.0.refused_since(from).iter().flat_map(|refused| refused.numbers()).collect())
+        let refused = self.0.refused();
+        Ok(refused[cursor(row, refused.len())?..].iter().flat_map(|refused| refused.numbers()).collect())
     }
 }
 
@@ -40,7 +41,7 @@ getters! { RawTrajectories(self)
     /// 0 while running, 1 once all are accepted, 2 if the iterations are spent before.
     status: u8 = self.0.status() as u8;
     /// Iterations made, the number of accepted and of refused ones.
-    counts: Vec<f64> = vec![self.0.tally().iterations as f64, self.0.accepted_count() as f64, self.0.refused_count() as f64];
+    counts: Vec<f64> = vec![self.0.tally().iterations as f64, self.0.accepted().len() as f64, self.0.refused().len() as f64];
     /// How many were tried for each accepted one.
     tries: Vec<u32> = self.0.tries().to_vec();
     result: JsValue = record(&self.0.result());

@@ -3,7 +3,7 @@
 use crate::problem::Control;
 use crate::robot::Car;
 use std::f64::consts::PI;
-use strum::{FromRepr, VariantArray};
+use strum::FromRepr;
 
 /// The change of the speed by one press, in metres per second.
 pub const SPEED_PRESS: f64 = 0.1;
@@ -11,8 +11,8 @@ pub const SPEED_PRESS: f64 = 0.1;
 /// The change of the steering angle by one press, in radians.
 pub const STEERING_PRESS: f64 = PI / 12.0;
 
-/// A key.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, FromRepr, VariantArray)]
+/// A key; its number is that of the declaration, from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, FromRepr)]
 #[repr(u8)]
 pub enum Key {
     /// v grows by 0.1.
@@ -25,11 +25,6 @@ pub enum Key {
     Right,
     /// The control stays as it is.
     Keep,
-}
-
-impl Key {
-    /// Every key, in the order of their numbers.
-    pub const ALL: &[Key] = Key::VARIANTS;
 }
 
 /// Speed and steering angle, counted in presses: three times a tenth is three tenths, and zero is reached again after a limit that

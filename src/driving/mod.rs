@@ -1,6 +1,5 @@
 //! A car driven by keys: keys change its control, time advances in fixed steps, and each step is an exact arc that is proven free
-//! before it is made. No clock is read: the caller advances the steps, so the same keys at the same steps give the same bits
-//! whatever the frame rate.
+//! before it is made. The caller advances the steps, so the same keys at the same steps give the same bits at any frame rate.
 
 mod key;
 mod road;
@@ -30,7 +29,6 @@ pub struct Drive {
     levels: Levels,
     steps: u64,
     blocked: Option<Option<Touched>>,
-    /// The start, and the pose after each step that moved the car.
     trace: Vec<[f64; 3]>,
     record: Vec<Press>,
 }

@@ -12,12 +12,12 @@ use crate::world::{Configurations, PlanningWorld};
 /// The most steps in motion of a drive or a rollout, and the most keys of a drive.
 pub const MAX_STEPS: u64 = 1_000_000;
 
-/// How near to an obstacle the car may be driven: as a fraction of the world's longer side. Finer than planners use, since only
-/// a few millimetres are proven at a time.
+/// How near to an obstacle the car may be driven, as a fraction of the world's longer side: finer than for planners, since only a
+/// few millimetres are proven at a time.
 const TOLERANCE: f64 = 1e-7;
 
 /// Poses checked along a refused step, to find the obstacle, and as many beyond it.
-const LOOKS: u32 = 8;
+const POSES: u32 = 8;
 
 /// A car and everything that it can touch.
 pub(super) struct Road {
@@ -27,8 +27,7 @@ pub(super) struct Road {
 }
 
 impl Road {
-    /// # Errors
-    /// `unsupported` if the robot is not a car.
+    /// The error is `unsupported` if the robot is not a car.
     pub(super) fn new(world: &PlanningWorld) -> Result<Self, Error> {
         let Robot::Car(car) = world.robot() else {
             let sentence = format!("only a car can be driven, not the robot {}", world.robot().kind());
@@ -44,10 +43,7 @@ impl Road {
         self
     }
 
-    /// A configuration of the car, theta in (-pi, pi].
-    ///
-    /// # Errors
-    /// `wrong-dimension`, `not-finite` or `out-of-range`, with a pointer below the given one.
+    /// A configuration of the car, theta in (-pi, pi]. Errors have a pointer below the given one.
     pub(super) fn pose(&self, q: &[f64], pointer: &str) -> Result<[f64; 3], Error> {
         self.configurations.refuse(q, pointer)?;
         Ok([q[0] + 0.0, q[1] + 0.0, wrap(q[2])])
@@ -73,8 +69,8 @@ impl Road {
 
     /// The first obstacle that a refused arc touches, among poses along it and beyond.
     fn touched(&self, from: &[f64; 3], control: Control, seconds: f64) -> Option<Touched> {
-        (0..=2 * LOOKS).find_map(|i| {
-            let at = self.after(from, control, seconds * f64::from(i) / f64::from(LOOKS));
+        (0..=2 * POSES).find_map(|i| {
+            let at = self.after(from, control, seconds * f64::from(i) / f64::from(POSES));
             self.collision.contacts(&at).first().map(|contact| contact.with)
         })
     }
@@ -114,7 +110,6 @@ pub fn rollout(scenario: impl Into<PlanningWorld>, q: &[f64], motion: Motion) ->
             let sentence = format!("the number at {pointer} must be finite, not {}", Number(value));
             return Err(Error::new(Code::NotFinite, pointer, sentence));
         }
-        // A car may always stand still.
         if !(low..=high).contains(&value) && (pointer, value) != ("/v", 0.0) {
             let [low, high, value] = [low, high, value].map(Number);
             let sentence = format!("{name} must lie within [{low}, {high}], not {value}");

@@ -14,7 +14,7 @@ pub fn unwind(angle: f64) -> f64 {
     if rest >= 0.0 { rest + 0.0 } else { (rest + TAU).min(TAU.next_down()) }
 }
 
-/// The distance between two angles the short way round, in [0, pi]; any finite angles, any number of turns. O(1).
+/// The distance between two angles in the shorter direction, in [0, pi]; any finite angles, any number of turns. O(1).
 ///
 /// ```
 /// assert_eq!(planarium::geometry::angular_distance(1.0, 5.0), 2.2831853071795862);
@@ -25,11 +25,11 @@ pub fn angular_distance(a: f64, b: f64) -> f64 {
 }
 
 /// The pose of a body that has moved for `time` seconds from (x, y, theta) with constant speed along its own x axis, in
-/// metres a second, and constant turn rate, in radians a second: exact but for rounding, straight motion and turning in
+/// metres per second, and constant turn rate, in radians per second: exact except for rounding, straight motion and turning in
 /// place included. Negative speeds and times move backwards. The angle is not wrapped. O(1).
 ///
 /// The position is a chord of the arc away: with s = speed x time and a = turn rate x time, s sin(a / 2) / (a / 2) metres in
-/// direction theta + a / 2. Nothing cancels when the turn is small.
+/// direction theta + a / 2. Nothing cancels if the turn is small.
 pub fn arc_pose(from: [f64; 3], speed: f64, turn_rate: f64, time: f64) -> [f64; 3] {
     let [x, y, theta] = from;
     let turn = turn_rate * time;

@@ -95,5 +95,5 @@ fn strictly_convex(vertices: &[Point], piece: &[u32]) -> Polygon {
     let n = piece.len();
     let at = |k: usize| vertices[piece[k % n] as usize];
     let corners = (0..n).filter(|&k| orientation(at(k + n - 1), at(k), at(k + 1)) > 0.0).map(at);
-    Polygon::of_convex_piece(corners.collect())
+    Polygon::of(corners.collect(), true)
 }

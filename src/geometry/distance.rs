@@ -65,7 +65,7 @@ pub fn distance_segment_polygon(s: &Segment, polygon: &Polygon) -> f64 {
 
 /// The distance between the two closed, filled polygons, in metres; 0 if they share a point. O(n m).
 ///
-/// Polygons that share a point either have borders that meet, or one holds all of the other, and so its first vertex.
+/// Polygons that share a point either have borders that meet, or one contains all of the other, and so its first vertex.
 pub fn distance_polygon_polygon(a: &Polygon, b: &Polygon) -> f64 {
     if a.contains(b.vertices()[0]) || b.contains(a.vertices()[0]) {
         return 0.0;

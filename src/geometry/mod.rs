@@ -32,7 +32,7 @@ pub type Point = nalgebra::Point2<f64>;
 pub type Vector = nalgebra::Vector2<f64>;
 
 /// On which side of the line from `a` to `b` the point `c` lies: positive to the left, negative to the right, zero
-/// exactly on it. Exact in sign where every coordinate is 0 or of a magnitude in [[`MIN_MAGNITUDE`], [`MAX_MAGNITUDE`]]
+/// exactly on it. Exact in sign if every coordinate is 0 or of a magnitude in [[`MIN_MAGNITUDE`], [`MAX_MAGNITUDE`]]
 /// (Shewchuk 1997, "Adaptive precision floating-point arithmetic and fast robust geometric predicates").
 pub fn orientation(a: Point, b: Point, c: Point) -> f64 {
     let coord = |p: Point| robust::Coord { x: p.x, y: p.y };

@@ -79,14 +79,13 @@ impl Polygon {
             vertices.reverse();
         }
         let convex = (0..n).all(|i| orientation(vertices[i], vertices[(i + 1) % n], vertices[(i + 2) % n]) >= 0.0);
-        let aabb = Aabb::around(vertices.iter().copied()).expect("three vertices at least");
-        Ok(Self { vertices, aabb, convex })
+        Ok(Self::of(vertices, convex))
     }
 
-    /// A convex piece of a simple polygon, its corners counter-clockwise.
-    pub(super) fn of_convex_piece(vertices: Vec<Point>) -> Self {
-        let aabb = Aabb::around(vertices.iter().copied()).expect("a piece has corners");
-        Self { vertices, aabb, convex: true }
+    /// The polygon of these corners, known to be simple and counter-clockwise.
+    pub(super) fn of(vertices: Vec<Point>, convex: bool) -> Self {
+        let aabb = Aabb::around(vertices.iter().copied()).expect("three vertices at least");
+        Self { vertices, aabb, convex }
     }
 
     /// The polygon turned about the origin by `theta` and then moved by (x, y), for a pose (x, y, theta): the shape of a
@@ -95,9 +94,7 @@ impl Polygon {
     pub fn placed(&self, [x, y, theta]: [f64; 3]) -> Self {
         let (sin, cos) = libm::sincos(theta);
         let place = |p: &Point| Point::new(x + (cos * p.x - sin * p.y), y + (sin * p.x + cos * p.y));
-        let vertices: Vec<Point> = self.vertices.iter().map(place).collect();
-        let aabb = Aabb::around(vertices.iter().copied()).expect("three vertices at least");
-        Self { vertices, aabb, convex: self.convex }
+        Self::of(self.vertices.iter().map(place).collect(), self.convex)
     }
 
     /// The distance from the origin to the farthest vertex, in metres: the reach of a body from the origin of its frame.

@@ -6,9 +6,9 @@ use std::collections::BTreeSet;
 /// Triangles between vertices of the polygon that cover it without overlap: three indices each, counter-clockwise, two fewer
 /// than there are vertices, none flat. Decided exactly.
 ///
-/// An ear is a corner whose triangle with its neighbours lies in the polygon and holds no further vertex; every simple
+/// An ear is a corner whose triangle with its neighbours lies in the polygon and contains no further vertex; every simple
 /// polygon of more than three vertices has two (Meisters 1975, "Polygons have ears"). Corners on straight edges are no
-/// ears themselves but are vertices like any other, so that a cut never passes through one.
+/// ears but are vertices like any other, so that a cut never passes through one.
 ///
 /// # Complexity
 /// At most 3 n corners are tested, each against a tree of the n vertices: O(n log n) while few boxes of the tree meet the
@@ -24,11 +24,11 @@ pub fn triangles(polygon: &Polygon) -> Vec<[u32; 3]> {
         let [a, b, c] = ear.map(|v| vertices[v as usize]);
         orientation(a, b, c) > 0.0
     };
-    // If a triangle at a corner holds vertices, the farthest of them from its base sees a half-plane of the inside: it is not
+    // If a triangle at a corner contains vertices, the farthest of them from its base sees a half-plane of the inside: it is not
     // convex. Corners only become more convex as ears are cut off, and what is cut off lies in no later ear. So it is enough
     // to check the vertices that are not convex at the beginning.
     let concave = Tree::new((0..n).filter(|&i| !is_convex(corner(&before, &after, i))).map(|i| vertices[i as usize]));
-    // Corners that may be ears. One that is none stays none until a neighbour is cut off.
+    // Corners that may be ears. A corner that is not an ear cannot become one until a neighbour is cut off.
     let mut candidates: BTreeSet<u32> = (0..n).collect();
     let mut triangles = Vec::with_capacity(vertices.len() - 2);
     let mut at = 0;

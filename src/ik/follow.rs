@@ -1,4 +1,4 @@
-//! An arm that follows a moving target: smoothly from its configuration to one whose tip is at the target, or as near as it can be.
+//! An arm that follows a moving target: smoothly from its configuration to one whose tip is at the target, or as near as possible.
 
 use super::gradient_descent::GradientDescent;
 use super::iterative::{DampedLeastSquares, Method};
@@ -20,7 +20,7 @@ const NEAR: f64 = 1e-9;
 /// Bending an arm helps if the squared error falls below this fraction.
 const HELPS: f64 = 0.99;
 
-/// How far a straight arm is bent before it can be drawn in, relative to the angle that the target requires.
+/// The angle by which a straight arm is bent before it can be drawn in, relative to the angle that the target requires.
 const BEND: f64 = 0.3;
 
 /// An arm that has followed a target.
@@ -41,8 +41,8 @@ pub struct Followed {
 }
 
 /// Moves the arm from `q` towards the target by damped least squares, within its limits. Small changes of the target make small
-/// changes of the joints, wherever that is possible; beyond the arm's reach it stretches towards the target. If the limits hold
-/// it back, it does not jump to a different configuration that would be nearer. At most 320 updates, each O(links).
+/// changes of the joints, wherever that is possible; beyond the arm's reach it stretches towards the target. If the limits keep
+/// it away, it does not jump to another configuration that would be nearer. At most 320 updates, each O(links).
 ///
 /// # Errors
 /// `wrong-dimension`, `not-finite`, `out-of-range` of the configuration, pointers below `/q`; of the target as in
@@ -54,8 +54,7 @@ pub fn follow(arm: &Arm, q: &[f64], target: Target) -> Result<Followed, Error> {
     let enough = task.finest.max(1e-3 * NEAR * task.reach);
     let mut at = approached(&task, q, enough);
     if task.deviation(&at).error() > enough {
-        // The linear model of a straight arm has no direction that draws it in: it has to be bent first. If that does not help,
-        // it stays as it was.
+        // The linear model of a straight arm has no direction that draws it in: it has to be bent first, if that helps.
         let other = approached(&task, bent(&task, &at), enough);
         if task.deviation(&other).square() < HELPS * task.deviation(&at).square() {
             at = other;
@@ -124,7 +123,7 @@ fn bent(task: &Task, q: &[f64; MAX_LINKS]) -> [f64; MAX_LINKS] {
     let angle = BEND * (task.deviation(q).distance / task.reach).min(1.0).sqrt();
     let mut bent = *q;
     for i in 1..joints.count {
-        let [low, high] = joints.range(i);
+        let [low, high] = joints.ranges[i];
         let side = if !joints.are_circles && high - q[i] < q[i] - low { -angle } else { angle };
         bent[i] = joints.hold(i, q[i] + side);
     }

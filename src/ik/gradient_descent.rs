@@ -11,24 +11,24 @@ const LARGEST: f64 = 1.0;
 /// having Lipschitz continuous first partial derivatives").
 const PROMISED: f64 = 1e-4;
 
-/// How many squared errors a new one is compared with.
+/// The number of squared errors that a new one is compared with.
 const REMEMBERED: usize = 8;
 
-/// How often a step is halved.
+/// The most halvings of a step.
 const HALVINGS: usize = 40;
 
 /// The first step is this fraction of the optimal one of the linear model.
 const RELAXED: f64 = 0.8;
 
 /// Gradient descent: the joints turn against the gradient of half the squared error. A joint at a limit that it would leave
-/// stands still, the others are held within theirs. The step length follows from the curvature along the last step (Barzilai and
+/// stands still, the others are clamped to theirs. The step length follows from the curvature along the last step (Barzilai and
 /// Borwein 1988, "Two-point step size gradient methods"), halved until the squared error is sufficiently below the largest of the
 /// last eight (Grippo, Lampariello and Lucidi 1986, "A nonmonotone line search technique for Newton's method"): the error may
 /// rise for a while, which takes it through narrow valleys many times faster than a monotone decrease. Linear, and slow if the
-/// problem is badly conditioned. O(links) a trial step.
+/// problem is badly conditioned. O(links) per trial step.
 #[derive(Default)]
 pub(super) struct GradientDescent {
-    /// The last squared errors, and how many there were.
+    /// The last squared errors, and their number.
     squares: [f64; REMEMBERED],
     count: usize,
     /// The previous configuration and the descent direction there.
@@ -41,7 +41,7 @@ impl Method for GradientDescent {
         let mut downhill = [0.0; MAX_LINKS];
         for i in 0..joints.count {
             downhill[i] = (0..model.rows).map(|row| model.jacobian[row][i] * model.vector[row]).sum();
-            let [low, high] = joints.range(i);
+            let [low, high] = joints.ranges[i];
             if !joints.are_circles && (downhill[i] < 0.0 && q[i] <= low || downhill[i] > 0.0 && q[i] >= high) {
                 downhill[i] = 0.0;
             }

@@ -12,7 +12,7 @@ pub(super) trait Method {
     /// Forgets everything learned since the last start.
     fn begin(&mut self) {}
 
-    /// A start is given up when within this many updates the error did not fall by this factor, less than 1.
+    /// A start is given up if the error does not fall by this factor, less than 1, within this many updates.
     fn patience(&self) -> (u32, f64) {
         (10, 0.9)
     }
@@ -20,7 +20,7 @@ pub(super) trait Method {
 
 /// Newton-Raphson: each update solves the linear model for the full displacement to the target, with the least rotation of the
 /// joints, scaled down until no joint turns by more than half a radian. Quadratic near a solution that is not singular; far away
-/// it may cycle, and needs another start. O(links) an update.
+/// it may cycle, and needs another start. O(links) per update.
 ///
 /// Source: Whitney 1969, "Resolved motion rate control of manipulators and human prostheses"; the pseudo-inverse by singular
 /// values after Klein and Huang 1983, "Review of pseudoinverse control for use with kinematically redundant manipulators".
@@ -30,7 +30,7 @@ impl Newton {
     /// The most that a joint turns in one update, in radians.
     const LARGEST: f64 = 0.5;
 
-    /// Directions in which the tip moves less than this fraction of the reach per radian are left out.
+    /// Directions in which the tip moves less than this fraction of the reach per radian are omitted.
     const SINGULAR: f64 = 1e-8;
 }
 
@@ -47,7 +47,7 @@ impl Method for Newton {
 
 /// Damped least squares: an update minimises |error - J turn|^2 + damping |turn|^2. The damping is a multiple of the squared
 /// error: it vanishes towards the target, and the method ends like Newton's, also near singular configurations. The multiple
-/// grows while an update would move the tip away, so the error falls with every update. O(links) a try.
+/// grows while an update would move the tip away, so the error falls with every update. O(links) per try.
 ///
 /// Sources: Wampler 1986, "Manipulator inverse kinematic solutions based on vector formulations and damped least-squares
 /// methods"; Nakamura and Hanafusa 1986, "Inverse kinematic solutions with singularity robustness for robot manipulator
@@ -63,7 +63,7 @@ impl DampedLeastSquares {
     /// The initial damping and the least, fractions of the squared error, and the factor by which it changes.
     const DAMPING: [f64; 3] = [1e-2, 1e-6, 10.0];
 
-    /// How often an update is tried with more damping.
+    /// The most tries of an update with more damping.
     const TRIES: usize = 12;
 
     pub fn new() -> Self {
@@ -99,7 +99,7 @@ impl Method for DampedLeastSquares {
 
 /// The configuration after the rotation that `solve` finds for the linear model, no joint turned by more than `largest`. A joint
 /// that would leave its limits stops at the limit, its effect on the tip is subtracted, and the others are solved for again: a
-/// joint at its limit never holds up those that can still move.
+/// joint at its limit never blocks those that can still move.
 ///
 /// Source: the clamping of joints in Baerlocher and Boulic 2004, "An inverse kinematics architecture enforcing an arbitrary
 /// number of strict priority levels".
@@ -124,7 +124,7 @@ fn rotate(
             if is_fixed[i] {
                 continue;
             }
-            let [low, high] = joints.range(i);
+            let [low, high] = joints.ranges[i];
             next[i] = joints.hold(i, q[i] + turn[i]);
             if !joints.are_circles && !(low..=high).contains(&(q[i] + turn[i])) {
                 (is_fixed[i], is_within) = (true, false);

@@ -6,7 +6,7 @@ use crate::space::wrap;
 use std::array::from_fn;
 use std::f64::consts::{PI, TAU};
 
-/// How far outside its limits, in radians, a computed angle still means the limit. The result is measured afterwards.
+/// Computed angles up to this far outside the limits, in radians, mean the limit. The result is measured afterwards.
 const SLACK: f64 = 1e-7;
 
 /// The ranges of up to eight joints, in radians; the rest of the arrays is 0.
@@ -14,7 +14,8 @@ const SLACK: f64 = 1e-7;
 pub(super) struct Joints {
     pub count: usize,
     pub are_circles: bool,
-    ranges: [[f64; 2]; MAX_LINKS],
+    /// The lowest and the highest angle of each joint; of a circle, -pi and pi.
+    pub ranges: [[f64; 2]; MAX_LINKS],
 }
 
 impl Joints {
@@ -29,11 +30,6 @@ impl Joints {
     pub fn turns_around(&self, i: usize) -> bool {
         let [low, high] = self.ranges[i];
         self.are_circles || high - low >= TAU
-    }
-
-    /// The lowest and the highest angle of the joint, in radians; of a circle, -pi and pi.
-    pub fn range(&self, i: usize) -> [f64; 2] {
-        self.ranges[i]
     }
 
     /// The angle that differs from the given one by whole turns, lies within the limits, and is the nearest of these to `near`;
@@ -69,7 +65,7 @@ impl Joints {
         angle.max(low).min(high) + 0.0
     }
 
-    /// The rotation of the joint from one angle to another: the short way round on circles.
+    /// The rotation of the joint from one angle to another: in the shorter direction on circles.
     pub fn turn(&self, from: f64, to: f64) -> f64 {
         if self.are_circles { wrap(to - from) } else { to - from }
     }
@@ -85,7 +81,7 @@ impl Joints {
         self.hold_all(|_| 0.0)
     }
 
-    /// A configuration drawn uniformly: one number a joint.
+    /// A configuration drawn uniformly: one number per joint.
     pub fn draw(&self, random: &mut Random) -> [f64; MAX_LINKS] {
         self.hold_all(|i| {
             let [low, high] = self.ranges[i];

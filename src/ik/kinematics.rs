@@ -43,15 +43,15 @@ fn linear(arm: &Arm, q: &[f64]) -> Linear {
 pub(super) struct Singular(SVD<f64, Const<3>, Const<MAX_LINKS>>);
 
 impl Singular {
-    /// Decomposes the matrix of a linear model. O(links) a round.
+    /// Decomposes the matrix of a linear model.
     #[inline(never)]
     pub fn of(model: &Linear) -> Self {
         Self(SMatrix::<f64, 3, MAX_LINKS>::from_fn(|row, column| model.jacobian[row][column]).svd(true, true))
     }
 
     /// The rotation of the joints that best brings about the change `vector`: the sum over k of
-    /// s_k (u_k . vector) / weigh(s_k^2) v_k. `weigh` maps the square of a singular value to the divisor; infinity leaves the
-    /// direction out.
+    /// s_k (u_k . vector) / weigh(s_k^2) v_k. `weigh` maps the square of a singular value to the divisor; infinity omits the
+    /// direction.
     #[inline(never)]
     pub fn solve(&self, vector: &[f64; 3], weigh: &dyn Fn(f64) -> f64) -> [f64; MAX_LINKS] {
         let (Some(left), Some(right)) = (&self.0.u, &self.0.v_t) else { return [0.0; MAX_LINKS] };

@@ -1,13 +1,10 @@
 //! The methods and their options, and the options of a run.
 
 use crate::error::{Code, Error, quoted};
-use crate::options::{OptionInfo, Options, Value};
+use crate::options::{ANY, Field, Info, OptionInfo, Options, Value};
 use crate::robot::{Arm, Target};
 use crate::scenario::{Robot, Scenario};
 use strum::{EnumMessage, IntoStaticStr, VariantArray};
-
-/// The most updates of a run.
-pub const MOST_ITERATIONS: f64 = 200_000.0;
 
 /// A method of inverse kinematics; its documentation is its summary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumMessage, IntoStaticStr, VariantArray)]
@@ -25,19 +22,6 @@ pub enum MethodId {
     /// Turns every joint against the gradient while the error falls: simple, without any inverse, and slow near the target.
     #[strum(message = "Gradient descent")]
     GradientDescent,
-}
-
-/// The description of a method.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MethodInfo {
-    /// The id, in kebab-case, the same everywhere.
-    pub id: &'static str,
-    /// The name for people.
-    pub title: &'static str,
-    /// A summary, in one sentence.
-    pub summary: &'static str,
-    /// Its options.
-    pub parameters: Vec<OptionInfo>,
 }
 
 crate::options! {
@@ -65,7 +49,7 @@ crate::options! {
     /// How far from the target the tip may end, in metres, and its orientation, in radians; rounding sets a floor for large arms.
     tolerance: f64 = 1e-9, in 1e-12..=1.0, "Tolerance", unit "m, rad";
     /// After how many iterations the run ends: one is an update of the joints, or the drawing of a new start.
-    max_iterations: u64 = 10_000, in 0.0..=MOST_ITERATIONS, "Iterations at most";
+    max_iterations: u64 = 10_000, in 0.0..=200_000.0, "Iterations at most";
 }
 
 crate::options! {
@@ -78,21 +62,10 @@ crate::options! {
 }
 
 crate::options! {
-    /// Options of Newton's method and of damped least squares.
+    /// Options of the other methods.
     pub struct IterativeOptions for &["arm"];
     /// When it ends.
     stopping: Stopping;
-    /// Where it starts.
-    starting: Starting;
-    /// What is searched for.
-    finding: Finding;
-}
-
-crate::options! {
-    /// Options of gradient descent.
-    pub struct GradientDescentOptions for &["arm"];
-    /// When it ends.
-    stopping: Stopping = Stopping { tolerance: 1e-4, max_iterations: 50_000 };
     /// Where it starts.
     starting: Starting;
     /// What is searched for.
@@ -117,33 +90,35 @@ impl MethodId {
         })
     }
 
+    /// The defaults of an iterative method: gradient descent is slow near the target.
+    fn defaults(self) -> IterativeOptions {
+        let mut defaults = IterativeOptions::default();
+        if self == MethodId::GradientDescent {
+            defaults.stopping = Stopping { tolerance: 1e-4, max_iterations: 50_000 };
+        }
+        defaults
+    }
+
     /// Its description.
-    pub fn info(self) -> MethodInfo {
-        let parameters = match self {
-            MethodId::ClosedForm => ClosedFormOptions::table(),
-            MethodId::Newton | MethodId::DampedLeastSquares => IterativeOptions::table(),
-            MethodId::GradientDescent => GradientDescentOptions::table(),
-        };
+    pub fn info(self) -> Info {
+        let mut options = Vec::new();
+        match self {
+            MethodId::ClosedForm => options = ClosedFormOptions::table(),
+            _ => self.defaults().rows(OptionInfo::default(), &ANY, &mut options),
+        }
         let [title, summary] = [self.get_message(), self.get_documentation()].map(Option::unwrap_or_default);
-        MethodInfo { id: self.as_str(), title, summary, parameters }
+        Info { id: self.as_str(), title, summary, options }
     }
 
     /// Its options, given by name; without restarts for the closed form.
     pub(super) fn read(self, given: &[(String, Value)]) -> Result<(Stopping, u64, Finding), Error> {
-        Ok(match self {
-            MethodId::ClosedForm => {
-                let ClosedFormOptions { stopping, finding } = Options::read(given)?;
-                (stopping, 0, finding)
-            }
-            MethodId::Newton | MethodId::DampedLeastSquares => {
-                let IterativeOptions { stopping, starting, finding } = Options::read(given)?;
-                (stopping, starting.restarts, finding)
-            }
-            MethodId::GradientDescent => {
-                let GradientDescentOptions { stopping, starting, finding } = Options::read(given)?;
-                (stopping, starting.restarts, finding)
-            }
-        })
+        if self == MethodId::ClosedForm {
+            let ClosedFormOptions { stopping, finding } = Options::read(given)?;
+            return Ok((stopping, 0, finding));
+        }
+        let IterativeOptions { stopping, starting, finding } =
+            self.defaults().updated(given)?;
+        Ok((stopping, starting.restarts, finding))
     }
 }
 
@@ -185,6 +160,6 @@ pub fn arm_of(scenario: &Scenario) -> Result<&Arm, Error> {
 }
 
 /// Every method.
-pub fn methods() -> Vec<MethodInfo> {
+pub fn methods() -> Vec<Info> {
     MethodId::VARIANTS.iter().map(|method| method.info()).collect()
 }

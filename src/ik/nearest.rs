@@ -5,12 +5,10 @@
 //! or backwards, and there are finitely many such configurations. If the target can be reached, some configuration that
 //! reaches it has the least angle of the first joint that is not at a limit; then all later free joints are collinear with the tip
 //! in the same way, and the first joint, the rigid link from it and that line form a triangle with the target. All of these
-//! configurations are tried, and each is measured by the actual position of the tip, so nothing is reported as reached that is not.
+//! configurations are tried, and each is measured by the actual position of the tip, so nothing is reported as reached by mistake.
 //!
 //! A wanted orientation moves the target to the last joint. If that joint is then at a limit, the link before has a wanted
 //! orientation too, and so on inwards.
-//!
-//! O(4^links) with limits, O(2^links) without, pruned by the limits.
 //!
 //! Sources: that the joints line up on the border of the workspace is in Kumar and Waldron 1981, "The workspaces of a mechanical
 //! manipulator"; limits in Haug, Luh, Adkins and Wang 1996, "Numerical algorithms for mapping boundaries of manipulator workspaces".
@@ -35,13 +33,13 @@ pub struct Nearest {
     pub point: Point,
     /// Its distance from the target, in metres.
     pub distance: f64,
-    /// The rotation from the last link there to the wanted orientation, in radians: 0 unless the limits do not allow that
-    /// orientation anywhere, and then as little as they allow; the distance is the least among configurations of this orientation.
+    /// The rotation from the last link there to the wanted orientation, in radians: 0 unless the limits exclude that orientation
+    /// everywhere, and then the least possible; the distance is the least among configurations of this orientation.
     pub turn: f64,
 }
 
 /// The point nearest to the target that the arm can reach, with a configuration. With an orientation: among the points that it
-/// can reach in that orientation, or in the nearest one that the limits allow.
+/// can reach in that orientation, or in the nearest one that the limits allow. O(4^links) with limits, O(2^links) without.
 ///
 /// # Errors
 /// Of the target: `not-finite`, `out-of-range`, `unsupported` (see [`Target`]).
@@ -50,7 +48,6 @@ pub fn nearest_reachable(arm: &Arm, target: Target) -> Result<Nearest, Error> {
     Ok(nearest(arm, &Task::new(arm, &target)))
 }
 
-/// The same for a task of that arm.
 pub(super) fn nearest(arm: &Arm, task: &Task) -> Nearest {
     let q = nearest_configuration(task);
     let deviation = task.deviation(&q);
@@ -66,21 +63,20 @@ fn turn_of(task: &Task, deviation: &Deviation) -> f64 {
 }
 
 pub(super) fn nearest_configuration(task: &Task) -> [f64; MAX_LINKS] {
-    let (zeros, count, rest) = ([0.0; MAX_LINKS], task.joints.count, task.joints.rest());
-    let (point, best) = (task.point, None);
-    let mut search = Search { task, rest, q: zeros, count, point, last: None, best, best_q: zeros, is_done: false };
+    let (q, count, rest, point) = ([0.0; MAX_LINKS], task.joints.count, task.joints.rest(), task.point);
+    let mut search = Search { task, rest, q, count, point, last: None, best: None, is_done: false };
     match task.orientation {
         None => search.prefix(0, 0.0, [0.0; 2], false),
         Some(wanted) => search.oriented(count - 1, point, wanted),
     }
-    if search.best.is_some() { search.best_q } else { farthest_turned(task) }
+    search.best.map_or_else(|| farthest_turned(task), |(_, q)| q)
 }
 
 /// If no configuration has the wanted orientation: all joints at their low limits, or all at their high ones, whichever
 /// rotates the last link nearer to it.
 fn farthest_turned(task: &Task) -> [f64; MAX_LINKS] {
     let ends = [0, 1].map(|end| {
-        let q = task.joints.hold_all(|i| task.joints.range(i)[end]);
+        let q = task.joints.hold_all(|i| task.joints.ranges[i][end]);
         (q, task.deviation(&q).turn)
     });
     if ends[1].1 < ends[0].1 { ends[1].0 } else { ends[0].0 }
@@ -118,9 +114,8 @@ struct Search<'a> {
     point: [f64; 2],
     /// The joint after the first `count`, and the required absolute angle of its link.
     last: Option<(usize, f64)>,
-    /// The error of the best: metres, and radians times the reach.
-    best: Option<f64>,
-    best_q: [f64; MAX_LINKS],
+    /// The error of the best, metres plus radians times the reach, and its configuration.
+    best: Option<(f64, [f64; MAX_LINKS])>,
     is_done: bool,
 }
 
@@ -133,21 +128,21 @@ impl Search<'_> {
         (self.count, self.point, self.last) = (joint, point, Some((joint, wanted)));
         self.prefix(0, 0.0, [0.0; 2], false);
         if joint > 0 && !self.task.joints.turns_around(joint) {
-            for limit in self.task.joints.range(joint) {
+            for limit in self.task.joints.ranges[joint] {
                 self.q[joint] = limit;
                 self.oriented(joint - 1, point, wanted - limit);
             }
         }
     }
 
-    /// Joints before `joint` are fixed, the link before it at the absolute angle `before`. `is_cut` if one of them is a circle,
-    /// which has no limits but the angle at which it was cut open.
+    /// Joints before `joint` are fixed, the link before it at the absolute angle `before`. `is_cut` if one of them is a circle, whose
+    /// only limit is the angle at which it was cut open.
     fn prefix(&mut self, joint: usize, before: f64, position: [f64; 2], is_cut: bool) {
         if self.is_done {
             return;
         }
         if joint == self.count {
-            return self.judge();
+            return self.measure();
         }
         self.triangles(joint, before, position);
         if !is_cut {
@@ -160,7 +155,7 @@ impl Search<'_> {
         if self.task.joints.turns_around(joint) {
             self.stop(joint, self.rest[joint], before, position, true);
         } else {
-            for limit in self.task.joints.range(joint) {
+            for limit in self.task.joints.ranges[joint] {
                 self.stop(joint, limit, before, position, is_cut);
             }
         }
@@ -199,7 +194,7 @@ impl Search<'_> {
         if next == self.count || self.task.joints.turns_around(next) {
             return;
         }
-        for limit in self.task.joints.range(next) {
+        for limit in self.task.joints.ranges[next] {
             self.q[next] = limit;
             let (sin, cos) = libm::sincos(end + limit);
             let length = self.task.links[next];
@@ -207,8 +202,8 @@ impl Search<'_> {
         }
     }
 
-    /// Joints from `joint` on lie on a line, along which the tip of the links before is `along`, and the angle of the last of
-    /// those to the line is `before`, if known.
+    /// Joints from `joint` on lie on a line, along which the tip of the links before is at `along`; the angle of the last of those
+    /// to the line is `before`, if known.
     fn line(&mut self, joint: usize, before: Option<f64>, along: f64, purpose: Purpose) {
         if self.is_done {
             return;
@@ -216,7 +211,7 @@ impl Search<'_> {
         if joint == self.count {
             return self.finish(along, purpose);
         }
-        if let (Purpose::Approach { away }, Some(best)) = (purpose, self.best) {
+        if let (Purpose::Approach { away }, Some((best, _))) = (purpose, self.best) {
             let rest: f64 = self.task.links[joint..self.count].iter().sum();
             if (away - along).abs() - rest >= best {
                 return;
@@ -243,9 +238,9 @@ impl Search<'_> {
     fn finish(&mut self, along: f64, purpose: Purpose) {
         match purpose {
             Purpose::Approach { away } => {
-                // `judge` is expensive; rounding may make the result a little better than it seems here.
-                if self.best.is_none_or(|best| (away - along).abs() < best + self.task.finest) {
-                    self.judge();
+                // `measure` is expensive; rounding may make the result a little better than it seems here.
+                if self.best.is_none_or(|(best, _)| (away - along).abs() < best + self.task.finest) {
+                    self.measure();
                 }
             }
             Purpose::Triangle(corner) => self.close(corner, along),
@@ -273,14 +268,14 @@ impl Search<'_> {
             let [one, other] = wanted.map(|(joint, angle)| joints.fit(joint, angle, self.rest[joint]));
             if let (Some(one), Some(other)) = (one, other) {
                 (self.q[corner.joint], self.q[corner.line]) = (one, other);
-                self.judge();
+                self.measure();
             }
         }
         self.q[corner.line] = turned;
     }
 
     /// Measures the actual error of the configuration.
-    fn judge(&mut self) {
+    fn measure(&mut self) {
         let mut q = self.q;
         if let Some((joint, wanted)) = self.last {
             let angle = wanted - q[..joint].iter().sum::<f64>();
@@ -294,8 +289,8 @@ impl Search<'_> {
         let deviation = self.task.deviation(&q);
         let turn = turn_of(self.task, &deviation);
         let error = deviation.distance + self.task.reach * turn;
-        if self.best.is_none_or(|best| error < best) {
-            (self.best, self.best_q) = (Some(error), q);
+        if self.best.is_none_or(|(best, _)| error < best) {
+            self.best = Some((error, q));
             self.is_done = error <= self.task.finest && turn == 0.0;
         }
     }

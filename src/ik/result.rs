@@ -3,7 +3,8 @@
 use super::nearest::Nearest;
 use super::task::Task;
 use crate::json;
-use crate::problem::{Contact, Status, Touched};
+use crate::problem::{Contact, Status};
+use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 use strum::IntoStaticStr;
 
@@ -74,24 +75,18 @@ impl Verdict {
 
 impl Serialize for Verdict {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        struct Document<'a> {
-            verdict: &'static str,
-            reason: Option<Reason>,
-            nearest: Option<&'a Nearest>,
-            touching: Option<Contacts<'a>>,
-        }
-        #[derive(Serialize)]
-        struct Contacts<'a>(#[serde(serialize_with = "touching")] &'a [Contact]);
-        let mut document = Document { verdict: self.as_str(), reason: None, nearest: None, touching: None };
+        let (mut out_of_reach, mut touching) = (None, None);
         match self {
-            Verdict::OutOfReach { reason, nearest } => {
-                (document.reason, document.nearest) = (Some(*reason), Some(nearest));
-            }
-            Verdict::InCollision { contacts } => document.touching = Some(Contacts(contacts)),
+            Verdict::OutOfReach { reason, nearest } => out_of_reach = Some((reason, nearest)),
+            Verdict::InCollision { contacts } => touching = Some(contacts),
             Verdict::Reached | Verdict::Running | Verdict::NotFound => (),
         }
-        document.serialize(serializer)
+        let mut document = serializer.serialize_struct("Verdict", 4)?;
+        document.serialize_field("verdict", self.as_str())?;
+        document.serialize_field("reason", &out_of_reach.map(|(reason, _)| reason))?;
+        document.serialize_field("nearest", &out_of_reach.map(|(_, nearest)| nearest))?;
+        document.serialize_field("touching", &touching)?;
+        document.end()
     }
 }
 
@@ -100,28 +95,9 @@ impl Serialize for Verdict {
 pub struct Rejected {
     /// The joint angles, in radians.
     pub configuration: Vec<f64>,
-    /// The links and the obstacles that they touch; in JSON `touching`, each a `part` and an `obstacle`, an index or `bounds`.
-    #[serde(rename = "touching", serialize_with = "touching")]
+    /// The links and the obstacles that they touch; in JSON `touching`.
+    #[serde(rename = "touching")]
     pub contacts: Vec<Contact>,
-}
-
-/// A contact as it is written in JSON.
-#[derive(Serialize)]
-struct Touching {
-    part: usize,
-    #[serde(serialize_with = "touched")]
-    obstacle: Touched,
-}
-
-fn touched<S: Serializer>(what: &Touched, serializer: S) -> Result<S::Ok, S::Error> {
-    match what {
-        Touched::Obstacle(i) => serializer.serialize_u64(*i as u64),
-        Touched::Bounds => serializer.serialize_str("bounds"),
-    }
-}
-
-fn touching<S: Serializer>(contacts: &[Contact], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(contacts.iter().map(|&Contact { part, with }| Touching { part, obstacle: with }))
 }
 
 /// The result document of a run.

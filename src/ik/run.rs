@@ -15,17 +15,19 @@ use crate::random::{Random, Stream, check_seed};
 use crate::robot::{Arm, MAX_LINKS, Target};
 use crate::space::{MotionSpace, angular_distance};
 use crate::world::PlanningWorld;
+use std::iter::Enumerate;
+use std::vec::IntoIter;
 
-/// Unused, since only configurations are checked, no motions.
+/// Unused: only configurations are checked, not motions.
 const TOLERANCE: f64 = 1e-4;
 
-/// Solutions nearer to each other than this, in radians, are one; the second holds for redundant arms.
+/// Solutions nearer to each other than this, in radians, are one; the second is for redundant arms.
 const SEPARATION: [f64; 2] = [1e-3, 0.5];
 
 /// One iterate of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Iterate {
-    /// How many starts were drawn before: 0 for the given start. For the closed form, the index of the solution.
+    /// The number of starts drawn before: 0 for the given start. For the closed form, the index of the solution.
     pub restart: u32,
     /// The distance of the tip from the target in metres, or of its orientation in radians, whichever is larger.
     pub error: f64,
@@ -36,9 +38,9 @@ pub struct Iterate {
 /// The source of the next iterate.
 enum Strategy {
     /// From one configuration to the next.
-    Iterative { method: Box<dyn Method>, random: Random },
-    /// The solutions, known already, and the index of the first not yet visited.
-    Listed { solutions: Vec<[f64; MAX_LINKS]>, next: usize },
+    Iterative(Box<dyn Method>),
+    /// The solutions, known already, with their indices.
+    Listed(Enumerate<IntoIter<[f64; MAX_LINKS]>>),
 }
 
 /// A search for configurations of an arm that bring its tip to a target: a value that is stepped. The result does not depend on
@@ -51,6 +53,7 @@ pub struct Solver {
     method: &'static str,
     seed: u64,
     strategy: Strategy,
+    random: Random,
     validity: Option<Box<dyn Validity<[f64; MAX_LINKS]>>>,
     stopping: Stopping,
     separation: f64,
@@ -89,16 +92,14 @@ impl Solver {
             Some(start) => configuration(arm, start, "/start")?,
             None => task.joints.rest(),
         };
-        let iterative =
-            |method: Box<dyn Method>| Strategy::Iterative { method, random: Random::new(options.seed, Stream::Starts) };
         stopping.tolerance = stopping.tolerance.max(task.finest);
         let strategy = match id {
             MethodId::ClosedForm => {
-                Strategy::Listed { solutions: closed_form(&task, &start, stopping.tolerance)?, next: 0 }
+                Strategy::Listed(closed_form(&task, &start, stopping.tolerance)?.into_iter().enumerate())
             }
-            MethodId::Newton => iterative(Box::new(Newton)),
-            MethodId::GradientDescent => iterative(Box::<GradientDescent>::default()),
-            MethodId::DampedLeastSquares => iterative(Box::new(DampedLeastSquares::new())),
+            MethodId::Newton => Strategy::Iterative(Box::new(Newton)),
+            MethodId::GradientDescent => Strategy::Iterative(Box::<GradientDescent>::default()),
+            MethodId::DampedLeastSquares => Strategy::Iterative(Box::new(DampedLeastSquares::new())),
         };
         let needed = 2 + usize::from(target.orientation.is_some());
         let separation = SEPARATION[usize::from(arm.links().len() > needed)];
@@ -110,6 +111,7 @@ impl Solver {
             method: id.as_str(),
             seed: options.seed,
             strategy,
+            random: Random::new(options.seed, Stream::Starts),
             validity: finding.free_only.then(validity),
             stopping,
             separation: finding.separation.unwrap_or(separation),
@@ -125,8 +127,8 @@ impl Solver {
             task,
         };
         match &solver.strategy {
-            Strategy::Iterative { .. } => solver.arrive(&start),
-            Strategy::Listed { .. } => solver.note(&start),
+            Strategy::Iterative(_) => solver.arrive(&start),
+            Strategy::Listed(_) => solver.note(&start),
         }
         Ok(solver)
     }
@@ -150,16 +152,13 @@ impl Solver {
     fn iterate(&mut self) {
         let q = self.configuration();
         let next = match &mut self.strategy {
-            Strategy::Listed { solutions, next } => {
-                let Some(&solution) = solutions.get(*next) else {
-                    return self.end();
-                };
-                *next += 1;
-                self.stats.restarts = *next as u32 - 1;
+            Strategy::Listed(solutions) => {
+                let Some((i, solution)) = solutions.next() else { return self.end() };
+                self.stats.restarts = i as u32;
                 return self.arrive(&solution);
             }
-            Strategy::Iterative { .. } if self.is_over => None,
-            Strategy::Iterative { method, .. } => method.update(&self.task, &q),
+            Strategy::Iterative(_) if self.is_over => None,
+            Strategy::Iterative(method) => method.update(&self.task, &q),
         };
         match next {
             Some(next) => self.arrive(&next),
@@ -172,11 +171,11 @@ impl Solver {
         if u64::from(self.stats.restarts) >= self.max_restarts {
             return self.end();
         }
-        if let Strategy::Iterative { method, random } = &mut self.strategy {
+        if let Strategy::Iterative(method) = &mut self.strategy {
             self.stats.restarts += 1;
             (self.mark, self.is_over) = ((f64::INFINITY, 0), false);
             method.begin();
-            let q = self.task.joints.draw(random);
+            let q = self.task.joints.draw(&mut self.random);
             self.arrive(&q);
         }
     }
@@ -195,14 +194,14 @@ impl Solver {
             self.is_over = true;
             return self.find(q);
         }
-        if let Strategy::Iterative { method, .. } = &self.strategy {
+        if let Strategy::Iterative(method) = &self.strategy {
             let (patience, progress) = method.patience();
             self.mark = if error < progress * self.mark.0 { (error, 0) } else { (self.mark.0, self.mark.1 + 1) };
             self.is_over = self.mark.1 >= patience;
         }
     }
 
-    /// Saves a solution, unless it is known; apart if it is in collision and only free ones are wanted.
+    /// Saves a solution unless it is known; separately if it is in collision and only free ones are wanted.
     fn find(&mut self, q: &[f64; MAX_LINKS]) {
         let configuration = q[..self.dimension()].to_vec();
         let mut known = self.solutions.iter().chain(self.rejected.iter().map(|one| &one.configuration));
@@ -229,7 +228,7 @@ impl Solver {
         }
     }
 
-    /// The status. It is solved once as many solutions are found as are wanted, or if any is found when the budget is spent.
+    /// The status: solved once the wanted number of solutions is found, or if any is found when the budget is spent.
     pub fn status(&self) -> Status {
         self.status
     }
@@ -277,16 +276,6 @@ impl Solver {
     /// The work so far.
     pub fn stats(&self) -> SolverStats {
         self.stats
-    }
-
-    /// Iterations made so far.
-    pub fn iterations(&self) -> u64 {
-        self.stats.iterations
-    }
-
-    /// Starts drawn so far.
-    pub fn restarts(&self) -> u32 {
-        self.stats.restarts
     }
 
     /// The outcome so far. O(4^links) at worst if nothing has been found: see [`nearest_reachable`](super::nearest_reachable).

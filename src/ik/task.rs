@@ -129,11 +129,8 @@ impl Task {
     /// The inner and the outer radius, in metres, of the ring that the tip of the first `count` links can reach without joint
     /// limits.
     pub fn ring(&self, count: usize) -> [f64; 2] {
-        let (mut sum, mut longest) = (0.0, 0.0);
-        for &link in &self.links[..count] {
-            sum += link;
-            longest = f64::max(longest, link);
-        }
+        let links = &self.links[..count];
+        let (sum, longest) = (links.iter().sum::<f64>(), links.iter().copied().fold(0.0, f64::max));
         [(longest - (sum - longest)).max(0.0), sum]
     }
 
@@ -167,8 +164,7 @@ impl Target {
             check_range("/orientation", "the orientation", *angle, -LARGEST)?;
             *angle = wrap(*angle);
             if arm.links().len() < 2 {
-                let sentence =
-                    "an arm of one link cannot be asked for an orientation: the position of its tip fixes it";
+                let sentence = "an arm of one link has no free orientation: the position of its tip fixes it";
                 return Err(Error::new(Code::Unsupported, "/orientation", sentence));
             }
         }
@@ -176,10 +172,7 @@ impl Target {
     }
 }
 
-/// A configuration of the arm, checked and in canonical form: angles of circles in (-pi, pi].
-///
-/// # Errors
-/// `wrong-dimension`, `not-finite` or `out-of-range` (beyond 1e6, or outside the limits), with pointers below `pointer`.
+/// A configuration of the arm, checked and in canonical form: angles of circles in (-pi, pi]. Errors have pointers below `pointer`.
 pub(super) fn configuration(arm: &Arm, q: &[f64], pointer: &str) -> Result<[f64; MAX_LINKS], Error> {
     Configurations::of_arm(arm).refuse_outside(q, pointer)?;
     Ok(Joints::of(arm).hold_all(|i| q[i]))

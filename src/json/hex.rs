@@ -18,9 +18,8 @@ pub fn serialize<S: Serializer>(value: &u64, target: S) -> Result<S::Ok, S::Erro
 /// If the value is not 16 lower-case hexadecimal digits.
 pub fn deserialize<'de, D: Deserializer<'de>>(source: D) -> Result<u64, D::Error> {
     let text = String::deserialize(source)?;
-    let is_digit = |byte: u8| byte.is_ascii_digit() || (b'a'..=b'f').contains(&byte);
-    let digits = (text.len() == 16 && text.bytes().all(is_digit)).then(|| u64::from_str_radix(&text, 16).ok());
-    digits.flatten().ok_or_else(|| {
+    let value = u64::from_str_radix(&text, 16).ok().filter(|value| format!("{value:016x}") == text);
+    value.ok_or_else(|| {
         D::Error::custom(format!("this must be 16 lower-case hexadecimal digits, not {}", quoted(&text)))
     })
 }

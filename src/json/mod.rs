@@ -1,7 +1,7 @@
-//! JSON: text read as a tree under the rules of every contract, a tree read as a type, and values written in one normal form.
+//! JSON: text read as a tree, a tree read as a type, and values written in one normal form.
 //!
-//! Text becomes a [`serde_json::Value`] first, so that text that is no JSON is reported before fields that the contract does not know; [`read`] makes a
-//! type of it. Every refusal carries a JSON pointer (RFC 6901).
+//! Text becomes a [`serde_json::Value`] first, so that text that is not JSON is reported before unknown fields; [`read`] turns that
+//! into a type. Every error has a JSON pointer (RFC 6901).
 
 pub mod hex;
 mod tree;
@@ -18,7 +18,7 @@ pub use write::to_string;
 /// The longest text that is read, in bytes.
 pub const MAX_TEXT: usize = 64 << 20;
 
-/// Arrays and objects may be nested less deep than this.
+/// Arrays and objects are nested less deep than this.
 pub const MAX_DEPTH: u32 = 128;
 
 /// Appends the name of a field to a JSON pointer, escaped.

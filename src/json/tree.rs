@@ -1,4 +1,4 @@
-//! Any value as a tree, from text or from another source.
+//! Reading a tree of JSON values, from text or from another source.
 
 use super::{MAX_DEPTH, MAX_TEXT, push_field};
 use crate::error::{Code, Error, quoted};
@@ -33,7 +33,7 @@ pub fn parse(text: &str) -> Result<Value, Error> {
     })
 }
 
-/// The number in the text that an error is about, at most 60 characters of it.
+/// The number in the text that the error is about, cut to 60 characters.
 fn number_at<'a>(text: &'a str, error: &serde_json::Error) -> &'a str {
     let line = text.split('\n').nth(error.line().saturating_sub(1)).unwrap_or_default();
     let is_other = |c: char| !matches!(c, '0'..='9' | '+' | '-' | '.' | 'e' | 'E');
@@ -43,8 +43,7 @@ fn number_at<'a>(text: &'a str, error: &serde_json::Error) -> &'a str {
     number.get(..60).unwrap_or(number)
 }
 
-/// Reads a tree from any source that describes itself. The second value is the pointer of the offending value if the first is an
-/// error.
+/// Reads a tree from any self-describing source. The second value is the pointer of the offending value if the first is an error.
 pub(crate) fn read_tree<'de, D: Deserializer<'de>>(source: D) -> (Result<Value, D::Error>, String) {
     let mut pointer = String::new();
     let tree = Tree { pointer: &mut pointer, depth: 0, index: None }.deserialize(source);
@@ -53,11 +52,11 @@ pub(crate) fn read_tree<'de, D: Deserializer<'de>>(source: D) -> (Result<Value, 
 
 /// Reads one value.
 struct Tree<'a> {
-    /// The pointer of the value; stays there if it is wrong.
+    /// The pointer of the value; it stays if the value is wrong.
     pointer: &'a mut String,
-    /// The number of arrays and objects around it.
+    /// The number of arrays and objects that contain it.
     depth: u32,
-    /// Its index, of an item of an array.
+    /// Its index in an array.
     index: Option<usize>,
 }
 
@@ -79,6 +78,15 @@ impl<'de> DeserializeSeed<'de> for Tree<'_> {
     }
 }
 
+/// The methods of a visitor for values that are converted as they are.
+macro_rules! scalars {
+    ($($visit:ident: $Type:ty),*) => {
+        $(fn $visit<E>(self, value: $Type) -> Result<Value, E> {
+            Ok(value.into())
+        })*
+    };
+}
+
 impl<'de> Visitor<'de> for Tree<'_> {
     type Value = Value;
 
@@ -90,24 +98,10 @@ impl<'de> Visitor<'de> for Tree<'_> {
         Ok(Value::Null)
     }
 
-    fn visit_bool<E>(self, value: bool) -> Result<Value, E> {
-        Ok(value.into())
-    }
-
-    fn visit_i64<E>(self, value: i64) -> Result<Value, E> {
-        Ok(value.into())
-    }
-
-    fn visit_u64<E>(self, value: u64) -> Result<Value, E> {
-        Ok(value.into())
-    }
+    scalars!(visit_bool: bool, visit_i64: i64, visit_u64: u64, visit_str: &str);
 
     fn visit_f64<E: serde::de::Error>(self, value: f64) -> Result<Value, E> {
         if value.is_finite() { Ok(value.into()) } else { Err(E::custom(format!("the number {value} is not finite"))) }
-    }
-
-    fn visit_str<E>(self, value: &str) -> Result<Value, E> {
-        Ok(value.into())
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut source: A) -> Result<Value, A::Error> {

@@ -1,4 +1,4 @@
-//! A tree as a type that derives `Deserialize`, with our codes and pointers if it does not fit.
+//! Reading a tree as a type that derives `Deserialize`, with our codes and pointers if it does not fit.
 
 use super::push_field;
 use crate::error::{Code, Error, Number, quoted};
@@ -13,8 +13,8 @@ use std::fmt;
 ///
 /// # Errors
 /// With the pointer below `value`: `unknown-field`, `missing-field`, `wrong-type`, `wrong-dimension` for an array of another
-/// length, `unknown-type` for a `type` that is none, and `out-of-range` for other words, for integers that do not fit, and for
-/// what a type refuses by a sentence of its own.
+/// length, `unknown-type` for an unknown `type`, and `out-of-range` for other unknown words, for integers that do not fit, and
+/// for values that a type refuses with a message of its own.
 pub fn read<'de, T: Deserialize<'de>>(value: &'de Value) -> Result<T, Error> {
     serde_path_to_error::deserialize(Tree(value)).map_err(|error| {
         let pointer = pointer(error.path());
@@ -32,7 +32,7 @@ pub fn not_negative<'de, D: Deserializer<'de>>(source: D) -> Result<f64, D::Erro
     if value < 0.0 { Err(sentence()) } else { Ok(value) }
 }
 
-/// The pointer for a path; segments without name or index are left out.
+/// The pointer for a path, without segments that have no name or index.
 fn pointer(path: &Path) -> String {
     let mut pointer = String::new();
     for segment in path {
@@ -52,8 +52,6 @@ enum Fault {
     Other(Code, String),
     /// The field is missing.
     Missing(&'static str),
-    /// An unknown word.
-    Word(String),
     /// All else: a code and a sentence.
     Told(Code, String),
 }
@@ -69,8 +67,7 @@ impl Fault {
                 push_field(&mut pointer, field);
                 (Code::MissingField, format!("the field {} is missing", quoted(field)))
             }
-            Fault::Word(sentence) if pointer.ends_with("/type") => (Code::UnknownType, sentence),
-            Fault::Word(sentence) => (Code::OutOfRange, sentence),
+            Fault::Told(Code::OutOfRange, sentence) if pointer.ends_with("/type") => (Code::UnknownType, sentence),
             Fault::Told(code, sentence) => (code, sentence),
         };
         Error::new(code, pointer, sentence)
@@ -106,7 +103,7 @@ impl de::Error for Fault {
     }
 
     fn unknown_variant(word: &str, known: &'static [&'static str]) -> Self {
-        Fault::Word(format!("this must be one of {}, not {}", known.join(", "), quoted(word)))
+        Self::custom(format_args!("this must be one of {}, not {}", known.join(", "), quoted(word)))
     }
 
     fn unknown_field(field: &str, known: &'static [&'static str]) -> Self {
@@ -119,7 +116,7 @@ impl de::Error for Fault {
     }
 }
 
-/// What serde expects, as JSON calls it.
+/// The name in JSON of what serde expects.
 fn in_words(wanted: &str) -> String {
     match wanted {
         "f64" => "a number",

@@ -8,10 +8,10 @@ use std::io::{self, Write};
 pub(super) const EXACT: f64 = (1u64 << 53) as f64;
 
 /// The value as JSON text on one line. Numbers have the fewest digits that read back to the same bits, whole ones below 2^53 no
-/// fraction; those that JSON cannot express (NaN, infinite) are `null`. Equal values give equal text, on every platform.
+/// fraction; NaN and infinities are `null`. Equal values give equal text, on every platform.
 ///
 /// # Panics
-/// If the value cannot be JSON: a map whose keys are no strings, or an implementation of `Serialize` that fails.
+/// If the value has no form in JSON: a map whose keys are not strings, or an implementation of `Serialize` that fails.
 pub fn to_string<T: Serialize + ?Sized>(value: &T) -> String {
     let mut text = Vec::new();
     value.serialize(&mut Serializer::with_formatter(&mut text, Normal)).expect("the value has a form in JSON");

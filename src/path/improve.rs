@@ -26,8 +26,10 @@ pub struct Improvement<S: Space> {
     random: Random,
     reduction: Option<Reduction>,
     left: Wanted,
-    attempts: u64,
-    motion_checks: u64,
+    /// The number of attempts made.
+    pub attempts: u64,
+    /// The number of motions checked.
+    pub motion_checks: u64,
 }
 
 impl<S: Space> Improvement<S> {
@@ -62,16 +64,6 @@ impl<S: Space> Improvement<S> {
     /// The path as it is now.
     pub fn path(&self) -> &[S::State] {
         &self.path
-    }
-
-    /// The number of attempts made.
-    pub fn attempts(&self) -> u64 {
-        self.attempts
-    }
-
-    /// The number of motions checked.
-    pub fn motion_checks(&self) -> u64 {
-        self.motion_checks
     }
 }
 

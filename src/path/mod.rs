@@ -1,4 +1,4 @@
-//! Paths: length, splitting, proven improvements, and the independent judge.
+//! Paths: length, splitting, proven improvements, and the independent verifier.
 
 mod improve;
 mod reduce;
@@ -12,8 +12,8 @@ pub use verify::{Leg, Verdict, verify, verify_legs};
 
 use crate::space::Space;
 
-/// The most that one step of an emitted path turns a circle joint, in radians: well short of the half turn at which the
-/// short way round becomes ambiguous.
+/// The most that one step of a resulting path turns a circle joint, in radians: well below the half turn at which the shorter
+/// direction becomes ambiguous.
 pub const LONGEST_TURN: f64 = 3.0;
 
 /// The length of a path: the sum of the space's distances between its states.

@@ -6,7 +6,7 @@ use super::improve::is_free;
 use crate::problem::Problem;
 use crate::space::Space;
 
-/// From every vertex the farthest one along the path that can be reached straight, nearest ends last.
+/// From every vertex the farthest one along the path that can be reached straight is tried first.
 #[derive(Debug, Clone)]
 pub(super) struct Reduction {
     /// The vertex that motions start from, and the one they try to reach.
@@ -30,7 +30,7 @@ impl Reduction {
         let (a, b) = (path[self.from], path[self.to]);
         let mut reduced = path[..=self.from].to_vec();
         reduced.extend_from_slice(&path[self.to..]);
-        // The triangle inequality holds but for rounding.
+        // The triangle inequality holds except for rounding.
         let is_shorter = super::length(problem.space(), &reduced) <= super::length(problem.space(), path);
         if is_shorter && is_free(problem, &[a, b], checks) {
             *path = reduced;

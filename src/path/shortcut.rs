@@ -1,6 +1,6 @@
 //! Shortcuts: random detours of a path replaced by straight motions that are proven free. Partial shortcuts: between two
-//! positions of a path one coordinate goes straight, the others as before, which removes the needless motion of one joint
-//! if all joints together cannot go straight.
+//! positions of a path one coordinate goes straight, the others as before. This removes needless motion of one joint if all joints
+//! together cannot go straight.
 //!
 //! Geraerts and Overmars 2007, "Creating high-quality paths for motion planning".
 
@@ -104,7 +104,7 @@ fn position<S: Space>(space: &S, path: &[S::State], along: f64) -> Option<Positi
     None
 }
 
-/// The path with the part between two positions replaced by other states, none twice in a row.
+/// The path with the part between two positions replaced by other states, without repeated states.
 fn replaced<S: Space>(path: &[S::State], [from, to]: [Position<S::State>; 2], between: &[S::State]) -> Vec<S::State> {
     let mut new = path[..=from.edge].to_vec();
     let middle = std::iter::once(from.state).chain(between.iter().copied()).chain(std::iter::once(to.state));

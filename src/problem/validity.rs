@@ -1,5 +1,7 @@
 //! Collision checking as planners see it: the one trait between planning and collision.
 
+use serde::Serialize;
+
 /// Whether configurations and motions are free. Planners know obstacles through this trait alone. An implementation needs
 /// [`contacts`](Validity::contacts) and [`is_motion_free`](Validity::is_motion_free).
 pub trait Validity<S> {
@@ -33,22 +35,25 @@ pub trait Validity<S> {
     }
 }
 
-/// A part of the robot and what it touches.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// A part of the robot and what it touches; in JSON a `part` and an `obstacle`, an index or `bounds`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Contact {
     /// The part, from 0: the link of an arm from its base outwards, 0 for a robot of one part.
     pub part: usize,
     /// What it touches.
+    #[serde(rename = "obstacle")]
     pub with: Touched,
 }
 
 /// An obstacle or the bounds, touched by a part of the robot.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Touched {
-    /// The obstacle with this index, from 0.
-    Obstacle(usize),
     /// The bounds of the world: the part is not wholly inside.
     Bounds,
+    /// The obstacle with this index, from 0.
+    #[serde(untagged)]
+    Obstacle(usize),
 }
 
 impl std::fmt::Display for Contact {

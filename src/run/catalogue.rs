@@ -36,7 +36,7 @@ pub fn catalogue() -> Json {
             })
         }).collect::<Vec<_>>(),
         "reach_methods": methods().iter().map(|info| json!({
-            "id": info.id, "title": info.title, "summary": info.summary, "parameters": table(&info.parameters),
+            "id": info.id, "title": info.title, "summary": info.summary, "parameters": table(&info.options),
         })).collect::<Vec<_>>(),
         "indexes": indexes().iter().map(|info| json!({
             "id": info.id, "title": info.title, "summary": info.summary, "exact": info.is_exact,

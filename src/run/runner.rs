@@ -215,7 +215,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn iterations(&self) -> u64 {
-        u64::from(self.iteration) + self.improvement.as_ref().map_or(0, Improvement::attempts)
+        u64::from(self.iteration) + self.improvement.as_ref().map_or(0, |improvement| improvement.attempts)
     }
 
     fn max_iterations(&self) -> u64 {
@@ -309,7 +309,7 @@ impl<S: Space> Run for Runner<S> {
 
     fn stats(&self) -> Stats {
         let counters = self.planner.growth().counters;
-        let improvement_checks = self.improvement.as_ref().map_or(0, Improvement::motion_checks);
+        let improvement_checks = self.improvement.as_ref().map_or(0, |improvement| improvement.motion_checks);
         Stats {
             iterations: self.iterations(),
             vertices: self.vertex_count() as u64,

@@ -1,14 +1,14 @@
 //! The types that a scenario document is read into, and that the JSON Schema is generated from: fields, their types, and
-//! the ranges of numbers. [`validate`](super::validate) checks the rest of the contract.
+//! the ranges of numbers. [`validate`](super::validate) checks the remaining rules.
 
-use super::number::{Angle, Coordinate, JointLimit, NonNegative, Positive, Speed, SteeringAngle, Step};
+use super::number::{AngleOrCoordinate, Coordinate, JointLimit, NonNegative, Positive, Speed, SteeringAngle, Step};
 use crate::json::by_type;
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
 
-/// The objects of a document: each is read with the fields that it has and no others, and has a schema.
+/// The objects of a document: each is read with its fields and no others, and has a schema.
 macro_rules! objects {
     ($($item:item)*) => {
         $(
@@ -80,7 +80,7 @@ objects! {
         /// Half the width of the links in metres; 0 makes them segments.
         #[serde(default)]
         pub radius: NonNegative,
-        /// One pair (low, high) a link, low less than high, in radians: such a joint does not wrap. Without limits a joint is
+        /// One pair (low, high) per link, low less than high, in radians: such a joint does not wrap. Without limits a joint is
         /// a circle.
         #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
         pub joint_limits: Option<Vec<[JointLimit; 2]>>,
@@ -98,11 +98,11 @@ objects! {
         pub shape: Shape,
         /// The distance between the axles in metres.
         pub wheelbase: Positive,
-        /// The least and the greatest speed in metres a second, the first less than the second.
+        /// The least and the greatest speed in metres per second, the first less than the second.
         pub speed: [Speed; 2],
         /// The least and the greatest steering angle in radians, the first less than the second.
         pub steering: [SteeringAngle; 2],
-        /// The step in which durations are counted, in seconds; 0.01 if it is absent.
+        /// The step in which durations are counted, in seconds; 0.01 by default.
         pub integration_step: Option<Step>,
         /// The metric of placements.
         pub metric: Option<Metric>,
@@ -114,7 +114,7 @@ objects! {
         pub radius: NonNegative,
     }
 
-    /// The weights of a metre and a radian in the distance between two placements; 0.7 and 0.3 if it is absent.
+    /// The weights of a metre and a radian in the distance between two placements; 0.7 and 0.3 by default.
     pub(super) struct Metric {
         /// The weight of a metre.
         pub translation: Positive,
@@ -124,8 +124,7 @@ objects! {
 
     /// One query, with a goal or a target.
     //
-    // Fields that not every robot has are read once the robot is known, so that they are refused as such whatever they
-    // contain.
+    // Fields for some robots only are read once the robot is known: for another one they are refused whatever they contain.
     #[cfg_attr(
         feature = "schema",
         schemars(extend("oneOf" = [{ "required": ["goal"] }, { "required": ["target"] }]))
@@ -137,14 +136,14 @@ objects! {
         /// The configuration to start from: angles in any number of turns up to 1e6 radians, within the limits if the joint
         /// has limits; coordinates in metres.
         #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
-        pub start: Vec<Angle>,
+        pub start: Vec<AngleOrCoordinate>,
         /// The configuration to reach: exactly, except for a body or a car with a tolerance.
         #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
-        pub goal: Option<Vec<Angle>>,
+        pub goal: Option<Vec<AngleOrCoordinate>>,
         /// The target of the end effector of an arm, instead of a goal.
         #[cfg_attr(feature = "schema", schemars(with = "Option<Target>"))]
         pub target: Option<Value>,
-        /// The goal region; for bodies and cars only.
+        /// The goal region; for bodies and cars only. Planners that grow by controls require it.
         #[cfg_attr(feature = "schema", schemars(with = "Option<GoalTolerance>"))]
         pub goal_tolerance: Option<Value>,
     }
@@ -154,7 +153,7 @@ objects! {
         /// The position of the tip.
         pub point: Point,
         /// The angle of the last link in the world, in radians; any angle if it is absent.
-        pub orientation: Option<Angle>,
+        pub orientation: Option<AngleOrCoordinate>,
     }
 
     /// A goal region: both bounds must hold.
@@ -193,7 +192,7 @@ by_type!(Obstacle { "disc" => Disc, "polygon" => Polygon });
 /// The robot.
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]
 pub(super) enum Robot {
-    /// A planar arm of revolute joints. A configuration holds one angle a link, each relative to the link before.
+    /// A planar arm of revolute joints. A configuration contains one angle per link, each relative to the link before.
     Arm(Arm),
     /// A polygon that translates and rotates. A configuration is [x, y, theta], the position and rotation of its frame.
     RigidBody(RigidBody),

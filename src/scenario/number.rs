@@ -1,5 +1,4 @@
-//! The numbers of a document, each kind with its range: a type that is checked when it is read, and whose schema has the
-//! range.
+//! The numbers of a document: each kind is a type with a range, which is checked when it is read and is part of its schema.
 
 use crate::error::Number;
 use serde::{Deserialize, Deserializer, de};
@@ -52,7 +51,7 @@ macro_rules! number {
 }
 
 number!(Coordinate, "a coordinate", -1e6, 1e6, false);
-number!(Angle, "an angle or a coordinate", -1e6, 1e6, false);
+number!(AngleOrCoordinate, "an angle or a coordinate", -1e6, 1e6, false);
 number!(NonNegative, "a radius or a tolerance", 0.0, 1e6, false);
 number!(Positive, "a radius, a length or a weight", 0.0, 1e6, true);
 number!(JointLimit, "a joint limit", -100.0, 100.0, false);

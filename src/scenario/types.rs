@@ -1,6 +1,9 @@
 //! A checked scenario and its parts.
 
-use crate::geometry::{Aabb, Disc, Polygon};
+use crate::geometry::{
+    Aabb, Disc, Polygon, Segment, distance_point_polygon, distance_point_segment, distance_polygon_polygon,
+    distance_segment_polygon,
+};
 use crate::json;
 use crate::robot::{Arm, Car, DiscRobot, Part, RigidBody, Target, Weights};
 use serde::Serialize;
@@ -54,7 +57,7 @@ impl Scenario {
         &self.0.queries
     }
 
-    /// The normalised document as text, on one line: fields in the order of the contract, defaults written out, polygons
+    /// The normalised document as text, on one line: fields in a fixed order, defaults written out, polygons
     /// open, counter-clockwise and without repeated vertices. It reads back as an equal scenario; equal scenarios give
     /// equal text, on every platform.
     pub fn to_json_string(&self) -> String {
@@ -88,6 +91,22 @@ impl Obstacle {
         match self {
             Obstacle::Disc(disc) => disc.aabb(),
             Obstacle::Polygon(polygon) => *polygon.aabb(),
+        }
+    }
+
+    /// The distance from the segment to the obstacle, in metres; 0 or less if they share a point. O(vertices).
+    pub fn distance_to_segment(&self, segment: &Segment) -> f64 {
+        match self {
+            Obstacle::Disc(disc) => distance_point_segment(disc.center, segment) - disc.radius,
+            Obstacle::Polygon(polygon) => distance_segment_polygon(segment, polygon),
+        }
+    }
+
+    /// The distance from the polygon to the obstacle, in metres; 0 or less if they share a point. O(product of vertices).
+    pub fn distance_to_polygon(&self, other: &Polygon) -> f64 {
+        match self {
+            Obstacle::Disc(disc) => distance_point_polygon(disc.center, other) - disc.radius,
+            Obstacle::Polygon(polygon) => distance_polygon_polygon(other, polygon),
         }
     }
 }
@@ -193,6 +212,6 @@ impl Query {
 pub struct GoalTolerance {
     /// The largest distance, in metres.
     pub translation: f64,
-    /// The largest turn, the short way round, in radians.
+    /// The largest turn, in the shorter direction, in radians.
     pub rotation: f64,
 }

@@ -1,10 +1,10 @@
-//! From a document to a checked scenario: the rules of the contract that types cannot express. The first one violated is
-//! the error.
+//! From a document to a checked scenario: the rules that types cannot express. The first one violated is the error.
 
 use super::document::{self, Document};
+use super::number::AngleOrCoordinate;
 use super::{FORMAT, Goal, GoalTolerance, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Parts, Query, Robot, Scenario, World};
 use crate::error::{Code, Error, Number, quoted};
-use crate::geometry::{Aabb, Disc, MIN_MAGNITUDE, Point, Polygon, PolygonFault, Segment, distance_segment_polygon};
+use crate::geometry::{Aabb, Disc, MIN_MAGNITUDE, Point, Polygon, PolygonFault, Segment};
 use crate::json;
 use crate::robot::{Arm, Car, DiscRobot, RigidBody, Target, Weights};
 use serde::de::DeserializeOwned;
@@ -18,8 +18,8 @@ impl Scenario {
     /// Reads a scenario from JSON text.
     ///
     /// # Errors
-    /// The first rule of the contract that is violated: a stable code, a sentence with the offending value, and its JSON
-    /// pointer; for a missing field, that of the field. Codes: those of [`json::parse`],
+    /// The first rule that is violated: a stable code, a sentence with the offending value, and its JSON pointer; for a
+    /// missing field, that of the field. Codes: those of [`json::parse`],
     /// `unknown-format`, `unknown-field`, `missing-field`, `wrong-type`, `unknown-type`, `out-of-range`,
     /// `wrong-dimension`, `degenerate-polygon`, `duplicate-name`, `base-in-collision` and `too-large`.
     /// A start or a goal in collision is not an error here but when a run starts.
@@ -28,7 +28,7 @@ impl Scenario {
     /// O(n log n) in the length of the text.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let tree = json::parse(text)?;
-        // First, so that another kind of document is reported as such.
+        // First, so that any other document is reported as such.
         if let Some(format) = tree.get("format").and_then(|format| format.as_str()).filter(|format| *format != FORMAT) {
             let sentence = format!("unsupported format {}; expected \"{FORMAT}\"", quoted(format));
             return Err(Error::new(Code::UnknownFormat, "/format", sentence));
@@ -87,7 +87,7 @@ fn checked_bounds(bounds: document::Bounds) -> Result<Aabb, Error> {
     Ok(Aabb { min, max })
 }
 
-/// A simple polygon; its vertices are subtracted from those that are left.
+/// A simple polygon; its vertices are subtracted from the remaining ones.
 fn checked_polygon(polygon: &document::Polygon, vertices_left: &mut usize) -> Result<Polygon, Error> {
     let points: Vec<Point> = polygon.vertices.iter().copied().map(point).collect();
     *vertices_left = vertices_left.checked_sub(points.len()).ok_or_else(|| {
@@ -170,7 +170,9 @@ fn checked_query(query: document::Query, robot: &Robot) -> Result<Query, Error> 
             Goal::Target(Target { point: point(at), orientation: orientation.map(|angle| angle.0) })
         }
         (Some(_), Some(_)) => return unknown("target", "a query has a goal or a target, not both".to_owned()),
-        (None, None) => return Err(Error::new(Code::MissingField, "/goal", "the field \"goal\" is missing")),
+        (None, None) => {
+            return Err(Error::new(Code::MissingField, "/goal", "the field \"goal\" or \"target\" is missing"));
+        }
     };
     let region = |value| {
         let document::GoalTolerance { translation, rotation } = read_under(&value, "/goal_tolerance")?;
@@ -185,11 +187,7 @@ fn read_under<T: DeserializeOwned>(value: &Value, pointer: &str) -> Result<T, Er
 }
 
 /// A configuration of the robot, within the joint limits if there are any.
-fn checked_configuration(
-    configuration: &[super::number::Angle],
-    pointer: &str,
-    robot: &Robot,
-) -> Result<Vec<f64>, Error> {
+fn checked_configuration(configuration: &[AngleOrCoordinate], pointer: &str, robot: &Robot) -> Result<Vec<f64>, Error> {
     let q: Vec<f64> = configuration.iter().map(|entry| entry.0).collect();
     if q.len() != robot.dimension() {
         let sentence = format!("a configuration of this robot has {} entries, not {}", robot.dimension(), q.len());
@@ -215,7 +213,7 @@ fn check_base(world: &World, robot: &Robot) -> Result<(), Error> {
     let Robot::Arm(arm) = robot else { return Ok(()) };
     let (base, radius, slack) = (arm.base(), arm.radius(), slack(world, arm));
     for (i, obstacle) in world.obstacles.iter().enumerate() {
-        let distance = distance_to(base, obstacle);
+        let distance = obstacle.distance_to_segment(&Segment::new(base, base));
         if distance <= radius + slack {
             let [x, y, radius, distance] = [base.x, base.y, radius, distance].map(Number);
             let sentence =
@@ -229,14 +227,6 @@ fn check_base(world: &World, robot: &Robot) -> Result<(), Error> {
         return Err(Error::new(Code::BaseInCollision, "/robot/base", sentence));
     }
     Ok(())
-}
-
-/// The distance from a point to an obstacle, in metres; 0 or less if the point lies in it.
-fn distance_to(p: Point, obstacle: &Obstacle) -> f64 {
-    match obstacle {
-        Obstacle::Disc(disc) => nalgebra::distance(&disc.center, &p) - disc.radius,
-        Obstacle::Polygon(polygon) => distance_segment_polygon(&Segment::new(p, p), polygon).max(0.0),
-    }
 }
 
 /// 1e-12 of the largest coordinate plus the arm's reach, in metres.

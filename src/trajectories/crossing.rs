@@ -28,7 +28,7 @@ const SLACK: f64 = 1e-12;
 /// The least slack, in metres: squares of longer lengths do not underflow.
 const SMALLEST: f64 = 1e-150;
 
-/// How many pairs of intervals are examined before a pair of trajectories counts as crossing.
+/// The most pairs of intervals that are examined before a pair of trajectories counts as crossing.
 const BUDGET: u64 = 20_000;
 
 /// The slack in a world of that scale, in metres.

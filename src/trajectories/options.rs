@@ -2,11 +2,9 @@
 
 use super::particle::{MOST_TURNING, Model};
 use crate::error::Error;
-use crate::options::{Choice, Options, Value, out_of_range};
+use crate::options::{Options, Value, out_of_range};
 use crate::random::check_seed;
 use std::f64::consts::PI;
-
-impl Choice for Model {}
 
 crate::choice! {
     /// The earlier trajectories that a new one is tested against.

@@ -4,7 +4,6 @@ use crate::error::{Code, Error, Number};
 use crate::geometry::{Point, arc_pose};
 use crate::options::{Options, Value};
 use std::f64::consts::FRAC_PI_4;
-use strum::VariantArray;
 
 /// The largest turn of a particle over its duration, and its largest heading, in radians: rounding stays below the slack.
 pub const MOST_TURNING: f64 = 100.0;
@@ -12,26 +11,14 @@ pub const MOST_TURNING: f64 = 100.0;
 /// The largest travel and time of a particle, in metres and seconds.
 const LARGEST: f64 = 1e6;
 
-/// How a particle moves.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantNames, strum::VariantArray,
-)]
-#[strum(serialize_all = "kebab-case")]
-pub enum Model {
-    /// x' = v cos theta, y' = v sin theta, theta' = w: a circular arc, straight if w is 0.
-    Arc,
-    /// p(t) = p(0) + v t (cos(theta + w t), sin(theta + w t)): a spiral of Archimedes about its start. It results if the current
-    /// heading is mistaken for the direction of the whole motion.
-    Spiral,
-}
-
-impl Model {
-    /// Every model, in the order of their numbers.
-    pub const ALL: &[Model] = Model::VARIANTS;
-
-    /// The name of the model, the same everywhere.
-    pub fn as_str(self) -> &'static str {
-        self.into()
+crate::choice! {
+    /// How a particle moves.
+    pub enum Model {
+        /// x' = v cos theta, y' = v sin theta, theta' = w: a circular arc, straight if w is 0.
+        Arc,
+        /// p(t) = p(0) + v t (cos(theta + w t), sin(theta + w t)): a spiral of Archimedes about its start. It results if the
+        /// current heading is mistaken for the direction of the whole motion.
+        Spiral,
     }
 }
 
@@ -44,9 +31,9 @@ pub struct Particle {
     pub start: Point,
     /// Its first heading, in radians.
     pub theta: f64,
-    /// Its speed, in metres a second; at least 0.
+    /// Its speed, in metres per second; at least 0.
     pub speed: f64,
-    /// Its turn rate, in radians a second, counter-clockwise.
+    /// Its turn rate, in radians per second, counter-clockwise.
     pub turn_rate: f64,
     /// The duration of its motion, in seconds; at least 0.
     pub duration: f64,
@@ -110,7 +97,7 @@ impl Particle {
         self.turn_rate == 0.0 || self.travel() == 0.0
     }
 
-    /// A bound on its acceleration up to `time`, in metres a second squared: v |w| on the arc. On the spiral the derivative of
+    /// A bound on its acceleration up to `time`, in metres per second squared: v |w| on the arc. On the spiral the derivative of
     /// v e + v t w e' is 2 v w e' - v t w^2 e, with e and e' unit vectors at right angles; its length is below the sum.
     pub(super) fn acceleration(&self, time: f64) -> f64 {
         let turn_rate = self.turn_rate.abs();
@@ -121,7 +108,7 @@ impl Particle {
         }
     }
 
-    /// A bound on its speed at all times, in metres a second.
+    /// A bound on its speed at all times, in metres per second.
     pub(super) fn fastest(&self) -> f64 {
         match self.model {
             Model::Arc => self.speed,
@@ -147,8 +134,8 @@ crate::options! {
     w: f64 = FRAC_PI_4, in -1e6..=1e6, "Turn rate", unit "rad/s";
 }
 
-/// The positions, x and y each, of a particle at these times, in seconds. The particle is given by `model` ("arc" or "spiral"), `x`,
-/// `y`, `theta`, `v` and `w`; defaults are 0, but 1 m/s and pi / 4 rad/s.
+/// The positions (x, y) of a particle at these times, in seconds. The particle is given by `model` ("arc" or "spiral"), `x`,
+/// `y`, `theta`, `v` and `w`; see [`ParticleOptions`] for the defaults.
 ///
 /// # Errors
 /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name` or `/times/i`.

@@ -60,7 +60,7 @@ impl Trajectories {
         })
     }
 
-    /// Does at most `iterations` iterations, one trajectory tried each; none once all are accepted or the budget is spent.
+    /// Does at most `iterations` iterations, one trajectory each; none once all are accepted or the budget is spent.
     pub fn step(&mut self, iterations: u64) -> Status {
         for _ in 0..iterations {
             if self.status() != Status::Running {
@@ -106,7 +106,7 @@ impl Trajectories {
         }
     }
 
-    /// A random trajectory. Every draw is made whatever the ranges are, so that changing one range does not affect the others.
+    /// A random trajectory. Every number is drawn even if its range is a point, so that changing one range does not affect the others.
     fn draw(&mut self) -> Particle {
         let random = &mut self.random;
         let mut between = |low: f64, high: f64| low + random.uniform() * (high - low) + 0.0;
@@ -133,24 +133,14 @@ impl Trajectories {
         near.iter().find_map(|&i| Some((i, meeting(track, &accepted[i as usize], eta, tally)?)))
     }
 
-    /// How many are accepted.
-    pub fn accepted_count(&self) -> usize {
-        self.accepted.len()
+    /// The accepted trajectories, in the order in which they were accepted.
+    pub fn accepted(&self) -> impl ExactSizeIterator<Item = &Particle> {
+        self.accepted.iter().map(|track| &track.particle)
     }
 
-    /// How many are refused.
-    pub fn refused_count(&self) -> usize {
-        self.refused.len()
-    }
-
-    /// The accepted trajectories from index `row` on, in the order they were accepted; none if there are fewer.
-    pub fn accepted_since(&self, row: usize) -> impl ExactSizeIterator<Item = &Particle> {
-        self.accepted.get(row..).unwrap_or_default().iter().map(|track| &track.particle)
-    }
-
-    /// The refused trajectories from index `row` on, in the order they were tried; none if there are fewer.
-    pub fn refused_since(&self, row: usize) -> &[Refused] {
-        self.refused.get(row..).unwrap_or_default()
+    /// The refused trajectories, in the order in which they were tried.
+    pub fn refused(&self) -> &[Refused] {
+        &self.refused
     }
 
     /// For every accepted trajectory: how many were tried for it, itself included.
@@ -172,7 +162,7 @@ impl Trajectories {
     /// The counts as a document.
     pub fn result(&self) -> TrajectoriesResult {
         TrajectoriesResult {
-            model: self.options.model.as_str(),
+            model: self.options.model.into(),
             seed: self.seed,
             status: self.status(),
             accepted: self.accepted.len(),

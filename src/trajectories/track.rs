@@ -77,7 +77,7 @@ pub(super) struct Arc {
     middle: Vector,
     /// The arc contains the directions within this distance of the middle, as the square of a chord of the unit circle, if it is at
     /// most half the circle; else those at least this far from the opposite of the middle. So the chord is never near a diameter,
-    /// where it would separate directions badly.
+    /// which would separate directions badly.
     chord_squared: f64,
     extent: Extent,
 }

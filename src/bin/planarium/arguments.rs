@@ -15,7 +15,7 @@ use planarium::run::Value;
     after_help = "\
 JSON goes to standard output, messages to standard error.
 Exit codes: 0 solved or valid; 1 not solved or not valid; 2 the input is wrong, and standard output
-holds {\"error\": {\"code\", \"message\", \"pointer\"}}. `planarium list` explains the codes.
+contains {\"error\": {\"code\", \"message\", \"pointer\"}}. `planarium list` explains the codes.
 
 Examples:
   planarium generate forest --set links=3 --seed 4 --out forest.json
@@ -287,7 +287,6 @@ pub struct Trajectories {
     pub csv: Option<String>,
 }
 
-/// Reads KEY=VALUE.
 fn setting(text: &str) -> Result<(String, Value), String> {
     match text.split_once('=') {
         Some((key, value)) if !key.is_empty() => Ok((key.to_owned(), Value::from_text(value))),
@@ -295,7 +294,6 @@ fn setting(text: &str) -> Result<(String, Value), String> {
     }
 }
 
-/// Reads a seed, or draws one.
 fn seed(text: &str) -> Result<u64, String> {
     if text == "random" {
         return random_seed().map_err(|error| error.to_string());
@@ -304,18 +302,15 @@ fn seed(text: &str) -> Result<u64, String> {
     seed.ok_or_else(|| "a seed is an integer from 0 to 2^53 - 1, or \"random\"".to_owned())
 }
 
-/// Reads Q1,Q2,...
 fn angles(text: &str) -> Result<Angles, String> {
     let number = |part: &str| part.trim().parse().map_err(|_| format!("{part:?} is not a number"));
     text.split(',').map(number).collect::<Result<_, _>>().map(Angles)
 }
 
-/// Reads X,Y.
 fn point(text: &str) -> Result<[f64; 2], String> {
     angles(text)?.0.try_into().map_err(|_| "a point reads X,Y".to_owned())
 }
 
-/// Reads a number of seconds, 0 or more.
 fn seconds(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(seconds) if seconds.is_finite() && seconds >= 0.0 => Ok(seconds),

@@ -7,9 +7,9 @@ use std::fmt::Display;
 use std::io::{self, ErrorKind, Read, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Whether standard output was closed from the start; stays `false` on platforms where this is not known.
+/// Whether standard output was closed from the start; `false` on platforms where this is unknown.
 ///
-/// Rust's runtime opens `/dev/null` in place of a closed standard output before `main`: output is lost without an error. So the
+/// Rust's runtime opens `/dev/null` in place of a closed standard output before `main`, and output is lost without an error. So the
 /// descriptor is checked before the runtime starts.
 static WAS_CLOSED: AtomicBool = AtomicBool::new(false);
 
@@ -20,7 +20,7 @@ static WAS_CLOSED: AtomicBool = AtomicBool::new(false);
 #[unsafe(link_section = ".init_array")]
 static CHECK: extern "C" fn() = {
     extern "C" fn check() {
-        // Without /proc nothing is known.
+        // Without /proc this is unknown.
         let is_closed =
             std::fs::exists("/proc/self/fd").unwrap_or(false) && std::fs::symlink_metadata("/proc/self/fd/1").is_err();
         WAS_CLOSED.store(is_closed, Ordering::Relaxed);

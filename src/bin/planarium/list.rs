@@ -48,7 +48,7 @@ fn push_entry(text: &mut String, entry: &Value, options: &str) {
     }
     for option in rows(&entry[options]) {
         push_option(text, option, 15);
-        // Not repeated if it holds for all robots of the planner.
+        // Not repeated if it applies to all robots of the planner.
         if rows(&entry["robots"]).iter().any(|robot| !rows(&option["robots"]).contains(robot)) {
             let _ = writeln!(text, "    {:<15} (for robots of type {} only)", "", words(&option["robots"], ", "));
         }

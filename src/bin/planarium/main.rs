@@ -1,7 +1,7 @@
 //! The command line: plan, verify, nearest, list, generate, reach, trajectories.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
-//! solved or not valid, 2 that the input is wrong; then standard output holds `{"error": {"code", "message", "pointer"}}`.
+//! solved or not valid, 2 that the input is wrong; then standard output contains `{"error": {"code", "message", "pointer"}}`.
 #![deny(unsafe_code)]
 
 mod arguments;

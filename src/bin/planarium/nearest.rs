@@ -88,7 +88,7 @@ pub fn nearest(arguments: &Nearest) -> Answer {
     Ok(true)
 }
 
-/// The same error, about the configuration that is called `target` here.
+/// The same error, about the configuration that is named `target` on the command line.
 fn name_target(error: Error) -> Error {
     match error.pointer().strip_prefix("/q") {
         Some(rest) => Error::new(error.code(), format!("/target{rest}"), error.message()),
@@ -120,7 +120,7 @@ fn rows(arguments: &Nearest, inspector: &Inspector) -> Result<Vec<f64>, Error> {
         Err(Error::new(Code::WrongDimension, pointer, sentence))
     };
     let unreadable = |why: &str| Error::new(Code::File, "", format!("{name:?} {why}"));
-    if npy::is_npy(&bytes) {
+    if bytes.starts_with(npy::MAGIC) {
         let table = npy::read(&bytes).map_err(|why| unreadable(&format!("cannot be read: {why}")))?;
         return if table.width == dimension { Ok(table.numbers) } else { other_width("/rows".into(), table.width) };
     }

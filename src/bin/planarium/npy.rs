@@ -5,22 +5,15 @@ use npyz::{DType, Deserialize, NpyFile, NpyHeader, Order, TypeChar};
 
 /// An array of two dimensions, row by row.
 pub struct Table {
-    /// How many numbers a row has.
+    /// The numbers per row.
     pub width: usize,
     pub numbers: Vec<f64>,
 }
 
-const MAGIC: &[u8] = b"\x93NUMPY";
+/// The first bytes of such a file.
+pub const MAGIC: &[u8] = b"\x93NUMPY";
 
-/// Whether the bytes begin like such a file.
-pub fn is_npy(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC)
-}
-
-/// Reads rows of numbers.
-///
-/// # Errors
-/// A sentence about the file.
+/// Reads rows of numbers; the error is a sentence about the file.
 pub fn read(bytes: &[u8]) -> Result<Table, String> {
     // npyz reserves memory for a header of any length, up to 4 GB.
     if let Some(&[2..=u8::MAX, _, a, b, c, d]) = bytes.get(MAGIC.len()..MAGIC.len() + 6)
@@ -33,7 +26,7 @@ pub fn read(bytes: &[u8]) -> Result<Table, String> {
     let &[height, width] = header.shape() else {
         return Err(format!("its shape must have two numbers, rows and columns, not {:?}", header.shape()));
     };
-    let DType::Plain(kind) = header.dtype() else { return Err("it holds records, not numbers".to_owned()) };
+    let DType::Plain(kind) = header.dtype() else { return Err("it contains records, not numbers".to_owned()) };
     // The product that npyz takes of the shape may have wrapped around.
     let size = height.checked_mul(width).and_then(|count| count.checked_mul(kind.size_field()));
     if size != Some(data.len() as u64) {

@@ -12,10 +12,10 @@ use std::io::{IsTerminal, stderr};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// The target duration of a slice of iterations: short against the time limit.
+/// The target duration of a slice of iterations: short compared with the time limit.
 const SLICE: Duration = Duration::from_micros(500);
 
-/// The most iterations of a slice: few against the phases of a planner, enough that the clock costs nothing.
+/// The most iterations of a slice: few compared with the phases of a planner, enough to make the cost of the clock negligible.
 const MOST: u64 = 16;
 
 /// The time between two updates of the progress bar.
@@ -41,7 +41,7 @@ pub fn plan(arguments: &Plan) -> Answer {
         return Err(Error::new(Code::Unsupported, "", sentence));
     }
     let result = drive(run.as_mut(), arguments.max_seconds);
-    // Before the result: standard output holds either a result or an error.
+    // Before the result: standard output contains either a result or an error.
     if let (Some(name), Some(document)) = (&arguments.save_roadmap, run.roadmap()) {
         write_roadmap(&document, name, arguments.roadmap_format)?;
     }

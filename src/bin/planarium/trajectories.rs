@@ -27,7 +27,7 @@ pub fn trajectories(arguments: &arguments::Trajectories) -> Answer {
     let mut last = begun;
     while trajectories.status() == Status::Running {
         trajectories.step(1);
-        if trajectories.accepted_count() > microseconds.len() {
+        if trajectories.accepted().len() > microseconds.len() {
             let now = Instant::now();
             microseconds.push((now - last).as_secs_f64() * 1e6);
             last = now;
@@ -44,7 +44,7 @@ pub fn trajectories(arguments: &arguments::Trajectories) -> Answer {
 /// Writes a row for every accepted trajectory; the average begins with the twentieth.
 fn write_rows(trajectories: &Trajectories, microseconds: &[f64], name: &str) -> Result<(), Error> {
     let mut text = String::from("x,y,theta,v,w,duration,tries,microseconds,average_of_20\n");
-    for (i, (particle, tries)) in trajectories.accepted_since(0).zip(trajectories.tries()).enumerate() {
+    for (i, (particle, tries)) in trajectories.accepted().zip(trajectories.tries()).enumerate() {
         for number in particle.numbers() {
             let _ = write!(text, "{number},");
         }

@@ -11,12 +11,12 @@ pub fn verify(arguments: &Verify) -> Answer {
     let result = ResultDocument::parse(&files::read(&arguments.result)?)?;
     let verdict = path::verify(&scenario, &result)?;
     let (message, document) = match &verdict {
-        Verdict::Valid { waypoints, looks, clearance } => {
+        Verdict::Valid { waypoints, samples, clearance } => {
             // JSON has no infinity: without obstacles the clearance is null.
             let clearance = clearance.is_finite().then_some(*clearance);
             let distance = clearance.map_or("no obstacle".to_owned(), |c| format!("clearance {c:.3e} m"));
-            let document = json!({ "valid": true, "waypoints": waypoints, "looks": looks, "clearance": clearance });
-            (format!("valid: {waypoints} waypoints, {looks} looks, {distance}"), document)
+            let document = json!({ "valid": true, "waypoints": waypoints, "looks": samples, "clearance": clearance });
+            (format!("valid: {waypoints} waypoints, {samples} samples, {distance}"), document)
         }
         Verdict::Invalid { why } => (format!("not valid: {why}"), json!({ "valid": false, "why": why })),
     };

@@ -3,16 +3,16 @@
 //! Along an edge the absolute angle of link m is linear in t in [0, 1], with rate w_m. The acceleration of joint k is at
 //! most the sum over m <= k of L_m w_m^2.
 
-use super::moving::{Judge, Moving};
-use super::{Scale, Seen, difference};
+use super::moving::{Checker, Moving};
+use super::{Examined, Scale, difference};
 use crate::geometry::Vector;
 use crate::robot::{Arm, MAX_LINKS};
 use crate::scenario::World;
 
 /// Examines the first waypoint, then every edge.
-pub(super) fn judge(world: &World, arm: &Arm, path: &[Vec<f64>], scale: &Scale) -> Result<Seen, String> {
+pub(super) fn check(world: &World, arm: &Arm, path: &[Vec<f64>], scale: &Scale) -> Result<Examined, String> {
     check_limits(arm, path)?;
-    let mut judge = Judge::new(world, scale);
+    let mut checker = Checker::new(world, scale);
     let first_circle = if arm.joint_limits().is_none() { 0 } else { usize::MAX };
     for (i, to) in path.iter().enumerate() {
         let edge = i.saturating_sub(1);
@@ -39,9 +39,9 @@ pub(super) fn judge(world: &World, arm: &Arm, path: &[Vec<f64>], scale: &Scale) 
             joints
         };
         let robot = Moving { edge, points: &points, travel: &travel, bulge: &bulge, radius: arm.radius(), body: None };
-        if i == 0 { judge.look_at_start(&robot)? } else { judge.follow(&robot)? }
+        if i == 0 { checker.check_start(&robot)? } else { checker.check_edge(&robot)? }
     }
-    Ok(judge.seen)
+    Ok(checker.examined)
 }
 
 /// Returns an error if a waypoint is outside the joint limits; between two waypoints inside, an interval joint stays inside.

@@ -4,8 +4,8 @@
 //! With w the turn and s the length of an arc along a leg, no point accelerates by more than |w| (|s| + |w| r), r the
 //! distance of the farthest vertex from the origin of the body's frame; on a straight leg by no more than w^2 r.
 
-use super::moving::{Judge, Moving};
-use super::{Scale, Seen, difference};
+use super::moving::{Checker, Moving};
+use super::{Examined, Scale, difference};
 use crate::geometry::{Polygon, arc_pose};
 use crate::scenario::World;
 use std::f64::consts::{PI, TAU};
@@ -27,7 +27,7 @@ pub struct Leg {
 }
 
 impl Leg {
-    /// From one placement straight to another, the short way round.
+    /// From one placement straight to another, turning in the shorter direction.
     ///
     /// # Panics
     /// If either has fewer than three entries.
@@ -53,11 +53,11 @@ impl Leg {
         if turn.abs() <= PI {
             return arc_pose(self.from, self.arc, self.turn, t);
         }
-        // Whole turns lead back: only the rest counts, which is rounded less.
+        // Whole turns cancel: only the rest counts, which is rounded less.
         arc_pose(self.from, self.arc / self.turn, 1.0, libm::remainder(turn, TAU))
     }
 
-    /// The part of the leg that decides about all of it: an arc of several turns passes the same placements again and again.
+    /// The part of the leg that decides about all of it: an arc of several turns repeats its placements.
     fn first_turn(&self) -> Self {
         let turn = self.turn.abs();
         if turn <= ONE_TURN {
@@ -74,23 +74,23 @@ impl Leg {
     }
 }
 
-/// (x, y, theta) without whole turns, as in the measure of steps.
+/// (x, y, theta) without whole turns.
 fn placement(q: &[f64]) -> [f64; 3] {
     [q[0], q[1], difference(2, &[0.0; 3], q)[2]]
 }
 
 /// Examines every leg of a body of this shape, each with its index.
-pub(super) fn judge(
+pub(super) fn check(
     world: &World,
     shape: &Polygon,
     legs: impl IntoIterator<Item = (usize, Leg)>,
     scale: &Scale,
-) -> Result<Seen, String> {
-    let mut judge = Judge::new(world, scale);
+) -> Result<Examined, String> {
+    let mut checker = Checker::new(world, scale);
     let reach = shape.reach();
     for (edge, leg) in legs {
         let leg = leg.first_turn();
-        // The vertices, the first once more at the end.
+        // The vertices, the first repeated at the end.
         let points = |t: f64| {
             let mut points = shape.placed(leg.at(t)).vertices().to_vec();
             points.push(points[0]);
@@ -102,8 +102,8 @@ pub(super) fn judge(
         let bulge = vec![turn * (leg.arc.abs() + turn * reach) / 8.0; count];
         let body = Some(shape.placed(leg.at(0.0)));
         let robot = Moving { edge, points: &points, travel: &travel, bulge: &bulge, radius: 0.0, body };
-        judge.look_at_start(&robot)?;
-        judge.follow(&robot)?;
+        checker.check_start(&robot)?;
+        checker.check_edge(&robot)?;
     }
-    Ok(judge.seen)
+    Ok(checker.examined)
 }

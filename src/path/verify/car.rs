@@ -1,7 +1,7 @@
-//! A car: its motions, recomputed from their controls, and the arcs that they draw.
+//! A car: its motions, recomputed from their controls, and their arcs.
 
 use super::body::{self, Leg};
-use super::{LENGTH, Scale, Seen, difference};
+use super::{Examined, LENGTH, Scale, difference};
 use crate::path::ResultDocument;
 use crate::problem::Motion;
 use crate::robot::Car;
@@ -18,15 +18,15 @@ const WITHIN: f64 = 1e-12;
 /// more than the slack covers.
 const LARGEST_TURN: f64 = 1e3;
 
-/// Examines the motions of a car and the arcs that they draw.
-pub(super) fn judge(world: &World, car: &Car, result: &ResultDocument, scale: &Scale) -> Result<Seen, String> {
+/// Examines the motions of a car and their arcs.
+pub(super) fn check(world: &World, car: &Car, result: &ResultDocument, scale: &Scale) -> Result<Examined, String> {
     if let Some(word) = &result.integration {
         return Err(format!(
             "the motions are integrated by {word}: such a path is an illustration, the car would drive elsewhere"
         ));
     }
     let Some(motions) = &result.motions else {
-        return Err("a car's path cannot be judged without its motions".into());
+        return Err("a car's path cannot be verified without its motions".into());
     };
     let path = &result.path;
     if motions.len() + 1 != path.len() {
@@ -37,7 +37,7 @@ pub(super) fn judge(world: &World, car: &Car, result: &ResultDocument, scale: &S
         check_control(car, i, motion)?;
         let (distance, turn) = extent(car, motion);
         if turn.is_nan() || turn.abs() > LARGEST_TURN * (1.0 + WITHIN) {
-            return Err(format!("motion {i} turns by {turn:e} rad; at most {LARGEST_TURN} can be judged"));
+            return Err(format!("motion {i} turns by {turn:e} rad; at most {LARGEST_TURN} can be verified"));
         }
         let leg = Leg::arc(&ends[0], distance, turn);
         let size = ends.iter().flat_map(|q| &q[..2]).fold(1.0, |most: f64, x| most.max(x.abs()));
@@ -53,7 +53,7 @@ pub(super) fn judge(world: &World, car: &Car, result: &ResultDocument, scale: &S
         }
         length += car.weights().translation * distance.abs() + car.weights().rotation * turn.abs();
         legs.push((i, leg));
-        // The rest of the way to the waypoint, if it matters, is examined as well: no step leads through anything.
+        // The rest of the path to the waypoint, if it matters, is examined as well.
         if off[0].abs() + off[1].abs() + off[2].abs() * car.shape().reach() > scale.slack {
             legs.push((i, Leg::straight(&leg.at(1.0), &ends[1])));
         }
@@ -65,7 +65,7 @@ pub(super) fn judge(world: &World, car: &Car, result: &ResultDocument, scale: &S
     if legs.is_empty() {
         legs.push((0, Leg::straight(&path[0], &path[0])));
     }
-    body::judge(world, car.shape(), legs, scale)
+    body::check(world, car.shape(), legs, scale)
 }
 
 /// The distance of a motion along the car's own axis, in metres, and its turn, in radians.
@@ -74,7 +74,7 @@ fn extent(car: &Car, motion: &Motion) -> (f64, f64) {
     (control.speed * duration, control.speed * libm::tan(control.steering) / car.wheelbase() * duration)
 }
 
-/// Returns an error if the car cannot do this.
+/// Returns an error if the control is outside the car's limits, or the duration is not a finite number of at least 0.
 fn check_control(car: &Car, i: usize, Motion { control, duration }: &Motion) -> Result<(), String> {
     for (what, value, [low, high]) in
         [("speed", control.speed, car.speed()), ("steering angle", control.steering, car.steering())]

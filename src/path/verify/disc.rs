@@ -1,13 +1,12 @@
 //! A translating disc or point: the swept region of an edge is exact.
 
-use super::near::distance_segment_obstacle;
-use super::{Scale, Seen};
-use crate::geometry::{Point, Segment, distance_point_segment, intersects_segment_polygon};
+use super::{Examined, Scale};
+use crate::geometry::{Point, Segment, intersects_segment_polygon};
 use crate::robot::DiscRobot;
 use crate::scenario::{Obstacle, World};
 
 /// Examines every edge as the segment that the centre moves along.
-pub(super) fn judge(world: &World, disc: &DiscRobot, path: &[Vec<f64>], scale: &Scale) -> Result<Seen, String> {
+pub(super) fn check(world: &World, disc: &DiscRobot, path: &[Vec<f64>], scale: &Scale) -> Result<Examined, String> {
     let radius = disc.radius();
     let centers: Vec<Point> = path.iter().map(|q| Point::new(q[0], q[1])).collect();
     if let Some(bounds) = &world.bounds {
@@ -17,16 +16,16 @@ pub(super) fn judge(world: &World, disc: &DiscRobot, path: &[Vec<f64>], scale: &
             return Err(format!("waypoint {i} leaves the bounds"));
         }
     }
-    let mut seen = Seen { looks: 0, clearance: f64::INFINITY };
+    let mut examined = Examined { samples: 0, clearance: f64::INFINITY };
     for edge in 0..(centers.len() - 1).max(1) {
         let swept = Segment::new(centers[edge], centers[(edge + 1).min(centers.len() - 1)]);
-        seen.looks += 1;
+        examined.samples += 1;
         for (i, obstacle) in world.obstacles.iter().enumerate() {
             let apart = super::near::gap(&swept.aabb(), &obstacle.aabb()) - radius;
-            if apart > scale.slack && apart >= seen.clearance {
+            if apart > scale.slack && apart >= examined.clearance {
                 continue;
             }
-            let clearance = distance_segment_obstacle(&swept, obstacle) - radius;
+            let clearance = obstacle.distance_to_segment(&swept) - radius;
             let touches = match obstacle {
                 Obstacle::Polygon(polygon) if radius == 0.0 => intersects_segment_polygon(&swept, polygon),
                 _ => clearance <= scale.slack,
@@ -34,22 +33,19 @@ pub(super) fn judge(world: &World, disc: &DiscRobot, path: &[Vec<f64>], scale: &
             if touches {
                 return Err(format!("edge {edge} touches obstacle {i}{}", ends_inside(&swept, obstacle)));
             }
-            seen.clearance = seen.clearance.min(clearance.max(0.0));
+            examined.clearance = examined.clearance.min(clearance.max(0.0));
         }
     }
-    Ok(seen)
+    Ok(examined)
 }
 
 /// Which ends of the edge are in contact.
 fn ends_inside(swept: &Segment, obstacle: &Obstacle) -> &'static str {
-    let inside = |p: Point| match obstacle {
-        Obstacle::Polygon(polygon) => polygon.contains(p),
-        Obstacle::Disc(disc) => distance_point_segment(disc.center, &Segment::new(p, p)) <= disc.radius,
-    };
+    let inside = |p: Point| obstacle.distance_to_segment(&Segment::new(p, p)) <= 0.0;
     match (inside(swept.a), inside(swept.b)) {
-        (true, true) => ", which holds both its ends",
-        (true, false) => ", which holds its first end",
-        (false, true) => ", which holds its last end",
+        (true, true) => ", which contains both its ends",
+        (true, false) => ", which contains its first end",
+        (false, true) => ", which contains its last end",
         (false, false) => "",
     }
 }

@@ -1,6 +1,6 @@
-//! The independent judge of finished paths.
+//! The independent verifier of finished paths.
 //!
-//! A planner proves its edges by clearances and bounds on motion. The judge uses another method: it examines the robot at
+//! A planner proves its edges by clearances and bounds on motion. The verifier uses another method: it examines the robot at
 //! many samples along every edge, at most a thousandth of the world's size of motion apart (of the robot's, if that is
 //! smaller, but a hundred-thousandth of the world's at least). Between two samples it takes the whole region that each
 //! link of an arm, or each edge of a body's outline, can have swept: the convex hull of its two positions, grown by how
@@ -9,7 +9,7 @@
 //!
 //! **Promise.** Let S be the largest coordinate of the world plus the robot's reach. A path is called valid only if the
 //! robot keeps more than 1e-13 S away from every obstacle all along it, rounding included; so touching is collision. A
-//! point among polygons is judged exactly. A path that keeps more than 1e-12 S away is never refused for collision,
+//! point among polygons is checked exactly. A path that keeps more than 1e-12 S away is never refused for collision,
 //! unless it stays so near for so long that ten million samples do not decide. Bounds may be touched, and overstepped by
 //! no more than 2e-12 S; joint limits not at all.
 
@@ -30,16 +30,16 @@ use crate::robot::{LARGEST, Target};
 use crate::scenario::{Goal, GoalTolerance, Obstacle, Query, Robot, Scenario, World};
 use std::f64::consts::{PI, TAU};
 
-/// How near the first and the last waypoint must be to the start and the goal, in radians or metres a coordinate.
+/// How near the first and the last waypoint must be to the start and the goal, in radians or metres per coordinate.
 const REACHED: f64 = 1e-9;
 
-/// How near the end effector must be to its target, as a part of the arm's reach, if that is less than [`REACHED`]; and
-/// the largest effect of rounding on that, as a part of all lengths, and of many turns of a wanted orientation.
+/// How near the end effector must be to its target, as a fraction of the arm's reach, if that is less than [`REACHED`]; and
+/// the largest effect of rounding on that, as a fraction of all lengths, and of many turns of a wanted orientation.
 const AIMED: f64 = 1e-6;
 const ROUNDED: f64 = 2e-12;
 const TURNED: f64 = 1e-15;
 
-/// How far from half a turn a step of a circle joint must stay, in radians: nearer, the short way round is ambiguous.
+/// How far from half a turn a step of a circle joint must stay, in radians: nearer, the shorter direction is ambiguous.
 const AMBIGUOUS: f64 = 1e-9;
 
 /// How far the given length may differ from the measured one, relative to it.
@@ -50,28 +50,28 @@ const LENGTH: f64 = 1e-9;
 pub enum Verdict {
     /// The path leads from the start to the goal of its query, clear of everything.
     Valid {
-        /// How many waypoints the path has.
+        /// The number of waypoints.
         waypoints: usize,
-        /// How many samples of the robot were examined; for a disc, swept segments.
-        looks: u64,
+        /// The number of samples of the robot that were examined; for a disc, of swept segments.
+        samples: u64,
         /// The smallest distance to an obstacle at a sample, in metres; infinite without obstacles. For a disc it is the
         /// true one; for an arm or a body the true one is smaller by at most half the motion between two samples.
         clearance: f64,
     },
     /// The path is refused.
     Invalid {
-        /// Why, naming waypoint or edge, link and obstacle, all counted from 0.
+        /// The reason, naming waypoint or edge, link and obstacle, all counted from 0.
         why: String,
     },
 }
 
 /// The samples so far, and the smallest clearance among them.
-struct Seen {
-    looks: u64,
+struct Examined {
+    samples: u64,
     clearance: f64,
 }
 
-/// The lengths that a judgement rests on, in metres.
+/// The lengths that a verdict depends on, in metres.
 struct Scale {
     /// At this distance or less the robot touches an obstacle.
     slack: f64,
@@ -81,7 +81,7 @@ struct Scale {
     spacing: f64,
 }
 
-/// Judges a result against its scenario.
+/// Verifies a result against its scenario.
 ///
 /// # Errors
 /// `invalid-result` (pointer `/scenario`) if the result belongs to another scenario, `unknown-query` (pointer `/query`) if the
@@ -97,28 +97,28 @@ pub fn verify(scenario: &Scenario, result: &ResultDocument) -> Result<Verdict, E
     let query = scenario.queries().iter().find(|query| query.name == result.query).ok_or_else(|| {
         Error::new(Code::UnknownQuery, "/query", format!("the scenario has no query {:?}", result.query))
     })?;
-    Ok(verdict(result.path.len(), judge(scenario, query, result)))
+    Ok(verdict(result.path.len(), check(scenario, query, result)))
 }
 
-/// Judges legs of a body of this shape in a world, each by itself: they need not be connected. The verdict counts legs as
+/// Verifies legs of a body of this shape in a world, each by itself: they need not be connected. The verdict counts legs as
 /// waypoints.
 pub fn verify_legs(world: &World, shape: &Polygon, legs: &[Leg]) -> Verdict {
     let scale = Scale::new(world, None, shape.reach());
-    verdict(legs.len(), body::judge(world, shape, legs.iter().copied().enumerate(), &scale))
+    verdict(legs.len(), body::check(world, shape, legs.iter().copied().enumerate(), &scale))
 }
 
-fn verdict(waypoints: usize, seen: Result<Seen, String>) -> Verdict {
-    match seen {
-        Ok(Seen { looks, clearance }) => Verdict::Valid { waypoints, looks, clearance },
+fn verdict(waypoints: usize, examined: Result<Examined, String>) -> Verdict {
+    match examined {
+        Ok(Examined { samples, clearance }) => Verdict::Valid { waypoints, samples, clearance },
         Err(why) => Verdict::Invalid { why },
     }
 }
 
 /// Checks the status, the numbers, the ends, the motion and the length, in this order.
-fn judge(scenario: &Scenario, query: &Query, result: &ResultDocument) -> Result<Seen, String> {
+fn check(scenario: &Scenario, query: &Query, result: &ResultDocument) -> Result<Examined, String> {
     let (robot, path) = (scenario.robot(), &result.path);
     if result.status != Status::Solved {
-        return Err(format!("the status is {}: there is no path to judge", result.status.as_str()));
+        return Err(format!("the status is {}: there is no path to verify", result.status.as_str()));
     }
     check_numbers(robot.dimension(), path)?;
     check_ends(robot, query, path)?;
@@ -126,19 +126,19 @@ fn judge(scenario: &Scenario, query: &Query, result: &ResultDocument) -> Result<
         check_steps(robot, path)?;
     }
     let scale = Scale::of(scenario.world(), robot);
-    let seen = match robot {
-        Robot::Arm(arm) => arm::judge(scenario.world(), arm, path, &scale)?,
-        Robot::Disc(disc) => disc::judge(scenario.world(), disc, path, &scale)?,
+    let examined = match robot {
+        Robot::Arm(arm) => arm::check(scenario.world(), arm, path, &scale)?,
+        Robot::Disc(disc) => disc::check(scenario.world(), disc, path, &scale)?,
         Robot::RigidBody(body) => {
             let ends = (0..path.len().max(2) - 1).map(|i| [&path[i], &path[(i + 1).min(path.len() - 1)]]);
             let legs = ends.map(|[from, to]| Leg::straight(from, to)).enumerate();
-            body::judge(scenario.world(), &body.shape, legs, &scale)?
+            body::check(scenario.world(), &body.shape, legs, &scale)?
         }
         // Its length is that of its motions.
-        Robot::Car(car) => return car::judge(scenario.world(), car, result, &scale),
+        Robot::Car(car) => return car::check(scenario.world(), car, result, &scale),
     };
     check_length(robot, path, result.length)?;
-    Ok(seen)
+    Ok(examined)
 }
 
 /// Returns an error if the path is empty or a waypoint is not `dimension` numbers within the range of a scenario's: beyond it
@@ -152,7 +152,7 @@ fn check_numbers(dimension: usize, path: &[Vec<f64>]) -> Result<(), String> {
             return Err(format!("waypoint {i} has {} numbers, a configuration has {dimension}", waypoint.len()));
         }
         if let Some(value) = waypoint.iter().find(|value| value.is_nan() || value.abs() > LARGEST) {
-            return Err(format!("waypoint {i} holds {value:e}, which is not within [-{LARGEST:e}, {LARGEST:e}]"));
+            return Err(format!("waypoint {i} contains {value:e}, which is not within [-{LARGEST:e}, {LARGEST:e}]"));
         }
     }
     Ok(())
@@ -210,7 +210,7 @@ fn check_target(robot: &Robot, target: &Target, last: &[f64]) -> Result<(), Stri
     Ok(())
 }
 
-/// Returns an error if a step turns a circle joint, or a body, by half a turn: the short way round is ambiguous.
+/// Returns an error if a step turns a circle joint, or a body, by half a turn: the shorter direction is ambiguous.
 fn check_steps(robot: &Robot, path: &[Vec<f64>]) -> Result<(), String> {
     let first = first_circle(robot);
     for (edge, ends) in path.windows(2).enumerate() {
@@ -219,7 +219,7 @@ fn check_steps(robot: &Robot, path: &[Vec<f64>]) -> Result<(), String> {
         if let Some(i) = (0..turns.len()).find(is_ambiguous) {
             let turn = turns[i].abs();
             let what = if first == 0 { format!("joint {i}") } else { "the body".into() };
-            return Err(format!("edge {edge} turns {what} by {turn} rad: the short way round is ambiguous"));
+            return Err(format!("edge {edge} turns {what} by {turn} rad: the shorter direction is ambiguous"));
         }
     }
     Ok(())
@@ -262,8 +262,8 @@ fn first_circle(robot: &Robot) -> usize {
     }
 }
 
-/// The step from `a` to `b`, angles the short way round from the first circle on. The double nearest to 2 pi stands for a
-/// turn: off by less than an angle's own rounding.
+/// The step from `a` to `b`, angles in the shorter direction from the first circle on. The double nearest to 2 pi stands for a
+/// turn: its error is less than the rounding of an angle.
 fn difference(first_circle: usize, a: &[f64], b: &[f64]) -> Vec<f64> {
     let step = |i: usize| {
         let (a, b) = (a[i], b[i]);

@@ -5,10 +5,10 @@
 //! fixed convex combination of its ends, leaves the hull of its two positions by no more than the ends leave their
 //! chords.
 
-use super::near::{Near, Shape, near};
-use super::{Scale, Seen};
+use super::near::{Near, near};
+use super::{Examined, Scale};
 use crate::geometry::{Aabb, Point, Polygon, Segment};
-use crate::scenario::World;
+use crate::scenario::{Obstacle, World};
 
 /// Samples that are taken together, so that the obstacles nearby are found once.
 const BLOCK: u64 = 64;
@@ -45,32 +45,32 @@ fn segment(points: &[Point], i: usize) -> Segment {
     Segment::new(points[i], points[i + 1])
 }
 
-pub(super) struct Judge<'a> {
+pub(super) struct Checker<'a> {
     world: &'a World,
     scale: &'a Scale,
-    pub seen: Seen,
+    pub examined: Examined,
     refinements: u64,
 }
 
-impl<'a> Judge<'a> {
+impl<'a> Checker<'a> {
     pub fn new(world: &'a World, scale: &'a Scale) -> Self {
-        Self { world, scale, seen: Seen { looks: 0, clearance: f64::INFINITY }, refinements: 0 }
+        Self { world, scale, examined: Examined { samples: 0, clearance: f64::INFINITY }, refinements: 0 }
     }
 
     /// Examines the robot at the start of the edge, against all obstacles.
-    pub fn look_at_start(&mut self, robot: &Moving) -> Result<(), String> {
+    pub fn check_start(&mut self, robot: &Moving) -> Result<(), String> {
         let points = (robot.points)(0.0);
-        self.seen.looks += 1;
+        self.examined.samples += 1;
         for i in 0..points.len() - 1 {
             let here = segment(&points, i);
             for obstacle in near(&self.world.obstacles, &here.aabb(), f64::INFINITY) {
-                self.look(robot, i, &obstacle, &here, 0.0)?;
-                let inside = match &obstacle.shape {
-                    Shape::Disc(disc) => disc.center,
-                    Shape::Polygon(polygon, _) => polygon.vertices()[0],
+                self.check_segment(robot, i, &obstacle, &here, 0.0)?;
+                let inside = match obstacle.obstacle {
+                    Obstacle::Disc(disc) => disc.center,
+                    Obstacle::Polygon(polygon) => polygon.vertices()[0],
                 };
                 if i == 0 && robot.body.as_ref().is_some_and(|body| body.contains(inside)) {
-                    return Err(format!("{} holds obstacle {}", robot.name(i), obstacle.index));
+                    return Err(format!("{} contains obstacle {}", robot.name(i), obstacle.index));
                 }
             }
         }
@@ -78,45 +78,45 @@ impl<'a> Judge<'a> {
     }
 
     /// Examines the robot along an edge whose start has been examined.
-    pub fn follow(&mut self, robot: &Moving) -> Result<(), String> {
+    pub fn check_edge(&mut self, robot: &Moving) -> Result<(), String> {
         let travel = robot.travel.iter().copied().fold(0.0, f64::max);
         let intervals = (travel / self.scale.spacing).ceil().max(1.0) as u64;
         let at = |k: u64| k as f64 / intervals as f64;
         let mut first = 0;
         while first < intervals {
             let last = (first + BLOCK).min(intervals);
-            let looks: Vec<(f64, Vec<Point>)> = (first..=last).map(|k| (at(k), (robot.points)(at(k)))).collect();
-            self.seen.looks += last - first;
-            self.follow_block(robot, &looks)?;
+            let samples: Vec<(f64, Vec<Point>)> = (first..=last).map(|k| (at(k), (robot.points)(at(k)))).collect();
+            self.examined.samples += last - first;
+            self.check_block(robot, &samples)?;
             first = last;
         }
         Ok(())
     }
 
     /// Examines a block of samples, and the intervals between them.
-    fn follow_block(&mut self, robot: &Moving, looks: &[(f64, Vec<Point>)]) -> Result<(), String> {
-        let interval = looks[1].0 - looks[0].0;
-        for i in 0..looks[0].1.len() - 1 {
-            let around = Aabb::around(looks.iter().flat_map(|(_, points)| [points[i], points[i + 1]]));
-            let around = around.expect("a block has two looks");
-            let reach = self.touching(robot, i, 2.0 * interval).max(self.seen.clearance + robot.radius);
+    fn check_block(&mut self, robot: &Moving, samples: &[(f64, Vec<Point>)]) -> Result<(), String> {
+        let interval = samples[1].0 - samples[0].0;
+        for i in 0..samples[0].1.len() - 1 {
+            let around = Aabb::around(samples.iter().flat_map(|(_, points)| [points[i], points[i + 1]]));
+            let around = around.expect("a block has two samples");
+            let reach = self.touching(robot, i, 2.0 * interval).max(self.examined.clearance + robot.radius);
             let obstacles = near(&self.world.obstacles, &around, reach);
-            for (t, points) in &looks[1..] {
+            for (t, points) in &samples[1..] {
                 for obstacle in &obstacles {
-                    self.look(robot, i, obstacle, &segment(points, i), *t)?;
+                    self.check_segment(robot, i, obstacle, &segment(points, i), *t)?;
                 }
             }
-            for pair in looks.windows(2) {
+            for pair in samples.windows(2) {
                 let ((t, before), (u, after)) = (&pair[0], &pair[1]);
                 for obstacle in &obstacles {
-                    self.sweep(robot, i, obstacle, (*t, &segment(before, i)), (*u, &segment(after, i)))?;
+                    self.check_hull(robot, i, obstacle, (*t, &segment(before, i)), (*u, &segment(after, i)))?;
                 }
             }
         }
-        for pair in looks.windows(2) {
+        for pair in samples.windows(2) {
             let ((t, before), (u, after)) = (&pair[0], &pair[1]);
             self.check_inside(robot, after, *u)?;
-            self.keep_inside(robot, (*t, before), (*u, after))?;
+            self.check_inside_between(robot, (*t, before), (*u, after))?;
         }
         Ok(())
     }
@@ -127,17 +127,24 @@ impl<'a> Judge<'a> {
     }
 
     /// Returns an error if segment `i` touches the obstacle at `t`.
-    fn look(&mut self, robot: &Moving, i: usize, obstacle: &Near, here: &Segment, t: f64) -> Result<(), String> {
+    fn check_segment(
+        &mut self,
+        robot: &Moving,
+        i: usize,
+        obstacle: &Near,
+        here: &Segment,
+        t: f64,
+    ) -> Result<(), String> {
         let clearance = obstacle.distance(here) - robot.radius;
         if clearance <= self.scale.slack {
             return Err(format!("{} touches obstacle {} at {t} of the edge", robot.name(i), obstacle.index));
         }
-        self.seen.clearance = self.seen.clearance.min(clearance);
+        self.examined.clearance = self.examined.clearance.min(clearance);
         Ok(())
     }
 
     /// Returns an error if segment `i` may touch the obstacle between two samples, both of which were clear.
-    fn sweep(
+    fn check_hull(
         &mut self,
         robot: &Moving,
         i: usize,
@@ -154,10 +161,10 @@ impl<'a> Judge<'a> {
             let (name, index) = (robot.name(i), obstacle.index);
             return Err(format!("{name} comes too near to obstacle {index} between {t} and {u} of the edge"));
         }
-        let here = segment(&self.look_between(robot, middle)?, i);
-        self.look(robot, i, obstacle, &here, middle)?;
-        self.sweep(robot, i, obstacle, (t, before), (middle, &here))?;
-        self.sweep(robot, i, obstacle, (middle, &here), (u, after))
+        let here = segment(&self.sample_between(robot, middle)?, i);
+        self.check_segment(robot, i, obstacle, &here, middle)?;
+        self.check_hull(robot, i, obstacle, (t, before), (middle, &here))?;
+        self.check_hull(robot, i, obstacle, (middle, &here), (u, after))
     }
 
     /// Returns an error if the robot is not wholly within the bounds at `t`.
@@ -169,7 +176,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Returns an error if the robot may leave the bounds between two samples, at both of which it was inside.
-    fn keep_inside(
+    fn check_inside_between(
         &mut self,
         robot: &Moving,
         (t, before): (f64, &[Point]),
@@ -185,10 +192,10 @@ impl<'a> Judge<'a> {
         if middle <= t || middle >= u {
             return Err(format!("{} leaves the bounds at {t} of the edge", robot.name(k.saturating_sub(1))));
         }
-        let points = self.look_between(robot, middle)?;
+        let points = self.sample_between(robot, middle)?;
         self.check_inside(robot, &points, middle)?;
-        self.keep_inside(robot, (t, before), (middle, &points))?;
-        self.keep_inside(robot, (middle, &points), (u, after))
+        self.check_inside_between(robot, (t, before), (middle, &points))?;
+        self.check_inside_between(robot, (middle, &points), (u, after))
     }
 
     /// The depth of the point, with the radius around it, within the bounds; negative outside.
@@ -197,15 +204,15 @@ impl<'a> Judge<'a> {
     }
 
     /// The points at one more sample; an error if there have been too many.
-    fn look_between(&mut self, robot: &Moving, t: f64) -> Result<Vec<Point>, String> {
+    fn sample_between(&mut self, robot: &Moving, t: f64) -> Result<Vec<Point>, String> {
         if self.refinements == MOST_REFINEMENTS {
-            let (edge, looks) = (robot.edge, self.seen.looks);
+            let (edge, samples) = (robot.edge, self.examined.samples);
             return Err(format!(
-                "edge {edge} cannot be distinguished from contact at {t} of the edge after {looks} samples"
+                "edge {edge} cannot be distinguished from contact at {t} of the edge after {samples} samples"
             ));
         }
         self.refinements += 1;
-        self.seen.looks += 1;
+        self.examined.samples += 1;
         Ok((robot.points)(t))
     }
 }

@@ -1,8 +1,8 @@
 //! The obstacles near a moving link, and of polygons the edges, that can matter during an interval of motion.
 
 use crate::geometry::{
-    Aabb, Disc, Point, Polygon, Segment, distance_point_segment, distance_segment_polygon, distance_segment_segment,
-    distance_squared_segment_segment, orientation,
+    Aabb, Point, Segment, distance_point_segment, distance_segment_segment, distance_squared_segment_segment,
+    orientation,
 };
 use crate::scenario::Obstacle;
 
@@ -10,41 +10,34 @@ use crate::scenario::Obstacle;
 pub(super) struct Near<'a> {
     /// The index of the obstacle in the world.
     pub index: usize,
-    pub shape: Shape<'a>,
-}
-
-pub(super) enum Shape<'a> {
-    Disc(Disc),
-    /// The whole polygon, to decide whether it contains a point, and those of its edges that are near.
-    Polygon(&'a Polygon, Vec<Segment>),
+    pub obstacle: &'a Obstacle,
+    /// Those edges of a polygon that are near.
+    edges: Vec<Segment>,
 }
 
 /// The obstacles within `reach` of the box.
 pub(super) fn near<'a>(obstacles: &'a [Obstacle], around: &Aabb, reach: f64) -> Vec<Near<'a>> {
     let is_near = |other: &Aabb| gap(around, other) <= reach;
-    let mut found = Vec::new();
-    for (index, obstacle) in obstacles.iter().enumerate() {
-        if is_near(&obstacle.aabb()) {
-            let shape = match obstacle {
-                Obstacle::Disc(disc) => Shape::Disc(*disc),
-                Obstacle::Polygon(polygon) => {
-                    Shape::Polygon(polygon, polygon.edges().filter(|edge| is_near(&edge.aabb())).collect())
-                }
-            };
-            found.push(Near { index, shape });
-        }
-    }
+    let found = obstacles.iter().enumerate().filter(|(_, obstacle)| is_near(&obstacle.aabb()));
     found
+        .map(|(index, obstacle)| {
+            let edges = match obstacle {
+                Obstacle::Disc(_) => Vec::new(),
+                Obstacle::Polygon(polygon) => polygon.edges().filter(|edge| is_near(&edge.aabb())).collect(),
+            };
+            Near { index, obstacle, edges }
+        })
+        .collect()
 }
 
 impl Near<'_> {
-    /// The distance from the segment to the obstacle, in metres; 0 inside.
+    /// The distance from the segment to the obstacle, in metres; 0 or less inside.
     pub(super) fn distance(&self, s: &Segment) -> f64 {
-        match &self.shape {
-            Shape::Disc(disc) => distance_to_disc(s, disc),
-            Shape::Polygon(polygon, _) if polygon.contains(s.a) => 0.0,
-            Shape::Polygon(_, edges) => {
-                edges.iter().map(|edge| distance_segment_segment(s, edge)).fold(f64::INFINITY, f64::min)
+        match self.obstacle {
+            Obstacle::Disc(_) => self.obstacle.distance_to_segment(s),
+            Obstacle::Polygon(polygon) if polygon.contains(s.a) => 0.0,
+            Obstacle::Polygon(_) => {
+                self.edges.iter().map(|edge| distance_segment_segment(s, edge)).fold(f64::INFINITY, f64::min)
             }
         }
     }
@@ -59,7 +52,7 @@ impl Near<'_> {
         let [a, b, c, d] = [before.a, before.b, after.a, after.b];
         let connections = [(a, b), (c, d), (a, c), (b, d), (a, d), (b, c)].map(|(p, q)| Segment::new(p, q));
         let around = before.aabb().union(&after.aabb());
-        // Exact. Flat triangles hold only points of the connections.
+        // Exact. Flat triangles contain only points of the connections.
         let holds = |p: Point| {
             around.contains(p)
                 && [[a, b, c], [a, b, d], [a, c, d], [b, c, d]].into_iter().any(|[a, b, c]| {
@@ -68,13 +61,13 @@ impl Near<'_> {
                         && (sides.iter().all(|&side| side >= 0.0) || sides.iter().all(|&side| side <= 0.0))
                 })
         };
-        match &self.shape {
-            Shape::Disc(disc) => {
+        match self.obstacle {
+            Obstacle::Disc(disc) => {
                 let far = reach + disc.radius;
                 gap(&around, &disc.aabb()) <= reach
                     && (connections.iter().any(|s| distance_point_segment(disc.center, s) <= far) || holds(disc.center))
             }
-            Shape::Polygon(_, edges) => edges.iter().any(|edge| {
+            Obstacle::Polygon(_) => self.edges.iter().any(|edge| {
                 gap(&around, &edge.aabb()) <= reach
                     && (connections.iter().any(|s| distance_squared_segment_segment(s, edge) <= reach * reach)
                         || holds(edge.a))
@@ -88,16 +81,4 @@ pub(super) fn gap(a: &Aabb, b: &Aabb) -> f64 {
     let x = (b.min.x - a.max.x).max(a.min.x - b.max.x);
     let y = (b.min.y - a.max.y).max(a.min.y - b.max.y);
     x.max(y).max(0.0)
-}
-
-/// The distance from the segment to the whole obstacle, in metres; 0 inside.
-pub(super) fn distance_segment_obstacle(s: &Segment, obstacle: &Obstacle) -> f64 {
-    match obstacle {
-        Obstacle::Disc(disc) => distance_to_disc(s, disc),
-        Obstacle::Polygon(polygon) => distance_segment_polygon(s, polygon),
-    }
-}
-
-fn distance_to_disc(s: &Segment, disc: &Disc) -> f64 {
-    (distance_point_segment(disc.center, s) - disc.radius).max(0.0)
 }

@@ -33,7 +33,7 @@ crate::choice! {
 }
 
 crate::choice! {
-    /// Which directions the mouth may face.
+    /// The directions that the mouth may have.
     pub enum Turn {
         /// Anywhere.
         Any,
@@ -58,12 +58,8 @@ crate::options! {
 }
 
 impl Generator for BugTrapOptions {
-    const ID: &'static str = "bug-trap";
-    const TITLE: &'static str = "Bug trap";
-    const SUMMARY: &'static str = "A disc in a round pocket whose mouth is turned inwards.";
-
     /// In a box of 2 m by 2 m, with the query "out" or "in". The seed decides the position, the size (a radius of 0.55 to
-    /// 0.62 m) and the direction of the trap, and where in it and in which corner of the box the disc starts and ends.
+    /// 0.62 m) and the direction of the trap, and the start and the goal: one in it, one in a corner of the box.
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
         let Self { radius, mouth, start, turn, seed } = *self;

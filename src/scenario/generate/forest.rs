@@ -1,14 +1,13 @@
 //! The forest: an arm of unit links among equal triangles on a grid, as in a course report.
 //!
 //! Each of the 4 R triangles has the corners (x, y), (x + 0.5, y), (x + 0.25, y + 0.5) with x and y on the half-unit grid in
-//! [-R, R), R the number of links. The report drew with repetition, dropped triangles with a corner on the base and left
-//! the rest to chance; here cells are distinct and a triangle that touches the base, the start or the goal is drawn again,
-//! so that every forest has all of its triangles. A path need not exist.
+//! [-R, R), R the number of links. The report drew with repetition and dropped triangles with a corner on the base; here
+//! cells are distinct, and a triangle that touches the base, the start or the goal is drawn again. A path need not exist.
 
 use super::free::{is_clear_of, polygon};
 use super::{Generator, SEEDS, query, scatter};
 use crate::error::Error;
-use crate::geometry::{Point, Polygon};
+use crate::geometry::Point;
 use crate::options::Options;
 use crate::random::{Random, Stream};
 use crate::robot::Arm;
@@ -17,17 +16,13 @@ use crate::scenario::{Obstacle, Parts, Robot, Scenario, World};
 crate::options! {
     /// What forest to grow.
     pub struct ForestOptions for &[];
-    /// How many links of length 1 the arm has; four triangles a link.
+    /// How many links of length 1 the arm has; four triangles per link.
     links: usize = 2, in 1.0..=8.0, "Links";
     /// The seed: 0 (default) to 2^53 - 1.
     seed: u64 = 0, in SEEDS;
 }
 
 impl Generator for ForestOptions {
-    const ID: &'static str = "forest";
-    const TITLE: &'static str = "Forest";
-    const SUMMARY: &'static str = "An arm of unit links among equal triangles on a grid.";
-
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
         let Self { links, seed } = *self;
@@ -36,13 +31,13 @@ impl Generator for ForestOptions {
         let keep_clear = [arm.footprint(&start), arm.footprint(&goal)].concat();
         let (count, side) = (4 * links, 4 * links as u64);
         let mut random = Random::new(seed, Stream::Scenario);
-        let placed = scatter("seed", count, |placed: &[((u64, u64), Polygon)]| {
+        let placed = scatter("seed", count, |placed: &[((u64, u64), Obstacle)]| {
             let cell = (random.below(side), random.below(side));
             let triangle = triangle(cell, links);
             let is_new = placed.iter().all(|(other, _)| *other != cell);
             (is_new && is_clear_of(&triangle, &keep_clear, 0.0)).then_some((cell, triangle))
         })?;
-        let obstacles = placed.into_iter().map(|(_, triangle)| Obstacle::Polygon(triangle)).collect();
+        let obstacles = placed.into_iter().map(|(_, triangle)| triangle).collect();
         Ok(Parts {
             name: format!("forest-{links}r-{seed}"),
             title: Some(format!("{links}R arm in a forest of {count} triangles, seed {seed}")),
@@ -55,11 +50,11 @@ impl Generator for ForestOptions {
 }
 
 /// The triangle in a cell of the grid, counted from its lower left corner (-links, -links).
-fn triangle((column, row): (u64, u64), links: usize) -> Polygon {
+fn triangle((column, row): (u64, u64), links: usize) -> Obstacle {
     let at = |cell: u64| 0.5 * cell as f64 - links as f64;
     let (x, y) = (at(column), at(row));
     let corners = [Point::new(x, y), Point::new(x + 0.5, y), Point::new(x + 0.25, y + 0.5)];
-    polygon(&corners)
+    Obstacle::Polygon(polygon(&corners))
 }
 
 /// Start and goal: those of the report for 2, 3 and 4 links; otherwise from a gentle curl to a zigzag on the other side.

@@ -1,5 +1,4 @@
-//! The gap: a wall across the world with one opening, the narrow passage of the textbooks, for a robot that goes through
-//! it or an arm that reaches through it.
+//! The gap: a wall across the world with one opening, a narrow passage, for a robot that moves or an arm that reaches through.
 //!
 //! A disc has a path exactly if the gap is wider than the disc (by more than 1e-9 m, to be safe from rounding); if it is not,
 //! the title says so. At its goal the arm is stretched through the gap and bent behind it, at its start folded up in front of
@@ -43,11 +42,6 @@ crate::options! {
 }
 
 impl Generator for GapOptions {
-    const ID: &'static str = "gap";
-    const TITLE: &'static str = "Gap";
-    const SUMMARY: &'static str =
-        "A wall across a box with one gap, for a robot that goes through it or an arm that reaches through it.";
-
     /// With the query "through". The seed places the gap along the wall, start and goal.
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
@@ -115,7 +109,7 @@ fn reach_through(options: &GapOptions, middle: f64, random: &mut Random) -> Resu
     // Folded up (or down, if there is more of the box there) with no link leaning towards the wall.
     let turn = if base.y <= SIDE / 2.0 { 1.0 } else { -1.0 };
     let leaning: Vec<f64> = (0..links).map(|_| turn * (FRAC_PI_2 + 0.3 * random.uniform())).collect();
-    // Straight through the gap, then bent to one side, though never back towards the wall.
+    // Straight through the gap, then bent to one side, but never back towards the wall.
     let bend = if random.below(2) == 0 { 1.0 } else { -1.0 };
     let behind = (SIDE + thickness) / 2.0 + radius + 0.01;
     let mut directions = vec![aim; links];

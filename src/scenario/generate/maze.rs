@@ -32,17 +32,6 @@ crate::choice! {
     }
 }
 
-impl Difficulty {
-    /// Cells a side, and how many of a hundred walls are opened.
-    fn cells_and_opened(self) -> (usize, usize) {
-        match self {
-            Difficulty::Easy => (6, 20),
-            Difficulty::Medium => (9, 10),
-            Difficulty::Hard => (12, 0),
-        }
-    }
-}
-
 crate::options! {
     /// Which maze to build.
     pub struct MazeOptions for &[];
@@ -58,10 +47,6 @@ crate::options! {
 }
 
 impl Generator for MazeOptions {
-    const ID: &'static str = "maze";
-    const TITLE: &'static str = "Maze";
-    const SUMMARY: &'static str = "A maze of walls for a disc, from corner to corner; there is always a path.";
-
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
         let Self { difficulty, radius, thickness, seed } = *self;
@@ -71,7 +56,12 @@ impl Generator for MazeOptions {
                 format!("a disc of radius {radius} with {PLAY} of play does not fit a corridor {corridor} wide");
             return Err(out_of_range("radius", sentence));
         }
-        let (cells, opened) = difficulty.cells_and_opened();
+        // The cells per side, and the percentage of the walls that are opened.
+        let (cells, opened) = match difficulty {
+            Difficulty::Easy => (6, 20),
+            Difficulty::Medium => (9, 10),
+            Difficulty::Hard => (12, 0),
+        };
         let mut random = Random::new(seed, Stream::Scenario);
         let mut walls = Walls::of_perfect_maze(cells, &mut random);
         walls.open(opened, &mut random);
@@ -94,7 +84,7 @@ struct Walls {
 
 impl Walls {
     /// The walls of a perfect maze: from every cell that is not connected yet a random walk leads to one that is, and the
-    /// walk without its loops becomes passages. O(cells) steps a walk on average, in practice fewer.
+    /// walk without its loops becomes passages. O(cells) steps per walk on average, in practice fewer.
     fn of_perfect_maze(cells: usize, random: &mut Random) -> Self {
         let count = cells * cells;
         let closed = (0..count).map(|cell| [cell % cells + 1 < cells, cell / cells + 1 < cells]).collect();
@@ -134,12 +124,12 @@ impl Walls {
         *there().nth(chosen).expect("a number below the count")
     }
 
-    /// Removes so many of a hundred walls.
-    fn open(&mut self, of_a_hundred: usize, random: &mut Random) {
+    /// Removes this percentage of the walls.
+    fn open(&mut self, percentage: usize, random: &mut Random) {
         let both = |cell: usize| [(cell, 0), (cell, 1)];
         let mut left: Vec<(usize, usize)> = (0..self.closed.len()).flat_map(both).collect();
         left.retain(|&(cell, side)| self.closed[cell][side]);
-        for _ in 0..left.len() * of_a_hundred / 100 {
+        for _ in 0..left.len() * percentage / 100 {
             let (cell, side) = left.swap_remove(random.below(left.len() as u64) as usize);
             self.closed[cell][side] = false;
         }
@@ -169,7 +159,8 @@ impl Walls {
                         let (low, high) = (low.max(0.0), high.min(side));
                         let wall =
                             [(across - half, low), (across + half, low), (across + half, high), (across - half, high)];
-                        rectangles.push(rectangle(wall, vertical));
+                        let corner = |(u, v)| if vertical { Point::new(u, v) } else { Point::new(v, u) };
+                        rectangles.push(polygon(&wall.map(corner)));
                     }
                     from = i + 1;
                 }
@@ -177,10 +168,4 @@ impl Walls {
         }
         rectangles
     }
-}
-
-/// The rectangle of the corners, which are written as (across, along) a wall.
-fn rectangle(corners: [(f64, f64); 4], vertical: bool) -> Polygon {
-    let corners = corners.map(|(u, v)| if vertical { Point::new(u, v) } else { Point::new(v, u) });
-    polygon(&corners)
 }

@@ -1,4 +1,4 @@
-//! Scenarios made by seed: the same options give the same document on every platform.
+//! Scenarios generated from a seed: the same options give the same document on every platform.
 
 mod bug_trap;
 mod forest;
@@ -18,32 +18,12 @@ pub use scattered::{ClutterOptions, DiscsOptions, Placement};
 use super::{Goal, Obstacle, Parts, Query, Robot, Scenario, World};
 use crate::error::{Code, Error, quoted};
 use crate::geometry::{Aabb, Point};
-use crate::options::{OptionInfo, Options, Value, out_of_range};
+use crate::options::{Info, Options, Value, out_of_range};
 use crate::random::MAX_SEED;
 use serde_json::Value as Json;
 
-/// The description of a generator.
-#[derive(Debug, Clone, PartialEq)]
-pub struct GeneratorInfo {
-    /// The id, in kebab-case, the same everywhere.
-    pub id: &'static str,
-    /// The title for people.
-    pub title: &'static str,
-    /// What it makes, in one sentence.
-    pub summary: &'static str,
-    /// Its options. Every generator takes `seed` as well, a whole number from 0 (default) to 2^53 - 1.
-    pub options: Vec<OptionInfo>,
-}
-
 /// A generator, by the type of its options.
 pub trait Generator: Options {
-    /// The id, in kebab-case, the same everywhere.
-    const ID: &'static str;
-    /// The title for people.
-    const TITLE: &'static str;
-    /// What it makes, in one sentence.
-    const SUMMARY: &'static str;
-
     /// Makes the scenario, with one query.
     ///
     /// # Errors
@@ -55,51 +35,63 @@ pub trait Generator: Options {
 /// The range of a seed.
 const SEEDS: crate::options::Range = 0.0..=MAX_SEED as f64;
 
+/// Declares the generators: the id, the title, the summary and the options of each.
 macro_rules! generators {
-    ($($Options:ty),*) => {
+    ($($id:literal, $title:literal, $summary:literal => $Options:ty;)*) => {
         /// The generators with their options.
-        pub fn generators() -> Vec<GeneratorInfo> {
-            vec![$(GeneratorInfo {
-                id: <$Options>::ID,
-                title: <$Options>::TITLE,
-                summary: <$Options>::SUMMARY,
-                options: <$Options>::table(),
-            }),*]
+        pub fn generators() -> Vec<Info> {
+            vec![$(Info { id: $id, title: $title, summary: $summary, options: <$Options>::table() }),*]
         }
 
-        /// Generates a scenario by the generator's name; `options` is an object whose fields are those of [`generators`] and
-        /// `seed` (`{}` for all defaults).
+        /// Generates a scenario by the generator's id, with options given by name: those of [`generators`] and `seed`; the rest
+        /// take their defaults.
         ///
         /// # Errors
-        /// `unknown-generator`; and, with a pointer into the options, `unknown-field`, `duplicate-field`, `wrong-type`,
-        /// `unknown-type`, `not-finite`, `out-of-range`.
-        pub fn generate(kind: &str, options: &Json) -> Result<Scenario, Error> {
-            $(if kind == <$Options>::ID {
-                return read::<$Options>(options)?.generate();
-            })*
-            let known = [$(<$Options>::ID),*].join(", ");
-            let sentence = format!("there is no generator {}; there are {known}", quoted(kind));
-            Err(Error::new(Code::UnknownGenerator, "", sentence))
+        /// `unknown-generator`; and, with the pointer `/name`, `unknown-field`, `duplicate-field`, `wrong-type`, `unknown-type`,
+        /// `not-finite`, `out-of-range`.
+        pub fn generate_with(id: &str, options: &[(String, Value)]) -> Result<Scenario, Error> {
+            match id {
+                $($id => read::<$Options>(options)?.generate(),)*
+                _ => {
+                    let sentence = format!("there is no generator {}; there are {}", quoted(id), [$($id),*].join(", "));
+                    Err(Error::new(Code::UnknownGenerator, "", sentence))
+                }
+            }
         }
     };
 }
 
-generators!(ForestOptions, ClutterOptions, DiscsOptions, MazeOptions, GapOptions, BugTrapOptions);
+generators! {
+    "forest", "Forest", "An arm of unit links among equal triangles on a grid." => ForestOptions;
+    "clutter", "Clutter", "Convex polygons scattered over a box, for a robot that crosses it or an arm in its middle." => ClutterOptions;
+    "discs", "Discs", "Discs scattered over a box, for a robot that crosses it or an arm in its middle." => DiscsOptions;
+    "maze", "Maze", "A maze of walls for a disc, from corner to corner; there is always a path." => MazeOptions;
+    "gap", "Gap", "A wall across a box with one gap, for a robot that goes through it or an arm that reaches through it." => GapOptions;
+    "bug-trap", "Bug trap", "A disc in a round pocket whose mouth is turned inwards." => BugTrapOptions;
+}
 
-/// Reads options from an object.
-fn read<O: Options>(options: &Json) -> Result<O, Error> {
+/// The same with the options as an object (`{}` for all defaults).
+///
+/// # Errors
+/// Those of [`generate_with`], and `wrong-type` if the options are not an object.
+pub fn generate(id: &str, options: &Json) -> Result<Scenario, Error> {
     let Json::Object(fields) = options else {
         return Err(Error::new(Code::WrongType, "", "options must be an object"));
     };
-    let given: Vec<_> = fields.iter().map(|(name, value)| (name.clone(), Value::from(value))).collect();
-    let read = O::read(&given).map_err(|error| match (error.code(), error.pointer()) {
-        // Robots are types, as in a scenario.
+    let options: Vec<_> = fields.iter().map(|(name, value)| (name.clone(), Value::from(value))).collect();
+    generate_with(id, &options)
+}
+
+/// Reads options given by name.
+fn read<O: Options>(given: &[(String, Value)]) -> Result<O, Error> {
+    let read = O::read(given).map_err(|error| match (error.code(), error.pointer()) {
+        // A robot is a type, as in a scenario.
         (Code::OutOfRange, "/robot") => Error::new(Code::UnknownType, "/robot", error.message()),
         (Code::UnknownParameter, pointer) => Error::new(Code::UnknownField, pointer, error.message()),
         _ => error,
     })?;
     if O::has("robot") {
-        robots::check_given(&given)?;
+        robots::check_given(given)?;
     }
     Ok(read)
 }
@@ -107,8 +99,8 @@ fn read<O: Options>(options: &Json) -> Result<O, Error> {
 /// The most draws that a generator makes for all of its obstacles.
 const DRAWS: u32 = 10_000;
 
-/// Places `count` obstacles one after another. `draw` is given those already placed, and returns `None` if what it has
-/// drawn does not fit; if too few fit, the error is that of the option.
+/// Places `count` obstacles one after another. `draw` receives those already placed, and returns `None` if the one that it draws
+/// does not fit. If too few fit, the error names the option.
 fn scatter<T>(option: &str, count: usize, mut draw: impl FnMut(&[T]) -> Option<T>) -> Result<Vec<T>, Error> {
     let mut placed = Vec::with_capacity(count);
     for _ in 0..DRAWS {
@@ -138,7 +130,7 @@ fn in_box(
     Parts { name, title: Some(title), world, robot, queries: vec![query] }.into()
 }
 
-/// A query that is to reach its goal exactly.
+/// A query without a goal region.
 fn query(name: &str, start: Vec<f64>, goal: Vec<f64>) -> Query {
     Query { name: name.to_owned(), start, goal: Goal::Configuration(goal), goal_tolerance: None }
 }

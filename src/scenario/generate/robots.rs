@@ -7,7 +7,7 @@ use super::query;
 use crate::error::{Code, Error};
 use crate::geometry::Point;
 use crate::options::{Value, refusal};
-use crate::robot::{Arm, Car, DiscRobot, Part, RigidBody, Weights};
+use crate::robot::{Arm, Car, DiscRobot, RigidBody, Weights};
 use crate::scenario::{GoalTolerance, Query, Robot};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
@@ -29,7 +29,7 @@ crate::choice! {
 /// The side of the box that most worlds are, in metres.
 pub(super) const SIDE: f64 = 2.0;
 
-/// The reach of an arm from the middle of the box, in metres; with the largest radius it stays inside.
+/// The reach of an arm from the middle of the box, in metres: it stays inside with the largest radius.
 const REACH: f64 = 0.8;
 
 impl RobotChoice {
@@ -98,9 +98,4 @@ pub(super) fn check_given(given: &[(String, Value)]) -> Result<(), Error> {
         return Err(refusal(Code::UnknownField, "radius", sentence));
     }
     Ok(())
-}
-
-/// The parts of the robot at the start and at the goal, which obstacles keep clear of.
-pub(super) fn parts_at_ends(robot: &Robot, query: &Query) -> Vec<Part> {
-    query.ends().flat_map(|q| robot.footprint(q)).collect()
 }

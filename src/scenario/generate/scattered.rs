@@ -3,20 +3,21 @@
 //!
 //! The corners of a polygon lie on a circle, evenly spaced but for a random shift of up to a fifth of their spacing. A path
 //! need not exist, except for a disc among discs that are apart by at least twice its radius: grown by that radius they are
-//! still apart, and none is large enough to cut a corner of the box off.
+//! still apart, and too small to cut off a corner of the box.
 
-use super::free::{SOME, are_apart, is_clear_of, is_disc_clear_of, polygon};
-use super::robots::{RobotChoice, SIDE, parts_at_ends};
+use super::free::{are_apart, is_clear_of, polygon};
+use super::robots::{RobotChoice, SIDE};
 use super::{Generator, SEEDS, in_box, scatter};
 use crate::error::Error;
-use crate::geometry::{Disc, Point, Polygon};
+use crate::geometry::{Disc, Point};
 use crate::options::{Options, out_of_range};
 use crate::random::{Random, Stream};
+use crate::robot::Part;
 use crate::scenario::{Obstacle, Scenario};
 use std::f64::consts::TAU;
 
 crate::choice! {
-    /// How discs lie to each other.
+    /// The placement of discs.
     pub enum Placement {
         /// Farther from each other than the gap.
         Apart,
@@ -70,68 +71,52 @@ crate::options! {
 }
 
 impl Generator for ClutterOptions {
-    const ID: &'static str = "clutter";
-    const TITLE: &'static str = "Clutter";
-    const SUMMARY: &'static str =
-        "Convex polygons scattered over a box, for a robot that crosses it or an arm in its middle.";
-
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
-        let Self { robot: choice, links, radius, count, smallest, largest, gap, seed } = *self;
-        check_sizes(smallest, largest)?;
-        let (robot, query) = choice.across(links, radius)?;
-        let keep_clear = parts_at_ends(&robot, &query);
-        let mut random = Random::new(seed, Stream::Scenario);
-        let placed = scatter("count", count, |placed: &[Polygon]| {
-            let drawn = draw_polygon(&mut random, smallest, largest);
-            let fits = is_clear_of(&drawn, &keep_clear, gap) && placed.iter().all(|p| are_apart(p, &drawn, gap));
-            fits.then_some(drawn)
-        })?;
-        let [_, id, title] = choice.words(links);
-        let name = format!("clutter-{id}-{count}-{seed}");
-        let title = format!("{title} among {count} convex polygons, seed {seed}");
-        Ok(in_box(name, title, SIDE, placed.into_iter().map(Obstacle::Polygon), robot, query))
+        let Self { robot, links, radius, count, smallest, largest, gap, seed } = *self;
+        let placement = Placement::Apart;
+        let options = DiscsOptions { robot, links, radius, count, smallest, largest, gap, placement, seed };
+        scattered(&options, "clutter", "convex polygons", draw_polygon)
     }
 }
 
 impl Generator for DiscsOptions {
-    const ID: &'static str = "discs";
-    const TITLE: &'static str = "Discs";
-    const SUMMARY: &'static str = "Discs scattered over a box, for a robot that crosses it or an arm in its middle.";
-
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
-        let Self { robot: choice, links, radius, count, smallest, largest, gap, placement, seed } = *self;
-        check_sizes(smallest, largest)?;
-        let (robot, query) = choice.across(links, radius)?;
-        let keep_clear = parts_at_ends(&robot, &query);
-        let mut random = Random::new(seed, Stream::Scenario);
-        let placed = scatter("count", count, |placed: &[Disc]| {
-            let disc = draw_disc(&mut random, smallest, largest);
-            let is_apart = |other: &Disc| {
-                nalgebra::distance(&disc.center, &other.center) - disc.radius - other.radius > gap + SOME
-            };
-            let fits = is_disc_clear_of(&disc, &keep_clear, gap)
-                && (placement == Placement::Overlapping || placed.iter().all(is_apart));
-            fits.then_some(disc)
-        })?;
-        let [_, id, title] = choice.words(links);
-        let name = format!("discs-{id}-{count}-{seed}");
-        let title = format!("{title} among {count} discs, seed {seed}");
-        Ok(in_box(name, title, SIDE, placed.into_iter().map(Obstacle::Disc), robot, query))
+        scattered(self, "discs", "discs", |random, smallest, largest| {
+            Obstacle::Disc(draw_disc(random, smallest, largest))
+        })
     }
 }
 
-fn check_sizes(smallest: f64, largest: f64) -> Result<(), Error> {
+/// The scenario of obstacles that `draw` makes from the smallest and the largest radius; `what` is their name in the title.
+fn scattered(
+    options: &DiscsOptions,
+    id: &str,
+    what: &str,
+    draw: fn(&mut Random, f64, f64) -> Obstacle,
+) -> Result<Scenario, Error> {
+    let DiscsOptions { robot: choice, links, radius, count, smallest, largest, gap, placement, seed } = *options;
     if smallest > largest {
         let sentence = format!("smallest must be at most largest, {largest}, not {smallest}");
         return Err(out_of_range("smallest", sentence));
     }
-    Ok(())
+    let (robot, query) = choice.across(links, radius)?;
+    let keep_clear: Vec<Part> = query.ends().flat_map(|q| robot.footprint(q)).collect();
+    let mut random = Random::new(seed, Stream::Scenario);
+    let placed = scatter("count", count, |placed: &[Obstacle]| {
+        let drawn = draw(&mut random, smallest, largest);
+        let is_apart = || placement == Placement::Overlapping || placed.iter().all(|p| are_apart(p, &drawn, gap));
+        (is_clear_of(&drawn, &keep_clear, gap) && is_apart()).then_some(drawn)
+    })?;
+    let [_, word, title] = choice.words(links);
+    let name = format!("{id}-{word}-{count}-{seed}");
+    let title = format!("{title} among {count} {what}, seed {seed}");
+    Ok(in_box(name, title, SIDE, placed, robot, query))
 }
 
 /// A convex polygon of 3 to 7 corners somewhere in the box.
-fn draw_polygon(random: &mut Random, smallest: f64, largest: f64) -> Polygon {
+fn draw_polygon(random: &mut Random, smallest: f64, largest: f64) -> Obstacle {
     let Disc { center, radius } = draw_disc(random, smallest, largest);
     let corners = 3 + random.below(5);
     let turn = TAU * random.uniform();
@@ -142,7 +127,7 @@ fn draw_polygon(random: &mut Random, smallest: f64, largest: f64) -> Polygon {
     };
     let corners: Vec<Point> = (0..corners).map(corner).collect();
     // Points in order on a circle, none closer than a tenth of a turn, bound a convex polygon.
-    polygon(&corners)
+    Obstacle::Polygon(polygon(&corners))
 }
 
 /// A disc somewhere in the box.

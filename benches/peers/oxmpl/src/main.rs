@@ -1,12 +1,12 @@
-//! OxMPL's side of the benchmark: PRM and RRT-Connect for planar arms, one job a line of standard input, one line of JSON
+//! OxMPL's side of the benchmark: PRM and RRT-Connect for planar arms, one job per line of standard input, one line of JSON for
 //! each. The jobs are those of the C++ peer:
 //!
 //!   FILE prm SEED RUNS samples k                        build and one query
 //!   FILE rrt-connect SEED RUNS range resolution limit   up to the first path
 //!
-//! OxMPL joins all within a radius and stops its PRM by the clock. So the radius is chosen to try about samples x k motions,
-//! and the sampler ends the building once there are enough. Its query joins the start only: the goal is given to it as the
-//! first sample, without which it would seldom have a path.
+//! OxMPL connects all vertices within a radius and stops its PRM by the clock. So the radius is chosen to try about samples x k
+//! motions, and the sampler ends the construction once there are enough. Its query connects the start only, so the goal is the
+//! first sample.
 
 mod world;
 
@@ -27,10 +27,10 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use world::World;
 
-/// The reports' test of an edge: so many configurations along it.
-const PLACES: f64 = 20.0;
+/// The number of configurations at which the reports test an edge.
+const SAMPLES: f64 = 20.0;
 
-/// The most joints of an arm here.
+/// The most joints of an arm.
 const JOINTS: usize = 8;
 
 /// Angles; those past the arm's joints are 0.
@@ -47,39 +47,40 @@ impl Angles {
     }
 }
 
-/// What space and checker tell each other and the clock.
+/// The state that the space and the checker share.
 #[derive(Default)]
 struct Tally {
     motions: Cell<usize>,
-    /// Whether the next configuration asked for is a fresh sample.
+    /// Whether the next configuration to be checked is a new sample.
     is_fresh: Cell<bool>,
-    kept: Cell<usize>,
-    /// After so many samples are kept, building ends.
+    /// The number of free samples.
+    accepted: Cell<usize>,
+    /// The number of free samples that ends the construction.
     wanted: Cell<Option<usize>>,
 }
 
 /// How an edge is tested.
 #[derive(Clone, Copy)]
 enum Test {
-    /// In so many places, however long it is.
-    Places,
+    /// At a fixed number of samples.
+    Samples,
     /// Every so many radians.
     Resolution(f64),
 }
 
-/// One circle a joint; the distance is the sum of the turns.
+/// One circle per joint; the distance is the sum of the turns.
 struct Torus {
     joints: usize,
     test: Test,
-    /// The first sample, where building a roadmap.
+    /// The first sample of a roadmap.
     goal: Angles,
-    /// The last distance asked for: that of the motion about to be tested.
+    /// The last distance computed: that of the motion about to be tested.
     last: Cell<f64>,
     tally: Arc<Tally>,
 }
 
-/// The short way round.
-fn short_way(turn: f64) -> f64 {
+/// The turn in the shorter direction.
+fn shorter(turn: f64) -> f64 {
     turn - TAU * (turn / TAU).round()
 }
 
@@ -89,7 +90,7 @@ impl StateSpace for Torus {
     fn distance(&self, a: &Angles, b: &Angles) -> f64 {
         let mut sum = 0.0;
         for i in 0..self.joints {
-            sum += short_way(a.0[i] - b.0[i]).abs();
+            sum += shorter(a.0[i] - b.0[i]).abs();
         }
         self.last.set(sum);
         sum
@@ -97,7 +98,7 @@ impl StateSpace for Torus {
 
     fn interpolate(&self, from: &Angles, to: &Angles, t: f64, at: &mut Angles) {
         for i in 0..self.joints {
-            at.0[i] = from.0[i] + t * short_way(to.0[i] - from.0[i]);
+            at.0[i] = from.0[i] + t * shorter(to.0[i] - from.0[i]);
         }
     }
 
@@ -108,14 +109,14 @@ impl StateSpace for Torus {
     }
 
     fn sample_uniform(&self, rng: &mut impl Rng) -> Result<Angles, StateSamplingError> {
-        let Tally { kept, wanted, is_fresh, .. } = &*self.tally;
+        let Tally { accepted, wanted, is_fresh, .. } = &*self.tally;
         is_fresh.set(true);
         if let Some(wanted) = wanted.get() {
-            if kept.get() == 0 {
+            if accepted.get() == 0 {
                 return Ok(self.goal.clone());
             }
-            if kept.get() == wanted {
-                // An error would make OxMPL throw its roadmap away; unwinding leaves it.
+            if accepted.get() == wanted {
+                // After an error OxMPL would drop its roadmap; after unwinding it does not.
                 resume_unwind(Box::new(Instant::now()));
             }
         }
@@ -124,11 +125,11 @@ impl StateSpace for Torus {
         Ok(Angles(angles))
     }
 
-    /// Asked for once a motion. OxMPL steps by a tenth of it.
+    /// Called once per motion. OxMPL steps by a tenth of it.
     fn get_longest_valid_segment_length(&self) -> f64 {
         self.tally.motions.set(self.tally.motions.get() + 1);
         match self.test {
-            Test::Places => self.last.get() * (10.0 / PLACES) * (1.0 + 1e-12),
+            Test::Samples => self.last.get() * (10.0 / SAMPLES) * (1.0 + 1e-12),
             Test::Resolution(resolution) => 10.0 * resolution,
         }
     }
@@ -143,7 +144,7 @@ impl StateValidityChecker<Angles> for Checker {
     fn is_valid(&self, state: &Angles) -> bool {
         let is_free = self.world.is_free(&state.0);
         if self.tally.is_fresh.replace(false) && is_free {
-            self.tally.kept.set(self.tally.kept.get() + 1);
+            self.tally.accepted.set(self.tally.accepted.get() + 1);
         }
         is_free
     }
@@ -172,7 +173,7 @@ impl GoalSampleableRegion<Angles> for At {
     }
 }
 
-/// A problem of its own for every run.
+/// The problem of one run.
 struct Task {
     space: Arc<Torus>,
     problem: Arc<ProblemDefinition<Angles, Torus, At>>,
@@ -180,7 +181,7 @@ struct Task {
     tally: Arc<Tally>,
 }
 
-// OxMPL asks for Arc, and this program has one thread.
+// OxMPL requires `Arc`, and this program has one thread.
 #[allow(clippy::arc_with_non_send_sync)]
 fn task(world: &Arc<World>, test: Test) -> Task {
     let tally = Arc::new(Tally::default());
@@ -194,7 +195,7 @@ fn task(world: &Arc<World>, test: Test) -> Task {
     Task { space, problem, checker, tally }
 }
 
-/// The radius of the ball of the sum metric that holds 2 k of so many samples: each sample tries those before it, k on average.
+/// The radius of the ball of the sum metric that contains 2 k of the samples: each tries those before it, k on average.
 fn radius(joints: usize, samples: usize, k: f64) -> f64 {
     let factorial: f64 = (1..=joints).map(|i| i as f64).product();
     PI * (2.0 * k * factorial / samples as f64).powf(1.0 / joints as f64)
@@ -211,7 +212,7 @@ struct Outcome {
 
 fn prm(world: &Arc<World>, seed: u64, samples: usize, k: f64) -> (Outcome, Task) {
     let created = Instant::now();
-    let task = task(world, Test::Places);
+    let task = task(world, Test::Samples);
     let config = PlannerConfig { seed: Some(seed) };
     let mut planner = PRM::new(60.0, radius(world.links.len(), samples, k), &config);
     planner.setup(task.problem.clone(), task.checker.clone());
@@ -219,10 +220,10 @@ fn prm(world: &Arc<World>, seed: u64, samples: usize, k: f64) -> (Outcome, Task)
     let began = Instant::now();
     let ended = catch_unwind(AssertUnwindSafe(|| planner.construct_roadmap())).expect_err("a minute is enough");
     let built = *ended.downcast::<Instant>().expect("the sampler unwinds with the time");
-    let vertices = task.tally.kept.get();
-    let asked = Instant::now();
+    let vertices = task.tally.accepted.get();
+    let queried = Instant::now();
     let path = planner.solve(Duration::from_secs(10)).ok();
-    let search = asked.elapsed().as_secs_f64();
+    let search = queried.elapsed().as_secs_f64();
     let (setup, build) = ((began - created).as_secs_f64(), (built - began).as_secs_f64());
     (Outcome { setup, build, search, motions: task.tally.motions.get(), vertices, path }, task)
 }
@@ -238,7 +239,7 @@ fn rrt_connect(world: &Arc<World>, seed: u64, range: f64, resolution: f64, limit
     (Outcome { setup, build, search: 0.0, motions: task.tally.motions.get(), vertices: 0, path }, task)
 }
 
-fn answer(job: &str) -> Result<String, Box<dyn std::error::Error>> {
+fn reply_to(job: &str) -> Result<String, Box<dyn std::error::Error>> {
     let words: Vec<&str> = job.split(' ').collect();
     let word = |i: usize| words.get(i).copied().ok_or("a job is too short");
     let world = Arc::new(World::read(word(0)?)?);
@@ -253,7 +254,7 @@ fn answer(job: &str) -> Result<String, Box<dyn std::error::Error>> {
         let length = |path: &Path<Angles>| path.0.windows(2).map(|step| task.space.distance(&step[0], &step[1])).sum();
         let (is_solved, length) = (outcome.path.is_some(), outcome.path.as_ref().map_or(0.0, length));
         let Outcome { setup, build, search, motions, vertices, .. } = outcome;
-        // OxMPL does not tell its edges, nor the vertices of its trees.
+        // OxMPL does not expose its edges, nor the vertices of its trees.
         done.push(format!(
             r#"{{"setup":{setup},"build":{build},"search":{search},"solved":{is_solved},"length":{length},"motions":{motions},"vertices":{vertices},"edges":0}}"#
         ));
@@ -264,7 +265,7 @@ fn answer(job: &str) -> Result<String, Box<dyn std::error::Error>> {
 fn main() {
     println!(r#"{{"name":"OxMPL 0.8.1"}}"#);
     for job in std::io::stdin().lock().lines() {
-        let reply = answer(&job.expect("standard input is text"));
+        let reply = reply_to(&job.expect("standard input is text"));
         println!("{}", reply.unwrap_or_else(|error| format!(r#"{{"error":"{error}"}}"#)));
         std::io::stdout().flush().expect("standard output can be written");
     }

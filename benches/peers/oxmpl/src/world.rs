@@ -1,5 +1,5 @@
-//! A world for planar arms, read from the flat text that the benchmark writes, and the question whether the arm is free in
-//! it: the same tests in the same order as the checker of the C++ peer.
+//! A world for planar arms, read from the flat text that the benchmark writes, and its collision checker: the same tests in the
+//! same order as in the C++ peer.
 
 use std::error::Error;
 
@@ -12,7 +12,7 @@ struct Convex {
     edges: Vec<[f64; 3]>,
 }
 
-/// An arm, where it shall go, and what is in the way.
+/// An arm, its start and goal, and the obstacles.
 #[derive(Default)]
 pub struct World {
     base: [f64; 2],
@@ -31,7 +31,7 @@ pub struct World {
 }
 
 impl World {
-    /// Reads a world: one item a line, a word and its numbers.
+    /// Reads a world: one item per line, a word and its numbers.
     pub fn read(file: &str) -> Result<Self, Box<dyn Error>> {
         let mut world = Self::default();
         for line in std::fs::read_to_string(file)?.lines() {
@@ -50,7 +50,7 @@ impl World {
             }
         }
         if !world.polygons.is_empty() && world.radius > 0.0 {
-            return Err("thick links among polygons are not prepared for".into());
+            return Err("thick links among polygons are not supported".into());
         }
         Ok(world)
     }
@@ -105,7 +105,7 @@ impl Convex {
         polygon
     }
 
-    /// Whether a segment meets the polygon: it is cut off at each edge in turn, and something must stay.
+    /// Whether a segment meets the polygon: it is clipped at each edge in turn, and must not become empty.
     fn meets(&self, p: [f64; 2], q: [f64; 2]) -> bool {
         let (mut from, mut to) = (0.0f64, 1.0f64);
         for [a, b, c] in &self.edges {

@@ -1,15 +1,16 @@
 //! The proof law: no accepted motion touches an obstacle, however thin; nothing with clearance to spare is refused. On native,
 //! Node and Chrome alike, with many seeds natively.
 
-use crate::common::bodies::random_obstacle;
-use crate::common::documents::{refuses, scenario};
+use crate::common::bodies::{part_distance, random_obstacle};
+use crate::common::documents::{arm, disc, polygon, rectangle, refuses, scenario};
 use crate::common::{arm_and_wall, arm_of, assert_valid, begin, disc_and_wall, finish, seeds, thick_arm_and_wall};
 use planarium::collision::{ArmValidity, DiscValidity, Obstacles, Sampled};
-use planarium::geometry::{Aabb, Disc, Point, Segment, intersects_segment_polygon};
+use planarium::geometry::{Aabb, Disc, Point};
 use planarium::problem::Validity;
 use planarium::random::{Random, Stream};
 use planarium::robot::{Arm, MAX_LINKS, joint_space, plane};
 use planarium::run::Status;
+use planarium::scenario::generate::{ForestOptions, Generator};
 use planarium::scenario::{Obstacle, Robot, Scenario, World};
 use planarium::space::{Metric, ProductSpace, Space};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -50,13 +51,9 @@ fn arm_in(scenario: &Scenario) -> (ProductSpace<MAX_LINKS>, ArmValidity<MAX_LINK
     (space.clone(), ArmValidity::new(arm, space, scenario.world(), 1e-4))
 }
 
-fn generated(kind: &str, options: serde_json::Value) -> Scenario {
-    planarium::scenario::generate::generate(kind, &options).expect("it can be generated")
-}
-
 fn arm_worlds() -> Vec<Scenario> {
-    let mut worlds: Vec<Scenario> =
-        (2..=4).map(|links| generated("forest", serde_json::json!({ "links": links, "seed": 40 + links }))).collect();
+    let forest = |links| ForestOptions { links, seed: 40 + links as u64 }.generate().expect("a forest");
+    let mut worlds: Vec<Scenario> = (2..=4).map(forest).collect();
     worlds.extend([arm_and_wall(1e-3), thick_arm_and_wall(0.1), arm_of(3, true, 0.05), arm_of(8, false, 0.0)]);
     worlds.push(crossed());
     worlds
@@ -64,24 +61,18 @@ fn arm_worlds() -> Vec<Scenario> {
 
 /// An arm in bounds it can touch, among a disc and a concave cross.
 fn crossed() -> Scenario {
-    let cross = r#"{ "type": "polygon", "vertices": [[0.5, 0.3], [0.6, 0.3], [0.6, 0.6], [0.9, 0.6], [0.9, 0.7], [0.6, 0.7],
-        [0.6, 1.0], [0.5, 1.0], [0.5, 0.7], [0.2, 0.7], [0.2, 0.6], [0.5, 0.6]] }"#;
-    let obstacles = format!(r#"{cross}, {{ "type": "disc", "center": [-0.6, -0.8], "radius": 0.25 }}"#);
-    let robot = r#"{ "type": "arm", "base": [0, 0], "links": [0.7, 0.6, 0.5], "radius": 0.02 }"#;
-    scenario("[-1.5, -2], [2, 1.8]", &obstacles, robot, "")
+    let cross = [
+        0.5, 0.3, 0.6, 0.3, 0.6, 0.6, 0.9, 0.6, 0.9, 0.7, 0.6, 0.7, 0.6, 1.0, 0.5, 1.0, 0.5, 0.7, 0.2, 0.7, 0.2, 0.6,
+        0.5, 0.6,
+    ];
+    let obstacles = [polygon(cross.as_chunks().0), disc([-0.6, -0.8], 0.25)].join(",");
+    scenario("[-1.5, -2], [2, 1.8]", &obstacles, &arm(&[0.7, 0.6, 0.5], 0.02), "")
 }
 
-/// Whether the arm's links, without their radius, touch an obstacle at `q`: exact for polygons.
+/// Whether the robot touches an obstacle at `q`.
 fn touches(scenario: &Scenario, q: &[f64]) -> bool {
-    let Robot::Arm(arm) = scenario.robot() else { panic!("an arm") };
-    let places = arm.joints(q);
-    (0..arm.links().len()).any(|i| {
-        let link = Segment::new(places[i], places[i + 1]);
-        scenario.world().obstacles.iter().any(|obstacle| match obstacle {
-            Obstacle::Polygon(polygon) => intersects_segment_polygon(&link, polygon),
-            Obstacle::Disc(disc) => planarium::geometry::distance_point_segment(disc.center, &link) <= disc.radius,
-        })
-    })
+    let parts = scenario.robot().footprint(q);
+    parts.iter().any(|part| scenario.world().obstacles.iter().any(|obstacle| part_distance(part, obstacle) <= 0.0))
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -277,10 +268,8 @@ fn a_motion_that_samples_accept_through_a_thin_wall_is_refused() {
 fn a_start_near_an_obstacle_or_the_bounds_can_be_left() {
     for gap in [1e-3, 1e-5, 1e-7, 1e-9] {
         // The arm lies along the top of a block, `gap` above it.
-        let block =
-            format!(r#"{{ "type": "polygon", "vertices": [[0.5, -1], [1.5, -1], [1.5, -{gap:e}], [0.5, -{gap:e}]] }}"#);
-        let robot = r#"{ "type": "arm", "base": [0, 0], "links": [1, 1] }"#;
-        let world = scenario("", &block, robot, r#""start": [0, 0], "goal": [1.5, 1.0]"#);
+        let block = rectangle([0.5, -1.0], [1.5, -gap]);
+        let world = scenario("", &block, &arm(&[1.0, 1.0], 0.0), r#""start": [0, 0], "goal": [1.5, 1.0]"#);
         for planner in ["prm", "rrt-connect"] {
             let run = finish(begin(&world, planner, 1, &[]));
             assert_eq!(run.status(), Status::Solved, "{planner} from {gap} above a block");
@@ -299,8 +288,7 @@ fn a_start_near_an_obstacle_or_the_bounds_can_be_left() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn contact_with_an_obstacle_is_collision_and_contact_with_the_bounds_is_not() {
-    let block = r#"{ "type": "polygon", "vertices": [[2, 1], [3, 1], [3, 2], [2, 2]] }"#;
-    let obstacles = format!(r#"{block}, {{ "type": "disc", "center": [1, 3], "radius": 0.5 }}"#);
+    let obstacles = [rectangle([2.0, 1.0], [3.0, 2.0]), disc([1.0, 3.0], 0.5)].join(",");
     let world = scenario("[0, 0], [4, 4]", &obstacles, r#"{ "type": "disc", "radius": 0.25 }"#, "");
     let Robot::Disc(disc) = world.robot() else { panic!("a disc") };
     let validity = DiscValidity::new(disc, world.world());
@@ -317,9 +305,9 @@ fn contact_with_an_obstacle_is_collision_and_contact_with_the_bounds_is_not() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_polygon_with_a_vanishing_edge_is_as_solid_as_any() {
-    let vertices = "[[-1, 0], [-2.71e-140, 0], [0, 1.556e-140], [0, 1], [-1, 1]]";
+    let solid = polygon(&[[-1.0, 0.0], [-2.71e-140, 0.0], [0.0, 1.556e-140], [0.0, 1.0], [-1.0, 1.0]]);
     let robot = r#"{ "type": "arm", "base": [0.3535, -0.6157], "links": [0.63], "radius": 0.1 }"#;
-    let world = scenario("", &format!(r#"{{ "type": "polygon", "vertices": {vertices} }}"#), robot, "");
+    let world = scenario("", &solid, robot, "");
     let (space, validity) = arm_in(&world);
     let mut collisions = 0;
     for i in 0..20_000 {
@@ -337,9 +325,8 @@ fn a_polygon_with_a_vanishing_edge_is_as_solid_as_any() {
 fn sliding_close_along_a_concave_wall_is_proven() {
     // As the first joint turns by one angle and the second back by two, the tip slides along the base's height.
     for gap in [1e-6, 1e-9] {
-        let vertices = format!("[[0.3, -{gap:e}], [2.5, -{gap:e}], [2.5, 1], [3, 1], [3, -1], [0.3, -1]]");
-        let wall = format!(r#"{{ "type": "polygon", "vertices": {vertices} }}"#);
-        let world = scenario("", &wall, r#"{ "type": "arm", "base": [0, 0], "links": [1, 1] }"#, "");
+        let wall = polygon(&[[0.3, -gap], [2.5, -gap], [2.5, 1.0], [3.0, 1.0], [3.0, -1.0], [0.3, -1.0]]);
+        let world = scenario("", &wall, &arm(&[1.0, 1.0], 0.0), "");
         let (space, validity) = arm_in(&world);
         let (a, b) = (space.state(&[0.5, -1.0]), space.state(&[1.3, -2.6]));
         let validity = validity.fitted(&a, &b);

@@ -1,32 +1,28 @@
 //! Samplers: the distribution of each, and the same samples for the same seed.
 
+use crate::common::bodies::{p, part_distance, rectangle, world};
 use planarium::collision::DiscValidity;
-use planarium::geometry::Point;
 use planarium::problem::Problem;
 use planarium::random::{Random, Stream};
-use planarium::robot::DiscRobot;
+use planarium::robot::{DiscRobot, Part};
 use planarium::sampling::{
     BridgeTest, Gaussian, GoalBiased, Halton, Known, Lattice, ObstacleBased, Sampler, Uniform, radical_inverse,
 };
-use planarium::scenario::{Robot, Scenario};
+use planarium::scenario::{Obstacle, World};
 use planarium::space::{ProductSpace, Space};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 type Plane = ProductSpace<2>;
 
-/// A point in a box of side 10 with two slabs that leave a corridor of width 1 between them.
-const WORLD: &str = r#"{ "format": "planarium-scenario-1", "name": "corridor",
-    "world": { "bounds": { "min": [0, 0], "max": [10, 10] }, "obstacles": [
-        { "type": "polygon", "vertices": [[2, 0], [8, 0], [8, 4.5], [2, 4.5]] },
-        { "type": "polygon", "vertices": [[2, 5.5], [8, 5.5], [8, 10], [2, 10]] } ] },
-    "robot": { "type": "disc", "radius": 0 },
-    "queries": [ { "name": "through", "start": [1, 5], "goal": [9, 2] } ] }"#;
+/// A box of side 10 with two slabs that leave a corridor of width 1 between them.
+fn corridor() -> World {
+    let slabs = [0.0, 5.5].map(|y| Obstacle::Polygon(rectangle([2.0, y], [8.0, y + 4.5])));
+    world([0.0, 0.0], [10.0, 10.0], slabs.to_vec())
+}
 
+/// From one side of the corridor to the other, for a point.
 fn problem() -> Problem<Plane> {
-    let scenario = Scenario::parse(WORLD).expect("it is right");
-    let Robot::Disc(disc) = scenario.robot() else { unreachable!() };
-    let disc: &DiscRobot = disc;
-    let validity = DiscValidity::new(disc, scenario.world());
+    let validity = DiscValidity::new(&DiscRobot::new(0.0).expect("a point"), &corridor());
     Problem::new(ProductSpace::of_box(&[0.0; 2], &[10.0; 2]), Box::new(validity), [1.0, 5.0], [9.0, 2.0])
         .expect("free ends")
 }
@@ -62,10 +58,8 @@ fn free_samples(sampler: &mut dyn Sampler<Plane>, problem: &Problem<Plane>, draw
 
 /// How far the point is from the nearest slab.
 fn clearance(q: &[f64; 2]) -> f64 {
-    let scenario = Scenario::parse(WORLD).expect("it is right");
-    let point = Point::new(q[0], q[1]);
-    let segment = planarium::geometry::Segment::new(point, point);
-    planarium::collision::Obstacles::new(scenario.world().obstacles.clone()).clearance(&segment)
+    let to = |slab: &Obstacle| part_distance(&Part::Disc { center: p(q[0], q[1]), radius: 0.0 }, slab);
+    corridor().obstacles.iter().map(to).fold(f64::INFINITY, f64::min)
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -1,12 +1,11 @@
 //! SST: its best path only ever gets cheaper, and of vertices near each other only the cheapest grow.
 
-use crate::common::driven::{Edge, car, edges, events, is_in_region, vertices_of, with_goal};
-use crate::common::{begin_with, car_and_wall, finish, seeds};
+use crate::common::driven::{Edge, car, distance, edges, is_in_region, vertices_of, with_goal};
+use crate::common::graphs::events;
+use crate::common::{assert_valid, begin_with, car_and_wall, finish, seeds};
 use planarium::graph::EventKind;
-use planarium::path::{Verdict, verify};
 use planarium::run::{HISTORY_WIDTH, Phase, Status};
 use planarium::scenario::Scenario;
-use planarium::space::angular_distance;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -34,8 +33,8 @@ fn sst_improves_for_as_long_as_it_is_told_and_never_costs_more() {
         assert!(run.length() < first.length, "seed {seed}: {} {}", run.length(), first.length);
         let solutions = events(&*run, EventKind::SolutionFound);
         let falls = costs.windows(2).filter(|pair| pair[1] < pair[0]).count();
-        assert_eq!(solutions.len(), falls, "one event a better path");
-        assert!(matches!(verify(&world, &run.result()), Ok(Verdict::Valid { .. })));
+        assert_eq!(solutions.len(), falls, "one event per better path");
+        assert_valid(&world, &*run);
         // A run that is told to finish takes what it has; one whose iterations are over, too.
         let mut run = begin_with(&world, "sst", seed, "improve_iterations=1500");
         run.step(solved_at + 100);
@@ -45,11 +44,6 @@ fn sst_improves_for_as_long_as_it_is_told_and_never_costs_more() {
         let run = finish(begin_with(&world, "sst", seed, &settings));
         assert_eq!((run.status(), run.path()), (Status::Solved, so_far));
     }
-}
-
-/// The distance in the metric of the worlds here.
-fn distance([x, y, a]: [f64; 3], [u, v, b]: [f64; 3]) -> f64 {
-    0.7 * ((x - u) * (x - u) + (y - v) * (y - v)).sqrt() + 0.3 * angular_distance(a, b)
 }
 
 /// Witnesses by simple means: where each is, and the vertex that it stands for.
@@ -102,7 +96,7 @@ fn of_vertices_with_one_witness_each_is_cheaper_than_those_before() {
         // What leaves is a leaf by then, leaves once, and is on no path.
         let removed = events(&*run, EventKind::VertexRemoved);
         let way: Vec<Vec<f64>> = run.path();
-        for &(_, vertex) in &removed {
+        for vertex in removed.iter().map(|event| event[2] as usize) {
             assert_eq!(children[vertex], 0, "vertex {vertex} is no leaf");
             children[edges[vertex - 1].from] -= 1;
             children[vertex] = -1;
@@ -117,8 +111,8 @@ fn of_vertices_with_one_witness_each_is_cheaper_than_those_before() {
 #[wasm_bindgen_test(unsupported = test)]
 fn the_cheapest_vertex_about_the_sample_grows() {
     // A goal that is met by no luck, on this side of the wall.
-    let world = with_goal(&car_and_wall(0.1), [0.5, 1.2, 0.5], true);
-    let goal = [0, 1, 2].map(|i| world.queries()[0].configuration().unwrap()[i]);
+    let goal = [0.5, 1.2, 0.5];
+    let world = with_goal(&car_and_wall(0.1), goal, true);
     let (mut by_cost, mut by_distance) = (0, 0);
     // Always towards the goal, so that the sample is known.
     let settings = "goal_bias=1 duration_steps=60 pruning_radius=0.05 selection_radius=0.6 max_iterations=1000";

@@ -1,7 +1,7 @@
 //! Valid documents, and invalid changes to them.
 
 use planarium::Error;
-use planarium::path::ResultDocument;
+use planarium::path::{ResultDocument, Verdict, verify};
 use planarium::scenario::Scenario;
 use serde_json::Value;
 
@@ -97,22 +97,65 @@ pub fn result(scenario: &str, path: &str, motions: Option<&str>, length: f64) ->
     ResultDocument::parse(&text).unwrap_or_else(|error| panic!("{error}: {text}"))
 }
 
+/// The clearance of a result of this scenario, or why it is invalid.
+#[track_caller]
+pub fn judged(scenario: &Scenario, result: &ResultDocument) -> Result<f64, String> {
+    match verify(scenario, result).expect("a result of this scenario") {
+        Verdict::Valid { clearance, .. } => Ok(clearance),
+        Verdict::Invalid { why } => Err(why),
+    }
+}
+
 /// A scenario "s": bounds as `[0, 0], [4, 4]` or none, obstacles, a robot, and the fields of its query "q" besides the name.
 pub fn scenario(bounds: &str, obstacles: &str, robot: &str, query: &str) -> Scenario {
+    named("s", bounds, obstacles, robot, query)
+}
+
+/// The same with another name.
+pub fn named(name: &str, bounds: &str, obstacles: &str, robot: &str, query: &str) -> Scenario {
+    super::parse(&text(name, bounds, obstacles, robot, query))
+}
+
+/// Its document.
+pub fn text(name: &str, bounds: &str, obstacles: &str, robot: &str, query: &str) -> String {
     let bounds = bounds
         .split_once("], ")
         .map_or(String::new(), |(min, max)| format!(r#""bounds": {{ "min": {min}], "max": {max} }}, "#));
     let queries = if query.is_empty() { String::new() } else { format!(r#"{{ "name": "q", {query} }}"#) };
-    super::parse(&format!(
-        r#"{{ "format": "planarium-scenario-1", "name": "s", "world": {{ {bounds}"obstacles": [{obstacles}] }},
+    format!(
+        r#"{{ "format": "planarium-scenario-1", "name": "{name}", "world": {{ {bounds}"obstacles": [{obstacles}] }},
             "robot": {robot}, "queries": [{queries}] }}"#
-    ))
+    )
 }
 
-/// The field of a rectangular shape: half its length and half its width.
-pub fn shape(x: f64, y: f64) -> String {
-    let vertices = [[-x, -y], [x, -y], [x, y], [-x, y]];
-    format!(r#""shape": {{ "type": "polygon", "vertices": {vertices:?} }}"#)
+/// An obstacle, or the shape of a robot.
+pub fn polygon(vertices: &[[f64; 2]]) -> String {
+    format!(r#"{{"type": "polygon", "vertices": {vertices:?}}}"#)
+}
+
+pub fn rectangle([x, y]: [f64; 2], [u, v]: [f64; 2]) -> String {
+    polygon(&[[x, y], [u, y], [u, v], [x, v]])
+}
+
+pub fn disc(center: [f64; 2], radius: f64) -> String {
+    format!(r#"{{"type": "disc", "center": {center:?}, "radius": {radius:?}}}"#)
+}
+
+/// An arm with its base at the origin.
+pub fn arm(links: &[f64], radius: f64) -> String {
+    limited_arm(links, radius, &[])
+}
+
+/// The same with limits, unless there are none.
+pub fn limited_arm(links: &[f64], radius: f64, limits: &[[f64; 2]]) -> String {
+    let limits = if limits.is_empty() { String::new() } else { format!(r#", "joint_limits": {limits:?}"#) };
+    format!(r#"{{"type": "arm", "base": [0, 0], "links": {links:?}, "radius": {radius:?}{limits}}}"#)
+}
+
+/// A `"rigid_body"` or a `"car"`: half its length, half its width, and its fields after the shape.
+pub fn rectangular(kind: &str, x: f64, y: f64, fields: &str) -> String {
+    let comma = if fields.is_empty() { "" } else { ", " };
+    format!(r#"{{"type": "{kind}", "shape": {}{comma}{fields}}}"#, rectangle([-x, -y], [x, y]))
 }
 
 /// The JSON files of the folder `PLANARIUM_SCENARIOS`, by name, if there is one.

@@ -46,6 +46,11 @@ pub const CAR: &str = r#"{
   "queries": [{"name": "across", "start": [0.2, 0.2, 0], "goal": [1.8, 1.8, -1], "goal_tolerance": {"translation": 0.1, "rotation": 0.5}}]
 }"#;
 
+/// The document with an arm and a target in place of a goal.
+pub fn reaching() -> String {
+    with(ARM, r#""goal": [1, 2]"#, r#""target": {"point": [1, 0.5], "orientation": 7}"#)
+}
+
 /// The document with the first occurrence of a piece replaced.
 pub fn with(document: &str, piece: &str, replacement: &str) -> String {
     assert!(document.contains(piece), "{piece} does not occur in {document}");

@@ -4,11 +4,9 @@ mod common;
 
 #[cfg(not(target_arch = "wasm32"))]
 mod arrows;
-mod blossom;
 mod body_proof;
 mod budget;
 mod catalogue;
-mod clearance;
 #[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
 mod cli;
 mod control;
@@ -17,9 +15,7 @@ mod driving;
 mod generate;
 mod geometry;
 mod golden;
-mod history;
 mod ik;
-mod ik_golden;
 mod json;
 mod limits;
 mod nearest;
@@ -28,7 +24,6 @@ mod own_space;
 mod pieces;
 mod planners;
 mod proof;
-mod refused;
 mod roadmap;
 mod sampling;
 mod scenario;
@@ -45,3 +40,4 @@ mod trajectories;
 mod truth;
 mod verify;
 mod verify_body;
+mod viewers;

@@ -5,6 +5,7 @@ use crate::common::{
     options, parse,
 };
 use planarium::graph::EventKind;
+use planarium::options::Kind;
 use planarium::planner::{Mark, PlannerOptions, PseudocodeLine, planners};
 use planarium::run::{EVENT_HEAD, Run, Status, resume};
 use std::collections::BTreeSet;
@@ -68,7 +69,7 @@ fn settings() -> Vec<(&'static str, String)> {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn every_planner_and_parameter_says_in_one_short_sentence_what_it_does() {
+fn every_planner_and_parameter_has_one_short_sentence_on_what_it_does() {
     for info in planners() {
         let texts = info.parameters.iter().map(|row| (row.name, &*row.meaning));
         for (name, words) in texts.chain([(info.id, info.summary), (info.id, info.guarantee)]) {
@@ -76,6 +77,9 @@ fn every_planner_and_parameter_says_in_one_short_sentence_what_it_does() {
             assert!((30..=110).contains(&length), "{name}: {length} characters in {words:?}");
             assert!(words.ends_with('.') && !words.contains(". "), "{name}: one sentence, not {words:?}");
         }
+        assert!(info.parameters.iter().any(|row| row.name == "max_iterations"), "{}", info.id);
+        let is_empty = |kind: &Kind| matches!(kind, Kind::Integer(range) | Kind::Number(range) if range.is_empty());
+        assert!(!info.parameters.iter().any(|row| is_empty(&row.kind)), "{}: no range is empty", info.id);
         assert!(info.parameters.iter().all(|row| (1..=20).contains(&row.title.chars().count())), "{}", info.id);
     }
 }

@@ -21,15 +21,15 @@ const ARM: &str = r#"{ "format": "planarium-scenario-1", "name": "arm", "world":
     "robot": { "type": "arm", "base": [0, 0], "links": [1, 0.8], "joint_limits": [[-3, 3], [-2, 2]] }, "queries": [] }"#;
 
 /// The exit code and the output of a finished program.
-struct Finished {
-    code: i32,
-    stdout: String,
-    stderr: String,
+pub struct Finished {
+    pub code: i32,
+    pub stdout: String,
+    pub stderr: String,
 }
 
 impl Finished {
     #[track_caller]
-    fn json(&self) -> Value {
+    pub fn json(&self) -> Value {
         serde_json::from_str(&self.stdout)
             .unwrap_or_else(|error| panic!("{error}: {:?} {:?}", self.stdout, self.stderr))
     }
@@ -73,7 +73,7 @@ fn spawn(line: &str) -> Child {
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
 }
 
-fn planarium_with(line: &str, input: &str) -> Finished {
+pub fn planarium_with(line: &str, input: &str) -> Finished {
     let mut child = spawn(line);
     // A program that refuses its arguments reads nothing: then the pipe is closed, and that is fine.
     let _ = child.stdin.take().expect("a pipe").write_all(input.as_bytes());
@@ -213,18 +213,14 @@ fn a_roadmap_is_saved_and_continued_with() {
     assert_eq!((piped.code, &piped.json()["status"]), (1, &json!("exhausted")), "a query of its own");
 
     file("saved.damaged", text.replacen("\"k\":9", "\"k\":8", 1));
-    file("saved.other.json", ROOM.replacen("[3.1, 2]", "[3.2, 2]", 1));
     for (arguments, code, pointer) in [
         ("room.json --roadmap saved.damaged", "invalid-roadmap", "/checksum"),
         ("room.json --roadmap saved.graphml", "invalid-roadmap", ""),
         ("room.json --roadmap no-such-file", "file", ""),
-        ("room.json --roadmap saved.roadmap --planner rrt-connect", "out-of-range", "/algorithm"),
-        ("room.json --roadmap saved.roadmap --set k=8", "out-of-range", "/k"),
         ("room.json --roadmap saved.roadmap --save-roadmap /no/such/folder/roadmap", "file", ""),
         ("room.json --save-roadmap saved.roadmap", "unsupported", ""),
         ("room.json --roadmap-format json", "usage", ""),
         ("room.json --save-roadmap saved.roadmap --roadmap-format png", "usage", ""),
-        ("saved.other.json --roadmap saved.roadmap", "other-scenario", "/fingerprint"),
         ("- --roadmap -", "usage", ""),
     ] {
         planarium(&format!("plan {arguments}")).refuses(code, pointer);
@@ -249,10 +245,7 @@ fn verify_distinguishes_valid_from_invalid() {
     assert!(invalid.stderr.contains("edge 0 touches obstacle 0"), "{}", invalid.stderr);
 
     for (from, to, code, pointer) in [
-        (r#""seed":0"#, r#""seed":-4"#, "out-of-range", "/seed"),
         (r#""query":"around""#, r#""query":"sideways""#, "unknown-query", "/query"),
-        (r#""scenario":"room""#, r#""scenario":"hall""#, "invalid-result", "/scenario"),
-        (r#""vertices":"#, r#""vertexes":"#, "unknown-field", "/stats/vertexes"),
         (r#"]],"#, r#"]"#, "invalid-json", "/path"),
     ] {
         let text = planned.replacen(from, to, 1);
@@ -351,16 +344,8 @@ fn list_describes_everything_in_the_catalogue() {
         words(&listed[field], "id");
         words(&listed[field], "summary");
         for entry in rows(&listed[field]) {
+            words(&entry[options], "name");
             words(&entry[options], "meaning");
-            let names = words(&entry[options], "name");
-            assert!(field == "generators" || names.iter().any(|name| name == "max_iterations"), "{entry}");
-            for option in rows(&entry[options]) {
-                let is_number = option["kind"] == "integer" || option["kind"] == "number";
-                assert!(!is_number || option["min"].as_f64() <= option["max"].as_f64(), "{option}");
-                let (default, is_choice) = (&option["default"], option["kind"] == "choice");
-                let is_first = if is_choice { *default == option["choices"][0] } else { default.is_number() };
-                assert!(field != "generators" || is_first, "{option}");
-            }
         }
     }
     assert_eq!(words(&listed["generators"], "id"), ["forest", "clutter", "discs", "maze", "gap", "bug-trap"]);
@@ -378,12 +363,8 @@ fn wrong_input_exits_2_with_code_and_pointer() {
         ("plan room.json --query nowhere", "unknown-query", "/query"),
         ("plan room.json --query in-wall", "goal-in-collision", "/queries/2/goal"),
         ("plan room.json --set n=3", "unknown-parameter", "/n"),
-        ("plan room.json --set k=3", "unknown-parameter", "/k"),
-        ("plan room.json --planner prm --set k=0", "out-of-range", "/k"),
-        ("plan room.json --planner prm --set k=1.5", "out-of-range", "/k"),
         ("plan room.json --planner prm --set k=many", "wrong-type", "/k"),
         ("plan room.json --set step=nan", "not-finite", "/step"),
-        ("plan room.json --set metric=manhattan", "out-of-range", "/metric"),
         ("plan room.json --set shortcut=1 --set shortcut=2", "duplicate-field", "/shortcut"),
         ("plan room.json --max-iterations 0", "out-of-range", "/max_iterations"),
         ("plan room.json --set k", "usage", ""),
@@ -399,34 +380,20 @@ fn wrong_input_exits_2_with_code_and_pointer() {
         ("verify room.json", "usage", ""),
         ("verify room.json missing.json", "file", ""),
         ("dance", "usage", ""),
-        ("generate desert", "unknown-generator", ""),
-        ("generate forest --set links=99", "out-of-range", "/links"),
-        ("generate forest --set trees=9", "unknown-field", "/trees"),
-        ("generate maze --set difficulty=brutal", "out-of-range", "/difficulty"),
         ("generate maze --set thickness=thin", "wrong-type", "/thickness"),
-        ("generate gap --set robot=arm --set width=0", "out-of-range", "/width"),
         ("generate bug-trap --set mouth=nan", "not-finite", "/mouth"),
-        ("generate discs --set count=200 --set gap=0.2", "out-of-range", "/count"),
         ("generate forest --set seed=1", "duplicate-field", "/seed"),
-        ("trajectories --set count=0", "out-of-range", "/count"),
         ("trajectories --set colour=red", "unknown-parameter", "/colour"),
-        ("trajectories --set slowest=2", "out-of-range", "/slowest"),
         ("trajectories --set count=5 --csv /no/such/folder/tracks.csv", "file", ""),
         ("reach arm.json --target=-1,0.5 --method magic", "out-of-range", "/method"),
         ("reach arm.json --target 1,nan", "not-finite", "/target/1"),
         ("reach arm.json --target 1", "usage", ""),
         ("reach arm.json", "usage", ""),
         ("reach arm.json --target 1,0 --start 0", "wrong-dimension", "/start"),
-        ("reach arm.json --target 1,0 --start 0,2.5", "out-of-range", "/start/1"),
-        ("reach arm.json --target 1,0 --set speed=1", "unknown-parameter", "/speed"),
         ("reach room.json --target 1,0", "unsupported", ""),
         ("nearest firs.json --target 0", "wrong-dimension", "/target"),
         ("nearest firs.json --target 0,1e7", "out-of-range", "/target/1"),
         ("nearest firs.json --target nan,0", "not-finite", "/target/0"),
-        ("nearest firs.json --target 0,0 --index ball-tree", "out-of-range", "/index"),
-        ("nearest firs.json --target 0,0 --set trees=3", "unknown-parameter", "/trees"),
-        ("nearest firs.json --target 0,0 --samples 2000000", "out-of-range", "/n"),
-        ("nearest firs.json --target 0,0 --within -1", "out-of-range", "/radius"),
         ("nearest firs.json --target 0,x", "usage", ""),
         ("nearest firs.json --k 3", "usage", ""),
         ("nearest firs.json --target 0,0 --k 3 --within 2", "usage", ""),
@@ -443,12 +410,7 @@ fn wrong_input_exits_2_with_code_and_pointer() {
 fn wrong_scenarios_exit_2_with_code_and_pointer() {
     for (from, to, code, pointer) in [
         (ROOM, "{", "invalid-json", ""),
-        ("scenario-1", "scenario-9", "unknown-format", "/format"),
-        ("\"radius\": 0.1", "\"radius\": -0.1", "out-of-range", "/robot/radius"),
         ("\"radius\": 0.1", "\"radius\": 1e999", "invalid-json", "/robot/radius"),
-        ("[3, 0]", "[3, \"0\"]", "wrong-type", "/world/obstacles/1/vertices/0/1"),
-        ("\"cut-off\"", "\"around\"", "duplicate-name", "/queries/1/name"),
-        ("[3.5, 1]", "[3.5]", "wrong-dimension", "/queries/1/goal"),
         ("\"queries\"", "\"questions\"", "unknown-field", "/questions"),
     ] {
         let text = ROOM.replacen(from, to, 1);

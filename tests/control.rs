@@ -6,10 +6,8 @@ use crate::common::{
     DRIVEN, arm_and_wall, assert_valid, begin_with, car_and_wall, car_shut_in, finish, options, parse, seeds,
 };
 use planarium::path::{Leg, Verdict, verify_legs};
-use planarium::planner::{default_planner, planners};
 use planarium::problem::Motion;
-use planarium::run::{Options, Status, start};
-use planarium::scenario::Scenario;
+use planarium::run::{Status, start};
 use planarium::space::wrap;
 use serde_json::json;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -254,24 +252,6 @@ fn a_start_in_the_region_is_a_path() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn presets_are_settings_of_their_planner() {
-    let (cars, arms) = (car_and_wall(0.1), arm_and_wall(0.1));
-    let mut found = 0;
-    for info in planners() {
-        for preset in info.presets {
-            let world = if info.robots.contains(&"arm") { &arms } else { &cars };
-            let parameters = preset.parameters();
-            let options = Options { planner: Some(info.id.to_owned()), parameters, ..Options::default() };
-            let mut run = start(world, &options).unwrap_or_else(|error| panic!("{}: {error}", preset.id));
-            assert_eq!(run.step(1), run.status());
-            assert_eq!(info.presets.iter().filter(|other| other.id == preset.id).count(), 1);
-            found += 1;
-        }
-    }
-    assert!(found >= 8, "{found}");
-}
-
-#[wasm_bindgen_test(unsupported = test)]
 fn euler_steps_are_a_picture_and_say_so() {
     let world = car_and_wall(0.1);
     let car = car(&world);
@@ -321,11 +301,4 @@ fn what_does_not_fit_is_refused_in_its_place() {
     document["queries"][0].as_object_mut().expect("a query").remove("goal_tolerance");
     let exact = parse(&document.to_string());
     refuses(start(&exact, &options("rrt-control", 1, "")), "missing-field", "/queries/0/goal_tolerance");
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn cars_are_planned_for_by_controls_unless_another_planner_is_named() {
-    let of = |world: &Scenario| start(world, &Options::default()).expect("it starts").result().planner;
-    assert_eq!((of(&car_and_wall(0.1)), of(&arm_and_wall(0.1))), ("rrt-control".into(), "rrt-connect".into()));
-    assert_eq!((default_planner("car"), default_planner("rigid_body")), ("rrt-control", "rrt-connect"));
 }

@@ -162,3 +162,79 @@ fn nesting_is_read_to_its_bound() {
     let message = refusal(&nested(most), "invalid-json", &"/0".repeat(most - 1));
     assert!(message.contains("recursion limit"), "{message}");
 }
+
+#[cfg(not(target_arch = "wasm32"))]
+mod fuzz {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Any JSON value, most often a small one.
+    fn any_value() -> impl Strategy<Value = Value> {
+        let leaf = prop_oneof![
+            Just(Value::Null),
+            any::<bool>().prop_map(Value::Bool),
+            any::<f64>().prop_map(Value::from),
+            (-4i8..5).prop_map(Value::from),
+            prop_oneof![Just("disc"), Just("polygon"), Just("arm"), Just("")].prop_map(Value::from),
+        ];
+        leaf.prop_recursive(3, 12, 4, |inner| {
+            let name = prop_oneof![Just("type"), Just("radius"), Just("min"), Just("name"), Just("start")];
+            let fields = prop::collection::vec((name.prop_map(str::to_owned), inner.clone()), 0..4);
+            prop_oneof![
+                prop::collection::vec(inner, 0..4).prop_map(Value::Array),
+                fields.prop_map(|fields| Value::Object(fields.into_iter().collect()))
+            ]
+        })
+    }
+
+    /// Puts `value` in the place of the `at`-th value of the tree, counted depth first; or leaves it out, or doubles it.
+    fn mutate(node: &mut Value, at: &mut usize, value: &Value, how: u8) {
+        if *at == 0 {
+            *node = value.clone();
+        }
+        *at = at.wrapping_sub(1);
+        match node {
+            Value::Array(items) => {
+                if *at < items.len() && how == 1 {
+                    items.remove(*at);
+                }
+                if *at < items.len() && how == 2 {
+                    items.push(items[*at].clone());
+                }
+                items.iter_mut().for_each(|item| mutate(item, at, value, how));
+            }
+            Value::Object(fields) => {
+                if *at < fields.len() && how == 1 {
+                    let name = fields.keys().nth(*at).expect("there are more").clone();
+                    fields.remove(&name);
+                }
+                fields.iter_mut().for_each(|(_, item)| mutate(item, at, value, how));
+            }
+            _ => {}
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn no_change_to_a_document_makes_the_parser_panic(at in 0usize..70, value in any_value(), how in 0u8..3) {
+            for document in [ARM, DISC] {
+                let mut node: Value = serde_json::from_str(document).unwrap();
+                mutate(&mut node, &mut at.clone(), &value, how);
+                match Scenario::parse(&node.to_string()) {
+                    Ok(scenario) => prop_assert_eq!(Scenario::parse(&scenario.to_json_string()), Ok(scenario)),
+                    Err(error) => prop_assert!(error.pointer().is_empty() || error.pointer().starts_with('/')),
+                }
+            }
+        }
+
+        #[test]
+        fn no_text_makes_the_parser_panic(cut in 0usize..600, insert in "[\\[\\]{}:,\"\\\\0-9eE.+\\-a-z\u{e9}\u{1F600} ]{0,6}") {
+            let cut = (0..=cut.min(ARM.len())).rev().find(|&i| ARM.is_char_boundary(i)).unwrap();
+            let _ = Scenario::parse(&format!("{}{insert}{}", &ARM[..cut], &ARM[cut..]));
+            let _ = Scenario::parse(&format!("{}{insert}", &ARM[..cut]));
+            let _ = planarium::json::parse(&insert);
+        }
+    }
+}

@@ -1,8 +1,7 @@
-//! Nearest neighbours of a scenario's robot: answers, counts, refusals, samples, and golden outcomes; on native, Node and Chrome
-//! alike. `PLANARIUM_BLESS=1 cargo test --test neighbours` writes the golden outcomes anew.
+//! Nearest neighbours of a scenario's robot: results, counts, refusals and samples; on native, Node and Chrome alike.
 
 use crate::common::documents::refuses;
-use crate::common::golden::{self, scene};
+use crate::common::golden::scene;
 use planarium::run::catalogue::catalogue;
 use planarium::run::inspect::{Inspector, MAX_SAMPLES};
 use planarium::run::neighbours::{Answer, Neighbours, index, indexes, recall};
@@ -28,7 +27,7 @@ fn bits(answer: &Answer) -> Vec<(u32, u64)> {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn tree_and_scan_answer_alike_for_every_robot_and_metric_and_count_what_they_visit() {
+fn tree_and_scan_return_the_same_for_every_robot_and_metric_and_count_what_they_visit() {
     for name in SCENES {
         let scenario = scene(name);
         let inspector = Inspector::new(&scenario);
@@ -185,7 +184,7 @@ fn samples_are_those_of_a_planner_of_the_same_seed() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_table_tells_what_can_be_set() {
+fn the_table_lists_what_can_be_set() {
     let table: Json = catalogue()["indexes"].clone();
     let ids: Vec<_> = table.as_array().expect("rows").iter().map(|row| row["id"].as_str().expect("an id")).collect();
     assert_eq!(ids, ["linear", "kd-tree", "forest"]);
@@ -203,34 +202,6 @@ fn the_table_tells_what_can_be_set() {
     }
 }
 
-/// The outcome of a golden case.
-fn outcome(case: &Json) -> Json {
-    let scenario = scene(case["scene"].as_str().expect("a scene"));
-    let number = |name: &str| case[name].as_u64().expect("a count");
-    let parameters = case["parameters"].as_object().expect("parameters").iter();
-    let parameters: Vec<_> = parameters.map(|(name, given)| (name.clone(), Value::from(given))).collect();
-    let id = case["index"].as_str();
-    let mut index = index(&scenario, id, &parameters).expect("an index");
-    let rows = Inspector::new(&scenario).samples(number("samples"), number("seed"), case["free"] == true);
-    index.add(&rows.expect("samples")).expect("rows");
-    let q: Vec<f64> = serde_json::from_value(case["target"].clone()).expect("a target");
-    let answer = match case["radius"].as_f64() {
-        Some(radius) => index.within(&q, radius),
-        None => index.k_nearest(&q, number("k") as usize),
-    };
-    let answer = answer.expect("an answer");
-    let indices: Vec<_> = answer.neighbours.iter().map(|neighbour| neighbour.vertex.0).collect();
-    let distances: Vec<_> = answer.neighbours.iter().map(|neighbour| neighbour.distance).collect();
-    // A tree's shape, and so what it visits, is the platform's own.
-    let visited = if id == Some("kd-tree") { Json::Null } else { json!(answer.visited) };
-    json!({ "indices": indices, "distances": distances, "visited": visited })
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn every_case_has_its_golden_neighbours() {
-    golden::check("golden-neighbours.json", include_str!("golden-neighbours.json"), 24, outcome);
-}
-
 /// The targets and counts of the course reports, on the lists of configurations of the folder `PLANARIUM_SCENARIOS`, where there
 /// is one.
 #[cfg(not(target_arch = "wasm32"))]
@@ -238,10 +209,6 @@ fn every_case_has_its_golden_neighbours() {
 #[test]
 fn the_reports_targets_on_the_reports_lists() {
     let Some(shared) = crate::common::documents::shared() else { return };
-    let read = |name: &str| -> Vec<Vec<f64>> {
-        let (_, text) = shared.iter().find(|(stem, _)| stem == name).expect("a list");
-        serde_json::from_str(text).expect("an array of arrays of numbers")
-    };
     let arm = scene("firs");
     let body = scene("corner");
     type Asked<'a> = (&'a Scenario, &'a str, &'a [(&'a [f64], usize)]);
@@ -266,7 +233,7 @@ fn the_reports_targets_on_the_reports_lists() {
         ),
     ];
     for (scenario, name, targets) in asked {
-        let list = read(name);
+        let list: Vec<Vec<f64>> = serde_json::from_str(&shared[name]).expect("an array of arrays of numbers");
         assert!(list.len() >= 100, "{name} has {}", list.len());
         let inspector = Inspector::new(scenario);
         let [mut scan, mut tree] = ["linear", "kd-tree"].map(|id| made(scenario, id, &[]));

@@ -4,8 +4,7 @@ use crate::common::documents::{ARM, BODY, CAR, DISC, objects, reaching, refusal,
 #[cfg(all(feature = "schema", not(target_arch = "wasm32")))]
 use crate::schema::check as check_schema;
 use planarium::geometry::Point;
-use planarium::robot::{Part, Target, Weights};
-use planarium::run::inspect::Inspector;
+use planarium::robot::{Target, Weights};
 use planarium::scenario::{
     FORMAT, Goal, GoalTolerance, LARGEST, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Robot, Scenario,
 };
@@ -411,113 +410,24 @@ fn a_body_or_a_car_that_is_wrong_is_refused() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
-fn a_viewer_is_told_where_the_corners_are_and_what_they_touch() {
-    let inspector = Inspector::new(&Scenario::parse(CAR).unwrap());
-    assert_eq!((inspector.dimension(), inspector.circles()), (3, vec![false, false, true]));
-    let parts = inspector.footprint(&[1.0, 0.5, std::f64::consts::FRAC_PI_2]).unwrap();
-    let [Part::Polygon { vertices }] = &parts[..] else { panic!("one polygon: {parts:?}") };
-    assert!((vertices[0].x - 1.05).abs() < 1e-15 && (vertices[0].y - 0.4).abs() < 1e-15, "{vertices:?}");
-    assert_eq!(inspector.check(&[1.0, 0.5, 0.0]), Ok(vec![]));
-    let both = inspector.check(&[1.0, 0.65, 0.0]).unwrap();
-    assert_eq!(both.iter().map(ToString::to_string).collect::<Vec<_>>(), ["part 0 touches obstacle 0"]);
-    assert_eq!(inspector.check(&[0.05, 0.5, 0.0]).unwrap()[0].to_string(), "part 0 leaves the bounds");
-    assert_eq!(inspector.check(&[0.1, 0.5, 0.0]), Ok(vec![]), "the bounds may be touched");
-}
-
 #[cfg(not(target_arch = "wasm32"))]
-mod native {
-    use super::*;
-    use proptest::prelude::*;
-
-    #[test]
-    fn the_shared_scenarios_are_read_and_written_again() {
-        let Some(shared) = crate::common::documents::shared() else { return };
-        let mut seen = 0;
-        for (name, text) in shared {
-            let parsed = Scenario::parse(&text);
-            check_schema(&serde_json::from_str(&text).unwrap(), parsed.is_ok());
-            if !text.contains(FORMAT) {
-                continue;
-            }
-            let scenario = parsed.unwrap_or_else(|error| panic!("{name}: {error}"));
-            assert_eq!(scenario.name(), name);
-            assert!(!scenario.queries().is_empty());
-            assert_eq!(Scenario::parse(&scenario.to_json_string()), Ok(scenario));
-            seen += 1;
+#[test]
+fn the_shared_scenarios_are_read_and_written_again() {
+    let Some(shared) = crate::common::documents::shared() else { return };
+    let mut seen = 0;
+    for (name, text) in shared {
+        let parsed = Scenario::parse(&text);
+        check_schema(&serde_json::from_str(&text).unwrap(), parsed.is_ok());
+        if !text.contains(FORMAT) {
+            continue;
         }
-        assert!(seen >= 9, "there are shared scenarios");
+        let scenario = parsed.unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(scenario.name(), name);
+        assert!(!scenario.queries().is_empty());
+        assert_eq!(Scenario::parse(&scenario.to_json_string()), Ok(scenario));
+        seen += 1;
     }
-
-    /// Any JSON value, most often a small one.
-    fn any_value() -> impl Strategy<Value = Value> {
-        let leaf = prop_oneof![
-            Just(Value::Null),
-            any::<bool>().prop_map(Value::Bool),
-            any::<f64>().prop_map(Value::from),
-            (-4i8..5).prop_map(Value::from),
-            prop_oneof![Just("disc"), Just("polygon"), Just("arm"), Just("")].prop_map(Value::from),
-        ];
-        leaf.prop_recursive(3, 12, 4, |inner| {
-            let name = prop_oneof![Just("type"), Just("radius"), Just("min"), Just("name"), Just("start")];
-            let fields = prop::collection::vec((name.prop_map(str::to_owned), inner.clone()), 0..4);
-            prop_oneof![
-                prop::collection::vec(inner, 0..4).prop_map(Value::Array),
-                fields.prop_map(|fields| Value::Object(fields.into_iter().collect()))
-            ]
-        })
-    }
-
-    /// Puts `value` in the place of the `at`-th value of the tree, counted depth first; or leaves it out, or doubles it.
-    fn mutate(node: &mut Value, at: &mut usize, value: &Value, how: u8) {
-        if *at == 0 {
-            *node = value.clone();
-        }
-        *at = at.wrapping_sub(1);
-        match node {
-            Value::Array(items) => {
-                if *at < items.len() && how == 1 {
-                    items.remove(*at);
-                }
-                if *at < items.len() && how == 2 {
-                    items.push(items[*at].clone());
-                }
-                items.iter_mut().for_each(|item| mutate(item, at, value, how));
-            }
-            Value::Object(fields) => {
-                if *at < fields.len() && how == 1 {
-                    let name = fields.keys().nth(*at).expect("there are more").clone();
-                    fields.remove(&name);
-                }
-                fields.iter_mut().for_each(|(_, item)| mutate(item, at, value, how));
-            }
-            _ => {}
-        }
-    }
-
-    proptest! {
-        #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
-
-        #[test]
-        fn no_change_to_a_document_makes_the_parser_panic(at in 0usize..70, value in any_value(), how in 0u8..3) {
-            for document in [ARM, DISC] {
-                let mut node: Value = serde_json::from_str(document).unwrap();
-                mutate(&mut node, &mut at.clone(), &value, how);
-                match Scenario::parse(&node.to_string()) {
-                    Ok(scenario) => prop_assert_eq!(Scenario::parse(&scenario.to_json_string()), Ok(scenario)),
-                    Err(error) => prop_assert!(error.pointer().is_empty() || error.pointer().starts_with('/')),
-                }
-            }
-        }
-
-        #[test]
-        fn no_text_makes_the_parser_panic(cut in 0usize..600, insert in "[\\[\\]{}:,\"\\\\0-9eE.+\\-a-z\u{e9}\u{1F600} ]{0,6}") {
-            let cut = (0..=cut.min(ARM.len())).rev().find(|&i| ARM.is_char_boundary(i)).unwrap();
-            let _ = Scenario::parse(&format!("{}{insert}{}", &ARM[..cut], &ARM[cut..]));
-            let _ = Scenario::parse(&format!("{}{insert}", &ARM[..cut]));
-            let _ = planarium::json::parse(&insert);
-        }
-    }
+    assert!(seen >= 9, "there are shared scenarios");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

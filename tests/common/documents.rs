@@ -163,11 +163,13 @@ pub fn rectangular(kind: &str, x: f64, y: f64, fields: &str) -> String {
     format!(r#"{{"type": "{kind}", "shape": {}{comma}{fields}}}"#, rectangle([-x, -y], [x, y]))
 }
 
-/// The JSON files of the folder `PLANARIUM_SCENARIOS`, by name, if there is one.
+/// The JSON files of the folder `PLANARIUM_SCENARIOS` by name; prints a line, past the capture of the test harness, if it is not set.
 #[cfg(not(target_arch = "wasm32"))]
-pub fn shared() -> Option<Vec<(String, String)>> {
+pub fn shared() -> Option<std::collections::BTreeMap<String, String>> {
     let Some(folder) = std::env::var_os("PLANARIUM_SCENARIOS").filter(|folder| !folder.is_empty()) else {
-        eprintln!("PLANARIUM_SCENARIOS is not set: the shared files are not examined");
+        let test = std::thread::current().name().unwrap_or_default().to_owned();
+        let line = format!("\nSKIPPED {test}: PLANARIUM_SCENARIOS is not set\n");
+        let _ = std::io::Write::write_all(&mut std::io::stderr(), line.as_bytes());
         return None;
     };
     let files = std::fs::read_dir(folder).expect("PLANARIUM_SCENARIOS names a folder");

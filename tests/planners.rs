@@ -4,22 +4,11 @@
 use crate::common::documents::{arm, disc, refuses, scenario};
 use crate::common::graphs::{edges, rows};
 use crate::common::{
-    DRIVEN, PLANNERS, SAMPLERS, arm_and_wall, arm_of, assert_valid, begin, begin_with, car_and_wall, disc_and_wall,
-    finish, fitting, no_way, options, seeds,
+    DRIVEN, PLANNERS, SAMPLERS, arm_and_wall, arm_of, assert_valid, begin_with, car_and_wall, disc_and_wall, finish,
+    fitting, no_way, options, seeds, worlds,
 };
 use planarium::run::{Options, Status, start};
-use planarium::scenario::Scenario;
 use wasm_bindgen_test::wasm_bindgen_test;
-
-fn worlds() -> Vec<Scenario> {
-    vec![
-        arm_and_wall(0.1),
-        disc_and_wall(0.0, 0.5),
-        disc_and_wall(0.3, 0.5),
-        arm_of(3, true, 0.03),
-        arm_of(5, false, 0.0),
-    ]
-}
 
 #[wasm_bindgen_test(unsupported = test)]
 fn slicing_never_changes_the_result() {
@@ -80,7 +69,7 @@ fn every_planner_works_with_every_sampler_and_keeps_its_paths_clear() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_step_does_at_most_what_it_was_asked_and_nothing_once_done() {
-    let mut run = begin(&arm_and_wall(0.1), "prm", 1, &[("samples", 50.0)]);
+    let mut run = begin_with(&arm_and_wall(0.1), "prm", 1, "samples=50");
     for asked in [0, 1, 1, 5, 20] {
         let before = run.iterations();
         run.step(asked);
@@ -187,7 +176,7 @@ fn options_that_make_no_sense_are_refused_with_code_and_pointer() {
 fn an_arm_of_any_number_of_links_plans() {
     for links in 1..=8 {
         for planner in ["prm", "prm-star", "rrt", "rrt-connect"] {
-            let run = finish(begin(&arm_of(links, links % 2 == 0, 0.02), planner, 1, &[]));
+            let run = finish(begin_with(&arm_of(links, links % 2 == 0, 0.02), planner, 1, ""));
             assert_eq!(run.status(), Status::Solved, "{links} links, {planner}");
             assert_eq!(run.dimension(), links);
         }

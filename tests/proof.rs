@@ -1,9 +1,9 @@
 //! The proof law: no accepted motion touches an obstacle, however thin; nothing with clearance to spare is refused. On native,
 //! Node and Chrome alike, with many seeds natively.
 
-use crate::common::bodies::{part_distance, random_obstacle};
+use crate::common::bodies::{clearance, random_obstacle};
 use crate::common::documents::{arm, disc, polygon, rectangle, scenario};
-use crate::common::{arm_and_wall, arm_of, assert_valid, begin, disc_and_wall, finish, seeds, thick_arm_and_wall};
+use crate::common::{arm_and_wall, arm_of, assert_valid, begin_with, disc_and_wall, finish, seeds, thick_arm_and_wall};
 use planarium::collision::{ArmValidity, DiscValidity, Obstacles, Sampled};
 use planarium::geometry::{Aabb, Disc, Point};
 use planarium::problem::Validity;
@@ -19,22 +19,22 @@ const THICKNESSES: [f64; 7] = [0.5, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 
 #[wasm_bindgen_test(unsupported = test)]
 fn no_path_of_a_roadmap_or_a_tree_crosses_a_wall_shortened_or_not() {
-    let (roadmap, shortcut) = (&[("samples", 250.0), ("k", 8.0)][..], &[("shortcut", 30.0)][..]);
-    for (world, planner, parameters, all) in [
+    let (roadmap, shortcut) = ("samples=250 k=8", "shortcut=30");
+    for (world, planner, settings, all) in [
         (&arm_and_wall as &dyn Fn(f64) -> Scenario, "prm", roadmap, 1000),
         (&thick_arm_and_wall, "prm", roadmap, 1000),
         (&|thickness| disc_and_wall(0.0, thickness), "prm", roadmap, 1000),
-        (&arm_and_wall, "rrt-connect", &[], 1000),
-        (&thick_arm_and_wall, "rrt-connect", &[], 1000),
+        (&arm_and_wall, "rrt-connect", "", 1000),
+        (&thick_arm_and_wall, "rrt-connect", "", 1000),
         (&thick_arm_and_wall, "rrt-connect", shortcut, 200),
-        (&|thickness| disc_and_wall(0.2, thickness), "rrt-connect", &[], 1000),
+        (&|thickness| disc_and_wall(0.2, thickness), "rrt-connect", "", 1000),
         (&|thickness| disc_and_wall(0.0, thickness), "rrt-connect", shortcut, 200),
     ] {
         let (all, mut solved) = (seeds(all), 0);
         for seed in 0..all {
             let thickness = THICKNESSES[seed as usize % THICKNESSES.len()];
             let scenario = world(thickness);
-            let run = finish(begin(&scenario, planner, seed, parameters));
+            let run = finish(begin_with(&scenario, planner, seed, settings));
             if run.status() == Status::Solved {
                 solved += 1;
                 assert_valid(&scenario, &*run);
@@ -49,6 +49,11 @@ fn arm_in(scenario: &Scenario) -> (ProductSpace<MAX_LINKS>, ArmValidity<MAX_LINK
     let Robot::Arm(arm) = scenario.robot() else { panic!("an arm") };
     let space = joint_space(arm, Metric::Sum);
     (space.clone(), ArmValidity::new(arm, space, scenario.world(), 1e-4))
+}
+
+fn disc_in(scenario: &Scenario) -> DiscValidity {
+    let Robot::Disc(disc) = scenario.robot() else { panic!("a disc") };
+    DiscValidity::new(disc, scenario.world())
 }
 
 fn arm_worlds() -> Vec<Scenario> {
@@ -71,8 +76,7 @@ fn crossed() -> Scenario {
 
 /// Whether the robot touches an obstacle at `q`.
 fn touches(scenario: &Scenario, q: &[f64]) -> bool {
-    let parts = scenario.robot().footprint(q);
-    parts.iter().any(|part| scenario.world().obstacles.iter().any(|obstacle| part_distance(part, obstacle) <= 0.0))
+    clearance(&scenario.robot().footprint(q), scenario.world()) <= 0.0
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -182,9 +186,8 @@ fn the_check_by_samples_tests_each_of_them_and_no_other() {
     assert!(free > 0 && (unproven > 0 || seeds(2000) < 2000), "{unproven} of {free}");
 
     let world = disc_and_wall(0.1, 0.5);
-    let Robot::Disc(disc) = world.robot() else { panic!("a disc") };
     let space: ProductSpace<2> = plane(&world.world().bounds.expect("a disc has bounds"));
-    let sampled = |places| Sampled::new(space.clone(), Box::new(DiscValidity::new(disc, world.world())), places);
+    let sampled = |samples| Sampled::new(space.clone(), Box::new(disc_in(&world)), samples);
     assert!(sampled(1).is_motion_free(&[1.0, 1.0], &[9.0, 1.0]), "the far end alone is free");
     assert!(!sampled(2).is_motion_free(&[1.0, 1.0], &[9.0, 1.0]), "the middle is in the wall");
     assert!(sampled(3).is_motion_free(&[1.0, 1.0], &[9.0, 1.0]), "a third is before the wall, two thirds behind");
@@ -255,9 +258,7 @@ fn a_motion_that_samples_accept_through_a_thin_wall_is_refused() {
         let seen = samples.filter(|q| !validity.is_free(q)).count();
         assert!(thickness > 1e-2 || seen == 0, "samples miss a wall {thickness} thick");
 
-        let world = disc_and_wall(0.0, thickness);
-        let Robot::Disc(disc) = world.robot() else { panic!("a disc") };
-        let validity = DiscValidity::new(disc, world.world());
+        let validity = disc_in(&disc_and_wall(0.0, thickness));
         assert!(!validity.is_motion_free(&[1.0, 1.0], &[9.0, 1.0]));
         let hit = validity.first_hit(&[1.0, 1.0], &[9.0, 1.0]).expect("it hits the wall");
         assert!((1.0 + 8.0 * hit - (5.0 - thickness / 2.0)).abs() < 1e-9, "at the wall, not {hit}");
@@ -271,7 +272,7 @@ fn a_start_near_an_obstacle_or_the_bounds_can_be_left() {
         let block = rectangle([0.5, -1.0], [1.5, -gap]);
         let world = scenario("", &block, &arm(&[1.0, 1.0], 0.0), r#""start": [0, 0], "goal": [1.5, 1.0]"#);
         for planner in ["prm", "rrt-connect"] {
-            let run = finish(begin(&world, planner, 1, &[]));
+            let run = finish(begin_with(&world, planner, 1, ""));
             assert_eq!(run.status(), Status::Solved, "{planner} from {gap} above a block");
             assert_valid(&world, &*run);
         }
@@ -281,7 +282,7 @@ fn a_start_near_an_obstacle_or_the_bounds_can_be_left() {
         let bounds = format!("[-10, -10], [10, {:?}]", 1.0 + 0.7 * 0.841_470_984_807_896_5 + room);
         let robot = r#"{ "type": "arm", "base": [0, 1], "links": [0.7] }"#;
         let world = scenario(&bounds, "", robot, r#""start": [1], "goal": [-1]"#);
-        let run = finish(begin(&world, "rrt-connect", 1, &[]));
+        let run = finish(begin_with(&world, "rrt-connect", 1, ""));
         assert_eq!(run.status(), Status::Solved, "{room} below the bound");
     }
 }
@@ -290,8 +291,7 @@ fn a_start_near_an_obstacle_or_the_bounds_can_be_left() {
 fn contact_with_an_obstacle_is_collision_and_contact_with_the_bounds_is_not() {
     let obstacles = [rectangle([2.0, 1.0], [3.0, 2.0]), disc([1.0, 3.0], 0.5)].join(",");
     let world = scenario("[0, 0], [4, 4]", &obstacles, r#"{ "type": "disc", "radius": 0.25 }"#, "");
-    let Robot::Disc(disc) = world.robot() else { panic!("a disc") };
-    let validity = DiscValidity::new(disc, world.world());
+    let validity = disc_in(&world);
     assert!(!validity.is_free(&[1.75, 1.5]), "touching the polygon's side");
     assert!(!validity.is_free(&[1.75, 3.0]), "touching the disc");
     assert!(validity.is_free(&[1.7499, 1.5]), "just beside it");

@@ -1,6 +1,6 @@
 //! Samplers: the distribution of each, and the same samples for the same seed.
 
-use crate::common::bodies::{p, part_distance, rectangle, world};
+use crate::common::bodies::{self, p, rectangle, world};
 use planarium::collision::DiscValidity;
 use planarium::problem::Problem;
 use planarium::random::{Random, Stream};
@@ -58,8 +58,7 @@ fn free_samples(sampler: &mut dyn Sampler<Plane>, problem: &Problem<Plane>, draw
 
 /// How far the point is from the nearest slab.
 fn clearance(q: &[f64; 2]) -> f64 {
-    let to = |slab: &Obstacle| part_distance(&Part::Disc { center: p(q[0], q[1]), radius: 0.0 }, slab);
-    corridor().obstacles.iter().map(to).fold(f64::INFINITY, f64::min)
+    bodies::clearance(&[Part::Disc { center: p(q[0], q[1]), radius: 0.0 }], &corridor())
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -76,7 +75,7 @@ fn the_same_seed_gives_the_same_samples_and_another_others() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn samplers_that_look_at_the_world_sample_where_they_say() {
+fn samplers_that_use_the_world_sample_in_their_part_of_it() {
     let problem = problem();
     let mean = |values: Vec<f64>| values.iter().sum::<f64>() / values.len() as f64;
     let mut clearances = std::collections::BTreeMap::new();
@@ -98,7 +97,7 @@ fn samplers_that_look_at_the_world_sample_where_they_say() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn even_sequences_leave_smaller_gaps_than_random_samples() {
-    // Dispersion, roughly: the share of cells of a grid that stay empty with one sample a cell on average.
+    // Dispersion, roughly: the share of cells of a grid that stay empty with one sample per cell on average.
     let problem = problem();
     let empty = |sampler: &mut dyn Sampler<Plane>| {
         let mut checks = 0;

@@ -1,7 +1,7 @@
 //! What viewers see: the history of a run, one row per iteration, the same in any slices, which changes nothing else; where refused
 //! edges are refused, in the run's own space and by its own test, which is not counted; corners, contacts and clearance.
 
-use crate::common::bodies::part_distance;
+use crate::common::bodies::{clearance, part_distance};
 use crate::common::documents::{CAR, arm, refuses, scenario};
 use crate::common::graphs::{edges, events, rows};
 use crate::common::{PLANNERS, arm_and_wall, arm_of, begin_with, disc_and_wall, finish, fitting, no_way, parse};
@@ -93,12 +93,14 @@ fn rows_are_the_same_in_any_slices_and_change_nothing() {
 fn costs_fall_while_a_path_is_improved_and_stand_when_it_is_accepted() {
     let mut run = begin_with(&disc_and_wall(0.2, 0.3), "rrt-connect", 1, "shortcut=1000");
     run.record().expect("nothing is done yet");
+    assert_eq!(run.finish(), Status::Running, "there is no path yet to be accepted");
     while run.phase() != Phase::Improving {
         run.step(1);
     }
-    run.step(200);
+    assert_eq!((run.step(200), run.path().len()), (Status::Running, 0));
     let before = run.iterations();
-    run.finish();
+    assert_eq!((run.finish(), run.step(5)), (Status::Solved, Status::Solved));
+    assert!(run.path().len() >= 2);
     let rows = run.take_history();
     assert_eq!(rows.len() as u64, before * HISTORY_WIDTH as u64, "to accept the path is no iteration");
     let improving: Vec<&[f64]> =
@@ -199,8 +201,7 @@ fn the_clearance_is_the_least_distance_and_its_points_are_that_far_apart() {
                     continue;
                 };
                 free += 1;
-                let all = parts.iter().flat_map(|part| obstacles.iter().map(|obstacle| part_distance(part, obstacle)));
-                let expected = all.fold(f64::INFINITY, f64::min);
+                let expected = clearance(&parts, scenario.world());
                 let own = part_distance(&parts[found.part], &obstacles[found.obstacle]);
                 let [a, b] = found.points;
                 for same in [expected, own, (b - a).norm()] {

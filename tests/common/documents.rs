@@ -62,6 +62,7 @@ pub fn with(document: &str, piece: &str, replacement: &str) -> String {
 pub fn refuses<T>(result: Result<T, Error>, code: &str, pointer: &str) -> String {
     let error = result.err().unwrap_or_else(|| panic!("this was accepted, not refused with {code} at {pointer}"));
     assert_eq!((error.code().as_str(), error.pointer()), (code, pointer), "{error}");
+    assert!(error.message().len() > 10, "{error}");
     error.message().to_owned()
 }
 

@@ -89,6 +89,12 @@ fn car_at_wall(thickness: f64, height: f64) -> Scenario {
     named("car", "[0, 0], [2, 2]", &obstacles, &rectangular("car", 0.1, 0.05, limits), &query)
 }
 
+/// Arms, thin and thick, and a disc.
+pub fn worlds() -> [Scenario; 5] {
+    let [thin, thick] = [arm_and_wall(0.1), thick_arm_and_wall(0.2)];
+    [thin, thick, arm_of(3, true, 0.02), arm_of(6, false, 0.0), disc_and_wall(0.3, 0.5)]
+}
+
 /// The planners by controls with settings that show their features, small enough for many runs.
 pub const DRIVEN: &[(&str, &str)] = &[
     ("rrt-control", ""),
@@ -107,14 +113,7 @@ pub fn parse(text: &str) -> Scenario {
     Scenario::parse(text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-/// Starts a run of the scenario's first query.
-pub fn begin(scenario: &Scenario, planner: &str, seed: u64, parameters: &[(&str, f64)]) -> Box<dyn Run> {
-    let parameters = parameters.iter().map(|&(name, value)| (name.to_owned(), Value::Number(value))).collect();
-    let options = Options { planner: Some(planner.to_owned()), query: None, seed, parameters };
-    run::start(scenario, &options).unwrap_or_else(|error| panic!("{error}"))
-}
-
-/// The same with settings as a line of `name=value`.
+/// Starts a run of the scenario's first query, with settings as a line of `name=value`.
 pub fn begin_with(scenario: &Scenario, planner: &str, seed: u64, settings: &str) -> Box<dyn Run> {
     run::start(scenario, &options(planner, seed, settings)).unwrap_or_else(|error| panic!("{error}"))
 }

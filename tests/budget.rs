@@ -1,5 +1,4 @@
 //! The proof of any single motion ends within a stated number of evaluations, whatever the scene: arms, bodies, arcs, rollouts.
-//! On native, Node and Chrome alike.
 
 use crate::common::bodies::{self, p, rectangle, world};
 use crate::common::documents::{self, scenario};
@@ -17,7 +16,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// The most evaluations that a motion takes: see `proof/driver.rs`. Of all pairs of a part and a convex obstacle the first interval
-/// tests each once; after it there are at most 48 levels of two tests a pair and 8192 more.
+/// tests each once; after it there are at most 48 levels of two tests per pair and 8192 more.
 fn most(pairs: usize) -> u64 {
     let pairs = pairs as u64;
     pairs + 48 * (2 * pairs + 8192)
@@ -61,7 +60,7 @@ fn close_by() -> Vec<(&'static str, Vec<Obstacle>, usize)> {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn an_arm_with_something_close_by_takes_few_evaluations_a_motion() {
+fn an_arm_with_something_close_by_takes_few_evaluations_per_motion() {
     let arm = Arm::new(Point::origin(), vec![1.0, 1.0], 0.0, None).expect("an arm");
     let space: ProductSpace<2> = joint_space(&arm, Metric::Sum);
     let mut random = Random::new(1, Stream::Samples);
@@ -123,7 +122,7 @@ fn a_motion_whose_budget_is_spent_is_refused_and_counted() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_body_that_all_but_touches_takes_few_evaluations_a_motion() {
+fn a_body_that_all_but_touches_takes_few_evaluations_per_motion() {
     let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
     let mut random = Random::new(2, Stream::Samples);
     let (mut free, mut worst) = (0, 0);

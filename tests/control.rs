@@ -219,7 +219,7 @@ fn durations_shrink_near_the_goal() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn what_is_shut_in_stays_there() {
+fn a_car_that_is_shut_in_finds_no_path() {
     for (planner, settings) in DRIVEN {
         for thickness in [0.1, 1e-6] {
             let world = car_shut_in(thickness);
@@ -252,7 +252,7 @@ fn a_start_in_the_region_is_a_path() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn euler_steps_are_a_picture_and_say_so() {
+fn euler_steps_are_named_and_not_valid() {
     let world = car_and_wall(0.1);
     let car = car(&world);
     let mut opened = 0.0f64;
@@ -283,7 +283,7 @@ fn euler_steps_are_a_picture_and_say_so() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn what_does_not_fit_is_refused_in_its_place() {
+fn wrong_settings_are_refused_with_code_and_pointer() {
     let (cars, arms) = (car_and_wall(0.1), arm_and_wall(0.1));
     let why = refuses(start(&arms, &options("sst", 1, "")), "unsupported", "/algorithm");
     assert!(why.contains("car") && why.contains("rrt-connect") && !why.contains("rrt-control,"), "{why}");

@@ -1,5 +1,4 @@
-//! Planners where motions are curves and may have a direction: paths that are driven in order, roadmaps whose edges are
-//! never followed backwards; on native, Node and Chrome alike.
+//! Planners whose motions are curves and may have a direction: paths in order, roadmaps whose edges are never followed backwards.
 
 use planarium::graph::{Graph, VertexId};
 use planarium::path::{Improvement, Wanted, length};

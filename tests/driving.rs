@@ -112,7 +112,7 @@ fn the_same_keys_at_the_same_steps_give_the_same_bits_however_the_steps_are_cut(
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn it_stops_before_an_obstacle_reports_it_and_can_back_off() {
+fn it_stops_before_an_obstacle_or_the_bounds_reports_it_and_can_back_off() {
     let mut drive = drive();
     press(&mut drive, "+++++lr");
     drive.tick(1000).expect("time");
@@ -132,11 +132,7 @@ fn it_stops_before_an_obstacle_reports_it_and_can_back_off() {
     drive.tick(10).expect("time");
     assert_eq!(drive.blocked(), None);
     assert!(drive.pose()[0] < stood[0]);
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn it_stops_at_the_bounds() {
-    let mut drive = drive();
+    let mut drive = self::drive();
     press(&mut drive, "-----");
     drive.tick(1000).expect("time");
     assert_eq!(drive.blocked(), Some(Some(Touched::Bounds)));

@@ -2,12 +2,13 @@
 
 use crate::common::bodies;
 use crate::common::documents::refuses;
+use crate::common::{begin_with, finish};
 use planarium::geometry::{Aabb, Disc, Point, Polygon, Segment, distance_polygon_polygon, intersects_segment_polygon};
 use planarium::graph::{Fingerprint, UnionFind};
 use planarium::options::Kind;
 use planarium::robot::Part;
 use planarium::run::inspect::Inspector;
-use planarium::run::{Options, Status, Value, start};
+use planarium::run::{Status, Value};
 use planarium::scenario::generate::{
     BugTrapOptions, ClutterOptions, ForestOptions, GapOptions, Generator, RobotChoice, Turn, generate, generators,
 };
@@ -115,7 +116,7 @@ fn every_cell_that_is_not_excluded_is_drawn_sometimes() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn forests_ask_the_questions_of_the_report() {
+fn forests_have_the_queries_of_the_report() {
     for (links, start, goal) in [
         (2, vec![0.5, 5.0], vec![2.0, 1.0]),
         (3, vec![1.0, 0.5, 5.0], vec![4.0, 1.0, 1.0]),
@@ -336,9 +337,8 @@ fn what_is_solvable_by_construction_is_solved_and_a_passage_that_is_too_narrow_i
         let (seeds, limit, status) = if is_solvable { (6, 1e5, Status::Solved) } else { (4, 3e3, Status::Exhausted) };
         for seed in 0..seeds {
             let scenario = make(kind, options, seed);
-            let parameters = vec![("max_iterations".to_owned(), Value::Number(limit))];
-            let mut run = start(&scenario, &Options { parameters, ..Options::default() }).expect("a run begins");
-            assert_eq!(run.step(u64::MAX), status, "{}", scenario.title());
+            let run = finish(begin_with(&scenario, "rrt-connect", 0, &format!("max_iterations={limit}")));
+            assert_eq!(run.status(), status, "{}", scenario.title());
             assert_eq!(scenario.title().contains("no path"), !is_solvable, "{}", scenario.title());
         }
     }

@@ -1,5 +1,4 @@
-//! Golden outcomes: the same bits natively, in Node and in Chrome, and tomorrow. `PLANARIUM_BLESS=1 cargo test --test all -- golden`
-//! writes them anew after a change that is meant to change results.
+//! Golden outcomes: the same bits on every platform and with every change, unless it is meant to change results.
 
 use crate::common::golden::{check, scene};
 use crate::common::{finish, parse};

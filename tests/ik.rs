@@ -1,13 +1,11 @@
-//! Inverse kinematics. Runs: the Jacobian against differences; every reachable target is reached, within limits; slices, distinct
-//! and free solutions, refusals. Closed forms, and how near an arm can come: against the ring of arms without limits, against dense
-//! samples with limits. An arm that follows a target: it arrives, does not jump, recovers from being stretched, and stays within its
-//! limits.
+//! Inverse kinematics. Runs: reachable targets are reached, within limits; slices, distinct and free solutions, refusals. Closed
+//! forms, and how near an arm can come. An arm that follows a target: it arrives, does not jump, and recovers from being stretched.
 
 use crate::common::arms::{
     arm, at, configuration, deviation, free, is_within, limited, reachable, scenario, solve, target_of,
 };
 use crate::common::documents::{disc, refuses};
-use crate::common::{cases, disc_and_wall};
+use crate::common::{cases, disc_and_wall, given};
 use planarium::geometry::{Point, Vector};
 use planarium::ik::{
     Followed, Nearest, Reason, Solver, SolverOptions, Target, Verdict, follow, jacobian, manipulability, methods,
@@ -16,14 +14,13 @@ use planarium::ik::{
 use planarium::problem::Touched;
 use planarium::random::{MAX_SEED, Random, Stream};
 use planarium::robot::Arm;
-use planarium::run::{Status, Value};
+use planarium::run::Status;
 use planarium::space::angular_distance;
 use std::f64::consts::{PI, SQRT_2, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-fn options(target: Target, method: &str, parameters: &[(&str, f64)]) -> SolverOptions {
-    let parameters = parameters.iter().map(|&(name, value)| (name.to_owned(), Value::Number(value))).collect();
-    SolverOptions { method: Some(method.to_owned()), parameters, ..SolverOptions::to(target) }
+fn options(target: Target, method: &str, settings: &str) -> SolverOptions {
+    SolverOptions { method: Some(method.to_owned()), parameters: given(settings), ..SolverOptions::to(target) }
 }
 
 /// The methods that go from one configuration to the next.
@@ -41,7 +38,7 @@ fn every_iterative_method_reaches_what_can_be_reached() {
             let arm = arm(&mut random, links, case % 2 == 0);
             let is_oriented = links >= 3 && random.below(3) == 0;
             let target = reachable(&mut random, &arm, is_oriented);
-            let run = solve(&scenario(&arm, ""), &SolverOptions { seed: case, ..options(target, method, &[]) });
+            let run = solve(&scenario(&arm, ""), &SolverOptions { seed: case, ..options(target, method, "") });
             for iterate in run.iterates() {
                 assert!(is_within(&arm, &iterate.configuration), "case {case}: {:?}", iterate.configuration);
             }
@@ -99,8 +96,7 @@ fn manipulability_of_two_links_is_their_lengths_times_the_sine_of_the_elbow() {
 fn slices_change_nothing() {
     let scenario = scenario(&free(&[1.0, 0.8, 0.5, 0.4]), r#"{ "type": "disc", "center": [0.7, 0.9], "radius": 0.3 }"#);
     for method in ITERATIVE {
-        let mut options = options(at(0.9, 0.3), method, &[("solutions", 5.0), ("max_iterations", 700.0)]);
-        options.parameters.push(("free_only".to_owned(), Value::Boolean(true)));
+        let mut options = options(at(0.9, 0.3), method, "solutions=5 max_iterations=700 free_only=true");
         options.seed = 3;
         let whole = solve(&scenario, &options);
         for slice in [1, 7] {
@@ -119,10 +115,10 @@ fn slices_change_nothing() {
 fn solutions_are_distinct_and_as_many_as_there_are() {
     let two = scenario(&free(&[1.0, 0.8]), "");
     for method in ITERATIVE {
-        let run = solve(&two, &options(at(1.0, 0.6), method, &[("solutions", 9.0), ("separation", 0.01)]));
+        let run = solve(&two, &options(at(1.0, 0.6), method, "solutions=9 separation=0.01"));
         assert_eq!((run.status(), run.solutions().len()), (Status::Solved, 2), "{method}");
         assert_eq!(run.restarts(), 200, "it has searched for more");
-        let five = solve(&scenario(&free(&[0.5; 5]), ""), &options(at(1.0, 0.6), method, &[("solutions", 12.0)]));
+        let five = solve(&scenario(&free(&[0.5; 5]), ""), &options(at(1.0, 0.6), method, "solutions=12"));
         let found = five.solutions();
         assert_eq!(found.len(), 12, "{method}");
         for (i, a) in found.iter().enumerate() {
@@ -131,9 +127,9 @@ fn solutions_are_distinct_and_as_many_as_there_are() {
             }
         }
     }
-    let nothing = solve(&two, &options(at(1.0, 0.6), "newton", &[("max_iterations", 0.0)]));
+    let nothing = solve(&two, &options(at(1.0, 0.6), "newton", "max_iterations=0"));
     assert_eq!((nothing.status(), nothing.iterations(), nothing.explain()), (Status::Exhausted, 0, Verdict::NotFound));
-    let mut here = options(at(1.8, 0.0), "newton", &[]);
+    let mut here = options(at(1.8, 0.0), "newton", "");
     here.start = Some(vec![0.0, 0.0]);
     let here = Solver::new(&two, &here).expect("a run");
     assert_eq!((here.status(), here.iterations()), (Status::Solved, 0));
@@ -145,11 +141,11 @@ fn solutions_in_collision_are_listed_apart() {
     let one = disc([0.3, 1.0], 0.2);
     let both = [one.clone(), disc([1.0, -0.2], 0.3)].join(",");
     for method in ["closed-form", "newton", "damped-least-squares", "gradient-descent"] {
-        let mut wanted = options(at(1.0, 0.9), method, &[("solutions", 2.0)]);
+        let mut wanted = options(at(1.0, 0.9), method, "solutions=2");
         let all = solve(&scenario(&free(&[0.9, 0.9]), &one), &wanted);
         let counts = (all.solutions().len(), all.rejected().len(), all.stats().configuration_checks);
         assert_eq!(counts, (2, 0, 0), "{method}");
-        wanted.parameters.push(("free_only".to_owned(), Value::Boolean(true)));
+        wanted.parameters.extend(given("free_only=true"));
         let some = solve(&scenario(&free(&[0.9, 0.9]), &one), &wanted);
         let counts = (some.solutions().len(), some.rejected().len(), some.explain());
         assert_eq!(counts, (1, 1, Verdict::Reached), "{method}");
@@ -181,18 +177,20 @@ fn bad_input_is_refused_with_code_and_pointer() {
     refused(&|o| o.start = Some(vec![0.0, f64::NAN]), "not-finite", "/start/1");
     refused(&|o| o.start = Some(vec![0.0, 0.0]), "out-of-range", "/start/1");
     refused(&|o| o.start = Some(vec![-1.0000001, 0.5]), "out-of-range", "/start/0");
-    let parameter =
-        |name: &'static str, value: Value| move |o: &mut SolverOptions| o.parameters.push((name.into(), value.clone()));
-    refused(&parameter("tolerance", Value::Number(0.0)), "out-of-range", "/tolerance");
-    refused(&parameter("solutions", Value::Number(1.5)), "out-of-range", "/solutions");
-    refused(&parameter("free_only", Value::Number(1.0)), "wrong-type", "/free_only");
-    refused(&parameter("speed", Value::Number(1.0)), "unknown-parameter", "/speed");
-    refused(&parameter("max_iterations", Value::Number(f64::NAN)), "not-finite", "/max_iterations");
+    for (settings, code, pointer) in [
+        ("tolerance=0", "out-of-range", "/tolerance"),
+        ("solutions=1.5", "out-of-range", "/solutions"),
+        ("free_only=1", "wrong-type", "/free_only"),
+        ("speed=1", "unknown-parameter", "/speed"),
+        ("max_iterations=nan", "not-finite", "/max_iterations"),
+    ] {
+        refused(&|o| o.parameters = given(settings), code, pointer);
+    }
     // Options that the closed form does not have, and arms that it cannot solve.
-    let restarts = options(at(1.0, 0.5), "closed-form", &[("restarts", 3.0)]);
+    let restarts = options(at(1.0, 0.5), "closed-form", "restarts=3");
     refuses(Solver::new(&scene, &restarts), "unknown-parameter", "/restarts");
     let three = scenario(&free(&[1.0, 1.0, 1.0]), "");
-    refuses(Solver::new(&three, &options(at(1.0, 0.5), "closed-form", &[])), "unsupported", "/method");
+    refuses(Solver::new(&three, &options(at(1.0, 0.5), "closed-form", "")), "unsupported", "/method");
     let turned = Target { orientation: Some(0.0), ..at(0.5, 0.0) };
     refuses(Solver::new(&scenario(&free(&[1.0]), ""), &SolverOptions::to(turned)), "unsupported", "/orientation");
     refuses(nearest_reachable(&free(&[1.0]), turned), "unsupported", "/orientation");
@@ -211,7 +209,7 @@ fn the_largest_and_the_smallest_arms_reach_too() {
             Arm::new(Point::new(scale, -scale), vec![scale, 0.8 * scale, 0.5 * scale], 0.0, None).expect("an arm");
         let goal = target_of(&arm, &[0.4, 0.9, -0.7], false);
         for method in ITERATIVE {
-            let run = solve(&scenario(&arm, ""), &options(goal, method, &[]));
+            let run = solve(&scenario(&arm, ""), &options(goal, method, ""));
             assert_eq!(run.status(), Status::Solved, "{method} at {scale}");
             let [distance, _] = deviation(&arm, &run.solutions()[0], &goal);
             assert!(distance <= run.tolerance() + 1e-15 * scale, "{method} at {scale}");
@@ -244,8 +242,7 @@ fn any_target(random: &mut Random, arm: &Arm, case: usize, farthest: f64) -> Tar
 
 /// All closed solutions from a start.
 fn closed_from(arm: &Arm, target: Target, start: Option<Vec<f64>>) -> Vec<Vec<f64>> {
-    let options =
-        SolverOptions { start, ..options(target, "closed-form", &[("solutions", 9.0), ("separation", 1e-6)]) };
+    let options = SolverOptions { start, ..options(target, "closed-form", "solutions=9 separation=1e-6") };
     solve(&scenario(arm, ""), &options).solutions().to_vec()
 }
 

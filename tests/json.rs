@@ -1,7 +1,6 @@
-//! JSON text: what is refused, with which code and where, whatever the document is about; numbers to the last bit; one normal
-//! form.
+//! JSON text: what is refused, with which code and pointer; numbers to the last bit; one normal form.
 
-use crate::common::documents::{ARM, DISC, refusal, with};
+use crate::common::documents::{ARM, DISC, pointers, refusal, with};
 use planarium::json;
 use planarium::scenario::{MAX_DEPTH, MAX_TEXT, Scenario};
 use serde_json::{Value, json};
@@ -179,30 +178,18 @@ mod fuzz {
         })
     }
 
-    /// Puts `value` in the place of the `at`-th value of the tree, counted depth first; or leaves it out, or doubles it.
-    fn mutate(node: &mut Value, at: &mut usize, value: &Value, how: u8) {
-        if *at == 0 {
-            *node = value.clone();
-        }
-        *at = at.wrapping_sub(1);
-        match node {
-            Value::Array(items) => {
-                if *at < items.len() && how == 1 {
-                    items.remove(*at);
-                }
-                if *at < items.len() && how == 2 {
-                    items.push(items[*at].clone());
-                }
-                items.iter_mut().for_each(|item| mutate(item, at, value, how));
-            }
-            Value::Object(fields) => {
-                if *at < fields.len() && how == 1 {
-                    let name = fields.keys().nth(*at).expect("there are more").clone();
-                    fields.remove(&name);
-                }
-                fields.iter_mut().for_each(|(_, item)| mutate(item, at, value, how));
-            }
-            _ => {}
+    /// Replaces a value of the tree, removes it from its list or its object, or doubles it there.
+    fn mutate(tree: &mut Value, at: usize, value: &Value, how: u8) {
+        let all = pointers(tree);
+        let at = &all[at % all.len()];
+        let (parent, name) = at.rsplit_once('/').unwrap_or_default();
+        if how == 0 {
+            *tree.pointer_mut(at).expect("it is there") = value.clone();
+        } else if let Some(Value::Array(items)) = tree.pointer_mut(parent) {
+            let item = items.remove(name.parse().expect("an index"));
+            items.extend(vec![item; if how == 2 { 2 } else { 0 }]);
+        } else if let Some(Value::Object(fields)) = tree.pointer_mut(parent) {
+            fields.remove(name);
         }
     }
 
@@ -213,7 +200,7 @@ mod fuzz {
         fn no_change_to_a_document_makes_the_parser_panic(at in 0usize..70, value in any_value(), how in 0u8..3) {
             for document in [ARM, DISC] {
                 let mut node: Value = serde_json::from_str(document).unwrap();
-                mutate(&mut node, &mut at.clone(), &value, how);
+                mutate(&mut node, at, &value, how);
                 match Scenario::parse(&node.to_string()) {
                     Ok(scenario) => prop_assert_eq!(Scenario::parse(&scenario.to_json_string()), Ok(scenario)),
                     Err(error) => prop_assert!(error.pointer().is_empty() || error.pointer().starts_with('/')),

@@ -1,5 +1,5 @@
 //! Bodies and cars at the limits of what is accepted: corners in one line, turning circles as wide as the world or as small as a
-//! grain of dust, results that are wrong. On native, Node and Chrome alike.
+//! grain of dust, results that are wrong.
 
 use crate::common::bodies::*;
 use crate::common::documents::{self, arm, rectangular, refusal, refuses, scenario};

@@ -1,5 +1,4 @@
-//! Nearest neighbours: every exact index returns what a plain scan returns, to the bit, ties by index, in every space and
-//! metric that there is; on native, Node and Chrome alike. `PLANARIUM_DEEP=1` checks more.
+//! Nearest neighbours: every exact index returns what a plain scan returns, to the bit, ties by index, in every space and metric.
 
 use crate::common::cases;
 use planarium::graph::VertexId;

@@ -1,4 +1,4 @@
-//! Polygons against polygons, and their triangles and convex pieces: held against exact arithmetic, areas and parry.
+//! Polygons against polygons, and their triangles and convex pieces: against exact arithmetic, areas and parry.
 
 use crate::common::bodies::{border, p, polygon, random_star};
 use crate::geometry::{exact_intersects, random, whole};

@@ -1,5 +1,4 @@
-//! The laws of every planner, on native, Node and Chrome alike: slicing changes nothing, impossible queries are never solved,
-//! and paths are valid.
+//! The laws of every planner: slicing changes nothing, impossible queries are never solved, and paths are valid.
 
 use crate::common::documents::{arm, disc, refuses, scenario};
 use crate::common::graphs::{edges, rows};
@@ -143,7 +142,7 @@ fn a_start_or_goal_in_collision_is_refused_with_the_pair_named() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn options_that_make_no_sense_are_refused_with_code_and_pointer() {
+fn wrong_options_are_refused_with_code_and_pointer() {
     let world = arm_and_wall(0.1);
     for (planner, settings, code, pointer) in [
         ("prm", "discard=true", "out-of-range", "/discard"),

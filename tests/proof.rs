@@ -1,5 +1,4 @@
-//! The proof law: no accepted motion touches an obstacle, however thin; nothing with clearance to spare is refused. On native,
-//! Node and Chrome alike, with many seeds natively.
+//! The proof law: no accepted motion touches an obstacle, however thin; nothing with clearance to spare is refused.
 
 use crate::common::bodies::{clearance, random_obstacle};
 use crate::common::documents::{arm, disc, polygon, rectangle, scenario};

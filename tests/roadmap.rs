@@ -254,7 +254,7 @@ fn edges_that_are_only_sampled_are_named_and_jump_through_a_thin_wall() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_naive_metric_goes_the_long_way_round() {
+fn the_naive_metric_goes_in_the_longer_direction() {
     let world = scenario("", "", &arm(&[1.0, 1.0], 0.0), r#""start": [0.2, 0.1], "goal": [-0.2, 0.1]"#);
     let wrapped = finish(begin_with(&world, "prm", 1, "samples=300 metric=euclidean"));
     let naive = finish(begin_with(&world, "prm", 1, "samples=300 metric=naive"));
@@ -265,7 +265,7 @@ fn the_naive_metric_goes_the_long_way_round() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_path_as_it_was_found_stays_at_hand() {
+fn the_path_as_it_was_found_is_stored() {
     for world in [arm_and_wall(0.1), disc_and_wall(0.2, 0.3)] {
         for planner in ["prm", "visibility-prm", "rrt", "rrt-connect"] {
             let plain = finish(begin_with(&world, planner, 3, ""));

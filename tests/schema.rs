@@ -1,6 +1,4 @@
 //! The committed JSON Schema is the one that the types give, and it agrees with the parser.
-//!
-//! `PLANARIUM_BLESS=1 cargo test --features schema --test schema` writes it anew.
 
 use crate::common::documents::{ARM, BODY, CAR, DISC, reaching};
 use planarium::scenario::generate::{ClutterOptions, ForestOptions, Generator};

@@ -1,4 +1,4 @@
-//! Shortest curves of cars: against numerical search, known values and the laws they obey; on native, Node and Chrome alike.
+//! Shortest curves of cars: against numerical search, known values and the laws they obey.
 
 use crate::common::cases;
 use nalgebra::{Matrix3, Vector3};

@@ -1,5 +1,5 @@
 //! Trajectories. Two: closed forms against halving, and both against known cases. Many: none crosses another, the same in any
-//! slices, on every platform, with the index and without.
+//! slices, with the index and without.
 
 use crate::common::documents::refuses;
 use crate::common::{cases, given};

@@ -1,5 +1,5 @@
-//! The independent judge of paths, on native, Node and Chrome alike: hand-made paths, valid and not. Ends of motions are
-//! odd, so that no sample falls exactly on an obstacle.
+//! The independent judge of paths: hand-made paths, valid and not. Ends of motions are odd, so that no sample falls exactly on an
+//! obstacle.
 
 use crate::common::documents::{self, arm, disc, judged, limited_arm, polygon, rectangle, refuses};
 use planarium::path::{ResultDocument, verify};
@@ -178,7 +178,7 @@ fn limited_joints_neither_leave_their_limits_nor_wrap() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_long_way_round_must_be_spelt_out() {
+fn the_longer_direction_needs_waypoints() {
     let robot = arm(&[1.0], 0.0);
     let behind = [disc([-0.9, 0.0], 0.05)];
     let scenario = scenario(None, &behind, &robot, [&[-2.0], &[2.0]]);

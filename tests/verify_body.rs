@@ -1,4 +1,4 @@
-//! The independent judge of bodies' paths, on native, Node and Chrome alike: against the proof, against dense samples, and by hand.
+//! The independent judge of bodies' paths: against the proof, against dense samples, and by hand.
 
 use crate::common::bodies::*;
 use crate::common::{documents, seeds};

@@ -72,23 +72,15 @@ pub fn refusal(document: &str, code: &str, pointer: &str) -> String {
     refuses(Scenario::parse(document), code, pointer)
 }
 
-/// The JSON pointers of all objects in the document.
-pub fn objects(document: &Value) -> Vec<String> {
-    fn add(value: &Value, pointer: String, found: &mut Vec<String>) {
-        match value {
-            Value::Object(fields) => {
-                fields.iter().for_each(|(name, field)| add(field, format!("{pointer}/{name}"), found));
-                found.push(pointer);
-            }
-            Value::Array(items) => {
-                items.iter().enumerate().for_each(|(i, item)| add(item, format!("{pointer}/{i}"), found));
-            }
-            _ => {}
-        }
-    }
-    let mut found = Vec::new();
-    add(document, String::new(), &mut found);
-    found
+/// The JSON pointers of all values in the document, each after what it contains.
+pub fn pointers(document: &Value) -> Vec<String> {
+    let inner: Vec<(String, &Value)> = match document {
+        Value::Object(fields) => fields.iter().map(|(name, field)| (name.clone(), field)).collect(),
+        Value::Array(items) => items.iter().enumerate().map(|(i, item)| (i.to_string(), item)).collect(),
+        _ => Vec::new(),
+    };
+    let below = |(name, value)| pointers(value).into_iter().map(move |pointer| format!("/{name}{pointer}"));
+    inner.into_iter().flat_map(below).chain([String::new()]).collect()
 }
 
 /// A solved result: the path as JSON, and of a car its motions.

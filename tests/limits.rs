@@ -25,14 +25,8 @@ fn corners_in_one_line_or_all_but_change_nothing() {
     for number in 0..seeds(30) {
         let around = [p(-1.0, -0.5), p(1.0, -0.5), p(1.0, 0.5), p(-1.0, 0.5)];
         let turn = if number % 2 == 0 { 0.0 } else { 6.0 * random.uniform() };
-        let (sin, cos) = libm::sincos(turn);
-        let corners: Vec<_> = (0..16)
-            .map(|i| {
-                let (a, b) = (around[i / 4], around[(i / 4 + 1) % 4]);
-                let at = a + (b - a) * (0.25 * (i % 4) as f64);
-                p(at.x * cos - at.y * sin, at.x * sin + at.y * cos)
-            })
-            .collect();
+        let corner = |i: usize| around[i / 4] + (around[(i / 4 + 1) % 4] - around[i / 4]) * (0.25 * (i % 4) as f64);
+        let corners = drawn(p(0.0, 0.0), turn, &std::array::from_fn::<_, 16, _>(|i| corner(i).into()));
         let hull: Vec<_> = corners.iter().copied().step_by(4).collect();
         let (Ok(body), Ok(plain)) = (Polygon::new(&corners), Polygon::new(&hull)) else { continue };
         let disc = |_| {

@@ -8,10 +8,9 @@ use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// A scenario with one query, "q".
-fn scenario(bounds: Option<[[f64; 2]; 2]>, obstacles: &[String], robot: &str, ends: [&[f64]; 2]) -> Scenario {
-    let bounds = bounds.map_or(String::new(), |[min, max]| format!("{min:?}, {max:?}"));
+fn scenario(bounds: &str, obstacles: &[String], robot: &str, ends: [&[f64]; 2]) -> Scenario {
     let query = format!(r#""start": {:?}, "goal": {:?}"#, ends[0], ends[1]);
-    documents::scenario(&bounds, &obstacles.join(","), robot, &query)
+    documents::scenario(bounds, &obstacles.join(","), robot, &query)
 }
 
 fn robot_disc(radius: f64) -> String {
@@ -22,7 +21,7 @@ fn result(path: &[&[f64]], length: f64) -> ResultDocument {
     documents::result("s", &format!("{path:?}"), None, length)
 }
 
-/// Angles the short way round, summed over joints; plain differences for limited joints and points need their own.
+/// Angles in the shorter direction, summed over joints; plain differences for limited joints and points need their own.
 fn circle_length(path: &[&[f64]]) -> f64 {
     let short = |a: f64, b: f64| (b - a - TAU * ((b - a) / TAU).round()).abs();
     path.windows(2).flat_map(|e| e[0].iter().zip(e[1]).map(move |(a, b)| short(*a, *b))).sum()
@@ -37,15 +36,15 @@ fn straight_length(path: &[&[f64]]) -> f64 {
 type Verdict = Result<f64, String>;
 
 /// The verdict on a path from its first to its last waypoint.
-fn judge_in(bounds: Option<[[f64; 2]; 2]>, obstacles: &[String], robot: &str, path: &[&[f64]], length: f64) -> Verdict {
+fn judge_in(bounds: &str, obstacles: &[String], robot: &str, path: &[&[f64]], length: f64) -> Verdict {
     judged(&scenario(bounds, obstacles, robot, [path[0], path[path.len() - 1]]), &result(path, length))
 }
 
 fn judge_arm(obstacles: &[String], robot: &str, path: &[&[f64]]) -> Verdict {
-    judge_in(None, obstacles, robot, path, circle_length(path))
+    judge_in("", obstacles, robot, path, circle_length(path))
 }
 
-const ROOM: Option<[[f64; 2]; 2]> = Some([[-4.0, -4.0], [4.0, 4.0]]);
+const ROOM: &str = "[-4, -4], [4, 4]";
 
 fn judge_disc(obstacles: &[String], radius: f64, path: &[&[f64]]) -> Verdict {
     judge_in(ROOM, obstacles, &robot_disc(radius), path, straight_length(path))
@@ -142,7 +141,7 @@ fn a_tip_may_slide_along_a_wall_but_not_on_it() {
 fn bounds_may_be_touched_but_not_left() {
     let path: &[&[f64]] = &[&[-0.5], &[0.6137]];
     let judge = |x: f64, radius: f64| {
-        judge_in(Some([[-1.0, -1.0], [x, 1.0]]), &[], &arm(&[1.0], radius), path, circle_length(path))
+        judge_in(&format!("[-1, -1], [{x:?}, 1]"), &[], &arm(&[1.0], radius), path, circle_length(path))
     };
     refused(judge(0.99, 0.0), &["edge 0", "link 0", "leaves the bounds"]);
     refused(judge(1.0 - 1e-10, 0.0), &["leaves the bounds"]);
@@ -160,28 +159,28 @@ fn bounds_may_be_touched_but_not_left() {
 #[wasm_bindgen_test(unsupported = test)]
 fn limited_joints_neither_leave_their_limits_nor_wrap() {
     let robot = limited_arm(&[1.0], 0.0, &[[-3.0, 3.0]]);
-    let judge = |obstacles: &[String], path: &[&[f64]]| judge_in(None, obstacles, &robot, path, straight_length(path));
+    let judge = |obstacles: &[String], path: &[&[f64]]| judge_in("", obstacles, &robot, path, straight_length(path));
     let (right, left) = ([disc([0.9, 0.0], 0.05)], [disc([-0.9, 0.0], 0.05)]);
     clearance(judge(&left, &[&[-3.0], &[3.0]]));
     refused(judge(&right, &[&[-3.0], &[3.0]]), &["link 0", "obstacle 0"]);
     refused(judge(&left, &[&[-3.0], &[3.0 + 1e-12], &[2.0]]), &["waypoint 1", "limits of joint 0"]);
-    // The same two ends with a circle for a joint: the other way round.
+    // The same two ends with a circle for a joint: in the other direction.
     let circle = arm(&[1.0], 0.0);
     clearance(judge_arm(&right, &circle, &[&[-3.0], &[3.0]]));
     refused(judge_arm(&left, &circle, &[&[-3.0], &[3.0]]), &["link 0", "obstacle 0"]);
     // Several turns of a limited joint are several turns.
     let winding = limited_arm(&[1.0], 0.0, &[[-100.0, 100.0]]);
     let path: &[&[f64]] = &[&[-PI / 2.0], &[TAU + PI / 2.0]];
-    refused(judge_in(None, &left, &winding, path, straight_length(path)), &["link 0", "obstacle 0"]);
+    refused(judge_in("", &left, &winding, path, straight_length(path)), &["link 0", "obstacle 0"]);
     let path: &[&[f64]] = &[&[-99.0], &[99.0]];
-    clearance(judge_in(None, &[disc([1.2, 0.0], 0.1)], &winding, path, straight_length(path)));
+    clearance(judge_in("", &[disc([1.2, 0.0], 0.1)], &winding, path, straight_length(path)));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_longer_direction_needs_waypoints() {
     let robot = arm(&[1.0], 0.0);
     let behind = [disc([-0.9, 0.0], 0.05)];
-    let scenario = scenario(None, &behind, &robot, [&[-2.0], &[2.0]]);
+    let scenario = scenario("", &behind, &robot, [&[-2.0], &[2.0]]);
     let judge = |path: &[&[f64]], length: f64| judged(&scenario, &result(path, length));
     refused(judge(&[&[-2.0], &[2.0]], TAU - 4.0), &["link 0", "obstacle 0"]);
     clearance(judge(&[&[-2.0], &[0.0], &[2.0]], 4.0));
@@ -193,7 +192,7 @@ fn the_longer_direction_needs_waypoints() {
 #[wasm_bindgen_test(unsupported = test)]
 fn angles_count_in_any_number_of_turns() {
     let near = [disc([0.0, -0.9], 0.05)];
-    let scenario = scenario(None, &near, &arm(&[0.5, 0.5], 0.01), [&[0.5 + 3.0 * TAU, 0.1], &[1.5, -0.2 - TAU]]);
+    let scenario = scenario("", &near, &arm(&[0.5, 0.5], 0.01), [&[0.5 + 3.0 * TAU, 0.1], &[1.5, -0.2 - TAU]]);
     let judge = |path: &[&[f64]]| judged(&scenario, &result(path, 1.3));
     let plain = judge(&[&[0.5, 0.1], &[1.5, -0.2]]);
     let turned = judge(&[&[0.5 - TAU, 0.1 + 50.0 * TAU], &[1.5 + 1000.0 * TAU, -0.2]]);
@@ -203,7 +202,7 @@ fn angles_count_in_any_number_of_turns() {
 #[wasm_bindgen_test(unsupported = test)]
 fn start_goal_and_length_must_be_those_of_the_query() {
     let robot = arm(&[1.0, 1.0], 0.0);
-    let scenario = scenario(None, &[], &robot, [&[0.1, 0.2], &[1.1, 0.4]]);
+    let scenario = scenario("", &[], &robot, [&[0.1, 0.2], &[1.1, 0.4]]);
     let judge = |path: &[&[f64]], length: f64| judged(&scenario, &result(path, length));
     assert_eq!(clearance(judge(&[&[0.1, 0.2], &[1.1, 0.4]], 1.2)), f64::INFINITY);
     clearance(judge(&[&[0.1, 0.2], &[1.1, 0.4]], f64::sqrt(1.04)));
@@ -221,7 +220,7 @@ fn start_goal_and_length_must_be_those_of_the_query() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn malformed_paths_are_refused_by_name() {
-    let scenario = scenario(None, &[], &arm(&[1.0, 1.0], 0.0), [&[0.0, 0.0], &[1.0, 0.0]]);
+    let scenario = scenario("", &[], &arm(&[1.0, 1.0], 0.0), [&[0.0, 0.0], &[1.0, 0.0]]);
     let judge = |document: &ResultDocument| judged(&scenario, document);
     let good = result(&[&[0.0, 0.0], &[1.0, 0.0]], 1.0);
     clearance(judge(&good));

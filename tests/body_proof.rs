@@ -1,5 +1,5 @@
 //! The proof law for bodies and cars: no accepted motion of a body touches an obstacle, however thin, nor leaves the bounds; nothing
-//! with room to spare is refused. On native, Node and Chrome alike, with many seeds natively.
+//! with clearance to spare is refused.
 
 use crate::common::bodies::*;
 use crate::common::seeds;
@@ -378,7 +378,7 @@ fn nothing_beyond_reach_is_examined() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn motions_that_make_no_sense_are_refused_and_long_ones_are_cut_at_the_bounds() {
+fn wrong_motions_are_refused_and_long_ones_are_cut_at_the_bounds() {
     let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
     let collision = in_box(&body, vec![]);
     let at = [2.0, 2.0, 0.0];

@@ -1,23 +1,22 @@
 //! The proof of any single motion ends within a stated number of evaluations, whatever the scene: arms, bodies, arcs, rollouts.
-//! On native, Node and Chrome alike.
 
 use crate::common::bodies::{self, p, rectangle, world};
-use crate::common::documents::{scenario, shape};
-use crate::common::options;
+use crate::common::documents::{self, scenario};
+use crate::common::{begin_with, finish};
 use planarium::collision::{ArmValidity, BodyCollision, BodyMotion};
 use planarium::driving::rollout;
 use planarium::geometry::{Disc, Point};
 use planarium::problem::{Control, Motion, Validity};
 use planarium::random::{Random, Stream};
 use planarium::robot::{Arm, joint_space};
-use planarium::run::{self, Status};
+use planarium::run::Status;
 use planarium::scenario::{Obstacle, World};
 use planarium::space::{Metric, ProductSpace, Space};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// The most evaluations that a motion takes: see `proof/driver.rs`. Of all pairs of a part and a convex obstacle the first interval
-/// tests each once; after it there are at most 48 levels of two tests a pair and 8192 more.
+/// tests each once; after it there are at most 48 levels of two tests per pair and 8192 more.
 fn most(pairs: usize) -> u64 {
     let pairs = pairs as u64;
     pairs + 48 * (2 * pairs + 8192)
@@ -61,7 +60,7 @@ fn close_by() -> Vec<(&'static str, Vec<Obstacle>, usize)> {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn an_arm_with_something_close_by_takes_few_evaluations_a_motion() {
+fn an_arm_with_something_close_by_takes_few_evaluations_per_motion() {
     let arm = Arm::new(Point::origin(), vec![1.0, 1.0], 0.0, None).expect("an arm");
     let space: ProductSpace<2> = joint_space(&arm, Metric::Sum);
     let mut random = Random::new(1, Stream::Samples);
@@ -123,7 +122,7 @@ fn a_motion_whose_budget_is_spent_is_refused_and_counted() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_body_that_all_but_touches_takes_few_evaluations_a_motion() {
+fn a_body_that_all_but_touches_takes_few_evaluations_per_motion() {
     let body = rectangle([-0.2, -0.1], [0.2, 0.1]);
     let mut random = Random::new(2, Stream::Samples);
     let (mut free, mut worst) = (0, 0);
@@ -168,15 +167,14 @@ fn a_body_that_all_but_touches_takes_few_evaluations_a_motion() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_step_of_a_planner_ends_with_a_disc_all_but_on_the_base() {
-    let arm = r#"{ "type": "arm", "base": [0, 0], "links": [1, 1] }"#;
-    let world = |obstacle| scenario("", obstacle, arm, r#""start": [2.9, 0.3], "goal": [0.2, -0.3]"#);
     for obstacle in [
-        r#"{ "type": "disc", "center": [-1e-10, 0], "radius": 1e-11 }"#,
-        r#"{ "type": "polygon", "vertices": [[-1e-9, 0], [-1, 0.1], [-0.5, 0], [-1, -0.1]] }"#,
+        documents::disc([-1e-10, 0.0], 1e-11),
+        documents::polygon(&[[-1e-9, 0.0], [-1.0, 0.1], [-0.5, 0.0], [-1.0, -0.1]]),
     ] {
+        let arm = documents::arm(&[1.0, 1.0], 0.0);
+        let world = scenario("", &obstacle, &arm, r#""start": [2.9, 0.3], "goal": [0.2, -0.3]"#);
         for (planner, settings) in [("prm", "samples=200 k=6"), ("rrt-connect", "")] {
-            let mut run = run::start(&world(obstacle), &options(planner, 1, settings)).expect("a run");
-            run.step(u64::MAX);
+            let run = finish(begin_with(&world, planner, 1, settings));
             assert_eq!(run.status(), Status::Solved, "{planner}");
             let stats = run.stats();
             assert!(stats.clearance_evaluations <= 3000 * stats.motion_checks, "{stats:?}");
@@ -188,11 +186,11 @@ fn a_step_of_a_planner_ends_with_a_disc_all_but_on_the_base() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_rollout_that_scrapes_along_a_wall_ends() {
     for gap in [1e-6, 1e-9, 1e-11] {
-        let wall = r#"{ "type": "polygon", "vertices": [[0, 0.5], [10, 0.5], [10, 0.9], [5, 0.8], [0, 0.9]] }"#;
-        let disc = format!(r#"{{ "type": "disc", "center": [5, {}], "radius": 1e-9 }}"#, 1.1 + gap + 1e-9);
+        let wall = documents::polygon(&[[0.0, 0.5], [10.0, 0.5], [10.0, 0.9], [5.0, 0.8], [0.0, 0.9]]);
+        let obstacles = [wall, documents::disc([5.0, 1.1 + gap + 1e-9], 1e-9)].join(",");
         let limits = r#""wheelbase": 0.3, "speed": [-1, 1], "steering": [-0.7, 0.7]"#;
-        let car = format!(r#"{{ "type": "car", {}, {limits} }}"#, shape(0.2, 0.1));
-        let scenario = scenario("[0, 0], [10, 10]", &format!("{wall}, {disc}"), &car, "");
+        let car = documents::rectangular("car", 0.2, 0.1, limits);
+        let scenario = scenario("[0, 0], [10, 10]", &obstacles, &car, "");
         let control = |steering| Motion { control: Control { speed: 1.0, steering }, duration: 8.0 };
         for steering in [0.0, 1e-12, -1e-9, 1e-3] {
             let rollout = rollout(&scenario, &[1.0, 1.0, 0.0], control(steering)).expect("a car");

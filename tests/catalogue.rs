@@ -5,6 +5,7 @@ use crate::common::{
     options, parse,
 };
 use planarium::graph::EventKind;
+use planarium::options::Kind;
 use planarium::planner::{Mark, PlannerOptions, PseudocodeLine, planners};
 use planarium::run::{EVENT_HEAD, Run, Status, resume};
 use std::collections::BTreeSet;
@@ -68,7 +69,7 @@ fn settings() -> Vec<(&'static str, String)> {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn every_planner_and_parameter_says_in_one_short_sentence_what_it_does() {
+fn every_planner_and_parameter_has_one_short_sentence_on_what_it_does() {
     for planner in planners() {
         let (info, table) = (planner.info(), planner.table());
         let texts = table.iter().map(|row| (row.name, &*row.meaning));
@@ -77,6 +78,9 @@ fn every_planner_and_parameter_says_in_one_short_sentence_what_it_does() {
             assert!((30..=110).contains(&length), "{name}: {length} characters in {words:?}");
             assert!(words.ends_with('.') && !words.contains(". "), "{name}: one sentence, not {words:?}");
         }
+        assert!(table.iter().any(|row| row.name == "max_iterations"), "{}", info.id);
+        let is_empty = |kind: &Kind| matches!(kind, Kind::Integer(range) | Kind::Number(range) if range.is_empty());
+        assert!(!table.iter().any(|row| is_empty(&row.kind)), "{}: no range is empty", info.id);
         assert!(table.iter().all(|row| (1..=20).contains(&row.title.chars().count())), "{}", info.id);
     }
 }
@@ -125,7 +129,7 @@ fn every_iteration_lights_a_line_and_every_mark_is_met() {
         let happened: BTreeSet<String> =
             met.iter().filter(|(id, _)| *id == info.id).map(|(_, mark)| mark.clone()).collect();
         let mut lines = marks(info.pseudocode);
-        // Only a roadmap that is gone on with connects here: see the next test.
+        // Only a resumed roadmap connects here: see the next test.
         if info.id == "visibility-prm" {
             assert!(lines.remove("connecting"));
         }
@@ -134,16 +138,16 @@ fn every_iteration_lights_a_line_and_every_mark_is_met() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_roadmap_gone_on_with_lights_lines_too() {
+fn a_resumed_roadmap_lights_lines_too() {
     let world = arm_and_wall(0.1);
     for (planner, settings) in [("prm", "samples=80"), ("prm-star", "samples=80"), ("visibility-prm", "failures=60")] {
         let lines = PlannerOptions::of(planner).expect("a planner").info().pseudocode;
-        let kept = finish(begin_with(&world, planner, 5, settings)).roadmap().expect("a roadmap");
-        // Another start, so that it has to be joined.
-        let mut other: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
+        let saved = finish(begin_with(&world, planner, 5, settings)).roadmap().expect("a roadmap");
+        // Another start, so that it has to be connected.
+        let mut other = serde_json::json!(world);
         other["queries"][0]["start"][0] = 0.7.into();
         let other = parse(&other.to_string());
-        let mut run = resume(&other, &options(planner, 5, ""), &kept).unwrap_or_else(|error| panic!("{error}"));
+        let mut run = resume(&other, &options(planner, 5, ""), &saved).unwrap_or_else(|error| panic!("{error}"));
         let mut phases = BTreeSet::new();
         while run.status() == Status::Running {
             phases.insert(run.phase().as_str());

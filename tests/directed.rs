@@ -1,5 +1,4 @@
-//! Planners where motions are curves and may have a direction: paths that are driven in order, roadmaps whose edges are
-//! never followed backwards; on native, Node and Chrome alike.
+//! Planners whose motions are curves and may have a direction: paths in order, roadmaps whose edges are never followed backwards.
 
 use planarium::graph::{Graph, VertexId};
 use planarium::path::{Improvement, Wanted, length};
@@ -18,14 +17,14 @@ type Car = MotionSpace<4>;
 const SEEDS: u64 = if cfg!(target_arch = "wasm32") { 1 } else { 8 };
 const SIDE: f64 = 10.0;
 
-/// A point-sized car among discs, looked at every few centimetres of its curves: enough to tell right from wrong here.
+/// A point-sized car among discs, checked every few centimetres of its curves, which is enough here.
 struct Discs {
     space: Car,
     discs: Vec<[f64; 3]>,
 }
 
 impl Discs {
-    fn first_place(&self, a: &State, b: &State) -> Option<f64> {
+    fn first_contact(&self, a: &State, b: &State) -> Option<f64> {
         let curve = self.space.curve(a, b).expect("cars follow curves");
         let pieces = (curve.length() / 0.05) as u32 + 1;
         let from = Pose { x: a[0], y: a[1], heading: a[2] };
@@ -38,17 +37,13 @@ impl Discs {
 }
 
 impl Validity<State> for Discs {
-    fn is_free(&self, state: &State) -> bool {
-        self.contacts(state).is_empty()
-    }
-
     fn is_motion_free(&self, a: &State, b: &State) -> bool {
-        self.first_place(a, b).is_none()
+        self.first_contact(a, b).is_none()
     }
 
     fn first_hit(&self, a: &State, b: &State) -> Option<f64> {
         let pieces = (self.space.distance(a, b) / 0.05) as u32 + 1;
-        self.first_place(a, b).map(|t| (t - 1.0 / f64::from(pieces)).max(0.0))
+        self.first_contact(a, b).map(|t| (t - 1.0 / f64::from(pieces)).max(0.0))
     }
 
     fn contacts(&self, [x, y, ..]: &State) -> Vec<Contact> {
@@ -57,10 +52,6 @@ impl Validity<State> for Discs {
         let near = |[cx, cy, r]: &[f64; 3]| (x - cx) * (x - cx) + (y - cy) * (y - cy) <= r * r;
         let touched = self.discs.iter().position(near).map(Touched::Obstacle);
         touched.or((!is_inside).then_some(Touched::Bounds)).into_iter().map(contact).collect()
-    }
-
-    fn clearance_evaluations(&self) -> u64 {
-        0
     }
 }
 
@@ -119,9 +110,14 @@ fn is_driven(planner: &dyn Planner<Car>, problem: &Problem<Car>, what: &str) {
     for pair in path.windows(2) {
         let is_edge = graph.edges().contains(&[pair[0], pair[1]]);
         let is_back = problem.space().is_symmetric() && graph.edges().contains(&[pair[1], pair[0]]);
-        assert!(is_edge || is_back, "{what}: {pair:?} is no edge that leads this way");
+        assert!(is_edge || is_back, "{what}: {pair:?} is no edge in this direction");
     }
-    assert!(states.windows(2).all(|pair| problem.validity().is_motion_free(&pair[0], &pair[1])), "{what}");
+    assert!(is_free(&states, problem), "{what}");
+}
+
+/// Whether every motion from a state to the next is free.
+fn is_free(states: &[State], problem: &Problem<Car>) -> bool {
+    states.windows(2).all(|pair| problem.validity().is_motion_free(&pair[0], &pair[1]))
 }
 
 /// Every edge is free in the direction that it is stored in.
@@ -161,7 +157,7 @@ fn roadmaps_are_never_walked_against_their_arrows() {
     let (mut solved, mut all) = (0, 0);
     for (steering, seed, problem) in problems() {
         for order in orders {
-            let mut answers = Vec::new();
+            let mut found = Vec::new();
             for search in searches {
                 let mut planner = prm(&problem, seed, 120, order, search);
                 let what = format!("prm {steering:?} {order:?} {search:?} {seed}");
@@ -173,9 +169,9 @@ fn roadmaps_are_never_walked_against_their_arrows() {
                 }
                 edges_are_free(planner.graph(), &problem);
                 let states: Vec<State> = planner.path().iter().map(|&v| *planner.graph().state(v)).collect();
-                answers.push((states.len(), length(problem.space(), &states)));
+                found.push((states.len(), length(problem.space(), &states)));
             }
-            let [a_star, dijkstra, breadth, both] = answers[..] else { unreachable!("four searches") };
+            let [a_star, dijkstra, breadth, both] = found[..] else { unreachable!("four searches") };
             assert!((a_star.1 - dijkstra.1).abs() <= 1e-4, "{a_star:?} {dijkstra:?}: one cost");
             assert_eq!(breadth.0, both.0, "one number of edges");
         }
@@ -184,7 +180,7 @@ fn roadmaps_are_never_walked_against_their_arrows() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_directed_roadmap_tries_every_way_out_and_every_way_in_once() {
+fn a_directed_roadmap_tries_each_neighbour_in_either_direction_once() {
     let problem = problem(Steering::Dubins);
     let space = problem.space();
     for seed in 0..SEEDS {
@@ -218,7 +214,7 @@ fn a_directed_roadmap_tries_every_way_out_and_every_way_in_once() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_roadmap_answers_other_questions_in_the_direction_asked() {
+fn a_roadmap_finds_paths_of_other_queries_in_their_direction() {
     let mut found = 0;
     for (_, seed, problem) in problems() {
         let space = problem.space();
@@ -235,7 +231,7 @@ fn a_roadmap_answers_other_questions_in_the_direction_asked() {
             if !answer.path.is_empty() {
                 found += 1;
                 assert_eq!((answer.path[0], answer.path[answer.path.len() - 1]), (ends[0], ends[1]));
-                assert!(answer.path.windows(2).all(|pair| problem.validity().is_motion_free(&pair[0], &pair[1])));
+                assert!(is_free(&answer.path, &problem));
             }
         }
     }
@@ -257,8 +253,7 @@ fn improved_paths_are_driven_in_order_and_never_longer() {
         let path = improvement.path();
         assert_eq!((path[0], path[path.len() - 1]), (*problem.start(), *problem.goal()));
         assert!(length(problem.space(), path) <= before + 1e-6);
-        let mut motions = path.windows(2).map(|pair| problem.validity().is_motion_free(&pair[0], &pair[1]));
-        assert!(motions.all(|is_free| is_free), "{steering:?} {seed}");
+        assert!(is_free(path, &problem), "{steering:?} {seed}");
     }
 }
 

@@ -1,12 +1,13 @@
 //! The car driven by keys: keys, steps, stops, replay, rollout.
 
 use crate::common;
-use crate::common::parse;
+use crate::common::bodies::{placed, touches};
+use crate::common::documents::{disc, rectangle, rectangular, refuses, scenario};
+use crate::common::driven::car as car_of;
 use planarium::driving::{Drive, Key, MAX_STEPS, Press, rollout};
 use planarium::geometry::arc_pose;
 use planarium::problem::{Control, Motion, Touched};
 use planarium::random::{Random, Stream};
-use planarium::robot::Part;
 use planarium::scenario::Scenario;
 use planarium::space::angular_distance;
 use std::f64::consts::PI;
@@ -18,17 +19,10 @@ fn road() -> Scenario {
 }
 
 fn car(speed: &str, steering: &str) -> Scenario {
-    parse(&format!(
-        r#"{{ "format": "planarium-scenario-1", "name": "road",
-            "world": {{ "bounds": {{ "min": [0, 0], "max": [2, 2] }}, "obstacles": [
-                {{ "type": "disc", "center": [0.2, 1.8], "radius": 0.05 }},
-                {{ "type": "polygon", "vertices": [[1.5, 0], [1.6, 0], [1.6, 1.2], [1.5, 1.2]] }} ] }},
-            "robot": {{ "type": "car", "shape": {{ "type": "polygon",
-                "vertices": [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]] }},
-                "wheelbase": 0.2, "speed": {speed}, "steering": {steering} }},
-            "queries": [ {{ "name": "home", "start": [0.5, 0.5, 0], "goal": [1.8, 0.5, 0],
-                "goal_tolerance": {{ "translation": 0.1, "rotation": 0.5 }} }} ] }}"#
-    ))
+    let obstacles = [disc([0.2, 1.8], 0.05), rectangle([1.5, 0.0], [1.6, 1.2])].join(",");
+    let limits = format!(r#""wheelbase": 0.2, "speed": {speed}, "steering": {steering}"#);
+    let car = rectangular("car", 0.1, 0.05, &limits);
+    scenario("[0, 0], [2, 2]", &obstacles, &car, r#""start": [0.5, 0.5, 0], "goal": [1.8, 0.5, 0]"#)
 }
 
 fn drive() -> Drive {
@@ -92,14 +86,6 @@ fn each_step_is_an_exact_arc() {
     let turn_rate = 0.2 * f64::tan(PI / 12.0) / 0.2;
     let [ex, ey, etheta] = arc_pose([0.5, 0.5, 0.0], 0.2, turn_rate, 1.5);
     assert!((x - ex).abs() < 1e-12 && (y - ey).abs() < 1e-12 && angular_distance(theta, etheta) < 1e-12);
-    // The same by Euler integration in steps a thousand times finer.
-    let (mut px, mut py, mut angle) = (0.5, 0.5, 0.0);
-    for _ in 0..150_000 {
-        px += 0.2 * f64::cos(angle) * 1e-5;
-        py += 0.2 * f64::sin(angle) * 1e-5;
-        angle += turn_rate * 1e-5;
-    }
-    assert!((x - px).abs() < 1e-5 && (y - py).abs() < 1e-5 && (theta - angle).abs() < 1e-9, "{x} {px} {y} {py}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -127,7 +113,7 @@ fn the_same_keys_at_the_same_steps_give_the_same_bits_however_the_steps_are_cut(
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn it_stops_before_an_obstacle_reports_it_and_can_back_off() {
+fn it_stops_before_an_obstacle_or_the_bounds_reports_it_and_can_back_off() {
     let mut drive = drive();
     press(&mut drive, "+++++lr");
     drive.tick(1000).expect("time");
@@ -147,38 +133,17 @@ fn it_stops_before_an_obstacle_reports_it_and_can_back_off() {
     drive.tick(10).expect("time");
     assert_eq!(drive.blocked(), None);
     assert!(drive.pose()[0] < stood[0]);
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn it_stops_at_the_bounds() {
-    let mut drive = drive();
+    let mut drive = self::drive();
     press(&mut drive, "-----");
     drive.tick(1000).expect("time");
     assert_eq!(drive.blocked(), Some(Some(Touched::Bounds)));
     assert!(drive.pose()[0] >= 0.1 - 1e-9);
 }
 
-/// Whether the car of [`road`] touches nothing, by its outline in small pieces against the shapes as they are written there.
-fn is_clear(pose: &[f64; 3]) -> bool {
-    let scenario = road();
-    let [Part::Polygon { vertices }] = &scenario.robot().footprint(pose)[..] else {
-        panic!("a car is one polygon");
-    };
-    (0..4).all(|i| {
-        let (a, b) = (vertices[i], vertices[(i + 1) % 4]);
-        (0..=100).all(|piece| {
-            let at = a + (b - a) * (f64::from(piece) / 100.0);
-            let in_wall = (1.5..=1.6).contains(&at.x) && (0.0..=1.2).contains(&at.y);
-            let in_disc = f64::hypot(at.x - 0.2, at.y - 1.8) <= 0.05;
-            let is_inside = at.x >= -1e-9 && at.x <= 2.0 + 1e-9 && at.y >= -1e-9 && at.y <= 2.0 + 1e-9;
-            is_inside && !in_wall && !in_disc
-        })
-    })
-}
-
 #[wasm_bindgen_test(unsupported = test)]
 fn no_pose_of_a_wild_drive_touches_anything() {
-    let mut random = Random::new(5, Stream::Scenario);
+    let (road, mut random) = (road(), Random::new(5, Stream::Scenario));
+    let (shape, bounds) = (car_of(&road).shape(), road.world().bounds.expect("a box"));
     for _ in 0..common::seeds(40) {
         let mut drive = drive();
         for _ in 0..60 {
@@ -187,9 +152,10 @@ fn no_pose_of_a_wild_drive_touches_anything() {
             drive.tick(20).expect("time");
         }
         for pose in drive.trace() {
-            assert!(is_clear(pose), "{pose:?}");
+            assert!(!touches(shape, road.world(), pose), "{pose:?}");
+            assert!(placed(shape, pose).iter().all(|&corner| bounds.depth(corner) > -1e-9), "{pose:?}");
         }
-        let mut again = Drive::new(&road(), None).expect("a drive");
+        let mut again = Drive::new(&road, None).expect("a drive");
         again.replay(drive.record(), drive.steps()).expect("a record");
         assert_eq!(bits(&again), bits(&drive));
         assert_eq!(
@@ -207,8 +173,7 @@ fn a_replay_stops_at_the_given_step() {
     assert_eq!((drive.steps(), drive.record().len(), drive.control().speed), (5, 1, 0.1));
     drive.replay(&record, 50).expect("a record");
     assert_eq!((drive.steps(), drive.record().len(), drive.trace().len()), (50, 2, 11));
-    let refused = drive.replay(&[record[1], record[0]], 50).expect_err("the wrong order");
-    assert_eq!((refused.code().as_str(), refused.pointer()), ("out-of-range", "/record/1/step"));
+    refuses(drive.replay(&[record[1], record[0]], 50), "out-of-range", "/record/1/step");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -242,18 +207,16 @@ fn a_rollout_is_the_arc_up_to_what_it_hits() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn bad_input_is_refused_with_code_and_pointer() {
-    let cases: [(Scenario, Option<&[f64]>, &str, &str); 5] = [
-        (road(), Some(&[0.0, 0.0]), "wrong-dimension", "/q"),
-        (road(), Some(&[0.0, f64::NAN, 0.0]), "not-finite", "/q/1"),
-        (road(), Some(&[0.0, 1e7, 0.0]), "out-of-range", "/q/1"),
-        (road(), Some(&[1.5, 0.5, 0.0]), "start-in-collision", "/q"),
-        (common::disc_and_wall(0.1, 0.1), None, "unsupported", ""),
-    ];
-    for (scenario, start, code, pointer) in cases {
-        let error = Drive::new(&scenario, start).err().expect("an error");
-        assert_eq!((error.code().as_str(), error.pointer()), (code, pointer));
+    for (start, code, pointer) in [
+        (&[0.0, 0.0][..], "wrong-dimension", "/q"),
+        (&[0.0, f64::NAN, 0.0], "not-finite", "/q/1"),
+        (&[0.0, 1e7, 0.0], "out-of-range", "/q/1"),
+        (&[1.5, 0.5, 0.0], "start-in-collision", "/q"),
+    ] {
+        refuses(Drive::new(&road(), Some(start)), code, pointer);
     }
-    assert_eq!(drive().tick(MAX_STEPS + 1).expect_err("too long").code().as_str(), "out-of-range");
+    refuses(Drive::new(&common::disc_and_wall(0.1, 0.1), None), "unsupported", "");
+    refuses(drive().tick(MAX_STEPS + 1), "out-of-range", "/n");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

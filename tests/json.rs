@@ -1,7 +1,6 @@
-//! JSON text: what is refused, with which code and where, whatever the document is about; numbers to the last bit; one normal
-//! form.
+//! JSON text: what is refused, with which code and pointer; numbers to the last bit; one normal form.
 
-use crate::common::documents::{ARM, DISC, refusal, with};
+use crate::common::documents::{ARM, DISC, pointers, refusal, with};
 use planarium::json;
 use planarium::scenario::{MAX_DEPTH, MAX_TEXT, Scenario};
 use serde_json::{Value, json};
@@ -32,7 +31,7 @@ fn text_that_is_not_json_is_refused_with_line_and_column() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_field_that_stands_twice_is_refused() {
+fn a_duplicate_field_is_refused_among_any_number_of_fields() {
     for (text, pointer) in [
         (r#"{"name": 1, "name": 1}"#, "/name"),
         (r#"{"world": {"obstacles": [{}, {"a~b": 1, "c": 2, "a~b": 3}]}}"#, "/world/obstacles/1/a~0b"),
@@ -40,6 +39,15 @@ fn a_field_that_stands_twice_is_refused() {
     ] {
         let message = refusal(text, "duplicate-field", pointer);
         assert!(message.contains("twice") && message.contains("line 1"), "{message}");
+    }
+    for count in [1, 2, 3, 7, 64, 1000] {
+        let fields: Vec<String> = (0..count).map(|i| format!("\"f{}\":{i}", i * 7919 % 1009)).collect();
+        let whole = fields.join(",");
+        assert!(json::parse(&format!("{{{whole}}}")).is_ok(), "{count} fields");
+        for twice in [0, count / 2, count - 1] {
+            let pointer = format!("/f{}", twice * 7919 % 1009);
+            refusal(&format!("{{{whole},{}}}", fields[twice]), "duplicate-field", &pointer);
+        }
     }
 }
 
@@ -49,6 +57,11 @@ fn deep_and_long_texts_are_refused_without_harm() {
         let error = Scenario::parse(&deep).expect_err("too deep");
         assert!(error.code().as_str() == "invalid-json" && error.message().contains("recursion limit"), "{error}");
     }
+    let nested = |depth: usize| format!("{}{}", "[".repeat(depth), "]".repeat(depth));
+    let most = MAX_DEPTH as usize;
+    assert!(json::parse(&nested(most - 1)).is_ok());
+    let message = refusal(&nested(most), "invalid-json", &"/0".repeat(most - 1));
+    assert!(message.contains("recursion limit"), "{message}");
     refusal(&" ".repeat(MAX_TEXT + 1), "too-large", "");
     let name = "n".repeat(100_000);
     let error = Scenario::parse(&with(DISC, r#""title""#, &format!("{name:?}"))).expect_err("an unknown field");
@@ -121,7 +134,7 @@ fn whole_numbers_are_integers_however_they_are_written() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn what_is_no_json_is_refused() {
+fn strings_arrays_and_objects_are_read_and_other_text_is_refused() {
     for text in [
         r#""\"\\\/\b\f\n\r\t""#,
         r#""\u0041\u00e9\u20ac\uD83D\uDE00\u0000\u001f\u007f""#,
@@ -141,24 +154,66 @@ fn what_is_no_json_is_refused() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
-fn of_many_fields_the_one_that_stands_twice_is_found() {
-    for count in [1, 2, 3, 7, 64, 1000] {
-        let fields: Vec<String> = (0..count).map(|i| format!("\"f{}\":{i}", i * 7919 % 1009)).collect();
-        let whole = fields.join(",");
-        assert!(json::parse(&format!("{{{whole}}}")).is_ok(), "{count} fields");
-        for twice in [0, count / 2, count - 1] {
-            let pointer = format!("/f{}", twice * 7919 % 1009);
-            refusal(&format!("{{{whole},{}}}", fields[twice]), "duplicate-field", &pointer);
+#[cfg(not(target_arch = "wasm32"))]
+mod fuzz {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Any JSON value, most often a small one.
+    fn any_value() -> impl Strategy<Value = Value> {
+        let leaf = prop_oneof![
+            Just(Value::Null),
+            any::<bool>().prop_map(Value::Bool),
+            any::<f64>().prop_map(Value::from),
+            (-4i8..5).prop_map(Value::from),
+            prop_oneof![Just("disc"), Just("polygon"), Just("arm"), Just("")].prop_map(Value::from),
+        ];
+        leaf.prop_recursive(3, 12, 4, |inner| {
+            let name = prop_oneof![Just("type"), Just("radius"), Just("min"), Just("name"), Just("start")];
+            let fields = prop::collection::vec((name.prop_map(str::to_owned), inner.clone()), 0..4);
+            prop_oneof![
+                prop::collection::vec(inner, 0..4).prop_map(Value::Array),
+                fields.prop_map(|fields| Value::Object(fields.into_iter().collect()))
+            ]
+        })
+    }
+
+    /// Replaces a value of the tree, removes it from its list or its object, or doubles it there.
+    fn mutate(tree: &mut Value, at: usize, value: &Value, how: u8) {
+        let all = pointers(tree);
+        let at = &all[at % all.len()];
+        let (parent, name) = at.rsplit_once('/').unwrap_or_default();
+        if how == 0 {
+            *tree.pointer_mut(at).expect("it is there") = value.clone();
+        } else if let Some(Value::Array(items)) = tree.pointer_mut(parent) {
+            let item = items.remove(name.parse().expect("an index"));
+            items.extend(vec![item; if how == 2 { 2 } else { 0 }]);
+        } else if let Some(Value::Object(fields)) = tree.pointer_mut(parent) {
+            fields.remove(name);
         }
     }
-}
 
-#[wasm_bindgen_test(unsupported = test)]
-fn nesting_is_read_to_its_bound() {
-    let nested = |depth: usize| format!("{}{}", "[".repeat(depth), "]".repeat(depth));
-    let most = MAX_DEPTH as usize;
-    assert!(json::parse(&nested(most - 1)).is_ok());
-    let message = refusal(&nested(most), "invalid-json", &"/0".repeat(most - 1));
-    assert!(message.contains("recursion limit"), "{message}");
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn no_change_to_a_document_makes_the_parser_panic(at in 0usize..70, value in any_value(), how in 0u8..3) {
+            for document in [ARM, DISC] {
+                let mut node: Value = serde_json::from_str(document).unwrap();
+                mutate(&mut node, at, &value, how);
+                match Scenario::parse(&node.to_string()) {
+                    Ok(scenario) => prop_assert_eq!(Scenario::parse(&scenario.to_json_string()), Ok(scenario)),
+                    Err(error) => prop_assert!(error.pointer().is_empty() || error.pointer().starts_with('/')),
+                }
+            }
+        }
+
+        #[test]
+        fn no_text_makes_the_parser_panic(cut in 0usize..600, insert in "[\\[\\]{}:,\"\\\\0-9eE.+\\-a-z\u{e9}\u{1F600} ]{0,6}") {
+            let cut = (0..=cut.min(ARM.len())).rev().find(|&i| ARM.is_char_boundary(i)).unwrap();
+            let _ = Scenario::parse(&format!("{}{insert}{}", &ARM[..cut], &ARM[cut..]));
+            let _ = Scenario::parse(&format!("{}{insert}", &ARM[..cut]));
+            let _ = planarium::json::parse(&insert);
+        }
+    }
 }

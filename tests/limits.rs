@@ -1,13 +1,12 @@
 //! Bodies and cars at the limits of what is accepted: corners in one line, turning circles as wide as the world or as small as a
-//! grain of dust, results that are wrong. On native, Node and Chrome alike.
+//! grain of dust, results that are wrong.
 
 use crate::common::bodies::*;
-use crate::common::documents::{refusal, refuses, result, scenario, shape};
+use crate::common::documents::{self, arm, rectangular, refusal, refuses, scenario};
 use crate::common::{assert_valid, begin_with, finish, options, parse, seeds};
 use planarium::collision::{BodyCollision, BodyValidity};
 use planarium::driving::rollout;
 use planarium::geometry::{Disc, Polygon};
-use planarium::path::{Verdict, verify};
 use planarium::problem::{Control, Motion, Validity};
 use planarium::random::{Random, Stream};
 use planarium::robot::{Weights, placements};
@@ -26,14 +25,8 @@ fn corners_in_one_line_or_all_but_change_nothing() {
     for number in 0..seeds(30) {
         let around = [p(-1.0, -0.5), p(1.0, -0.5), p(1.0, 0.5), p(-1.0, 0.5)];
         let turn = if number % 2 == 0 { 0.0 } else { 6.0 * random.uniform() };
-        let (sin, cos) = libm::sincos(turn);
-        let corners: Vec<_> = (0..16)
-            .map(|i| {
-                let (a, b) = (around[i / 4], around[(i / 4 + 1) % 4]);
-                let at = a + (b - a) * (0.25 * (i % 4) as f64);
-                p(at.x * cos - at.y * sin, at.x * sin + at.y * cos)
-            })
-            .collect();
+        let corner = |i: usize| around[i / 4] + (around[(i / 4 + 1) % 4] - around[i / 4]) * (0.25 * (i % 4) as f64);
+        let corners = drawn(p(0.0, 0.0), turn, &std::array::from_fn::<_, 16, _>(|i| corner(i).into()));
         let hull: Vec<_> = corners.iter().copied().step_by(4).collect();
         let (Ok(body), Ok(plain)) = (Polygon::new(&corners), Polygon::new(&hull)) else { continue };
         let disc = |_| {
@@ -76,7 +69,7 @@ fn a_curve_that_leads_nowhere_is_its_placement() {
 /// A car in an empty box of side 10.
 fn car(wheelbase: &str, speed: &str, steering: &str, goal: &str) -> Scenario {
     let limits = format!(r#""wheelbase": {wheelbase}, "speed": {speed}, "steering": {steering}"#);
-    let robot = format!(r#"{{ "type": "car", {}, {limits} }}"#, shape(0.2, 0.1));
+    let robot = rectangular("car", 0.2, 0.1, &limits);
     scenario("[0, 0], [10, 10]", "", &robot, &format!(r#""start": [1, 1, 0.3], "goal": {goal}"#))
 }
 
@@ -173,20 +166,16 @@ fn a_stored_roadmap_contains_the_steering_of_the_car() {
 
 /// Why a solved result of this path is refused.
 fn why(scenario: &Scenario, path: &str, motions: Option<&str>, length: f64) -> Option<String> {
-    match verify(scenario, &result(scenario.name(), path, motions, length)).expect("its own scenario") {
-        Verdict::Valid { .. } => None,
-        Verdict::Invalid { why } => Some(why),
-    }
+    documents::judged(scenario, &documents::result(scenario.name(), path, motions, length)).err()
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn no_waypoint_has_an_angle_too_large_to_be_accurate() {
     // Through a slot that only a body fits that lies flat; at both ends it is upright.
-    let low = r#"{ "type": "polygon", "vertices": [[2, 0], [4, 0], [4, 0.8], [2, 0.8]] }"#;
-    let high = r#"{ "type": "polygon", "vertices": [[2, 1.2], [4, 1.2], [4, 2], [2, 2]] }"#;
-    let robot = format!(r#"{{ "type": "rigid_body", {} }}"#, shape(0.4, 0.1));
+    let [low, high] = [0.0, 1.2].map(|y| documents::rectangle([2.0, y], [4.0, y + 0.8]));
     let query = r#""start": [1, 1, 1.5], "goal": [5, 1, 1.5]"#;
-    let scenario = scenario("[0, 0], [6, 2]", &format!("{low}, {high}"), &robot, query);
+    let body = rectangular("rigid_body", 0.4, 0.1, "");
+    let scenario = scenario("[0, 0], [6, 2]", &format!("{low}, {high}"), &body, query);
     let upright = why(&scenario, "[[1, 1, 1.5], [5, 1, 1.5]]", None, 2.8);
     assert!(upright.expect("it does not fit").contains("obstacle"));
     // By its sine the angle lies flat; by the remainder of whole turns, as steps are measured, it is upright.
@@ -205,11 +194,10 @@ fn no_waypoint_has_an_angle_too_large_to_be_accurate() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn no_step_of_a_car_leads_through_a_wall_and_many_turns_are_judged_at_once() {
-    let wall = r#"{ "type": "polygon", "vertices": [[5, 0], [5.0000000001, 0], [5.0000000001, 10], [5, 10]] }"#;
+    let wall = documents::rectangle([5.0, 0.0], [5.0000000001, 10.0]);
     let limits = r#""wheelbase": 1e-3, "speed": [-1, 1], "steering": [-1, 1]"#;
-    let robot = format!(r#"{{ "type": "car", {}, {limits} }}"#, shape(1e-10, 1e-10));
     let query = r#""start": [4.9999999997, 5, 0], "goal": [5.0000000005, 5, 0]"#;
-    let scenario = scenario("[0, 0], [10, 10]", wall, &robot, query);
+    let scenario = scenario("[0, 0], [10, 10]", &wall, &rectangular("car", 1e-10, 1e-10, limits), query);
     let motion = |speed: f64, steering: f64, duration: f64| {
         format!(r#"{{ "control": [{speed:e}, {steering:e}], "duration": {duration:e} }}"#)
     };
@@ -229,10 +217,8 @@ fn no_step_of_a_car_leads_through_a_wall_and_many_turns_are_judged_at_once() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_grain_of_dust_in_a_wide_world_is_judged_at_once() {
-    let disc = r#"{ "type": "disc", "center": [5e5, 5e5], "radius": 10 }"#;
-    let robot = format!(r#"{{ "type": "rigid_body", {} }}"#, shape(1e-3, 1e-3));
-    let query = r#""start": [1, 1, 0], "goal": [999999, 1, 0]"#;
-    let scenario = scenario("[0, 0], [1e6, 1e6]", disc, &robot, query);
+    let (disc, dust) = (documents::disc([5e5, 5e5], 10.0), rectangular("rigid_body", 1e-3, 1e-3, ""));
+    let scenario = scenario("[0, 0], [1e6, 1e6]", &disc, &dust, r#""start": [1, 1, 0], "goal": [999999, 1, 0]"#);
     assert_valid(&scenario, &*finish(begin_with(&scenario, "rrt", 1, "")));
     let through = why(&scenario, "[[1, 1, 0], [999999, 999999, 0], [999999, 1, 0]]", None, 1e6);
     assert!(through.expect("it hits the disc").contains("obstacle"));
@@ -241,8 +227,7 @@ fn a_grain_of_dust_in_a_wide_world_is_judged_at_once() {
 /// A car as fast as can be in an empty box of side 4, with more fields of the robot.
 fn fast_car(more: &str, query: &str) -> Scenario {
     let limits = r#""wheelbase": 1, "speed": [-1e6, 1e6], "steering": [-0.7, 0.7], "integration_step": 10"#;
-    let robot = format!(r#"{{ "type": "car", {}, {limits}{more} }}"#, shape(0.2, 0.1));
-    scenario("[0, 0], [4, 4]", "", &robot, query)
+    scenario("[0, 0], [4, 4]", "", &rectangular("car", 0.2, 0.1, &format!("{limits}{more}")), query)
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -254,14 +239,11 @@ fn a_car_is_not_driven_in_more_turns_than_can_be_told_apart() {
     assert_eq!([1.0, 50.0, 1e3, 1e6].map(driven), [2, 2, 1, 1]);
 }
 
-/// A scene with one obstacle, and a body of this shape.
+/// A document with one obstacle, and a body of this shape.
 fn with_polygons(obstacle: &[[f64; 2]], shape: &[[f64; 2]]) -> String {
-    format!(
-        r#"{{ "format": "planarium-scenario-1", "name": "tiny",
-            "world": {{ "bounds": {{"min": [-9, -9], "max": [9, 9]}}, "obstacles": [ {{"type": "polygon", "vertices": {obstacle:?}}} ] }},
-            "robot": {{"type": "rigid_body", "shape": {{"type": "polygon", "vertices": {shape:?}}}}},
-            "queries": [{{"name": "q", "start": [5, 5, 0], "goal": [-5, -5, 1]}}] }}"#
-    )
+    let robot = format!(r#"{{"type": "rigid_body", "shape": {}}}"#, documents::polygon(shape));
+    let query = r#""start": [5, 5, 0], "goal": [-5, -5, 1]"#;
+    documents::text("tiny", "[-9, -9], [9, 9]", &documents::polygon(obstacle), &robot, query)
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -343,8 +325,7 @@ fn the_judge_bounds_what_it_can_compute() {
         assert!(judged(turn).expect("it cannot be judged").contains("motion 0 turns by"), "{turn}");
     }
     // With one waypoint this far away any length would be within rounding.
-    let arm = r#"{ "type": "arm", "base": [0, 0], "links": [1, 1] }"#;
-    let scenario = self::scenario("", "", arm, r#""start": [0, 0], "goal": [1, 1]"#);
+    let scenario = self::scenario("", "", &arm(&[1.0, 1.0], 0.0), r#""start": [0, 0], "goal": [1, 1]"#);
     for angle in [1e308, -1e16, 1.0000001e6] {
         let lying = why(&scenario, &format!("[[0, 0], [{angle:e}, 0], [1, 1]]"), None, 17.0);
         assert!(lying.expect("it is refused").contains("waypoint 1 contains"), "{angle}");
@@ -358,9 +339,9 @@ fn a_run_without_end_ends_before_the_memory_does() {
     if std::env::var_os("PLANARIUM_DEEP").is_none() {
         return;
     }
-    let block = r#"{ "type": "polygon", "vertices": [[0.01, 0], [9.99, 0], [9.99, 10], [0.01, 10]] }"#;
+    let block = documents::rectangle([0.01, 0.0], [9.99, 10.0]);
     let robot = r#"{ "type": "disc", "radius": 0.001 }"#;
-    let scenario = scenario("[0, 0], [10, 10]", block, robot, r#""start": [0.005, 5], "goal": [9.995, 5]"#);
+    let scenario = scenario("[0, 0], [10, 10]", &block, robot, r#""start": [0.005, 5], "goal": [9.995, 5]"#);
     let mut run = run::start(&scenario, &options("prm", 1, "max_iterations=4e9 samples=1e6")).expect("a run");
     assert_eq!(run.step(u64::MAX), Status::Exhausted);
     let records = run.vertex_count() + run.edge_count() + run.event_count();

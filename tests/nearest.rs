@@ -1,5 +1,4 @@
-//! Nearest neighbours: every exact index returns what a plain scan returns, to the bit, ties by number, in every space and
-//! metric that there is; on native, Node and Chrome alike. `PLANARIUM_DEEP=1` asks more.
+//! Nearest neighbours: every exact index returns what a plain scan returns, to the bit, ties by index, in every space and metric.
 
 use crate::common::cases;
 use planarium::graph::VertexId;
@@ -35,15 +34,15 @@ fn same(found: &[Neighbour], expected: &[Neighbour], what: &dyn Fn() -> String) 
 }
 
 /// Checks all queries of an index against the sorted distances to all states.
-fn answers<S: Space>(name: &str, index: &impl Nearest<S>, space: &S, from: &S::State, truth: &[Neighbour]) {
+fn check<S: Space>(name: &str, index: &impl Nearest<S>, space: &S, from: &S::State, truth: &[Neighbour]) {
     assert_eq!((index.len(), index.is_empty()), (truth.len(), false), "{name}");
     let k_nearest = |k, found: &mut _| index.k_nearest(space, from, k, found);
     let within = |radius, found: &mut _| index.within(space, from, radius, found);
-    answer(name, index.nearest(space, from), k_nearest, within, truth);
+    check_queries(name, index.nearest(space, from), k_nearest, within, truth);
 }
 
 /// Checks the nearest, and the queries for the `k` nearest and for those within a radius.
-fn answer(
+fn check_queries(
     name: &str,
     nearest: Option<Neighbour>,
     k_nearest: impl Fn(usize, &mut Vec<Neighbour>) -> usize,
@@ -87,9 +86,9 @@ fn agrees<S: Space>(name: &str, space: &S, states: &[S::State], asked: &[S::Stat
         let is_last = n == states.len();
         for from in asked.iter().take(if is_last { asked.len() } else { usize::from(n.is_power_of_two()) }) {
             let expected = truth(space, Direction::In, &states[..n], from);
-            answers(&format!("scan, {name}"), &linear, space, from, &expected);
-            answers(&format!("kd-tree, {name}"), &tree, space, from, &expected);
-            answers(&format!("index, {name}"), &index, space, from, &expected);
+            check(&format!("scan, {name}"), &linear, space, from, &expected);
+            check(&format!("kd-tree, {name}"), &tree, space, from, &expected);
+            check(&format!("index, {name}"), &index, space, from, &expected);
         }
     }
 }
@@ -225,7 +224,7 @@ fn a_hundred_thousand_states_of_any_kind() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn an_empty_index_and_no_neighbours_are_no_trouble() {
+fn an_empty_index_has_no_neighbours() {
     fn empty(index: &impl Nearest<Wide>, space: &Wide) {
         let from = space.state(&[1.0; 8]);
         let mut found = vec![Neighbour { distance: 1.0, vertex: VertexId(1) }];
@@ -272,7 +271,7 @@ fn forest_recall<S: Space>(space: &S, seed: u64, n: usize, k: usize, parameters:
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_approximate_index_finds_most_of_the_nearest_and_more_if_it_looks_at_more() {
+fn the_approximate_index_finds_most_of_the_nearest_and_more_with_more_candidates() {
     let n = cases(10_000);
     let six = ProductSpace::<8>::new(&[Coordinate::Circle; 6], Metric::Sum);
     let of = |candidates| ForestParameters { candidates, ..ForestParameters::default() };
@@ -338,7 +337,7 @@ fn a_forest_of_equal_states_grows_and_the_same_key_grows_the_same_forest() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn recall_is_the_part_of_the_exact_answer_that_was_found() {
+fn recall_is_the_part_of_the_exact_neighbours_that_was_found() {
     let all = [1, 2, 3, 4].map(|i| Neighbour { distance: f64::from(i), vertex: VertexId(i) });
     assert_eq!(recall(&all[1..], &all), 0.75);
     assert_eq!(recall(&all, &all[..2]), 1.0);
@@ -406,9 +405,9 @@ fn steered_motions_have_the_neighbours_of_a_plain_scan_in_either_direction() {
                     let name = format!("{steering:?} {direction:?}");
                     let k_nearest = |k, found: &mut _| index.k_nearest_by(&space, direction, from, k, found);
                     let within = |radius, found: &mut _| index.within_by(&space, direction, from, radius, found);
-                    answer(&name, index.nearest_by(&space, direction, from), k_nearest, within, &truth);
+                    check_queries(&name, index.nearest_by(&space, direction, from), k_nearest, within, &truth);
                     if direction == Direction::In {
-                        answers("plain queries are about motions to the state", &index, &space, from, &truth);
+                        check("plain queries are about motions to the state", &index, &space, from, &truth);
                     }
                 }
             }

@@ -1,26 +1,20 @@
-//! Nearest neighbours of a scenario's robot: answers, counts, refusals, samples, and golden outcomes; on native, Node and Chrome
-//! alike. `PLANARIUM_BLESS=1 cargo test --test neighbours` writes the golden outcomes anew.
+//! Nearest neighbours of a scenario's robot: results, counts, refusals and samples.
 
-use crate::common::documents::refuses;
-use crate::common::golden::{self, scene};
+use crate::common::documents::{disc, refuses, scenario};
+use crate::common::golden::scene;
+use crate::common::{begin_with, finish, given};
 use planarium::run::catalogue::catalogue;
 use planarium::run::inspect::{Inspector, MAX_SAMPLES};
 use planarium::run::neighbours::{NearestResult, Neighbours, index, indexes, recall};
-use planarium::run::{Options, Value, start};
 use planarium::scenario::Scenario;
 use serde_json::{Value as Json, json};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const SCENES: [&str; 8] = ["corner", "firs", "locked", "rings", "shelf", "tentacle", "thicket", "turn"];
 
-fn text(word: &str) -> Value {
-    Value::Text(word.to_owned())
-}
-
-/// An index with these options.
-fn made(scenario: &Scenario, id: &str, set: &[(&str, Value)]) -> Box<dyn Neighbours> {
-    let set: Vec<_> = set.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
-    index(scenario, Some(id), &set).expect("it can be made")
+/// An index with settings as a line of `name=value`.
+fn made(scenario: &Scenario, id: &str, settings: &str) -> Box<dyn Neighbours> {
+    index(scenario, Some(id), &given(settings)).expect("it can be made")
 }
 
 fn bits(answer: &NearestResult) -> Vec<(u32, u64)> {
@@ -28,15 +22,15 @@ fn bits(answer: &NearestResult) -> Vec<(u32, u64)> {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn tree_and_scan_answer_alike_for_every_robot_and_metric_and_count_what_they_visit() {
+fn tree_and_scan_return_the_same_for_every_robot_and_metric_and_count_what_they_visit() {
     for name in SCENES {
         let scenario = scene(name);
         let inspector = Inspector::new(&scenario);
         let is_arm = scenario.robot().kind() == "arm";
-        let metrics: &[&str] = if is_arm { &["sum", "euclidean", "naive"] } else { &[""] };
+        let metrics: &[&str] = if is_arm { &["metric=sum", "metric=euclidean", "metric=naive"] } else { &[""] };
         for metric in metrics {
-            let set: Vec<_> = is_arm.then(|| ("metric", text(metric))).into_iter().collect();
-            let [mut scan, mut tree, mut forest] = ["linear", "kd-tree", "forest"].map(|id| made(&scenario, id, &set));
+            let indexes = ["linear", "kd-tree", "forest"].map(|id| made(&scenario, id, metric));
+            let [mut scan, mut tree, mut forest] = indexes;
             let rows = inspector.samples(1500, 1, false).expect("samples");
             for index in [&mut scan, &mut tree, &mut forest] {
                 assert!(index.is_empty());
@@ -75,11 +69,11 @@ fn tree_and_scan_answer_alike_for_every_robot_and_metric_and_count_what_they_vis
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_naive_metric_sees_two_angles_at_the_seam_far_apart() {
+fn in_the_naive_metric_two_angles_at_the_seam_are_far_apart() {
     let scenario = scene("firs");
     let rows = [3.1, 0.0, -3.1, 0.0, 0.1, 0.0, -0.1, 0.0];
     let nearest = |metric: &str, q: [f64; 2]| {
-        let mut tree = made(&scenario, "kd-tree", &[("metric", text(metric))]);
+        let mut tree = made(&scenario, "kd-tree", &format!("metric={metric}"));
         tree.add(&rows).expect("rows");
         let answer = tree.k_nearest(&q, 4).expect("an answer");
         answer.neighbours.iter().map(|neighbour| neighbour.vertex.0).collect::<Vec<_>>()
@@ -94,38 +88,36 @@ fn the_naive_metric_sees_two_angles_at_the_seam_far_apart() {
 fn the_same_seed_draws_the_same_forest_and_another_another() {
     let scenario = scene("tentacle");
     let rows = Inspector::new(&scenario).samples(3000, 5, false).expect("samples");
-    let found = |seed: f64| {
-        let small = [("trees", Value::Number(2.0)), ("candidates", Value::Number(50.0)), ("seed", Value::Number(seed))];
-        let mut forest = made(&scenario, "forest", &small);
+    let found = |seed: u32| {
+        let mut forest = made(&scenario, "forest", &format!("trees=2 candidates=50 seed={seed}"));
         forest.add(&rows).expect("rows");
         bits(&forest.k_nearest(&[0.0; 6], 30).expect("an answer"))
     };
-    assert_eq!(found(3.0), found(3.0));
-    assert_ne!(found(3.0), found(4.0));
+    assert_eq!(found(3), found(3));
+    assert_ne!(found(3), found(4));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn what_makes_no_sense_is_refused_and_leaves_the_index_as_it_was() {
+fn wrong_input_is_refused_and_leaves_the_index_as_it_was() {
     let arm = scene("locked");
-    for (id, name, value, code) in [
-        ("kd-tree", "trees", Value::Number(4.0), "unknown-parameter"),
-        ("forest", "trees", Value::Number(0.0), "out-of-range"),
-        ("forest", "leaf", Value::Number(32.5), "out-of-range"),
-        ("forest", "seed", Value::Number(f64::NAN), "not-finite"),
-        ("linear", "metric", Value::Number(1.0), "wrong-type"),
-        ("linear", "metric", text("taxi"), "out-of-range"),
+    for (id, settings, code, pointer) in [
+        ("kd-tree", "trees=4", "unknown-parameter", "/trees"),
+        ("forest", "trees=0", "out-of-range", "/trees"),
+        ("forest", "leaf=32.5", "out-of-range", "/leaf"),
+        ("forest", "seed=nan", "not-finite", "/seed"),
+        ("linear", "metric=1", "wrong-type", "/metric"),
+        ("linear", "metric=taxi", "out-of-range", "/metric"),
+        ("ball-tree", "", "out-of-range", "/index"),
     ] {
-        refuses(index(&arm, Some(id), &[(name.to_owned(), value)]), code, &format!("/{name}"));
+        refuses(index(&arm, Some(id), &given(settings)), code, pointer);
     }
-    refuses(index(&arm, Some("ball-tree"), &[]), "out-of-range", "/index");
     for name in ["corner", "turn", "rings"] {
-        let naive = [("metric".to_owned(), text("naive"))];
-        refuses(index(&scene(name), None, &naive), "out-of-range", "/metric");
+        refuses(index(&scene(name), None, &given("metric=naive")), "out-of-range", "/metric");
     }
-    assert!(index(&scene("rings"), None, &[("metric".to_owned(), text("euclidean"))]).is_ok());
+    assert!(index(&scene("rings"), None, &given("metric=euclidean")).is_ok());
 
     for info in indexes() {
-        let mut index = made(&arm, info.id, &[]);
+        let mut index = made(&arm, info.id, "");
         index.add(&[0.1, 0.2]).expect("a row");
         for (rows, code, pointer) in [
             (&[0.0, 0.0, 0.0][..], "wrong-dimension", "/rows"),
@@ -143,7 +135,7 @@ fn what_makes_no_sense_is_refused_and_leaves_the_index_as_it_was() {
         refuses(index.within(&[0.0, 0.0], f64::NAN), "not-finite", "/radius");
     }
     let rows = vec![0.0; 2 * 156_251];
-    let mut forest = made(&arm, "forest", &[("trees", Value::Number(64.0))]);
+    let mut forest = made(&arm, "forest", "trees=64");
     refuses(forest.add(&rows), "too-large", "/rows");
 }
 
@@ -152,22 +144,14 @@ fn samples_are_those_of_a_planner_of_the_same_seed() {
     for name in ["firs", "rings", "corner", "locked"] {
         let scenario = scene(name);
         let inspector = Inspector::new(&scenario);
-        let options = Options {
-            planner: Some("prm".to_owned()),
-            query: None,
-            seed: 11,
-            parameters: vec![("samples".to_owned(), Value::Number(100.0))],
-        };
-        let mut run = start(&scenario, &options).expect("it starts");
-        run.step(100_000);
+        let run = finish(begin_with(&scenario, "prm", 11, "samples=100"));
         let vertices = run.vertices_since(0);
         let free = inspector.samples(100, 11, true).expect("samples");
         // Start and goal stand among the vertices.
         let dimension = inspector.dimension();
         let kept: Vec<_> = vertices.chunks_exact(dimension).collect();
-        let is_kept = |q: &&[f64]| kept.contains(q);
         assert_eq!((free.len(), kept.len()), (100 * dimension, 102), "{name}");
-        assert!(free.chunks_exact(dimension).all(|q| is_kept(&q)), "{name}");
+        assert!(free.chunks_exact(dimension).all(|q| kept.contains(&q)), "{name}");
         assert!(free.chunks_exact(dimension).all(|q| inspector.check(q).expect("a configuration").is_empty()));
         let all = inspector.samples(2000, 11, false).expect("samples");
         let some_free = all.chunks_exact(dimension).filter(|q| inspector.check(q).expect("a configuration").is_empty());
@@ -178,14 +162,13 @@ fn samples_are_those_of_a_planner_of_the_same_seed() {
     assert_eq!(inspector.samples(0, 0, true), Ok(Vec::new()));
     refuses(inspector.samples(MAX_SAMPLES + 1, 0, false), "out-of-range", "/n");
     refuses(inspector.samples(1, 1 << 53, false), "out-of-range", "/seed");
-    let full = r#"{"format": "planarium-scenario-1", "name": "full", "world": {"bounds": {"min": [0, 0], "max": [1, 1]},
-        "obstacles": [{"type": "disc", "center": [0.5, 0.5], "radius": 2}]}, "robot": {"type": "disc", "radius": 0}, "queries": []}"#;
-    let inspector = Inspector::new(&Scenario::parse(full).expect("a scenario"));
+    let full = scenario("[0, 0], [1, 1]", &disc([0.5, 0.5], 2.0), r#"{"type": "disc", "radius": 0}"#, "");
+    let inspector = Inspector::new(&full);
     refuses(inspector.samples(1, 0, true), "unsupported", "/free");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_table_tells_what_can_be_set() {
+fn the_table_lists_what_can_be_set() {
     let table: Json = catalogue()["indexes"].clone();
     let ids: Vec<_> = table.as_array().expect("rows").iter().map(|row| row["id"].as_str().expect("an id")).collect();
     assert_eq!(ids, ["linear", "kd-tree", "forest"]);
@@ -196,39 +179,11 @@ fn the_table_tells_what_can_be_set() {
             assert!(parameter["meaning"].as_str().expect("a meaning").ends_with('.'));
             // The ends of its range are taken, and what lies beyond is not.
             let Some(max) = parameter["max"].as_f64() else { continue };
-            let given = |value: f64| index(&scene("firs"), Some(info.id), &[(name.to_owned(), Value::Number(value))]);
-            assert!(given(max).is_ok() && given(parameter["min"].as_f64().expect("a range")).is_ok(), "{name}");
-            assert!(given(max + 1.0).is_err(), "{name}");
+            let with = |value: f64| index(&scene("firs"), Some(info.id), &given(&format!("{name}={value}")));
+            assert!(with(max).is_ok() && with(parameter["min"].as_f64().expect("a range")).is_ok(), "{name}");
+            assert!(with(max + 1.0).is_err(), "{name}");
         }
     }
-}
-
-/// The outcome of a golden case.
-fn outcome(case: &Json) -> Json {
-    let scenario = scene(case["scene"].as_str().expect("a scene"));
-    let number = |name: &str| case[name].as_u64().expect("a count");
-    let parameters = case["parameters"].as_object().expect("parameters").iter();
-    let parameters: Vec<_> = parameters.map(|(name, given)| (name.clone(), Value::from(given))).collect();
-    let id = case["index"].as_str();
-    let mut index = index(&scenario, id, &parameters).expect("an index");
-    let rows = Inspector::new(&scenario).samples(number("samples"), number("seed"), case["free"] == true);
-    index.add(&rows.expect("samples")).expect("rows");
-    let q: Vec<f64> = serde_json::from_value(case["target"].clone()).expect("a target");
-    let answer = match case["radius"].as_f64() {
-        Some(radius) => index.within(&q, radius),
-        None => index.k_nearest(&q, number("k") as usize),
-    };
-    let answer = answer.expect("an answer");
-    let indices: Vec<_> = answer.neighbours.iter().map(|neighbour| neighbour.vertex.0).collect();
-    let distances: Vec<_> = answer.neighbours.iter().map(|neighbour| neighbour.distance).collect();
-    // A tree's shape, and so what it visits, is the platform's own.
-    let visited = if id == Some("kd-tree") { Json::Null } else { json!(answer.visited) };
-    json!({ "indices": indices, "distances": distances, "visited": visited })
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn every_case_has_its_golden_neighbours() {
-    golden::check("golden-neighbours.json", include_str!("golden-neighbours.json"), 24, outcome);
 }
 
 /// The targets and counts of the course reports, on the lists of configurations of the folder `PLANARIUM_SCENARIOS`, where there
@@ -238,10 +193,6 @@ fn every_case_has_its_golden_neighbours() {
 #[test]
 fn the_reports_targets_on_the_reports_lists() {
     let Some(shared) = crate::common::documents::shared() else { return };
-    let read = |name: &str| -> Vec<Vec<f64>> {
-        let (_, text) = shared.iter().find(|(stem, _)| stem == name).expect("a list");
-        serde_json::from_str(text).expect("an array of arrays of numbers")
-    };
     let arm = scene("firs");
     let body = scene("corner");
     type Asked<'a> = (&'a Scenario, &'a str, &'a [(&'a [f64], usize)]);
@@ -266,10 +217,10 @@ fn the_reports_targets_on_the_reports_lists() {
         ),
     ];
     for (scenario, name, targets) in asked {
-        let list = read(name);
+        let list: Vec<Vec<f64>> = serde_json::from_str(&shared[name]).expect("an array of arrays of numbers");
         assert!(list.len() >= 100, "{name} has {}", list.len());
         let inspector = Inspector::new(scenario);
-        let [mut scan, mut tree] = ["linear", "kd-tree"].map(|id| made(scenario, id, &[]));
+        let [mut scan, mut tree] = ["linear", "kd-tree"].map(|id| made(scenario, id, ""));
         scan.add(&list.concat()).expect("rows");
         tree.add(&list.concat()).expect("rows");
         for (q, k) in targets {

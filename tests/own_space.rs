@@ -1,5 +1,6 @@
 //! Planning in a space and among obstacles that the test defines itself, through the public API alone.
 
+use nalgebra::Vector3;
 use planarium::path::Wanted;
 use planarium::planner::{PlannerKind, PrmOptions, RrtConnectOptions};
 use planarium::problem::{Contact, Problem, Touched, Validity};
@@ -12,22 +13,13 @@ use wasm_bindgen_test::wasm_bindgen_test;
 #[derive(Clone)]
 struct Sphere;
 
-fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn unit(v: [f64; 3]) -> [f64; 3] {
-    let length = dot(&v, &v).sqrt();
-    v.map(|x| x / length + 0.0)
+fn unit(v: Vector3<f64>) -> [f64; 3] {
+    v.normalize().map(|x| x + 0.0).into()
 }
 
 fn angle(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    let normal = cross(a, b);
-    libm::atan2(dot(&normal, &normal).sqrt(), dot(a, b))
+    let [a, b] = [a, b].map(|q| Vector3::from(*q));
+    libm::atan2(a.cross(&b).norm(), a.dot(&b))
 }
 
 /// Only the methods without a default.
@@ -43,7 +35,7 @@ impl Space for Sphere {
     }
 
     fn state(&self, numbers: &[f64]) -> [f64; 3] {
-        unit([numbers[0], numbers[1], numbers[2]])
+        unit(Vector3::from_column_slice(&numbers[..3]))
     }
 
     fn distance(&self, a: &[f64; 3], b: &[f64; 3]) -> f64 {
@@ -59,7 +51,7 @@ impl Space for Sphere {
             return *b;
         }
         let [from, to] = [(1.0 - t) * whole, t * whole].map(libm::sin);
-        unit([0, 1, 2].map(|i| from * a[i] + to * b[i]))
+        unit(from * Vector3::from(*a) + to * Vector3::from(*b))
     }
 
     /// Archimedes: heights and longitudes drawn uniformly give points drawn uniformly.
@@ -67,7 +59,7 @@ impl Space for Sphere {
         let z = 2.0 * place[0] - 1.0;
         let (sin, cos) = libm::sincos(TAU * place[1]);
         let radius = (1.0 - z * z).sqrt();
-        unit([radius * cos, radius * sin, z])
+        unit(Vector3::new(radius * cos, radius * sin, z))
     }
 
     fn contains(&self, _: &[f64; 3]) -> bool {
@@ -90,16 +82,15 @@ impl Validity<[f64; 3]> for Caps {
 
     /// Exact but for rounding: where the great circle comes nearest to a centre, or else at an end.
     fn is_motion_free(&self, a: &[f64; 3], b: &[f64; 3]) -> bool {
-        let normal = cross(a, b);
+        let [from, to] = [a, b].map(|q| Vector3::from(*q));
+        let normal = from.cross(&to);
+        let is_clear = |(center, radius): &([f64; 3], f64)| {
+            let foot = normal.cross(&Vector3::from(*center)).cross(&normal);
+            let is_between = from.cross(&foot).dot(&normal) > 0.0 && foot.cross(&to).dot(&normal) > 0.0;
+            !is_between || angle(&unit(foot), center) > *radius
+        };
         // Between opposite points no great circle is the shortest.
-        (a == b || dot(&normal, &normal) > 0.0)
-            && self.is_free(a)
-            && self.is_free(b)
-            && self.0.iter().all(|(center, radius)| {
-                let foot = cross(&cross(&normal, center), &normal);
-                let is_between = dot(&cross(a, &foot), &normal) > 0.0 && dot(&cross(&foot, b), &normal) > 0.0;
-                !is_between || angle(&unit(foot), center) > *radius
-            })
+        (a == b || normal.norm() > 0.0) && self.is_free(a) && self.is_free(b) && self.0.iter().all(is_clear)
     }
 }
 

@@ -1,18 +1,14 @@
-//! Polygons against polygons, and their triangles and convex pieces: held against exact arithmetic, areas and parry.
+//! Polygons against polygons, and their triangles and convex pieces: against exact arithmetic, areas and parry.
 
 use crate::common::bodies::{border, p, polygon, random_star};
+use crate::geometry::{exact_intersects, random, whole};
 use parry2d_f64::math::Pose;
 use parry2d_f64::query;
 use planarium::geometry::{
     Point, Polygon, arc_pose, convex_pieces, distance_point_polygon, distance_polygon_polygon,
     intersects_polygon_polygon, orientation, triangles,
 };
-use planarium::random::{Random, Stream};
 use wasm_bindgen_test::wasm_bindgen_test;
-
-fn random(seed: u64) -> Random {
-    Random::new(seed, Stream::Samples)
-}
 
 /// Twice the area of the corners in order.
 fn doubled_area(corners: &[Point]) -> f64 {
@@ -22,17 +18,6 @@ fn doubled_area(corners: &[Point]) -> f64 {
             a.x * b.y - b.x * a.y
         })
         .sum()
-}
-
-/// Simple polygons of small whole coordinates, rich in corners on straight edges: areas are exact.
-fn whole(random: &mut Random) -> Polygon {
-    loop {
-        let (n, side) = (3 + random.below(9), 3 + random.below(6));
-        let corners: Vec<Point> = (0..n).map(|_| p(random.below(side) as f64, random.below(side) as f64)).collect();
-        if let Ok(polygon) = Polygon::new(&corners) {
-            return polygon;
-        }
-    }
 }
 
 /// A comb, a spiral of right angles, a square with many corners on its sides, a needle.
@@ -216,16 +201,9 @@ fn intersection_of_polygons_is_exact_on_whole_coordinates() {
         let by = p(random.below(12) as f64 - 6.0, random.below(12) as f64 - 6.0);
         let moved: Vec<Point> = whole(&mut random).vertices().iter().map(|v| p(v.x + by.x, v.y + by.y)).collect();
         let b = Polygon::new(&moved).expect("still simple");
-        // Halves of whole coordinates: if they meet, then in a vertex of one, or where two edges meet.
+        // If they meet, then in a vertex of one, or where two edges cross.
         let corner_held = a.vertices().iter().any(|&v| b.contains(v)) || b.vertices().iter().any(|&v| a.contains(v));
-        let crosses = |s: &planarium::geometry::Segment| {
-            b.edges().any(|t| {
-                let straddles =
-                    |p: Point, q: Point, r: Point, s: Point| orientation(p, q, r) * orientation(p, q, s) < 0.0;
-                straddles(s.a, s.b, t.a, t.b) && straddles(t.a, t.b, s.a, s.b)
-            })
-        };
-        let expected = corner_held || a.edges().any(|s| crosses(&s));
+        let expected = corner_held || a.edges().any(|s| b.edges().any(|t| exact_intersects(&s, &t)));
         assert_eq!(intersects_polygon_polygon(&a, &b), expected, "{a:?} {b:?}");
         assert_eq!(distance_polygon_polygon(&a, &b) == 0.0, expected, "{a:?} {b:?}");
         met[usize::from(expected)] += 1;

@@ -1,32 +1,28 @@
 //! Samplers: the distribution of each, and the same samples for the same seed.
 
+use crate::common::bodies::{self, p, rectangle, world};
 use planarium::collision::DiscValidity;
-use planarium::geometry::Point;
 use planarium::problem::Problem;
 use planarium::random::{Random, Stream};
-use planarium::robot::DiscRobot;
+use planarium::robot::{DiscRobot, Part};
 use planarium::sampling::{
     BridgeTest, Gaussian, GoalBiased, Known, ObstacleBased, Sampler, Uniform, halton, lattice, radical_inverse,
 };
-use planarium::scenario::{Robot, Scenario};
+use planarium::scenario::{Obstacle, World};
 use planarium::space::{ProductSpace, Space};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 type Plane = ProductSpace<2>;
 
-/// A point in a box of side 10 with two slabs that leave a corridor of width 1 between them.
-const WORLD: &str = r#"{ "format": "planarium-scenario-1", "name": "corridor",
-    "world": { "bounds": { "min": [0, 0], "max": [10, 10] }, "obstacles": [
-        { "type": "polygon", "vertices": [[2, 0], [8, 0], [8, 4.5], [2, 4.5]] },
-        { "type": "polygon", "vertices": [[2, 5.5], [8, 5.5], [8, 10], [2, 10]] } ] },
-    "robot": { "type": "disc", "radius": 0 },
-    "queries": [ { "name": "through", "start": [1, 5], "goal": [9, 2] } ] }"#;
+/// A box of side 10 with two slabs that leave a corridor of width 1 between them.
+fn corridor() -> World {
+    let slabs = [0.0, 5.5].map(|y| Obstacle::Polygon(rectangle([2.0, y], [8.0, y + 4.5])));
+    world([0.0, 0.0], [10.0, 10.0], slabs.to_vec())
+}
 
+/// From one side of the corridor to the other, for a point.
 fn problem() -> Problem<Plane> {
-    let scenario = Scenario::parse(WORLD).expect("it is right");
-    let Robot::Disc(disc) = scenario.robot() else { unreachable!() };
-    let disc: &DiscRobot = disc;
-    let validity = DiscValidity::new(disc, scenario.world());
+    let validity = DiscValidity::new(&DiscRobot::new(0.0).expect("a point"), &corridor());
     Problem::new(ProductSpace::of_box(&[0.0; 2], &[10.0; 2]), Box::new(validity), [1.0, 5.0], [9.0, 2.0])
         .expect("free ends")
 }
@@ -62,10 +58,7 @@ fn free_samples(sampler: &mut dyn Sampler<Plane>, problem: &Problem<Plane>, draw
 
 /// How far the point is from the nearest slab.
 fn clearance(q: &[f64; 2]) -> f64 {
-    let scenario = Scenario::parse(WORLD).expect("it is right");
-    let point = Point::new(q[0], q[1]);
-    let segment = planarium::geometry::Segment::new(point, point);
-    planarium::collision::Obstacles::new(scenario.world().obstacles.clone()).clearance(&segment)
+    bodies::clearance(&[Part::Disc { center: p(q[0], q[1]), radius: 0.0 }], &corridor())
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -82,29 +75,27 @@ fn the_same_seed_gives_the_same_samples_and_another_others() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn samplers_that_look_at_the_world_sample_where_they_say() {
+fn samplers_that_use_the_world_sample_in_their_part_of_it() {
     let problem = problem();
     let mean = |values: Vec<f64>| values.iter().sum::<f64>() / values.len() as f64;
-    let mut clearances = std::collections::BTreeMap::new();
-    let mut in_corridor = std::collections::BTreeMap::new();
-    let mut near_goal = std::collections::BTreeMap::new();
+    let mut measured = std::collections::BTreeMap::new();
     for (name, mut sampler) in samplers(7) {
         let samples = free_samples(sampler.as_mut(), &problem, 4000);
         let share =
             |is: &dyn Fn(&[f64; 2]) -> bool| samples.iter().filter(|q| is(q)).count() as f64 / samples.len() as f64;
-        clearances.insert(name, mean(samples.iter().map(clearance).collect()));
-        in_corridor.insert(name, share(&|q| (2.0..8.0).contains(&q[0])));
-        near_goal.insert(name, share(&|q| (q[0] - 9.0).abs() < 1.0 && (q[1] - 2.0).abs() < 1.0));
+        let in_corridor = share(&|q| (2.0..8.0).contains(&q[0]));
+        let near_goal = share(&|q| (q[0] - 9.0).abs() < 1.0 && (q[1] - 2.0).abs() < 1.0);
+        measured.insert(name, [mean(samples.iter().map(clearance).collect()), in_corridor, near_goal]);
     }
-    assert!(clearances["gaussian"] < 0.5 * clearances["uniform"], "{clearances:?}");
-    assert!(clearances["obstacle-based"] < 0.02, "{clearances:?}");
-    assert!(in_corridor["bridge"] > 0.5 && in_corridor["uniform"] < 0.2, "{in_corridor:?}");
-    assert!(near_goal["goal-biased"] > 2.0 * near_goal["uniform"], "{near_goal:?}");
+    let [[clearance, in_corridor, near_goal], gaussian, bridge, by_obstacles, by_goal] =
+        ["uniform", "gaussian", "bridge", "obstacle-based", "goal-biased"].map(|name| measured[name]);
+    assert!(gaussian[0] < 0.5 * clearance && by_obstacles[0] < 0.02, "{measured:?}");
+    assert!(bridge[1] > 0.5 && in_corridor < 0.2 && by_goal[2] > 2.0 * near_goal, "{measured:?}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn even_sequences_leave_smaller_gaps_than_random_samples() {
-    // Dispersion, roughly: the share of cells of a grid that stay empty with one sample a cell on average.
+    // Dispersion, roughly: the share of cells of a grid that stay empty with one sample per cell on average.
     let problem = problem();
     let empty = |sampler: &mut dyn Sampler<Plane>| {
         let mut checks = 0;

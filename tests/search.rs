@@ -1,4 +1,4 @@
-//! Searches on random graphs, against brute force: every search is a walker that expands one vertex a step.
+//! Searches on random graphs, against brute force: every search is a walker that expands one vertex per step.
 
 use petgraph::algo::bellman_ford;
 use petgraph::{Directed, EdgeType, Graph, Undirected};
@@ -154,7 +154,7 @@ fn a_search_from_a_vertex_to_itself_is_over_at_once() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn sets_that_are_joined_are_one() {
+fn connected_sets_are_one() {
     for seed in 0..50 {
         let world = World::new(seed);
         let mut sets = UnionFind::default();

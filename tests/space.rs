@@ -1,4 +1,4 @@
-//! The laws that every configuration space obeys, on native, Node and Chrome alike.
+//! The laws that every configuration space obeys.
 
 use planarium::random::{Random, Stream};
 use planarium::space::steering::Steering;

@@ -1,6 +1,7 @@
-//! Shortest curves of cars: against numerical search, known values and the laws they obey; on native, Node and Chrome alike.
+//! Shortest curves of cars: against numerical search, known values and the laws they obey.
 
 use crate::common::cases;
+use nalgebra::{Matrix3, Vector3};
 use planarium::graph::Fingerprint;
 use planarium::random::{Random, Stream};
 use planarium::space::steering::{Curve, Pose, Turn, advance, dubins, reeds_shepp, wrap};
@@ -100,7 +101,7 @@ fn every_curve_ends_at_its_goal_and_is_as_long_as_its_segments() {
             assert!(curve.segments().iter().all(|segment| segment.length.is_finite() && segment.length != 0.0));
             let is_forwards = curve.segments().iter().all(|segment| segment.length > 0.0);
             assert!(name == "reeds-shepp" || is_forwards, "{curve:?}");
-            // No shorter than any way is.
+            // No curve is shorter.
             assert!(curve.length() >= between(from, to) - slack);
             assert!(curve.length() >= radius * wrap(from.heading - to.heading).abs() - slack);
         }
@@ -191,25 +192,15 @@ fn solve(family: fn([f64; 3]) -> Vec<(Turn, f64)>, goal: Pose, mut lengths: [f64
         if at.iter().all(|part| part.abs() < 1e-11) {
             return Some(lengths);
         }
-        // Columns of the derivative; then Cramer's rule.
-        let columns = [0, 1, 2].map(|i| {
+        let derivative = Matrix3::from_columns(&[0, 1, 2].map(|i| {
             let mut other = lengths;
             other[i] += 1e-7;
             let there = miss(other);
-            [0, 1, 2].map(|row| wrap(there[row] - at[row]) / 1e-7)
-        });
-        let determinant = |[a, b, c]: [[f64; 3]; 3]| {
-            a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1]) + c[0] * (a[1] * b[2] - a[2] * b[1])
-        };
-        let whole = determinant(columns);
-        if whole.abs() < 1e-9 {
-            return None;
-        }
-        for i in 0..3 {
-            let mut replaced = columns;
-            replaced[i] = at;
-            lengths[i] -= (determinant(replaced) / whole).clamp(-1.0, 1.0);
-        }
+            Vector3::from_fn(|row, _| wrap(there[row] - at[row]) / 1e-7)
+        }));
+        let inverse = derivative.try_inverse().filter(|_| derivative.determinant().abs() >= 1e-9)?;
+        let step = inverse * Vector3::from(at);
+        [0, 1, 2].into_iter().for_each(|i| lengths[i] -= step[i].clamp(-1.0, 1.0));
     }
     None
 }

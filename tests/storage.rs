@@ -1,11 +1,13 @@
-//! Saved roadmaps: written and read bit for bit, queried again with the same answers, refused if they are damaged, belong to
+//! Saved roadmaps: written and read bit for bit, queried again with the same results, refused if they are damaged, belong to
 //! another scenario, or are not free.
 
+use crate::common::documents::{arm, disc, refuses, scenario, with};
 use crate::common::{
     arm_and_wall, arm_of, assert_valid, begin_with, disc_and_wall, finish, fitting, options, parse, seeds,
-    thick_arm_and_wall,
+    thick_arm_and_wall, worlds,
 };
 use planarium::Error;
+use planarium::error::Code;
 use planarium::run::storage::{MAGIC, RoadmapDocument, RoadmapMetric, fingerprint};
 use planarium::run::{self, Options, Run, Status};
 use planarium::scenario::Scenario;
@@ -13,7 +15,7 @@ use quick_xml::events::Event;
 use std::collections::BTreeSet;
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// Every way to build a roadmap, small.
+/// Every kind of roadmap, small.
 const ROADMAPS: &[(&str, &str)] = &[
     ("prm", "samples=120 k=8"),
     ("prm", "samples=120 k=6 insertion=one-by-one discard=true"),
@@ -32,22 +34,12 @@ fn resume(scenario: &Scenario, document: &RoadmapDocument) -> Result<Box<dyn Run
     run::resume(scenario, &options(&document.planner, 0, ""), document)
 }
 
-/// The error, by code and pointer.
+/// The code of an error.
 #[track_caller]
-fn refusal<T>(result: Result<T, Error>) -> (&'static str, String) {
+fn code<T>(result: Result<T, Error>) -> &'static str {
     let error = result.err().expect("this is to be refused");
     assert!(error.message().len() > 8, "{error}");
-    (error.code().as_str(), error.pointer().to_owned())
-}
-
-fn worlds() -> Vec<Scenario> {
-    vec![
-        arm_and_wall(0.1),
-        thick_arm_and_wall(0.2),
-        arm_of(3, true, 0.02),
-        arm_of(6, false, 0.0),
-        disc_and_wall(0.3, 0.2),
-    ]
+    error.code().as_str()
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -95,7 +87,7 @@ fn free(world: &Scenario, number: usize) -> Vec<f64> {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_same_query_finds_the_same_path_and_so_does_every_further_question() {
+fn the_same_query_finds_the_same_path_and_so_does_every_further_query() {
     for world in worlds() {
         for &(planner, settings) in ROADMAPS {
             for seed in 0..seeds(12).min(3) {
@@ -120,22 +112,22 @@ fn the_same_query_finds_the_same_path_and_so_does_every_further_question() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn another_query_of_the_same_world_is_joined_and_proven() {
+fn another_query_of_the_same_world_is_connected_and_proven() {
     let elsewhere = |q: &str| {
-        let text = arm_and_wall(0.1).to_json_string().replace("[-0.6,-0.2]", q).replace("\"round\"", "\"other\"");
+        let text = arm_and_wall(0.1).to_json_string().replace("[-0.6,-0.2]", q).replace("\"q\"", "\"other\"");
         parse(&text.replace("arm-and-wall", "renamed"))
     };
     let world = arm_and_wall(0.1);
     for seed in 0..seeds(10) {
         let document = saved(&world, "prm", seed, "samples=200 k=8");
-        // Start kept, goal new; the same the other way round; both new.
+        // The start of the document and a new goal; both new; a new start and the goal of the document.
         for (q, both) in [("[-1.4,0.3]", false), ("[-1.4,0.3]", true)] {
             let other = elsewhere(q);
             let other = if both { parse(&other.to_json_string().replace("[0.6,0.2]", "[0.9,-0.1]")) } else { other };
             assert_eq!(fingerprint(&other), fingerprint(&world), "name and queries do not matter");
             let run = finish(resume(&other, &document).unwrap_or_else(|error| panic!("{error}")));
-            let joined = document.vertex_count() + if both { 2 } else { 1 };
-            assert_eq!((run.vertex_count(), run.status()), (joined, Status::Solved), "seed {seed}");
+            let vertices = document.vertex_count() + if both { 2 } else { 1 };
+            assert_eq!((run.vertex_count(), run.status()), (vertices, Status::Solved), "seed {seed}");
             let query = &other.queries()[0];
             let ends = [&query.start[..], query.configuration().expect("a goal")];
             assert_eq!([run.path()[0].as_slice(), run.path().last().expect("a goal")], ends);
@@ -153,7 +145,7 @@ fn another_query_of_the_same_world_is_joined_and_proven() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_resumed_run_is_sliced_like_any_other_and_searches_as_it_is_told() {
+fn a_resumed_run_is_sliced_like_any_other_and_has_its_own_search() {
     let world = arm_of(3, true, 0.02);
     let document = saved(&world, "prm", 2, "samples=150 k=8");
     let settings = "search=dijkstra cost=hops shortcut=30 reduce=true max_iterations=5000 metric=sum k=8";
@@ -185,11 +177,10 @@ fn what_contradicts_the_document_is_refused() {
         ("prm", "speed=3", "unknown-parameter", "/speed"),
         ("prm", "shortcut=-1", "out-of-range", "/shortcut"),
     ] {
-        let found = refusal(run::resume(&world, &options(planner, 0, settings), &document));
-        assert_eq!(found, (code, pointer.to_owned()), "{planner} {settings}");
+        refuses(run::resume(&world, &options(planner, 0, settings), &document), code, pointer);
     }
     let unknown = Options { query: Some("nowhere".to_owned()), ..options("prm", 0, "") };
-    assert_eq!(refusal(run::resume(&world, &unknown, &document)).0, "unknown-query");
+    refuses(run::resume(&world, &unknown, &document), "unknown-query", "/query");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -205,9 +196,9 @@ fn a_roadmap_of_another_world_or_robot_is_refused() {
         parse(&text.replace("[1,0.8]", "[1,0.81]")),
     ];
     for other in others {
-        assert_eq!(refusal(resume(&other, &document)), ("other-scenario", "/fingerprint".to_owned()));
+        refuses(resume(&other, &document), "other-scenario", "/fingerprint");
     }
-    // Another way to write the same world is the same world.
+    // The same world written otherwise is the same world.
     assert!(resume(&parse(&text.replace("0.8", "8e-1")), &document).is_ok());
 }
 
@@ -223,14 +214,14 @@ fn small() -> (Scenario, RoadmapDocument) {
 fn a_damaged_file_is_refused() {
     let (_, document) = small();
     let (bytes, text) = (document.to_bytes(), document.to_json().into_bytes());
-    let code = |bytes: &[u8]| refusal(RoadmapDocument::read(bytes)).0;
+    let code_of = |bytes: &[u8]| code(RoadmapDocument::read(bytes));
     for at in 0..bytes.len() {
         for flip in [1, 0x10, 0x80, 0xff] {
             let mut damaged = bytes.clone();
             damaged[at] ^= flip;
-            assert_eq!(code(&damaged), "invalid-roadmap", "byte {at}");
+            assert_eq!(code_of(&damaged), "invalid-roadmap", "byte {at}");
         }
-        assert_eq!(code(&bytes[..at]), "invalid-roadmap", "{at} bytes");
+        assert_eq!(code_of(&bytes[..at]), "invalid-roadmap", "{at} bytes");
     }
     for at in 0..text.len() {
         for replacement in [text[at] ^ 1, b'0', b' '] {
@@ -242,11 +233,11 @@ fn a_damaged_file_is_refused() {
                 Err(error) => assert!(!error.message().is_empty()),
             }
         }
-        code(&text[..at]);
+        code_of(&text[..at]);
     }
-    assert_eq!(code(&[&bytes[..], &[0]].concat()), "invalid-roadmap");
-    assert_eq!(code(document.to_graphml().as_bytes()), "invalid-roadmap");
-    assert_eq!(refusal(RoadmapDocument::from_bytes(&text)).0, "invalid-roadmap");
+    assert_eq!(code_of(&[&bytes[..], &[0]].concat()), "invalid-roadmap");
+    assert_eq!(code_of(document.to_graphml().as_bytes()), "invalid-roadmap");
+    assert_eq!(code(RoadmapDocument::from_bytes(&text)), "invalid-roadmap");
 }
 
 /// The bytes with another word at an offset, and a checksum that fits.
@@ -273,15 +264,15 @@ fn a_header_that_lies_with_a_fitting_checksum_is_refused_and_nothing_is_allocate
         for lie in [0, 1, 3, 9, 1000, u32::MAX / 2, u32::MAX] {
             let lying = forged(&bytes, at, lie);
             if lying != bytes {
-                assert_eq!(refusal(RoadmapDocument::from_bytes(&lying)).0, "invalid-roadmap", "{lie} at {at}");
+                assert_eq!(code(RoadmapDocument::from_bytes(&lying)), "invalid-roadmap", "{lie} at {at}");
             }
         }
     }
-    assert_eq!(refusal(RoadmapDocument::from_bytes(&forged(&bytes, 8, 1))).1, "/format");
+    refuses(RoadmapDocument::from_bytes(&forged(&bytes, 8, 1)), "invalid-roadmap", "/format");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_document_that_contradicts_itself_is_refused_in_every_form_where_it_does() {
+fn a_document_that_contradicts_itself_is_refused_in_every_form() {
     let (world, document) = small();
     let count = document.vertex_count() as u32;
     // A change, the pointer to what is wrong then, and whether every form is refused or only the document that a program makes.
@@ -302,22 +293,20 @@ fn a_document_that_contradicts_itself_is_refused_in_every_form_where_it_does() {
     for &(change, pointer, in_every_form) in changes {
         let mut changed = document.clone();
         change(&mut changed);
-        let expected = ("invalid-roadmap", pointer.to_owned());
-        assert_eq!(refusal(resume(&world, &changed)), expected);
-        if in_every_form {
-            assert_eq!(refusal(RoadmapDocument::read(&changed.to_bytes())), expected);
-            assert_eq!(refusal(RoadmapDocument::read(changed.to_json().as_bytes())), expected);
+        refuses(resume(&world, &changed), "invalid-roadmap", pointer);
+        for form in [changed.to_bytes(), changed.to_json().into_bytes()].iter().filter(|_| in_every_form) {
+            refuses(RoadmapDocument::read(form), "invalid-roadmap", pointer);
         }
     }
     let mut infinite = document.clone();
     infinite.vertices[3] = f64::NAN;
-    assert_eq!(refusal(RoadmapDocument::read(&infinite.to_bytes())).1, "/vertices/1/1");
+    refuses(RoadmapDocument::read(&infinite.to_bytes()), "invalid-roadmap", "/vertices/1/1");
     infinite.circles.push(true);
-    assert_eq!(refusal(resume(&world, &infinite)).0, "invalid-roadmap");
+    assert_eq!(code(resume(&world, &infinite)), "invalid-roadmap");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn json_is_refused_where_it_is_wrong() {
+fn wrong_json_is_refused_with_code_and_pointer() {
     let (_, document) = small();
     let text = document.to_json();
     let row = |i: usize| format!("[{:?},{:?}]", document.vertices[2 * i], document.vertices[2 * i + 1]);
@@ -346,9 +335,7 @@ fn json_is_refused_where_it_is_wrong() {
         ("\"planner\":\"prm\",", "", "missing-field", "/planner"),
     ];
     for (piece, replacement, code, pointer) in changes {
-        assert!(text.contains(piece), "{piece} does not stand in {text}");
-        let found = refusal(RoadmapDocument::parse(&text.replacen(piece, replacement, 1)));
-        assert_eq!(found, (code, pointer.to_owned()), "{piece} -> {replacement}");
+        refuses(RoadmapDocument::parse(&with(&text, piece, replacement)), code, pointer);
     }
     // The order of fields and the space between them do not matter.
     let tree = planarium::json::parse(&text).expect("an object");
@@ -371,8 +358,7 @@ fn what_is_not_free_is_refused_though_its_checksum_fits() {
             let mut lie = document.clone();
             lie.edges.push([0, other]);
             let read = RoadmapDocument::read(&lie.to_bytes()).expect("nothing is damaged");
-            let place = format!("/edges/{}", document.edges.len());
-            assert_eq!(refusal(resume(&world, &read)), ("invalid-roadmap", place));
+            refuses(resume(&world, &read), "invalid-roadmap", &format!("/edges/{}", document.edges.len()));
             forged += 1;
         }
         assert!(forged > 3, "{forged} edges cross the wall");
@@ -383,20 +369,14 @@ fn what_is_not_free_is_refused_though_its_checksum_fits() {
         let mut lie = document.clone();
         lie.edges.clear();
         lie.vertices[6..8].copy_from_slice(&bad);
-        let expected = ("invalid-roadmap", "/vertices/3".to_owned());
-        assert_eq!(refusal(resume(&world, &lie)), expected, "{bad:?}");
+        refuses(resume(&world, &lie), "invalid-roadmap", "/vertices/3");
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn edges_proven_beside_a_tight_start_are_proven_again_beside_any_other() {
     // The wall's end lies 1e-7 from the tip of the start, so that the tolerance is finer than another query would ask for.
-    let tight = parse(
-        r#"{ "format": "planarium-scenario-1", "name": "tight",
-            "world": { "obstacles": [ { "type": "disc", "center": [1.2000001, 0], "radius": 0.2 } ] },
-            "robot": { "type": "arm", "base": [0, 0], "links": [1] },
-            "queries": [ { "name": "q", "start": [0.0], "goal": [2.0] } ] }"#,
-    );
+    let tight = scenario("", &disc([1.2000001, 0.0], 0.2), &arm(&[1.0], 0.0), r#""start": [0], "goal": [2]"#);
     let settings = "samples=300 k=12 tolerance=0.1";
     let document = saved(&tight, "prm", 1, settings);
     let start_edges = document.edges.iter().filter(|edge| edge.contains(&0)).count();
@@ -418,14 +398,14 @@ fn sampled_edges_are_sampled_again_and_stay_named() {
     assert_eq!(finish(run.expect("its samples are free")).result().edge_check.as_deref(), Some("sampled"));
     // Passed off as proven it is refused: some edge jumps through the wall.
     let lie = RoadmapDocument { edge_samples: None, ..document.clone() };
-    let (code, pointer) = refusal(resume(&thin, &lie));
-    assert!(code == "invalid-roadmap" && pointer.starts_with("/edges/"), "{code} {pointer}");
+    let error = resume(&thin, &lie).err().expect("this is to be refused");
+    assert!(error.code() == Code::InvalidRoadmap && error.pointer().starts_with("/edges/"), "{error}");
     let finer = RoadmapDocument { edge_samples: Some(1000), ..document };
-    assert_eq!(refusal(resume(&thin, &finer)).0, "invalid-roadmap");
+    assert_eq!(code(resume(&thin, &finer)), "invalid-roadmap");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn any_numbers_of_neighbours_and_vertices_can_be_gone_on_with() {
+fn any_numbers_of_neighbours_and_vertices_can_be_resumed() {
     let world = arm_and_wall(0.1);
     let document = saved(&world, "prm", 1, "samples=40 k=6");
     let most = RoadmapDocument { k: 20_000_000, ..document.clone() };
@@ -435,7 +415,7 @@ fn any_numbers_of_neighbours_and_vertices_can_be_gone_on_with() {
     assert_eq!((run.vertex_count(), run.status()), (2, Status::Exhausted));
     assert_eq!(RoadmapDocument::read(&empty.to_bytes()), Ok(empty.clone()));
     assert_eq!(RoadmapDocument::read(empty.to_json().as_bytes()), Ok(empty));
-    // Half built it can be kept too; then nothing is joined yet but what the query needs.
+    // Half built it can be saved too; then nothing is connected yet but what the query needs.
     let mut half = begin_with(&world, "prm", 1, "samples=40 k=6");
     half.step(30);
     let half = half.roadmap().expect("as far as it is built");
@@ -444,14 +424,14 @@ fn any_numbers_of_neighbours_and_vertices_can_be_gone_on_with() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn graphml_is_well_formed_and_tells_coordinates_and_lengths() {
+fn graphml_is_well_formed_and_contains_coordinates_and_lengths() {
     let document = RoadmapDocument {
         scenario: "<&\"'> \u{1}\u{fffe}\r ]]> \u{e9}\u{1f916}".to_owned(),
         vertices: vec![3.0, 0.1, -3.0, 1e-7],
         edges: vec![[1, 0]],
         ..small().1
     };
-    // The short way round in the first joint.
+    // The shorter direction in the first joint.
     let weight = (std::f64::consts::TAU - 6.0) + (0.1 - 1e-7);
     let expected = [
         r#"<?xml version="1.0" encoding="UTF-8"?>"#,

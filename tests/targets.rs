@@ -1,12 +1,12 @@
 //! Queries with a target of the end effector: a path may end at any configuration that reaches it, for every planner.
 
-use crate::common::{SAMPLERS, arm_and_wall, arm_of, begin_with, finish, options, parse, seeds};
+use crate::common::documents::{self, arm, disc, judged};
+use crate::common::{SAMPLERS, arm_and_wall, arm_of, assert_valid, begin_with, finish, options, parse, seeds};
 use planarium::geometry::Point;
-use planarium::path::{Verdict, verify};
 use planarium::run::inspect::Inspector;
 use planarium::run::{Run, Status, resume, start};
 use planarium::scenario::Scenario;
-use serde_json::Value as Json;
+use serde_json::json;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// Planners with settings that solve small worlds.
@@ -23,7 +23,7 @@ const PLANNERS: &[(&str, &str)] = &[
 
 /// The world whose first query has this target instead of its goal or target.
 fn reaching(world: &Scenario, target: &str) -> Scenario {
-    let mut document: Json = serde_json::from_str(&world.to_json_string()).expect("a document");
+    let mut document = json!(world);
     document["queries"][0].as_object_mut().expect("a query").remove("goal");
     document["queries"][0]["target"] = serde_json::from_str(target).expect("a target");
     parse(&document.to_string())
@@ -33,12 +33,6 @@ fn reaching(world: &Scenario, target: &str) -> Scenario {
 fn reaching_tip(plain: &Scenario) -> (Scenario, Point) {
     let tip = Inspector::new(plain).end_effector(plain.queries()[0].configuration().unwrap()).unwrap();
     (reaching(plain, &format!(r#"{{"point": [{:?}, {:?}]}}"#, tip.x, tip.y)), tip)
-}
-
-#[track_caller]
-fn assert_valid(world: &Scenario, run: &dyn Run) {
-    let verdict = verify(world, &run.result());
-    assert!(matches!(verdict, Ok(Verdict::Valid { .. })), "{:?}, {verdict:?}", run.status());
 }
 
 /// Checks that a run has solved the world, and that its path ends with the tip there.
@@ -106,12 +100,8 @@ fn an_orientation_is_kept() {
 #[wasm_bindgen_test(unsupported = test)]
 fn the_free_elbow_is_found() {
     // The tip is reached with the elbow on either side; a disc blocks the side of the given goal.
-    let plain = parse(
-        r#"{ "format": "planarium-scenario-1", "name": "elbows",
-            "world": { "obstacles": [ { "type": "disc", "center": [1, 0.73], "radius": 0.1 } ] },
-            "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
-            "queries": [ { "name": "q", "start": [-1.5, 0], "goal": [0.3, -1] } ] }"#,
-    );
+    let query = r#""start": [-1.5, 0], "goal": [0.3, -1]"#;
+    let plain = documents::scenario("", &disc([1.0, 0.73], 0.1), &arm(&[1.0, 1.0], 0.0), query);
     // One elbow is in collision; both are free.
     for (target, count) in [([1.5, 0.6], 1), ([-0.6, -1.5], 2)] {
         let (world, goals) = goals(&plain, target);
@@ -182,30 +172,26 @@ fn a_saved_roadmap_is_queried_for_a_target() {
 fn is_accepted_for(world: &Scenario, target: &str) -> bool {
     let run = finish(begin_with(world, "rrt-connect", 1, ""));
     assert_valid(world, &*run);
-    matches!(verify(&reaching(world, target), &run.result()), Ok(Verdict::Valid { .. }))
+    judged(&reaching(world, target), &run.result()).is_ok()
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_end_of_a_path_is_judged_by_the_size_of_the_arm() {
-    let arm = |base: f64, links: &str, target: &str| {
-        parse(&format!(
-            r#"{{ "format": "planarium-scenario-1", "name": "small", "world": {{ "obstacles": [] }},
-                "robot": {{ "type": "arm", "base": [{base:?}, 0], "links": {links} }},
-                "queries": [ {{ "name": "q", "start": [0.1, 0.1, 0.1], "target": {target} }} ] }}"#
-        ))
+    let arm = |base: f64, link: f64, target: &str| {
+        let robot = documents::with(&arm(&[link; 3], 0.0), "[0, 0]", &format!("[{base:?}, 0]"));
+        documents::scenario("", "", &robot, &format!(r#""start": [0.1, 0.1, 0.1], "target": {target}"#))
     };
     // An arm of a third of a micrometre.
-    let links = "[1e-7, 1e-7, 1e-7]";
-    let small = arm(0.0, links, r#"{"point": [0.0, 2e-7]}"#);
+    let small = arm(0.0, 1e-7, r#"{"point": [0.0, 2e-7]}"#);
     assert!(!is_accepted_for(&small, r#"{"point": [0.0, 2.01e-7]}"#), "a nanometre is much for it");
-    let error = start(&arm(0.0, links, r#"{"point": [0.0, 3.005e-7]}"#), &options("rrt-connect", 1, ""));
+    let error = start(&arm(0.0, 1e-7, r#"{"point": [0.0, 3.005e-7]}"#), &options("rrt-connect", 1, ""));
     assert_eq!(error.err().map(|error| error.code().as_str()), Some("target-unreachable"));
     // Far from the origin a millionth of a metre is rounding, a ten thousandth is not.
-    let far = arm(1e6 - 8.0, "[1, 1, 1]", r#"{"point": [999994, 0.5]}"#);
+    let far = arm(1e6 - 8.0, 1.0, r#"{"point": [999994, 0.5]}"#);
     assert!(!is_accepted_for(&far, r#"{"point": [999994, 0.5001]}"#));
     // Whole turns of an orientation are nothing, a ten thousandth of a radian on top of many is something.
     let turned = |more: f64| format!(r#"{{"point": [1.5, 0.5], "orientation": {:?}}}"#, 0.25 + more);
-    let wound = arm(0.0, "[1, 1, 1]", &turned(150_000.0 * std::f64::consts::TAU));
+    let wound = arm(0.0, 1.0, &turned(150_000.0 * std::f64::consts::TAU));
     assert!(is_accepted_for(&wound, &turned(-7.0 * std::f64::consts::TAU)));
     assert!(!is_accepted_for(&wound, &turned(150_000.0 * std::f64::consts::TAU + 1e-4)));
 }
@@ -213,13 +199,10 @@ fn the_end_of_a_path_is_judged_by_the_size_of_the_arm() {
 #[wasm_bindgen_test(unsupported = test)]
 fn joints_that_can_hardly_move_keep_no_target_out_of_reach() {
     // The third joint has a range of two billionths of a radian, which random starts once failed to solve.
-    let world = parse(
-        r#"{ "format": "planarium-scenario-1", "name": "stiff", "world": { "obstacles": [] },
-            "robot": { "type": "arm", "base": [0, 0], "links": [1, 0.5, 1, 2],
-                "joint_limits": [[-1.0471975511965976, 0.5235987755982988], [0.5, 1], [-1e-9, 1e-9], [0, 9.42477796076938]] },
-            "queries": [ { "name": "q", "start": [0, 0.75, 0, 1], "goal": [0.5235987755982988, 1, 1e-9, 7.592182246175334] } ] }"#,
-    );
-    let (world, _) = reaching_tip(&world);
+    let limits = [[-1.0471975511965976, 0.5235987755982988], [0.5, 1.0], [-1e-9, 1e-9], [0.0, 9.42477796076938]];
+    let robot = documents::limited_arm(&[1.0, 0.5, 1.0, 2.0], 0.0, &limits);
+    let query = r#""start": [0, 0.75, 0, 1], "goal": [0.5235987755982988, 1, 1e-9, 7.592182246175334]"#;
+    let (world, _) = reaching_tip(&documents::scenario("", "", &robot, query));
     for seed in 0..seeds(10) {
         let run = finish(begin_with(&world, "rrt-connect", seed, ""));
         assert_valid(&world, &*run);

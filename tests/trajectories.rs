@@ -1,13 +1,13 @@
 //! Trajectories. Two: closed forms against halving, and both against known cases. Many: none crosses another, the same in any
-//! slices, on every platform, with the index and without.
+//! slices, with the index and without.
 
-use crate::common::{cases, given, golden};
+use crate::common::documents::refuses;
+use crate::common::{cases, given};
 use planarium::geometry::Point;
 use planarium::options::{Kind, Options, Value};
 use planarium::problem::Status;
 use planarium::random::{Random, Stream};
 use planarium::trajectories::{MOST_TURNING, Model, Particle, Trajectories, TrajectoryOptions, crossing, halve};
-use serde_json::Value as Json;
 use std::f64::consts::PI;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -128,13 +128,10 @@ fn particles_out_of_range_are_refused_with_the_field() {
     for (i, value, code, pointer) in cases {
         let mut bad = good;
         bad[i] = value;
-        let error = crossing(&arc(bad), &arc(good)).expect_err("out of range");
-        assert_eq!((error.code().as_str(), error.pointer()), (code, pointer), "{value}");
-        let error = crossing(&arc(good), &arc(bad)).expect_err("out of range");
-        assert_eq!(error.pointer(), pointer.replace("/0", "/1"));
+        refuses(crossing(&arc(bad), &arc(good)), code, pointer);
+        refuses(crossing(&arc(good), &arc(bad)), code, &pointer.replace("/0", "/1"));
     }
-    let long = crossing(&arc([0.0, 0.0, 0.0, 1e5, 0.0, 20.0]), &arc(good)).expect_err("too long a way");
-    assert_eq!((long.code().as_str(), long.pointer()), ("out-of-range", "/0/duration"));
+    refuses(crossing(&arc([0.0, 0.0, 0.0, 1e5, 0.0, 20.0]), &arc(good)), "out-of-range", "/0/duration");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -319,19 +316,6 @@ fn particles(trajectories: &Trajectories) -> Vec<Particle> {
     trajectories.accepted().copied().collect()
 }
 
-/// The outcome of a golden case.
-fn outcome(case: &Json) -> Json {
-    let options = case["options"].as_object().expect("options").iter();
-    let given: Vec<_> = options.map(|(name, value)| (name.clone(), Value::from(value))).collect();
-    let done = finish(Trajectories::new(&given, case["seed"].as_u64().expect("a seed")).expect("options in range"));
-    serde_json::to_value(done.result()).expect("a document")
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn every_case_has_its_golden_outcome() {
-    golden::check("golden-trajectories.json", include_str!("golden-trajectories.json"), 10, outcome);
-}
-
 #[wasm_bindgen_test(unsupported = test)]
 fn slices_do_not_change_the_result() {
     for options in ["count=300", "count=200 model=spiral", "count=100 fastest=40 max_iterations=900"] {
@@ -485,12 +469,9 @@ fn bad_options_are_refused_with_code_and_pointer() {
         ("max_iterations=0", "out-of-range", "/max_iterations"),
     ];
     for (options, code, pointer) in cases {
-        let error = TrajectoryOptions::new(&given(options), 0).expect_err(options);
-        assert_eq!((error.code().as_str(), error.pointer()), (code, pointer), "{options}: {error}");
-        assert!(error.message().len() > 15, "{error}");
+        assert!(refuses(TrajectoryOptions::new(&given(options), 0), code, pointer).len() > 15, "{options}");
     }
-    let error = TrajectoryOptions::new(&[], 1 << 53).expect_err("too large a seed");
-    assert_eq!((error.code().as_str(), error.pointer()), ("out-of-range", "/seed"));
+    refuses(TrajectoryOptions::new(&[], 1 << 53), "out-of-range", "/seed");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

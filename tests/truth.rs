@@ -1,12 +1,11 @@
 //! The shared scenarios against what is known about them: which queries have a path, which start or end in collision.
 //! They are not part of this repository; the environment variable `PLANARIUM_SCENARIOS` names their folder.
 
-use crate::common::deep;
-use planarium::path::{ResultDocument, Verdict, verify};
-use planarium::scenario::Scenario;
-use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use crate::cli::{Finished, planarium_with};
+use crate::common::documents::{judged, shared};
+use crate::common::{deep, parse};
+use planarium::path::ResultDocument;
+use serde_json::{Value, json};
 
 /// Arm scenarios with queries that have a path.
 const SOLVABLE: &[(&str, &[&str])] = &[
@@ -59,52 +58,34 @@ fn seeds() -> u64 {
     if deep() { 10 } else { 2 }
 }
 
-/// The folder of the scenarios; prints a line, past the capture of the test harness, if it is not set.
-fn folder(test: &str) -> Option<PathBuf> {
-    let folder = std::env::var_os("PLANARIUM_SCENARIOS").filter(|folder| !folder.is_empty()).map(PathBuf::from);
-    if folder.is_none() {
-        let line = format!("\nSKIPPED {test}: PLANARIUM_SCENARIOS is not set\n");
-        let _ = std::io::stderr().write_all(line.as_bytes());
-    }
-    folder
-}
-
 /// Plans with these settings.
-fn plan(scenario: &Path, query: &str, planner: &str, seed: u64, set: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_planarium"));
-    command.arg("plan").arg(scenario).args(["--query", query, "--planner", planner, "--seed", &seed.to_string()]);
-    command.args(set.iter().flat_map(|pair| ["--set", pair]));
-    command.output().expect("the program runs")
-}
-
-fn read(path: &Path) -> String {
-    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+fn plan(scenario: &str, query: &str, planner: &str, seed: u64, set: &[&str]) -> Finished {
+    let set: String = set.iter().map(|pair| format!(" --set {pair}")).collect();
+    planarium_with(&format!("plan - --query {query} --planner {planner} --seed {seed}{set}"), scenario)
 }
 
 /// How many of these seeds find a path; the judge accepts every one.
-fn solved(file: &Path, query: &str, (planner, set): (&str, &[&str]), seeds: u64) -> u64 {
-    let scenario = Scenario::parse(&read(file)).expect("the scenario is in order");
+fn solved(text: &str, query: &str, (planner, set): (&str, &[&str]), seeds: u64) -> u64 {
+    let scenario = parse(text);
     let is_solved = |&seed: &u64| {
-        let output = plan(file, query, planner, seed, set);
-        let what = format!("{} {query} {planner} {set:?} seed {seed}", file.display());
-        let errors = String::from_utf8_lossy(&output.stderr);
-        assert!(matches!(output.status.code(), Some(0 | 1)), "{what}: {errors}");
-        let result = ResultDocument::parse(&String::from_utf8_lossy(&output.stdout)).expect("a result");
-        if output.status.success() {
-            let verdict = verify(&scenario, &result).expect("a verdict");
-            assert!(matches!(verdict, Verdict::Valid { .. }), "{what}: {verdict:?}");
+        let finished = plan(text, query, planner, seed, set);
+        let what = format!("{} {query} {planner} {set:?} seed {seed}", scenario.name());
+        assert!(matches!(finished.code, 0 | 1), "{what}: {}", finished.stderr);
+        let result = ResultDocument::parse(&finished.stdout).expect("a result");
+        if finished.code == 0 {
+            judged(&scenario, &result).unwrap_or_else(|why| panic!("{what}: {why}"));
         }
-        output.status.success()
+        finished.code == 0
     };
     (1..=seeds).filter(is_solved).count() as u64
 }
 
 #[test]
 fn every_solvable_query_is_solved_and_the_judge_agrees() {
-    let Some(folder) = folder("every_solvable_query_is_solved_and_the_judge_agrees") else { return };
+    let Some(shared) = shared() else { return };
     for (name, queries) in SOLVABLE {
         for (query, planner) in queries.iter().flat_map(|query| PLANNERS.map(|planner| (query, planner))) {
-            let solved = solved(&folder.join(format!("{name}.json")), query, (planner, &[]), seeds());
+            let solved = solved(&shared[*name], query, (planner, &[]), seeds());
             assert_eq!(solved, seeds(), "{name} {query} {planner}");
         }
     }
@@ -112,13 +93,13 @@ fn every_solvable_query_is_solved_and_the_judge_agrees() {
 
 #[test]
 fn bodies_and_cars_arrive_whoever_plans_and_the_judge_agrees() {
-    let Some(folder) = folder("bodies_and_cars_arrive_whoever_plans_and_the_judge_agrees") else { return };
+    let Some(shared) = shared() else { return };
     for (name, queries) in PLACED {
         let of_bodies: Vec<(&str, &[&str])> = PLANNERS.iter().map(|&planner| (planner, &[][..])).collect();
         let planners = if name.starts_with("car") { DRIVERS } else { &of_bodies };
         for (query, &planner) in queries.iter().flat_map(|query| planners.iter().map(move |planner| (query, planner))) {
-            let solved = solved(&folder.join(format!("{name}.json")), query, planner, seeds());
-            // Forwards alone the car of this scene cannot leave its corner: whichever way it turns, 3 cm of it leave the world.
+            let solved = solved(&shared[*name], query, planner, seeds());
+            // Forwards alone the car of this scene cannot leave its corner: in either direction, 3 cm of it leave the world.
             let is_trapped = *name == "car-scene3" && planner.1.contains(&"steering=dubins");
             let is_right = if is_trapped { solved == 0 } else { solved + 1 >= seeds() };
             assert!(is_right, "{name} {query} {planner:?}: {solved} of {}", seeds());
@@ -128,43 +109,33 @@ fn bodies_and_cars_arrive_whoever_plans_and_the_judge_agrees() {
 
 #[test]
 fn a_query_in_collision_is_refused_by_name() {
-    let Some(folder) = folder("a_query_in_collision_is_refused_by_name") else { return };
+    let Some(shared) = shared() else { return };
     for (name, query, code, contact) in COLLIDING {
         for planner in PLANNERS {
-            let output = plan(&folder.join(format!("{name}.json")), query, planner, 1, &[]);
-            let document: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
-            assert_eq!(output.status.code(), Some(2), "{name} {query}: {document}");
-            assert_eq!(document["error"]["code"], *code, "{name} {query}");
-            let message = document["error"]["message"].as_str().expect("a message");
-            assert!(message.contains(contact), "{name} {query}: {message}");
+            let finished = plan(&shared[*name], query, planner, 1, &[]);
+            let error = &finished.json()["error"];
+            assert_eq!((finished.code, error["code"].as_str()), (2, Some(*code)), "{name} {query}");
+            assert!(error["message"].as_str().is_some_and(|text| text.contains(contact)), "{name} {query}: {error}");
         }
     }
 }
 
 #[test]
 fn a_query_without_a_path_is_never_solved() {
-    let Some(folder) = folder("a_query_without_a_path_is_never_solved") else { return };
+    let Some(shared) = shared() else { return };
     // In forest-2r-2 the first link can go from start to goal only through the angle pi / 2, where its tip, at (0, 1),
-    // touches the corner of obstacle 2 there; the other way round obstacle 6 bars a quarter of its turn. Obstacles are
-    // closed: no path. A grid over the angles steps over that one angle and joins both sides.
+    // touches the corner of obstacle 2 there; in the other direction obstacle 6 bars a quarter of its turn. Obstacles are
+    // closed: no path. A grid over the angles steps over that one angle and connects both sides.
     for name in ["forest-2r-1", "forest-2r-2"] {
         for planner in PLANNERS {
-            let output = plan(&folder.join(format!("{name}.json")), "report", planner, 1, &[]);
-            let document: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
-            assert_eq!(
-                (output.status.code(), document["status"].as_str()),
-                (Some(1), Some("exhausted")),
-                "{name} {planner}"
-            );
+            let finished = plan(&shared[name], "report", planner, 1, &[]);
+            assert_eq!((finished.code, &finished.json()["status"]), (1, &json!("exhausted")), "{name} {planner}");
         }
     }
     // With the first link a millimetre shorter there is a path.
-    let text = read(&folder.join("forest-2r-2.json"));
-    let mut shorter: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let mut shorter: Value = serde_json::from_str(&shared["forest-2r-2"]).expect("JSON");
     shorter["robot"]["links"][0] = 0.999.into();
-    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("forest-2r-2-shorter.json");
-    std::fs::write(&file, shorter.to_string()).expect("the folder for test files can be written");
     for planner in PLANNERS {
-        assert_eq!(solved(&file, "report", (planner, &[]), 3), 3, "{planner}");
+        assert_eq!(solved(&shorter.to_string(), "report", (planner, &[]), 3), 3, "{planner}");
     }
 }

@@ -1,38 +1,16 @@
-//! The independent judge of paths, on native, Node and Chrome alike: hand-made paths, valid and not. Ends of motions are
-//! odd, so that no sample falls exactly on an obstacle.
+//! The independent judge of paths: hand-made paths, valid and not. Ends of motions are odd, so that no sample falls exactly on an
+//! obstacle.
 
-use crate::common::documents::{self, refuses};
-use planarium::path::{ResultDocument, Verdict, verify};
+use crate::common::documents::{self, arm, disc, judged, limited_arm, polygon, rectangle, refuses};
+use planarium::path::{ResultDocument, verify};
 use planarium::scenario::Scenario;
 use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// A scenario with one query, "q".
-fn scenario(bounds: Option<[[f64; 2]; 2]>, obstacles: &[String], robot: &str, ends: [&[f64]; 2]) -> Scenario {
-    let bounds = bounds.map_or(String::new(), |[min, max]| format!("{min:?}, {max:?}"));
+fn scenario(bounds: &str, obstacles: &[String], robot: &str, ends: [&[f64]; 2]) -> Scenario {
     let query = format!(r#""start": {:?}, "goal": {:?}"#, ends[0], ends[1]);
-    documents::scenario(&bounds, &obstacles.join(","), robot, &query)
-}
-
-fn polygon(vertices: &[[f64; 2]]) -> String {
-    format!(r#"{{"type": "polygon", "vertices": {vertices:?}}}"#)
-}
-
-fn rectangle([x, y]: [f64; 2], [u, v]: [f64; 2]) -> String {
-    polygon(&[[x, y], [u, y], [u, v], [x, v]])
-}
-
-fn disc(center: [f64; 2], radius: f64) -> String {
-    format!(r#"{{"type": "disc", "center": {center:?}, "radius": {radius:?}}}"#)
-}
-
-/// An arm with its base at the origin.
-fn arm(links: &[f64], radius: f64) -> String {
-    format!(r#"{{"type": "arm", "base": [0, 0], "links": {links:?}, "radius": {radius:?}}}"#)
-}
-
-fn limited_arm(links: &[f64], limits: &[[f64; 2]]) -> String {
-    format!(r#"{{"type": "arm", "base": [0, 0], "links": {links:?}, "joint_limits": {limits:?}}}"#)
+    documents::scenario(bounds, &obstacles.join(","), robot, &query)
 }
 
 fn robot_disc(radius: f64) -> String {
@@ -43,7 +21,7 @@ fn result(path: &[&[f64]], length: f64) -> ResultDocument {
     documents::result("s", &format!("{path:?}"), None, length)
 }
 
-/// Angles the short way round, summed over joints; plain differences for limited joints and points need their own.
+/// Angles in the shorter direction, summed over joints; plain differences for limited joints and points need their own.
 fn circle_length(path: &[&[f64]]) -> f64 {
     let short = |a: f64, b: f64| (b - a - TAU * ((b - a) / TAU).round()).abs();
     path.windows(2).flat_map(|e| e[0].iter().zip(e[1]).map(move |(a, b)| short(*a, *b))).sum()
@@ -54,17 +32,19 @@ fn straight_length(path: &[&[f64]]) -> f64 {
     path.windows(2).map(|e| gap(e[0], e[1])).sum()
 }
 
+/// The clearance of a path, or why it is invalid.
+type Verdict = Result<f64, String>;
+
 /// The verdict on a path from its first to its last waypoint.
-fn judge_in(bounds: Option<[[f64; 2]; 2]>, obstacles: &[String], robot: &str, path: &[&[f64]], length: f64) -> Verdict {
-    let scenario = scenario(bounds, obstacles, robot, [path[0], path[path.len() - 1]]);
-    verify(&scenario, &result(path, length)).expect("scenario and query are the right ones")
+fn judge_in(bounds: &str, obstacles: &[String], robot: &str, path: &[&[f64]], length: f64) -> Verdict {
+    judged(&scenario(bounds, obstacles, robot, [path[0], path[path.len() - 1]]), &result(path, length))
 }
 
 fn judge_arm(obstacles: &[String], robot: &str, path: &[&[f64]]) -> Verdict {
-    judge_in(None, obstacles, robot, path, circle_length(path))
+    judge_in("", obstacles, robot, path, circle_length(path))
 }
 
-const ROOM: Option<[[f64; 2]; 2]> = Some([[-4.0, -4.0], [4.0, 4.0]]);
+const ROOM: &str = "[-4, -4], [4, 4]";
 
 fn judge_disc(obstacles: &[String], radius: f64, path: &[&[f64]]) -> Verdict {
     judge_in(ROOM, obstacles, &robot_disc(radius), path, straight_length(path))
@@ -73,23 +53,14 @@ fn judge_disc(obstacles: &[String], radius: f64, path: &[&[f64]]) -> Verdict {
 /// The clearance of a path that must be valid.
 #[track_caller]
 fn clearance(verdict: Verdict) -> f64 {
-    match verdict {
-        Verdict::Valid { clearance, .. } => clearance,
-        Verdict::Invalid { why } => panic!("refused: {why}"),
-    }
+    verdict.unwrap_or_else(|why| panic!("refused: {why}"))
 }
 
-/// Why a path that must not be valid is refused; all the words must be in it.
+/// Checks that a path is invalid, and that all the words are in the reason.
 #[track_caller]
 fn refused(verdict: Verdict, words: &[&str]) {
-    match verdict {
-        Verdict::Valid { .. } => panic!("accepted, though {words:?}"),
-        Verdict::Invalid { why } => {
-            for word in words {
-                assert!(why.contains(word), "{why:?} does not say {word:?}");
-            }
-        }
-    }
+    let why = verdict.expect_err("it is accepted");
+    assert!(words.iter().all(|word| why.contains(word)), "{why:?} does not contain {words:?}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -170,7 +141,7 @@ fn a_tip_may_slide_along_a_wall_but_not_on_it() {
 fn bounds_may_be_touched_but_not_left() {
     let path: &[&[f64]] = &[&[-0.5], &[0.6137]];
     let judge = |x: f64, radius: f64| {
-        judge_in(Some([[-1.0, -1.0], [x, 1.0]]), &[], &arm(&[1.0], radius), path, circle_length(path))
+        judge_in(&format!("[-1, -1], [{x:?}, 1]"), &[], &arm(&[1.0], radius), path, circle_length(path))
     };
     refused(judge(0.99, 0.0), &["edge 0", "link 0", "leaves the bounds"]);
     refused(judge(1.0 - 1e-10, 0.0), &["leaves the bounds"]);
@@ -187,30 +158,30 @@ fn bounds_may_be_touched_but_not_left() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn limited_joints_neither_leave_their_limits_nor_wrap() {
-    let robot = limited_arm(&[1.0], &[[-3.0, 3.0]]);
-    let judge = |obstacles: &[String], path: &[&[f64]]| judge_in(None, obstacles, &robot, path, straight_length(path));
+    let robot = limited_arm(&[1.0], 0.0, &[[-3.0, 3.0]]);
+    let judge = |obstacles: &[String], path: &[&[f64]]| judge_in("", obstacles, &robot, path, straight_length(path));
     let (right, left) = ([disc([0.9, 0.0], 0.05)], [disc([-0.9, 0.0], 0.05)]);
     clearance(judge(&left, &[&[-3.0], &[3.0]]));
     refused(judge(&right, &[&[-3.0], &[3.0]]), &["link 0", "obstacle 0"]);
     refused(judge(&left, &[&[-3.0], &[3.0 + 1e-12], &[2.0]]), &["waypoint 1", "limits of joint 0"]);
-    // The same two ends with a circle for a joint: the other way round.
+    // The same two ends with a circle for a joint: in the other direction.
     let circle = arm(&[1.0], 0.0);
     clearance(judge_arm(&right, &circle, &[&[-3.0], &[3.0]]));
     refused(judge_arm(&left, &circle, &[&[-3.0], &[3.0]]), &["link 0", "obstacle 0"]);
     // Several turns of a limited joint are several turns.
-    let winding = limited_arm(&[1.0], &[[-100.0, 100.0]]);
+    let winding = limited_arm(&[1.0], 0.0, &[[-100.0, 100.0]]);
     let path: &[&[f64]] = &[&[-PI / 2.0], &[TAU + PI / 2.0]];
-    refused(judge_in(None, &left, &winding, path, straight_length(path)), &["link 0", "obstacle 0"]);
+    refused(judge_in("", &left, &winding, path, straight_length(path)), &["link 0", "obstacle 0"]);
     let path: &[&[f64]] = &[&[-99.0], &[99.0]];
-    clearance(judge_in(None, &[disc([1.2, 0.0], 0.1)], &winding, path, straight_length(path)));
+    clearance(judge_in("", &[disc([1.2, 0.0], 0.1)], &winding, path, straight_length(path)));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_long_way_round_must_be_spelt_out() {
+fn the_longer_direction_needs_waypoints() {
     let robot = arm(&[1.0], 0.0);
     let behind = [disc([-0.9, 0.0], 0.05)];
-    let scenario = scenario(None, &behind, &robot, [&[-2.0], &[2.0]]);
-    let judge = |path: &[&[f64]], length: f64| verify(&scenario, &result(path, length)).expect("a verdict");
+    let scenario = scenario("", &behind, &robot, [&[-2.0], &[2.0]]);
+    let judge = |path: &[&[f64]], length: f64| judged(&scenario, &result(path, length));
     refused(judge(&[&[-2.0], &[2.0]], TAU - 4.0), &["link 0", "obstacle 0"]);
     clearance(judge(&[&[-2.0], &[0.0], &[2.0]], 4.0));
     refused(judge(&[&[-2.0], &[0.0], &[2.0]], TAU - 4.0), &["length"]);
@@ -221,8 +192,8 @@ fn the_long_way_round_must_be_spelt_out() {
 #[wasm_bindgen_test(unsupported = test)]
 fn angles_count_in_any_number_of_turns() {
     let near = [disc([0.0, -0.9], 0.05)];
-    let scenario = scenario(None, &near, &arm(&[0.5, 0.5], 0.01), [&[0.5 + 3.0 * TAU, 0.1], &[1.5, -0.2 - TAU]]);
-    let judge = |path: &[&[f64]]| verify(&scenario, &result(path, 1.3)).expect("a verdict");
+    let scenario = scenario("", &near, &arm(&[0.5, 0.5], 0.01), [&[0.5 + 3.0 * TAU, 0.1], &[1.5, -0.2 - TAU]]);
+    let judge = |path: &[&[f64]]| judged(&scenario, &result(path, 1.3));
     let plain = judge(&[&[0.5, 0.1], &[1.5, -0.2]]);
     let turned = judge(&[&[0.5 - TAU, 0.1 + 50.0 * TAU], &[1.5 + 1000.0 * TAU, -0.2]]);
     assert!((clearance(plain) - clearance(turned)).abs() < 1e-10);
@@ -231,8 +202,8 @@ fn angles_count_in_any_number_of_turns() {
 #[wasm_bindgen_test(unsupported = test)]
 fn start_goal_and_length_must_be_those_of_the_query() {
     let robot = arm(&[1.0, 1.0], 0.0);
-    let scenario = scenario(None, &[], &robot, [&[0.1, 0.2], &[1.1, 0.4]]);
-    let judge = |path: &[&[f64]], length: f64| verify(&scenario, &result(path, length)).expect("a verdict");
+    let scenario = scenario("", &[], &robot, [&[0.1, 0.2], &[1.1, 0.4]]);
+    let judge = |path: &[&[f64]], length: f64| judged(&scenario, &result(path, length));
     assert_eq!(clearance(judge(&[&[0.1, 0.2], &[1.1, 0.4]], 1.2)), f64::INFINITY);
     clearance(judge(&[&[0.1, 0.2], &[1.1, 0.4]], f64::sqrt(1.04)));
     clearance(judge(&[&[0.1, 0.2 + 9e-10], &[1.1, 0.4]], 1.2 - 9e-10));
@@ -249,8 +220,8 @@ fn start_goal_and_length_must_be_those_of_the_query() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn malformed_paths_are_refused_by_name() {
-    let scenario = scenario(None, &[], &arm(&[1.0, 1.0], 0.0), [&[0.0, 0.0], &[1.0, 0.0]]);
-    let judge = |document: &ResultDocument| verify(&scenario, document).expect("a verdict");
+    let scenario = scenario("", &[], &arm(&[1.0, 1.0], 0.0), [&[0.0, 0.0], &[1.0, 0.0]]);
+    let judge = |document: &ResultDocument| judged(&scenario, document);
     let good = result(&[&[0.0, 0.0], &[1.0, 0.0]], 1.0);
     clearance(judge(&good));
     let with_path = |path: Vec<Vec<f64>>| ResultDocument { path, ..good.clone() };

@@ -1,10 +1,10 @@
-//! The independent judge of bodies' paths, on native, Node and Chrome alike: against the proof, against dense samples, and by hand.
+//! The independent judge of bodies' paths: against the proof, against dense samples, and by hand.
 
 use crate::common::bodies::*;
 use crate::common::{documents, seeds};
 use planarium::collision::{BodyCollision, BodyMotion};
 use planarium::geometry::{Disc, Polygon};
-use planarium::path::{Leg, Verdict, verify, verify_legs};
+use planarium::path::{Leg, Verdict, verify_legs};
 use planarium::random::{Random, Stream};
 use planarium::scenario::{Obstacle, Scenario, World};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -134,19 +134,14 @@ fn bounds_may_be_touched_but_not_left() {
 }
 
 fn scenario(goal_tolerance: &str) -> Scenario {
-    let disc = r#"{"type": "disc", "center": [2, 1], "radius": 0.5}"#;
     let metric = r#""metric": {"translation": 0.5, "rotation": 0.25}"#;
-    let robot = format!(r#"{{"type": "rigid_body", {}, {metric}}}"#, documents::shape(0.2, 0.1));
+    let robot = documents::rectangular("rigid_body", 0.2, 0.1, metric);
     let query = format!(r#""start": [1, 2, 3], "goal": [3, 2, -3] {goal_tolerance}"#);
-    documents::scenario("[0, 0], [4, 4]", disc, &robot, &query)
+    documents::scenario("[0, 0], [4, 4]", &documents::disc([2.0, 1.0], 0.5), &robot, &query)
 }
 
 fn judged(scenario: &Scenario, path: &[[f64; 3]], length: f64) -> Result<(), String> {
-    let result = documents::result("s", &format!("{path:?}"), None, length);
-    match verify(scenario, &result).expect("scenario and query are the right ones") {
-        Verdict::Valid { .. } => Ok(()),
-        Verdict::Invalid { why } => Err(why),
-    }
+    documents::judged(scenario, &documents::result("s", &format!("{path:?}"), None, length)).map(drop)
 }
 
 #[wasm_bindgen_test(unsupported = test)]

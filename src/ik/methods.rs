@@ -116,8 +116,7 @@ impl MethodId {
             let ClosedFormOptions { stopping, finding } = Options::read(given)?;
             return Ok((stopping, 0, finding));
         }
-        let IterativeOptions { stopping, starting, finding } =
-            self.defaults().updated(given)?;
+        let IterativeOptions { stopping, starting, finding } = self.defaults().updated(given)?;
         Ok((stopping, starting.restarts, finding))
     }
 }

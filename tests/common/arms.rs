@@ -34,7 +34,7 @@ pub fn solve(scenario: &Scenario, options: &SolverOptions) -> Solver {
     run
 }
 
-/// A random arm of that many links of 0.2 to 1.2 m, with limits of 0.4 to 7 rad a joint if they are wanted.
+/// A random arm of that many links of 0.2 to 1.2 m, with limits of 0.4 to 7 rad per joint if they are wanted.
 pub fn arm(random: &mut Random, links: usize, has_limits: bool) -> Arm {
     let lengths = (0..links).map(|_| 0.2 + random.uniform()).collect();
     let mut interval = || {

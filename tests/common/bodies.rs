@@ -179,6 +179,12 @@ pub fn touches(body: &Polygon, world: &World, q: &[f64; 3]) -> bool {
     })
 }
 
+/// The distance from the nearest part to the nearest obstacle.
+pub fn clearance(parts: &[Part], world: &World) -> f64 {
+    let pairs = parts.iter().flat_map(|part| world.obstacles.iter().map(move |obstacle| part_distance(part, obstacle)));
+    pairs.fold(f64::INFINITY, f64::min)
+}
+
 /// The distance from a part to an obstacle by the crate's own functions.
 pub fn part_distance(part: &Part, obstacle: &Obstacle) -> f64 {
     match (part, obstacle) {

@@ -1,7 +1,7 @@
 //! Valid documents, and invalid changes to them.
 
 use planarium::Error;
-use planarium::path::ResultDocument;
+use planarium::path::{ResultDocument, Verdict, verify};
 use planarium::scenario::Scenario;
 use serde_json::Value;
 
@@ -46,6 +46,11 @@ pub const CAR: &str = r#"{
   "queries": [{"name": "across", "start": [0.2, 0.2, 0], "goal": [1.8, 1.8, -1], "goal_tolerance": {"translation": 0.1, "rotation": 0.5}}]
 }"#;
 
+/// The document with an arm and a target in place of a goal.
+pub fn reaching() -> String {
+    with(ARM, r#""goal": [1, 2]"#, r#""target": {"point": [1, 0.5], "orientation": 7}"#)
+}
+
 /// The document with the first occurrence of a piece replaced.
 pub fn with(document: &str, piece: &str, replacement: &str) -> String {
     assert!(document.contains(piece), "{piece} does not occur in {document}");
@@ -57,6 +62,7 @@ pub fn with(document: &str, piece: &str, replacement: &str) -> String {
 pub fn refuses<T>(result: Result<T, Error>, code: &str, pointer: &str) -> String {
     let error = result.err().unwrap_or_else(|| panic!("this was accepted, not refused with {code} at {pointer}"));
     assert_eq!((error.code().as_str(), error.pointer()), (code, pointer), "{error}");
+    assert!(error.message().len() > 10, "{error}");
     error.message().to_owned()
 }
 
@@ -66,23 +72,15 @@ pub fn refusal(document: &str, code: &str, pointer: &str) -> String {
     refuses(Scenario::parse(document), code, pointer)
 }
 
-/// The JSON pointers of all objects in the document.
-pub fn objects(document: &Value) -> Vec<String> {
-    fn add(value: &Value, pointer: String, found: &mut Vec<String>) {
-        match value {
-            Value::Object(fields) => {
-                fields.iter().for_each(|(name, field)| add(field, format!("{pointer}/{name}"), found));
-                found.push(pointer);
-            }
-            Value::Array(items) => {
-                items.iter().enumerate().for_each(|(i, item)| add(item, format!("{pointer}/{i}"), found));
-            }
-            _ => {}
-        }
-    }
-    let mut found = Vec::new();
-    add(document, String::new(), &mut found);
-    found
+/// The JSON pointers of all values in the document, each after what it contains.
+pub fn pointers(document: &Value) -> Vec<String> {
+    let inner: Vec<(String, &Value)> = match document {
+        Value::Object(fields) => fields.iter().map(|(name, field)| (name.clone(), field)).collect(),
+        Value::Array(items) => items.iter().enumerate().map(|(i, item)| (i.to_string(), item)).collect(),
+        _ => Vec::new(),
+    };
+    let below = |(name, value)| pointers(value).into_iter().map(move |pointer| format!("/{name}{pointer}"));
+    inner.into_iter().flat_map(below).chain([String::new()]).collect()
 }
 
 /// A solved result: the path as JSON, and of a car its motions.
@@ -97,29 +95,74 @@ pub fn result(scenario: &str, path: &str, motions: Option<&str>, length: f64) ->
     ResultDocument::parse(&text).unwrap_or_else(|error| panic!("{error}: {text}"))
 }
 
+/// The clearance of a result of this scenario, or why it is invalid.
+#[track_caller]
+pub fn judged(scenario: &Scenario, result: &ResultDocument) -> Result<f64, String> {
+    match verify(scenario, result).expect("a result of this scenario") {
+        Verdict::Valid { clearance, .. } => Ok(clearance),
+        Verdict::Invalid { why } => Err(why),
+    }
+}
+
 /// A scenario "s": bounds as `[0, 0], [4, 4]` or none, obstacles, a robot, and the fields of its query "q" besides the name.
 pub fn scenario(bounds: &str, obstacles: &str, robot: &str, query: &str) -> Scenario {
+    named("s", bounds, obstacles, robot, query)
+}
+
+/// The same with another name.
+pub fn named(name: &str, bounds: &str, obstacles: &str, robot: &str, query: &str) -> Scenario {
+    super::parse(&text(name, bounds, obstacles, robot, query))
+}
+
+/// Its document.
+pub fn text(name: &str, bounds: &str, obstacles: &str, robot: &str, query: &str) -> String {
     let bounds = bounds
         .split_once("], ")
         .map_or(String::new(), |(min, max)| format!(r#""bounds": {{ "min": {min}], "max": {max} }}, "#));
     let queries = if query.is_empty() { String::new() } else { format!(r#"{{ "name": "q", {query} }}"#) };
-    super::parse(&format!(
-        r#"{{ "format": "planarium-scenario-1", "name": "s", "world": {{ {bounds}"obstacles": [{obstacles}] }},
+    format!(
+        r#"{{ "format": "planarium-scenario-1", "name": "{name}", "world": {{ {bounds}"obstacles": [{obstacles}] }},
             "robot": {robot}, "queries": [{queries}] }}"#
-    ))
+    )
 }
 
-/// The field of a rectangular shape: half its length and half its width.
-pub fn shape(x: f64, y: f64) -> String {
-    let vertices = [[-x, -y], [x, -y], [x, y], [-x, y]];
-    format!(r#""shape": {{ "type": "polygon", "vertices": {vertices:?} }}"#)
+/// An obstacle, or the shape of a robot.
+pub fn polygon(vertices: &[[f64; 2]]) -> String {
+    format!(r#"{{"type": "polygon", "vertices": {vertices:?}}}"#)
 }
 
-/// The JSON files of the folder `PLANARIUM_SCENARIOS`, by name, if there is one.
+pub fn rectangle([x, y]: [f64; 2], [u, v]: [f64; 2]) -> String {
+    polygon(&[[x, y], [u, y], [u, v], [x, v]])
+}
+
+pub fn disc(center: [f64; 2], radius: f64) -> String {
+    format!(r#"{{"type": "disc", "center": {center:?}, "radius": {radius:?}}}"#)
+}
+
+/// An arm with its base at the origin.
+pub fn arm(links: &[f64], radius: f64) -> String {
+    limited_arm(links, radius, &[])
+}
+
+/// The same with limits, unless there are none.
+pub fn limited_arm(links: &[f64], radius: f64, limits: &[[f64; 2]]) -> String {
+    let limits = if limits.is_empty() { String::new() } else { format!(r#", "joint_limits": {limits:?}"#) };
+    format!(r#"{{"type": "arm", "base": [0, 0], "links": {links:?}, "radius": {radius:?}{limits}}}"#)
+}
+
+/// A `"rigid_body"` or a `"car"`: half its length, half its width, and its fields after the shape.
+pub fn rectangular(kind: &str, x: f64, y: f64, fields: &str) -> String {
+    let comma = if fields.is_empty() { "" } else { ", " };
+    format!(r#"{{"type": "{kind}", "shape": {}{comma}{fields}}}"#, rectangle([-x, -y], [x, y]))
+}
+
+/// The JSON files of the folder `PLANARIUM_SCENARIOS` by name; prints a line, past the capture of the test harness, if it is not set.
 #[cfg(not(target_arch = "wasm32"))]
-pub fn shared() -> Option<Vec<(String, String)>> {
+pub fn shared() -> Option<std::collections::BTreeMap<String, String>> {
     let Some(folder) = std::env::var_os("PLANARIUM_SCENARIOS").filter(|folder| !folder.is_empty()) else {
-        eprintln!("PLANARIUM_SCENARIOS is not set: the shared files are not examined");
+        let test = std::thread::current().name().unwrap_or_default().to_owned();
+        let line = format!("\nSKIPPED {test}: PLANARIUM_SCENARIOS is not set\n");
+        let _ = std::io::Write::write_all(&mut std::io::stderr(), line.as_bytes());
         return None;
     };
     let files = std::fs::read_dir(folder).expect("PLANARIUM_SCENARIOS names a folder");

@@ -1,11 +1,10 @@
 //! Trees of driven motions, as viewers see them, recomputed in a simple manner.
 
 use planarium::geometry::arc_pose;
-use planarium::graph::EventKind;
 use planarium::robot::Car;
-use planarium::run::{EVENT_HEAD, Run};
+use planarium::run::Run;
 use planarium::scenario::{GoalTolerance, Robot, Scenario};
-use planarium::space::wrap;
+use planarium::space::{angular_distance, wrap};
 
 /// An edge of a tree, as a viewer sees it.
 #[derive(Debug, Clone, Copy)]
@@ -31,7 +30,7 @@ pub fn vertices_of(run: &dyn Run) -> Vec<[f64; 3]> {
 /// Its edges.
 pub fn edges(run: &dyn Run) -> Vec<Edge> {
     let (ends, motions) = (run.edges_since(0), run.motions_since(0));
-    assert_eq!((ends.len() / 2, motions.len() / 4), (run.edge_count(), run.edge_count()), "one motion an edge");
+    assert_eq!((ends.len() / 2, motions.len() / 4), (run.edge_count(), run.edge_count()), "one motion per edge");
     let edge = |(i, (ends, motion)): (usize, (&[u32; 2], &[f64; 4]))| {
         assert_eq!(motion[0], i as f64);
         let [from, to] = ends.map(|vertex| vertex as usize);
@@ -54,6 +53,11 @@ pub fn driven(car: &Car, from: [f64; 3], edge: &Edge, steps: u32) -> [f64; 3] {
     [x + 0.0, y + 0.0, wrap(theta)]
 }
 
+/// The distance in the metric of the worlds here.
+pub fn distance([x, y, a]: [f64; 3], [u, v, b]: [f64; 3]) -> f64 {
+    0.7 * ((x - u) * (x - u) + (y - v) * (y - v)).sqrt() + 0.3 * angular_distance(a, b)
+}
+
 /// Whether a placement lies within the region about the goal.
 pub fn is_in_region(world: &Scenario, [x, y, theta]: [f64; 3]) -> bool {
     let query = &world.queries()[0];
@@ -62,16 +66,9 @@ pub fn is_in_region(world: &Scenario, [x, y, theta]: [f64; 3]) -> bool {
     ((x - u) * (x - u) + (y - v) * (y - v)).sqrt() <= translation && wrap(theta - goal).abs() <= rotation
 }
 
-/// The events of a kind: iteration and vertex.
-pub fn events(run: &dyn Run, kind: EventKind) -> Vec<(u64, usize)> {
-    let rows = run.events_since(0);
-    let of_kind = |row: &&[f64]| row[0] == f64::from(kind as u8);
-    rows.chunks(EVENT_HEAD + 3).filter(of_kind).map(|row| (row[1] as u64, row[2] as usize)).collect()
-}
-
 /// The world with another goal, and a goal region that is a point if `is_point`.
 pub fn with_goal(world: &Scenario, goal: [f64; 3], is_point: bool) -> Scenario {
-    let mut document: serde_json::Value = serde_json::from_str(&world.to_json_string()).expect("a document");
+    let mut document = serde_json::json!(world);
     document["queries"][0]["goal"] = serde_json::json!(goal);
     if is_point {
         document["queries"][0]["goal_tolerance"] = serde_json::json!({ "translation": 0, "rotation": 0 });

@@ -3,7 +3,7 @@
 use planarium::graph::EventKind;
 use planarium::run::{EVENT_HEAD, Run};
 
-/// The vertices, a row each.
+/// The vertices, one row each.
 pub fn rows(run: &dyn Run) -> Vec<Vec<f64>> {
     run.vertices_since(0).chunks(run.dimension()).map(<[f64]>::to_vec).collect()
 }
@@ -13,7 +13,7 @@ pub fn edges(run: &dyn Run) -> Vec<[usize; 2]> {
     run.edges_since(0).chunks(2).map(|edge| [edge[0] as usize, edge[1] as usize]).collect()
 }
 
-/// The events of a kind, a row each.
+/// The events of a kind, one row each.
 pub fn events(run: &dyn Run, kind: EventKind) -> Vec<Vec<f64>> {
     let rows = run.events_since(0);
     let is_meant = |event: &&[f64]| event[0] == f64::from(kind as u8);

@@ -6,6 +6,7 @@ pub mod driven;
 pub mod golden;
 pub mod graphs;
 
+use documents::{arm, disc, judged, limited_arm, named, polygon, rectangle, rectangular};
 use planarium::run::{self, Options, Run, Value};
 use planarium::scenario::Scenario;
 
@@ -34,66 +35,40 @@ pub fn arm_and_wall(thickness: f64) -> Scenario {
 
 /// The same with links of radius 0.05, within bounds.
 pub fn thick_arm_and_wall(thickness: f64) -> Scenario {
-    arm_at_wall(thickness, r#""bounds": { "min": [-2, -2], "max": [2, 2] },"#, 0.05)
+    arm_at_wall(thickness, "[-2, -2], [2, 2]", 0.05)
 }
 
 fn arm_at_wall(thickness: f64, bounds: &str, radius: f64) -> Scenario {
-    let (half, prefix) = (thickness / 2.0, if radius > 0.0 { "thick-" } else { "" });
-    parse(&format!(
-        r#"{{ "format": "planarium-scenario-1", "name": "{prefix}arm-and-wall",
-            "world": {{ {bounds} "obstacles": [ {{ "type": "polygon",
-                "vertices": [[0.7, -{half:e}], [3, -{half:e}], [3, {half:e}], [0.7, {half:e}]] }} ] }},
-            "robot": {{ "type": "arm", "base": [0, 0], "links": [1, 0.8], "radius": {radius:?} }},
-            "queries": [ {{ "name": "round", "start": [0.6, 0.2], "goal": [-0.6, -0.2] }} ] }}"#
-    ))
+    let name = if radius > 0.0 { "thick-arm-and-wall" } else { "arm-and-wall" };
+    let wall = rectangle([0.7, -thickness / 2.0], [3.0, thickness / 2.0]);
+    named(name, bounds, &wall, &arm(&[1.0, 0.8], radius), r#""start": [0.6, 0.2], "goal": [-0.6, -0.2]"#)
 }
 
 /// A disc of the given radius in a box of side 10, cut by a wall of the given thickness with a gap of width 1 near the top.
 pub fn disc_and_wall(radius: f64, thickness: f64) -> Scenario {
     let (left, right) = (5.0 - thickness / 2.0, 5.0 + thickness / 2.0);
-    parse(&format!(
-        r#"{{ "format": "planarium-scenario-1", "name": "disc-and-wall",
-            "world": {{ "bounds": {{ "min": [0, 0], "max": [10, 10] }}, "obstacles": [
-                {{ "type": "polygon", "vertices": [[{left:?}, 0], [{right:?}, 0], [{right:?}, 8], [{left:?}, 8]] }},
-                {{ "type": "polygon", "vertices": [[{left:?}, 9], [{right:?}, 9], [{right:?}, 10], [{left:?}, 10]] }} ] }},
-            "robot": {{ "type": "disc", "radius": {radius:?} }},
-            "queries": [ {{ "name": "through", "start": [1, 1], "goal": [9, 1] }} ] }}"#
-    ))
+    let walls = [rectangle([left, 0.0], [right, 8.0]), rectangle([left, 9.0], [right, 10.0])].join(",");
+    let robot = format!(r#"{{"type": "disc", "radius": {radius:?}}}"#);
+    named("disc-and-wall", "[0, 0], [10, 10]", &walls, &robot, r#""start": [1, 1], "goal": [9, 1]"#)
 }
 
 /// An arm whose start and goal are free but cut off from each other by two walls that it cannot pass.
 pub fn no_way() -> Scenario {
-    parse(
-        r#"{ "format": "planarium-scenario-1", "name": "no-way",
-            "world": { "obstacles": [
-                { "type": "polygon", "vertices": [[0.3, -0.1], [0.5, -0.1], [0.5, 0.1], [0.3, 0.1]] },
-                { "type": "disc", "center": [-0.4, 0], "radius": 0.1 } ] },
-            "robot": { "type": "arm", "base": [0, 0], "links": [1, 1] },
-            "queries": [ { "name": "never", "start": [1.5, 0], "goal": [-1.5, 0] } ] }"#,
-    )
+    let walls = [rectangle([0.3, -0.1], [0.5, 0.1]), disc([-0.4, 0.0], 0.1)].join(",");
+    named("no-way", "", &walls, &arm(&[1.0, 1.0], 0.0), r#""start": [1.5, 0], "goal": [-1.5, 0]"#)
 }
 
 /// Arms of one to eight links among discs and polygons, some with limits, thick and thin.
 pub fn arm_of(links: usize, limits: bool, radius: f64) -> Scenario {
-    let length = 1.6 / links as f64;
-    let list = |x: &str| vec![x; links].join(",");
-    let limits = if limits { format!(r#", "joint_limits": [{}]"#, list("[-3.5, 3.5]")) } else { String::new() };
+    let limits = if limits { vec![[-3.5, 3.5]; links] } else { Vec::new() };
+    let mut obstacles = vec![disc([0.1, 1.3], 0.2)];
     // A single link sweeps past everything within its reach, so for it the lower side is free.
-    let below = match links {
-        1 => "",
-        _ => {
-            r#", { "type": "polygon", "vertices": [[-0.9, -1.2], [-0.5, -1.1], [-0.7, -0.9], [-0.6, -0.5], [-1.0, -0.6]] }"#
-        }
-    };
-    let (start, goal) = (vec!["0.15"; links].join(","), format!("2.9{}", ",-0.1".repeat(links - 1)));
-    parse(&format!(
-        r#"{{ "format": "planarium-scenario-1", "name": "arm-of-{links}",
-            "world": {{ "obstacles": [
-                {{ "type": "disc", "center": [0.1, 1.3], "radius": 0.2 }}{below} ] }},
-            "robot": {{ "type": "arm", "base": [0, 0], "links": [{}], "radius": {radius:?}{limits} }},
-            "queries": [ {{ "name": "over", "start": [{start}], "goal": [{goal}] }} ] }}"#,
-        list(&format!("{length:?}"))
-    ))
+    if links > 1 {
+        obstacles.push(polygon(&[[-0.9, -1.2], [-0.5, -1.1], [-0.7, -0.9], [-0.6, -0.5], [-1.0, -0.6]]));
+    }
+    let robot = limited_arm(&vec![1.6 / links as f64; links], radius, &limits);
+    let query = format!(r#""start": {:?}, "goal": [2.9{}]"#, vec![0.15; links], ", -0.1".repeat(links - 1));
+    named(&format!("arm-of-{links}"), "", &obstacles.join(","), &robot, &query)
 }
 
 /// A car, 0.2 by 0.1, in a box of side 2 that is cut by a wall of the given thickness, with a gap of width 0.5 above it.
@@ -107,17 +82,17 @@ pub fn car_shut_in(thickness: f64) -> Scenario {
 }
 
 fn car_at_wall(thickness: f64, height: f64) -> Scenario {
-    let left = 1.0 - thickness;
-    parse(&format!(
-        r#"{{ "format": "planarium-scenario-1", "name": "car",
-            "world": {{ "bounds": {{ "min": [0, 0], "max": [2, 2] }},
-                "obstacles": [ {{ "type": "polygon", "vertices": [[{left:?}, 0], [1, 0], [1, {height:?}], [{left:?}, {height:?}]] }},
-                    {{ "type": "disc", "center": [1.5, 1.3], "radius": 0.1 }} ] }},
-            "robot": {{ "type": "car", "wheelbase": 0.2, "speed": [-0.5, 0.5], "steering": [-0.75, 0.75],
-                "shape": {{ "type": "polygon", "vertices": [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]] }} }},
-            "queries": [ {{ "name": "through", "start": [0.4, 0.3, 0], "goal": [1.6, 0.4, 0],
-                "goal_tolerance": {{ "translation": 0.1, "rotation": 0.5 }} }} ] }}"#
-    ))
+    let obstacles = [rectangle([1.0 - thickness, 0.0], [1.0, height]), disc([1.5, 1.3], 0.1)].join(",");
+    let limits = r#""wheelbase": 0.2, "speed": [-0.5, 0.5], "steering": [-0.75, 0.75]"#;
+    let region = r#""goal_tolerance": { "translation": 0.1, "rotation": 0.5 }"#;
+    let query = format!(r#""start": [0.4, 0.3, 0], "goal": [1.6, 0.4, 0], {region}"#);
+    named("car", "[0, 0], [2, 2]", &obstacles, &rectangular("car", 0.1, 0.05, limits), &query)
+}
+
+/// Arms, thin and thick, and a disc.
+pub fn worlds() -> [Scenario; 5] {
+    let [thin, thick] = [arm_and_wall(0.1), thick_arm_and_wall(0.2)];
+    [thin, thick, arm_of(3, true, 0.02), arm_of(6, false, 0.0), disc_and_wall(0.3, 0.5)]
 }
 
 /// The planners by controls with settings that show their features, small enough for many runs.
@@ -138,14 +113,7 @@ pub fn parse(text: &str) -> Scenario {
     Scenario::parse(text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-/// Starts a run of the scenario's first query.
-pub fn begin(scenario: &Scenario, planner: &str, seed: u64, parameters: &[(&str, f64)]) -> Box<dyn Run> {
-    let parameters = parameters.iter().map(|&(name, value)| (name.to_owned(), Value::Number(value))).collect();
-    let options = Options { planner: Some(planner.to_owned()), query: None, seed, parameters };
-    run::start(scenario, &options).unwrap_or_else(|error| panic!("{error}"))
-}
-
-/// The same with settings as a line of `name=value`.
+/// Starts a run of the scenario's first query, with settings as a line of `name=value`.
 pub fn begin_with(scenario: &Scenario, planner: &str, seed: u64, settings: &str) -> Box<dyn Run> {
     run::start(scenario, &options(planner, seed, settings)).unwrap_or_else(|error| panic!("{error}"))
 }
@@ -190,11 +158,10 @@ pub fn fitting(scenario: &Scenario, settings: &str) -> String {
     settings.split_whitespace().filter(fits).collect::<Vec<_>>().join(" ")
 }
 
-/// Has the path of a run judged, which must be valid.
+/// Checks that the path of a run is valid.
 #[track_caller]
 pub fn assert_valid(scenario: &Scenario, run: &dyn Run) {
-    let verdict = planarium::path::verify(scenario, &run.result()).expect("its own scenario");
-    assert!(matches!(verdict, planarium::path::Verdict::Valid { .. }), "{}: {verdict:?}", run.result().to_json());
+    judged(scenario, &run.result()).unwrap_or_else(|why| panic!("{why}: {}", run.result().to_json()));
 }
 
 /// Runs to the end.

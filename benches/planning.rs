@@ -1,5 +1,5 @@
-//! Whole runs of planners: how many were solved, milliseconds, work and lengths, a row for each planner. Every path is checked by
-//! the verifier. Milliseconds are for comparison within one table; a run pinned to one core is quieter.
+//! Whole runs of planners: how many were solved, milliseconds, work and lengths, a row for each planner. All runs count, solved or
+//! not; every path is checked by the verifier. Milliseconds are for comparison within one table; a run pinned to one core is quieter.
 //!
 //! `cargo bench --bench planning` prints all tables, `-- reports` and so on one of them:
 //! - `reports`: the roadmaps of the course reports and RRT-Connect on generated triangle forests;

@@ -1,10 +1,7 @@
 //! The obstacles of a world, prepared for queries: boxes in front of exact shapes.
 
 use super::boxes::Boxes;
-use crate::geometry::{
-    Aabb, Disc, Point, Polygon, Segment, Vector, distance_point_polygon, distance_point_segment,
-    distance_polygon_polygon, distance_segment_polygon, intersects_segment_polygon,
-};
+use crate::geometry::{Aabb, Disc, Point, Polygon, Segment, Vector, intersects_segment_polygon};
 use crate::scenario::Obstacle;
 use std::sync::Arc;
 
@@ -83,10 +80,7 @@ impl Obstacles {
 
     /// The distance from the segment to obstacle `i`, in metres; 0 or less if they share a point.
     pub fn distance(&self, i: usize, segment: &Segment) -> f64 {
-        match &self.shapes[i] {
-            Obstacle::Disc(disc) => distance_point_segment(disc.center, segment) - disc.radius,
-            Obstacle::Polygon(polygon) => distance_segment_polygon(segment, polygon),
-        }
+        self.shapes[i].distance_to_segment(segment)
     }
 
     /// Whether a point that moves along the segment touches obstacle `i`: exact for polygons; within the slack `eta` for
@@ -100,10 +94,7 @@ impl Obstacles {
 
     /// The distance from the placed body to obstacle `i`, in metres; 0 or less if they share a point.
     pub(super) fn distance_from(&self, body: &Polygon, i: usize) -> f64 {
-        match &self.shapes[i] {
-            Obstacle::Disc(disc) => distance_point_polygon(disc.center, body) - disc.radius,
-            Obstacle::Polygon(polygon) => distance_polygon_polygon(body, polygon),
-        }
+        self.shapes[i].distance_to_polygon(body)
     }
 
     /// The distance from the segment to the nearest obstacle, in metres; infinite without obstacles. O(n).

@@ -33,7 +33,7 @@ fn polygon(corners: &[[f64; 2]]) -> Obstacle {
     Obstacle::Polygon(bodies::polygon(corners))
 }
 
-/// What an arm of two links of length 1 at the origin has close by: name, obstacles, how many convex pieces they are.
+/// Obstacles close to an arm of two links of length 1 at the origin: name, obstacles, how many convex pieces they are.
 fn close_by() -> Vec<(&'static str, Vec<Obstacle>, usize)> {
     let notch = |gap: f64| {
         // A notch whose concave corner the elbow at (0, 1) comes near to.

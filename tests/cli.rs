@@ -486,14 +486,14 @@ fn nearest_prints_indices_and_distances_nearest_first() {
         for index in ["linear", "kd-tree", "forest"] {
             let line = format!("nearest firs.json --configurations {name} --target -3,0 --k 4 --index {index}");
             let finished = planarium(&line);
-            let answer = finished.json();
-            assert_eq!((finished.code, &answer["indices"]), (0, &json!([3, 0, 4, 1])), "{answer}");
+            let found = finished.json();
+            assert_eq!((finished.code, &found["indices"]), (0, &json!([3, 0, 4, 1])), "{found}");
             assert!(!finished.stderr.is_empty(), "a summary for people");
             let gap = 2.0 * std::f64::consts::PI - 6.0;
-            assert_eq!(answer["distances"], json!([0, gap, gap, 0.5]));
-            assert_eq!((&answer["configurations"], &answer["visited"]), (&json!(5), &json!(5)));
-            assert_eq!(answer.get("recall"), (index == "forest").then_some(&json!(1)));
-            assert!(["query_seconds", "build_seconds"].iter().all(|&key| answer[key].as_f64() > Some(0.0)), "{answer}");
+            assert_eq!(found["distances"], json!([0, gap, gap, 0.5]));
+            assert_eq!((&found["configurations"], &found["visited"]), (&json!(5), &json!(5)));
+            assert_eq!(found.get("recall"), (index == "forest").then_some(&json!(1)));
+            assert!(["query_seconds", "build_seconds"].iter().all(|&key| found[key].as_f64() > Some(0.0)), "{found}");
         }
     }
     let indices =

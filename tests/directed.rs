@@ -235,7 +235,7 @@ fn a_roadmap_finds_paths_of_other_queries_in_their_direction() {
             }
         }
     }
-    assert!(found as u64 > 3 * SEEDS, "{found} answers");
+    assert!(found as u64 > 3 * SEEDS, "{found} paths");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -46,7 +46,7 @@ fn keys_change_the_control_within_its_limits() {
     let mut drive = drive();
     drive.tick(100).expect("time");
     assert_eq!((drive.pose(), drive.steps(), drive.trace().len()), ([0.5, 0.5, 0.0], 100, 1), "it starts at rest");
-    // Limits of speed and steering angle, keys, and the control after them; without limits the drive goes on.
+    // Limits of speed and steering angle, keys, and the control after them; without limits the drive continues.
     for (limits, keys, speed, steering) in [
         (Some(["[-0.5, 0.5]", "[-0.7853981633974483, 0.7853981633974483]"]), "", 0.0, 0.0),
         (None, "+++", 0.3, 0.0),
@@ -121,7 +121,7 @@ fn it_stops_before_an_obstacle_or_the_bounds_reports_it_and_can_back_off() {
     assert_eq!(drive.control().speed, 0.0);
     let [x, ..] = drive.pose();
     assert!(x > 1.395 - 1e-9 && x < 1.4, "within a step of the wall at 1.5: {x}");
-    assert_eq!(drive.steps(), 1000, "time goes on while it stands");
+    assert_eq!(drive.steps(), 1000, "time is counted while it is blocked");
     let stood = drive.pose();
     press(&mut drive, "+");
     drive.tick(5).expect("time");

@@ -453,9 +453,8 @@ fn a_gap_has_the_width_of_its_option_and_the_arm_reaches_through_it() {
             let walls = polygons(&scenario);
             let (lower, upper) = (walls[0].aabb(), walls[1].aabb());
             assert_eq!((walls.len(), lower.min.y, upper.max.y), (2, 0.0, 2.0));
-            assert!(
-                (upper.min.y - lower.max.y - 0.15).abs() < 1e-12 && (lower.max.x - lower.min.x - 0.3).abs() < 1e-12
-            );
+            let (width, thickness) = (upper.min.y - lower.max.y, lower.max.x - lower.min.x);
+            assert!((width - 0.15).abs() < 1e-12 && (thickness - 0.3).abs() < 1e-12);
             let inspector = Inspector::new(&scenario);
             let query = &scenario.queries()[0];
             let [before, behind] =

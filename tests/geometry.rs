@@ -70,7 +70,7 @@ fn what_does_not_bound_a_simple_polygon_is_refused() {
     }
 }
 
-/// Simple polygons of small whole coordinates, rich in corners on straight edges: areas are exact.
+/// Simple polygons of small whole coordinates, with many corners on straight edges: areas are exact.
 pub fn whole(random: &mut Random) -> Polygon {
     loop {
         let (n, side) = (3 + random.below(9), 3 + random.below(6));

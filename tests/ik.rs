@@ -381,7 +381,7 @@ fn sampled(random: &mut Random, arm: &Arm, goal: &Target, samples: u64) -> f64 {
     best
 }
 
-/// Cyclic coordinate descent: the best angle of one joint within its limits, while the rest stand still.
+/// Cyclic coordinate descent: the best angle of one joint within its limits, with the others fixed.
 fn descend(arm: &Arm, q: &mut [f64], point: Point) {
     for _ in 0..30 {
         for i in (0..q.len()).rev() {

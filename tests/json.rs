@@ -1,6 +1,6 @@
 //! JSON text: what is refused, with which code and pointer; numbers to the last bit; one normal form.
 
-use crate::common::documents::{ARM, DISC, pointers, refusal, with};
+use crate::common::documents::{ARM, DISC, refusal, with};
 use planarium::json;
 use planarium::scenario::{MAX_DEPTH, MAX_TEXT, Scenario};
 use serde_json::{Value, json};
@@ -157,6 +157,7 @@ fn strings_arrays_and_objects_are_read_and_other_text_is_refused() {
 #[cfg(not(target_arch = "wasm32"))]
 mod fuzz {
     use super::*;
+    use crate::common::documents::pointers;
     use proptest::prelude::*;
 
     /// Any JSON value, most often a small one.

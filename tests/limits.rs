@@ -201,7 +201,7 @@ fn no_step_of_a_car_leads_through_a_wall_and_many_turns_are_judged_at_once() {
     let motion = |speed: f64, steering: f64, duration: f64| {
         format!(r#"{{ "control": [{speed:e}, {steering:e}], "duration": {duration:e} }}"#)
     };
-    // It stands still, and the waypoint is as near as rounding might have it.
+    // It does not move, and the waypoint is as near as rounding might have it.
     let path = "[[4.9999999997, 5, 0], [5.0000000005, 5, 0]]";
     let why = |path, motions: &str, length| why(&scenario, path, Some(motions), length).expect("it is refused");
     let resting = motion(0.0, 0.0, 1.0);
@@ -299,10 +299,7 @@ fn polygons_of_all_scales_are_refused_or_cut_up_exactly() {
             planned += 1;
         }
     }
-    assert!(
-        accepted > 300 && concave > 10 && planned > 100,
-        "{accepted} accepted, {concave} concave, {planned} planned"
-    );
+    assert!(accepted > 300 && concave > 10 && planned > 100, "{accepted}, {concave} concave, {planned} planned");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

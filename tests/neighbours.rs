@@ -43,27 +43,25 @@ fn tree_and_scan_return_the_same_for_every_robot_and_metric_and_count_what_they_
             let targets = inspector.samples(40, 2, false).expect("targets");
             for q in targets.chunks_exact(inspector.dimension()) {
                 for k in [0, 1, 5, 20, 1500, usize::MAX] {
-                    let [a, b] = [&scan, &tree].map(|index| index.k_nearest(q, k).expect("an answer"));
+                    let [a, b] = [&scan, &tree].map(|index| index.k_nearest(q, k).expect("neighbours"));
                     assert_eq!((bits(&a), a.neighbours.len()), (bits(&b), k.min(1500)), "{name} {metric} {k}");
                     assert_eq!(a.visited, if k == 0 { 0 } else { 1500 }, "a scan visits all");
                     assert!((k.min(1500)..=1500).contains(&b.visited));
                 }
-                let exact = scan.k_nearest(q, 10).expect("an answer");
-                visited += tree.k_nearest(q, 10).expect("an answer").visited;
-                let near = forest.k_nearest(q, 10).expect("an answer");
+                let exact = scan.k_nearest(q, 10).expect("neighbours");
+                visited += tree.k_nearest(q, 10).expect("neighbours").visited;
+                let near = forest.k_nearest(q, 10).expect("neighbours");
                 assert!((400..1500).contains(&near.visited), "{} visited", near.visited);
                 found += recall(&near.neighbours, &exact.neighbours);
                 let radius = exact.neighbours[9].distance;
-                let [a, b] = [&scan, &tree].map(|index| index.within(q, radius).expect("an answer"));
+                let [a, b] = [&scan, &tree].map(|index| index.within(q, radius).expect("neighbours"));
                 assert_eq!(bits(&a), bits(&b));
                 assert_eq!(bits(&a), bits(&exact), "none of them is on the rim but the tenth");
-                assert_eq!(tree.within(q, 0.0).expect("an answer").neighbours, []);
+                assert_eq!(tree.within(q, 0.0).expect("neighbours").neighbours, []);
             }
             assert!(found / 40.0 > 0.8, "{name} {metric}: the forest finds {} of 40", found);
-            assert!(
-                inspector.dimension() > 4 || visited < 40 * 700,
-                "{name} {metric}: the tree visits {visited} in all"
-            );
+            let is_sparing = inspector.dimension() > 4 || visited < 40 * 700;
+            assert!(is_sparing, "{name} {metric}: the tree visits {visited} in all");
         }
     }
 }
@@ -75,7 +73,7 @@ fn in_the_naive_metric_two_angles_at_the_seam_are_far_apart() {
     let nearest = |metric: &str, q: [f64; 2]| {
         let mut tree = made(&scenario, "kd-tree", &format!("metric={metric}"));
         tree.add(&rows).expect("rows");
-        let answer = tree.k_nearest(&q, 4).expect("an answer");
+        let answer = tree.k_nearest(&q, 4).expect("neighbours");
         answer.neighbours.iter().map(|neighbour| neighbour.vertex.0).collect::<Vec<_>>()
     };
     assert_eq!(nearest("sum", [-3.13, 0.0]), [1, 0, 3, 2]);
@@ -91,7 +89,7 @@ fn the_same_seed_draws_the_same_forest_and_another_another() {
     let found = |seed: u32| {
         let mut forest = made(&scenario, "forest", &format!("trees=2 candidates=50 seed={seed}"));
         forest.add(&rows).expect("rows");
-        bits(&forest.k_nearest(&[0.0; 6], 30).expect("an answer"))
+        bits(&forest.k_nearest(&[0.0; 6], 30).expect("neighbours"))
     };
     assert_eq!(found(3), found(3));
     assert_ne!(found(3), found(4));
@@ -147,7 +145,7 @@ fn samples_are_those_of_a_planner_of_the_same_seed() {
         let run = finish(begin_with(&scenario, "prm", 11, "samples=100"));
         let vertices = run.vertices_since(0);
         let free = inspector.samples(100, 11, true).expect("samples");
-        // Start and goal stand among the vertices.
+        // Start and goal are among the vertices.
         let dimension = inspector.dimension();
         let kept: Vec<_> = vertices.chunks_exact(dimension).collect();
         assert_eq!((free.len(), kept.len()), (100 * dimension, 102), "{name}");
@@ -177,7 +175,7 @@ fn the_table_lists_what_can_be_set() {
         for parameter in row["parameters"].as_array().expect("parameters") {
             let name = parameter["name"].as_str().expect("a name");
             assert!(parameter["meaning"].as_str().expect("a meaning").ends_with('.'));
-            // The ends of its range are taken, and what lies beyond is not.
+            // The ends of its range are accepted, and what lies beyond is not.
             let Some(max) = parameter["max"].as_f64() else { continue };
             let with = |value: f64| index(&scene("firs"), Some(info.id), &given(&format!("{name}={value}")));
             assert!(with(max).is_ok() && with(parameter["min"].as_f64().expect("a range")).is_ok(), "{name}");
@@ -193,43 +191,28 @@ fn the_table_lists_what_can_be_set() {
 #[test]
 fn the_reports_targets_on_the_reports_lists() {
     let Some(shared) = crate::common::documents::shared() else { return };
-    let arm = scene("firs");
-    let body = scene("corner");
-    type Asked<'a> = (&'a Scenario, &'a str, &'a [(&'a [f64], usize)]);
-    let asked: [Asked; 2] = [
-        (
-            &arm,
-            "arm_configs",
-            &[(&[0.0, 0.0], 3), (&[3.14, 1.5], 6), (&[4.0, 5.2], 4), (&[1.5, 1.1], 10), (&[5.8, -1.5], 5)],
-        ),
-        (
-            &body,
-            "rigid_configs",
-            &[
-                (&[1.0, 1.0, 0.0], 3),
-                (&[0.5, 0.5, 0.0], 4),
-                (&[0.75, 0.5, 0.2], 4),
-                (&[1.0, 1.5, -0.2], 4),
-                (&[0.4, 0.5, -0.3], 5),
-                (&[0.5, 0.5, 1.0], 4),
-                (&[1.75, 1.75, 0.0], 20),
-            ],
-        ),
+    // Coordinates and the number of neighbours.
+    let of_arm = [0.0, 0.0, 3.0, 3.14, 1.5, 6.0, 4.0, 5.2, 4.0, 1.5, 1.1, 10.0, 5.8, -1.5, 5.0];
+    let of_body = [
+        1.0, 1.0, 0.0, 3.0, 0.5, 0.5, 0.0, 4.0, 0.75, 0.5, 0.2, 4.0, 1.0, 1.5, -0.2, 4.0, 0.4, 0.5, -0.3, 5.0, 0.5,
+        0.5, 1.0, 4.0, 1.75, 1.75, 0.0, 20.0,
     ];
-    for (scenario, name, targets) in asked {
+    for (robot, name, targets) in [("firs", "arm_configs", &of_arm[..]), ("corner", "rigid_configs", &of_body)] {
+        let scenario = scene(robot);
         let list: Vec<Vec<f64>> = serde_json::from_str(&shared[name]).expect("an array of arrays of numbers");
         assert!(list.len() >= 100, "{name} has {}", list.len());
-        let inspector = Inspector::new(scenario);
-        let [mut scan, mut tree] = ["linear", "kd-tree"].map(|id| made(scenario, id, ""));
+        let inspector = Inspector::new(&scenario);
+        let [mut scan, mut tree] = ["linear", "kd-tree"].map(|id| made(&scenario, id, ""));
         scan.add(&list.concat()).expect("rows");
         tree.add(&list.concat()).expect("rows");
-        for (q, k) in targets {
+        for target in targets.chunks(inspector.dimension() + 1) {
+            let (k, q) = target.split_last().map(|(k, q)| (*k as usize, q)).expect("a number");
             let mut all: Vec<_> =
                 (0u32..).zip(&list).map(|(i, row)| (inspector.distance(row, q).expect("a distance"), i)).collect();
             all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            let expected: Vec<_> = all[..*k].iter().map(|(distance, i)| (*i, distance.to_bits())).collect();
-            assert_eq!(bits(&scan.k_nearest(q, *k).expect("an answer")), expected, "{name} {q:?}");
-            assert_eq!(bits(&tree.k_nearest(q, *k).expect("an answer")), expected, "{name} {q:?}");
+            let expected: Vec<_> = all[..k].iter().map(|(distance, i)| (*i, distance.to_bits())).collect();
+            assert_eq!(bits(&scan.k_nearest(q, k).expect("neighbours")), expected, "{name} {q:?}");
+            assert_eq!(bits(&tree.k_nearest(q, k).expect("neighbours")), expected, "{name} {q:?}");
         }
     }
 }

@@ -43,9 +43,8 @@ fn every_planner_works_with_every_sampler_and_keeps_its_paths_clear() {
                 let (seeds, most) = if i < 2 { (1, 20_000) } else { (seeds(3), 5000) };
                 for seed in 0..seeds {
                     let samples = if planner.starts_with("prm") { "samples=200" } else { "" };
-                    let settings = format!(
-                        "{samples} sampler={sampler} shortcut=20 partial_shortcut=20 reduce=true max_iterations={most}"
-                    );
+                    let improvement = "shortcut=20 partial_shortcut=20 reduce=true";
+                    let settings = format!("{samples} sampler={sampler} {improvement} max_iterations={most}");
                     let what = format!("{planner} {settings} seed {seed} on {}", world.name());
                     let whole = finish(begin_with(world, planner, seed, &settings));
                     let mut run = begin_with(world, planner, seed, &settings);

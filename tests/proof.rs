@@ -224,7 +224,7 @@ fn culling_by_boxes_lists_all_that_meet_once_and_little_else() {
                     assert!(found.binary_search(&i).is_ok(), "{i} of {count} meets {near:?}");
                     meeting += 1;
                 }
-                assert_eq!(obstacles.any_near(&near, |_| true), !found.is_empty(), "told to stop");
+                assert_eq!(obstacles.any_near(&near, |_| true), !found.is_empty(), "it stops when it is true");
             }
             assert!(listed as f64 <= 1.001 * f64::from(meeting) + 10.0, "{listed} for {meeting} of {count} at {scale}");
         }

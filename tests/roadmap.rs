@@ -191,7 +191,7 @@ fn a_roadmap_is_queried_while_it_grows_and_afterwards_and_stays_as_it_was() {
         assert_eq!(run.fingerprint(), before.fingerprint(), "{planner}: queries leave no trace");
         run.query(&start, &goal, true).expect("free ends");
         let vertices = rows(run.as_ref());
-        assert_eq!(vertices[before.vertex_count()..], [start.to_vec(), goal.to_vec()], "{planner} keeps the two");
+        assert_eq!(vertices[before.vertex_count()..], [start.to_vec(), goal.to_vec()], "{planner} stores the two");
         assert!(run.edge_count() > before.edge_count());
     }
 }
@@ -216,7 +216,7 @@ fn wrong_queries_are_refused_and_impossible_ones_have_no_path() {
     }
     let mut cut_off = finish(begin_with(&no_way(), "prm", 1, "samples=200"));
     let answer = cut_off.query(&[1.5, 0.0], &[-1.5, 0.0], false).expect("free ends");
-    assert_eq!((answer.status, answer.path.len()), (Status::Exhausted, 0), "never a wrong yes");
+    assert_eq!((answer.status, answer.path.len()), (Status::Exhausted, 0), "there is no path");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -258,8 +258,8 @@ fn the_naive_metric_goes_in_the_longer_direction() {
     let world = scenario("", "", &arm(&[1.0, 1.0], 0.0), r#""start": [0.2, 0.1], "goal": [-0.2, 0.1]"#);
     let wrapped = finish(begin_with(&world, "prm", 1, "samples=300 metric=euclidean"));
     let naive = finish(begin_with(&world, "prm", 1, "samples=300 metric=naive"));
-    assert!(wrapped.length() < 0.5, "0.4 the short way: {}", wrapped.length());
-    assert!(naive.length() > 5.8, "2 pi - 0.4 the long way: {}", naive.length());
+    assert!(wrapped.length() < 0.5, "0.4 in the shorter direction: {}", wrapped.length());
+    assert!(naive.length() > 5.8, "2 pi - 0.4 in the longer: {}", naive.length());
     assert!(naive.path().iter().flatten().all(|angle| (0.0..std::f64::consts::TAU).contains(angle)));
     assert_valid(&world, &*naive);
 }

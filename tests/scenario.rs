@@ -112,59 +112,50 @@ fn fields_that_are_left_out_have_defaults() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn what_the_contract_does_not_know_is_refused() {
-    check_refusals(
-        ARM,
-        true,
-        &[
-            ("planarium-scenario-1", "planarium-scenario-2", "unknown-format", "/format", "planarium-scenario-2"),
-            (r#""bounds""#, r#""bound""#, "unknown-field", "/world/bound", "bound"),
-            (r#""center""#, r#""centre""#, "unknown-field", "/world/obstacles/0/centre", "centre"),
-            (r#""start""#, r#""from""#, "unknown-field", "/queries/0/from", "known are name, start, goal, target"),
-            (r#""goal""#, TOLERANCE, "unknown-field", "/queries/0/goal_tolerance", "an arm reaches its goal exactly"),
-            (r#""type": "disc""#, r#""type": "circle""#, "unknown-type", "/world/obstacles/0/type", "circle"),
-            (r#""type": "arm""#, r#""type": "snake""#, "unknown-type", "/robot/type", "snake"),
-            (r#""type": "arm""#, r#""type": "rigid_body""#, "unknown-field", "/robot/base", "shape, metric"),
-            (r#""type": "arm""#, r#""type": "car""#, "unknown-field", "/robot/base", "wheelbase"),
-        ],
-    );
-    check_refusals(
-        DISC,
-        true,
-        &[
-            (r#""radius": 0.1"#, r#""radius": 0.1, "base": [1, 1]"#, "unknown-field", "/robot/base", "base"),
-            (r#""goal""#, TOLERANCE, "unknown-field", "/queries/0/goal_tolerance", "a disc reaches its goal exactly"),
-        ],
-    );
+    let cases = [
+        ("planarium-scenario-1", "planarium-scenario-2", "unknown-format", "/format", "planarium-scenario-2"),
+        (r#""bounds""#, r#""bound""#, "unknown-field", "/world/bound", "bound"),
+        (r#""center""#, r#""centre""#, "unknown-field", "/world/obstacles/0/centre", "centre"),
+        (r#""start""#, r#""from""#, "unknown-field", "/queries/0/from", "known are name, start, goal, target"),
+        (r#""goal""#, TOLERANCE, "unknown-field", "/queries/0/goal_tolerance", "an arm reaches its goal exactly"),
+        (r#""type": "disc""#, r#""type": "circle""#, "unknown-type", "/world/obstacles/0/type", "circle"),
+        (r#""type": "arm""#, r#""type": "snake""#, "unknown-type", "/robot/type", "snake"),
+        (r#""type": "arm""#, r#""type": "rigid_body""#, "unknown-field", "/robot/base", "shape, metric"),
+        (r#""type": "arm""#, r#""type": "car""#, "unknown-field", "/robot/base", "wheelbase"),
+    ];
+    check_refusals(ARM, true, &cases);
+    let cases = [
+        (r#""radius": 0.1"#, r#""radius": 0.1, "base": [1, 1]"#, "unknown-field", "/robot/base", "base"),
+        (r#""goal""#, TOLERANCE, "unknown-field", "/queries/0/goal_tolerance", "a disc reaches its goal exactly"),
+    ];
+    check_refusals(DISC, true, &cases);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_value_of_another_type_is_refused_and_named() {
-    check_refusals(
-        ARM,
-        true,
-        &[
-            (r#""planarium-scenario-1""#, "1", "wrong-type", "/format", "the number 1"),
-            (r#""name": "arm""#, r#""name": null"#, "wrong-type", "/name", "null"),
-            (r#""title": "An arm""#, r#""title": null"#, "wrong-type", "/title", "null"),
-            (r#""world": {"#, r#""world": [], "z": {"#, "wrong-type", "/world", "an array of 0"),
-            (r#"{"min": [-3, -3], "max": [3, 3]}"#, "null", "wrong-type", "/world/bounds", "null"),
-            (r#"{"min": [-3, -3], "max": [3, 3]}"#, "[0, 1]", "wrong-type", "/world/bounds", "an array of 2"),
-            (r#""min": [-3, -3]"#, r#""min": -3"#, "wrong-type", "/world/bounds/min", "the number -3"),
-            ("[-3, -3]", r#"["-3", -3]"#, "wrong-type", "/world/bounds/min/0", r#"the string "-3""#),
-            ("[2, 0]", "[2, true]", "wrong-type", "/world/obstacles/0/center/1", "true"),
-            ("[[1, 1], [2, 1]", "[1, [2, 1]", "wrong-type", "/world/obstacles/1/vertices/0", "the number 1"),
-            (r#""obstacles": ["#, r#""obstacles": {}, "z": ["#, "wrong-type", "/world/obstacles", "an object"),
-            (r#""type": "arm""#, r#""type": {}"#, "wrong-type", "/robot/type", "an object"),
-            ("[1, 0.5]", "1.5", "wrong-type", "/robot/links", "the number 1.5"),
-            ("[1, 0.5]", "[1, null]", "wrong-type", "/robot/links/1", "null"),
-            ("[[-1, 1], [-2, 2]]", "null", "wrong-type", "/robot/joint_limits", "null"),
-            ("[[-1, 1], [-2, 2]]", "[-1, 1]", "wrong-type", "/robot/joint_limits/0", "the number -1"),
-            (r#""queries": ["#, r#""queries": null, "z": ["#, "wrong-type", "/queries", "null"),
-            (r#""first""#, "7", "wrong-type", "/queries/0/name", "the number 7"),
-            (r#""start": [-1, 0]"#, r#""start": "home""#, "wrong-type", "/queries/0/start", r#"the string "home""#),
-            (r#""goal": [1, 2]"#, r#""goal": [null, 2]"#, "wrong-type", "/queries/0/goal/0", "null"),
-        ],
-    );
+    let cases = [
+        (r#""planarium-scenario-1""#, "1", "wrong-type", "/format", "the number 1"),
+        (r#""name": "arm""#, r#""name": null"#, "wrong-type", "/name", "null"),
+        (r#""title": "An arm""#, r#""title": null"#, "wrong-type", "/title", "null"),
+        (r#""world": {"#, r#""world": [], "z": {"#, "wrong-type", "/world", "an array of 0"),
+        (r#"{"min": [-3, -3], "max": [3, 3]}"#, "null", "wrong-type", "/world/bounds", "null"),
+        (r#"{"min": [-3, -3], "max": [3, 3]}"#, "[0, 1]", "wrong-type", "/world/bounds", "an array of 2"),
+        (r#""min": [-3, -3]"#, r#""min": -3"#, "wrong-type", "/world/bounds/min", "the number -3"),
+        ("[-3, -3]", r#"["-3", -3]"#, "wrong-type", "/world/bounds/min/0", r#"the string "-3""#),
+        ("[2, 0]", "[2, true]", "wrong-type", "/world/obstacles/0/center/1", "true"),
+        ("[[1, 1], [2, 1]", "[1, [2, 1]", "wrong-type", "/world/obstacles/1/vertices/0", "the number 1"),
+        (r#""obstacles": ["#, r#""obstacles": {}, "z": ["#, "wrong-type", "/world/obstacles", "an object"),
+        (r#""type": "arm""#, r#""type": {}"#, "wrong-type", "/robot/type", "an object"),
+        ("[1, 0.5]", "1.5", "wrong-type", "/robot/links", "the number 1.5"),
+        ("[1, 0.5]", "[1, null]", "wrong-type", "/robot/links/1", "null"),
+        ("[[-1, 1], [-2, 2]]", "null", "wrong-type", "/robot/joint_limits", "null"),
+        ("[[-1, 1], [-2, 2]]", "[-1, 1]", "wrong-type", "/robot/joint_limits/0", "the number -1"),
+        (r#""queries": ["#, r#""queries": null, "z": ["#, "wrong-type", "/queries", "null"),
+        (r#""first""#, "7", "wrong-type", "/queries/0/name", "the number 7"),
+        (r#""start": [-1, 0]"#, r#""start": "home""#, "wrong-type", "/queries/0/start", r#"the string "home""#),
+        (r#""goal": [1, 2]"#, r#""goal": [null, 2]"#, "wrong-type", "/queries/0/goal/0", "null"),
+    ];
+    check_refusals(ARM, true, &cases);
     for (document, words) in [("[]", "an array of 0"), ("3", "the number 3"), (r#""text""#, "the string")] {
         let message = refusal(document, "wrong-type", "");
         assert!(message.contains(words), "{message}");
@@ -174,37 +165,31 @@ fn a_value_of_another_type_is_refused_and_named() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_number_outside_its_range_is_refused() {
     let out = "out-of-range";
-    check_refusals(
-        ARM,
-        true,
-        &[
-            (r#""name": "arm""#, r#""name": """#, out, "/name", "empty"),
-            (r#""first""#, r#""""#, out, "/queries/0/name", "empty"),
-            ("[3, 3]", "[3, 1000000.1]", out, "/world/bounds/max/1", "1000000.1"),
-            ("[2, 0]", "[-1e7, 0]", out, "/world/obstacles/0/center/0", "-10000000"),
-            (r#""radius": 0.25"#, r#""radius": 0"#, out, "/world/obstacles/0/radius", "greater than 0"),
-            (r#""radius": 0.25"#, r#""radius": 1e7"#, out, "/world/obstacles/0/radius", "10000000"),
-            (r#""radius": 0.25"#, r#""radius": -0.25"#, out, "/world/obstacles/0/radius", "-0.25"),
-            ("[1.5, 1.25]", "[1.5, 2e6]", out, "/world/obstacles/1/vertices/3/1", "2000000"),
-            (r#""base": [0, 0]"#, r#""base": [0, 1e300]"#, out, "/robot/base/1", "1000000"),
-            ("[1, 0.5]", "[]", out, "/robot/links", "1 to 8 links, not 0"),
-            ("[1, 0.5]", "[1, 1, 1, 1, 1, 1, 1, 1, 1]", out, "/robot/links", "1 to 8 links, not 9"),
-            ("[1, 0.5]", "[1, 0]", out, "/robot/links/1", "greater than 0"),
-            ("[1, 0.5]", "[1, -0.5]", out, "/robot/links/1", "-0.5"),
-            (r#""radius": 0.05"#, r#""radius": -0.05"#, out, "/robot/radius", "-0.05"),
-            ("[-2, 2]", "[-2, 101]", out, "/robot/joint_limits/1/1", "101"),
-            ("[-2, 2]", "[-101, 2]", out, "/robot/joint_limits/1/0", "-101"),
-        ],
-    );
-    check_refusals(
-        DISC,
-        true,
-        &[
-            (r#""radius": 0.1"#, r#""radius": -1"#, out, "/robot/radius", "-1"),
-            ("[1.8, 1.8]", "[1.8, 1e6001]", "invalid-json", "/queries/0/goal/1", "1e6001"),
-            ("[1.8, 1.8]", "[1.8, 1e7]", out, "/queries/0/goal/1", "10000000"),
-        ],
-    );
+    let cases = [
+        (r#""name": "arm""#, r#""name": """#, out, "/name", "empty"),
+        (r#""first""#, r#""""#, out, "/queries/0/name", "empty"),
+        ("[3, 3]", "[3, 1000000.1]", out, "/world/bounds/max/1", "1000000.1"),
+        ("[2, 0]", "[-1e7, 0]", out, "/world/obstacles/0/center/0", "-10000000"),
+        (r#""radius": 0.25"#, r#""radius": 0"#, out, "/world/obstacles/0/radius", "greater than 0"),
+        (r#""radius": 0.25"#, r#""radius": 1e7"#, out, "/world/obstacles/0/radius", "10000000"),
+        (r#""radius": 0.25"#, r#""radius": -0.25"#, out, "/world/obstacles/0/radius", "-0.25"),
+        ("[1.5, 1.25]", "[1.5, 2e6]", out, "/world/obstacles/1/vertices/3/1", "2000000"),
+        (r#""base": [0, 0]"#, r#""base": [0, 1e300]"#, out, "/robot/base/1", "1000000"),
+        ("[1, 0.5]", "[]", out, "/robot/links", "1 to 8 links, not 0"),
+        ("[1, 0.5]", "[1, 1, 1, 1, 1, 1, 1, 1, 1]", out, "/robot/links", "1 to 8 links, not 9"),
+        ("[1, 0.5]", "[1, 0]", out, "/robot/links/1", "greater than 0"),
+        ("[1, 0.5]", "[1, -0.5]", out, "/robot/links/1", "-0.5"),
+        (r#""radius": 0.05"#, r#""radius": -0.05"#, out, "/robot/radius", "-0.05"),
+        ("[-2, 2]", "[-2, 101]", out, "/robot/joint_limits/1/1", "101"),
+        ("[-2, 2]", "[-101, 2]", out, "/robot/joint_limits/1/0", "-101"),
+    ];
+    check_refusals(ARM, true, &cases);
+    let cases = [
+        (r#""radius": 0.1"#, r#""radius": -1"#, out, "/robot/radius", "-1"),
+        ("[1.8, 1.8]", "[1.8, 1e6001]", "invalid-json", "/queries/0/goal/1", "1e6001"),
+        ("[1.8, 1.8]", "[1.8, 1e7]", out, "/queries/0/goal/1", "10000000"),
+    ];
+    check_refusals(DISC, true, &cases);
     let free = with(ARM, r#", "joint_limits": [[-1, 1], [-2, 2]]"#, "");
     check_refusals(&free, true, &[("[-1, 0]", "[-1, 1000001]", out, "/queries/0/start/1", "1000001")]);
     Scenario::parse(&with(&free, "[-1, 0]", "[100, -1e6]")).expect("a circle joint takes any number of turns");
@@ -213,41 +198,35 @@ fn a_number_outside_its_range_is_refused() {
 #[wasm_bindgen_test(unsupported = test)]
 fn lists_of_another_length_are_refused() {
     let wrong = "wrong-dimension";
-    check_refusals(
-        ARM,
-        true,
-        &[
-            ("[-3, -3]", "[-3]", wrong, "/world/bounds/min", "2 entries, not 1"),
-            ("[2, 0]", "[2, 0, 0]", wrong, "/world/obstacles/0/center", "2 entries, not 3"),
-            ("[1.5, 1.25]", "[]", wrong, "/world/obstacles/1/vertices/3", "2 entries, not 0"),
-            ("[[-1, 1], [-2, 2]]", "[]", wrong, "/robot/joint_limits", "2, not 0"),
-            ("[-2, 2]", "[2]", wrong, "/robot/joint_limits/1", "2 entries, not 1"),
-            ("[-2, 2]", "[-2, 0, 2]", wrong, "/robot/joint_limits/1", "2 entries, not 3"),
-            (r#""start": [-1, 0]"#, r#""start": []"#, wrong, "/queries/0/start", "2 entries, not 0"),
-        ],
-    );
+    let cases = [
+        ("[-3, -3]", "[-3]", wrong, "/world/bounds/min", "2 entries, not 1"),
+        ("[2, 0]", "[2, 0, 0]", wrong, "/world/obstacles/0/center", "2 entries, not 3"),
+        ("[1.5, 1.25]", "[]", wrong, "/world/obstacles/1/vertices/3", "2 entries, not 0"),
+        ("[[-1, 1], [-2, 2]]", "[]", wrong, "/robot/joint_limits", "2, not 0"),
+        ("[-2, 2]", "[2]", wrong, "/robot/joint_limits/1", "2 entries, not 1"),
+        ("[-2, 2]", "[-2, 0, 2]", wrong, "/robot/joint_limits/1", "2 entries, not 3"),
+        (r#""start": [-1, 0]"#, r#""start": []"#, wrong, "/queries/0/start", "2 entries, not 0"),
+    ];
+    check_refusals(ARM, true, &cases);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn values_that_contradict_each_other_are_refused() {
     let (wrong, out) = ("wrong-dimension", "out-of-range");
-    check_refusals(
-        ARM,
-        false,
-        &[
-            ("[3, 3]", "[3, -3]", out, "/world/bounds", "in y the bounds run from -3 to -3"),
-            ("[3, 3]", "[-4, 3]", out, "/world/bounds", "in x the bounds run from -3 to -4"),
-            ("[-2, 2]", "[2, 2]", out, "/robot/joint_limits/1", "less than"),
-            ("[-2, 2]", "[3, 2]", out, "/robot/joint_limits/1", "the lower limit 3"),
-            ("[[-1, 1], [-2, 2]]", "[[-1, 1]]", wrong, "/robot/joint_limits", "2, not 1"),
-            (r#""start": [-1, 0]"#, r#""start": [-1]"#, wrong, "/queries/0/start", "2 entries, not 1"),
-            (r#""start": [-1, 0]"#, r#""start": [-1.5, 0]"#, out, "/queries/0/start/0", "joint 0"),
-            (r#""goal": [1, 2]"#, r#""goal": [1, 2, 3]"#, wrong, "/queries/0/goal", "2 entries, not 3"),
-            // Limited joints do not wrap: 5.3 is -0.98 one turn on, but is not within [-1, 1].
-            (r#""goal": [1, 2]"#, r#""goal": [5.3, 2]"#, out, "/queries/0/goal/0", "5.3"),
-            (r#""second""#, r#""first""#, "duplicate-name", "/queries/1/name", r#""first""#),
-        ],
-    );
+    let cases = [
+        ("[3, 3]", "[3, -3]", out, "/world/bounds", "in y the bounds run from -3 to -3"),
+        ("[3, 3]", "[-4, 3]", out, "/world/bounds", "in x the bounds run from -3 to -4"),
+        ("[-2, 2]", "[2, 2]", out, "/robot/joint_limits/1", "less than"),
+        ("[-2, 2]", "[3, 2]", out, "/robot/joint_limits/1", "the lower limit 3"),
+        ("[[-1, 1], [-2, 2]]", "[[-1, 1]]", wrong, "/robot/joint_limits", "2, not 1"),
+        (r#""start": [-1, 0]"#, r#""start": [-1]"#, wrong, "/queries/0/start", "2 entries, not 1"),
+        (r#""start": [-1, 0]"#, r#""start": [-1.5, 0]"#, out, "/queries/0/start/0", "joint 0"),
+        (r#""goal": [1, 2]"#, r#""goal": [1, 2, 3]"#, wrong, "/queries/0/goal", "2 entries, not 3"),
+        // Limited joints do not wrap: 5.3 is -0.98 one turn on, but is not within [-1, 1].
+        (r#""goal": [1, 2]"#, r#""goal": [5.3, 2]"#, out, "/queries/0/goal/0", "5.3"),
+        (r#""second""#, r#""first""#, "duplicate-name", "/queries/1/name", r#""first""#),
+    ];
+    check_refusals(ARM, false, &cases);
     check_refusals(BODY, false, &[("[0.2, 0.2, 0]", "[0.2, 0.2]", wrong, "/queries/0/start", "3 entries, not 2")]);
     check_refusals(CAR, false, &[("[-0.5, 0.5]", "[0.5, 0.5]", out, "/robot/speed", "")]);
 }
@@ -260,16 +239,13 @@ fn a_degenerate_polygon_is_refused() {
     for few in ["[]", "[[1, 1], [2, 1]]"] {
         check_refusals(ARM, true, &[(polygon, few, bad, at, "three distinct")]);
     }
-    check_refusals(
-        ARM,
-        false,
-        &[
-            (polygon, "[[1, 1], [2, 1], [2, 1], [1, 1]]", bad, at, "three distinct"),
-            (polygon, "[[1, 1], [2, 1], [3, 1]]", bad, at, "on one line"),
-            (polygon, "[[1, 1], [2, 2], [2, 1], [1, 2]]", bad, at, "from vertex 0 and from vertex 2"),
-            (polygon, "[[1, 1], [2, 1], [3, 1], [2, 1], [1, 2]]", bad, at, "touch or cross"),
-        ],
-    );
+    let cases = [
+        (polygon, "[[1, 1], [2, 1], [2, 1], [1, 1]]", bad, at, "three distinct"),
+        (polygon, "[[1, 1], [2, 1], [3, 1]]", bad, at, "on one line"),
+        (polygon, "[[1, 1], [2, 2], [2, 1], [1, 2]]", bad, at, "from vertex 0 and from vertex 2"),
+        (polygon, "[[1, 1], [2, 1], [3, 1], [2, 1], [1, 2]]", bad, at, "touch or cross"),
+    ];
+    check_refusals(ARM, false, &cases);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -428,23 +404,14 @@ fn a_query_may_have_a_target_of_the_end_effector() {
     assert!(written.contains(r#""start":[-1,0],"target":{"point":[1,0.5],"orientation":7}}"#), "{written}");
     assert_eq!(Scenario::parse(&written).unwrap(), scenario);
     let (at, turn) = ("/queries/0/target", "/queries/0/target/orientation");
-    check_refusals(
-        &reaching,
-        true,
-        &[
-            (r#""target""#, r#""goal": [0, 0], "target""#, "unknown-field", at, "a goal or a target, not both"),
-            (r#""point": [1, 0.5]"#, r#""point": [1]"#, "wrong-dimension", "/queries/0/target/point", "2"),
-            (r#""orientation": 7"#, r#""orientation": "up""#, "wrong-type", turn, "number"),
-            (r#""orientation": 7"#, r#""orientation": 2e6"#, "out-of-range", turn, "2000000"),
-            (
-                r#""orientation""#,
-                r#""turn""#,
-                "unknown-field",
-                "/queries/0/target/turn",
-                "known are point, orientation",
-            ),
-        ],
-    );
+    let cases = [
+        (r#""target""#, r#""goal": [0, 0], "target""#, "unknown-field", at, "a goal or a target, not both"),
+        (r#""point": [1, 0.5]"#, r#""point": [1]"#, "wrong-dimension", "/queries/0/target/point", "2"),
+        (r#""orientation": 7"#, r#""orientation": "up""#, "wrong-type", turn, "number"),
+        (r#""orientation": 7"#, r#""orientation": 2e6"#, "out-of-range", turn, "2000000"),
+        (r#""orientation""#, r#""turn""#, "unknown-field", "/queries/0/target/turn", "known are point, orientation"),
+    ];
+    check_refusals(&reaching, true, &cases);
     let why = "a target is for the end effector of an arm";
     let target = r#""target": {"point": [1, 1]}, "start""#;
     for document in [DISC, BODY, CAR] {

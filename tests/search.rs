@@ -32,7 +32,7 @@ impl World {
         distance(self.points[a.index()], self.points[b.index()])
     }
 
-    /// The cheapest costs from vertex 0 to all others, by petgraph; edges are followed both ways if they are undirected.
+    /// The cheapest costs from vertex 0 to all others, by petgraph; undirected edges are followed in either direction.
     fn costs<D: EdgeType>(&self, cost: impl Fn(VertexId, VertexId) -> f64) -> Vec<f64> {
         let mut graph = Graph::<(), f64, D>::default();
         for _ in &self.points {

@@ -117,7 +117,7 @@ fn toruses_boxes_and_placements_obey_the_laws_whatever_a_metre_and_a_radian_coun
 
 #[wasm_bindgen_test(unsupported = test)]
 fn angles_wrap_into_the_half_open_circle_and_whole_turns_change_nothing() {
-    // The distance from 1 to 5 of the course reports, the short way round.
+    // The distance from 1 to 5 of the course reports, in the shorter direction.
     let expected: f64 = 2.2831853071795862;
     let circle = ProductSpace::<2>::new(&[Coordinate::Circle], Metric::Sum);
     for distance in [angular_distance(1.0, 5.0), circle.distance(&circle.state(&[1.0]), &circle.state(&[5.0]))] {
@@ -139,7 +139,7 @@ fn angles_wrap_into_the_half_open_circle_and_whole_turns_change_nothing() {
 fn a_circle_wraps_and_an_interval_does_not() {
     let space = mixed(Metric::Sum);
     let (a, b) = (space.state(&[3.0, -3.0, 0.0]), space.state(&[-3.0, 3.0, 0.0]));
-    assert!((space.distance(&a, &b) - (TAU - 6.0 + 6.0)).abs() < 1e-14, "the short way on the circle alone");
+    assert!((space.distance(&a, &b) - (TAU - 6.0 + 6.0)).abs() < 1e-14, "the shorter direction on the circle alone");
     let middle = space.interpolate(&a, &b, 0.5);
     assert!((middle[0].abs() - PI).abs() < 1e-14 && middle[1].abs() < 1e-14, "{middle:?}");
     assert_eq!(space.state(&[0.0, 7.0, 0.0])[1], 7.0, "an interval's values are literal");

@@ -18,7 +18,7 @@ use std::rc::Rc;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
-fn sst_improves_for_as_long_as_it_is_told_and_never_costs_more() {
+fn sst_improves_for_its_iterations_and_never_costs_more() {
     let world = car_and_wall(0.1);
     for seed in 0..seeds(5) {
         let first = finish(begin_with(&world, "sst", seed, "")).result();
@@ -44,7 +44,7 @@ fn sst_improves_for_as_long_as_it_is_told_and_never_costs_more() {
         let falls = costs.windows(2).filter(|pair| pair[1] < pair[0]).count();
         assert_eq!(solutions.len(), falls, "one event per better path");
         assert_valid(&world, &*run);
-        // A run that is told to finish takes what it has; one whose iterations are over, too.
+        // A run that is finished early, or whose iterations are used up, returns the path that it has.
         let mut run = begin_with(&world, "sst", seed, "improve_iterations=1500");
         run.step(solved_at + 100);
         let so_far = run.raw_path();
@@ -55,13 +55,13 @@ fn sst_improves_for_as_long_as_it_is_told_and_never_costs_more() {
     }
 }
 
-/// Witnesses by simple means: where each is, and the vertex that it stands for.
+/// Witnesses in a simple manner: the position of each, and its representative.
 struct Witnesses<'a> {
     world: &'a Scenario,
     radius: f64,
     places: Vec<[f64; 3]>,
     stands_for: Vec<usize>,
-    /// The length of the way to every vertex.
+    /// The length of the path to every vertex.
     costs: Vec<f64>,
 }
 
@@ -104,12 +104,12 @@ fn of_vertices_with_one_witness_each_is_cheaper_than_those_before() {
         }
         // What leaves is a leaf by then, leaves once, and is on no path.
         let removed = events(&*run, EventKind::VertexRemoved);
-        let way: Vec<Vec<f64>> = run.path();
+        let path: Vec<Vec<f64>> = run.path();
         for vertex in removed.iter().map(|event| event[2] as usize) {
             assert_eq!(children[vertex], 0, "vertex {vertex} is no leaf");
             children[edges[vertex - 1].from] -= 1;
             children[vertex] = -1;
-            assert!(!way.contains(&vertices[vertex].to_vec()), "vertex {vertex} is on the path");
+            assert!(!path.contains(&vertices[vertex].to_vec()), "vertex {vertex} is on the path");
             assert!(!witnesses.stands_for.contains(&vertex), "vertex {vertex} is the cheapest about its witness");
         }
         pruned += removed.len();
@@ -144,14 +144,14 @@ fn the_cheapest_vertex_about_the_sample_grows() {
     assert!(by_cost > 0 && by_distance > 0, "{by_cost} {by_distance}");
 }
 
-/// A dynamics that notes what it is asked.
+/// A dynamics that records its calls.
 struct Noted {
     driving: CarDynamics<4>,
     drives: Rc<RefCell<Vec<Asked>>>,
     proofs: Rc<RefCell<Vec<(Asked, u32)>>>,
 }
 
-/// From where, which control, for how many steps.
+/// The start of a call, its control and its steps.
 type Asked = ([f64; 4], Control, u32);
 
 impl Dynamics<[f64; 4]> for Noted {

@@ -38,7 +38,7 @@ fn heading(random: &mut Random) -> f64 {
     }
 }
 
-/// A pose some way from another, from next to nothing to far, often straight ahead, beside or behind.
+/// A pose near another or far from it, often straight ahead, beside or behind.
 fn near(random: &mut Random, from: Pose, radius: f64) -> Pose {
     let exponent = uniform(random, -13.0, 2.0);
     let distance = if random.below(2) == 0 { uniform(random, 0.0, 6.0) } else { libm::pow(10.0, exponent) };

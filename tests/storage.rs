@@ -155,7 +155,7 @@ fn a_resumed_run_is_sliced_like_any_other_and_has_its_own_search() {
     while sliced.step(1) == Status::Running {}
     assert_eq!((sliced.path(), sliced.fingerprint()), (whole.path(), whole.fingerprint()));
     assert_eq!(whole.max_iterations(), 5000);
-    let plain = finish(resume(&world, &document).expect("it goes on"));
+    let plain = finish(resume(&world, &document).expect("it is resumed"));
     assert!(whole.length() < plain.length(), "{} after {}: shortcuts shorten", whole.length(), plain.length());
 }
 
@@ -258,8 +258,8 @@ fn a_header_that_lies_with_a_fitting_checksum_is_refused_and_nothing_is_allocate
     let rows = 8 * document.vertices.len() + 8 * document.edges.len() + 8;
     let counts = bytes.len() - rows - 8;
     let name = MAGIC.len() + 4 + 4 + 2 + 8 + 4 + 4 + 8 + 8;
-    assert_eq!(forged(&bytes, counts, document.vertex_count() as u32), bytes, "this is where the counts stand");
-    assert_eq!(forged(&bytes, name, document.scenario.len() as u32), bytes, "and this the length of the name");
+    assert_eq!(forged(&bytes, counts, document.vertex_count() as u32), bytes, "the offset of the counts");
+    assert_eq!(forged(&bytes, name, document.scenario.len() as u32), bytes, "and that of the length of the name");
     for at in [12, name, counts, counts + 4] {
         for lie in [0, 1, 3, 9, 1000, u32::MAX / 2, u32::MAX] {
             let lying = forged(&bytes, at, lie);
@@ -420,7 +420,7 @@ fn any_numbers_of_neighbours_and_vertices_can_be_resumed() {
     half.step(30);
     let half = half.roadmap().expect("as far as it is built");
     assert!(half.edges.is_empty() && half.vertex_count() > 2);
-    assert_eq!(finish(resume(&world, &half).expect("it goes on")).vertex_count(), half.vertex_count());
+    assert_eq!(finish(resume(&world, &half).expect("it is resumed")).vertex_count(), half.vertex_count());
 }
 
 #[wasm_bindgen_test(unsupported = test)]

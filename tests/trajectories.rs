@@ -30,9 +30,9 @@ fn about(center: [f64; 2], radius: f64, from: f64, turn: f64) -> Particle {
 }
 
 fn crosses(a: &Particle, b: &Particle) -> bool {
-    let answer = crossing(a, b).expect("a particle in range");
-    assert_eq!(answer.is_some(), crossing(b, a).expect("likewise").is_some(), "{a:?} {b:?}");
-    answer.is_some()
+    let [one, other] = [crossing(a, b), crossing(b, a)].map(|found| found.expect("particles in range").is_some());
+    assert_eq!(one, other, "{a:?} {b:?}");
+    one
 }
 
 /// Whether two trajectories cross, by closed forms and by halving: apart is proven again with a hundredth of the slack, crossing
@@ -40,11 +40,11 @@ fn crosses(a: &Particle, b: &Particle) -> bool {
 #[track_caller]
 fn judged(a: &Particle, b: &Particle) -> bool {
     let scale = |p: &Particle| p.start.x.abs().max(p.start.y.abs()) + p.speed * p.duration;
-    let (eta, answer) = (1e-12 * scale(a).max(scale(b)), crosses(a, b));
-    let again = halve(a, b, if answer { 5.0 * eta } else { 0.01 * eta }, PLENTY);
+    let (eta, crosses) = (1e-12 * scale(a).max(scale(b)), crosses(a, b));
+    let again = halve(a, b, if crosses { 5.0 * eta } else { 0.01 * eta }, PLENTY);
     assert!(again.pairs < PLENTY, "the oracle gave up on {a:?} {b:?}");
-    assert_eq!(answer, again.meeting.is_some(), "{a:?} {b:?}");
-    answer
+    assert_eq!(crosses, again.meeting.is_some(), "{a:?} {b:?}");
+    crosses
 }
 
 /// How many of so many drawn pairs cross, each judged by closed forms and by halving.

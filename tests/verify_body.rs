@@ -10,7 +10,7 @@ use planarium::scenario::{Obstacle, Scenario, World};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// The same motion as a leg of a path; `None` where a straight one goes the long way round, or an arc so often that it takes a
+/// The same motion as a leg of a path; `None` if a straight one turns in the longer direction, or an arc so often that it takes a
 /// million samples.
 fn leg(motion: &BodyMotion) -> Option<Leg> {
     match *motion {
@@ -102,7 +102,7 @@ fn nothing_is_missed_between_two_samples() {
             let leg = Leg::straight(&[1.0, 1.9 - gap, 0.0], &[3.0003, 1.9 - gap, 0.0]);
             assert_eq!(is_valid(&speck(2.0, 2.0), &body, leg), is_free, "{gap} under a speck of {size}");
         }
-        // Held wholly from the start on; and met on the way.
+        // Contained wholly from the start on; and met later.
         assert!(!is_valid(&speck(1.0, 1.0), &body, Leg::straight(&[1.0, 1.0, 0.0], &[1.0, 1.0, 0.0])));
         assert!(!is_valid(&speck(2.0, 2.0), &body, Leg::arc(&[1.0, 2.0, 0.0], 2.0, 1e-3)));
     }
@@ -150,12 +150,12 @@ fn a_path_of_a_rigid_body_is_judged_as_a_whole() {
     let (start, goal) = ([1.0, 2.0, 3.0], [3.0, 2.0, -3.0]);
     let turn = TAU - 6.0;
     let length = 0.5 * 2.0 + 0.25 * turn;
-    assert_eq!(judged(&exact, &[start, goal], length), Ok(()), "the short way round");
+    assert_eq!(judged(&exact, &[start, goal], length), Ok(()), "in the shorter direction");
     assert_eq!(judged(&exact, &[start, [2.0, 2.0, -PI], goal], 1.0 + 0.25 * turn), Ok(()));
     assert_eq!(judged(&exact, &[[1.0, 2.0, 3.0 - TAU], goal], length), Ok(()), "angles count in any number of turns");
     let refused = |scenario: &Scenario, path: &[[f64; 3]], length: f64, why: &str| {
         let reported = judged(scenario, path, length).expect_err(why);
-        assert!(reported.contains(why), "{reported:?} does not say {why:?}");
+        assert!(reported.contains(why), "{reported:?} does not contain {why:?}");
     };
     refused(&exact, &[start, goal], length + 1e-6, "the length is given");
     refused(&exact, &[start, [3.0, 2.0, -2.9]], length, "not at the goal");

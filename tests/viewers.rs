@@ -74,17 +74,17 @@ fn rows_are_the_same_in_any_slices_and_change_nothing() {
         for slice in [1, 7, 64] {
             let mut run = begin_with(&world, planner, 9, settings);
             run.record().expect("nothing is done yet");
-            let mut taken = Vec::new();
+            let mut read = Vec::new();
             let mut calls = 0;
             while run.step(slice) == Status::Running {
                 calls += 1;
-                // Every third time the rows of two slices are taken together.
+                // Every third time the rows of two slices are read together.
                 if calls % 3 != 0 {
-                    taken.extend(run.take_history());
+                    read.extend(run.take_history());
                 }
             }
-            taken.extend(run.take_history());
-            assert_eq!(taken, rows, "{planner} {settings} in slices of {slice}");
+            read.extend(run.take_history());
+            assert_eq!(read, rows, "{planner} {settings} in slices of {slice}");
         }
     }
 }

@@ -28,7 +28,7 @@ pub fn cases(all: usize) -> usize {
 }
 
 /// A two-link arm at the origin whose plane is cut by a wall of the given thickness to the right of the base: the straight
-/// motion from above the wall to below it is blocked, the way round the back is free.
+/// motion from above the wall to below it is blocked, the other direction, round the back, is free.
 pub fn arm_and_wall(thickness: f64) -> Scenario {
     arm_at_wall(thickness, "", 0.0)
 }

@@ -338,14 +338,19 @@ impl<M: Moving> Proof<'_, M> {
     /// Adds the two halves of an interval, with the pairs from `first` on open.
     #[inline(always)]
     fn halve(&mut self, interval: &Interval<M::State>, first: usize) {
-        let half = interval.half / 2.0;
+        let (half, level) = (interval.half / 2.0, interval.level + 1);
         let pairs = (first, self.prover.pairs.len());
         let [front, back] = self.prover.moving.halves(interval);
-        let child = Interval { half, level: interval.level + 1, pairs, ..*interval };
-        let front = Interval { middle: interval.middle - half, state: front, ..child };
-        let back = Interval { middle: interval.middle + half, state: back, ..child };
-        let halves = if self.order == Order::MiddleFirst { [front, back] } else { [back, front] };
-        self.prover.intervals.extend_from_slice(&halves);
+        let mut push = |middle: f64, state: M::State| {
+            self.prover.intervals.push(Interval { middle, half, level, pairs, state });
+        };
+        if self.order == Order::FrontFirst {
+            push(interval.middle + half, back);
+            push(interval.middle - half, front);
+        } else {
+            push(interval.middle - half, front);
+            push(interval.middle + half, back);
+        }
     }
 
     /// The budget of tests after the first interval, which left `open` pairs open.

@@ -42,6 +42,7 @@ impl Aabb {
     }
 
     /// Whether the boxes share a point.
+    #[inline]
     pub fn intersects(&self, other: &Self) -> bool {
         self.min.x <= other.max.x && other.min.x <= self.max.x && self.min.y <= other.max.y && other.min.y <= self.max.y
     }

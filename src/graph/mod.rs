@@ -94,6 +94,7 @@ impl<S: Space> Default for Graph<S> {
 
 impl<S: Space> Graph<S> {
     /// Adds a vertex created in the given iteration.
+    #[inline]
     pub fn add_vertex(&mut self, iteration: u32, state: S::State) -> VertexId {
         let id = VertexId(u32::try_from(self.states.len()).expect("fewer than 2^32 vertices"));
         self.states.push(state);
@@ -102,6 +103,7 @@ impl<S: Space> Graph<S> {
     }
 
     /// Adds an edge created in the given iteration; in a tree from parent to child.
+    #[inline]
     pub fn add_edge(&mut self, iteration: u32, from: VertexId, to: VertexId) {
         self.edges.push([from, to]);
         self.edge_births.push(iteration);

@@ -64,6 +64,7 @@ impl<const N: usize> Space for MotionSpace<N> {
         self.product.dimension()
     }
 
+    #[inline]
     fn coordinates<'a>(&self, state: &'a [f64; N]) -> &'a [f64] {
         self.product.coordinates(state)
     }
@@ -81,6 +82,7 @@ impl<const N: usize> Space for MotionSpace<N> {
         self.curve_of(steered, a, b).length().max(least(x, y, turn, steered.1))
     }
 
+    #[inline]
     fn interpolate(&self, a: &[f64; N], b: &[f64; N], t: f64) -> [f64; N] {
         let Some(steered) = self.steering.filter(|_| t != 0.0 && t != 1.0) else {
             return self.product.interpolate(a, b, t);

@@ -117,6 +117,7 @@ impl<const N: usize> ProductSpace<N> {
     }
 
     /// The signed difference of each coordinate from `a` to `b`, the short way round on circles.
+    #[inline]
     pub fn difference(&self, a: &[f64; N], b: &[f64; N]) -> [f64; N] {
         std::array::from_fn(|i| {
             let d = b[i] - a[i];
@@ -172,6 +173,7 @@ impl<const N: usize> Space for ProductSpace<N> {
         self.dimension
     }
 
+    #[inline]
     fn coordinates<'a>(&self, state: &'a [f64; N]) -> &'a [f64] {
         &state[..self.dimension]
     }
@@ -196,6 +198,7 @@ impl<const N: usize> Space for ProductSpace<N> {
         distance
     }
 
+    #[inline]
     fn interpolate(&self, a: &[f64; N], b: &[f64; N], t: f64) -> [f64; N] {
         if t == 0.0 {
             return *a;

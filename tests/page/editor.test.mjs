@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { atRest, chooseScene, counters, finish, onPage, onPausedPage, pickFile, pixelsOf, root, start, stop } from "./browser.mjs";
-import { drag, near, openEditor, plane, saved, swipe, told, until } from "./editing.mjs";
+import { drag, near, openEditor, plane, saved, swipe, told, until, untilStory } from "./editing.mjs";
 import { endsOf } from "./library.mjs";
 import { assertFaultless } from "./looks.mjs";
 import { Edits } from "../../www/worker/edits.js";
@@ -194,8 +194,7 @@ describe("with the mouse", () => {
       // Across the opposite edge, at once.
       await page.mouse.move(...at(-0.3, -0.6));
       await until(page, "code", "degenerate-polygon");
-      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
-      assert.match(await page.innerText("#story"), /cross/);
+      await untilStory(page, "cross");
       assert.ok(await pixelsOf(page, "workspace", "top", "collision") > 20, "the refused shape is drawn");
       await page.mouse.up();
       await until(page, "busy", "false");
@@ -205,8 +204,8 @@ describe("with the mouse", () => {
       await page.click("#edit-tools >> text=Polygon");
       for (const point of [at(0.2, 0.2), at(0.6, 0), at(0.6, 0.2), at(0.2, 0)]) await page.mouse.click(...point);
       await page.keyboard.press("Enter");
-      await until(page, "code", "degenerate-polygon");
-      assert.match(await page.innerText("#story"), /cross/);
+      await untilStory(page, "cross");
+      assert.equal((await told(page)).code, "degenerate-polygon");
       assert.equal((await told(page)).undo, "0");
       await page.keyboard.press("Backspace");
       await page.keyboard.press("Enter");
@@ -246,7 +245,7 @@ describe("with the mouse", () => {
       const at = await plane(page, 1);
       await drag(page, [at(0.5, 0.5), at(-0.75, 0.7)]);
       await until(page, "touching", "The start is in collision: disc touches obstacle 0.");
-      assert.match(await page.innerText("#story"), /start is in collision: disc touches obstacle 0/);
+      await untilStory(page, "start is in collision: disc touches obstacle 0");
       assert.equal((await counters(page)).status, "none");
       assert.ok(await page.isDisabled("#play"));
       assert.ok(await page.isHidden("#notice"), "said where the hand is, not above the stage");

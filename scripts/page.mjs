@@ -30,8 +30,10 @@ export function assemblePage() {
   cpSync(join(dist, "package", "planarium_bg.wasm"), join(out, "planarium", "planarium_bg.wasm"));
   const inParts = { outfile: undefined, outdir: out, splitting: true, chunkNames: "parts/[name]-[hash]" };
   joinModules(join(page, "style", "style.css"), join(out, "style.css"));
-  joinModules(join(page, "main.js"), "", inParts);
-  joinModules(join(page, "worker", "worker.js"), "", { ...inParts, alias: { planarium: "./planarium/planarium.js" }, external: ["./planarium/planarium.js"] });
+  // The page and the worker import the package themselves, and no part of theirs does.
+  const beside = { ...inParts, alias: { planarium: "./planarium/planarium.js" }, external: ["./planarium/planarium.js"] };
+  joinModules(join(page, "main.js"), "", beside);
+  joinModules(join(page, "worker", "worker.js"), "", beside);
   joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
   assembleRooms(pages.slice(1).map(([name]) => name), inParts);
   const files = readdirSync(out, { recursive: true, withFileTypes: true })
@@ -70,8 +72,9 @@ function linked(name, pages) {
 }
 
 /**
- * The page as one single HTML file, `dist/planarium.html`, that runs from `file://` and in a sandboxed frame: the worker and the
- * WebAssembly (gzip in base64), the scenes and the style are elements of it. Its policy names its script and style by their hashes.
+ * The page as one single HTML file, `dist/planarium.html`, that runs from `file://` and in a sandboxed frame: the script, the worker
+ * and the WebAssembly (gzip in base64), the scenes and the style are elements of it. Its policy names its style, and the script that
+ * unpacks the others, by their hashes.
  */
 export function assembleOneFile() {
   const page = join(root, "www");
@@ -84,13 +87,12 @@ export function assembleOneFile() {
   // The worker is handed the compiled module: the package need not know where it lies.
   joinModules(join(page, "worker", "worker.js"), join(made, "worker.js"), { ...inside, format: "iife", logOverride: { "empty-import-meta": "silent" } });
   joinModules(join(page, "style", "style.css"), join(made, "style.css"), { sourcemap: false });
-  const script = closed(text(join(made, "main.js")));
   const style = text(join(made, "style.css"));
-  const policy = `default-src 'none'; script-src ${hashOf(script)} 'wasm-unsafe-eval' blob:; worker-src blob:; style-src ${hashOf(style)}; img-src data: blob:`;
+  const policy = `default-src 'none'; script-src ${hashOf(UNPACK)} 'wasm-unsafe-eval' blob:; worker-src blob:; style-src ${hashOf(style)}; img-src data: blob:`;
   const icon = `data:image/svg+xml;base64,${readFileSync(join(page, "icon.svg")).toString("base64")}`;
   const packed = (/** @type {string} */ path) => gzipSync(readFileSync(path), { level: 9 }).toString("base64");
   const scenes = readdirSync(join(page, "scenes")).filter((name) => name.endsWith(".json"));
-  const parts = [["core", packed(join(dist, "package", "planarium_bg.wasm"))], ["worker", packed(join(made, "worker.js"))],
+  const parts = [["core", packed(join(dist, "package", "planarium_bg.wasm"))], ["main", packed(join(made, "main.js"))], ["worker", packed(join(made, "worker.js"))],
     ...scenes.map((name) => [`scene-${basename(name, ".json")}`, JSON.stringify(JSON.parse(text(join(page, "scenes", name))))])];
   const html = text(join(page, "index.html"))
     .replace(/<meta http-equiv="Content-Security-Policy"[^>]*>/, () => `<meta http-equiv="Content-Security-Policy" content="${policy}">`)
@@ -101,13 +103,17 @@ export function assembleOneFile() {
     .replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${style}</style>`)
     .replace(/ *<script type="module"[^>]*><\/script>\n/, "")
     .replace("</body>", () => `${parts.map(([name, part]) => `<script type="text/plain" id="inline-${name}">${part}</script>`).join("\n")}
-<script type="module">${script}</script>
+<script type="module">${UNPACK}</script>
 </body>`);
   writeFileSync(out, html);
 }
 
-/** Script text that does not end the element it stands in. @param {string} script */
-function closed(script) { return script.trim().replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--"); }
+/** Imports the page's script from the element that holds it. */
+const UNPACK = `
+const bytes = Uint8Array.from(atob(document.getElementById("inline-main").textContent), (character) => character.charCodeAt(0));
+const script = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).blob();
+await import(URL.createObjectURL(new Blob([script], { type: "text/javascript" })));
+`;
 
 /** As a content security policy names it. @param {string} text */
 function hashOf(text) { return `'sha256-${createHash("sha256").update(text).digest("base64")}'`; }

@@ -1,5 +1,5 @@
 /**
- * The page's wiring: it starts the worker, makes the controls and lets them know of each other. Nothing is put on `window`.
+ * The page's wiring: it loads the core, starts the worker, makes the controls and lets them know of each other. Nothing is put on `window`.
  *
  * What tests may rely on:
  * - `#counters` carries `data-status` ("loading", "failed", "none", "running", "solved", "exhausted"), `data-phase`,
@@ -15,8 +15,9 @@
  *   `data-busy` ("true" during a gesture), `data-code` of the last refusal and `data-touching`, which names a start or goal in collision.
  * - `#story` carries `data-tone`, "bad" where a path that was found collides.
  * - In a race each row of `#standings tbody` carries `data-status` and, at rest at the newest iteration, `data-fingerprint`.
- * - In the worker, the work of each frame in which something grew is a `performance.measure` called "planarium-frame".
+ * - The work of each frame in which something grew is a `performance.measure` called "planarium-frame".
  */
+import * as library from "planarium";
 import { watchAnnouncements } from "./controls/announce.js";
 import { Counters, write } from "./controls/counters.js";
 import { byId } from "./controls/dom.js";
@@ -38,7 +39,8 @@ import { Part } from "./part.js";
 import { loadCore, makeWorker } from "./resources.js";
 import { SCENES } from "./scenes.js";
 import { Sheets } from "./sheets.js";
-import { Studio } from "./studio.js";
+import { Planners } from "./studio.js";
+import { Theatre, placed } from "./worker/theatre.js";
 
 /** @import { SceneEntry } from "./types.js" */
 
@@ -60,27 +62,31 @@ try {
 }
 
 async function start() {
-  const core = loadCore();
-  const studio = new Studio(await makeWorker(), (error) => notice.show("Something went wrong.", error));
-  const { planners, generators } = await studio.ask("start", [await core]);
+  const loading = loadCore();
+  const workers = new Planners(await makeWorker(), (error) => notice.show("Something went wrong.", error));
+  const core = await loading;
+  workers.ask("start", [core]).catch((error) => notice.show("Something went wrong.", error));
+  await library.default(core);
+  const generators = library.generators();
+  const session = new Theatre(library, workers, () => library.initSync(core));
 
   const story = byId("story", HTMLElement);
   const where = byId("where", HTMLElement);
   const turn = byId("your-turn", HTMLButtonElement);
   const stage = byId("stage", HTMLElement);
-  const panel = new Panel(planners, () => studio.ask("randomSeed", []), () => page.plan(), () => page.ask());
-  const page = new Page(studio, panel, notice);
+  const panel = new Panel(library.planners(), () => library.randomSeed(), () => page.plan(), () => page.ask());
+  const page = new Page(session, panel, notice);
   const sheets = new Sheets(page);
-  const pose = new Pose((at) => studio.tell("hold", at));
+  const pose = new Pose((at) => page.act(({ turn: game }) => game.hold(Float64Array.from(at))));
   const gallery = new Gallery(SCENES, (entry) => void choose(entry));
   const transport = new Transport(page);
   watchKeys([stage, transport.bar], {
-    " ": () => studio.tell("toggle"),
-    ".": () => studio.tell("step", 1),
-    ",": () => studio.tell("step", -1),
-    e: () => studio.tell("finish"),
-    r: () => studio.tell("reset"),
-    n: () => void panel.reseed(),
+    " ": () => page.act(({ conductor }) => conductor.toggle()),
+    ".": () => page.act(({ conductor }) => conductor.step(1)),
+    ",": () => page.act(({ conductor }) => conductor.step(-1)),
+    e: () => page.act(({ conductor }) => conductor.finish()),
+    r: () => page.act(() => session.reset()),
+    n: () => panel.reseed(),
   });
   watchFiles(openFile, (name, error) => notice.show(`${name} could not be read.`, error));
   watchTheme(() => page.dress());
@@ -131,7 +137,7 @@ async function start() {
       return;
     }
     if (event.detail === 0) pose.awaitFocus();
-    studio.tell("turn");
+    page.act(({ turn: game }) => game.change());
   });
   turn.disabled = false;
 
@@ -161,7 +167,7 @@ async function start() {
 
   async function drawThumbnails() {
     for (const entry of SCENES) {
-      const picture = await studio.ask("thumbnail", [await page.sourceOf(entry), SIDE, page.look]);
+      const picture = await workers.ask("thumbnail", [await page.sourceOf(entry), SIDE, page.look]);
       gallery.draw(entry.id, picture);
     }
     setTimeout(() => void provide(), PROVISIONS);
@@ -170,7 +176,7 @@ async function start() {
   /** Fetches what scenes may want once the network is gone. */
   async function provide() {
     try {
-      await Promise.all([options.get(), studio.ask("provide", [])]);
+      await Promise.all([options.get(), placed()]);
       document.body.dataset.complete = "true";
     } catch {
       // there is no network already: whoever needs it asks again, and is told

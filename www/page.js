@@ -1,10 +1,11 @@
 /**
- * The page as its parts know it: what is open, what the worker last told, and whom to tell. Parts register what they do when a
+ * The page as its parts know it: what is open, the state of the last frame, and whom to tell. Parts register what they do when a
  * scene opens, when a state comes, when the colours change; none of them knows the others.
  */
 import { byId } from "./controls/dom.js";
 import { isProjected } from "./controls/projector.js";
 import { nameAll } from "./controls/names.js";
+import { faultOf } from "./fault.js";
 import { loadScene } from "./resources.js";
 import { readPalette } from "./stage/palette.js";
 import { letter } from "./standings.js";
@@ -12,7 +13,7 @@ import { letter } from "./standings.js";
 /** @import { Notice } from "./controls/notice.js" */
 /** @import { Panel } from "./controls/panel.js" */
 /** @import { Race } from "./controls/race.js" */
-/** @import { Studio } from "./studio.js" */
+/** @import { Theatre } from "./worker/theatre.js" */
 /** @import { Look, Plan, SceneEntry, SceneFacts, Source, State, ViewOptions } from "./types.js" */
 /** @typedef {{ entry?: SceneEntry, query?: string, plans?: Plan[], iteration?: number, play?: boolean }} Opening   how a scenario is to be put on the stage */
 
@@ -20,13 +21,13 @@ import { letter } from "./standings.js";
 const PACE = 60;
 
 export class Page {
-  /** @param {Studio} studio @param {Panel} panel @param {Notice} notice */
-  constructor(studio, panel, notice) {
-    this.studio = studio;
+  /** @param {Theatre} session @param {Panel} panel @param {Notice} notice */
+  constructor(session, panel, notice) {
+    this.session = session;
     this.panel = panel;
     this.notice = notice;
     this.calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    /** What the worker told last. @type {State | null} */
+    /** How things stood at the last frame. @type {State | null} */
     this.state = null;
     /** The scenario on the stage. @type {SceneFacts | null} */
     this.facts = null;
@@ -58,8 +59,8 @@ export class Page {
     this.dressers = [];
     /** @type {(() => void)[]} */
     this.orderers = [];
-    studio.onState = (state) => this.reflect(state.heard < studio.ordered ? { ...state, settled: false } : state);
-    studio.onOrder = () => {
+    session.tell = (state) => this.reflect(state);
+    session.onStir = () => {
       for (const then of this.orderers) then();
     };
     this.watchRatio();
@@ -68,7 +69,7 @@ export class Page {
   /** Calls back whenever a scenario was put on the stage. @param {(facts: SceneFacts, entry: SceneEntry | null) => void} then */
   onOpen(then) { this.openers.push(then); }
 
-  /** Calls back with each state that the worker tells. @param {(state: State, before: State | null) => void} then */
+  /** Calls back with the state of each frame. @param {(state: State, before: State | null) => void} then */
   onState(then) { this.watchers.push(then); }
 
   /** Calls back when something was ordered that is not done yet. @param {() => void} then */
@@ -82,7 +83,7 @@ export class Page {
 
   /** Colours or pixels are others. */
   dress() {
-    this.studio.tell("dress", this.look);
+    this.act((session) => session.stage.dress(this.look));
     for (const then of this.dressers) then();
   }
 
@@ -129,10 +130,17 @@ export class Page {
     const given = plans?.[0] ?? entry;
     const plan = given ? panel.reads(given.algorithm, given.settings) : panel.plan ?? { algorithm: panel.algorithm, settings: {} };
     const rivals = plans?.slice(1) ?? this.race?.beside(plan) ?? this.rivals;
-    const facts = await this.studio.ask("open", [source, {
-      plans: [plan, ...rivals], query, iteration, play, pace, 
+    const mine = this.wish;
+    const scenario = this.run((session) => session.read(source));
+    const placed = await this.session.placedOf(scenario);
+    if (mine !== this.wish) {
+      scenario.free();
+      return;
+    }
+    const facts = this.run((session) => session.open(scenario, {
+      plans: [plan, ...rivals], query, iteration, play, pace,
       story: { sentence: entry?.story ?? "", algorithm: entry?.algorithm ?? "", isProven: entry?.settings.edge_check !== "sampled" },
-    }]);
+    }, placed));
     this.notice.hide();
     this.source = source;
     this.entry = entry ?? null;
@@ -156,11 +164,37 @@ export class Page {
     for (const then of this.openers) then(facts, this.entry);
   }
 
-  /** Waits until all that was ordered is shown, or at least under way. @returns {Promise<State | null>} */
+  /**
+   * Does something with the session; what was shown at rest no longer holds.
+   * @template T @param {(session: Theatre) => T} action @returns {T}
+   * @throws {Error} what the action throws; a lost core is renewed first
+   */
+  run(action) {
+    const { session } = this;
+    try {
+      return action(session);
+    } catch (error) {
+      if (faultOf(error).code === "internal") session.recover();
+      throw error;
+    } finally {
+      session.stir();
+    }
+  }
+
+  /** The same, where nobody waits for what it returns: that it did not work is said. @param {(session: Theatre) => unknown} action */
+  act(action) {
+    try {
+      this.run(action);
+    } catch (error) {
+      this.notice.show("Something went wrong.", error);
+    }
+  }
+
+  /** Waits until all that was asked for is shown, or at least under way. @returns {Promise<State | null>} */
   async arrived() {
     for (;;) {
-      const { state, studio } = this;
-      if (!state || state.playing || (state.settled && state.heard >= studio.ordered)) return state;
+      const { state, session } = this;
+      if (!state || (!session.isStale && (state.playing || state.settled))) return state;
       await new Promise((resolve) => this.arrivals.push(resolve));
     }
   }
@@ -183,16 +217,22 @@ export class Page {
     this.rivals = plans.slice(1);
     this.asked = plans;
     this.told = false;
-    this.studio.tell("plan", plans, play);
+    this.act((session) => session.plan(plans, play));
+  }
+
+  /** Points at a vertex by its number. @param {number} vertex  -1: none */
+  async inspect(vertex) {
+    const pointing = await this.session.turn.ready();
+    this.act(() => pointing.choose(vertex));
   }
 
   /** Other things are to be seen. @param {Partial<ViewOptions>} view */
-  see(view) { this.studio.tell("view", view); }
+  see(view) { this.act((session) => session.setView(view)); }
 
   /** The query that is chosen. */
   ask() {
     this.told = false;
-    this.studio.tell("ask", this.panel.query.value, this.goesOn);
+    this.act((session) => session.ask(this.panel.query.value, this.goesOn));
   }
 
   /** Whoever changes a setting of a run that moves or has ended wants to see the new one. */
@@ -211,7 +251,7 @@ export class Page {
     const { refusal } = state;
     // Old news is not told, and each refusal once; what the editor is at, it says itself, where the hand is.
     if (!refusal || Boolean(before?.edit) !== Boolean(state.edit)) this.told = false;
-    if (!refusal || this.told || state.heard < this.studio.ordered || state.edit?.touching) return;
+    if (!refusal || this.told || state.edit?.touching) return;
     this.told = true;
     const { lane, pointer, message } = refusal;
     if (lane === 0 ? this.panel.refuse(pointer, message) : this.race?.refuse(lane, pointer, message)) return;

@@ -1,6 +1,6 @@
 /**
- * The figures on the stage, in the document: each a sheet of canvases that are handed to the worker, which draws on them.
- * Sizes, and what pointers do on them, are passed on.
+ * The figures on the stage, in the document: each a sheet of canvases that the session draws on. Sizes, and what pointers do on
+ * them, are passed on.
  */
 import { byId, make } from "./controls/dom.js";
 import { LAYERS } from "./stage/layer.js";
@@ -14,7 +14,7 @@ import { robotName } from "./worker/names.js";
 export class Sheets {
   /** @param {Page} page */
   constructor(page) {
-    this.studio = page.studio;
+    this.session = page.session;
     this.element = byId("stage", HTMLElement);
     /** @type {Map<string, Figure>} */
     this.figures = new Map();
@@ -41,7 +41,7 @@ export class Sheets {
       this.observer.unobserve(sheet);
       figure.remove();
       this.figures.delete(id);
-      this.studio.tell("unpane", id);
+      this.session.stage.remove(id);
     }
     for (const [at, { id, kind, lane, caption, note = "" }] of wanted.entries()) {
       const figure = this.figures.get(id) ?? this.add(id, kind, lane);
@@ -103,16 +103,15 @@ export class Sheets {
     top.removeAttribute("aria-hidden");
     top.setAttribute("role", "img");
     this.listen(top, id);
-    const offscreen = canvases.map((canvas) => canvas.transferControlToOffscreen());
-    const named = /** @type {Record<typeof LAYERS[number], OffscreenCanvas>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, offscreen[i]])));
-    void this.studio.ask("pane", [id, kind, lane, named], offscreen);
+    const named = /** @type {Record<typeof LAYERS[number], HTMLCanvasElement>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, canvases[i]])));
+    this.session.stage.add(id, kind, lane, named);
     const made = { figure, caption, note, said: "", standing: "", sheet, top, kind, lane };
     this.figures.set(id, made);
     this.observer.observe(sheet);
     return made;
   }
 
-  /** Tells the worker how large the sheets are. */
+  /** Passes on how large the sheets are. */
   measure() {
     for (const [id, { sheet }] of this.figures) {
       const box = sheet.getBoundingClientRect();
@@ -121,7 +120,7 @@ export class Sheets {
       if (width < 1 || height < 1) continue;
       // Whole pixels: a canvas that is stretched by a fraction of one is blurred.
       for (const canvas of sheet.children) if (canvas instanceof HTMLElement) Object.assign(canvas.style, { width: `${width}px`, height: `${height}px` });
-      this.studio.tell("resize", id, width, height);
+      this.session.stage.resize(id, width, height);
     }
   }
 
@@ -143,7 +142,7 @@ export class Sheets {
     /** @param {PointerEvent} event @param {Pointer["type"]} type */
     const tell = (event, type) => {
       if (!event.isPrimary) return;
-      this.studio.tell("pointer", { pane, type, x: event.offsetX, y: event.offsetY, shift: event.shiftKey, touch: event.pointerType === "touch" });
+      void this.session.pointer({ pane, type, x: event.offsetX, y: event.offsetY, shift: event.shiftKey, touch: event.pointerType === "touch" });
     };
     canvas.addEventListener("pointerdown", (event) => {
       if (event.button !== 0 || !event.isPrimary) return;

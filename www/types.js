@@ -6,6 +6,7 @@
  * @typedef {import("planarium").Scenario} Scenario
  * @typedef {import("planarium").Planner} Planner
  * @typedef {import("planarium").Status} Status
+ * @typedef {import("planarium").Stats} Stats
  * @typedef {import("planarium").Part} Part   one moving part, in world coordinates
  * @typedef {import("planarium").ScenarioDocument} ScenarioDocument
  * @typedef {import("planarium").ResultDocument} ResultDocument
@@ -128,7 +129,6 @@
  * @property {import("./standings.js").Standing} standing   beside the others of a race
  *
  * @typedef {object} State   what the page is told of a frame
- * @property {number} heard   number of the newest order obeyed
  * @property {{ now: number, head: number, isRace: boolean, unit: number, wanted: number }} clock   `unit`: time in a step; `wanted`: the time that will be shown
  * @property {boolean} playing
  * @property {boolean} growing

@@ -171,8 +171,8 @@ describe("inside another page", () => {
 });
 
 describe("after the core was lost", () => {
-  /** Puts a switch into the worker: once it is on, the next call of the core traps. @param {import("playwright-core").Page} page */
-  const wire = async (page) => void await page.route(/\/worker\.js$/, async (route) => {
+  /** Puts a switch into the page and its worker: once it is on, the next call of the core traps. @param {import("playwright-core").Page} page */
+  const wire = async (page) => void await page.route(/\/(main|worker)\.js$/, async (route) => {
     const response = await route.fetch();
     const body = `
       self.trap = "";
@@ -191,11 +191,11 @@ describe("after the core was lost", () => {
 
   test("a trap while it plans, draws or is asked is said, and the page stays usable", async () => {
     await onPausedPage(async (page) => {
-      for (const [call, button] of [["rawplanner_step", "#step-100"], ["end_effectors", "#step-100"], ["rawscenario_check", "#your-turn"]]) {
+      for (const [call, button, place] of /** @type {const} */ ([["rawplanner_step", "#step-100", "worker"], ["end_effectors", "#step-100", "page"], ["rawscenario_check", "#your-turn", "page"]])) {
         await page.click("#reset");
         await page.click("#step-10");
         await atRest(page);
-        await worker(page).evaluate((name) => { /** @type {any} */ (self).trap = name; }, call);
+        await (place === "page" ? page : worker(page)).evaluate((name) => { /** @type {any} */ (self).trap = name; }, call);
         await page.click(button);
         await page.waitForSelector("#notice[data-code=internal]");
         assert.match(await page.innerText("#notice"), /fault of its own/);

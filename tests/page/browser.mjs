@@ -215,7 +215,7 @@ export async function pixelsOf(page, pane, layer, property) {
     const wanted = (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).map(Number);
     probe.remove();
     const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(`#${paneId} canvas[data-layer=${layerName}]`));
-    // The worker draws on it: its pixels are read from a copy.
+    // Its pixels are read from a copy.
     const copy = new OffscreenCanvas(canvas.width, canvas.height);
     const context = copy.getContext("2d", { willReadFrequently: true });
     if (!context) return -1;
@@ -268,7 +268,7 @@ export async function thumbnails(page) {
   await page.waitForFunction(() => [...document.querySelectorAll(".card canvas")].every((canvas) => ![0, 300].includes(/** @type {HTMLCanvasElement} */ (canvas).width)));
 }
 
-/** The worker that plans and draws. @param {Page} page */
+/** The worker that plans. @param {Page} page */
 export function worker(page) {
   const found = page.workers()[0];
   assert.ok(found, "the page has its worker");

@@ -3,12 +3,12 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { Scenario, phases, planners } from "planarium";
+import { Scenario } from "planarium";
 import { Journey, journeyOf } from "../../www/worker/journey.js";
 import { touchingSentence } from "../../www/worker/names.js";
 import { once } from "../../www/once.js";
 import { Rows } from "../../www/worker/rows.js";
-import { PAST, Run, SIDE } from "../../www/worker/run.js";
+import { PAST, SIDE } from "../../www/worker/run.js";
 import { endsOf } from "./library.mjs";
 import { SCENES } from "../../www/scenes.js";
 import { Glow } from "../../www/stage/glow.js";
@@ -16,6 +16,7 @@ import { Tracer, folded, unrolled, way } from "../../www/stage/trace.js";
 import { View } from "../../www/stage/view.js";
 import { ending, going } from "../../www/worker/story.js";
 import { root } from "./browser.mjs";
+import { LocalRun } from "./runs.mjs";
 
 /** One of the page's scenes. @param {string} id */
 function load(id) {
@@ -80,9 +81,9 @@ test("rows grow and keep what they hold", () => {
   assert.deepEqual([...rows.slice(3000, 3002)], [0, 1, 2, 3]);
 });
 
-/** Plans up to an iteration and shows it. @param {Run} run @param {number} iteration */
+/** Plans up to an iteration and shows it. @param {LocalRun} run @param {number} iteration */
 function toward(run, iteration) {
-  const there = run.advance(-1, iteration, Infinity);
+  const there = run.advance(-1, iteration);
   run.shown = run.made;
   return there;
 }
@@ -90,10 +91,10 @@ function toward(run, iteration) {
 test("a run fetched in slices holds what the planner holds, and every tree vertex hangs from a root", () => {
   for (const { id, algorithm, settings } of SCENES) {
     const scenario = load(id);
-    const run = new Run(scenario, algorithm, settings, { phases, planners });
+    const run = new LocalRun(scenario, algorithm, settings);
     while (!run.ended) toward(run, run.made + 7);
-    assert.deepEqual(run.vertices.slice(0, run.vertices.count), run.planner.verticesSince(0));
-    assert.deepEqual(run.edges.slice(0, run.edges.count), run.planner.edgesSince(0));
+    assert.deepEqual(run.vertices.slice(0, run.vertices.count), run.stepper.planner.verticesSince(0));
+    assert.deepEqual(run.edges.slice(0, run.edges.count), run.stepper.planner.edgesSince(0));
     const sides = new Set(run.sides.slice(0, run.sides.count));
     const roots = { roadmap: [SIDE.none], tree: [SIDE.start], trees: [SIDE.start, SIDE.goal] };
     assert.deepEqual(sides, new Set(roots[run.kind]), id);
@@ -106,7 +107,7 @@ test("a run fetched in slices holds what the planner holds, and every tree verte
 /** A run to its end. @param {string} id @param {string} algorithm @param {import("../../www/types.js").Settings} settings */
 function ended(id, algorithm, settings) {
   const scenario = load(id);
-  const run = new Run(scenario, algorithm, settings, { phases, planners });
+  const run = new LocalRun(scenario, algorithm, settings);
   while (!run.ended) toward(run, run.made + 50);
   return { scenario, run };
 }
@@ -127,7 +128,7 @@ test("guards are told from links", () => {
 
 test("each iteration leaves a row of counts: what it showed can be shown again", () => {
   const { run } = ended("stones", "prm", { samples: 60, k: 5, seed: 3 });
-  const fresh = new Run(load("stones"), "prm", { samples: 60, k: 5, seed: 3 }, { phases, planners });
+  const fresh = new LocalRun(load("stones"), "prm", { samples: 60, k: 5, seed: 3 });
   for (let i = 0; i <= run.made; i++) {
     run.shown = i;
     assert.equal(toward(fresh, i), true);
@@ -179,7 +180,7 @@ test("a tree that gave up shows its nearest miss; others have none to show", () 
 
 test("the length that is told is the run's own, in its own metric", () => {
   const { scenario, run } = ended("stones", "prm", { samples: 260, k: 9, metric: "euclidean" });
-  const { length } = run.planner.result();
+  const { length } = run.result;
   const journey = journeyOf(scenario, run);
   assert.ok(journey && Math.abs(journey.length - length) > 0.1, "the journey is measured otherwise");
   assert.ok(ending(run, journey).includes(`${length.toFixed(2)} rad`));
@@ -191,7 +192,7 @@ test("each phase has its sentence; the scene's own is told of its own planner on
   for (const [algorithm, settings] of /** @type {[string, import("../../www/types.js").Settings][]} */ ([
     ["prm-star", { samples: 60, shortcut: 5 }], ["visibility-prm", {}], ["rrt", { step: 0.5 }], ["rrt-connect", { step: 0.5 }],
   ])) {
-    const run = new Run(load("stones"), algorithm, settings, { phases, planners });
+    const run = new LocalRun(load("stones"), algorithm, settings);
     while (run.status === "running") {
       sentences.add(going(run, scene));
       toward(run, run.made + 1);
@@ -201,7 +202,7 @@ test("each phase has its sentence; the scene's own is told of its own planner on
   assert.ok(!sentences.has(scene.sentence));
   /** @param {import("../../www/types.js").Settings} settings */
   const connecting = (settings) => {
-    const run = new Run(load("stones"), "prm", { samples: 30, ...settings }, { phases, planners });
+    const run = new LocalRun(load("stones"), "prm", { samples: 30, ...settings });
     assert.match(going(run, scene), /^The arm seeks a way from start to goal: each point/, "what is looked for comes first");
     while (run.phase === "sampling") toward(run, run.made + 1);
     return run;
@@ -224,7 +225,7 @@ test("a sample that was free but of no use flashes fainter than one in collision
 });
 
 test("advance makes exactly as many iterations as it is asked for, and stops at the clock", () => {
-  const run = new Run(load("stones"), "prm", { samples: 400 }, { phases, planners });
+  const run = new LocalRun(load("stones"), "prm", { samples: 400 });
   assert.equal(toward(run, 137), true);
   assert.equal(run.made, 137);
   assert.equal(run.advance(-1, Infinity, performance.now() - 1), false);

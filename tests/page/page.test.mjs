@@ -6,7 +6,7 @@ import { after, before, describe, test } from "node:test";
 import { gzipSync } from "node:zlib";
 import { Scenario } from "planarium";
 import {
-  atRest, chooseScene, counters, dropFile, finish, frames, growthHash, isDeep, onPage, onPausedPage, pickFile, pixelsOf, root, setParameter, start, stop, thumbnails, worker,
+  atRest, chooseScene, counters, dropFile, finish, frames, growthHash, isDeep, onPage, onPausedPage, pickFile, pixelsOf, root, setParameter, start, stop, thumbnails,
 } from "./browser.mjs";
 import { assertFits } from "./looks.mjs";
 import { SCENES } from "../../www/scenes.js";
@@ -230,10 +230,10 @@ describe("planners", () => {
 
   test("the guards of a visibility roadmap stand in rings, links do not", async () => {
     await onPausedPage(async (page) => {
-      await worker(page).evaluate(() => {
-        const { arc } = OffscreenCanvasRenderingContext2D.prototype;
+      await page.evaluate(() => {
+        const { arc } = CanvasRenderingContext2D.prototype;
         const seen = Object.assign(self, { rings: /** @type {string[]} */ ([]) });
-        OffscreenCanvasRenderingContext2D.prototype.arc = function (x, y, radius, ...angles) {
+        CanvasRenderingContext2D.prototype.arc = function (x, y, radius, ...angles) {
           if (radius > 3.6 && radius < 6 && this.lineWidth < 2 && this.canvas.height === this.canvas.width) seen.rings.push(`${x} ${y}`);
           arc.call(this, x, y, radius, ...angles);
         };
@@ -245,7 +245,7 @@ describe("planners", () => {
       assert.equal((await atRest(page)).phase, "guarding");
       assert.match(await page.innerText("#story"), /guard/);
       const { vertices } = await finish(page);
-      const rings = await worker(page).evaluate(() => new Set(/** @type {{ rings?: string[] }} */ (self).rings).size);
+      const rings = await page.evaluate(() => new Set(/** @type {{ rings?: string[] }} */ (self).rings).size);
       const planner = Scenario.parse(scene("stones")).planner({ algorithm: "visibility-prm" });
       while (planner.step(1000) === "running");
       const events = planner.eventsSince(0);
@@ -298,7 +298,7 @@ describe("planners", () => {
       const dashed = await pixelsOf(page, "cspace", "top", "path");
       assert.ok(dashed > 100, `${dashed}`);
       // The same line without its dashes has much more of the colour.
-      await worker(page).evaluate(() => { OffscreenCanvasRenderingContext2D.prototype.setLineDash = () => {}; });
+      await page.evaluate(() => { CanvasRenderingContext2D.prototype.setLineDash = () => {}; });
       await page.locator("#along").fill("0.51");
       await atRest(page);
       const whole = await pixelsOf(page, "cspace", "top", "path");
@@ -594,13 +594,12 @@ describe("keyboard and ears", () => {
 describe("cost", () => {
   test("growth is only ever added to: nothing is cleared while it grows", async () => {
     await onPausedPage(async (page) => {
-      // They are drawn by the same worker.
       await thumbnails(page);
       await atRest(page);
-      await worker(page).evaluate(() => {
-        const { clearRect } = OffscreenCanvasRenderingContext2D.prototype;
-        const seen = Object.assign(self, { cleared: /** @type {Map<OffscreenCanvas, number>} */ (new Map()) });
-        OffscreenCanvasRenderingContext2D.prototype.clearRect = function (...box) {
+      await page.evaluate(() => {
+        const { clearRect } = CanvasRenderingContext2D.prototype;
+        const seen = Object.assign(self, { cleared: /** @type {Map<HTMLCanvasElement, number>} */ (new Map()) });
+        CanvasRenderingContext2D.prototype.clearRect = function (...box) {
           seen.cleared.set(this.canvas, (seen.cleared.get(this.canvas) ?? 0) + 1);
           clearRect.apply(this, box);
         };
@@ -610,7 +609,7 @@ describe("cost", () => {
       const some = await pixelsOf(page, "cspace", "vertices", "growth");
       await finish(page);
       assert.ok(await pixelsOf(page, "cspace", "vertices", "growth") > some);
-      const cleared = await worker(page).evaluate(() => [.../** @type {{ cleared?: Map<OffscreenCanvas, number> }} */ (self).cleared?.values() ?? []]);
+      const cleared = await page.evaluate(() => [.../** @type {{ cleared?: Map<HTMLCanvasElement, number> }} */ (self).cleared?.values() ?? []]);
       assert.equal(cleared.length, 2, `only the top of each pane is cleared: ${cleared}`);
     });
   });

@@ -3,16 +3,16 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { Scenario, phases, planners } from "planarium";
+import { Scenario, planners } from "planarium";
 import { decodeLink } from "../../www/exchange/link.js";
 import { SCENES } from "../../www/scenes.js";
 import { Placed } from "../../www/stage/placed.js";
 import { journeyOf } from "../../www/worker/journey.js";
-import { Run } from "../../www/worker/run.js";
 import { ending } from "../../www/worker/story.js";
 import { atRest, chooseScene, finish, growthHash, onPausedPage, pickFile, pixelsOf, root, seek, start, stop } from "./browser.mjs";
 import { drag, plane } from "./editing.mjs";
 import { assertFaultless } from "./looks.mjs";
+import { LocalRun } from "./runs.mjs";
 
 /** @import { ScenarioDocument } from "planarium" */
 /** @import { Page } from "./browser.mjs" */
@@ -33,8 +33,8 @@ function ended(id, more) {
   const entry = SCENES.find((scene) => scene.id === id);
   assert.ok(entry);
   const scenario = entry.generate ? Scenario.generate(entry.generate.kind, entry.generate.options) : Scenario.parse(readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8"));
-  const run = new Run(scenario, entry.algorithm, { ...entry.settings, ...more }, { phases, planners });
-  while (!run.ended) run.advance(-1, run.made + 50, Infinity);
+  const run = new LocalRun(scenario, entry.algorithm, { ...entry.settings, ...more });
+  while (!run.ended) run.advance(-1, run.made + 50);
   run.shown = run.made;
   const { robot } = scenario.document();
   assert.ok(robot.type === "car" || robot.type === "rigid_body");

@@ -3,23 +3,22 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { Scenario, phases, planners } from "planarium";
+import { Scenario } from "planarium";
 import { Places, NEAR } from "../../www/stage/places.js";
 import { Keeps } from "../../www/stage/keeps.js";
-import { EVENT, PAST, Run } from "../../www/worker/run.js";
+import { EVENT, PAST } from "../../www/worker/run.js";
 import { root } from "./browser.mjs";
+import { LocalRun, ended } from "./runs.mjs";
 
 /** @import { Settings } from "../../www/types.js" */
 
 /** A run to its end. @param {string} id @param {string} algorithm @param {Settings} settings */
 function runOf(id, algorithm, settings) {
   const scenario = Scenario.parse(readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8"));
-  const run = new Run(/** @type {import("../../www/types.js").Scenario} */ (/** @type {unknown} */ (scenario)), algorithm, settings, { phases, planners });
-  while (!run.ended) run.advance(-1, Infinity, Infinity);
-  return run;
+  return ended(new LocalRun(scenario, algorithm, settings));
 }
 
-/** Who waits, told the slow way: from the whole log up to the iteration. @param {Run} run @param {number[]} roots */
+/** Who waits, told the slow way: from the whole log up to the iteration. @param {LocalRun} run @param {number[]} roots */
 function waitingOf(run, roots) {
   const { past } = run;
   const reached = new Set(roots);
@@ -69,7 +68,7 @@ test("in a tree the cost from the root is the length of the way down the parents
     run.shown = run.made;
     assert.equal(run.status, "solved");
     run.kin.follow();
-    assert.ok(Math.abs(run.kin.costs[1] - run.planner.result().length) < 1e-9, `${run.kin.costs[1]} and ${run.planner.result().length}`);
+    assert.ok(Math.abs(run.kin.costs[1] - run.result.length) < 1e-9, `${run.kin.costs[1]} and ${run.result.length}`);
     let [way, vertex] = [0, 1];
     for (let parent = run.kin.parent(1, run.edges.count); parent >= 0; parent = run.kin.parent(vertex, run.edges.count)) {
       way += run.kin.distance(parent, vertex);

@@ -1,6 +1,6 @@
 /**
  * How vertices and the path's length went on, drawn while it grows: against iterations, or in a race against clearance
- * evaluations. The worker thins what it tells, so that a long run costs no more than a short one.
+ * evaluations, in few points, so that a long run costs no more than a short one.
  */
 import { letter } from "../standings.js";
 import { Chart, told as words } from "./chart.js";
@@ -10,11 +10,11 @@ import { byId, make } from "./dom.js";
 /** @import { Curves } from "../types.js" */
 /** @import { Line } from "./chart.js" */
 
-/** Milliseconds between two questions to the worker. */
+/** Milliseconds between two drawings. */
 const PAUSE = 250;
 /** Rows of the table, about. */
 const ROWS = 10;
-/** Numbers in a row that the worker tells: time, vertices, cost. */
+/** Numbers in a row: time, vertices, cost. */
 const WIDTH = 3;
 
 /** @param {Page} page */
@@ -48,17 +48,12 @@ export function watchCurves(page) {
     for (const chart of charts) chart.show(state.clock.now);
     if (state.curves === known || isAsking) return;
     isAsking = true;
-    setTimeout(async () => {
-      try {
-        asked = performance.now();
-        curves = await page.studio.ask("curves", []);
-        known = curves.key;
-        draw();
-      } catch (error) {
-        page.notice.show("The curves could not be drawn.", error);
-      } finally {
-        isAsking = false;
-      }
+    setTimeout(() => {
+      asked = performance.now();
+      curves = page.session.curves();
+      known = curves.key;
+      draw();
+      isAsking = false;
       ask();
     }, Math.max(0, asked + PAUSE - performance.now()));
   }

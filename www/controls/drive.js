@@ -3,6 +3,7 @@
  * It takes the place of the transport while the reader drives.
  */
 import { json, save } from "../take/files.js";
+import { drivingOf } from "../worker/driving.js";
 import { Announcer } from "./announce.js";
 import { write } from "./counters.js";
 import { byId, make } from "./dom.js";
@@ -81,12 +82,12 @@ export class DriveControls {
     const fields = [field("v", "v", "m/s", "0.3"), field("phi", "\u03c6", "rad", "0.4"), field("duration", "for", "s", "3")];
     const form = make("form", { noValidate: true, className: "roll" }, ...fields.map(({ row }) => row), make("button", { type: "submit" }, "Show where it leads"), this.rolled);
     form.setAttribute("aria-label", "One control from here");
-    form.addEventListener("submit", async (event) => {
+    form.addEventListener("submit", (event) => {
       event.preventDefault();
       const [v, phi, duration] = fields.map(({ input }) => (input.value.trim() === "" ? NaN : Number(input.value)));
       for (const { input } of fields) input.removeAttribute("aria-invalid");
       try {
-        await this.page.studio.ask("drive", [["roll", v, phi, duration]]);
+        this.page.run((session) => drivingOf(session).roll(v, phi, duration));
       } catch (error) {
         const { pointer = "", message } = /** @type {{ pointer?: string, message: string }} */ (error);
         fields[["/v", "/phi", "/duration"].indexOf(pointer)]?.input.setAttribute("aria-invalid", "true");
@@ -99,8 +100,8 @@ export class DriveControls {
   /** To keep the record, and to drive one that was kept. */
   makeRecord() {
     const keep = make("button", { type: "button", id: "drive-save" }, "Save record");
-    keep.addEventListener("click", async () => {
-      const record = await this.page.studio.ask("drive", [["record"]]);
+    keep.addEventListener("click", () => {
+      const record = this.page.session.driving?.record();
       if (record) save(json(record), `${this.page.facts?.name ?? "car"}-drive.json`);
     });
     const file = make("input", { type: "file", id: "drive-file", accept: ".json,application/json", className: "visually-hidden", tabIndex: -1, ariaLabel: "Record of a drive" });
@@ -123,7 +124,7 @@ export class DriveControls {
         : record.scenario !== page.facts?.name ? `It was driven in the scene "${record.scenario}".` : "";
       if (fault) throw new Error(fault);
       page.notice.hide();
-      await page.studio.ask("drive", [["replay", record.record, record.steps, moment()]]);
+      page.run((session) => drivingOf(session).replay(record.record, record.steps, moment()));
       this.stage.focus();
     } catch (error) {
       page.notice.show(`${file.name} cannot be driven.`, error);
@@ -131,7 +132,7 @@ export class DriveControls {
   }
 
   /** @param {DriveOrder} order */
-  order(...order) { this.page.studio.tell("drive", order); }
+  order(...order) { this.page.act((session) => drivingOf(session).obey(order)); }
 
   /** @param {DriveKey} key @param {Event} event */
   press(key, event) { this.order("press", key, performance.timeOrigin + event.timeStamp); }
@@ -139,15 +140,15 @@ export class DriveControls {
   /** In or out. */
   toggle() {
     if (this.on) this.leave();
-    else void this.begin();
+    else this.begin();
   }
 
-  async begin() {
+  begin() {
     const { page } = this;
     try {
       // The same orders as the fold of the editor: a car is not edited while it is driven.
       byId("editor-fold", HTMLDetailsElement).open = false;
-      await page.studio.ask("drive", [["turn", true, page.calm, moment()]]);
+      page.run((session) => drivingOf(session).turn(true, page.calm, moment()));
       this.stage.focus({ preventScroll: true });
       this.theatre.scrollIntoView({ block: "start", behavior: page.calm ? "auto" : "smooth" });
     } catch (error) {

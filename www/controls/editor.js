@@ -3,6 +3,7 @@
  * switches it on. Where the panel stands below the stage, the tools go up to it.
  */
 import { documentText } from "../exchange/document.js";
+import { editorOf } from "../worker/editor.js";
 import { Announcer } from "./announce.js";
 import { write } from "./counters.js";
 import { byId, make } from "./dom.js";
@@ -91,7 +92,7 @@ export class EditorControls {
   }
 
   /** @param {EditOrder} order */
-  order(...order) { this.page.studio.tell("edit", order); }
+  order(...order) { this.page.act((session) => editorOf(session).obey(order)); }
 
   /** @param {string} text @param {EditOrder} order @param {string} [key] */
   button(text, order, key) {
@@ -201,10 +202,9 @@ export class EditorControls {
   }
 
   /** The scenario on the stage is the reader's own now, or again the one that was opened. @param {boolean} isChanged */
-  async adopt(isChanged) {
+  adopt(isChanged) {
     const { page, original } = this;
-    const facts = await page.studio.ask("facts", []);
-    if (original !== this.original) return;
+    const facts = page.session.facts();
     page.source = isChanged ? { document: facts.document } : original.source;
     page.entry = isChanged ? null : original.entry;
     page.notice.hide();

@@ -27,8 +27,6 @@ function told(state) {
 
 /** Obeys the page around this one. @param {Page} page */
 export function watchParent(page) {
-  const { studio } = page;
-
   /** @param {Order} order @returns {Promise<unknown>} */
   async function obey(order) {
     switch (order.planarium) {
@@ -40,10 +38,10 @@ export function watchParent(page) {
         await page.open(entry ? await page.sourceOf(entry) : { document: order.document ?? {} }, { entry, plans, query, iteration, play });
         return told(await page.arrived());
       }
-      case "play": return studio.ask("play", []);
-      case "pause": return studio.ask("pause", []);
-      case "step": return studio.ask("step", [whole(order.count ?? 1, "count")]);
-      case "seek": return studio.ask("seek", [whole(order.iteration, "iteration")]);
+      case "play": return page.run(({ conductor }) => conductor.play());
+      case "pause": return page.run(({ conductor }) => conductor.pause());
+      case "step": return page.run(({ conductor }) => conductor.step(whole(order.count ?? 1, "count")));
+      case "seek": return page.run(({ conductor }) => conductor.seek(whole(order.iteration, "iteration")));
       case "state": return told(await page.arrived());
       default: throw Object.assign(new Error(`There is no order "${order.planarium}".`), { code: "unknown-order", pointer: "/planarium" });
     }

@@ -100,8 +100,8 @@ export class Lessons {
       // Whoever goes on meanwhile wants another step: this one moves nothing any more.
       if (!isThere && !await page.openScene(entry, { plans, iteration: rest, play: rest === undefined })) return;
       // Beside an open editor a scene would wait.
-      if (rest === undefined) page.studio.tell("play");
-      else if (isThere) page.studio.tell("seek", rest);
+      if (rest === undefined) page.act(({ conductor }) => conductor.play());
+      else if (isThere) page.act(({ conductor }) => conductor.seek(rest));
     } catch (error) {
       if (!page.facts) await page.openScene(scenes[0]);
       page.notice.show("What this step speaks of cannot be shown.", error);

@@ -25,7 +25,7 @@ const REST = "Limits";
 export class Panel {
   /**
    * @param {PlannerInfo[]} planners
-   * @param {() => Promise<number>} randomSeed
+   * @param {() => number} randomSeed
    * @param {() => void} onChange   a setting that makes a new run was changed
    * @param {() => void} onQuery    another query was chosen
    */
@@ -164,10 +164,10 @@ export class Panel {
   }
 
   /** A seed nobody has seen. */
-  async reseed() {
+  reseed() {
     const field = this.fields.find(({ info }) => info.name === "seed");
     if (!field) return;
-    field.set(await this.randomSeed());
+    field.set(this.randomSeed());
     this.keep(field);
     this.onChange();
   }
@@ -197,7 +197,7 @@ export class Panel {
   /** @param {Field} field */
   addSeedButton(field) {
     const button = make("button", { type: "button", id: "new-seed" }, "New seed");
-    button.addEventListener("click", () => void this.reseed());
+    button.addEventListener("click", () => this.reseed());
     field.element.append(button);
   }
 

@@ -69,7 +69,7 @@ export function showSceneOptions(page, generators) {
   function wish(source, entry) {
     next = { source, entry };
     // What is on the stage is old news from now on, not only from the frame in which it is replaced.
-    page.studio.order();
+    page.session.stir();
     if (!busy) requestAnimationFrame(() => void obey());
     busy = true;
   }

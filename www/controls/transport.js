@@ -1,6 +1,6 @@
 /**
  * The transport: back, play and pause, steps, run to the end, reset, speed, the timeline, and once solved the way along the path.
- * It tells the worker what was asked, and shows what the worker tells.
+ * It passes on what was asked, and shows how things stand.
  */
 import { READABLE, grouped, write } from "./counters.js";
 import { byId } from "./dom.js";
@@ -15,13 +15,12 @@ const FASTEST = 10000;
 export class Transport {
   /** @param {Page} page */
   constructor(page) {
-    const { studio } = page;
     this.bar = byId("transport", HTMLElement);
     this.play = byId("play", HTMLButtonElement);
     this.playLabel = byId("play-label", HTMLElement);
     this.steps = [1, 10, 100].map((count) => {
       const button = byId(`step-${count}`, HTMLButtonElement);
-      button.addEventListener("click", () => studio.tell("step", count));
+      button.addEventListener("click", () => page.act(({ conductor }) => conductor.step(count)));
       return button;
     });
     this.finish = byId("finish", HTMLButtonElement);
@@ -42,23 +41,23 @@ export class Transport {
     /** Is something in the field that was not asked for yet? */
     this.isTyping = false;
     this.written = -Infinity;
-    this.back.addEventListener("click", () => studio.tell("step", -1));
-    this.timeline.addEventListener("input", () => studio.tell("seek", Number(this.timeline.value)));
+    this.back.addEventListener("click", () => page.act(({ conductor }) => conductor.step(-1)));
+    this.timeline.addEventListener("input", () => page.act(({ conductor }) => conductor.seek(Number(this.timeline.value))));
     this.time.addEventListener("input", () => { this.isTyping = true; });
     this.time.addEventListener("blur", () => { this.isTyping = false; });
     this.time.addEventListener("change", () => {
       this.isTyping = false;
       const time = Number(this.time.value);
-      if (this.time.value.trim() !== "" && Number.isSafeInteger(time) && time >= 0) studio.tell("seek", time);
+      if (this.time.value.trim() !== "" && Number.isSafeInteger(time) && time >= 0) page.act(({ conductor }) => conductor.seek(time));
     });
-    this.play.addEventListener("click", () => studio.tell("toggle"));
-    this.finish.addEventListener("click", () => studio.tell("finish"));
-    this.reset.addEventListener("click", () => studio.tell("reset"));
+    this.play.addEventListener("click", () => page.act(({ conductor }) => conductor.toggle()));
+    this.finish.addEventListener("click", () => page.act(({ conductor }) => conductor.finish()));
+    this.reset.addEventListener("click", () => page.act((session) => session.reset()));
     this.speed.addEventListener("input", () => {
       this.tellSpeed();
-      studio.tell("pace", this.pace);
+      page.session.setPace(this.pace);
     });
-    this.along.addEventListener("input", () => studio.tell("along", Number(this.along.value)));
+    this.along.addEventListener("input", () => page.act(({ conductor }) => conductor.along(Number(this.along.value))));
     this.tellSpeed();
     page.onState((state) => this.show(state));
     page.onOpen(() => {

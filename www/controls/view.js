@@ -56,14 +56,11 @@ export function watchView(page) {
   }
 
   /** @param {State} state */
-  function reflect({ heard, view, lanes: [{ raw: found, length, unit, vertices }] }) {
+  function reflect({ view, lanes: [{ raw: found, length, unit, vertices }] }) {
     number.max = String(Math.max(0, vertices - 1));
-    // A state from before the newest order would turn back what was just switched.
-    if (heard >= page.studio.ordered) {
-      for (const option of /** @type {const} */ (["refused", "strobe", "raw", "slice"])) switches[option].checked = view[option];
-      if (document.activeElement !== poses) poses.value = String(view.poses);
-      if (!plane.hidden) selects.forEach((select, i) => { select.value = String(view.axes[i]); });
-    }
+    for (const option of /** @type {const} */ (["refused", "strobe", "raw", "slice"])) switches[option].checked = view[option];
+    if (document.activeElement !== poses) poses.value = String(view.poses);
+    if (!plane.hidden) selects.forEach((select, i) => { select.value = String(view.axes[i]); });
     write(lengths, found !== null && length !== null
       ? `${found.toFixed(2)} ${unit} as found, ${length.toFixed(2)} ${unit} shortened.`.replaceAll("  ", " ")
       : "A second line where the path was shortened: see the planner\u2019s parameters.");
@@ -73,7 +70,7 @@ export function watchView(page) {
   function inspector() {
     const readout = byId("readout", HTMLOutputElement);
     const input = make("input", { type: "number", id: "inspect", min: "0", step: "1", autocomplete: "off", placeholder: "none" });
-    input.addEventListener("input", () => page.studio.tell("inspect", input.value === "" ? -1 : Math.max(0, Math.floor(Number(input.value)))));
+    input.addEventListener("input", () => void page.inspect(input.value === "" ? -1 : Math.max(0, Math.floor(Number(input.value)))));
     // Who moves from number to number hears what each is; who moves a pointer does not.
     input.addEventListener("focus", () => readout.setAttribute("aria-live", "polite"));
     input.addEventListener("blur", () => readout.setAttribute("aria-live", "off"));

@@ -6,22 +6,25 @@
 import { coordinatesOf } from "../worker/coordinates.js";
 import { tick, ticks, titleOf } from "./angles.js";
 import { drawMarked } from "./marked.js";
-import { paint, soften } from "./mask.js";
 import { Pane } from "./pane.js";
-import { Slice, keyOf } from "./slice.js";
 import { folded, unrolled } from "./trace.js";
 import { View } from "./view.js";
 
 /** @import { Lane, Shown } from "../worker/lane.js" */
 /** @import { LayerName } from "./layer.js" */
-/** @import { Coordinate, Scenario } from "../types.js" */
+/** @import { Palette } from "./palette.js" */
+/** @import { Painting } from "../worker/obstacles.js" */
+/** @import { Coordinate } from "../types.js" */
+/** @typedef {(painting: Painting) => Promise<ImageBitmap | null>} Painter   paints obstacles, in the worker; null: it could not */
 
 const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };
-/** Cells a side of the obstacle image: as many as the screen is worth, within reason (the core takes some 0.3 us a cell); while the world changes, as many as `time` milliseconds allow. */
-const CELLS = { least: 256, most: 512, pixels: 2, rough: 48, time: 4 };
+/** Cells a side of the picture of obstacles: while the world changes and at first, and as many as the screen is worth, within reason. */
+const CELLS = { rough: 64, least: 256, most: 512, pixels: 2 };
+/** The same of a slice, of which each cell is a configuration that is checked. */
+const SLICE = { rough: 24, fine: 96 };
 
 export class CSpace extends Pane {
-  /** @param {Record<LayerName, OffscreenCanvas>} canvases */
+  /** @param {Record<LayerName, HTMLCanvasElement | OffscreenCanvas>} canvases */
   constructor(canvases) {
     super(canvases);
     /** The coordinates across and up. @type {[number, number]} */
@@ -30,12 +33,15 @@ export class CSpace extends Pane {
     this.named = [];
     /** Are they circles? @type {boolean[]} */
     this.circles = [];
-    /** @type {{ world: object, side: number, mask: Float32Array } | null} */
+    /** Paints obstacles. @type {Painter | null} */
+    this.painter = null;
+    /** The obstacles: a picture of this, with so many cells a side. @type {{ key: string, name: string, side: number, image: ImageBitmap | null } | null} */
     this.cells = null;
-    /** The slice that is being made or shown. @type {Slice | null} */
-    this.slice = null;
-    /** What a cell took the last time, milliseconds. */
-    this.cost = 1e-3;
+    /** What is painted of them is of this, where something is. @type {{ key: string, sides: number[] } | null} */
+    this.wanted = null;
+    this.isPainting = false;
+    /** Counts the worlds that were shown. */
+    this.world = { document: /** @type {object | null} */ (null), count: 0 };
   }
 
   /** Has a scenario such a square? @param {Lane} lane @override */
@@ -56,49 +62,61 @@ export class CSpace extends Pane {
   survey({ scenario, shown }) {
     const circles = scenario.circles();
     this.circles = this.axes.map((axis) => circles[axis]);
-    this.slice = null;
-    this.paintable(scenario, shown);
+    const { document } = shown;
+    if (this.world.document !== document.world) this.world = { document: document.world, count: this.world.count + 1 };
+    // Of the scene that was there before nothing stays.
+    if (this.cells?.name !== document.name || scenario.dimension > 2 !== this.cells.key.includes(" ")) this.cells = null;
   }
 
-  /** A slice of more than two joints follows the robot. @param {Lane} lane @param {number} until @override */
-  tend(lane, until) {
-    const { scenario, shown } = lane;
-    if (!this.view || scenario.dimension < 3) return;
-    const pose = shown.view.slice ? lane.pose ?? shown.start : null;
-    if (!pose) {
-      if (this.slice) this.repaint(null);
-      this.slice = null;
+  /** Has the obstacles painted: of two coordinates all, of more those of a slice that follows the robot, where that is wanted. @param {Lane} lane @override */
+  tend(lane) {
+    const { view, painter } = this;
+    if (!view || !painter) return;
+    const { scenario: { dimension }, shown } = lane;
+    const pose = dimension > 2 && shown.view.slice ? lane.pose ?? shown.start : null;
+    this.wanted = dimension > 2 && !pose ? null : this.picture(shown, pose);
+    if (!this.wanted) {
+      if (this.cells) this.repaint(null);
       return;
     }
-    if (this.slice?.key !== keyOf(pose, this.axes)) this.slice = new Slice(scenario, pose, this.axes, this.view.box);
-    if (this.slice.isDone) return;
-    const picture = this.slice.advance(until);
-    if (picture) this.repaint({ world: shown.document.world, side: picture.side, mask: soften(picture.mask, picture.side) });
+    if (this.isTended || this.isPainting) return;
+    const { key, sides } = this.wanted;
+    const side = this.cells?.key === key ? sides[sides.length - 1] : sides[0];
+    const { width, height } = this.frame();
+    const ratio = shown.rough ? 1 : this.layers.ground.ratio;
+    this.isPainting = true;
+    const { name } = shown.document;
+    void painter({
+      document: shown.document, side, slice: pose && { pose: Array.from(pose), axes: this.axes, box: view.box },
+      width: Math.round(width * ratio), height: Math.round(height * ratio), palette: /** @type {Palette} */ (this.palette),
+    }).then((image) => {
+      // What could not be painted is not asked for again.
+      if (this.view && this.lane?.shown.document.name === name) this.repaint({ key, name, side: image ? side : Infinity, image });
+    }).finally(() => { this.isPainting = false; });
   }
 
-  /** @override */
-  get isTended() { return !this.slice || this.slice.isDone; }
+  /** What the picture of the obstacles depends on, and how fine it is to be: at once, and then. @param {Shown} shown @param {ArrayLike<number> | null} pose */
+  picture({ rough }, pose) {
+    const { width, height } = this.frame();
+    const { ratio } = this.layers.ground;
+    const { palette, axes } = this;
+    const look = `${this.world.count},${width},${height},${ratio},${palette?.obstacle},${palette?.["obstacle-edge"]}`;
+    if (pose) return { key: `${look} ${Array.from(pose, (value, j) => (axes.includes(j) ? `axis ${axes.indexOf(j)}` : value)).join()}`, sides: rough ? [SLICE.rough] : [SLICE.rough, SLICE.fine] };
+    const fine = Math.round(Math.min(CELLS.most, Math.max(CELLS.least, (width * ratio) / CELLS.pixels)));
+    return { key: look, sides: rough ? [CELLS.rough] : [CELLS.rough, fine] };
+  }
+
+  /** Is the picture of the obstacles the one that is wanted, and as fine? @override */
+  get isTended() {
+    const { painter, wanted, cells } = this;
+    return !painter || !wanted || (cells?.key === wanted.key && cells.side >= Math.max(...wanted.sides));
+  }
 
   /** The ground with other obstacles. @param {CSpace["cells"]} cells */
   repaint(cells) {
     this.cells = cells;
     this.layers.ground.clear();
     this.drawGround(this.layers.ground.context, /** @type {Lane} */ (this.lane));
-  }
-
-  /** Fetches the obstacles, where they can be shown; while the world is being changed, only as finely as there is time. @param {Scenario} scenario @param {Shown} shown */
-  paintable(scenario, { document: { world }, rough }) {
-    if (scenario.dimension !== 2) {
-      this.cells = null;
-      return;
-    }
-    const wanted = (this.frame().width * this.layers.ground.ratio) / CELLS.pixels;
-    const fine = Math.min(CELLS.most, Math.max(CELLS.least, wanted));
-    const side = Math.round(rough ? Math.min(fine, Math.max(CELLS.rough, Math.sqrt(CELLS.time / this.cost))) : fine);
-    if (this.cells?.world === world && this.cells.side * 1.4 >= side) return;
-    const began = performance.now();
-    this.cells = { world, side, mask: soften(scenario.cspace({ width: side, height: side }), side) };
-    this.cost = Math.max(1e-6, performance.now() - began) / side ** 2;
   }
 
   /** @param {CanvasRenderingContext2D} context @override */
@@ -156,12 +174,10 @@ export class CSpace extends Pane {
 
   /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
   drawGround(context, lane) {
-    const { rough } = lane.shown;
     const { palette, cells } = this;
     if (!palette) return;
     const { x, y, width, height } = this.frame();
-    const ratio = rough ? 1 : this.layers.ground.ratio;
-    if (cells) context.drawImage(paint(cells.mask, cells.side, Math.round(width * ratio), Math.round(height * ratio), palette), x, y, width, height);
+    if (cells?.image) context.drawImage(cells.image, x, y, width, height);
     context.strokeStyle = palette["obstacle-edge"];
     context.lineWidth = 1;
     context.strokeRect(x, y, width, height);

@@ -24,7 +24,7 @@ import { Strobe } from "./strobe.js";
 /** @typedef {{ points: Float64Array, firsts: Uint32Array }} Lines  line i: pixels x, y in turn, points firsts[i] up to firsts[i + 1]; NaN lifts the pen */
 
 export class Pane {
-  /** @param {Record<LayerName, OffscreenCanvas>} canvases */
+  /** @param {Record<LayerName, HTMLCanvasElement | OffscreenCanvas>} canvases */
   constructor(canvases) {
     this.layers = /** @type {Record<LayerName, Layer>} */ (Object.fromEntries(LAYERS.map((name) => [name, new Layer(canvases[name])])));
     this.growth = new Growth(this);
@@ -72,8 +72,8 @@ export class Pane {
   survey(_lane) {}
   /** The robot, above everything else. @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
   drawRobot(_context, _lane) {}
-  /** Goes on with what the ground still lacks. @param {Lane} _lane @param {number} _until */
-  tend(_lane, _until) {}
+  /** Sees to what the ground still lacks. @param {Lane} _lane */
+  tend(_lane) {}
   /** Is the ground complete? */
   get isTended() { return true; }
   /** Keeps what crosses the border of the picture inside. @param {CanvasRenderingContext2D} _context */

@@ -6,18 +6,19 @@ import { CSpace } from "./cspace.js";
 import { Workspace } from "./workspace.js";
 
 /** @import { Lane } from "../worker/lane.js" */
+/** @import { Painter } from "./cspace.js" */
 /** @import { Look, PaneKind } from "../types.js" */
 /** @import { LayerName } from "./layer.js" */
 /** @import { Pane } from "./pane.js" */
 /** @typedef {{ id: string, kind: PaneKind, lane: number, pane: Pane }} Place */
 
-/** Milliseconds a frame for grounds that are not complete. */
-const TENDING = 4;
-
 export const KINDS = { workspace: Workspace, cspace: CSpace };
 
 export class Stage {
-  constructor() {
+  /** @param {Painter} painter @param {() => void} wake   has a frame drawn */
+  constructor(painter, wake) {
+    this.painter = painter;
+    this.wake = wake;
     /** @type {Map<string, Place>} */
     this.places = new Map();
     /** @type {Look | null} */
@@ -26,9 +27,10 @@ export class Stage {
     this.stale = new Set();
   }
 
-  /** A pane's canvases have come. @param {string} id @param {PaneKind} kind @param {number} lane @param {Record<LayerName, OffscreenCanvas>} canvases */
+  /** @param {string} id @param {PaneKind} kind @param {number} lane @param {Record<LayerName, HTMLCanvasElement>} canvases */
   add(id, kind, lane, canvases) {
     const pane = new KINDS[kind](canvases);
+    if (pane instanceof CSpace) pane.painter = this.painter;
     pane.glow.enabled = !this.look?.calm;
     this.places.set(id, { id, kind, lane, pane });
   }
@@ -46,6 +48,7 @@ export class Stage {
     place.pane.width = width;
     place.pane.height = height;
     this.stale.add(id);
+    this.wake();
   }
 
   /** Colours and pixels. @param {Look} look */
@@ -93,7 +96,7 @@ export class Stage {
     this.stale.clear();
     const { panes } = this;
     const began = performance.now();
-    for (const pane of panes) if (pane.lane) pane.tend(pane.lane, performance.now() + TENDING);
+    for (const pane of panes) if (pane.lane) pane.tend(pane.lane);
     panes.forEach((pane, i) => pane.grow(now, began + ((until - began) * (i + 1)) / panes.length));
     for (const pane of panes) pane.drawTop(now);
   }

@@ -17,7 +17,7 @@ import { View } from "./view.js";
 const MARGIN = { left: 14, right: 14, top: 14, bottom: 14 };
 
 export class Workspace extends Pane {
-  /** @param {Record<LayerName, OffscreenCanvas>} canvases */
+  /** @param {Record<LayerName, HTMLCanvasElement | OffscreenCanvas>} canvases */
   constructor(canvases) {
     super(canvases);
     /** @type {Tracer | null} */

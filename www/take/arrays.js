@@ -83,13 +83,13 @@ async function mark(page, name, bytes) {
   if (all > MOST) throw new NpyError(`There are ${grouped(all)} configurations; at most ${grouped(MOST)} are shown.`);
   const wrong = data.findIndex((value) => !Number.isFinite(value));
   if (wrong >= 0) throw new NpyError(`Number ${wrong % n} of configuration ${Math.floor(wrong / n)} is not finite.`);
-  const free = await page.studio.ask("mark", [data]);
+  const free = page.run((session) => session.mark(data));
   const shown = line ?? ground(page);
   shown.dataset.free = String(free);
   shown.dataset.count = String(all);
   const clear = make("button", { type: "button" }, "Clear");
   clear.addEventListener("click", () => {
-    page.studio.tell("mark", null);
+    page.act((session) => session.mark(null));
     shown.hidden = true;
     byId("stage", HTMLElement).focus();
   });

@@ -1,9 +1,10 @@
 /**
- * What can be taken away of what is on the stage: pictures, drawn anew by the worker at the size that is asked for, and the
+ * What can be taken away of what is on the stage: pictures, drawn anew at the size that is asked for, and the
  * numbers behind them. Each says what it is, or why it is not to be had.
  */
 import { write } from "../controls/counters.js";
 import { byId, make } from "../controls/dom.js";
+import { Desk } from "../worker/take.js";
 import { writeNpy } from "../exchange/npy.js";
 import { showSnippets } from "./embed.js";
 import { countersCsv, json, nameOf, save } from "./files.js";
@@ -19,6 +20,7 @@ const noRun = ({ lanes }) => (lanes.some(({ status }) => status === "none") ? "N
 /** @param {Page} page */
 export function showTake(page) {
   const host = byId("take", HTMLElement);
+  const desk = new Desk(page.session);
   /** @type {Offer[]} */
   const offers = [];
   /** Counts what was begun: what was cancelled stops. */
@@ -59,7 +61,7 @@ export function showTake(page) {
       save(npy(vertices, dimension), `${label()}-vertices.npy`);
     }, noRun),
     offer("counters", "Counters", "CSV", "For a spreadsheet: a row for each iteration.", async () => {
-      const logs = await Promise.all(page.asked.map((_, i) => page.studio.ask("log", [i])));
+      const logs = await Promise.all(page.asked.map((_, i) => desk.log(i)));
       save(countersCsv(logs, page.asked), `${name(page.state?.lanes[0].made)}.csv`);
     }, noRun),
   );
@@ -107,7 +109,7 @@ export function showTake(page) {
   }
 
   /** The run whose numbers are asked for. */
-  function log() { return page.studio.ask("log", [Number(lane.value)]); }
+  function log() { return desk.log(Number(lane.value)); }
 
   /** What a file is about, at the time that is shown. @param {number} [time] */
   function name(time = page.state?.clock.now ?? 0) { return nameOf(page.facts?.name ?? "", page.asked, time); }
@@ -115,29 +117,28 @@ export function showTake(page) {
   /** The same of the planner that is chosen. @param {number} [time] */
   function label(time = page.state?.lanes[Number(lane.value)].iteration ?? 0) { return nameOf(page.facts?.name ?? "", [page.asked[Number(lane.value)]], time); }
 
-  /** Has the worker draw, slice by slice, and hands over what comes of it. @param {TakeRequest["kind"]} kind */
+  /** Draws, slice by slice, and hands over what comes of it. @param {TakeRequest["kind"]} kind */
   async function draw(kind) {
-    const { studio } = page;
     const mine = ++turn;
     const file = `${name()}.${kind}`;
     const began = performance.now();
     bar.value = 0;
     write(told, "");
     try {
-      await studio.ask("take", [{
+      desk.begin({
         kind, layout: layoutOfStage(), title: page.state?.summary[0] ?? "", ratio: Number(scale.value), width: Number(width.value), frames: Number(frames.value),
-      }]);
+      });
       progress.hidden = false;
       for (let part = 0; part < 1;) {
-        part = await studio.ask("takeStep", []);
+        part = await desk.step();
         bar.value = part;
         if (mine !== turn) {
-          await studio.ask("takeDrop", []);
+          desk.drop();
           write(told, "Cancelled.");
           return;
         }
       }
-      const blob = await studio.ask("takeEnd", []);
+      const blob = await desk.end();
       save(blob, file);
       write(told, `${file}, ${size(blob.size)}, in ${((performance.now() - began) / 1000).toFixed(1)} s.`);
     } finally {

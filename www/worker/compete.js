@@ -3,14 +3,14 @@
  * frame that is too short for all stops with all of them nearly level, whatever their iterations cost.
  */
 
-/** @import { Run } from "./run.js" */
+/** @import { Stepper } from "./stepper.js" */
 
 /** How far ahead of the next one a planner may plan before it is that one's turn; what is ahead is not shown. */
 const LEAD = 1000;
 
 /**
  * Plans until every run has passed a time or ended, or the frame is full.
- * @param {Run[]} runs
+ * @param {Stepper[]} runs
  * @param {number} column  of the history: the clock that all go by
  * @param {number} wanted  may be Infinity
  * @param {number} until   on the clock of performance.now(), milliseconds

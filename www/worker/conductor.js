@@ -1,15 +1,22 @@
 /**
  * Conducts the time of a theatre: what was asked of the transport becomes time that is wanted, and a frame at a time it goes on:
- * what the log has is replayed, what it has not is planned.
+ * what the log has is replayed, what it has not is planned by the worker, which plans the next block while one is drawn.
  */
-import { compete } from "./compete.js";
 
+/** @import { Growth } from "./stepper.js" */
 /** @import { Theatre } from "./theatre.js" */
+
+/** A time before all others: nothing more is planned. */
+export const NONE = -1;
 
 export class Conductor {
   /** @param {Theatre} theatre */
   constructor(theatre) {
     this.theatre = theatre;
+    /** Which runs the worker is planning for, by the number of the planning; -1: none. */
+    this.asking = -1;
+    /** Which runs the worker has. */
+    this.known = -1;
   }
 
   get clock() { return this.theatre.clock; }
@@ -77,8 +84,8 @@ export class Conductor {
     theatre.wake();
   }
 
-  /** Lets time go on. @param {number} elapsed  seconds @param {number} until @returns {boolean} whether anything changed */
-  pass(elapsed, until) {
+  /** Lets time go on. @param {number} elapsed  seconds @returns {boolean} whether anything changed */
+  pass(elapsed) {
     const { theatre, clock } = this;
     if (theatre.growing) clock.pass(elapsed);
     else if (clock.playing) this.travel(elapsed);
@@ -91,11 +98,63 @@ export class Conductor {
     }
     const before = clock.now;
     const wanted = Math.floor(clock.wanted);
-    const runs = theatre.lanes.flatMap(({ run }) => run ?? []);
-    const there = clock.isRace ? compete(runs, clock.column, wanted, until) : runs[0].advance(clock.column, wanted, until);
-    this.show(there ? wanted : Math.min(wanted, this.reached()));
+    this.show(Math.min(wanted, this.reached()));
     if (!theatre.growing) clock.rest();
+    else this.plan(wanted);
     return clock.now !== before;
+  }
+
+  /** Is the worker planning what is on the stage? */
+  get isAsking() { return this.asking === this.theatre.plannings; }
+
+  /** Has the worker plan up to a time, unless it is at it, or all is there. @param {number} wanted  may be Infinity */
+  plan(wanted) {
+    if (!this.isAsking && this.reached() < wanted) void this.ask(wanted, !this.clock.playing);
+  }
+
+  /** Asks for the results of the runs as they are now, where they are not known. */
+  conclude() {
+    if (!this.isAsking && this.theatre.lanes.some(({ run }) => run?.isNewest && !run.hasResult)) void this.ask(NONE, true);
+  }
+
+  /**
+   * Asks the worker for a block, and takes it in.
+   * @param {number} wanted  the time to come to @param {boolean} isResult  with the results, once it has come there
+   */
+  async ask(wanted, isResult) {
+    const { theatre, clock: { column } } = this;
+    const { plannings, lanes, shown } = theatre;
+    if (!shown) return;
+    const fresh = this.known === plannings ? null : { document: shown.document, plans: lanes.map((lane) => lane.order(theatre.query)) };
+    this.known = this.asking = plannings;
+    try {
+      const growths = await theatre.planners.ask("advance", [{ fresh, column, wanted, isResult }]);
+      if (theatre.plannings === plannings) this.take(growths);
+    } catch (error) {
+      if (this.isAsking) this.asking = -1;
+      if (theatre.plannings === plannings) theatre.fail(error);
+    } finally {
+      theatre.wake();
+    }
+  }
+
+  /** The worker has planned a block. @param {Growth[]} growths */
+  take(growths) {
+    const { theatre: { lanes }, clock } = this;
+    const isShown = lanes.every(({ run }) => run?.isNewest);
+    const isLatest = clock.now === clock.head;
+    growths.forEach((growth, i) => lanes[i].run?.take(growth));
+    this.asking = -1;
+    if (clock.owes) {
+      // The next block is planned while this one is drawn.
+      if (isShown) this.plan(Math.floor(clock.wanted));
+      return;
+    }
+    // Time was stopped meanwhile: what is made belongs to the log.
+    clock.head = Math.max(clock.head, this.limit);
+    if (!isLatest) return;
+    this.show(clock.head);
+    clock.rest();
   }
 
   /** The time that all planners have come to: those that have ended hold nobody up. */

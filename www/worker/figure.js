@@ -15,7 +15,7 @@ export class Figure extends SvgContext {
     super(width, height);
     this.width = width;
     this.height = height;
-    /** @type {OffscreenCanvas[]} */
+    /** @type {(OffscreenCanvas | ImageBitmap)[]} */
     this.images = [];
   }
 
@@ -28,9 +28,9 @@ export class Figure extends SvgContext {
   /** A pattern of pixels is of no use; stripes are given in its place. */
   createPattern() { return null; }
 
-  /** @param {OffscreenCanvas | { toDataURL(): string }} image  a canvas @param {number} x @param {number} y @param {number} width @param {number} height @override */
+  /** @param {OffscreenCanvas | ImageBitmap | { toDataURL(): string }} image @param {number} x @param {number} y @param {number} width @param {number} height @override */
   drawImage(image, x, y, width, height) {
-    this.images.push(/** @type {OffscreenCanvas} */ (image));
+    this.images.push(/** @type {OffscreenCanvas | ImageBitmap} */ (image));
     super.drawImage({ toDataURL: () => `${LATER}${this.images.length - 1};` }, x, y, width, height);
   }
 
@@ -48,8 +48,10 @@ export class Figure extends SvgContext {
 /** Stripes of a colour, as wide and as far apart as the stage has them. @param {string} colour @returns {Stripes} */
 export function stripes(colour) { return { colour, size: 5, width: 1.5 }; }
 
-/** @param {OffscreenCanvas} canvas @returns {Promise<string>} */
-async function dataUrl(canvas) {
+/** @param {OffscreenCanvas | ImageBitmap} image @returns {Promise<string>} */
+async function dataUrl(image) {
+  const canvas = image instanceof OffscreenCanvas ? image : new OffscreenCanvas(image.width, image.height);
+  if (canvas !== image) canvas.getContext("2d")?.drawImage(image, 0, 0);
   const bytes = new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer());
   let text = "";
   for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));

@@ -161,8 +161,8 @@ export function journeyOf(scenario, run, placed = null) {
   /** @param {Pick<ResultDocument, "motions">} result @returns {Course | null} */
   const courseOf = ({ motions }) => (placed && motions ? { placed, motions: motions.map(({ control, duration }) => [...control, duration]) } : null);
   if (run.status === "solved") {
-    const raw = run.rawLength > run.result.length ? run.planner.rawPath() : null;
-    return new Journey(scenario, run.planner.path(), { isProven, raw, course: courseOf(run.result) });
+    const raw = run.rawLength > run.result.length ? run.rawPath : null;
+    return new Journey(scenario, run.path, { isProven, raw, course: courseOf(run.result) });
   }
   const { approximate } = run.result;
   // A tree whose root is nearest to the goal has no way to show.

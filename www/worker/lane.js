@@ -68,11 +68,17 @@ export class Lane {
   /** The way to show: of a run at its end. @returns {Journey | null} */
   get journey() { return this.run && this.run.status !== "running" ? this.end : null; }
 
+  /** What the planner is asked, with the query. @param {string | undefined} query @returns {Plan} */
+  order(query) {
+    const { algorithm, settings } = this.plan;
+    return { algorithm, settings: query === undefined ? settings : { ...settings, query } };
+  }
+
   /** A new run. @param {string | undefined} query @param {Pick<typeof import("planarium"), "phases" | "planners">} library @throws {Error} the core would not plan this */
   start(query, library) {
     this.free();
-    const settings = query === undefined ? this.plan.settings : { ...this.plan.settings, query };
-    this.run = new Run(this.scenario, this.plan.algorithm, settings, library);
+    const { algorithm, settings } = this.order(query);
+    this.run = new Run(this.scenario, algorithm, settings, library);
   }
 
   /** How it stands beside others. @returns {Standing} */

@@ -48,8 +48,7 @@ export class Picture {
       const layers = LAYERS.map(() => makeCanvas(width, height));
       const pane = new KINDS[place.kind](/** @type {Record<LayerName, OffscreenCanvas>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, layers[i]]))));
       Object.assign(pane, { width, height });
-      // Obstacles that the stage has computed need not be computed again.
-      if (pane instanceof KINDS.cspace && place.pane instanceof KINDS.cspace) pane.cells = place.pane.cells;
+      if (pane instanceof KINDS.cspace) pane.painter = theatre.stage.painter;
       pane.glow.enabled = false;
       pane.layout(lane, { ...look, ratio });
       // Time goes on, or begins anew: no copies on the way.
@@ -66,7 +65,7 @@ export class Picture {
       if (run && time !== undefined) run.shown = run.iterationAt(column, time);
       for (;;) {
         const until = performance.now() + SLICE;
-        pane.tend(lane, until);
+        pane.tend(lane);
         pane.grow(0, until);
         if (pane.caughtUp && pane.isTended) break;
         yield;

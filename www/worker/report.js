@@ -15,7 +15,6 @@ export function report(theatre) {
   const [journey] = theatre.journeys;
   const pose = shown?.hand ?? (journey && journey.drawn >= 1 ? journey.configuration(journey.at) : null);
   return {
-    heard: theatre.heard,
     clock: { now: clock.now, head: clock.head, isRace: clock.isRace, unit: clock.unit, wanted: clock.wanted },
     playing: clock.playing,
     growing: theatre.growing,
@@ -49,7 +48,7 @@ function laneState({ plan, run, journey, scenario, standing }, settled) {
   }
   const { past, status } = run;
   const isEnd = settled && run.isNewest;
-  const stats = run.isNewest ? run.planner.stats() : null;
+  const stats = run.isNewest ? run.now.stats : null;
   return {
     algorithm: plan.algorithm, status, phase: run.phase, iteration: run.shown, made: run.made,
     vertices: past[PAST.vertices], edges: past[PAST.edges], checks: past[PAST.checks], motions: past[PAST.motions], evaluations: past[PAST.evaluations],

@@ -1,5 +1,5 @@
 /**
- * One run of one planner as the page holds it: the planner, the log of all it has grown, and the iteration that is shown.
+ * One run of one planner as the page holds it: the log of all it has grown in the worker, and the iteration that is shown.
  * The log is only ever added to, and each iteration has left a row of counts in it. So what an earlier iteration showed is
  * the beginning of the log up to its counts: going back costs no planning, and shows what a fresh run to there would.
  */
@@ -7,8 +7,10 @@ import { Frontier } from "./frontier.js";
 import { Kin } from "./kin.js";
 import { piecesOf } from "./pieces.js";
 import { Rows } from "./rows.js";
+import { grownSince } from "./stepper.js";
 
-/** @import { ResultDocument, Scenario, Settings } from "../types.js" */
+/** @import { Growth } from "./stepper.js" */
+/** @import { ResultDocument, Scenario, Settings, Stats, Status } from "../types.js" */
 
 /** Kinds of event, as the package numbers them. */
 export const EVENT = { rejected: 0, refused: 1, expanded: 2, solved: 3, discarded: 4, guard: 5, removed: 6 };
@@ -18,12 +20,6 @@ export const PAST = { vertices: 0, edges: 1, events: 2, phase: 3, checks: 4, mot
 
 /** Which root a vertex hangs from: none yet (a roadmap), the start, the goal. */
 export const SIDE = { none: 0, start: 1, goal: 2 };
-
-/** Iterations in one slice at most. */
-const LONGEST = 64;
-
-/** What one call of `advance` may grow at most, so that it can be drawn within the frame. */
-const BURST = { vertices: 400, edges: 240 };
 
 export class Run {
   /**
@@ -38,8 +34,8 @@ export class Run {
     this.algorithm = algorithm;
     this.settings = settings;
     this.phases = phases;
+    /** The same planner as the worker's, before its first iteration: it tells what no iteration changes. */
     this.planner = scenario.planner({ ...settings, algorithm });
-    this.planner.record();
     const dimension = this.planner.dimension;
     this.dimension = dimension;
     this.vertices = new Rows((n) => new Float64Array(n), dimension);
@@ -83,13 +79,22 @@ export class Run {
     this.circles = settings.metric === "naive" ? scenario.circles().fill(false) : scenario.circles();
     /** The iteration that is shown, 0 to `made`. */
     this.shown = 0;
-    this.ended = false;
-    /** @type {{ made: number, status: string, result: ResultDocument } | null} */
+    /** How it stands at the newest iteration. @type {{ status: Status, phase: string, stats: Stats }} */
+    this.now = { status: "running", phase: "", stats: this.planner.stats() };
+    /** @type {{ made: number, result: ResultDocument } | null} */
     this.known = null;
+    /** Once it has ended. @type {Float64Array} */
+    this.path = new Float64Array(0);
+    /** Once it has ended, and before it was shortened. @type {Float64Array} */
+    this.rawPath = new Float64Array(0);
     /** @type {ReturnType<typeof piecesOf> | null} */
     this.fallen = null;
-    this.history.add([this.planner.vertexCount, this.planner.edgeCount, this.planner.eventCount, Math.max(0, phases.indexOf(this.planner.phase)), 0, 0, 0, Infinity]);
-    this.fetch();
+    const { planner } = this;
+    this.take({
+      history: Float64Array.of(planner.vertexCount, planner.edgeCount, planner.eventCount, Math.max(0, phases.indexOf(planner.phase)), 0, 0, 0, Infinity),
+      ...grownSince(planner, { vertices: 0, edges: 0, events: 0 }), status: planner.status, phase: planner.phase, stats: planner.stats(), result: planner.result(),
+      path: null, rawPath: null,
+    });
   }
 
   /** Iterations made. */
@@ -102,10 +107,13 @@ export class Run {
   get isNewest() { return this.shown === this.made; }
 
   /** The status at the iteration that is shown. */
-  get status() { return this.isNewest ? this.planner.status : "running"; }
+  get status() { return this.isNewest ? this.now.status : "running"; }
+
+  /** Has the planner ended? */
+  get ended() { return this.now.status !== "running"; }
 
   /** The phase at the iteration that is shown. @returns {string} */
-  get phase() { return this.isNewest ? this.planner.phase : this.phases[this.past[PAST.phase]]; }
+  get phase() { return this.isNewest ? this.now.phase : this.phases[this.past[PAST.phase]]; }
 
   /** The last iteration made until a clock of the log has passed a value: column -1 counts iterations. @param {number} column @param {number} value */
   iterationAt(column, value) {
@@ -131,15 +139,6 @@ export class Run {
   /** What a clock of the log shows at the newest iteration made. @param {number} column */
   clock(column) { return this.clockAt(column, this.made); }
 
-  /**
-   * Is all made that belongs to a time? Iterations are counted; of another clock several may share a time, so that only the
-   * first one past it tells.
-   * @param {number} column @param {number} wanted
-   */
-  hasPassed(column, wanted) {
-    return this.ended || (column < 0 ? this.made >= wanted : this.clock(column) > wanted);
-  }
-
   /** The latest time of which everything is known to be made; Infinity once it has ended. @param {number} column */
   reached(column) {
     if (this.ended) return Infinity;
@@ -160,60 +159,19 @@ export class Run {
     return high;
   }
 
-  /** How far it may grow within a frame. */
-  burst() { return { vertices: this.planner.vertexCount + BURST.vertices, edges: this.planner.edgeCount + BURST.edges }; }
-
-  /**
-   * Plans until a clock of the log has passed `wanted`, the run ends, the time passes `until`, or as much has grown as a frame
-   * can draw. Slices are small at first and grow as long as they prove cheap, so that one slice never takes a frame.
-   * @param {number} column  of the history, -1 for iterations
-   * @param {number} wanted  may be Infinity
-   * @param {number} until   on the clock of performance.now(), milliseconds
-   * @param {{ vertices: number, edges: number }} [most]  how far it may grow
-   * @returns {boolean} whether it has come that far, or ended
-   */
-  advance(column, wanted, until, most = this.burst()) {
-    const planner = this.planner;
-    let slice = 1;
-    try {
-      while (!this.hasPassed(column, wanted)) {
-        if (planner.vertexCount >= most.vertices || planner.edgeCount >= most.edges) return false;
-        const began = performance.now();
-        if (began >= until) return false;
-        const left = column < 0 ? wanted - this.made : slice;
-        const made = this.made;
-        const status = planner.step(Math.min(slice, Math.ceil(left)));
-        this.history.add(planner.takeHistory());
-        this.ended = status !== "running";
-        const ended = performance.now();
-        const perIteration = (ended - began) / Math.max(1, this.made - made);
-        const room = (until - ended) / (2 * Math.max(perIteration, 1e-4));
-        slice = Math.max(1, Math.min(2 * slice, LONGEST, Math.floor(room)));
-      }
-      return true;
-    } finally {
-      this.fetch();
-    }
-  }
-
-  /** Fetches what has grown since the last call. */
-  fetch() {
-    const planner = this.planner;
-    if (planner.vertexCount > this.vertices.count) {
-      this.vertices.add(planner.verticesSince(this.vertices.count));
-      this.sides.add(new Uint8Array(this.vertices.count - this.sides.count));
-    }
-    if (planner.edgeCount > this.edges.count) {
-      const first = this.edges.count;
-      this.edges.add(planner.edgesSince(first));
-      if (this.isTree) this.inheritSides(first);
-      take(planner.tracesSince(first), this.traces, this.traced);
-      take(planner.motionsSince(first), this.motions, this.driven);
-    }
-    const first = this.events.count;
-    if (planner.eventCount > first) this.events.add(planner.eventsSince(first));
+  /** Takes in what has grown. @param {Growth} growth */
+  take({ history, vertices, edges, events, traces, motions, status, phase, stats, result, path, rawPath }) {
+    this.history.add(history);
+    this.vertices.add(vertices);
+    this.sides.add(new Uint8Array(this.vertices.count - this.sides.count));
+    const [firstEdge, firstEvent] = [this.edges.count, this.events.count];
+    this.edges.add(edges);
+    if (this.isTree && edges.length > 0) this.inheritSides(firstEdge);
+    take(traces, this.traces, this.traced);
+    take(motions, this.motions, this.driven);
+    this.events.add(events);
     const { data, width, count } = this.events;
-    for (let i = first; i < count; i++) {
+    for (let i = firstEvent; i < count; i++) {
       this.firsts[data[i * width]] ??= i;
       if (data[i * width] === EVENT.expanded) this.expanded++;
       else if (data[i * width] === EVENT.guard) this.guards++;
@@ -222,6 +180,10 @@ export class Run {
         this.removals.push(i);
       }
     }
+    this.now = { status, phase, stats };
+    if (result) this.known = { made: this.made, result };
+    if (path) this.path = path;
+    if (rawPath) this.rawPath = rawPath;
   }
 
   /** An edge from end to end: rows of configurations, between which it is as good as straight. @param {number} edge @returns {Float64Array} */
@@ -294,11 +256,12 @@ export class Run {
     return this.fallen;
   }
 
-  /** The result at the newest iteration, made once. */
+  /** Is the result at the newest iteration known? */
+  get hasResult() { return this.known?.made === this.made; }
+
+  /** The result at the newest iteration, where it is known: at its end always. @returns {ResultDocument} */
   get result() {
-    if (this.known?.made !== this.made || this.known.status !== this.planner.status) {
-      this.known = { made: this.made, status: this.planner.status, result: this.planner.result() };
-    }
+    if (!this.known || !this.hasResult) throw new Error("The result of this iteration has not been asked for.");
     return this.known.result;
   }
 

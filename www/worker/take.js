@@ -1,9 +1,10 @@
 /**
- * What can be taken away, made a slice at a time: the page asks for the next slice and is told how far it is, so that whoever
- * plans, plays or cancels meanwhile has a turn in between. One thing is made at a time.
+ * What can be taken away, made a slice at a time, so that whoever plans, plays or cancels meanwhile has a turn in between.
+ * One thing is made at a time.
  */
 import { GifWriter, paletteOf } from "../exchange/gif.js";
 import { SvgContext } from "../exchange/svg.js";
+import { NONE } from "./conductor.js";
 import { Figure, stripes } from "./figure.js";
 import { Picture, writeCaption } from "./picture.js";
 import { PAST } from "./run.js";
@@ -49,8 +50,9 @@ export class Desk {
     this.making = request.kind === "gif" ? this.gif(request) : request.kind === "svg" ? this.svg(request) : this.png(request);
   }
 
-  /** The next slice. @returns {number} how far it is, 0 to 1 */
-  step() {
+  /** The next slice, after others have had a turn. @returns {Promise<number>} how far it is, 0 to 1 */
+  async step() {
+    await new Promise((resolve) => setTimeout(resolve));
     const { making } = this;
     if (!making) throw fault("nothing-made", "Nothing is being made.");
     if (this.plannings !== this.theatre.plannings) {
@@ -162,17 +164,18 @@ export class Desk {
     return () => new Blob([writer.finish()], { type: "image/gif" });
   }
 
-  /** The log of a lane. @param {number} lane @returns {LaneLog} */
-  log(lane) {
+  /** The log of a lane. @param {number} lane @returns {Promise<LaneLog>} */
+  async log(lane) {
     const run = this.theatre.lanes[lane]?.run;
     if (!run) throw fault("no-run", "There is no run.");
-    const { history, dimension, planner } = run;
+    if (!run.hasResult) await this.theatre.conductor.ask(NONE, true);
+    const { history, dimension } = run;
     const isSolved = run.isNewest && run.status === "solved";
     return {
       phases: [...run.phases], width: history.width, history: history.slice(0, history.count).slice(), dimension,
       vertices: run.vertices.slice(0, run.past[PAST.vertices]).slice(),
-      path: isSolved ? planner.path() : null,
-      result: planner.result(),
+      path: isSolved ? run.path : null,
+      result: run.result,
     };
   }
 }

@@ -3,6 +3,7 @@
  * or is in the reader's hand. One frame at a time: a bounded slice of planning, then a bounded slice of drawing.
  */
 import { faultOf } from "../fault.js";
+import { once } from "../once.js";
 import { Stage } from "../stage/stage.js";
 import { Clock } from "./clock.js";
 import { Conductor } from "./conductor.js";
@@ -14,31 +15,39 @@ import { report } from "./report.js";
 import * as story from "./story.js";
 import { Turn } from "./turn.js";
 
+/** @import { Planners } from "../studio.js" */
+/** @import { Painting } from "./obstacles.js" */
 /** @import { Curves, Library, Plan, Pointer, Programme, Scenario, ScenarioDocument, SceneFacts, Source, State, ViewOptions } from "../types.js" */
 /** @import { Driving } from "./driving.js" */
 /** @import { Editor } from "./editor.js" */
 /** @import { Placed } from "../stage/placed.js" */
 /** @import { Shown } from "./lane.js" */
 
-/** Milliseconds of planning in a frame at most, and when inking new growth stops. */
-const PLANNING = 4.5;
+/** Milliseconds into a frame at which inking new growth stops. */
 const FRAME = 6;
 /** When inking stops where nothing plays and the reader waits for another time. */
 const REDRAW = 24;
 /** Measures kept in the browser's timeline before it is emptied. */
 const MEASURES = 20000;
 
+/** Fetched once. */
+export const placed = once(() => import("../stage/placed.js"));
+
 export class Theatre {
   /**
    * @param {Library} library
+   * @param {Planners} planners   the worker
    * @param {() => void} renew   makes a fresh core after the last one was lost
-   * @param {(state: State) => void} tell   hears what is to be told of each frame
    */
-  constructor(library, renew, tell) {
+  constructor(library, planners, renew) {
     this.library = library;
+    this.planners = planners;
     this.renew = renew;
-    this.tell = tell;
-    this.stage = new Stage();
+    /** Hears what is to be told of each frame. @type {(state: State) => void} */
+    this.tell = () => {};
+    /** Hears that what was told at rest no longer holds. */
+    this.onStir = () => {};
+    this.stage = new Stage((painting) => this.paint(painting), () => this.wake());
     this.clock = new Clock();
     this.conductor = new Conductor(this);
     this.turn = new Turn(this);
@@ -56,8 +65,8 @@ export class Theatre {
     this.refusal = null;
     /** All that was asked for is made and drawn. */
     this.settled = false;
-    /** The number of the newest order obeyed. */
-    this.heard = -1;
+    /** Something was asked for that no frame has shown yet. */
+    this.isStale = false;
     /** Once it was asked for. @type {Editor | null} */
     this.editor = null;
     /** Once it was asked for. @type {Driving | null} */
@@ -67,6 +76,14 @@ export class Theatre {
     this.measures = 0;
     /** How often there were new runs. */
     this.plannings = 0;
+  }
+
+  /** What bodies and cars need besides, fetched with the first of them. @param {Scenario} scenario @returns {Promise<Placed | null>} */
+  async placedOf(scenario) {
+    const { robot } = scenario.document();
+    if (robot.type !== "rigid_body" && robot.type !== "car") return null;
+    const { Placed } = await placed();
+    return new Placed(robot);
   }
 
   /** Puts a scenario on the stage; the one before it is freed. @param {Scenario} scenario @param {Programme} programme @param {Placed | null} placed @returns {SceneFacts} */
@@ -187,10 +204,20 @@ export class Theatre {
   }
 
   /** What was told at rest no longer holds. */
-  stir() { this.settled = false; }
+  stir() {
+    this.settled = false;
+    this.isStale = true;
+    this.onStir();
+    this.wake();
+  }
 
-  /** A pointer on a pane: the editor's while it is on. @param {Pointer} pointer @returns {boolean} whether it holds something */
-  pointer(pointer) { return this.editor?.on ? this.editor.pointer(pointer) : this.turn.point(pointer); }
+  /** A pointer on a pane: the editor's while it is on. @param {Pointer} pointer @returns {Promise<boolean>} whether it holds something */
+  async pointer(pointer) {
+    await this.turn.ready();
+    const isHeld = this.editor?.on ? this.editor.pointer(pointer) : this.turn.point(pointer);
+    this.wake();
+    return isHeld;
+  }
 
   /** Does any planner go on? */
   get growing() { return this.lanes.some(({ run }) => run && run.status === "running"); }
@@ -236,13 +263,16 @@ export class Theatre {
     } catch (error) {
       const { code } = faultOf(error);
       if (code === "") throw error;
-      if (code === "internal") this.recover();
-      else this.stop(error);
+      this.fail(error);
     }
   }
 
-  /** The planner cannot go on. @param {unknown} error */
-  stop(error) {
+  /** The planner cannot go on, or the core was lost. @param {unknown} error */
+  fail(error) {
+    if (faultOf(error).code === "internal") {
+      this.recover();
+      return;
+    }
     this.clock.halt();
     this.refusal = { error, lane: 0 };
     this.tell(report(this));
@@ -264,6 +294,18 @@ export class Theatre {
     this.refusal ??= { error, lane: 0 };
   }
 
+  /** Has the worker paint obstacles. @param {Painting} painting @returns {Promise<ImageBitmap | null>} null: it could not */
+  async paint(painting) {
+    try {
+      return await this.planners.ask("obstacles", [painting]);
+    } catch (error) {
+      this.fail(error);
+      return null;
+    } finally {
+      this.wake();
+    }
+  }
+
   /** @param {number} now */
   perform(now) {
     const { shown } = this;
@@ -275,16 +317,18 @@ export class Theatre {
     const elapsed = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = now;
     const { stage, clock } = this;
-    const moved = this.conductor.pass(elapsed, began + PLANNING);
+    const moved = this.conductor.pass(elapsed);
     const working = moved || !stage.caughtUp;
-    if (moved) this.stir();
+    if (moved) this.settled = false;
     this.turn.hover(shown);
     for (const { run } of this.lanes) run?.frontier.follow();
     for (const lane of this.lanes) lane.still = !clock.playing && !clock.owes && lane.run?.status === "running";
     stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
-    const resting = !clock.owes && (!clock.playing || !this.growing);
-    this.settled = resting && !this.driving?.moves && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isTended);
+    const resting = !clock.owes && !this.conductor.isAsking && (!clock.playing || !this.growing);
+    if (resting) this.conductor.conclude();
+    this.settled = !this.conductor.isAsking && resting && !this.driving?.moves && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isTended);
     if (working) this.measure(began);
+    this.isStale = false;
     this.tell(report(this));
     if (clock.playing || clock.owes || stage.busy || this.driving?.moves) this.wake();
   }

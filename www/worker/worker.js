@@ -1,158 +1,88 @@
 /**
- * The worker: it alone holds the WebAssembly, and draws what it plans, so that the page itself never waits for either.
- * It obeys messages `{ id, command, args }`, answers each with `{ id, value }` or `{ id, fault }`, and tells of each frame
- * with `{ state }`.
+ * The worker: planners are stepped here, and pictures are made that take longer than a frame, so that the page never waits for
+ * either. It obeys messages `{ id, command, args }` and answers each with `{ id, value }` or `{ id, fault }`.
  */
 import * as library from "planarium";
 import { faultOf } from "../fault.js";
-import { once } from "../once.js";
+import { compete } from "./compete.js";
+import { paintObstacles } from "./obstacles.js";
+import { Stepper, buffersOf } from "./stepper.js";
 import { drawThumbnail } from "./thumbnail.js";
-import { isPlaced } from "./names.js";
-import { Theatre } from "./theatre.js";
 
-/** @import { LayerName } from "../stage/layer.js" */
-/** @import { Placed } from "../stage/placed.js" */
-/** @import { DriveOrder, EditOrder, Look, PaneKind, Plan, Pointer, Programme, Scenario, Source, State, TakeRequest, ViewOptions } from "../types.js" */
+/** @import { Look, Plan, Scenario, ScenarioDocument, Source } from "../types.js" */
+/** @import { Painting } from "./obstacles.js" */
+/** @import { Growth } from "./stepper.js" */
+
+/**
+ * @typedef {object} Advance   what is to be planned
+ * @property {{ document: ScenarioDocument, plans: Plan[] } | null} fresh   new planners in place of those before
+ * @property {number} column     the column of their history that is the clock, -1 for iterations
+ * @property {number} wanted     the time to come to, as far as one block goes; below 0: none
+ * @property {boolean} isResult  once it has come there, with the results
+ */
 
 const port = /** @type {{ postMessage(message: unknown, transfer?: Transferable[]): void }} */ (/** @type {unknown} */ (self));
 
-/** Tells of a frame once its pictures have been handed over: what it says is drawn can be seen. @param {State} state */
-function tellAfterFrame(state) { setTimeout(() => port.postMessage({ state })); }
+/** Milliseconds of planning before what has grown is handed over. */
+const BLOCK = 12;
 
-/** @type {Theatre | undefined} */
-let theatre;
-function house() {
-  if (!theatre) throw new Error("The worker has not started.");
-  return theatre;
+/** @type {Scenario | null} */
+let scenario = null;
+/** @type {Stepper[]} */
+let steppers = [];
+
+/** @param {NonNullable<Advance["fresh"]>} fresh */
+function begin({ document, plans }) {
+  for (const stepper of steppers.splice(0)) stepper.free();
+  scenario?.free();
+  const opened = scenario = library.Scenario.parse(document);
+  steppers = plans.map(({ algorithm, settings }) => new Stepper(opened, algorithm, settings));
 }
 
-/** What is taken away is made here. */
-const desk = once(async () => new (await import("./take.js")).Desk(house()));
-const editor = once(() => import("./editor.js"));
-const driving = once(() => import("./driving.js"));
-const placed = once(() => import("../stage/placed.js"));
-
-/** While something is being fetched that the stage cannot do without, all else waits its turn. @type {Promise<unknown> | undefined} */
-let gate;
-
-/** What bodies and cars need besides, fetched with the first of them. @param {Scenario} scenario @returns {Promise<Placed | null>} */
-async function placedOf(scenario) {
-  const { robot } = scenario.document();
-  if (robot.type !== "rigid_body" && robot.type !== "car") return null;
-  const { Placed } = await placed();
-  return new Placed(robot);
+/** @template T @param {Source} source @param {(scenario: Scenario) => T} then @returns {T} */
+function within(source, then) {
+  const { Scenario } = library;
+  const opened = "generate" in source ? Scenario.generate(source.generate.kind, source.generate.options) : Scenario.parse(source.document);
+  try {
+    return then(opened);
+  } finally {
+    opened.free();
+  }
 }
 
 const commands = {
-  /** Loads the package. @param {WebAssembly.Module | ArrayBuffer} core  the WebAssembly, compiled or as bytes */
-  async start(core) {
-    await library.default(core);
-    theatre = new Theatre(library, () => library.initSync(core), tellAfterFrame);
-    return { planners: library.planners(), generators: library.generators(), version: library.version };
+  /** Loads the package. @param {WebAssembly.Module} core */
+  async start(core) { await library.default(core); },
+  /** Plans one block. @param {Advance} advance @returns {Growth[]} */
+  advance({ fresh, column, wanted, isResult }) {
+    if (fresh) begin(fresh);
+    const isThere = compete(steppers, column, wanted, performance.now() + BLOCK);
+    return steppers.map((stepper) => stepper.growth(isResult && isThere));
   },
-  /** @param {Source} source @param {Programme} programme */
-  async open(source, programme) {
-    const scenario = house().read(source);
-    const fetching = isPlaced(scenario.robot) ? placedOf(scenario) : null;
-    if (!fetching) return house().open(scenario, programme, null);
-    gate = fetching.catch(() => {});
-    try {
-      return house().open(scenario, programme, await fetching);
-    } finally {
-      gate = undefined;
-    }
-  },
-  /** @param {Plan[]} plans @param {boolean} play */
-  plan: (plans, play) => house().plan(plans, play),
-  /** @param {string} query @param {boolean} play */
-  ask: (query, play) => house().ask(query, play),
-  toggle: () => house().conductor.toggle(),
-  play: () => house().conductor.play(),
-  pause: () => house().conductor.pause(),
-  /** @param {number} steps */
-  step: (steps) => house().conductor.step(steps),
-  /** @param {number} time */
-  seek: (time) => house().conductor.seek(time),
-  finish: () => house().conductor.finish(),
-  reset: () => house().reset(),
-  /** @param {number} pace */
-  pace: (pace) => house().setPace(pace),
-  /** @param {number} part */
-  along: (part) => house().conductor.along(part),
-  curves: () => house().curves(),
-  turn: () => house().turn.change(),
-  /** @param {number[]} pose */
-  hold: (pose) => house().turn.hold(Float64Array.from(pose)),
-  /** @param {EditOrder} order */
-  async edit(order) {
-    const { editorOf } = await editor();
-    return editorOf(house()).obey(order);
-  },
-  /** @param {DriveOrder} order */
-  async drive(order) {
-    const { drivingOf } = await driving();
-    return drivingOf(house()).obey(order);
-  },
-  facts: () => house().facts(),
-  /** @param {Pointer} pointer */
-  async pointer(pointer) {
-    await house().turn.ready();
-    return house().pointer(pointer);
-  },
-  /** @param {number} vertex  -1: none */
-  inspect: async (vertex) => (await house().turn.ready()).choose(vertex),
-  /** @param {Partial<ViewOptions>} view */
-  view: (view) => house().setView(view),
-  /** @param {Look} look */
-  dress: (look) => house().stage.dress(look),
-  /** @param {string} id @param {PaneKind} kind @param {number} lane @param {Record<LayerName, OffscreenCanvas>} canvases */
-  pane: (id, kind, lane, canvases) => house().stage.add(id, kind, lane, canvases),
-  /** @param {string} id @param {number} width @param {number} height */
-  resize: (id, width, height) => house().stage.resize(id, width, height),
-  /** @param {string} id */
-  unpane: (id) => house().stage.remove(id),
-  /** @param {Float64Array | null} rows */
-  mark: (rows) => house().mark(rows),
-  /** @param {TakeRequest} request */
-  take: async (request) => (await desk()).begin(request),
-  takeStep: async () => (await desk()).step(),
-  takeEnd: async () => (await desk()).end(),
-  takeDrop: async () => (await desk()).drop(),
-  /** @param {number} lane */
-  log: async (lane) => (await desk()).log(lane),
-  randomSeed: () => library.randomSeed(),
-  /** Fetches what bodies and cars need, for when the network is gone. */
-  async provide() { await placed(); },
+  /** @param {Painting} painting @returns {ImageBitmap} */
+  obstacles: (painting) => within({ document: painting.document }, (opened) => paintObstacles(opened, painting)),
   /** @param {Source} source @param {number} side @param {Look} look @returns {ImageBitmap} */
-  thumbnail(source, side, look) {
-    const scenario = house().read(source);
-    try {
-      return drawThumbnail(scenario, side, look);
-    } finally {
-      scenario.free();
-    }
-  },
+  thumbnail: (source, side, look) => within(source, (opened) => drawThumbnail(opened, side, look)),
 };
 
 /** @typedef {typeof commands} Commands */
 
+/** The memory that a reply need not keep. @param {unknown} value @returns {Transferable[]} */
+function transferOf(value) {
+  if (value instanceof ImageBitmap) return [value];
+  return Array.isArray(value) ? value.flatMap(buffersOf) : [];
+}
+
 addEventListener("message", async ({ data: { id, command, args } }) => {
   try {
-    if (gate) await gate;
     const order = /** @type {(...args: unknown[]) => unknown} */ (commands[/** @type {keyof Commands} */ (command)]);
     const value = await order(...args);
-    if (theatre) {
-      // One that had to wait does not take back what was obeyed meanwhile.
-      theatre.heard = Math.max(theatre.heard, id);
-      theatre.wake();
-    }
-    port.postMessage({ id, value }, value instanceof ImageBitmap ? [value] : []);
+    port.postMessage({ id, value }, transferOf(value));
   } catch (error) {
     const fault = faultOf(error);
-    if (theatre) {
-      theatre.heard = Math.max(theatre.heard, id);
-      if (fault.code === "internal") theatre.recover();
-      theatre.wake();
+    if (fault.code === "internal") {
+      await library.default();
+      [scenario, steppers] = [null, []];
     }
     port.postMessage({ id, fault });
   }

@@ -1,0 +1,37 @@
+/** Runs whose planners are stepped in the test's own thread, as the worker steps those of the page. */
+import { phases, planners } from "planarium";
+import { Run } from "../../www/worker/run.js";
+import { Stepper } from "../../www/worker/stepper.js";
+
+/** @import { Scenario, Settings } from "../../www/types.js" */
+
+export class LocalRun extends Run {
+  /** @param {import("planarium").Scenario} scenario @param {string} algorithm @param {Settings} settings */
+  constructor(scenario, algorithm, settings) {
+    const own = /** @type {Scenario} */ (/** @type {unknown} */ (scenario));
+    super(own, algorithm, settings, { phases, planners });
+    this.stepper = new Stepper(own, algorithm, settings);
+  }
+
+  /** Plans until a clock has passed `wanted`, the run ends, or the time passes `until`. @param {number} column @param {number} wanted @param {number} [until] */
+  advance(column, wanted, until = Infinity) {
+    const isThere = this.stepper.advance(column, wanted, until);
+    this.fetch();
+    return isThere;
+  }
+
+  /** Takes in what has grown. */
+  fetch() { this.take(this.stepper.growth(true)); }
+
+  /** @override */
+  free() {
+    this.stepper.free();
+    super.free();
+  }
+}
+
+/** Plans a run to its end. @template {LocalRun} R @param {R} run @returns {R} */
+export function ended(run) {
+  while (!run.ended) run.advance(-1, Infinity);
+  return run;
+}

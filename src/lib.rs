@@ -62,7 +62,9 @@ pub mod world;
 pub use error::{Code, Error};
 pub use world::PlanningWorld;
 
-/// The examples of the README are run as tests.
+/// The examples of the README and the documentation are run as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
-pub struct ReadmeExamples;
+#[doc = include_str!("../docs/planners.md")]
+#[doc = include_str!("../docs/proof.md")]
+pub struct Examples;

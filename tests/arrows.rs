@@ -1,41 +1,8 @@
-//! The layers of the crate: each module uses only the modules that its line below lists.
+//! The layers of the crate: the table and the drawing in `docs/architecture.md` are what the code does.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
-
-/// Every module of `src`, from the ground up, and the modules that it may use.
-const LAYERS: &[(&str, &str)] = &[
-    ("error", ""),
-    ("json", "error"),
-    ("options", "error"),
-    ("random", "error"),
-    ("geometry", ""),
-    ("space", "geometry random"),
-    ("robot", "error geometry space"),
-    ("scenario", "error geometry json options random robot"),
-    ("problem", "error json random space"),
-    ("collision", "geometry problem random robot scenario space"),
-    ("world", "collision error geometry problem robot scenario space"),
-    ("graph", "problem space"),
-    ("nearest", "graph random space"),
-    ("sampling", "problem random space"),
-    ("path", "error geometry json problem random robot scenario space"),
-    ("planner", "error graph nearest options problem random sampling space"),
-    ("trajectories", "error geometry graph json options problem random"),
-    ("ik", "error geometry graph json options problem random robot scenario space world"),
-    ("driving", "collision error geometry problem robot scenario space world"),
-    (
-        "run",
-        "collision error geometry graph ik json nearest options path planner problem random robot sampling \
-         scenario space trajectories world",
-    ),
-    (
-        "bindings",
-        "driving error geometry ik json options path planner problem random robot run scenario trajectories \
-         world",
-    ),
-];
 
 /// What the core never contains: clocks, printing, globals, JavaScript, hashing and arithmetic that differs between platforms.
 const NEVER: &str = "Instant:: SystemTime println! eprintln! print!( dbg! static thread_local! wasm_bindgen js_sys web_sys \
@@ -79,34 +46,102 @@ fn code(path: &Path) -> String {
     text.lines().map(|line| line.split("//").next().unwrap_or("")).collect::<Vec<_>>().join("\n")
 }
 
-#[test]
-fn each_module_uses_only_modules_below_it() {
-    let mut seen = BTreeSet::new();
+/// Modules, each with those that it uses.
+type Arrows = BTreeMap<String, BTreeSet<String>>;
+
+fn architecture() -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/architecture.md"))
+        .expect("docs/architecture.md")
+}
+
+/// What the code uses.
+fn arrows_of_code() -> Arrows {
+    let mut arrows = Arrows::new();
     for (module, path) in modules() {
-        let line = LAYERS.iter().find(|(name, _)| *name == module);
-        let (_, allowed) = line.unwrap_or_else(|| panic!("{module} has no line in the list of this test"));
+        let used = arrows.entry(module.clone()).or_default();
         for after in code(&path).split("crate::").skip(1) {
             let named: String = after.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
-            // `crate::Error` is re-exported from `error`.
-            let named = if named == "Error" { "error".to_owned() } else { named };
-            // The macros at the root of the crate belong to `options`.
-            let named = if after[named.len()..].starts_with('!') { "options".to_owned() } else { named };
-            let is_allowed = named == module || allowed.split(' ').any(|name| name == named);
-            assert!(is_allowed, "{} uses {named}, which {module} may not", path.display());
+            let named = match &*named {
+                "Error" | "Code" => "error",
+                "PlanningWorld" => "world",
+                // The macros at the root of the crate belong to `options`.
+                _ if after[named.len()..].starts_with('!') => "options",
+                _ => &named,
+            };
+            if named != module {
+                used.insert(named.to_owned());
+            }
         }
-        seen.insert(module);
     }
-    assert_eq!(seen.len(), LAYERS.len(), "the list has a module that does not exist");
+    arrows
+}
+
+/// The rows of the table, from the top: a module, and the modules that it uses.
+fn rows_of_table() -> Vec<(String, BTreeSet<String>)> {
+    let text = architecture();
+    let table = text.split("| module | contents | uses |\n").nth(1).expect("the table of modules");
+    let rows = table.lines().skip(1).take_while(|line| line.starts_with("| `"));
+    rows.map(|row| {
+        let cells: Vec<&str> = row.trim_matches('|').split('|').map(str::trim).collect();
+        let used = cells[2].split(", ").filter(|name| *name != "–").map(str::to_owned).collect();
+        (cells[0].trim_matches('`').to_owned(), used)
+    })
+    .collect()
+}
+
+/// The arrows of the drawing, lines such as `a --> b & c`.
+fn arrows_of_drawing() -> Arrows {
+    let text = architecture();
+    let drawing = text.split("```mermaid\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a drawing");
+    let lines = drawing.lines().filter_map(|line| line.split_once(" --> "));
+    lines.map(|(from, to)| (from.trim().to_owned(), to.split(" & ").map(str::to_owned).collect())).collect()
+}
+
+/// Everything that can be reached from a module.
+fn reached(arrows: &Arrows, from: &str) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    let mut open = vec![from];
+    while let Some(module) = open.pop() {
+        open.extend(arrows[module].iter().map(String::as_str).filter(|next| found.insert((*next).to_owned())));
+    }
+    found
 }
 
 #[test]
-fn the_layers_have_no_cycle() {
-    for (i, (module, allowed)) in LAYERS.iter().enumerate() {
-        for named in allowed.split_whitespace() {
-            let at = LAYERS.iter().position(|(name, _)| *name == named).expect("a module of the list");
-            assert!(at < i, "{module} may use {named}, which is above it");
+fn the_table_of_modules_is_what_the_code_uses() {
+    let (code, table) = (arrows_of_code(), rows_of_table());
+    for (module, used) in &code {
+        let row = table.iter().find(|(name, _)| name == module);
+        let (_, listed) = row.unwrap_or_else(|| panic!("{module} has no row in docs/architecture.md"));
+        let expected = used.iter().map(String::as_str).collect::<Vec<_>>().join(", ");
+        assert_eq!(listed, used, "{module} uses {expected}: correct its row in docs/architecture.md, or the code");
+    }
+    assert_eq!(table.len(), code.len(), "docs/architecture.md has a row for a module that does not exist");
+}
+
+#[test]
+fn modules_use_only_modules_below_them() {
+    let table = rows_of_table();
+    for (i, (module, used)) in table.iter().enumerate() {
+        for named in used {
+            let at = table.iter().position(|(name, _)| name == named).expect("a module of the table");
+            assert!(at > i, "{module} uses {named}, which is above it");
         }
     }
+}
+
+#[test]
+fn the_drawing_has_an_arrow_wherever_there_is_no_longer_way() {
+    let arrows: Arrows = rows_of_table().into_iter().collect();
+    let is_short = |used: &BTreeSet<String>, to: &String| !used.iter().any(|via| reached(&arrows, via).contains(to));
+    let expected: Arrows = arrows
+        .iter()
+        .map(|(from, used)| {
+            (from.clone(), used.iter().filter(|to| is_short(used, to)).cloned().collect::<BTreeSet<_>>())
+        })
+        .filter(|(_, used)| !used.is_empty())
+        .collect();
+    assert_eq!(arrows_of_drawing(), expected);
 }
 
 #[test]

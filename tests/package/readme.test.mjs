@@ -1,58 +1,119 @@
-/** The quick starts of the README, run as they stand: npm in the installed tarball, the command line in a shell. */
+/** The examples and links of the README and of docs/: scripts run in the installed tarball, commands in a shell, documents are parsed. */
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
+import { copyFileSync, existsSync, readFileSync, readdirSync, statSync } from "node:fs";
+import { dirname, join } from "node:path";
 import { test } from "node:test";
+import { Scenario } from "planarium";
 import { root } from "../../scripts/run.mjs";
 import { targetFolder } from "../../scripts/setup.mjs";
 import { addFiles, emptyFolder, install, pack } from "./packed.mjs";
 
-const readme = readFileSync(join(root, "README.md"), "utf8");
+const names = ["README.md", "CHANGELOG.md", ...readdirSync(join(root, "docs"), { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".md")).map((name) => `docs/${name}`)];
+const texts = new Map(names.map((name) => [name, readFileSync(join(root, name), "utf8")]));
 
-/**
- * The blocks of code in a language.
- * @param {string} language
- * @param {number} count  how many there are
- */
-function blocks(language, count) {
-  const found = Array.from(readme.matchAll(new RegExp(`^\`\`\`${language}\n([^]*?)^\`\`\`$`, "gm")), ([, code]) => code);
-  assert.equal(found.length, count, `blocks of ${language}`);
-  return found;
+/** A text of the repository. @param {string} name */
+const textOf = (name) => texts.get(name) ?? assert.fail(`there is no ${name}`);
+
+/** The code blocks of a text in one language. @param {string} name @param {string} language */
+function blocks(name, language) {
+  return Array.from(textOf(name).matchAll(new RegExp(`^\`\`\`${language}\n([^]*?)^\`\`\`$`, "gm")), ([, code]) => code);
 }
 
-test("the quick starts of npm plan paths, find neighbours, reach, and add trajectories", () => {
-  const folder = install(pack());
-  const printed = blocks("js", 5).map((code, i) => {
-    addFiles(folder, { [`quick-start-${i}.mjs`]: code });
-    return execFileSync(process.execPath, [`quick-start-${i}.mjs`], { cwd: folder, encoding: "utf8" });
-  });
-  assert.match(printed[0], /^solved \d+\.\d+\n$/);
-  assert.match(printed[1], /^(?:solved [1-9]\d* motions\n){2}3\n$/);
-  assert.match(printed[2], /^\d+ of 10 by the forest; the tree looked at \d+ of 20000, as far as \d\.\d\d\n$/);
-  assert.match(printed[3], /^reached true [1-4]\ntrue \[ [\d.]+, [-\d.e]+ \]\n$/);
-  assert.match(printed[4], /^solved 500 \d+\nFloat64Array\(2\) \[ 0\.0996917333733128, 0\.007845909572784495 \]\n$/);
-});
+/** The expected output of each JavaScript example. @type {Record<string, RegExp[]>} */
+const PRINTED = {
+  "README.md": [/^solved \d+ vertices, \d+ edges \d\.\d+\n$/],
+  "docs/javascript.md": [
+    /^solved solved solved\n$/,
+    /^(?:solved [1-9]\d* motions\n){2}3\n$/,
+    /^the forest found \d+ of 10; the tree visited \d+ of 20000, up to \d\.\d\d\n$/,
+    /^reached true [1-4]\ntrue \[ [\d.]+, [-\d.e]+ \]\n$/,
+    /^solved 500 \d+\nFloat64Array\(2\) \[ 0\.0996917333733128, 0\.007845909572784495 \]\n$/,
+  ],
+};
 
-test("the quick start of the command line plans a path that is valid", () => {
-  const lines = blocks("sh", 1)[0].trim().split("\n");
-  // Installing is building and copying: the program that the other tests have built serves, on the PATH of a shell.
-  assert.equal(lines.shift(), "cargo install --path . --features cli --quiet");
-  execFileSync("cargo", ["test", "--no-run", "--locked", "--quiet", "--features", "cli,schema", "--test", "all"], { cwd: root, stdio: "inherit" });
-  const folder = emptyFolder();
-  mkdirSync(join(folder, "bin"));
-  copyFileSync(join(targetFolder(), "debug", "planarium"), join(folder, "bin", "planarium"));
-  const env = { ...process.env, PATH: `${join(folder, "bin")}:${process.env.PATH}` };
-  const printed = execFileSync("sh", ["-ec", lines.join("\n")], { cwd: folder, env, encoding: "utf8" });
-  assert.match(printed, /valid/);
-  assert.match(printed, /rrt-connect/);
-  for (const [name, planner] of [["result", "rrt-connect"], ["driven", "rrt-control"]]) {
-    const result = JSON.parse(readFileSync(join(folder, `${name}.json`), "utf8"));
-    assert.deepEqual([result.status, result.planner], ["solved", planner]);
+test("every JavaScript example runs in the installed package", () => {
+  const folder = install(pack());
+  for (const name of names) {
+    const examples = blocks(name, "js");
+    const expected = PRINTED[name] ?? [];
+    assert.equal(examples.length, expected.length, `examples in ${name}`);
+    examples.forEach((code, i) => {
+      addFiles(folder, { "example.mjs": code });
+      assert.match(execFileSync(process.execPath, ["example.mjs"], { cwd: folder, encoding: "utf8" }), expected[i], `${name}, example ${i + 1}`);
+    });
   }
 });
 
-test("the two commands are scripts of the project", () => {
+test("every shell example runs, and its paths are valid", () => {
+  // To install is to build and to copy: the program that the native tests use is copied instead.
+  const installation = "cargo install --path . --features cli --quiet\n";
+  execFileSync("cargo", ["test", "--no-run", "--locked", "--quiet", "--features", "cli,schema", "--test", "all"], { cwd: root, stdio: "inherit" });
+  const programs = emptyFolder();
+  copyFileSync(join(targetFolder(), "debug", "planarium"), join(programs, "planarium"));
+  const env = { ...process.env, PATH: `${programs}:${process.env.PATH}` };
+  for (const name of ["README.md", "docs/command-line.md"]) {
+    const examples = blocks(name, "sh");
+    assert.ok(examples[0].startsWith(installation), name);
+    for (const example of examples) {
+      const commands = example.replace(installation, "");
+      const folder = emptyFolder();
+      const printed = execFileSync("sh", ["-ec", commands], { cwd: folder, env, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+      if (commands.includes("verify")) assert.match(printed, /"valid":true/, commands);
+      for (const [, file] of commands.matchAll(/--out (\S+)/g)) {
+        assert.equal(JSON.parse(readFileSync(join(folder, file), "utf8")).status, "solved", file);
+      }
+    }
+  }
+});
+
+test("every JSON example is a scenario", () => {
+  const examples = names.flatMap((name) => blocks(name, "json"));
+  assert.ok(examples.length > 0);
+  for (const example of examples) assert.ok(Scenario.parse(example).check(JSON.parse(example).queries[0].start).free);
+});
+
+test("no example is left out: code is JavaScript, Rust, JSON, shell, or one of the kinds that are not run", () => {
+  const known = ["js", "rust", "json", "sh", "html", "python", "diff", "mermaid"];
+  for (const [name, text] of texts) {
+    const opened = text.split("\n").filter((line) => line.startsWith("```")).filter((_, i) => i % 2 === 0);
+    for (const line of opened) assert.ok(known.includes(line.slice(3)), `${name}: ${line}`);
+    const isDoctested = readFileSync(join(root, "src", "lib.rs"), "utf8").includes(`include_str!("../${name}")`);
+    if (opened.includes("```rust")) assert.ok(isDoctested, `src/lib.rs includes ${name}`);
+  }
+});
+
+/** The anchor of a heading, as GitHub forms it. @param {string} heading */
+const anchorOf = (heading) => heading.toLowerCase().replace(/[^\w\- ]/g, "").replaceAll(" ", "-");
+
+test("every link leads to a file, and to a heading in it", () => {
+  let count = 0;
+  for (const [name, text] of texts) {
+    for (const [, link] of text.matchAll(/\]\((?!https?:)([^)\s]+)\)/g)) {
+      const [path, anchor] = link.split("#");
+      const file = join(dirname(name), path === "" ? name.replace(/.*\//, "") : path);
+      // The small page is added by itself; until then its link leads nowhere.
+      assert.ok(existsSync(join(root, file)) || file === "examples/minimal.html", `${name} links to ${link}`);
+      const headings = (texts.get(file) ?? "").split("\n").filter((line) => /^#+ /.test(line)).map((line) => anchorOf(line.replace(/^#+ /, "")));
+      if (anchor !== undefined) assert.ok(headings.includes(anchor), `${name} links to ${link}`);
+      count++;
+    }
+  }
+  assert.ok(count > 20, `${count} links`);
+});
+
+test("the README is short, and its picture light", () => {
+  const readme = textOf("README.md");
+  assert.ok(readme.split("\n").length <= 181, "at most 180 lines");
+  const pictures = Array.from(readme.matchAll(/!\[[^\]]+\]\(([^)]+)\)/g), ([, path]) => path);
+  assert.equal(pictures.length, 1);
+  assert.equal(readFileSync(join(root, pictures[0])).subarray(0, 6).toString("latin1"), "GIF89a");
+  assert.ok(statSync(join(root, pictures[0])).size < 400_000);
+});
+
+test("every command of npm that is mentioned is a script of the project", () => {
   const { scripts } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
-  for (const [, name] of readme.matchAll(/\| `npm (\w+)` \|/g)) assert.ok(name in scripts, name);
+  const mentioned = names.flatMap((name) => Array.from(textOf(name).matchAll(/`npm (?:run )?([\w:]+)`/g), ([, script]) => script)).filter((script) => script !== "pack");
+  assert.ok(mentioned.includes("start") && mentioned.includes("test"));
+  for (const script of mentioned) assert.ok(script in scripts, script);
 });

@@ -1,12 +1,12 @@
 /**
- * `npm run bench:page`: what the page costs in Chromium, and its readers and writers of files in Node.
+ * `npm run bench:page`: the costs of the pages in Chromium, and of their readers and writers of files in Node.
  *
- * Each figure is the median of several rounds, against the bound that it is to stay below; one beyond it fails the run. On a
- * machine with other things to do figures of passed time are larger; those of processor time, marked "cpu", are not.
+ * Each figure is the median of several rounds and has a bound; a figure above its bound fails the run. On a busy machine figures of
+ * elapsed time are larger; those of processor time, marked "cpu", are not.
  *
  *   npm run bench:page [-- TEXT]    only figures whose name contains the text
  *
- * It takes what is built (`npm run build`), and Chromium from CHROMIUM or from where Debian puts it.
+ * It uses the existing build (`npm run build`), and Chromium from CHROMIUM or from Debian's path.
  */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -28,7 +28,7 @@ import { Places } from "../www/stage/places.js";
 /** @param {number[]} values */
 const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
 
-/** Milliseconds of processor that work in this process takes. @param {() => unknown} work */
+/** The processor time of some work in this process, in milliseconds. @param {() => unknown} work */
 async function used(work) {
   const before = process.cpuUsage();
   await work();
@@ -36,7 +36,7 @@ async function used(work) {
   return (user + system) / 1000;
 }
 
-/** How long the page's own thread and its worker's worked at each of their tasks meanwhile, milliseconds of processor time. @param {Page} page @param {() => Promise<void>} meanwhile */
+/** The processor time of each task of the page's thread and of its worker's thread during some work, in milliseconds. @param {Page} page @param {() => Promise<void>} meanwhile */
 async function tasks(page, meanwhile) {
   const browser = page.context().browser() ?? assert.fail("no browser");
   await browser.startTracing(page, { categories: ["disabled-by-default-devtools.timeline", "__metadata"] });
@@ -50,14 +50,14 @@ async function tasks(page, meanwhile) {
   return { page: of(/^CrRendererMain$/), worker: of(/DedicatedWorker/) };
 }
 
-/** @param {Page} page @param {() => Promise<void>} meanwhile  the page's longest task, which all that is clicked then waits for */
+/** @param {Page} page @param {() => Promise<void>} meanwhile  returns the page's longest task: the longest delay of a click */
 async function longest(page, meanwhile) {
   const { page: all } = await tasks(page, meanwhile);
   assert.ok(all.length > 30, `${all.length} tasks`);
   return Math.max(...all);
 }
 
-/** A page's figure. @param {(page: Page) => Promise<number>} measure @param {import("../tests/page/browser.mjs").Options} [options] @param {string} [path] */
+/** Measures on a new page. @param {(page: Page) => Promise<number>} measure @param {import("../tests/page/browser.mjs").Options} [options] @param {string} [path] */
 async function shown(measure, options = {}, path = "") {
   let figure = NaN;
   await onPage({ reducedMotion: "reduce", ...options }, async (page) => {
@@ -67,7 +67,7 @@ async function shown(measure, options = {}, path = "") {
   return figure;
 }
 
-/** The median of the work of the frames in which something grew. @param {Page} page @param {() => Promise<unknown>} meanwhile */
+/** The median time of the frames in which something grew. @param {Page} page @param {() => Promise<unknown>} meanwhile */
 async function frameOf(page, meanwhile) {
   await worker(page).evaluate(() => performance.clearMeasures("planarium-frame"));
   await meanwhile();
@@ -76,7 +76,7 @@ async function frameOf(page, meanwhile) {
   return median(times);
 }
 
-/** A roadmap of 20,000 edges grows. @param {Page} page */
+/** Prepares a roadmap; the function returned grows it to 20,000 edges. @param {Page} page */
 async function growMany(page) {
   await chooseScene(page, "thicket");
   await page.selectOption("#planner", "prm");
@@ -110,7 +110,7 @@ const FIGURES = [
       await worker(page).evaluate(() => performance.clearMeasures("planarium-frame"));
       const worked = await tasks(page, grow);
       const count = await worker(page).evaluate(() => performance.getEntriesByName("planarium-frame").length);
-      // Between the frames that grow lie small tasks: the hardest ones are taken for those that grow.
+      // There are small tasks between the frames; the longest tasks are counted as the frames.
       return median(worked.worker.sort((a, b) => a - b).slice(-count));
     }, { deviceScaleFactor: 2 }),
   },

@@ -1,13 +1,13 @@
 /**
- * From Rust and JavaScript to what is served and published:
+ * Builds the npm package and the pages:
  *
  *   dist/glue/     wasm-bindgen's output, optimized
  *   dist/types/    declarations of the package, from the JSDoc types
- *   dist/package/  what `npm pack` publishes
- *   dist/page/     the static page
- *   dist/planarium.html   the same in one file
+ *   dist/package/  the files that `npm pack` publishes
+ *   dist/page/     the static pages
+ *   dist/planarium.html   the planner's page in one file
  *
- * `node scripts/build.mjs` builds all, `node scripts/build.mjs package` leaves the page out.
+ * `node scripts/build.mjs` builds everything, `node scripts/build.mjs package` only the package.
  */
 import { createHash } from "node:crypto";
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
@@ -24,10 +24,10 @@ const dist = join(root, "dist");
 const glue = join(dist, "glue");
 const types = join(dist, "types", "planarium");
 
-/** Best of -O2, -O3, -O4, -Os and -Oz in size and speed together; the features are those that rustc has written into the module. */
+/** The best trade-off of size and speed among -O2, -O3, -O4, -Os and -Oz. The features are those that rustc wrote into the module. */
 const OPTIMIZE = ["-O3"];
 
-/** What is hot says so itself: with this, level 2 is as small as level "s" and plans a seventh faster. */
+/** Hot functions are marked `#[inline]`; with this threshold level 2 is as small as level "s", and plans a seventh faster. */
 const INLINE_LESS = "-Cllvm-args=-inline-threshold=10";
 
 /** Compiles the crate and assembles the package. */
@@ -41,7 +41,7 @@ export async function buildPackage() {
   await assemblePackage();
 }
 
-/** The glue and the crate must come from the same wasm-bindgen, or they do not understand each other. */
+/** Fails unless the glue and the crate use the same version of wasm-bindgen: other versions are incompatible. */
 function requireOneBindgen() {
   const crate = lockedVersion("wasm-bindgen");
   const tool = lockedVersion("wasm-bindgen-cli-support");
@@ -54,7 +54,7 @@ function requireOneBindgen() {
 
 /** @returns {Promise<string>} path of the compiled module */
 async function compileCrate() {
-  // The module must not tell where it was built: paths of the toolchain and of crates are cut short.
+  // The module must not contain paths of this machine: those of the toolchain and of crates are shortened.
   const crates = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "registry", "src");
   const toolchain = ask("rustc", ["--print", "sysroot"]) ?? "";
   const cut = [[crates, "crates"], [toolchain, "rust"], [root, "planarium"]];
@@ -65,7 +65,7 @@ async function compileCrate() {
 }
 
 /**
- * Writes the glue and the optimized module, unless they are there already for this very input.
+ * Writes the glue and the optimized module, unless they exist for the same input.
  * @param {string} wasm
  */
 async function makeGlue(wasm) {
@@ -79,7 +79,7 @@ async function makeGlue(wasm) {
   rmSync(glue, { recursive: true, force: true });
   mkdirSync(glue, { recursive: true });
   await run("cargo", [...QUICK_TOOL, "run", "--quiet", "--locked", "-p", "planarium-bindgen", "--", wasm, glue]);
-  // The package's own entry is planarium.js; the generated file steps back.
+  // The entry of the package is js/planarium.js, so the generated file gets another name.
   const script = readFileSync(join(glue, "planarium.js"), "utf8").replace(/^\/\* @ts-self-types=.*\*\/\n/, "");
   writeFileSync(join(glue, "planarium_glue.js"), script);
   rmSync(join(glue, "planarium.js"));
@@ -123,8 +123,8 @@ async function assemblePackage() {
 }
 
 /**
- * Moves the files of a fresh folder into one that may be in use meanwhile: what is the same there stays untouched, what is not fresh
- * goes.
+ * Moves the files of a new folder into one that may be in use: equal files stay untouched, files that are not in the new folder are
+ * removed.
  * @param {string} fresh
  * @param {string} place
  */
@@ -139,7 +139,7 @@ function takeOver(fresh, place) {
   rmSync(fresh, { recursive: true });
 }
 
-/** The declarations that the entry reaches; those of inner modules stay at home. */
+/** The declarations that the entry imports, directly or indirectly. */
 function publicDeclarations() {
   const reached = new Set(["planarium.d.ts"]);
   for (const name of reached) {

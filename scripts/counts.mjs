@@ -1,11 +1,11 @@
-/** How many tests passed and failed, read from what the test programs print. */
+/** The numbers of passed and failed tests, parsed from the output of test programs. */
 
 /** @typedef {{ passed: number, failed: number }} Counts */
 
 /**
- * Sum over every `test result:` line, as cargo's and wasm-bindgen's harnesses print one for each test program.
+ * The sum over every `test result:` line; the harnesses of cargo and wasm-bindgen print one per test program.
  * @param {string} output
- * @returns {Counts | undefined} undefined when there is no such line
+ * @returns {Counts | undefined} undefined if there is no such line
  */
 export function countsOfHarness(output) {
   const results = [...output.matchAll(/^test result: \w+\. (\d+) passed; (\d+) failed;/gm)];
@@ -19,7 +19,7 @@ export function countsOfHarness(output) {
 /**
  * The totals at the end of a report in TAP, as Node's test runner writes it. Cancelled tests count as failed.
  * @param {string} tap
- * @returns {Counts | undefined} undefined when the totals are not there
+ * @returns {Counts | undefined} undefined if the totals are missing
  */
 export function countsOfTap(tap) {
   const [passed, failed, cancelled] = ["pass", "fail", "cancelled"].map((word) => tap.match(new RegExp(`^# ${word} (\\d+)$`, "m"))?.[1]);

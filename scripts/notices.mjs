@@ -1,4 +1,4 @@
-/** Licences of what is compiled into the WebAssembly module, as their authors ask. */
+/** The licences of the crates that are compiled into the WebAssembly module. */
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { Problem, ask } from "./run.mjs";
@@ -11,7 +11,7 @@ import { Problem, ask } from "./run.mjs";
  * @param {string} path
  */
 export function writeNotices(path) {
-  /** @type {Map<string, string[]>} names of crates by licence text, so that equal texts stand once */
+  /** @type {Map<string, string[]>} the names of crates by licence text, so that equal texts appear once */
   const byText = new Map();
   for (const crate of linkedCrates()) {
     const text = licenceText(crate);
@@ -22,7 +22,7 @@ export function writeNotices(path) {
   writeFileSync(path, [opening, ...sections].join(`\n${"-".repeat(80)}\n\n`));
 }
 
-/** @returns {Package[]} the crates in the module, without those that only run at compile time, by name */
+/** @returns {Package[]} the crates in the module by name, without those that only run at compile time */
 function linkedCrates() {
   const answer = ask("cargo", ["metadata", "--format-version", "1", "--locked", "--filter-platform", "wasm32-unknown-unknown"]);
   if (answer === undefined) throw new Problem("`cargo metadata` failed.");
@@ -43,7 +43,7 @@ function linkedCrates() {
 }
 
 /**
- * The MIT text where a crate offers it, otherwise all its licence files.
+ * The MIT text if the crate has one, otherwise all its licence files.
  * @param {Package} crate
  */
 function licenceText(crate) {

@@ -1,4 +1,4 @@
-/** The page, built around the package: as files to be served, and as one file to be opened. */
+/** Builds the pages around the package: as files for a web server, and as one file. */
 import { createHash } from "node:crypto";
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -84,7 +84,7 @@ export function assembleOneFile() {
   rmSync(made, { recursive: true, force: true });
   const inside = { sourcemap: false, alias: { planarium: join(dist, "package", "planarium.js") } };
   joinModules(join(page, "main.js"), join(made, "main.js"), inside);
-  // The worker is handed the compiled module: the package need not know where it lies.
+  // The worker receives the compiled module, so the package needs no address.
   joinModules(join(page, "worker", "worker.js"), join(made, "worker.js"), { ...inside, format: "iife", logOverride: { "empty-import-meta": "silent" } });
   joinModules(join(page, "style", "style.css"), join(made, "style.css"), { sourcemap: false });
   const style = text(join(made, "style.css"));
@@ -98,7 +98,7 @@ export function assembleOneFile() {
     .replace(/<meta http-equiv="Content-Security-Policy"[^>]*>/, () => `<meta http-equiv="Content-Security-Policy" content="${policy}">`)
     .replace(/href="icon.svg"/, () => `href="${icon}"`)
     .replace(/ *<link rel="(preload|modulepreload)"[^>]*>\n/g, "")
-    // There is no other page beside a file on its own.
+    // A single file has no other pages to link to.
     .replace(/ *<!-- rooms -->\n/, "")
     .replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${style}</style>`)
     .replace(/ *<script type="module"[^>]*><\/script>\n/, "")
@@ -115,11 +115,11 @@ const script = await new Response(new Blob([bytes]).stream().pipeThrough(new Dec
 await import(URL.createObjectURL(new Blob([script], { type: "text/javascript" })));
 `;
 
-/** As a content security policy names it. @param {string} text */
+/** The hash of a text as a content security policy contains it. @param {string} text */
 function hashOf(text) { return `'sha256-${createHash("sha256").update(text).digest("base64")}'`; }
 
 /**
- * Joins an entry and all it imports into one file.
+ * Bundles an entry and all its imports into one file.
  * @param {string} entry
  * @param {string} out
  * @param {import("esbuild").BuildOptions} [more]

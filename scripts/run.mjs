@@ -1,12 +1,12 @@
-/** Running other programs: output goes where it should, and a failure names the command. */
+/** Running other programs, with errors that name the command. */
 import { spawn, spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
-/** Root of the project; every command runs here. */
+/** The root of the project, and the working directory of every command. */
 export const root = fileURLToPath(new URL("..", import.meta.url));
 
-/** A failure that needs no stack trace: the message says what to do. */
+/** An expected failure whose message says what to do; it is printed without a stack trace. */
 export class Problem extends Error {}
 
 /** @param {string} path @throws {Problem} */
@@ -15,12 +15,12 @@ export function requireFile(path) {
 }
 
 /**
- * Runs a program to its end, its output on our standard error, so that standard output stays free for results.
+ * Runs a program to its end. Its output goes to standard error, so that standard output is free for results.
  * @param {string} command
  * @param {string[]} args
  * @param {{ env?: Record<string, string | undefined>, cwd?: string }} [options]
  * @returns {Promise<void>}
- * @throws {Problem} when it cannot be started or does not exit with 0
+ * @throws {Problem} if it cannot be started or does not exit with 0
  */
 export async function run(command, args, options = {}) {
   const code = await exitCode(command, args, options, ["ignore", 2, 2]);
@@ -28,7 +28,7 @@ export async function run(command, args, options = {}) {
 }
 
 /**
- * Runs a program to its end, shows its output as it comes and returns it too.
+ * Runs a program to its end, prints its output as it arrives, and returns it.
  * @param {string} command
  * @param {string[]} args
  * @param {{ env?: Record<string, string | undefined>, cwd?: string }} [options]
@@ -44,7 +44,7 @@ export async function watch(command, args, options = {}) {
 }
 
 /**
- * Standard output of a short command, or undefined when it cannot be run or fails.
+ * The standard output of a short command, or undefined if it cannot be run or fails.
  * @param {string} command
  * @param {string[]} args
  * @returns {string | undefined}
@@ -74,7 +74,7 @@ function exitCode(command, args, options, stdio, listen) {
 }
 
 /**
- * Runs a script's main function: a `Problem` is printed as one sentence, anything else with its trace; both exit with 1.
+ * Runs the main function of a script. A `Problem` is printed as its message, any other error with its stack trace; both exit with 1.
  * @param {() => Promise<void>} main
  */
 export async function script(main) {

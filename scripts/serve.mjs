@@ -1,18 +1,18 @@
-/** A static server for one folder: the page while it is worked on, and while it is tested. */
+/** A static server for one folder, for development and for tests. */
 import { createServer } from "node:http";
 import { Problem } from "./run.mjs";
 
-/** Only this machine is served. */
+/** Only requests from this machine are served. */
 const HOST = "127.0.0.1";
 
 /**
- * Serves a folder; files are read afresh on each request.
- * @param {{ root: string, port: number }} options  port 0 takes any that is free
+ * Serves a folder; files are read again for each request.
+ * @param {{ root: string, port: number }} options  0 chooses a free port
  * @returns {Promise<{ url: string, close: () => Promise<void> }>}
- * @throws {Problem} at once when the port is taken or not allowed
+ * @throws {Problem} if the port is in use or not allowed
  */
 export async function serve({ root, port }) {
-  // Imported here, so that the port can be looked at before the development tools are installed.
+  // Imported here, so that the port can be checked before the development tools are installed.
   const { default: sirv } = await import("sirv");
   const files = sirv(root, { dev: true });
   const server = createServer((request, response) => {
@@ -26,7 +26,7 @@ export async function serve({ root, port }) {
 }
 
 /**
- * Fails at once where `serve` would.
+ * Fails if `serve` would fail on this port.
  * @param {number} port
  * @throws {Problem}
  */
@@ -61,7 +61,7 @@ function close(server) {
  * @param {number} port
  */
 function explain(error, port) {
-  if (error.code === "EADDRINUSE") return new Problem(`Port ${port} is taken. Choose another one: PORT=${(port % 65535) + 1} npm start`);
-  if (error.code === "EACCES") return new Problem(`Port ${port} is not allowed. Choose one above 1023: PORT=8080 npm start`);
+  if (error.code === "EADDRINUSE") return new Problem(`Port ${port} is in use. Choose another one: PORT=${(port % 65535) + 1} npm start`);
+  if (error.code === "EACCES") return new Problem(`Port ${port} is not allowed. Choose a port above 1023: PORT=8080 npm start`);
   return error;
 }

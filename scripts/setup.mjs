@@ -1,5 +1,5 @@
 /**
- * What the build and the tests need beyond rustup, a C linker and Node: looked for first, installed once.
+ * Installs what the build and the tests need beyond rustup, a C linker and Node, unless it exists.
  * `node scripts/setup.mjs` installs everything; `npm start` and `npm test` call what they need.
  */
 import { existsSync, readFileSync, statSync } from "node:fs";
@@ -12,15 +12,15 @@ const WASM_PACK = "0.15.1";
 
 const WASM_TARGET = "wasm32-unknown-unknown";
 
-/** Tools run for seconds and are compiled once: optimizing more than what reads and writes modules would cost more than it gives. */
+/** Settings for tools that run for seconds: only the crates that read and write modules are worth optimizing. */
 const optimized = ["walrus", "wasmparser", "wasm-encoder", "gimli", "leb128", "wasm-bindgen-cli-support"];
 export const QUICK_TOOL = ["debug=0", "opt-level=0", "package.\"*\".opt-level=0", ...optimized.map((crate) => `package.${crate}.opt-level=1`)]
   .flatMap((setting) => ["--config", `profile.dev.${setting}`]);
 
-/** Where `cargo install` puts programs. */
+/** The folder into which `cargo install` installs programs. */
 export const cargoBin = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "bin");
 
-/** Fails unless Cargo and a linker are there; nothing here can install a compiler. */
+/** Fails unless Cargo and a linker exist; this script cannot install a compiler. */
 export function requireCompilers() {
   if (ask("cargo", ["--version"]) === undefined) {
     throw new Problem("`cargo` is missing. Install Rust with rustup: https://rustup.rs");
@@ -30,10 +30,10 @@ export function requireCompilers() {
   }
 }
 
-/** Installs the npm development tools from the lock file, unless they are there and no older than it. */
+/** Installs the npm development tools from the lock file, unless they exist and are no older than it. */
 export async function ensureNodeModules() {
   const [major, minor] = process.versions.node.split(".").map(Number);
-  if (major < 20 || (major === 20 && minor < 19)) throw new Problem(`Node 20.19 or newer is needed; this is ${process.versions.node}.`);
+  if (major < 20 || (major === 20 && minor < 19)) throw new Problem(`Node 20.19 or newer is required; this is ${process.versions.node}.`);
   const installed = join(root, "node_modules", ".package-lock.json");
   const lock = join(root, "package-lock.json");
   if (existsSync(installed) && statSync(installed).mtimeMs >= statSync(lock).mtimeMs) return;
@@ -60,7 +60,7 @@ export async function ensureRustComponents() {
 }
 
 /**
- * Builds wasm-bindgen's command line and test runner, in the very version of the crate.
+ * Builds wasm-bindgen's command line and test runner in the version of the crate.
  * @returns {Promise<string>} their folder
  */
 export async function ensureTestRunner() {
@@ -68,7 +68,7 @@ export async function ensureTestRunner() {
   return join(targetFolder(), "debug");
 }
 
-/** Where Cargo puts what it builds. */
+/** The target folder of Cargo. */
 export function targetFolder() {
   const metadata = ask("cargo", ["metadata", "--format-version", "1", "--no-deps", "--locked"]);
   if (metadata === undefined) throw new Problem("`cargo metadata` failed.");
@@ -78,14 +78,14 @@ export function targetFolder() {
 /** Installs wasm-pack. */
 export async function ensureWasmPack() {
   if (ask(join(cargoBin, "wasm-pack"), ["--version"])?.endsWith(` ${WASM_PACK}`)) return;
-  say(`installing wasm-pack ${WASM_PACK} (some minutes, once)`);
-  // It only calls other programs: without optimization it is there in a third of the time.
+  say(`installing wasm-pack ${WASM_PACK} (once, takes some minutes)`);
+  // It only calls other programs. A build without optimization takes a third of the time.
   await run("cargo", ["install", "wasm-pack", "--version", WASM_PACK, "--force", "--locked", "--debug"], { env: { CARGO_PROFILE_DEV_DEBUG: "0" } });
 }
 
 /**
- * Finds Chromium and its driver; installs them where apt-get may. The headless shell draws no window of its own, which takes most
- * of the time of the full browser.
+ * Finds Chromium and its driver, or installs them with apt-get if that is permitted. The headless shell is faster than the full
+ * browser, since it draws no window.
  * @returns {Promise<{ chromium: string, chromedriver: string }>}
  */
 export async function ensureBrowser() {
@@ -95,7 +95,7 @@ export async function ensureBrowser() {
   const byHand = `  sudo ${install.join(" ")}\nor set CHROMIUM and CHROMEDRIVER to the two programs.`;
   const prefix = process.getuid?.() === 0 ? [] : ["sudo", "-n"];
   const mayInstall = find("apt-get") !== undefined && (prefix.length === 0 || ask("sudo", ["-n", "true"]) !== undefined);
-  if (!mayInstall) throw new Problem(`Chromium and chromedriver are missing, and installing them needs rights. Run:\n${byHand}`);
+  if (!mayInstall) throw new Problem(`Chromium and chromedriver are missing, and installing them requires root. Run:\n${byHand}`);
   say("installing Chromium and chromedriver");
   for (const line of [["apt-get", "update"], install]) {
     const [command, ...args] = [...prefix, ...line];
@@ -126,13 +126,13 @@ export function lockedVersion(crate) {
   const lock = readFileSync(join(root, "Cargo.lock"), "utf8");
   const versions = [...lock.matchAll(new RegExp(`^name = "${crate}"\nversion = "(.+)"$`, "gm"))].map((match) => match[1]);
   if (versions.length !== 1) {
-    throw new Problem(`Cargo.lock must hold one version of ${crate}, and holds ${versions.length}: ${versions.join(", ")}`);
+    throw new Problem(`Cargo.lock must contain one version of ${crate}, not ${versions.length}: ${versions.join(", ")}`);
   }
   return versions[0];
 }
 
 /**
- * Path of the first of some programs that is on the PATH.
+ * The path of the first of these programs that is on the PATH.
  * @param {string[]} programs
  * @returns {string | undefined}
  */

@@ -1,4 +1,4 @@
-/** `npm start`: sets up, builds and serves the page on PORT (8080). */
+/** `npm start`: installs tools, builds, and serves the pages on PORT (8080). */
 import { join } from "node:path";
 import { buildPackage } from "./build.mjs";
 import { assemblePage } from "./page.mjs";
@@ -7,7 +7,7 @@ import { requireFreePort, serve } from "./serve.mjs";
 
 await script(async () => {
   const port = wantedPort();
-  // A taken port is named now, not after the build.
+  // A port in use is reported before the build.
   await requireFreePort(port);
   await buildPackage();
   assemblePage();
@@ -19,6 +19,6 @@ await script(async () => {
 function wantedPort() {
   const text = process.env.PORT ?? "8080";
   const port = Number(text);
-  if (!/^\d+$/.test(text) || port > 65535) throw new Problem(`PORT must be a number from 0 to 65535, not \`${text}\`.`);
+  if (!/^\d+$/.test(text) || port > 65535) throw new Problem(`PORT must be an integer from 0 to 65535, not \`${text}\`.`);
   return port;
 }

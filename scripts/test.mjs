@@ -1,8 +1,8 @@
 /**
- * `npm test`: sets up, runs every suite in order and prints how many tests each has passed and how long it took.
- * `node scripts/test.mjs rust page` runs only those groups: check, rust, wasm, package, page; or quick, the native part of them.
+ * `npm test`: installs tools, runs every suite in order, and prints the number of passed tests and the seconds of each.
+ * `node scripts/test.mjs rust page` runs only those groups: check, rust, wasm, package, page; or quick, format and native tests.
  *
- * A suite that runs no test at all, or whose count cannot be read, has failed: silence is not success. Nothing is run twice.
+ * A suite that runs no test, or whose count cannot be parsed, has failed.
  */
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { delimiter, join } from "node:path";
@@ -20,10 +20,10 @@ import {
 const WASM = ["--target", "wasm32-unknown-unknown"];
 const NO_WARNINGS = ["--", "-D", "warnings"];
 
-/** The module of tests that `wasm-pack test` runs. */
+/** The tests that `wasm-pack test` runs. */
 const SMOKE_TEST = "sampling::";
 
-/** Folder of wasm-bindgen's programs. */
+/** The folder of wasm-bindgen's programs. */
 let bindgenFolder = "";
 
 /** @type {Suite[]} */
@@ -41,7 +41,7 @@ const suites = [
   { groups: ["page"], name: "page, in Chromium", run: () => nodeTests("page", 1) },
 ];
 
-/** What each group needs before it runs; each step looks first. @type {Record<string, (() => Promise<unknown>)[]>} */
+/** The set-up of each group; each step does nothing if it is already done. @type {Record<string, (() => Promise<unknown>)[]>} */
 const needs = {
   check: [ensureRustComponents, ensureWasmTarget, buildPackage],
   rust: [async () => requireCompilers()],
@@ -50,12 +50,12 @@ const needs = {
   page: [buildPackage, async () => { assemblePage(); assembleOneFile(); }, useBrowser],
 };
 
-/** Groups that run when none is named; `quick` repeats a part of them. */
+/** The groups that run by default; `quick` is a part of them. */
 const ALL = Object.keys(needs);
 needs.quick = [ensureRustComponents];
 
 /**
- * Runs a program that has no tests of its own, and counts as one.
+ * Runs a program that counts as one test.
  * @param {string} program
  * @param {string[]} args
  * @param {Record<string, string>} [env]
@@ -78,7 +78,7 @@ async function harness(program, args, env) {
 }
 
 /**
- * Runs the tests that are compiled to WebAssembly, in Node unless the environment names a browser.
+ * Runs the tests that are compiled to WebAssembly, in Node or, if the environment says so, in a browser.
  * @param {Record<string, string>} [env]
  */
 function wasm(env) {
@@ -90,12 +90,12 @@ function wasmEnvironment() {
     PATH: [bindgenFolder, cargoBin, process.env.PATH].join(delimiter),
     CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: "wasm-bindgen-test-runner",
     WASM_BINDGEN_TEST_TIMEOUT: "600",
-    // A busy machine takes longer than five seconds to start the driver.
+    // The default of five seconds is too short to start the driver on a busy machine.
     WASM_BINDGEN_TEST_DRIVER_TIMEOUT: "60",
   };
 }
 
-/** The capabilities in webdriver.json, with the browser that was found. */
+/** Writes the capabilities of webdriver.json with the path of the browser. */
 function webdriverFile() {
   const capabilities = JSON.parse(readFileSync(join(root, "webdriver.json"), "utf8"));
   capabilities["goog:chromeOptions"].binary = process.env.CHROMIUM;
@@ -105,7 +105,7 @@ function webdriverFile() {
   return file;
 }
 
-/** Checks the types of all JavaScript, by each folder's own settings. */
+/** Checks the types of all JavaScript, with the settings of each folder. */
 async function types() {
   const compiler = join(root, "node_modules", "typescript", "bin", "tsc");
   const counts = { passed: 0, failed: 0 };
@@ -117,9 +117,9 @@ async function types() {
 }
 
 /**
- * Runs the tests in a folder by Node's own test runner.
+ * Runs the tests in a folder with Node's test runner.
  * @param {string} folder
- * @param {number} concurrency  files that run at a time
+ * @param {number} concurrency  the number of files that run in parallel
  * @returns {Promise<Counts | undefined>}
  */
 async function nodeTests(folder, concurrency) {
@@ -138,7 +138,7 @@ async function nodeTests(folder, concurrency) {
 }
 
 /**
- * A program that stopped half-way may print no failed test: its exit code counts as one.
+ * A program that was aborted may report no failed test; a nonzero exit code then counts as one.
  * @param {Counts | undefined} counts
  * @param {number} code
  */
@@ -146,7 +146,7 @@ function withExitCode(counts, code) {
   return counts !== undefined && code !== 0 && counts.failed === 0 ? { ...counts, failed: 1 } : counts;
 }
 
-/** Finds or installs the browser and tells the suites where it is. */
+/** Finds or installs the browser and passes its path to the suites. */
 async function useBrowser() {
   const { chromium, chromedriver } = await ensureBrowser();
   process.env.CHROMIUM = chromium;
@@ -160,7 +160,7 @@ async function prepare(groups) {
 }
 
 /**
- * Runs one suite; whatever it throws is its failure, and the others still run.
+ * Runs one suite. An exception is a failure of that suite only.
  * @param {Suite} suite
  * @returns {Promise<Result>}
  */
@@ -182,7 +182,7 @@ function failure(note) {
   return { counts: { passed: 0, failed: 1 }, note };
 }
 
-/** The same tests must run in Node and in Chrome: a runner that silently runs none is caught here. @param {Result[]} results */
+/** Fails if Chrome runs another number of tests than Node. @param {Result[]} results */
 function compareEngines(results) {
   const [inNode, inChrome] = ["Rust, in Node", "Rust, in Chrome"].map((wanted) => results.find(({ name }) => name === wanted));
   if (inNode === undefined || inChrome === undefined || inNode.counts.passed === inChrome.counts.passed) return;
@@ -201,15 +201,15 @@ function printTable(results, setUp) {
     const failed = counts.failed > 0 ? `  ${counts.failed} failed${note === "" ? "" : `: ${note}`}` : "";
     row(name, seconds, `${String(counts.passed).padStart(5)} passed${failed}`);
   }
-  row("in all", results.reduce((sum, { seconds }) => sum + seconds, setUp), "");
+  row("total", results.reduce((sum, { seconds }) => sum + seconds, setUp), "");
 }
 
 await script(async () => {
   const groups = process.argv.length > 2 ? process.argv.slice(2) : ALL;
   const unknown = groups.find((group) => !(group in needs));
-  if (unknown !== undefined) throw new Problem(`There is no group \`${unknown}\` of tests; there are ${Object.keys(needs).join(", ")}.`);
+  if (unknown !== undefined) throw new Problem(`There is no group \`${unknown}\` of tests. Groups: ${Object.keys(needs).join(", ")}.`);
   if (!process.env.PLANARIUM_SCENARIOS) {
-    console.log("PLANARIUM_SCENARIOS is not set: tests on the scenarios of that folder are left out, and say so.");
+    console.log("PLANARIUM_SCENARIOS is not set: tests that need that folder of scenarios are skipped.");
   }
   const began = performance.now();
   await prepare(groups);

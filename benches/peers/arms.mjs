@@ -1,4 +1,4 @@
-/** What every side is asked to do in a row: one arm of the comparison each, with its parameters. */
+/** The arms of the comparison: what each side runs in a row, with its parameters. */
 import { samples } from "./worlds.mjs";
 
 /** @typedef {import("./worlds.mjs").Row} Row */
@@ -6,19 +6,19 @@ import { samples } from "./worlds.mjs";
 /** @typedef {import("./sides.mjs").SideName} SideName */
 /** @typedef {{ name: string, side: SideName, job: (world: World, seed: number, runs: number) => string }} Arm */
 
-/** Seconds after which a single query is given up: hundreds of times what one takes. */
+/** Seconds after which a query is given up: hundreds of times the usual. */
 const LIMIT = 0.1;
 
 /** Radians in the sum metric between two configurations that a peer checks on an edge of its trees. */
 const RESOLUTION = 0.05;
 
-/** The same for a body, in its metric, and how far a peer's tree grows at once. */
+/** The same for a body, in its metric, and the step of a peer's tree. */
 const BODY = { resolution: 0.01, range: 0.3 };
 
 /** Seconds after which a car is given up. */
 const CAR_LIMIT = 5;
 
-/** Steps of 0.01 s for which a control is held: always as long, as in the reports; and of any length up to a bound. */
+/** Durations of a control in steps of 0.01 s: constant as in the reports, and random up to a bound. */
 const HELD = { fixed: [250, 250], drawn: [1, 250], short: [1, 50] };
 
 /** The neighbours of the reports' roadmaps. */
@@ -36,7 +36,7 @@ export function arms(row) {
 }
 
 /**
- * Ours in two orders: the batch tries every pair once; one by one tries k motions a sample, as OMPL does.
+ * Planarium in both orders: in a batch, each pair is tested once; one by one, k motions per sample, as in OMPL.
  * @param {Row} row
  * @returns {Arm[]}
  */
@@ -64,7 +64,7 @@ function roadmaps({ links }) {
 }
 
 /**
- * Ours with its defaults, which are OMPL's: steps of a fifth of the space's extent.
+ * Planarium with default options, which are OMPL's: steps of a fifth of the extent of the space.
  * @param {Row} row
  * @returns {Arm[]}
  */
@@ -85,13 +85,13 @@ function trees({ links }) {
     peer("ompl", "OMPL, plain", 0.2 * extent, RESOLUTION, "plain"),
     peer("ompl", "OMPL, compound", 0.2 * extent, RESOLUTION, "compound"),
     peer("ompl", "OMPL, range 0.5", 0.5),
-    // What OMPL takes where nobody says: a hundredth of the extent.
+    // OMPL's default: a hundredth of the extent.
     peer("ompl", "OMPL, coarse", 0.2 * extent, 0.01 * extent),
     peer("oxmpl", "OxMPL"),
   ];
 }
 
-/** Ours with its default step, and with the one that the peer takes. @returns {Arm[]} */
+/** Planarium with its default step, and with the peer's. @returns {Arm[]} */
 function bodies() {
   const ours = (/** @type {SideName} */ side, /** @type {string} */ name, more = "") => ({
     name, side,
@@ -110,7 +110,7 @@ function bodies() {
 }
 
 /**
- * Ours with its defaults, and the tree with the controls of the reports: held for 2.5 s, one at a time, looked at where they end.
+ * Planarium with default options, and with the controls of the reports: held for 2.5 s, one per extension, the goal tested at their ends.
  * @param {"rrt-control" | "sst"} planner
  * @returns {Arm[]}
  */
@@ -131,14 +131,14 @@ function cars(planner) {
 }
 
 /**
- * Which arm's time is divided by which, and what the ratio is to be.
+ * A ratio of the times of two arms, and its aim.
  * @typedef {{ name: string, over: string, under: string, least?: number, most?: number }} Comparison
  */
 
 /** @type {Record<Row["planner"], Comparison[]>} */
 export const comparisons = {
   prm: [
-    // The aims were set against OMPL with the checker of the course reports, which knows no boxes.
+    // The aims were set against OMPL with the checker of the course reports, which has no broad phase.
     { name: "OMPL, plain / native, equal motions", over: "OMPL, plain", under: "native, equal motions", least: 7 },
     { name: "OMPL, plain / Node, equal motions", over: "OMPL, plain", under: "Node, equal motions", least: 4 },
     { name: "OMPL, plain / native, batch", over: "OMPL, plain", under: "native, batch", least: 12 },

@@ -1,5 +1,5 @@
 /**
- * Memory of the WebAssembly instance: how large it has grown when a roadmap stands. It never shrinks, so this is the peak.
+ * The memory of the WebAssembly instance after building a roadmap. It never shrinks, so this is the peak.
  * `node benches/peers/memory.mjs FILE SAMPLES` prints bytes as JSON.
  */
 import { readFileSync } from "node:fs";
@@ -8,7 +8,7 @@ import { pathToFileURL } from "node:url";
 import { Scenario } from "planarium";
 import { root } from "../../scripts/run.mjs";
 
-/** The memory of the instance that the package runs on. */
+/** The memory of the package's instance. */
 const { initSync } = await import(pathToFileURL(join(root, "dist", "package", "planarium_glue.js")).href);
 /** @type {WebAssembly.Memory} */
 const memory = initSync().memory;

@@ -1,5 +1,5 @@
 /**
- * The package's side of the benchmark: the twin of native.rs, with the same jobs and the same answers, in WebAssembly.
+ * The package's side of the benchmark: the same jobs and replies as native.rs, in WebAssembly.
  *
  *   FILE PLANNER SEED RUNS LIMIT name=value ...
  */
@@ -7,7 +7,7 @@ import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
 import { Scenario, version } from "planarium";
 
-/** Iterations between two looks at the clock. */
+/** Iterations between two readings of the clock. */
 const SLICE = 32;
 
 /** @typedef {import("./sides.mjs").Run} Run */
@@ -26,7 +26,7 @@ function answer(job) {
 }
 
 /**
- * One run, from nothing to its path.
+ * One run from a new planner to its path.
  * @param {Scenario} scenario
  * @param {import("planarium").PlannerOptions} options
  * @param {number} limit  in seconds

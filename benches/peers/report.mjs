@@ -1,15 +1,15 @@
-/** From runs to figures: medians over the runs of a world first, then medians and quartiles over worlds. */
+/** Figures from runs: medians over the runs in each world, then medians and quartiles over worlds. */
 import { comparisons } from "./arms.mjs";
 
 /** @typedef {import("./worlds.mjs").Row} Row */
 /** @typedef {import("./sides.mjs").Run} Run */
-/** @typedef {{ median: number, low: number, high: number, count: number }} Spread  median and quartiles of so many values */
+/** @typedef {{ median: number, low: number, high: number, count: number }} Spread  the median and quartiles of `count` values */
 /** @typedef {{ arm: string, milliseconds: Spread, setup: number, solved: number, motions: number, vertices: number, edges: number, length: number }} ArmFigures */
 /** @typedef {{ name: string, ratio: Spread, aim: string, reached: boolean | undefined }} RatioFigures */
 /** @typedef {{ row: string, arms: ArmFigures[], ratios: RatioFigures[] }} RowFigures */
 
 /**
- * The value that a part of the others is below, by the nearest rank; not a number where there is none.
+ * The quantile of some values by the nearest rank; NaN if there are none.
  * @param {number[]} values
  * @param {number} part
  */
@@ -25,8 +25,8 @@ export function spread(values) {
 }
 
 /**
- * Seconds that a world took after the set-up: the median of its runs. A query that was given up took longer than any other, so that a world where
- * most were is infinite, and no world looks quick by what it dropped. A roadmap is built whether or not it is solved.
+ * The median of the seconds that the runs in a world took after the set-up. A query that was given up counts as infinite, so that
+ * unsolved queries make no world look fast. A roadmap is built whether or not it is solved.
  * @param {Row["planner"]} planner
  * @param {Run[]} runs
  */
@@ -44,7 +44,7 @@ export function figures({ name, planner }, results) {
   const times = new Map([...results].map(([arm, worlds]) => [arm, worlds.map((runs) => seconds(planner, runs))]));
   const lengths = new Map([...results].map(([arm, worlds]) => [arm, worlds.map(medianLength)]));
   const count = [...lengths.values()][0].length;
-  // Paths are compared where everyone found one: who solves more would else be charged with the harder worlds.
+  // Lengths are compared in worlds that all sides solved; otherwise a side that solves more has the harder worlds.
   const shared = Array.from({ length: count }, (_, world) => world).filter((world) => [...lengths.values()].every((each) => Number.isFinite(each[world])));
   const arms = [...results].map(([arm, worlds]) => {
     const runs = worlds.flat();
@@ -61,10 +61,10 @@ export function figures({ name, planner }, results) {
   const ratios = comparisons[planner].flatMap(({ name, over, under, least, most }) => {
     const [a, b] = [times.get(over), times.get(under)];
     if (a === undefined || b === undefined) return [];
-    // Where only one of them came through, there is no ratio: not 0, and not infinity.
+    // A world that only one side solved has no ratio.
     const ratio = spread(a.flatMap((time, world) => (Number.isFinite(time) && Number.isFinite(b[world]) ? [time / b[world]] : [])));
     const aim = least !== undefined ? `>= ${least}` : most !== undefined ? `<= ${most}` : "";
-    // Where no world was solved by both there is nothing to judge.
+    // Without a world that both solved the aim is not judged.
     const isJudged = ratio.count > 0 && aim !== "";
     const reached = isJudged ? ratio.median >= (least ?? 0) && ratio.median <= (most ?? Infinity) : undefined;
     return [{ name, ratio, aim, reached }];
@@ -82,7 +82,7 @@ function finite(values) {
   return values.filter(Number.isFinite);
 }
 
-/** Three digits, as far as they mean something. @param {number} value */
+/** A number with three significant digits. @param {number} value */
 export function digits(value) {
   if (!Number.isFinite(value)) return "-";
   return value >= 1000 ? String(Math.round(value)) : String(Number(value.toPrecision(3)));
@@ -113,7 +113,7 @@ export function armTable(rows) {
   return table(["job", "who", "ms, median", "quartiles", "set-up, ms", "solved", "motions tried", "vertices", "edges", "path length"], body);
 }
 
-/** The few columns that the README shows. @param {RowFigures[]} rows */
+/** The columns of docs/benchmarks.md. @param {RowFigures[]} rows */
 export function summaryTable(rows) {
   const body = rows.flatMap(({ row, arms, ratios }) => {
     const arm = (/** @type {string} */ name) => arms.find((each) => each.arm === name);
@@ -134,7 +134,7 @@ export function summaryTable(rows) {
   return table(["", "native", "Node", "OMPL, plain", "OMPL", "OxMPL", ...ratios, "solved, %: ours, OMPL, OxMPL"], body);
 }
 
-/** Every aim, with the medians of the rows that it is about, in their order. @param {RowFigures[]} rows */
+/** Every aim, with the medians of its rows in order. @param {RowFigures[]} rows */
 export function aimTable(rows) {
   /** @type {Map<string, RatioFigures[]>} */
   const aims = new Map();
@@ -147,5 +147,5 @@ export function aimTable(rows) {
   const body = [...aims].map(([name, ratios]) => [
     name, ratios[0].aim, ratios.map(({ ratio }) => digits(ratio.median)).join(", "), `${ratios.filter(({ reached }) => reached).length} of ${ratios.length}`,
   ]);
-  return table(["ratio", "aim", "medians, row by row", "rows that reach it"], body);
+  return table(["ratio", "aim", "medians of the rows", "rows that reach it"], body);
 }

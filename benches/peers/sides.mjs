@@ -1,4 +1,4 @@
-/** The sides of the comparison: each a process that waits for jobs, so that they can take turns world by world. */
+/** The sides of the comparison: each is a process that waits for jobs, so that they can run in turn. */
 import { spawn } from "node:child_process";
 import { existsSync, mkdirSync } from "node:fs";
 import { availableParallelism } from "node:os";
@@ -9,8 +9,8 @@ import { Problem, ask, root, run } from "../../scripts/run.mjs";
 /** @typedef {"native" | "node" | "ompl" | "oxmpl"} SideName */
 
 /**
- * @typedef {object} Run  what one run of a planner came to; times in seconds
- * @property {number} setup  from the world to a planner at its beginning
+ * @typedef {object} Run  the outcome of one run; times in seconds
+ * @property {number} setup  from the world to a new planner
  * @property {number} build
  * @property {number} search
  * @property {boolean} solved
@@ -23,18 +23,18 @@ import { Problem, ask, root, run } from "../../scripts/run.mjs";
 const peers = join(root, "benches", "peers");
 const built = join(root, "target", "peers");
 
-/** How each side is built and started; an answer of undefined says why it cannot be. @type {Record<SideName, (build: boolean) => Promise<string[]>>} */
+/** How each side is built and started. @type {Record<SideName, (build: boolean) => Promise<string[]>>} */
 const makers = { native, node, ompl, oxmpl };
 
 export const sideNames = /** @type {SideName[]} */ (Object.keys(makers));
 
-/** All run on this one core where `taskset` is there: the last, which the system leaves alone most. */
+/** The common core, pinned by `taskset` if available: the last one, which the system uses least. */
 export const pinned = ask("taskset", ["--version"]) === undefined ? [] : ["taskset", "-c", String(availableParallelism() - 1)];
 
 /**
- * Builds a side and starts it. A peer that cannot be built or started is left out, aloud; one of our own must be there.
+ * Builds a side and starts it. A peer that cannot be built or started is skipped with a message; a side of our own must work.
  * @param {SideName} name
- * @param {boolean} build  whether to build; else what is there is taken
+ * @param {boolean} build  whether to build, or to use the existing build
  * @returns {Promise<Side | undefined>}
  */
 export async function startSide(name, build) {
@@ -49,7 +49,7 @@ export async function startSide(name, build) {
   }
 }
 
-/** The answer of a process that is no more. */
+/** The reply of a process that has ended. */
 const stopped = JSON.stringify({ error: "its process has stopped" });
 
 export class Side {
@@ -69,7 +69,7 @@ export class Side {
     this.#process = spawn(program, args, { cwd: root, stdio: ["pipe", "pipe", "inherit"] });
     this.greeted = this.#reply().then((reply) => { this.title = reply.name; });
     createInterface({ input: this.#process.stdout }).on("line", (line) => this.#waiting.shift()?.(line));
-    // Whoever still waits when the process ends would wait for ever.
+    // Requests that are pending when the process ends are answered.
     const end = () => {
       this.#hasEnded = true;
       for (const answer of this.#waiting.splice(0)) answer(stopped);
@@ -104,7 +104,7 @@ export class Side {
 /** The crate, as `cargo bench` compiles it. @param {boolean} build */
 async function native(build) {
   if (build) await run("cargo", ["bench", "--locked", "--bench", "peers", "--no-run"]);
-  // The name of the program carries a hash that only Cargo knows.
+  // The name of the program contains a hash that only Cargo knows.
   const messages = ask("cargo", ["bench", "--locked", "--bench", "peers", "--no-run", "--message-format=json"]) ?? "";
   const artifacts = messages.split("\n").filter((line) => line.startsWith("{")).map((line) => JSON.parse(line));
   const program = artifacts.find(({ target, executable }) => target?.name === "peers" && executable)?.executable;
@@ -126,10 +126,10 @@ async function ompl(build) {
   const program = join(built, "ompl");
   if (!build && existsSync(program)) return [program];
   const include = ["/usr/include/ompl-1.5", "/usr/include/ompl"].find((folder) => existsSync(join(folder, "ompl", "config.h")));
-  if (include === undefined) throw new Problem("OMPL's headers are not there. On Debian: sudo apt-get install libompl-dev libeigen3-dev g++");
-  if (ask("g++", ["--version"]) === undefined) throw new Problem("g++ is not there. On Debian: sudo apt-get install g++");
+  if (include === undefined) throw new Problem("OMPL's headers are missing. On Debian: sudo apt-get install libompl-dev libeigen3-dev g++");
+  if (ask("g++", ["--version"]) === undefined) throw new Problem("g++ is missing. On Debian: sudo apt-get install g++");
   mkdirSync(built, { recursive: true });
-  // As the crate: optimized for any machine of the kind, not for this one.
+  // Like the crate: optimised for the architecture, not for this machine.
   await run("g++", ["-O3", "-DNDEBUG", "-std=c++17", `-I${include}`, "-isystem", "/usr/include/eigen3", join(peers, "ompl", "main.cpp"), "-o", program, "-lompl"]);
   return [program];
 }

@@ -1,6 +1,6 @@
 /**
- * The worlds of the benchmark and what is asked in them. Every world comes from the project's own generators by its seed, and is
- * written twice: as a scenario document for Planarium, and as flat text, an item a line, for the peers.
+ * The worlds and jobs of the benchmark. Every world is generated from a seed, and is written twice: as a scenario document for
+ * Planarium, and as flat text with one item per line for the peers.
  */
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -29,7 +29,7 @@ export const rows = [
   row("sst", "clutter", { robot: "car", count: 8, smallest: 0.12, largest: 0.26 }, "car in clutter", 0),
 ];
 
-/** How many samples the roadmap of a report has for an arm of so many links. @param {number} links */
+/** The number of samples in a report's roadmap for an arm of this many links. @param {number} links */
 export const samples = (links) => 300 * links - 200;
 
 /**
@@ -46,7 +46,7 @@ function row(planner, generator, options, place, links) {
 }
 
 /**
- * Writes the first worlds of a row. A seed whose world is refused by the peers' reader would be an error, not a gap.
+ * Writes the first worlds of a row. A world that a peer cannot read is an error, not a gap.
  * @param {typeof import("planarium").Scenario} Scenario
  * @param {Row} row
  * @param {number} count

@@ -55,9 +55,9 @@ test("every shell example runs, and its paths are valid", () => {
   for (const name of ["README.md", "docs/command-line.md"]) {
     const examples = blocks(name, "sh");
     assert.ok(examples[0].startsWith(installation), name);
+    const folder = emptyFolder();
     for (const example of examples) {
       const commands = example.replace(installation, "");
-      const folder = emptyFolder();
       const printed = execFileSync("sh", ["-ec", commands], { cwd: folder, env, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
       if (commands.includes("verify")) assert.match(printed, /"valid":true/, commands);
       for (const [, file] of commands.matchAll(/--out (\S+)/g)) {

@@ -37,10 +37,10 @@ test("a taken port is named at once, by serve and by npm start", async () => {
   await new Promise((resolve) => squatter.listen(0, () => resolve(undefined)));
   const { port } = /** @type {import("node:net").AddressInfo} */ (squatter.address());
   try {
-    await assert.rejects(serve({ root, port }), (error) => error instanceof Problem && error.message.includes(`Port ${port} is taken`));
+    await assert.rejects(serve({ root, port }), (error) => error instanceof Problem && error.message.includes(`Port ${port} is in use`));
     const { status, stdout, stderr } = spawnSync(process.execPath, [join(root, "scripts", "start.mjs")], { env: { ...process.env, PORT: String(port) }, encoding: "utf8", timeout: 30_000 });
     assert.equal(status, 1);
-    assert.match(stderr, new RegExp(`Port ${port} is taken`));
+    assert.match(stderr, new RegExp(`Port ${port} is in use`));
     assert.equal(stdout, "", "nothing is built first");
   } finally {
     squatter.close();
@@ -83,7 +83,7 @@ test("the benchmark refuses sides, rows and numbers of worlds that are none", ()
   for (const args of [["--sides", "native,magic"], ["--rows", "magic"], ["--worlds", "0"], ["--worlds", "many"]]) {
     const { status, stderr } = spawnSync(process.execPath, [join(root, "benches", "bench.mjs"), "--no-build", ...args], { encoding: "utf8", timeout: 30_000 });
     assert.equal(status, 1, args.join(" "));
-    assert.match(stderr, /magic|whole number/);
+    assert.match(stderr, /magic|integer/);
   }
 });
 

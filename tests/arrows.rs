@@ -89,12 +89,13 @@ fn rows_of_table() -> Vec<(String, BTreeSet<String>)> {
     .collect()
 }
 
-/// The arrows of the drawing, lines such as `a --> b & c`.
+/// The arrows of the drawing, lines such as `a --> b & c`. `graph` is a word of the drawing's language, so that node is `graph_`.
 fn arrows_of_drawing() -> Arrows {
     let text = architecture();
     let drawing = text.split("```mermaid\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a drawing");
+    let name = |node: &str| node.split('[').next().unwrap_or("").trim().trim_end_matches('_').to_owned();
     let lines = drawing.lines().filter_map(|line| line.split_once(" --> "));
-    lines.map(|(from, to)| (from.trim().to_owned(), to.split(" & ").map(str::to_owned).collect())).collect()
+    lines.map(|(from, to)| (name(from), to.split(" & ").map(name).collect())).collect()
 }
 
 /// Everything that can be reached from a module.

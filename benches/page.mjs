@@ -4,16 +4,18 @@
  * Each figure is the median of several rounds and has a bound; a figure above its bound fails the run. On a busy machine figures of
  * elapsed time are larger; those of processor time, marked "cpu", are not.
  *
- *   npm run bench:page [-- TEXT]    only figures whose name contains the text
+ *   npm run bench:page [-- TEXT]                  only figures whose name contains the text
+ *   npm run bench:page -- [TEXT] --beside FOLDER  those that compare, in turn with the page of another build
  *
  * It uses the existing build (`npm run build`), and Chromium from CHROMIUM or from Debian's path.
  */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { join } from "node:path";
+import { join, resolve } from "node:path";
+import { parseArgs } from "node:util";
 import { deflateRawSync } from "node:zlib";
 import { script } from "../scripts/run.mjs";
-import { atRest, chooseScene, finish, onPage, root, setParameter, start, stop, unfold, worker } from "../tests/page/browser.mjs";
+import { atRest, chooseScene, finish, onPage, root, setParameter, start, stop, unfold } from "../tests/page/browser.mjs";
 import { openEditor, plane } from "../tests/page/editing.mjs";
 import { seeded } from "../tests/page/seeded.mjs";
 import { GifWriter, paletteOf } from "../www/exchange/gif.js";
@@ -23,7 +25,7 @@ import { SvgContext } from "../www/exchange/svg.js";
 import { Places } from "../www/stage/places.js";
 
 /** @import { Page } from "../tests/page/browser.mjs" */
-/** @typedef {{ name: string, bound: number, rounds: number, measure: () => Promise<number> | number }} Figure   milliseconds */
+/** @typedef {{ name: string, bound: number, rounds: number, measure: () => Promise<number> | number, compares?: true }} Figure   milliseconds; `compares`: it measures any build in the same way */
 
 /** @param {number[]} values */
 const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
@@ -36,7 +38,7 @@ async function used(work) {
   return (user + system) / 1000;
 }
 
-/** The processor time of each task of the page's thread and of its worker's thread during some work, in milliseconds. @param {Page} page @param {() => Promise<void>} meanwhile */
+/** The processor time of each task of the page's thread and of its worker's thread during some work, in milliseconds. @param {Page} page @param {() => Promise<unknown>} meanwhile */
 async function tasks(page, meanwhile) {
   const browser = page.context().browser() ?? assert.fail("no browser");
   await browser.startTracing(page, { categories: ["disabled-by-default-devtools.timeline", "__metadata"] });
@@ -50,7 +52,7 @@ async function tasks(page, meanwhile) {
   return { page: of(/^CrRendererMain$/), worker: of(/DedicatedWorker/) };
 }
 
-/** @param {Page} page @param {() => Promise<void>} meanwhile  returns the page's longest task: the longest delay of a click */
+/** @param {Page} page @param {() => Promise<unknown>} meanwhile  returns the page's longest task: the longest delay of a click */
 async function longest(page, meanwhile) {
   const { page: all } = await tasks(page, meanwhile);
   assert.ok(all.length > 30, `${all.length} tasks`);
@@ -69,11 +71,37 @@ async function shown(measure, options = {}, path = "") {
 
 /** The median time of the frames in which something grew. @param {Page} page @param {() => Promise<unknown>} meanwhile */
 async function frameOf(page, meanwhile) {
-  await worker(page).evaluate(() => performance.clearMeasures("planarium-frame"));
+  await page.evaluate(() => performance.clearMeasures("planarium-frame"));
   await meanwhile();
-  const times = await worker(page).evaluate(() => performance.getEntriesByName("planarium-frame").map(({ duration }) => duration));
+  const times = await page.evaluate(() => performance.getEntriesByName("planarium-frame").map(({ duration }) => duration));
   assert.ok(times.length > 20, `${times.length} frames`);
   return median(times);
+}
+
+/** Makes the page's processor as slow as a phone's. @param {Page} page */
+async function slow(page) {
+  const session = await page.context().newCDPSession(page);
+  await session.send("Emulation.setCPUThrottlingRate", { rate: 4 });
+}
+
+/** When something was first drawn on the stage, milliseconds since the page was asked for. @param {boolean} isSlow */
+async function firstPicture(isSlow) {
+  let time = NaN;
+  await onPage({}, async (page) => {
+    time = await page.evaluate(() => new Promise((/** @type {(at: number) => void} */ resolve) => {
+      const context = new OffscreenCanvas(24, 24).getContext("2d", { willReadFrequently: true });
+      const look = () => {
+        const canvas = /** @type {HTMLCanvasElement | null} */ (document.querySelector("#workspace canvas[data-layer=ground]"));
+        if (context && canvas && canvas.width > 0) {
+          context.drawImage(canvas, 0, 0, 24, 24);
+          if (context.getImageData(0, 0, 24, 24).data.some((value) => value > 0)) return resolve(performance.now());
+        }
+        requestAnimationFrame(look);
+      };
+      look();
+    }));
+  }, { before: async (page) => { if (isSlow) await slow(page); } });
+  return time;
 }
 
 /** Prepares a roadmap; the function returned grows it to 20,000 edges. @param {Page} page */
@@ -92,7 +120,7 @@ async function growMany(page) {
 /** @type {Figure[]} */
 const FIGURES = [
   {
-    name: "opening, until a roadmap grows", bound: 1000, rounds: 7,
+    name: "opening, until a roadmap grows", bound: 1000, rounds: 7, compares: true,
     measure: async () => {
       let time = NaN;
       await onPage({}, async (page) => {
@@ -107,14 +135,24 @@ const FIGURES = [
     name: "the same with what the browser makes of it, cpu", bound: 16, rounds: 3,
     measure: () => shown(async (page) => {
       const grow = await growMany(page);
-      await worker(page).evaluate(() => performance.clearMeasures("planarium-frame"));
+      await page.evaluate(() => performance.clearMeasures("planarium-frame"));
       const worked = await tasks(page, grow);
-      const count = await worker(page).evaluate(() => performance.getEntriesByName("planarium-frame").length);
-      // There are small tasks between the frames; the longest tasks are counted as the frames.
-      return median(worked.worker.sort((a, b) => a - b).slice(-count));
+      const count = await page.evaluate(() => performance.getEntriesByName("planarium-frame").length);
+      // Between the frames that grow lie small tasks: the hardest ones are taken for those that grow.
+      return median(worked.page.sort((a, b) => a - b).slice(-count));
     }, { deviceScaleFactor: 2 }),
   },
-  { name: "the page's longest task meanwhile, cpu", bound: 50, rounds: 5, measure: () => shown(async (page) => longest(page, await growMany(page)), { deviceScaleFactor: 2 }) },
+  { name: "the first picture", bound: 1000, rounds: 7, compares: true, measure: () => firstPicture(false) },
+  { name: "the first picture, on a processor four times slower", bound: 3000, rounds: 7, compares: true, measure: () => firstPicture(true) },
+  {
+    name: "the page's longest task while 20,000 edges grow, four times slower", bound: 50, rounds: 5, compares: true,
+    measure: () => shown(async (page) => {
+      const grow = await growMany(page);
+      await slow(page);
+      return longest(page, grow);
+    }, { deviceScaleFactor: 2 }),
+  },
+  { name: "the page's longest task meanwhile, cpu", bound: 50, rounds: 5, compares: true, measure: () => shown(async (page) => longest(page, await growMany(page)), { deviceScaleFactor: 2 }) },
   {
     name: "a frame of a race of four", bound: 8, rounds: 3,
     measure: () => shown(async (page) => {
@@ -133,7 +171,7 @@ const FIGURES = [
     measure: () => shown(async (page) => {
       await openEditor(page, null);
       const at = await plane(page, 1.2);
-      await worker(page).evaluate(() => {
+      await page.evaluate(() => {
         const scope = /** @type {{ works: number[], requestAnimationFrame: typeof requestAnimationFrame }} */ (/** @type {unknown} */ (globalThis));
         scope.works = [];
         const original = scope.requestAnimationFrame.bind(globalThis);
@@ -146,7 +184,7 @@ const FIGURES = [
       await page.mouse.move(...at(0.62, 0.5));
       await page.mouse.down();
       for (let i = 0; i < 60; i++) await page.mouse.move(...at(0.62 + 0.3 * Math.sin(i / 5), 0.5 + 0.3 * Math.cos(i / 7)));
-      const works = await worker(page).evaluate(() => /** @type {{ works: number[] }} */ (/** @type {unknown} */ (globalThis)).works);
+      const works = await page.evaluate(() => /** @type {{ works: number[] }} */ (/** @type {unknown} */ (globalThis)).works);
       await page.mouse.up();
       assert.ok(works.length > 10);
       return median(works);
@@ -310,13 +348,23 @@ const FIGURES = [
 ];
 
 await script(async () => {
-  const wanted = process.argv[2] ?? "";
-  const figures = FIGURES.filter(({ name }) => name.includes(wanted));
+  const { values: { beside }, positionals: [wanted = ""] } = parseArgs({ allowPositionals: true, options: { beside: { type: "string" } } });
+  const figures = FIGURES.filter(({ name, compares }) => name.includes(wanted) && (compares || !beside));
   await start();
   try {
     for (const { name, bound, rounds, measure } of figures) {
       const values = [];
-      for (let i = 0; i < rounds; i++) values.push(await measure());
+      const others = [];
+      for (let i = 0; i < rounds; i++) {
+        values.push(await measure());
+        if (!beside) continue;
+        await stop();
+        await start(resolve(beside));
+        others.push(await measure());
+        await stop();
+        await start();
+      }
+      if (beside) console.log(`${name.padEnd(72)} ${median(others).toFixed(1).padStart(8)} ms in the other build`);
       const isBeyond = !(median(values) < bound);
       console.log(`${name.padEnd(72)} ${median(values).toFixed(1).padStart(8)} ms, below ${bound}${isBeyond ? ": BEYOND" : ""}  (${values.map((value) => value.toFixed(1)).join(", ")})`);
       if (isBeyond) process.exitCode = 1;

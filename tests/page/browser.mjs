@@ -27,15 +27,17 @@ let server;
 /** Pages that wait for the next test, by what cannot be changed once a page is open. @type {Map<string, Opened>} */
 const idle = new Map();
 
-/** Starts browser and server. Chromium is taken from CHROMIUM or from where Debian puts it. */
-export async function start() {
-  assert.ok(existsSync(pageRoot), "dist/page is missing: run `npm run build` first");
-  server = await serve({ root: pageRoot, port: 0 });
+/** Starts browser and server. Chromium is taken from CHROMIUM or from where Debian puts it. @param {unknown} [from]  the folder of the page, where it is another build */
+export async function start(from) {
+  const folder = typeof from === "string" ? from : pageRoot;
+  assert.ok(existsSync(folder), `${folder} is missing: run \`npm run build\` first`);
+  server = await serve({ root: folder, port: 0 });
   const found = ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find((path) => existsSync(path));
   browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? found, args: ["--no-sandbox"] });
 }
 
 export async function stop() {
+  idle.clear();
   await browser?.close();
   await server?.close();
 }

@@ -195,7 +195,8 @@ describe("after the core was lost", () => {
         await page.click("#reset");
         await page.click("#step-10");
         await atRest(page);
-        await (place === "page" ? page : worker(page)).evaluate((name) => { /** @type {any} */ (self).trap = name; }, call);
+        const set = (/** @type {string} */ name) => { /** @type {any} */ (self).trap = name; };
+        await (place === "page" ? page.evaluate(set, call) : worker(page).evaluate(set, call));
         await page.click(button);
         await page.waitForSelector("#notice[data-code=internal]");
         assert.match(await page.innerText("#notice"), /fault of its own/);

@@ -12,8 +12,11 @@ import { way } from "./trace.js";
 /** @import { Pane } from "./pane.js" */
 /** @import { Run } from "../worker/run.js" */
 
-/** What is inked before the clock is looked at again. */
-const BATCH = { edges: 48, vertices: 256, events: 128 };
+/** Rows inked between two readings of the clock. */
+const BATCH = { edges: 16, vertices: 64, events: 64 };
+
+/** Of the newest events so many flash. */
+const FLASHES = 128;
 
 /** Which layer holds what. */
 const LAYER = /** @type {const} */ ({ edges: "edges", vertices: "vertices", events: "marks" });
@@ -55,16 +58,27 @@ export class Growth {
     return drawn.vertices === target.vertices && drawn.edges === target.edges && drawn.events === target.events;
   }
 
-  /** Inks what is new, until the clock passes `until`; at least one batch of each. @param {number} now @param {number} until */
-  ink(now, until) {
+  /**
+   * Inks what is new, until the clock passes `until`; at least one batch of each. A copy of a layer takes a frame of its own, since
+   * the browser draws what it has put off before it copies.
+   * @param {number} now @param {number} until @param {number} most  rows at most
+   */
+  ink(now, until, most) {
     const run = this.pane.lane?.run;
     if (!run) return;
     const { target } = this;
     this.leap(target);
+    const due = KINDS.find((kind) => this.keeps[kind].isDue(this.drawn[kind]));
+    if (due) {
+      this.keeps[due].copy(this.drawn[due]);
+      return;
+    }
     // What is drawn anew without what was removed is drawn at once: half of it would flicker.
     const limit = this.shed(run, target) ? Infinity : until;
-    do { this.inkEdges(run, target.edges, now); } while (this.drawn.edges < target.edges && performance.now() < limit);
-    do { this.inkVertices(run, target.vertices, now); } while (this.drawn.vertices < target.vertices && performance.now() < limit);
+    const { edges, vertices } = this.drawn;
+    const isRoom = () => limit === Infinity || (performance.now() < until && this.drawn.edges - edges + this.drawn.vertices - vertices < most);
+    do { this.inkEdges(run, target.edges, now); } while (this.drawn.edges < target.edges && isRoom());
+    do { this.inkVertices(run, target.vertices, now); } while (this.drawn.vertices < target.vertices && isRoom());
     do { this.inkEvents(run, target.events, now); } while (this.drawn.events < target.events && performance.now() < until);
   }
 
@@ -117,7 +131,6 @@ export class Growth {
     }
     context.globalAlpha = 1;
     this.drawn.edges = end;
-    this.keeps.edges.pass(end);
     const glowing = Math.max(first, this.old.edges, target - pane.glow.room("edge"));
     for (let e = glowing; e < end; e++) pane.glow.add("edge", now, points.slice(2 * firsts[e - first], 2 * firsts[e - first + 1]));
   }
@@ -162,7 +175,6 @@ export class Growth {
       disc(context, points[2 * (v - first)], points[2 * (v - first) + 1], radius);
     }
     this.drawn.vertices = end;
-    this.keeps.vertices.pass(end);
     const glowing = Math.max(first, this.old.vertices, target - pane.glow.room("vertex"));
     for (let v = glowing; v < end; v++) pane.glow.add("vertex", now, points.slice(2 * (v - first), 2 * (v - first) + 2));
   }
@@ -183,8 +195,8 @@ export class Growth {
     const { data, width } = run.events;
     const keeps = lane.shown.view.refused;
     const points = pane.pixels(this.placesOf(run, first, end));
-    const glowing = Math.max(this.old.events, target - BATCH.events);
-    const refused = this.refusedLines(run, first, end, keeps ? 0 : glowing);
+    const glowing = Math.max(this.old.events, target - FLASHES);
+    const refused = this.refusedLines(run, first, end, keeps ? 0 : pane.glow.enabled ? glowing : end);
     for (let i = first; i < end; i++) {
       const kind = data[i * width];
       const x = points[2 * (i - first)];
@@ -220,7 +232,6 @@ export class Growth {
       }
     }
     this.drawn.events = end;
-    this.keeps.events.pass(end);
   }
 
   /** What the shown iteration did, above all else: so it can be looked at as long as the run waits. @param {CanvasRenderingContext2D} context */

@@ -26,10 +26,12 @@ export class Keeps {
     this.copies = [];
   }
 
-  /** The layer holds its first `count` marks now. @param {number} count */
-  pass(count) {
+  /** Is it time for a copy, when the layer holds so many marks? @param {number} count */
+  isDue(count) { return count >= (this.copies.at(-1)?.count ?? 0) + this.spacing; }
+
+  /** Copies the layer, which holds its first `count` marks. @param {number} count */
+  copy(count) {
     const { copies, layer } = this;
-    if (count < (copies.at(-1)?.count ?? 0) + this.spacing) return;
     const { width, height } = layer.canvas;
     const canvas = new OffscreenCanvas(width, height);
     canvas.getContext("2d")?.drawImage(layer.canvas, 0, 0);

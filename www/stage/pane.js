@@ -131,9 +131,9 @@ export class Pane {
   /** Has everything that is shown been inked? */
   get caughtUp() { return !this.view || this.growth.caughtUp; }
 
-  /** @param {number} now @param {number} until */
-  grow(now, until) {
-    if (this.view && this.palette) this.growth.ink(now, until);
+  /** @param {number} now @param {number} until @param {number} [most]  rows at most */
+  grow(now, until, most = Infinity) {
+    if (this.view && this.palette) this.growth.ink(now, until, most);
   }
 
   /** @param {number} side */

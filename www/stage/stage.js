@@ -12,6 +12,11 @@ import { Workspace } from "./workspace.js";
 /** @import { Pane } from "./pane.js" */
 /** @typedef {{ id: string, kind: PaneKind, lane: number, pane: Pane }} Place */
 
+/** Rows inked in a frame that plays: at first, at least and at most. */
+const RATION = { first: 240, least: 48, most: 960 };
+/** A frame is short below so many milliseconds, and long above. */
+const GAP = { short: 20, long: 34 };
+
 export const KINDS = { workspace: Workspace, cspace: CSpace };
 
 export class Stage {
@@ -25,6 +30,11 @@ export class Stage {
     this.look = null;
     /** Panes that are to be drawn anew before the next frame. @type {Set<string>} */
     this.stale = new Set();
+    /** Rows that may be inked in a frame; did the last one ink any, and when was it? */
+    this.ration = RATION.first;
+    this.isInking = false;
+    this.last = 0;
+    this.turn = 0;
   }
 
   /** @param {string} id @param {PaneKind} kind @param {number} lane @param {Record<LayerName, HTMLCanvasElement>} canvases */
@@ -71,6 +81,15 @@ export class Stage {
     }
   }
 
+  /** How many rows this frame may ink: fewer after a long frame, more after a short one. @param {number} now */
+  share(now) {
+    const gap = now - this.last;
+    this.last = now;
+    if (this.isInking && gap > GAP.long) this.ration = Math.max(RATION.least, 0.75 * this.ration);
+    else if (this.isInking && gap < GAP.short) this.ration = Math.min(RATION.most, 1.1 * this.ration);
+    return this.ration;
+  }
+
   /** @param {string} id @returns {Place | undefined} */
   at(id) { return this.places.get(id); }
 
@@ -85,8 +104,13 @@ export class Stage {
   /** Are all grounds complete? */
   get isTended() { return this.panes.every((pane) => pane.isTended); }
 
-  /** Draws one frame. @param {Lane[]} lanes @param {number} now @param {number} until  when to stop inking, on the clock of performance.now() */
-  frame(lanes, now, until) {
+  /**
+   * Draws one frame. While it plays the rows inked in a frame are rationed by how long frames take: scripts only record what the
+   * browser draws afterwards.
+   * @param {Lane[]} lanes @param {number} now @param {number} until  when to stop inking, on the clock of performance.now()
+   * @param {boolean} isPlaying
+   */
+  frame(lanes, now, until, isPlaying) {
     if (!this.look) return;
     for (const { id, lane, pane } of this.places.values()) {
       if (!lanes[lane] || (pane.lane === lanes[lane] && !this.stale.has(id))) continue;
@@ -97,7 +121,12 @@ export class Stage {
     const { panes } = this;
     const began = performance.now();
     for (const pane of panes) if (pane.lane) pane.tend(pane.lane);
-    panes.forEach((pane, i) => pane.grow(now, began + ((until - began) * (i + 1)) / panes.length));
-    for (const pane of panes) pane.drawTop(now);
+    const most = isPlaying ? this.share(now) : Infinity;
+    const behind = panes.filter((pane) => !pane.caughtUp);
+    this.isInking = behind.length > 0;
+    // Where frames are long, the panes take turns.
+    const drawn = most < RATION.first && behind.length > 1 ? [behind[this.turn++ % behind.length]] : panes;
+    drawn.forEach((pane, i) => pane.grow(now, began + ((until - began) * (i + 1)) / drawn.length, most / drawn.length));
+    for (const pane of drawn) pane.drawTop(now);
   }
 }

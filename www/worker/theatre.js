@@ -323,7 +323,7 @@ export class Theatre {
     this.turn.hover(shown);
     for (const { run } of this.lanes) run?.frontier.follow();
     for (const lane of this.lanes) lane.still = !clock.playing && !clock.owes && lane.run?.status === "running";
-    stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW));
+    stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW), clock.playing);
     const resting = !clock.owes && !this.conductor.isAsking && (!clock.playing || !this.growing);
     if (resting) this.conductor.conclude();
     this.settled = !this.conductor.isAsking && resting && !this.driving?.moves && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isTended);

@@ -18,11 +18,11 @@ import { script } from "../scripts/run.mjs";
 import { atRest, chooseScene, finish, onPage, root, setParameter, start, stop, unfold } from "../tests/page/browser.mjs";
 import { openEditor, plane } from "../tests/page/editing.mjs";
 import { seeded } from "../tests/page/seeded.mjs";
-import { GifWriter, paletteOf } from "../www/exchange/gif.js";
-import { decodeLink } from "../www/exchange/link.js";
-import { readNpyPolygons } from "../www/exchange/npy.js";
-import { SvgContext } from "../www/exchange/svg.js";
-import { Places } from "../www/stage/places.js";
+import { GifWriter, paletteOf } from "../www/formats/gif.js";
+import { decodeLink } from "../www/planner/link/codec.js";
+import { readNpyPolygons } from "../www/formats/npy.js";
+import { SvgContext } from "../www/formats/svg.js";
+import { VertexIndex } from "../www/draw/vertex-index.js";
 
 /** @import { Page } from "../tests/page/browser.mjs" */
 /** @typedef {{ name: string, bound: number, rounds: number, measure: () => Promise<number> | number, compares?: true }} Figure   milliseconds; `compares`: it measures any build in the same way */
@@ -340,7 +340,7 @@ const FIGURES = [
       const points = Float64Array.from({ length: 40_000 }, () => 700 * random.next() - 20);
       const pane = { pixels: (/** @type {Float64Array} */ rows) => rows };
       const run = { vertices: { count: 20_000, slice: (/** @type {number} */ first, /** @type {number} */ end) => points.subarray(2 * first, 2 * end) } };
-      const places = new Places(/** @type {never} */ (pane), /** @type {never} */ (run));
+      const places = new VertexIndex(/** @type {never} */ (pane), /** @type {never} */ (run));
       places.nearest(0, 0, 1);
       return used(() => { for (let i = 0; i < 1000; i++) places.nearest(660 * random.next(), 660 * random.next(), 20_000); });
     },

@@ -32,8 +32,8 @@ export function assemblePage() {
   joinModules(join(page, "style", "style.css"), join(out, "style.css"));
   // The page and the worker import the package themselves, and no part of theirs does.
   const beside = { ...inParts, alias: { planarium: "./planarium/planarium.js" }, external: ["./planarium/planarium.js"] };
-  joinModules(join(page, "main.js"), "", beside);
-  joinModules(join(page, "worker", "worker.js"), "", beside);
+  joinModules(join(page, "planner", "main.js"), "", beside);
+  joinModules(join(page, "planner", "worker", "worker.js"), "", beside);
   joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
   assembleRooms(pages.slice(1).map(([name]) => name), inParts);
   const files = readdirSync(out, { recursive: true, withFileTypes: true })
@@ -41,7 +41,7 @@ export function assemblePage() {
     .map((entry) => relative(out, join(entry.parentPath, entry.name)).split(sep).join("/"))
     .sort();
   const version = files.reduce((hash, file) => hash.update(file).update(readFileSync(join(out, file))), createHash("sha256")).digest("hex").slice(0, 16);
-  joinModules(join(page, "offline.js"), join(out, "offline.js"), {
+  joinModules(join(page, "app", "offline.js"), join(out, "offline.js"), {
     banner: { js: `globalThis.VERSION=${JSON.stringify(version)};globalThis.FILES=${JSON.stringify(["./", ...files])};` },
   });
 }
@@ -83,9 +83,9 @@ export function assembleOneFile() {
   const made = join(dist, "one-file");
   rmSync(made, { recursive: true, force: true });
   const inside = { sourcemap: false, alias: { planarium: join(dist, "package", "planarium.js") } };
-  joinModules(join(page, "main.js"), join(made, "main.js"), inside);
+  joinModules(join(page, "planner", "main.js"), join(made, "main.js"), inside);
   // The worker receives the compiled module, so the package needs no address.
-  joinModules(join(page, "worker", "worker.js"), join(made, "worker.js"), { ...inside, format: "iife", logOverride: { "empty-import-meta": "silent" } });
+  joinModules(join(page, "planner", "worker", "worker.js"), join(made, "worker.js"), { ...inside, format: "iife", logOverride: { "empty-import-meta": "silent" } });
   joinModules(join(page, "style", "style.css"), join(made, "style.css"), { sourcemap: false });
   const style = text(join(made, "style.css"));
   const policy = `default-src 'none'; script-src ${hashOf(UNPACK)} 'wasm-unsafe-eval' blob:; worker-src blob:; style-src ${hashOf(style)}; img-src data: blob:`;

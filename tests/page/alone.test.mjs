@@ -6,7 +6,7 @@ import { after, before, describe, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { atRest, choose, chooseScene, finish, inBrowser, onPage, onPausedPage, root, start, stop, thumbnails, unfold, worker } from "./browser.mjs";
 import { open, ran, sceneOf } from "./library.mjs";
-import { SCENES } from "../../www/scenes.js";
+import { SCENES } from "../../www/planner/scenes/scenes.js";
 
 before(start);
 after(stop);

@@ -205,7 +205,7 @@ export const frames = (page) => page.evaluate(() => new Promise((resolve) => req
 
 /**
  * How many pixels of a layer have (nearly) the colour of a custom property.
- * @param {Page} page @param {string} pane @param {import("../../www/stage/layer.js").LayerName} layer @param {string} property  without its dashes
+ * @param {Page} page @param {string} pane @param {import("../../www/draw/layer.js").LayerName} layer @param {string} property  without its dashes
  */
 export async function pixelsOf(page, pane, layer, property) {
   await frames(page);

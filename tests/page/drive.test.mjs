@@ -3,12 +3,12 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
 import { Scenario } from "planarium";
-import { Driving } from "../../www/worker/driving.js";
+import { Driving } from "../../www/planner/driving/driving.js";
 import { PHONE, atRest, chooseScene, onPage, onPausedPage, pickFile, pixelsOf, start, stop } from "./browser.mjs";
 import { assertFaultless } from "./looks.mjs";
 
 /** @import { DriveKey } from "planarium" */
-/** @import { Theatre } from "../../www/worker/theatre.js" */
+/** @import { Session } from "../../www/planner/session.js" */
 /** @import { Page } from "./browser.mjs" */
 
 before(start);
@@ -22,14 +22,14 @@ const ROAD = {
   queries: [{ name: "home", start: [0.3, 0.5, 0], goal: [0.9, 0.5, 0], goal_tolerance: { translation: 0.1, rotation: 0.5 } }],
 };
 
-/** A driving without a page: what it needs of a theatre, and no more. */
+/** A driving without a page: what it needs of a session, and no more. */
 function alone() {
   const scenario = Scenario.parse(ROAD);
   const document = scenario.document();
   const { start: from, goal } = document.queries[0];
   const shown = { scenario, document, query: "home", start: from, goal, hand: null, check: null, driven: null, placed: { isNear: () => false } };
-  const theatre = { shown, wake() {}, conductor: { pause() {} }, turn: { release() {}, game: {} } };
-  return new Driving(/** @type {Theatre} */ (/** @type {unknown} */ (theatre)));
+  const session = { shown, wake() {}, timeline: { pause() {} }, turn: { release() {}, game: {} } };
+  return new Driving(/** @type {Session} */ (/** @type {unknown} */ (session)));
 }
 
 describe("time", () => {

@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { atRest, pickFile } from "./browser.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
-/** @typedef {import("../../www/types.js").ScenarioDocument} ScenarioDocument */
+/** @typedef {import("../../www/domain/types.js").ScenarioDocument} ScenarioDocument */
 
 /** Opens the editor on a scenario. @param {Page} page @param {ScenarioDocument | null} document   null: on what is there */
 export async function openEditor(page, document) {

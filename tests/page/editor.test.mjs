@@ -7,11 +7,11 @@ import { atRest, chooseScene, counters, finish, onPage, onPausedPage, pickFile, 
 import { drag, near, openEditor, plane, saved, swipe, told, until, untilStory } from "./editing.mjs";
 import { endsOf } from "./library.mjs";
 import { assertFaultless } from "./looks.mjs";
-import { Edits } from "../../www/worker/edits.js";
-import { documentText } from "../../www/exchange/document.js";
+import { History } from "../../www/planner/editor/history.js";
+import { documentText } from "../../www/formats/document.js";
 
 /** @typedef {import("playwright-core").Page} Page */
-/** @typedef {import("../../www/types.js").ScenarioDocument} ScenarioDocument */
+/** @typedef {import("../../www/domain/types.js").ScenarioDocument} ScenarioDocument */
 
 before(start);
 after(stop);
@@ -49,7 +49,7 @@ async function isBlocked(page, across, up) {
 describe("history", () => {
   test("goes back and on, forgets what was undone, and keeps two hundred edits", () => {
     const documents = Array.from({ length: 260 }, (_, i) => /** @type {ScenarioDocument} */ ({ ...PLAIN, name: String(i) }));
-    const edits = new Edits(documents[0]);
+    const edits = new History(documents[0]);
     for (const document of documents.slice(1)) edits.commit(document);
     assert.equal(edits.undoable, 200);
     for (let i = 0; i < 200; i++) assert.ok(edits.go(-1));

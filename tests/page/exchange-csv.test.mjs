@@ -1,7 +1,7 @@
 /** Tables: what a strict reader of RFC 4180 makes of them is what went in. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { historyCsv, toCsv } from "../../www/exchange/csv.js";
+import { historyCsv, toCsv } from "../../www/formats/csv.js";
 import { seeded } from "./seeded.mjs";
 
 /** Cells of a table, by the grammar of RFC 4180. @param {string} text */

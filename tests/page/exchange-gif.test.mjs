@@ -1,7 +1,7 @@
 /** Moving pictures: every frame that went in comes out of an independent reader. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { GifWriter, paletteOf } from "../../www/exchange/gif.js";
+import { GifWriter, paletteOf } from "../../www/formats/gif.js";
 import { readGif } from "./gif.mjs";
 import { seeded } from "./seeded.mjs";
 

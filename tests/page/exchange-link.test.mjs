@@ -4,12 +4,12 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { deflateRawSync } from "node:zlib";
-import { decodeLink, encodeLink } from "../../www/exchange/link.js";
-import { SCENES } from "../../www/scenes.js";
+import { decodeLink, encodeLink } from "../../www/planner/link/codec.js";
+import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { root } from "./browser.mjs";
 import { mutated, seeded } from "./seeded.mjs";
 
-/** @import { Experiment, Settings, View } from "../../www/exchange/link.js" */
+/** @import { Experiment, Settings, View } from "../../www/planner/link/codec.js" */
 
 const SENTENCE = /^This link does not work: [^\n]{3,900}\.$/;
 

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { readNpy, readNpyPolygons, writeNpy } from "../../www/exchange/npy.js";
+import { readNpy, readNpyPolygons, writeNpy } from "../../www/formats/npy.js";
 import { root } from "./browser.mjs";
 import { mutated, seeded } from "./seeded.mjs";
 

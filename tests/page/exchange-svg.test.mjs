@@ -1,7 +1,7 @@
 /** Figures: what is drawn on the stand-in of a canvas is well-formed SVG, and lies where a canvas would draw it. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { SvgContext } from "../../www/exchange/svg.js";
+import { SvgContext } from "../../www/formats/svg.js";
 import { seeded } from "./seeded.mjs";
 import { allOf, readXml } from "./xml.mjs";
 

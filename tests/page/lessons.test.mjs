@@ -2,8 +2,8 @@
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { Scenario } from "planarium";
-import { LESSONS, stageAt } from "../../www/lessons.js";
-import { SCENES } from "../../www/scenes.js";
+import { LESSONS, stageAt } from "../../www/planner/lessons/script.js";
+import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { isFree, open, pieces, ran, sceneOf } from "./library.mjs";
 
 /** @typedef {ReturnType<typeof ran> & { scenario: Scenario }} Played */

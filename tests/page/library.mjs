@@ -3,10 +3,10 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { Scenario } from "planarium";
 import { root } from "../../scripts/run.mjs";
-import { SCENES, optionsAt } from "../../www/scenes.js";
+import { SCENES, optionsAt } from "../../www/planner/scenes/scenes.js";
 
-/** @typedef {import("../../www/types.js").SceneEntry} SceneEntry */
-/** @typedef {import("../../www/types.js").Settings} Settings */
+/** @typedef {import("../../www/domain/types.js").SceneEntry} SceneEntry */
+/** @typedef {import("../../www/domain/types.js").Settings} Settings */
 
 /** One of the page's scenes. @param {string} id @returns {SceneEntry} */
 export function sceneOf(id) {

@@ -1,12 +1,12 @@
 /** A link is an experiment: what it holds is put on the stage exactly, and what is broken is said and does no harm. */
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { decodeLink, encodeLink } from "../../www/exchange/link.js";
-import { SCENES } from "../../www/scenes.js";
+import { decodeLink, encodeLink } from "../../www/planner/link/codec.js";
+import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { atRest, choose, chooseScene, counters, finish, isDeep, onPage, onPausedPage, pickFile, pictureOf, seek, setParameter, start, stop } from "./browser.mjs";
 
 /** @import { Page } from "playwright-core" */
-/** @import { Experiment } from "../../www/exchange/link.js" */
+/** @import { Experiment } from "../../www/planner/link/codec.js" */
 
 before(start);
 after(stop);

@@ -4,17 +4,17 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Scenario } from "planarium";
-import { Journey, journeyOf } from "../../www/worker/journey.js";
-import { touchingSentence } from "../../www/worker/names.js";
-import { once } from "../../www/once.js";
-import { Rows } from "../../www/worker/rows.js";
-import { PAST, SIDE } from "../../www/worker/run.js";
+import { PathPlayback, playbackOf } from "../../www/domain/path-playback.js";
+import { touchingSentence } from "../../www/domain/names.js";
+import { once } from "../../www/app/once.js";
+import { Rows } from "../../www/planner/run-log/rows.js";
+import { PAST, SIDE } from "../../www/planner/run-log/run-log.js";
 import { endsOf } from "./library.mjs";
-import { SCENES } from "../../www/scenes.js";
-import { Glow } from "../../www/stage/glow.js";
-import { Tracer, folded, unrolled, way } from "../../www/stage/trace.js";
-import { View } from "../../www/stage/view.js";
-import { ending, going } from "../../www/worker/story.js";
+import { SCENES } from "../../www/planner/scenes/scenes.js";
+import { Glow } from "../../www/draw/glow.js";
+import { Tracer, folded, unrolled, way } from "../../www/draw/trace.js";
+import { View } from "../../www/draw/view.js";
+import { ending, going } from "../../www/planner/story.js";
 import { root } from "./browser.mjs";
 import { LocalRun } from "./runs.mjs";
 
@@ -104,7 +104,7 @@ test("a run fetched in slices holds what the planner holds, and every tree verte
   }
 });
 
-/** A run to its end. @param {string} id @param {string} algorithm @param {import("../../www/types.js").Settings} settings */
+/** A run to its end. @param {string} id @param {string} algorithm @param {import("../../www/domain/types.js").Settings} settings */
 function ended(id, algorithm, settings) {
   const scenario = load(id);
   const run = new LocalRun(scenario, algorithm, settings);
@@ -146,34 +146,34 @@ test("each iteration leaves a row of counts: what it showed can be shown again",
 
 test("a sampled path is followed to where it collides; a proven one has no such place, nor has one that only looks unproven", () => {
   const sampled = ended("stones", "prm", { samples: 260, k: 9, edge_check: "sampled", edge_samples: 1 });
-  const journey = journeyOf(sampled.scenario, sampled.run);
-  assert.ok(journey?.flaw && !journey.isProven);
-  const { at, pose, check } = journey.flaw;
+  const playback = playbackOf(sampled.scenario, sampled.run);
+  assert.ok(playback?.flaw && !playback.isProven);
+  const { at, pose, check } = playback.flaw;
   assert.equal(sampled.scenario.check(pose).free, false);
-  assert.ok(sampled.scenario.distance(journey.configuration(at), pose) < 1e-9);
-  for (let part = 0; part < at - 0.002; part += 0.001) assert.ok(sampled.scenario.check(journey.configuration(part)).free, `${part}`);
-  assert.equal(ending(sampled.run, journey), `Found, not proven. It collides: ${touchingSentence(sampled.scenario, check)}. To mend it, set “Collision checking” to proven.`);
+  assert.ok(sampled.scenario.distance(playback.configuration(at), pose) < 1e-9);
+  for (let part = 0; part < at - 0.002; part += 0.001) assert.ok(sampled.scenario.check(playback.configuration(part)).free, `${part}`);
+  assert.equal(ending(sampled.run, playback), `Found, not proven. It collides: ${touchingSentence(sampled.scenario, check)}. To mend it, set “Collision checking” to proven.`);
   const careful = ended("stones", "prm", { samples: 260, k: 9, edge_check: "sampled", edge_samples: 400 });
-  const free = journeyOf(careful.scenario, careful.run);
+  const free = playbackOf(careful.scenario, careful.run);
   assert.ok(free && free.flaw === null && !free.isProven);
   assert.match(ending(careful.run, free), /not proven. Checked afterwards, it touches nothing.$/);
   const proven = ended("stones", "prm", { samples: 260, k: 9 });
-  assert.ok(journeyOf(proven.scenario, proven.run)?.isProven);
-  assert.match(ending(proven.run, journeyOf(proven.scenario, proven.run)), /proven free from end to end/);
+  assert.ok(playbackOf(proven.scenario, proven.run)?.isProven);
+  assert.match(ending(proven.run, playbackOf(proven.scenario, proven.run)), /proven free from end to end/);
 });
 
 test("a tree that gave up shows its nearest miss; others have none to show", () => {
   const { scenario, run } = ended("firs", "rrt", { step: 0.35, seed: 7, max_iterations: 300 });
-  const journey = journeyOf(scenario, run);
-  assert.ok(journey?.isMiss && journey.isProven);
+  const playback = playbackOf(scenario, run);
+  assert.ok(playback?.isMiss && playback.isProven);
   const [start, goal] = endsOf(scenario.document().queries[0]);
-  assert.ok(scenario.distance(journey.configuration(0), start) < 1e-12);
-  const short = scenario.distance(journey.configuration(1), goal);
+  assert.ok(scenario.distance(playback.configuration(0), start) < 1e-12);
+  const short = scenario.distance(playback.configuration(1), goal);
   assert.ok(short > 0.1);
-  assert.equal(ending(run, journey), `No path after 300 iterations. The nearest miss, dashed, ends ${short.toFixed(2)} rad from the goal.`);
+  assert.equal(ending(run, playback), `No path after 300 iterations. The nearest miss, dashed, ends ${short.toFixed(2)} rad from the goal.`);
   for (const algorithm of ["prm", "rrt-connect"]) {
     const other = ended("firs", algorithm, { max_iterations: 3 });
-    assert.equal(journeyOf(other.scenario, other.run), null);
+    assert.equal(playbackOf(other.scenario, other.run), null);
     assert.match(ending(other.run, null), algorithm === "prm" ? /3 iterations were too few to search/ : /two trees never met/);
   }
 });
@@ -181,15 +181,15 @@ test("a tree that gave up shows its nearest miss; others have none to show", () 
 test("the length that is told is the run's own, in its own metric", () => {
   const { scenario, run } = ended("stones", "prm", { samples: 260, k: 9, metric: "euclidean" });
   const { length } = run.result;
-  const journey = journeyOf(scenario, run);
-  assert.ok(journey && Math.abs(journey.length - length) > 0.1, "the journey is measured otherwise");
-  assert.ok(ending(run, journey).includes(`${length.toFixed(2)} rad`));
+  const playback = playbackOf(scenario, run);
+  assert.ok(playback && Math.abs(playback.length - length) > 0.1, "the playback is measured otherwise");
+  assert.ok(ending(run, playback).includes(`${length.toFixed(2)} rad`));
 });
 
 test("each phase has its sentence; the scene's own is told of its own planner only", () => {
   const scene = { algorithm: "prm", isProven: true, sentence: "The scene's own." };
   const sentences = new Set();
-  for (const [algorithm, settings] of /** @type {[string, import("../../www/types.js").Settings][]} */ ([
+  for (const [algorithm, settings] of /** @type {[string, import("../../www/domain/types.js").Settings][]} */ ([
     ["prm-star", { samples: 60, shortcut: 5 }], ["visibility-prm", {}], ["rrt", { step: 0.5 }], ["rrt-connect", { step: 0.5 }],
   ])) {
     const run = new LocalRun(load("stones"), algorithm, settings);
@@ -200,7 +200,7 @@ test("each phase has its sentence; the scene's own is told of its own planner on
   }
   assert.equal(sentences.size, 10, [...sentences].join("\n"));
   assert.ok(!sentences.has(scene.sentence));
-  /** @param {import("../../www/types.js").Settings} settings */
+  /** @param {import("../../www/domain/types.js").Settings} settings */
   const connecting = (settings) => {
     const run = new LocalRun(load("stones"), "prm", { samples: 30, ...settings });
     assert.match(going(run, scene), /^The arm seeks a way from start to goal: each point/, "what is looked for comes first");
@@ -232,28 +232,28 @@ test("advance makes exactly as many iterations as it is asked for, and stops at 
   assert.equal(run.made, 137);
 });
 
-test("a journey runs from start to goal at constant speed, rests, and comes back", () => {
+test("a playback runs from start to goal at constant speed, rests, and comes back", () => {
   const scenario = load("stones");
   const planner = scenario.planner({ algorithm: "rrt-connect", seed: 1 });
   while (planner.step(100) === "running");
-  const journey = new Journey(scenario, planner.path());
+  const playback = new PathPlayback(scenario, planner.path());
   const [start, goal] = endsOf(scenario.document().queries[0]);
-  assert.ok(Math.abs(journey.length - planner.result().length) < 1e-9);
-  assert.ok(scenario.distance(journey.configuration(0), start) < 1e-12);
-  assert.ok(scenario.distance(journey.configuration(1), goal) < 1e-12);
+  assert.ok(Math.abs(playback.length - planner.result().length) < 1e-9);
+  assert.ok(scenario.distance(playback.configuration(0), start) < 1e-12);
+  assert.ok(scenario.distance(playback.configuration(1), goal) < 1e-12);
   const steps = 200;
   for (let i = 0; i < steps; i++) {
-    const moved = scenario.distance(journey.configuration(i / steps), journey.configuration((i + 1) / steps));
-    assert.ok(moved <= journey.length / steps + 1e-9, "no jump");
-    assert.ok(scenario.check(journey.configuration(i / steps)).free, "the drawn robot is where the proof is");
+    const moved = scenario.distance(playback.configuration(i / steps), playback.configuration((i + 1) / steps));
+    assert.ok(moved <= playback.length / steps + 1e-9, "no jump");
+    assert.ok(scenario.check(playback.configuration(i / steps)).free, "the drawn robot is where the proof is");
   }
-  for (let i = 0; i < 100 && journey.drawn < 1; i++) journey.advance(0.1);
-  assert.ok(journey.at === 0, "it waits until the line is drawn");
+  for (let i = 0; i < 100 && playback.drawn < 1; i++) playback.advance(0.1);
+  assert.ok(playback.at === 0, "it waits until the line is drawn");
   /** @type {number[]} */
   const ends = [];
-  for (let t = 0; t < 2 * journey.duration + 3; t += 0.02) {
-    journey.advance(0.02);
-    if (Number.isInteger(journey.at) && ends.at(-1) !== journey.at) ends.push(journey.at);
+  for (let t = 0; t < 2 * playback.duration + 3; t += 0.02) {
+    playback.advance(0.02);
+    if (Number.isInteger(playback.at) && ends.at(-1) !== playback.at) ends.push(playback.at);
   }
   assert.deepEqual(ends, [1, 0]);
 });

@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { Scenario } from "planarium";
-import { writeNpy } from "../../www/exchange/npy.js";
+import { writeNpy } from "../../www/formats/npy.js";
 import { ROBOTS } from "../../www/neighbours/robots.js";
 import { encodeState } from "../../www/room/link.js";
 import { DESK, PHONE, choose as chooseOne, onPage, pixelsOf, root, start, stop } from "./browser.mjs";

@@ -9,7 +9,7 @@ import {
   atRest, chooseScene, counters, dropFile, finish, frames, growthHash, isDeep, onPage, onPausedPage, pickFile, pixelsOf, root, setParameter, start, stop, thumbnails,
 } from "./browser.mjs";
 import { assertFits } from "./looks.mjs";
-import { SCENES } from "../../www/scenes.js";
+import { SCENES } from "../../www/planner/scenes/scenes.js";
 
 /** Scenes that differ from others in their world alone: all end in scenes.test.mjs, and here where all cases are tried. */
 const ALIKE = ["open", "slot", "trap", "maze", "shelf", "tentacle", "corner", "turn", "lanes"];
@@ -19,7 +19,7 @@ after(stop);
 
 /** @import { Page } from "./browser.mjs" */
 
-/** One of the page's scenes, read or made by the package. @param {import("../../www/types.js").SceneEntry} entry */
+/** One of the page's scenes, read or made by the package. @param {import("../../www/domain/types.js").SceneEntry} entry */
 const scenarioOf = ({ id, generate }) => (generate ? Scenario.generate(generate.kind, generate.options) : Scenario.parse(scene(id)));
 
 const scene = (/** @type {string} */ id) => readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8");

@@ -4,11 +4,11 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { Scenario, planners } from "planarium";
-import { decodeLink } from "../../www/exchange/link.js";
-import { SCENES } from "../../www/scenes.js";
-import { Placed } from "../../www/stage/placed.js";
-import { journeyOf } from "../../www/worker/journey.js";
-import { ending } from "../../www/worker/story.js";
+import { decodeLink } from "../../www/planner/link/codec.js";
+import { SCENES } from "../../www/planner/scenes/scenes.js";
+import { Placed } from "../../www/draw/placed.js";
+import { playbackOf } from "../../www/domain/path-playback.js";
+import { ending } from "../../www/planner/story.js";
 import { atRest, chooseScene, finish, growthHash, onPausedPage, pickFile, pixelsOf, root, seek, start, stop } from "./browser.mjs";
 import { drag, plane } from "./editing.mjs";
 import { assertFaultless } from "./looks.mjs";
@@ -28,7 +28,7 @@ const L = {
   queries: [{ name: "across", start: [-0.6, -0.6, 0], goal: [0.5, -0.4, 1.5] }],
 };
 
-/** A scene's run, to its end. @param {string} id @param {import("../../www/types.js").Settings} [more] */
+/** A scene's run, to its end. @param {string} id @param {import("../../www/domain/types.js").Settings} [more] */
 function ended(id, more) {
   const entry = SCENES.find((scene) => scene.id === id);
   assert.ok(entry);
@@ -84,17 +84,17 @@ describe("edges and ways of cars", () => {
   test("the way of a car passes its waypoints by exact arcs, with its wheels as they are steered, as long as the result says", () => {
     for (const id of ["blossom", "parking", "lanes"]) {
       const { run, scenario, placed } = ended(id);
-      const journey = journeyOf(scenario, run, placed);
-      assert.ok(journey?.course);
+      const playback = playbackOf(scenario, run, placed);
+      assert.ok(playback?.course);
       const { path, motions = [], length } = run.result;
-      assert.ok(Math.abs(journey.length - length) < 1e-6 * length, `${id}: ${journey.length} and ${length}`);
-      path.forEach((waypoint, i) => assert.ok(apart(journey.configuration(journey.reached[i] / journey.length), waypoint) < 1e-6, `${id}, waypoint ${i}`));
-      for (let part = 0; part <= 1; part += 0.001) assert.ok(scenario.check(journey.configuration(part)).free, `${id} at ${part}`);
+      assert.ok(Math.abs(playback.length - length) < 1e-6 * length, `${id}: ${playback.length} and ${length}`);
+      path.forEach((waypoint, i) => assert.ok(apart(playback.configuration(playback.reached[i] / playback.length), waypoint) < 1e-6, `${id}, waypoint ${i}`));
+      for (let part = 0; part <= 1; part += 0.001) assert.ok(scenario.check(playback.configuration(part)).free, `${id} at ${part}`);
       motions.forEach(({ control: [, phi] }, i) => {
-        journey.seek((journey.reached[i] + journey.reached[i + 1]) / 2 / journey.length);
-        assert.equal(journey.steering, phi);
+        playback.seek((playback.reached[i] + playback.reached[i + 1]) / 2 / playback.length);
+        assert.equal(playback.steering, phi);
       });
-      assert.match(ending(run, journey), /: a path of length \d+\.\d\d, proven free/);
+      assert.match(ending(run, playback), /: a path of length \d+\.\d\d, proven free/);
       run.free();
     }
   });
@@ -102,8 +102,8 @@ describe("edges and ways of cars", () => {
   test("a body's edges and way are straight", () => {
     const { run, scenario, placed } = ended("corner");
     assert.deepEqual([run.traces.count, run.motions.count, run.along(0).length], [0, 0, 6]);
-    const journey = journeyOf(scenario, run, placed);
-    assert.ok(journey && journey.course === null && journey.steering === 0);
+    const playback = playbackOf(scenario, run, placed);
+    assert.ok(playback && playback.course === null && playback.steering === 0);
     run.free();
   });
 });

@@ -4,13 +4,13 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Scenario } from "planarium";
-import { Places, NEAR } from "../../www/stage/places.js";
-import { Keeps } from "../../www/stage/keeps.js";
-import { EVENT, PAST } from "../../www/worker/run.js";
+import { VertexIndex, NEAR } from "../../www/draw/vertex-index.js";
+import { Snapshots } from "../../www/draw/snapshots.js";
+import { EVENT, PAST } from "../../www/planner/run-log/run-log.js";
 import { root } from "./browser.mjs";
 import { LocalRun, ended } from "./runs.mjs";
 
-/** @import { Settings } from "../../www/types.js" */
+/** @import { Settings } from "../../www/domain/types.js" */
 
 /** A run to its end. @param {string} id @param {string} algorithm @param {Settings} settings */
 function runOf(id, algorithm, settings) {
@@ -67,16 +67,16 @@ test("in a tree the cost from the root is the length of the way down the parents
     const run = runOf("firs", "rrt", { step: 0.3, seed: 4, metric, max_iterations: 20_000 });
     run.shown = run.made;
     assert.equal(run.status, "solved");
-    run.kin.follow();
-    assert.ok(Math.abs(run.kin.costs[1] - run.result.length) < 1e-9, `${run.kin.costs[1]} and ${run.result.length}`);
+    run.adjacency.follow();
+    assert.ok(Math.abs(run.adjacency.costs[1] - run.result.length) < 1e-9, `${run.adjacency.costs[1]} and ${run.result.length}`);
     let [way, vertex] = [0, 1];
-    for (let parent = run.kin.parent(1, run.edges.count); parent >= 0; parent = run.kin.parent(vertex, run.edges.count)) {
-      way += run.kin.distance(parent, vertex);
+    for (let parent = run.adjacency.parent(1, run.edges.count); parent >= 0; parent = run.adjacency.parent(vertex, run.edges.count)) {
+      way += run.adjacency.distance(parent, vertex);
       vertex = parent;
     }
     assert.equal(vertex, 0);
-    assert.ok(Math.abs(way - run.kin.costs[1]) < 1e-9);
-    assert.equal(run.kin.parent(1, run.edges.count - 1), -1, "before its edge is there it has no parent");
+    assert.ok(Math.abs(way - run.adjacency.costs[1]) < 1e-9);
+    assert.equal(run.adjacency.parent(1, run.edges.count - 1), -1, "before its edge is there it has no parent");
     run.free();
   }
 });
@@ -87,7 +87,7 @@ test("the nearest of 20,000 vertices is that of the slow way", () => {
   const points = Float64Array.from({ length: 40_000 }, () => 700 * random() - 20);
   const pane = { pixels: (/** @type {Float64Array} */ rows) => rows };
   const run = { vertices: { count: 20_000, slice: (/** @type {number} */ first, /** @type {number} */ end) => points.subarray(2 * first, 2 * end) } };
-  const places = new Places(/** @type {never} */ (pane), /** @type {never} */ (run));
+  const places = new VertexIndex(/** @type {never} */ (pane), /** @type {never} */ (run));
   places.nearest(0, 0, 1);
   let found = 0;
   for (let i = 0; i < 300; i++) {
@@ -110,7 +110,7 @@ test("copies of a layer stay few, and the nearest one before a time is put back"
   const before = globalThis.OffscreenCanvas;
   globalThis.OffscreenCanvas = /** @type {never} */ (class { getContext() { return null; } });
   try {
-    const keeps = new Keeps(/** @type {never} */ (layer));
+    const keeps = new Snapshots(/** @type {never} */ (layer));
     for (let count = 100; count <= 100_000; count += 100) if (keeps.isDue(count)) keeps.copy(count);
     assert.ok(keeps.copies.length >= 4 && keeps.copies.length <= 8, `${keeps.copies.length} copies`);
     const counts = keeps.copies.map(({ count }) => count);

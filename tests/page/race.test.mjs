@@ -6,15 +6,15 @@ import { after, before, describe, test } from "node:test";
 import { PHONE, atRest, chooseScene, finish, frames, growthHash, onPage, onPausedPage, pixelsOf, root, seek, setParameter, start, stop, unfold } from "./browser.mjs";
 import { assertFaultless, assertTargets } from "./looks.mjs";
 import { LocalRun, ended } from "./runs.mjs";
-import { PAST } from "../../www/worker/run.js";
-import { compete } from "../../www/worker/compete.js";
-import { thinned } from "../../www/worker/curve.js";
-import { ticks } from "../../www/controls/chart.js";
-import { nameAll } from "../../www/controls/names.js";
-import { leaders } from "../../www/standings.js";
+import { PAST } from "../../www/planner/run-log/run-log.js";
+import { compete } from "../../www/planner/worker/compete.js";
+import { thinned } from "../../www/planner/run-log/curve.js";
+import { ticks } from "../../www/widgets/chart.js";
+import { nameAll } from "../../www/planner/race/names.js";
+import { leaders } from "../../www/planner/race/standings.js";
 
 /** @typedef {import("playwright-core").Page} Page */
-/** @typedef {import("../../www/types.js").Plan} Plan */
+/** @typedef {import("../../www/domain/types.js").Plan} Plan */
 
 before(start);
 after(stop);

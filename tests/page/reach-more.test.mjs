@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
 import { Scenario, reachMethods } from "planarium";
-import { decodeLink } from "../../www/exchange/link.js";
+import { decodeLink } from "../../www/planner/link/codec.js";
 import { DESK, pixelsOf, start, stop } from "./browser.mjs";
 import { assertFaultless, assertFits, assertForced, assertTargets } from "./looks.mjs";
 import { choose, entryOf, onReach, poseOf, put, rest, windowOf } from "./reach.mjs";

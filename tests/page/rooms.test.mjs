@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { list, number, record } from "../../www/exchange/rules.js";
+import { list, number, record } from "../../www/formats/rules.js";
 import { decodeState, encodeState } from "../../www/room/link.js";
 import { DESK, onPage, pageRoot, pixelsOf, root, start, stop } from "./browser.mjs";
 import { onReach, poseOf, rest } from "./reach.mjs";

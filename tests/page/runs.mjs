@@ -1,9 +1,9 @@
 /** Runs whose planners are stepped in the test's own thread, as the worker steps those of the page. */
 import { phases, planners } from "planarium";
-import { Run } from "../../www/worker/run.js";
-import { Stepper } from "../../www/worker/stepper.js";
+import { Run } from "../../www/planner/run-log/run-log.js";
+import { Stepper } from "../../www/planner/worker/stepper.js";
 
-/** @import { Scenario, Settings } from "../../www/types.js" */
+/** @import { Scenario, Settings } from "../../www/domain/types.js" */
 
 export class LocalRun extends Run {
   /** @param {import("planarium").Scenario} scenario @param {string} algorithm @param {Settings} settings */

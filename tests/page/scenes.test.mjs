@@ -5,17 +5,17 @@ import { join } from "node:path";
 import { describe, test } from "node:test";
 import { planners } from "planarium";
 import { root } from "../../scripts/run.mjs";
-import { SCENES, optionsAt } from "../../www/scenes.js";
+import { SCENES, optionsAt } from "../../www/planner/scenes/scenes.js";
 import { endsOf, isDriven, isFree, open, pieces, ran, sceneOf } from "./library.mjs";
 
-/** A scene at work as the page opens it. @param {string} id @param {import("../../www/types.js").Settings} [changed] @param {Record<string, number>} [positions] @param {number} [iterations] */
+/** A scene at work as the page opens it. @param {string} id @param {import("../../www/domain/types.js").Settings} [changed] @param {Record<string, number>} [positions] @param {number} [iterations] */
 function played(id, changed = {}, positions = {}, iterations = Infinity) {
   const entry = sceneOf(id);
   const scenario = open(entry, positions);
   return { scenario, ...ran(scenario, entry.algorithm, { ...entry.settings, ...changed }, iterations) };
 }
 
-/** Every position of a slider. @param {import("../../www/types.js").Slider} slider */
+/** Every position of a slider. @param {import("../../www/domain/types.js").Slider} slider */
 function positionsOf({ min, max, step }) {
   return Array.from({ length: Math.round((max - min) / step) + 1 }, (_, i) => Number((min + i * step).toFixed(9)));
 }

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { readNpy, writeNpy } from "../../www/exchange/npy.js";
+import { readNpy, writeNpy } from "../../www/formats/npy.js";
 import { PHONE, atRest, chooseScene, counters, finish, growthHash, onPausedPage, pickFile, pixelsOf, root, start, stop, unfold } from "./browser.mjs";
 
 /** @import { Page } from "./browser.mjs" */

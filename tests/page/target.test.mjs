@@ -7,7 +7,7 @@ import { drag, near, openEditor, plane, saved, swipe, told, until } from "./edit
 import { endsOf } from "./library.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
-/** @typedef {import("../../www/types.js").ScenarioDocument} ScenarioDocument */
+/** @typedef {import("../../www/domain/types.js").ScenarioDocument} ScenarioDocument */
 
 before(start);
 after(stop);

@@ -8,7 +8,7 @@ import { DESK, PHONE, atRest, chooseScene, finish, frames, growthHash, isDeep, o
 before(start);
 after(stop);
 
-/** Planners with enough of everything that copies of layers are taken and used. */
+/** PlannerWorker with enough of everything that copies of layers are taken and used. */
 const RUNS = {
   prm: { samples: 700, k: 8 },
   "visibility-prm": { failures: 4000 },

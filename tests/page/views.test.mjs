@@ -4,9 +4,9 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { Scenario } from "planarium";
-import { View } from "../../www/stage/view.js";
+import { View } from "../../www/draw/view.js";
 import { PHONE, atRest, chooseScene, finish, frames, onPausedPage, pixelsOf, root, seek, setParameter, start, stop, unfold } from "./browser.mjs";
-import { SCENES } from "../../www/scenes.js";
+import { SCENES } from "../../www/planner/scenes/scenes.js";
 
 /** @import { Page } from "./browser.mjs" */
 

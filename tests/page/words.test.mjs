@@ -2,8 +2,8 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { Scenario, phases, planners } from "planarium";
-import { LESSONS, stageAt } from "../../www/lessons.js";
-import { SCENES } from "../../www/scenes.js";
+import { LESSONS, stageAt } from "../../www/planner/lessons/script.js";
+import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { atRest, chooseScene, finish, growthHash, onPage, onPausedPage, setParameter, start, stop } from "./browser.mjs";
 import { open, sceneOf } from "./library.mjs";
 import { assertFaultless } from "./looks.mjs";
@@ -88,12 +88,12 @@ describe("pseudo-code", () => {
     });
   });
 
-  test("it is open on a desk, closed on a phone, and follows the planner that is chosen", async () => {
+  test("it is open on a exporter, closed on a phone, and follows the planner that is chosen", async () => {
     await onPausedPage(async (page) => {
       assert.equal(await page.locator("#pseudocode details").getAttribute("open"), "");
       for (const { id, pseudocode } of planners().filter(({ robots }) => robots.includes("arm"))) {
         await page.selectOption("#planner", id);
-        // Planners share lines: all of them are waited for, or the last planner's may still stand there.
+        // PlannerWorker share lines: all of them are waited for, or the last planner's may still stand there.
         await page.waitForFunction(
           (lines) => JSON.stringify([...document.querySelectorAll("#pseudocode li")].map(({ textContent }) => textContent)) === lines,
           JSON.stringify(pseudocode.map(({ text }) => text)),

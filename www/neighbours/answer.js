@@ -1,6 +1,6 @@
 /** The neighbours as a table, nearest first, and the answer in a sentence. */
-import { grouped, write } from "../controls/counters.js";
-import { byId, make } from "../controls/dom.js";
+import { grouped, write } from "../planner/counters.js";
+import { byId, make } from "../app/dom.js";
 
 /** @import { Desk } from "./desk.js" */
 

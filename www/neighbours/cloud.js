@@ -1,5 +1,5 @@
 /** Many dots as one image: however many there are, it is drawn in a few milliseconds. */
-import { bytesOf } from "../stage/mask.js";
+import { bytesOf } from "../draw/mask.js";
 
 /** How dark one dot is, of 255, and how much darker one on another. */
 const ONE = 150;

@@ -1,7 +1,7 @@
 /** How many, as a slider whose steps are equal ratios, and a field for the exact number. */
-import { grouped } from "../controls/counters.js";
-import { make } from "../controls/dom.js";
-import { reasonAgainst } from "../controls/field.js";
+import { grouped } from "../planner/counters.js";
+import { make } from "../app/dom.js";
+import { reasonAgainst } from "../widgets/field.js";
 
 /** Steps of the slider. */
 const STEPS = 300;

@@ -2,11 +2,11 @@
  * What lies on the desk: a robot, a list of its configurations, a target, and the question that is asked. Whoever changes
  * something says so; whoever shows something listens. Lists and answers come from the worker; only the newest question counts.
  */
-import { contained, coordinatesOf, wrap } from "../worker/coordinates.js";
+import { contained, coordinatesOf, wrap } from "../domain/coordinates.js";
 
 /** @import { Asker } from "../room/ask.js" */
 /** @import { Room } from "../room/room.js" */
-/** @import { Coordinate, Library, Part, Scenario } from "../types.js" */
+/** @import { Coordinate, Library, Part, Scenario } from "../domain/types.js" */
 /** @import { Draw, Found, IndexId, List, RobotEntry, Settings } from "./types.js" */
 /** @import { Commands } from "./worker.js" */
 

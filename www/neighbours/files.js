@@ -1,6 +1,6 @@
 /** A list of configurations from a file: JSON, an array of arrays of numbers, or an array of NumPy's with a row for each. */
-import { isArray } from "../controls/drop.js";
-import { readNpy } from "../exchange/npy.js";
+import { isArray } from "../app/drop.js";
+import { readNpy } from "../formats/npy.js";
 
 /** The most configurations of a file. */
 const MOST = 100_000;

@@ -6,16 +6,16 @@
  * their order), `data-missed`, `data-visited`; `#neighbours` has a row for each, `#timing` says how far it is measured.
  */
 import * as library from "planarium";
-import { grouped, write } from "../controls/counters.js";
-import { byId } from "../controls/dom.js";
-import { watchFiles } from "../controls/drop.js";
-import { Gallery, SIDE } from "../controls/gallery.js";
-import { loadCore } from "../resources.js";
+import { grouped, write } from "../planner/counters.js";
+import { byId } from "../app/dom.js";
+import { watchFiles } from "../app/drop.js";
+import { Gallery, SIDE } from "../widgets/gallery.js";
+import { loadCore } from "../app/resources.js";
 import { Asker } from "../room/ask.js";
 import { Link } from "../room/link.js";
 import { Room } from "../room/room.js";
 import { Sheet } from "../room/sheet.js";
-import { drawThumbnail } from "../worker/thumbnail.js";
+import { drawThumbnail } from "../draw/thumbnail.js";
 import { AnswerTable, configurationText, num, sentenceOf } from "./answer.js";
 import { DRAWN, Desk } from "./desk.js";
 import { Hand } from "./hand.js";

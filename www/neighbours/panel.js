@@ -1,5 +1,5 @@
 /** The settings: where the list comes from, the target, the question. What the indexes take is built from the core's own table. */
-import { byId, make } from "../controls/dom.js";
+import { byId, make } from "../app/dom.js";
 import { Options } from "../room/options.js";
 import { Slider } from "../room/slider.js";
 import { Count } from "./count.js";

@@ -1,6 +1,6 @@
 /** The robots of this page: small worlds, each with a target and the questions of the course reports' tables. */
 
-/** @import { Obstacle } from "../types.js" */
+/** @import { Obstacle } from "../domain/types.js" */
 /** @import { Preset, RobotEntry, ScenarioDocument } from "./types.js" */
 
 /** @param {number} x @param {number} y @param {number} width @param {number} height @returns {Obstacle} */

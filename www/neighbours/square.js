@@ -3,11 +3,11 @@
  * its neighbours: where a line leaves the square it comes back on the other side, and a strip beyond each border shows how. The naive metric cuts both circles at 0, so its
  * lines never cross that cut, which is drawn.
  */
-import { tick, ticks, titleOf } from "../stage/angles.js";
-import { paint, soften } from "../stage/mask.js";
-import { disc, ring } from "../stage/marks.js";
-import { folded, way } from "../stage/trace.js";
-import { View } from "../stage/view.js";
+import { tick, ticks, titleOf } from "../draw/angles.js";
+import { paint, soften } from "../draw/mask.js";
+import { disc, ring } from "../draw/marks.js";
+import { folded, way } from "../draw/trace.js";
+import { View } from "../draw/view.js";
 import { cloudOf } from "./cloud.js";
 
 /** @import { Brush, Painting } from "../room/sheet.js" */

@@ -1,9 +1,9 @@
 /** What lies on the desk as a link holds it, and back. A list of the reader's own is not in it. */
-import { flag, list, name, number, record, rule, settings, whole } from "../exchange/rules.js";
+import { flag, list, name, number, record, rule, settings, whole } from "../formats/rules.js";
 import { ROBOTS } from "./robots.js";
 
 /** @import { NeighboursOptions } from "planarium" */
-/** @import { Rule } from "../exchange/rules.js" */
+/** @import { Rule } from "../formats/rules.js" */
 /** @import { Desk } from "./desk.js" */
 /** @import { Draw, IndexId, Settings } from "./types.js" */
 

@@ -1,8 +1,8 @@
 /** What can be taken away: the stage as a picture or a drawing, the neighbours and the timings as tables. */
-import { byId, make } from "../controls/dom.js";
-import { toCsv } from "../exchange/csv.js";
+import { byId, make } from "../app/dom.js";
+import { toCsv } from "../formats/csv.js";
 import { drawingOf, pictureOf } from "../room/take.js";
-import { save } from "../take/files.js";
+import { save } from "../planner/export/files.js";
 
 /** @import { Sheet } from "../room/sheet.js" */
 /** @import { Desk } from "./desk.js" */

@@ -4,8 +4,8 @@
  *
  * What tests may rely on: `#timing` carries `data-timing` ("none", "running", "done") and `data-seconds`.
  */
-import { grouped } from "../controls/counters.js";
-import { byId, make } from "../controls/dom.js";
+import { grouped } from "../planner/counters.js";
+import { byId, make } from "../app/dom.js";
 import { Plot } from "../room/plot.js";
 
 /** @import { IndexInfo } from "planarium" */

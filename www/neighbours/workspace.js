@@ -1,12 +1,12 @@
 /** The robot in its world: all configurations faint, the neighbours in fine ink by their rank, the target strong. */
-import { drawBase, drawBounds, drawReach, drawScale } from "../stage/ground.js";
-import { disc } from "../stage/marks.js";
-import { drawGhost, drawLabel, drawObstacles, drawRobot } from "../stage/shapes.js";
-import { View } from "../stage/view.js";
+import { drawBase, drawBounds, drawReach, drawScale } from "../draw/ground.js";
+import { disc } from "../draw/marks.js";
+import { drawGhost, drawLabel, drawObstacles, drawRobot } from "../draw/shapes.js";
+import { View } from "../draw/view.js";
 import { cloudOf } from "./cloud.js";
 
 /** @import { Brush, Painting } from "../room/sheet.js" */
-/** @import { Part } from "../types.js" */
+/** @import { Part } from "../domain/types.js" */
 /** @import { Desk } from "./desk.js" */
 /** @import { Point } from "./types.js" */
 

@@ -1,8 +1,8 @@
 /** The arm on the stage: its document, the core's scenario of it, its pose and what follows from that. */
-import { contained, coordinatesOf, wrap } from "../worker/coordinates.js";
+import { contained, coordinatesOf, wrap } from "../domain/coordinates.js";
 import { ellipseOf, tipOf } from "./jacobian.js";
 
-/** @import { Check, Coordinate, Library, Part, Scenario } from "../types.js" */
+/** @import { Check, Coordinate, Library, Part, Scenario } from "../domain/types.js" */
 /** @import { Ellipse } from "./jacobian.js" */
 /** @import { ArmRobot, Point, ScenarioDocument } from "./types.js" */
 

@@ -2,9 +2,9 @@
  * The pose of an arm of any number of joints in parallel coordinates (Inselberg 1985): an upright axis for each joint, a line
  * through their values. Red stretches of an axis are where that joint, turned alone, would touch something.
  */
-import { ticks } from "../stage/angles.js";
-import { disc } from "../stage/marks.js";
-import { folded } from "../stage/trace.js";
+import { ticks } from "../draw/angles.js";
+import { disc } from "../draw/marks.js";
+import { folded } from "../draw/trace.js";
 
 /** @import { Brush, Painting } from "../room/sheet.js" */
 /** @import { Bench } from "./bench.js" */

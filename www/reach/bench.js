@@ -6,7 +6,7 @@ import { Arm } from "./arm.js";
 import { Way } from "./way.js";
 
 /** @import { Room } from "../room/room.js" */
-/** @import { Library } from "../types.js" */
+/** @import { Library } from "../domain/types.js" */
 /** @import { Mode, Point, SceneEntry, ScenarioDocument } from "./types.js" */
 /** @import { Round } from "./way.js" */
 

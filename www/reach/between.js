@@ -1,5 +1,5 @@
 /** From A to B: the two poses are kept, each joint goes the short or the long way round, and the way is played. */
-import { byId, make } from "../controls/dom.js";
+import { byId, make } from "../app/dom.js";
 import { Transport } from "../room/transport.js";
 
 /** @import { Bench, Change } from "./bench.js" */

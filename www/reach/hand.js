@@ -2,8 +2,8 @@
  * The arm in the hand: its tip, a link, a point of the configuration square or of an axis is dragged by mouse, finger or keys.
  * However many moves come, one a frame is obeyed. A finger that holds nothing scrolls the page.
  */
-import { wrap } from "../worker/coordinates.js";
-import { distanceToSegment } from "../worker/grip.js";
+import { wrap } from "../domain/coordinates.js";
+import { distanceToSegment } from "../planner/pose/grip.js";
 
 /** @import { Sheet } from "../room/sheet.js" */
 /** @import { Axes } from "./axes.js" */

@@ -5,7 +5,7 @@
  * vector from that joint to the tip, a quarter turn on. The half axes are the roots of the eigenvalues of J times its transpose.
  */
 
-/** @import { Part } from "../types.js" */
+/** @import { Part } from "../domain/types.js" */
 
 /**
  * @typedef {object} Ellipse

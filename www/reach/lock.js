@@ -1,5 +1,5 @@
 /** The direction that the last link keeps while the tip is dragged, where the arm has the joints for it. */
-import { byId, make } from "../controls/dom.js";
+import { byId, make } from "../app/dom.js";
 import { Slider } from "../room/slider.js";
 
 /** @import { Bench } from "./bench.js" */

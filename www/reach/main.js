@@ -8,16 +8,16 @@
  * - `#between` carries `data-hit`: the part of the way at which it is first refused, or "none".
  */
 import * as library from "planarium";
-import { write } from "../controls/counters.js";
-import { byId, make } from "../controls/dom.js";
-import { watchFiles } from "../controls/drop.js";
-import { Gallery, SIDE } from "../controls/gallery.js";
-import { loadCore } from "../resources.js";
+import { write } from "../planner/counters.js";
+import { byId, make } from "../app/dom.js";
+import { watchFiles } from "../app/drop.js";
+import { Gallery, SIDE } from "../widgets/gallery.js";
+import { loadCore } from "../app/resources.js";
 import { Asker } from "../room/ask.js";
 import { Link } from "../room/link.js";
 import { Room } from "../room/room.js";
 import { Sheet } from "../room/sheet.js";
-import { drawThumbnail } from "../worker/thumbnail.js";
+import { drawThumbnail } from "../draw/thumbnail.js";
 import { Axes } from "./axes.js";
 import { Bench, documentOf } from "./bench.js";
 import { Between } from "./between.js";

@@ -1,5 +1,5 @@
 /** The arm in the panel: its joints, and what it is made of. */
-import { byId, make } from "../controls/dom.js";
+import { byId, make } from "../app/dom.js";
 import { Slider } from "../room/slider.js";
 
 /** @import { Bench, Change } from "./bench.js" */

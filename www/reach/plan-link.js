@@ -1,5 +1,5 @@
 /** The planner's page with this arm and world, and the target as what is to be reached. */
-import { encodeLink } from "../exchange/link.js";
+import { encodeLink } from "../planner/link/codec.js";
 
 /** @import { PlannerInfo } from "planarium" */
 /** @import { Bench } from "./bench.js" */

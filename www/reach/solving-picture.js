@@ -1,10 +1,10 @@
 /** What a run of inverse kinematics leaves on the stage: iterates, the fainter the older, solutions as ghosts, the target. */
-import { disc } from "../stage/marks.js";
-import { drawGhost, drawLabel, isThin } from "../stage/shapes.js";
+import { disc } from "../draw/marks.js";
+import { drawGhost, drawLabel, isThin } from "../draw/shapes.js";
 import { drawCross } from "./workspace.js";
 
 /** @import { Brush } from "../room/sheet.js" */
-/** @import { View } from "../stage/view.js" */
+/** @import { View } from "../draw/view.js" */
 /** @import { Axes } from "./axes.js" */
 /** @import { Solving } from "./solving.js" */
 /** @import { Square } from "./square.js" */

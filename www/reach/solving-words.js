@@ -1,5 +1,5 @@
 /** What is said of a run of inverse kinematics. */
-import { touchingSentence } from "../worker/names.js";
+import { touchingSentence } from "../domain/names.js";
 import { num, pointText } from "./words.js";
 
 /** @import { Bench } from "./bench.js" */

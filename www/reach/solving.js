@@ -4,9 +4,9 @@
  * What tests may rely on: `#solve` carries `data-status`, `data-iterations`, `data-restarts`, `data-solutions`, `data-free`,
  * `data-error`, `data-verdict` (empty while it runs) and `data-fingerprint` (while it is not played).
  */
-import { grouped, write } from "../controls/counters.js";
-import { byId, make } from "../controls/dom.js";
-import { withSeed } from "../controls/panel.js";
+import { grouped, write } from "../planner/counters.js";
+import { byId, make } from "../app/dom.js";
+import { withSeed } from "../planner/settings/panel.js";
 import { Options } from "../room/options.js";
 import { Plot } from "../room/plot.js";
 import { Transport } from "../room/transport.js";
@@ -15,7 +15,7 @@ import { planLink } from "./plan-link.js";
 import { MOST } from "./solving-picture.js";
 import { small, solvingSentence } from "./solving-words.js";
 
-/** @import { Library, ParameterInfo } from "../types.js" */
+/** @import { Library, ParameterInfo } from "../domain/types.js" */
 /** @import { Bench, Change } from "./bench.js" */
 /** @import { Settings } from "./search.js" */
 

@@ -2,12 +2,12 @@
  * The configuration space of an arm of two joints as a square; where a joint is a circle, a strip of the picture goes on beyond the
  * border, faint, so that one sees it come round. Obstacles are the core's own picture.
  */
-import { tick, ticks, titleOf } from "../stage/angles.js";
-import { paint, soften } from "../stage/mask.js";
-import { disc } from "../stage/marks.js";
-import { drawGoal, drawHit, drawStart } from "../stage/shapes.js";
-import { folded, unrolled } from "../stage/trace.js";
-import { View } from "../stage/view.js";
+import { tick, ticks, titleOf } from "../draw/angles.js";
+import { paint, soften } from "../draw/mask.js";
+import { disc } from "../draw/marks.js";
+import { drawGoal, drawHit, drawStart } from "../draw/shapes.js";
+import { folded, unrolled } from "../draw/trace.js";
+import { View } from "../draw/view.js";
 
 /** @import { Brush, Painting } from "../room/sheet.js" */
 /** @import { Bench } from "./bench.js" */

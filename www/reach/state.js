@@ -1,9 +1,9 @@
 /** What is on the bench as a link holds it, and back: every number as it is, so that a run is the same to the last bit. */
-import { flag, json, list, name, number, record, rule, settings, whole } from "../exchange/rules.js";
+import { flag, json, list, name, number, record, rule, settings, whole } from "../formats/rules.js";
 import { documentOf } from "./bench.js";
 import { SCENES } from "./scenes.js";
 
-/** @import { Rule } from "../exchange/rules.js" */
+/** @import { Rule } from "../formats/rules.js" */
 /** @import { Bench } from "./bench.js" */
 /** @import { Solving } from "./solving.js" */
 /** @import { ArmRobot, Mode, Point, ScenarioDocument } from "./types.js" */

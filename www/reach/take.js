@@ -1,7 +1,7 @@
 /** What can be taken away: the stage as a picture or a drawing, the scenario to be opened elsewhere. */
-import { byId, make } from "../controls/dom.js";
+import { byId, make } from "../app/dom.js";
 import { drawingOf, pictureOf } from "../room/take.js";
-import { json, save } from "../take/files.js";
+import { json, save } from "../planner/export/files.js";
 import { targetQuery } from "./plan-link.js";
 
 /** @import { Room } from "../room/room.js" */

@@ -2,7 +2,7 @@
  * The straight way from one configuration to another, each joint the short or the long way round: where it goes, where its tip
  * goes, and where it first touches something, which the core proves piece by piece.
  */
-import { way } from "../stage/trace.js";
+import { way } from "../draw/trace.js";
 
 /** @import { Arm } from "./arm.js" */
 /** @typedef {"short" | "long"} Round */

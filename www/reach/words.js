@@ -1,5 +1,5 @@
 /** What the page says of the arm, in plain sentences. */
-import { touchingSentence } from "../worker/names.js";
+import { touchingSentence } from "../domain/names.js";
 import { isNearlySingular } from "./jacobian.js";
 
 /** @import { Bench } from "./bench.js" */

@@ -1,9 +1,9 @@
 /** The workspace: the world, the arm in it, how its tip can move, and whatever the stage is for just now. */
-import { drawBase, drawBounds, drawReach, drawScale } from "../stage/ground.js";
-import { disc } from "../stage/marks.js";
-import { drawGhost, drawGoal, drawHit, drawObstacles, drawRobot, drawStart } from "../stage/shapes.js";
-import { drawTouching } from "../stage/touching.js";
-import { View } from "../stage/view.js";
+import { drawBase, drawBounds, drawReach, drawScale } from "../draw/ground.js";
+import { disc } from "../draw/marks.js";
+import { drawGhost, drawGoal, drawHit, drawObstacles, drawRobot, drawStart } from "../draw/shapes.js";
+import { drawTouching } from "../draw/touching.js";
+import { View } from "../draw/view.js";
 
 /** @import { Brush, Painting } from "../room/sheet.js" */
 /** @import { Bench } from "./bench.js" */

@@ -1,6 +1,6 @@
 /** The page's side of a room's worker: questions go out, answers come in. */
 
-/** @import { Fault } from "../types.js" */
+/** @import { Fault } from "../domain/types.js" */
 
 /** What the worker says has gone wrong. */
 export class WorkerError extends Error {

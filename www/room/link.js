@@ -2,11 +2,11 @@
  * A link is an experiment: the fragment of the address holds what the room shows, and a button gives the address of it. What comes
  * in is checked by the room's own rule; a link that does not work is said not to, and the room opens as usual.
  */
-import { byId, make } from "../controls/dom.js";
-import { packed, unpacked } from "../exchange/packed.js";
-import { Fault, must } from "../exchange/rules.js";
+import { byId, make } from "../app/dom.js";
+import { packed, unpacked } from "../formats/deflate-json.js";
+import { Fault, must } from "../formats/rules.js";
 
-/** @import { Rule } from "../exchange/rules.js" */
+/** @import { Rule } from "../formats/rules.js" */
 /** @import { Room } from "./room.js" */
 
 /** Characters of a fragment at most, and bytes that it may unpack to. */

@@ -1,8 +1,8 @@
 /** A panel of options, built from a table such as the core's own: each a field that says what it means and why it refuses a value. */
-import { make } from "../controls/dom.js";
-import { Field } from "../controls/field.js";
+import { make } from "../app/dom.js";
+import { Field } from "../widgets/field.js";
 
-/** @import { OptionInfo, ParameterInfo, Settings } from "../types.js" */
+/** @import { OptionInfo, ParameterInfo, Settings } from "../domain/types.js" */
 
 export class Options {
   /**

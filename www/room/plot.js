@@ -2,8 +2,8 @@
  * A chart of lines and dots, as SVG: values against whatever they depend on, each axis linear or logarithmic. Lines differ by
  * their dashes and by a word at their ends; what it shows is also said in words.
  */
-import { make } from "../controls/dom.js";
-import { svg, ticks, told, words } from "../controls/chart.js";
+import { make } from "../app/dom.js";
+import { svg, ticks, told, words } from "../widgets/chart.js";
 
 /** @typedef {{ label: string, points: [number, number][], dots?: boolean, className?: string }} Curve   x rising; `dots`: marks instead of a line */
 /** @typedef {{ title: string, isLog?: boolean, low?: number, high?: number }} Axis   `low`, `high`: reach at least so far */

@@ -10,15 +10,15 @@
  * What tests may rely on: `body` carries `data-state` ("loading", "ready", "failed") and `data-settled` ("true" while nothing
  * moves, nothing is computed and all is drawn).
  */
-import { Announcer } from "../controls/announce.js";
-import { byId } from "../controls/dom.js";
-import { Notice } from "../controls/notice.js";
-import { watchTheme } from "../controls/theme.js";
-import { faultOf } from "../fault.js";
-import { keepForLater } from "../keep.js";
-import { readPalette } from "../stage/palette.js";
+import { Announcer } from "../app/announcer.js";
+import { byId } from "../app/dom.js";
+import { Notice } from "../app/notice.js";
+import { watchTheme } from "../app/theme.js";
+import { faultOf } from "../app/fault.js";
+import { keepForLater } from "../app/keep-offline.js";
+import { readPalette } from "../draw/palette.js";
 
-/** @import { Look } from "../types.js" */
+/** @import { Look } from "../domain/types.js" */
 
 /** Moves something a frame further. @typedef {(now: number) => boolean | void} Mover   milliseconds as of performance.now(); true: it goes on */
 

@@ -3,7 +3,7 @@
  * and answers each with `{ id, value }` or `{ id, fault }`.
  */
 import * as library from "planarium";
-import { faultOf } from "../fault.js";
+import { faultOf } from "../app/fault.js";
 
 /** @typedef {Record<string, (...args: any[]) => unknown>} Commands */
 

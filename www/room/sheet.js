@@ -2,12 +2,12 @@
  * A figure that the page draws itself: a caption, and canvases as sharp as the screen. The ground is drawn when the picture is
  * another, the top whenever something moves; both in the room's frame, once. The same drawing can be had as PNG or SVG.
  */
-import { make } from "../controls/dom.js";
-import { hatch } from "../stage/hatch.js";
-import { Layer } from "../stage/layer.js";
+import { make } from "../app/dom.js";
+import { hatch } from "../draw/hatch.js";
+import { Layer } from "../draw/layer.js";
 
-/** @import { Stripes } from "../exchange/svg.js" */
-/** @import { Palette } from "../stage/palette.js" */
+/** @import { Stripes } from "../formats/svg.js" */
+/** @import { Palette } from "../draw/palette.js" */
 /** @import { Room } from "./room.js" */
 
 /**

@@ -2,8 +2,8 @@
  * One number as a slider and a field: the quick way and the exact way, and both without a pointer. A value that is refused is
  * said to be, and never handed on.
  */
-import { make } from "../controls/dom.js";
-import { reasonAgainst } from "../controls/field.js";
+import { make } from "../app/dom.js";
+import { reasonAgainst } from "../widgets/field.js";
 
 /** @typedef {{ name: string, title: string, unit: string, min: number, max: number, step?: number, digits?: number, kind?: "integer" | "number" }} SliderInfo   `digits` after the point */
 

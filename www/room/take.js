@@ -1,7 +1,7 @@
 /** A room's sheets as a picture, or as a drawing in lines: side by side as they stand, each under its caption. */
-import { SvgContext } from "../exchange/svg.js";
-import { hatch } from "../stage/hatch.js";
-import { Figure, stripes } from "../worker/figure.js";
+import { SvgContext } from "../formats/svg.js";
+import { hatch } from "../draw/hatch.js";
+import { Figure, stripes } from "../planner/export/svg-layer.js";
 
 /** @import { Sheet } from "./sheet.js" */
 /** @typedef {CanvasRenderingContext2D} Context */

@@ -4,9 +4,9 @@
  *
  * What tests may rely on: its play button carries `data-playing`.
  */
-import { grouped } from "../controls/counters.js";
-import { make } from "../controls/dom.js";
-import { watchKeys } from "../controls/keys.js";
+import { grouped } from "../planner/counters.js";
+import { make } from "../app/dom.js";
+import { watchKeys } from "../app/keys.js";
 
 /** @import { Room } from "./room.js" */
 

@@ -2,7 +2,7 @@
  * How hard it gets: for each accepted trajectory how many were tried, which the seed decides, and how long that took, which the
  * machine decides; each with its moving average. Drawn a few times a second while it grows, and once at rest.
  */
-import { byId } from "../controls/dom.js";
+import { byId } from "../app/dom.js";
 import { Plot } from "../room/plot.js";
 import { movingAverage } from "./growth.js";
 

@@ -6,9 +6,9 @@
  * ("accepted", "refused" or "none"), `data-begun` (another number for each experiment), and `data-fingerprint`. Each frame leaves a measure "trajectories-frame".
  */
 import * as library from "planarium";
-import { grouped, write } from "../controls/counters.js";
-import { byId, make } from "../controls/dom.js";
-import { loadCore } from "../resources.js";
+import { grouped, write } from "../planner/counters.js";
+import { byId, make } from "../app/dom.js";
+import { loadCore } from "../app/resources.js";
 import { Asker, WorkerError } from "../room/ask.js";
 import { Link } from "../room/link.js";
 import { Options } from "../room/options.js";
@@ -23,7 +23,7 @@ import { stateRule } from "./state.js";
 import { showTake } from "./take.js";
 
 /** @import { ParameterInfo, TrajectoryOptions } from "planarium" */
-/** @import { Settings } from "../types.js" */
+/** @import { Settings } from "../domain/types.js" */
 /** @import { State } from "./state.js" */
 /** @import { Commands } from "./worker.js" */
 

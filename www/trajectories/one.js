@@ -1,5 +1,5 @@
 /** One particle, for a look at its motion: the circular arc, and beside it the spiral that the other rule gives. */
-import { make } from "../controls/dom.js";
+import { make } from "../app/dom.js";
 import { Sheet } from "../room/sheet.js";
 import { Slider } from "../room/slider.js";
 

@@ -1,8 +1,8 @@
 /** The experiment as a link holds it: what differs from the defaults, the seed, how many were tried, and the single particle. */
-import { list, number, record, settings, whole } from "../exchange/rules.js";
+import { list, number, record, settings, whole } from "../formats/rules.js";
 
-/** @import { Rule } from "../exchange/rules.js" */
-/** @import { Settings } from "../types.js" */
+/** @import { Rule } from "../formats/rules.js" */
+/** @import { Settings } from "../domain/types.js" */
 /** @import { Motion } from "./one.js" */
 
 /**

@@ -1,8 +1,8 @@
 /** What can be taken away: the picture, the drawing, and a row for each trajectory. */
-import { byId, make } from "../controls/dom.js";
-import { toCsv } from "../exchange/csv.js";
+import { byId, make } from "../app/dom.js";
+import { toCsv } from "../formats/csv.js";
 import { drawingOf, pictureOf } from "../room/take.js";
-import { save } from "../take/files.js";
+import { save } from "../planner/export/files.js";
 import { movingAverage } from "./growth.js";
 
 /** @import { Room } from "../room/room.js" */

@@ -1,0 +1,68 @@
+/** The page's one place for bad news: what went wrong, where it stands, and under which code to look it up; and for a question. */
+import { faultOf } from "./fault.js";
+import { byId, make } from "./dom.js";
+
+export class Notice {
+  constructor() {
+    this.element = byId("notice", HTMLElement);
+    /** Answers the question that is asked. @type {(choice: string) => void} */
+    this.answer = () => {};
+  }
+
+  /**
+   * Asks what to do.
+   * @template {string} C
+   * @param {string} question
+   * @param {[C, string][]} choices  each with the word on its button
+   * @returns {Promise<C | "">}  empty: nothing
+   */
+  ask(question, choices) {
+    this.hide();
+    return new Promise((resolve) => {
+      const buttons = [...choices, /** @type {const} */ (["", "Cancel"])].map(([choice, word]) => {
+        const button = make("button", { type: "button", className: choice ? "" : "quiet" }, word);
+        button.dataset.choice = choice;
+        button.addEventListener("click", () => this.answer(choice));
+        return button;
+      });
+      this.element.replaceChildren(make("div", {}, make("strong", {}, question), make("div", { className: "choices" }, ...buttons)));
+      this.element.classList.add("question");
+      this.element.hidden = false;
+      this.element.onkeydown = ({ key }) => { if (key === "Escape") this.answer(""); };
+      this.answer = (choice) => {
+        this.answer = () => {};
+        this.hide();
+        resolve(/** @type {C | ""} */ (choice));
+      };
+      buttons[0].focus();
+    });
+  }
+
+  /**
+   * @param {string} title
+   * @param {unknown} error   with `code` and `pointer` where the package threw it
+   */
+  show(title, error) {
+    this.hide();
+    const { message, code, pointer } = faultOf(error);
+    this.element.dataset.code = code;
+    this.element.dataset.pointer = pointer;
+    const close = make("button", { type: "button", className: "quiet" }, "Dismiss");
+    close.addEventListener("click", () => this.hide());
+    const where = make("p", { className: "where" });
+    if (code) where.append("code ", make("code", {}, code));
+    if (pointer) where.append(" at ", make("code", {}, pointer));
+    this.element.replaceChildren(make("div", {}, make("strong", {}, title), " ", make("span", {}, message), code || pointer ? where : ""), close);
+    this.element.hidden = false;
+  }
+
+  /** What was asked is not to be answered any more. */
+  hide() {
+    this.answer("");
+    this.element.classList.remove("question");
+    this.element.hidden = true;
+    this.element.replaceChildren();
+    delete this.element.dataset.code;
+    delete this.element.dataset.pointer;
+  }
+}

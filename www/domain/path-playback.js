@@ -1,0 +1,177 @@
+/**
+ * The robot's way along a solved path: first the line draws itself, then the robot drives to the goal, rests,
+ * drives back and rests, at constant speed in the metric that the path was measured in.
+ */
+
+/** @import { Placed } from "../draw/placed.js" */
+/** @import { Run } from "../planner/run-log/run-log.js" */
+/** @import { Check, ResultDocument, Scenario } from "./types.js" */
+/** @typedef {{ placed: Placed, motions: number[][] }} Course   speed, steering angle and seconds from each waypoint to the next */
+/** @typedef {{ at: number, pose: Float64Array, check: Check }} Flaw   where a path collides: 0 to 1 along it, the pose, and what touches what */
+
+/** Seconds for the line to draw itself. */
+const DRAWING = 1.4;
+/** Seconds of rest at either end. */
+const REST = 0.9;
+/** Shortest and longest time for one drive, seconds. */
+const DRIVE = { least: 1.6, most: 9 };
+/** Looks at a stretch that cannot be proven free, to find where it collides. */
+const LOOKS = 400;
+
+export class PathPlayback {
+  /**
+   * @param {Scenario} scenario
+   * @param {Float64Array} path  rows of `dimension`, at least one
+   * @param {{ isProven?: boolean, isMiss?: boolean, raw?: Float64Array | null, course?: Course | null }} [kind]  are its motions proven free; does it end short of the goal; how it was found, where it is shorter now; the motions between waypoints, where they are no straight lines
+   */
+  constructor(scenario, path, { isProven = true, isMiss = false, raw = null, course = null } = {}) {
+    this.scenario = scenario;
+    this.isProven = isProven;
+    this.isMiss = isMiss;
+    this.raw = raw;
+    this.course = course;
+    const n = scenario.dimension;
+    /** @type {Float64Array[]} */
+    this.waypoints = [];
+    for (let i = 0; i < path.length; i += n) this.waypoints.push(path.slice(i, i + n));
+    /** Distance from the start to each waypoint. */
+    this.reached = [0];
+    for (let i = 1; i < this.waypoints.length; i++) {
+      this.reached.push(this.reached[i - 1] + (course ? course.placed.lengthOf(course.motions[i - 1]) : scenario.distance(this.waypoints[i - 1], this.waypoints[i])));
+    }
+    this.length = this.reached[this.reached.length - 1];
+    const speed = scenario.robot === "arm" ? 1.5 : size(scenario) / 4;
+    this.duration = Math.min(DRIVE.most, Math.max(DRIVE.least, this.length / speed));
+    /** How much of the line is drawn, 0 to 1. */
+    this.drawn = 0;
+    /** Where the robot is, 0 at the start, 1 at the goal. */
+    this.at = 0;
+    this.heading = 1;
+    this.resting = 0;
+    this.samples = this.sample(Math.min(900, Math.max(120, Math.ceil(this.length / (speed / 40)))));
+    /** Where it collides first, as far as that can happen. @type {Flaw | null} */
+    this.flaw = isProven ? null : this.firstFlaw();
+  }
+
+  /** @returns {Flaw | null} */
+  firstFlaw() {
+    const { scenario, waypoints, reached } = this;
+    if (this.course) return this.firstFlawOnArcs(waypoints.length * 20);
+    for (let i = 1; i < waypoints.length; i++) {
+      const hit = scenario.firstHit(waypoints[i - 1], waypoints[i]);
+      if (hit === null) continue;
+      // What is not proven need not collide: it may only pass too near.
+      for (let look = 0; look <= LOOKS; look++) {
+        const t = hit + ((1 - hit) * look) / LOOKS;
+        const pose = scenario.interpolate(waypoints[i - 1], waypoints[i], t);
+        const check = scenario.check(pose);
+        if (!check.free) return { at: (reached[i - 1] + t * (reached[i] - reached[i - 1])) / this.length, pose, check };
+      }
+    }
+    return null;
+  }
+
+  /** Of a way of arcs: looked for in many places. @param {number} looks @returns {Flaw | null} */
+  firstFlawOnArcs(looks) {
+    for (let look = 0; look <= looks; look++) {
+      const pose = this.configuration(look / looks);
+      const check = this.scenario.check(pose);
+      if (!check.free) return { at: look / looks, pose, check };
+    }
+    return null;
+  }
+
+  /** The configuration at a part of the whole length. @param {number} part  0 to 1 @returns {Float64Array} */
+  configuration(part) {
+    const last = this.waypoints.length - 1;
+    const target = Math.min(1, Math.max(0, part)) * this.length;
+    if (last === 0 || target >= this.length) return this.waypoints[last];
+    const low = this.stretch(target);
+    const stretch = this.reached[low + 1] - this.reached[low];
+    const fraction = stretch > 0 ? (target - this.reached[low]) / stretch : 0;
+    if (this.course) return this.course.placed.after(this.waypoints[low], this.course.motions[low], fraction);
+    return this.scenario.interpolate(this.waypoints[low], this.waypoints[low + 1], fraction);
+  }
+
+  /** The waypoint that begins the stretch at a distance from the start. @param {number} target */
+  stretch(target) {
+    let low = 0;
+    let high = this.waypoints.length - 1;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (this.reached[middle] <= target) low = middle; else high = middle;
+    }
+    return low;
+  }
+
+  /** The angle of the front wheels where the robot is. */
+  get steering() { return this.course?.motions[this.stretch(this.at * this.length)]?.[1] ?? 0; }
+
+  /**
+   * The path in small pieces, for drawing: equally spaced, with every waypoint among them.
+   * @param {number} count
+   * @returns {{ rows: Float64Array, parts: Float64Array }}
+   */
+  sample(count) {
+    const parts = [];
+    for (let i = 0; i <= count; i++) parts.push(i / count);
+    if (this.length > 0) for (const reached of this.reached) parts.push(reached / this.length);
+    parts.sort((a, b) => a - b);
+    const n = this.scenario.dimension;
+    const rows = new Float64Array(parts.length * n);
+    parts.forEach((part, i) => rows.set(this.configuration(part), i * n));
+    return { rows, parts: Float64Array.from(parts) };
+  }
+
+  /** Lets time pass. @param {number} seconds */
+  advance(seconds) {
+    if (this.drawn < 1) {
+      this.drawn = Math.min(1, this.drawn + seconds / DRAWING);
+      return;
+    }
+    if (this.resting > 0) {
+      this.resting -= seconds;
+      return;
+    }
+    this.at += (this.heading * seconds) / this.duration;
+    if (this.at >= 1 || this.at <= 0) {
+      this.at = this.at >= 1 ? 1 : 0;
+      this.heading = -this.heading;
+      this.resting = REST;
+    }
+  }
+
+  /** Puts the robot somewhere along the finished line. @param {number} part */
+  seek(part) {
+    this.drawn = 1;
+    this.resting = 0;
+    this.at = Math.min(1, Math.max(0, part));
+  }
+}
+
+/**
+ * The way that a run has to show: its path once solved, or of a tree that gave up the way to its vertex nearest to the goal.
+ * @param {Scenario} scenario
+ * @param {Run} run
+ * @param {Placed | null} [placed]   of a body or a car
+ * @returns {PathPlayback | null}
+ */
+export function playbackOf(scenario, run, placed = null) {
+  const { isProven } = run;
+  /** @param {Pick<ResultDocument, "motions">} result @returns {Course | null} */
+  const courseOf = ({ motions }) => (placed && motions ? { placed, motions: motions.map(({ control, duration }) => [...control, duration]) } : null);
+  if (run.status === "solved") {
+    const raw = run.rawLength > run.result.length ? run.rawPath : null;
+    return new PathPlayback(scenario, run.path, { isProven, raw, course: courseOf(run.result) });
+  }
+  const { approximate } = run.result;
+  // A tree whose root is nearest to the goal has no way to show.
+  if (!approximate || approximate.path.length < 2) return null;
+  return new PathPlayback(scenario, Float64Array.from(approximate.path.flat()), { isProven, isMiss: true, course: courseOf(approximate) });
+}
+
+/** The longer side of the drawn world. @param {Scenario} scenario */
+function size(scenario) {
+  const { min, max } = scenario.extent();
+  return Math.max(max[0] - min[0], max[1] - min[1]);
+}

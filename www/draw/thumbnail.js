@@ -1,0 +1,28 @@
+/** A small picture of a scenario: its obstacles, where the robot starts and where it should go. */
+import { drawGhost, drawObstacles, drawTarget } from "./shapes.js";
+import { View } from "./view.js";
+
+/** @import { Look, Scenario } from "../domain/types.js" */
+
+const MARGIN = { left: 5, right: 5, top: 5, bottom: 5 };
+
+/** @param {Scenario} scenario @param {number} side  CSS pixels @param {Look} look @returns {ImageBitmap} */
+export function drawThumbnail(scenario, side, { palette, ratio }) {
+  const pixels = Math.round(side * ratio);
+  const canvas = new OffscreenCanvas(pixels, pixels);
+  const context = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (canvas.getContext("2d")));
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  const view = new View(scenario.extent(), side, side, MARGIN, false);
+  const { world, queries } = scenario.document();
+  drawObstacles(context, view, world.obstacles, { ...palette, "obstacle-edge": palette.obstacle });
+  const target = queries[0]?.target;
+  if (target) drawTarget(context, view.x(target.point[0]), view.y(target.point[1]), target.orientation, palette);
+  if (queries.length > 0) {
+    const style = { fill: 0.9, stroke: 1, dash: [], width: 1.6 };
+    for (const end of /** @type {const} */ (["goal", "start"])) {
+      const pose = queries[0][end];
+      if (pose) drawGhost(context, view, scenario.footprint(pose), { ...style, colour: palette[end] });
+    }
+  }
+  return canvas.transferToImageBitmap();
+}

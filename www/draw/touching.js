@@ -1,0 +1,79 @@
+/** A robot in collision: what it touches, and with which parts, red, hatched and by name. */
+import { obstacleName, partName } from "../domain/names.js";
+import { contains, drawLabel, drawTouchingParts, obstacleMiddle, obstaclePath } from "./shapes.js";
+
+/** @import { Check, Obstacle, Part, Scenario, ScenarioDocument } from "../domain/types.js" */
+/** @import { Palette } from "./palette.js" */
+/** @import { View } from "./view.js" */
+/** @typedef {{ context: CanvasRenderingContext2D, view: View, palette: Palette, onPart: CanvasPattern | null, onObstacle: CanvasPattern | null }} Brush   with hatches for parts and for obstacles */
+/** @typedef {ScenarioDocument["world"]} World */
+
+/** Parts named one by one, at most. */
+const MOST_NAMES = 3;
+
+/** @param {Brush} brush @param {{ scenario: Scenario, world: World, parts: Part[], touching: Check["touching"] }} shown @param {() => void} draw  the robot */
+export function drawTouching(brush, { scenario, world, parts, touching }, draw) {
+  const { context, view, palette, onPart } = brush;
+  for (const { obstacle } of touching) drawTouched(brush, world, obstacle);
+  draw();
+  const hit = new Set(touching.map(({ part }) => part));
+  drawTouchingParts(context, view, parts.filter((_, i) => hit.has(i)), palette, onPart);
+  // Many links in a row would be named on top of each other: the first and the last stand for those between.
+  for (const index of hit.size > MOST_NAMES ? [Math.min(...hit), Math.max(...hit)] : hit) {
+    const [x, y] = labelPlace(view, parts[index]);
+    drawLabel(context, partName(scenario, index), x, y, palette.collision, palette);
+  }
+  const named = new Set();
+  for (const { part, obstacle } of touching) {
+    if (obstacle === "bounds" || named.has(obstacle)) continue;
+    named.add(obstacle);
+    const [x, y] = obstaclePlace(view, world.obstacles[obstacle], parts[part]);
+    drawLabel(context, obstacleName(obstacle), x, y, palette.collision, palette);
+  }
+}
+
+/** @param {Brush} brush @param {World} world @param {number | "bounds"} obstacle */
+export function drawTouched({ context, view, palette, onObstacle }, { bounds, obstacles }, obstacle) {
+  context.save();
+  context.strokeStyle = palette.collision;
+  context.lineWidth = 2;
+  if (obstacle === "bounds") {
+    if (bounds) {
+      context.setLineDash([8, 5]);
+      context.lineWidth = 3;
+      context.strokeRect(view.x(bounds.min[0]), view.y(bounds.max[1]), (bounds.max[0] - bounds.min[0]) * view.scaleX, (bounds.max[1] - bounds.min[1]) * view.scaleY);
+    }
+  } else {
+    obstaclePath(context, view, obstacles[obstacle]);
+    if (onObstacle) {
+      context.fillStyle = onObstacle;
+      context.globalAlpha = 0.55;
+      context.fill();
+      context.globalAlpha = 1;
+    }
+    context.stroke();
+  }
+  context.restore();
+}
+
+/** Where to name an obstacle: in its middle, or where that is not inside of it, below its vertex nearest to the part. @param {View} view @param {Obstacle} obstacle @param {Part} part @returns {[number, number]} */
+function obstaclePlace(view, obstacle, part) {
+  const [x, y] = obstacleMiddle(obstacle);
+  if (obstacle.type === "disc" || contains(obstacle.vertices, x, y)) return [view.x(x), view.y(y)];
+  const [px, py] = part.type === "capsule" ? part.b : obstacleMiddle(part);
+  const distance = (/** @type {[number, number]} */ vertex) => Math.hypot(vertex[0] - px, vertex[1] - py);
+  const nearest = obstacle.vertices.reduce((best, vertex) => (distance(vertex) < distance(best) ? vertex : best));
+  return [view.x(nearest[0]), view.y(nearest[1]) + 26];
+}
+
+/** Beside the middle of a part, CSS pixels. @param {View} view @param {Part} part @returns {[number, number]} */
+function labelPlace(view, part) {
+  if (part.type === "polygon") return [view.x(obstacleMiddle(part)[0]), view.y(Math.max(...part.vertices.map(([, y]) => y))) - 14];
+  const clear = part.radius * view.scaleX + 16;
+  if (part.type === "disc") return [view.x(part.center[0]), view.y(part.center[1]) - clear];
+  const dx = view.x(part.b[0]) - view.x(part.a[0]);
+  const dy = view.y(part.b[1]) - view.y(part.a[1]);
+  const length = Math.hypot(dx, dy);
+  const side = dx >= 0 ? 1 : -1;
+  return [view.x(part.a[0]) + dx / 2 + (side * dy * clear * 1.5) / length, view.y(part.a[1]) + dy / 2 - (side * dx * clear) / length];
+}

@@ -1,0 +1,98 @@
+/**
+ * How a straight motion between two configurations looks in a picture: the curve of the end-effector in the workspace,
+ * and straight lines, one for each sheet of the unrolled torus, in configuration space.
+ */
+
+/** @import { Scenario } from "../domain/types.js" */
+
+const TURN = 2 * Math.PI;
+/** Longest turn of one joint in one straight piece of a drawn curve, radians. */
+const PIECE = 0.14;
+
+/** The signed way from one coordinate to another: the short way round on a circle. @param {number} from @param {number} to @param {boolean} circle */
+export function way(from, to, circle) {
+  let turn = to - from;
+  if (circle) {
+    turn %= TURN;
+    if (turn > Math.PI) turn -= TURN;
+    else if (turn <= -Math.PI) turn += TURN;
+  }
+  return turn;
+}
+
+/** The same angle between -pi (without it) and pi. @param {number} angle */
+export function folded(angle) {
+  return Math.abs(angle) > Math.PI ? way(0, angle, true) : angle;
+}
+
+/** Curves of the end-effector along motions. */
+export class Tracer {
+  /** @param {Scenario} scenario */
+  constructor(scenario) {
+    this.scenario = scenario;
+    this.circles = scenario.circles();
+    this.straight = scenario.robot !== "arm";
+  }
+
+  /**
+   * The end-effector's curves along many motions, fetched in one call.
+   * @param {Float64Array} ends  rows of 2 * dimension: from, to
+   * @param {boolean[]} [circles]  coordinates whose motions go the short way round
+   * @returns {{ points: Float64Array, firsts: Uint32Array }}  points of the plane, x and y in turn; curve i has the points from firsts[i] up to firsts[i + 1]
+   */
+  curves(ends, circles = this.circles) {
+    const n = circles.length;
+    const motions = ends.length / (2 * n);
+    const firsts = new Uint32Array(motions + 1);
+    for (let m = 0; m < motions; m++) firsts[m + 1] = firsts[m] + 1 + this.pieces(ends, 2 * n * m, circles);
+    const rows = new Float64Array(firsts[motions] * n);
+    for (let m = 0; m < motions; m++) {
+      const from = 2 * n * m;
+      const pieces = firsts[m + 1] - firsts[m] - 1;
+      for (let j = 0; j < n; j++) {
+        const begin = ends[from + j];
+        const turn = way(begin, ends[from + n + j], circles[j]);
+        for (let p = 0; p <= pieces; p++) rows[(firsts[m] + p) * n + j] = begin + (turn * p) / pieces;
+      }
+    }
+    return { points: this.scenario.endEffectors(rows), firsts };
+  }
+
+  /** @param {Float64Array} ends @param {number} from @param {boolean[]} circles */
+  pieces(ends, from, circles) {
+    if (this.straight) return 1;
+    const n = circles.length;
+    let most = 0;
+    for (let j = 0; j < n; j++) most = Math.max(most, Math.abs(way(ends[from + j], ends[from + n + j], circles[j])));
+    return Math.max(1, Math.min(48, Math.ceil(most / PIECE)));
+  }
+}
+
+/**
+ * The straight lines that show one motion of two joints on the square: one line, and where it leaves the square its copies,
+ * a whole turn away, that come in on the opposite side. Whoever draws them clips to the square.
+ * @param {ArrayLike<number>} ends  from (2), to (2), starting at `at`
+ * @param {number} at
+ * @param {boolean[]} circles  the sides of the square that are circles
+ * @param {boolean[]} short    coordinates whose motions go the short way round
+ * @param {(x0: number, y0: number, x1: number, y1: number) => void} draw
+ */
+export function unrolled(ends, at, circles, short, draw) {
+  const x0 = circles[0] ? folded(ends[at]) : ends[at];
+  const y0 = circles[1] ? folded(ends[at + 1]) : ends[at + 1];
+  const x1 = x0 + way(ends[at], ends[at + 2], short[0]);
+  const y1 = y0 + way(ends[at + 1], ends[at + 3], short[1]);
+  const shiftX = circles[0] ? leaves(x1) : 0;
+  const shiftY = circles[1] ? leaves(y1) : 0;
+  draw(x0, y0, x1, y1);
+  if (shiftX !== 0) draw(x0 + shiftX, y0, x1 + shiftX, y1);
+  if (shiftY !== 0) draw(x0, y0 + shiftY, x1, y1 + shiftY);
+  if (shiftX !== 0 && shiftY !== 0) draw(x0 + shiftX, y0 + shiftY, x1 + shiftX, y1 + shiftY);
+}
+
+/** The turn that brings an angle back between -pi and pi. @param {number} angle */
+function leaves(angle) {
+  if (angle > Math.PI) return -TURN;
+  if (angle < -Math.PI) return TURN;
+  return 0;
+}

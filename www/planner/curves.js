@@ -1,0 +1,115 @@
+/**
+ * How vertices and the path's length went on, drawn while it grows: against iterations, or in a race against clearance
+ * evaluations, in few points, so that a long run costs no more than a short one.
+ */
+import { letter } from "./race/standings.js";
+import { Chart, told as words } from "../widgets/chart.js";
+import { byId, make } from "../app/dom.js";
+
+/** @import { Page } from "./page.js" */
+/** @import { Curves } from "../domain/types.js" */
+/** @import { Line } from "../widgets/chart.js" */
+
+/** Milliseconds between two drawings. */
+const PAUSE = 250;
+/** Rows of the table, about. */
+const ROWS = 10;
+/** Numbers in a row: time, vertices, cost. */
+const WIDTH = 3;
+
+/** @param {Page} page */
+export function watchCurves(page) {
+  const fold = byId("curves-fold", HTMLDetailsElement);
+  const vertices = new Chart("vertices", "Vertices");
+  const cost = new Chart("cost", "Path length");
+  const charts = [vertices, cost];
+  const table = make("table", { className: "standings" });
+  const scroll = make("div", { className: "scroll", tabIndex: 0 }, table);
+  scroll.setAttribute("role", "region");
+  scroll.setAttribute("aria-label", "The curves in numbers");
+  const numbers = make("details", {}, make("summary", {}, "In numbers"), scroll);
+  byId("curves", HTMLElement).append(make("div", { className: "charts" }, vertices.element, cost.element), numbers);
+
+  /** @type {Curves | null} */
+  let curves = null;
+  let known = "";
+  let isAsking = false;
+  let asked = -Infinity;
+
+  page.onState(() => ask());
+  fold.addEventListener("toggle", () => ask());
+  numbers.addEventListener("toggle", () => draw());
+  new ResizeObserver(() => draw()).observe(fold);
+
+  /** Asks for the curves if they are others than those that are known, now or after a pause. */
+  function ask() {
+    const { state } = page;
+    if (!fold.open || !state) return;
+    for (const chart of charts) chart.show(state.clock.now);
+    if (state.curves === known || isAsking) return;
+    isAsking = true;
+    setTimeout(() => {
+      asked = performance.now();
+      curves = page.session.curves();
+      known = curves.key;
+      draw();
+      isAsking = false;
+      ask();
+    }, Math.max(0, asked + PAUSE - performance.now()));
+  }
+
+  function draw() {
+    const { state } = page;
+    const { names } = page;
+    if (!fold.open || !state || !curves) return;
+    const { head, isRace, lanes } = curves;
+    // Those of other planners; none at all is where nothing is planned.
+    if (lanes.length > 0 && lanes.length !== names.length) return;
+    const time = isRace ? "clearance evaluations" : "iterations";
+    const unit = state.lanes[0].unit;
+    const [grown, costs] = [1, 2].map((which) => lanes.map((rows, i) => ({ label: isRace ? letter(i) : "", points: column(rows, which) })));
+    cost.title.textContent = `Path length, ${unit}`;
+    vertices.draw(grown, { end: head, time, isFromZero: true, summary: `Vertices against ${time}, up to ${words(head)}. ${summaryOf(grown, names, time)}` });
+    cost.draw(costs, { end: head, time, isFromZero: false, summary: `Length of the best path against ${time}, up to ${words(head)}. ${summaryOf(costs, names, time)}` });
+    for (const chart of charts) chart.show(state.clock.now);
+    if (numbers.open) list(grown, costs, names, time);
+  }
+
+  /** The same as a table: how all stand at some times, each first path among them. @param {Line[]} grown @param {Line[]} costs @param {string[]} names @param {string} time */
+  function list(grown, costs, names, time) {
+    const all = [...new Set(grown.flatMap(({ points }) => points.map(([at]) => at)))].sort((a, b) => a - b);
+    const each = Math.max(1, Math.ceil(all.length / ROWS));
+    const firsts = new Set(costs.flatMap(({ points }) => points.slice(0, 1).map(([at]) => at)));
+    const times = all.filter((at, i) => i % each === 0 || i === all.length - 1 || firsts.has(at));
+    const heads = names.flatMap((name) => [`${name}: vertices`, `${name}: path length`]);
+    table.replaceChildren(
+      make("caption", {}, "How vertices and path lengths went on"),
+      make("thead", {}, make("tr", {}, ...[time, ...heads].map((title) => make("th", { scope: "col" }, title)))),
+      make("tbody", {}, ...times.map((at) => make("tr", {}, make("th", { scope: "row" }, words(at)),
+        ...grown.flatMap((line, i) => [make("td", {}, valueAt(line, at)), make("td", {}, valueAt(costs[i], at))])))),
+    );
+  }
+}
+
+/** @param {Float64Array} rows @param {number} which @returns {[number, number][]} */
+function column(rows, which) {
+  /** @type {[number, number][]} */
+  const points = [];
+  for (let i = 0; i < rows.length; i += WIDTH) if (rows[i + which] < Infinity) points.push([rows[i], rows[i + which]]);
+  return points;
+}
+
+/** @param {Line} line @param {number} at */
+function valueAt({ points }, at) {
+  const point = points.findLast(([time]) => time <= at);
+  return point ? words(point[1]) : "\u2013";
+}
+
+/** The curves in words. @param {Line[]} lines @param {string[]} names @param {string} time */
+function summaryOf(lines, names, time) {
+  return lines.map(({ points }, i) => {
+    if (points.length === 0) return `${names[i]}: none yet.`;
+    const [first, last] = [points[0], points[points.length - 1]];
+    return `${names[i]}: ${words(first[1])} at ${words(first[0])} ${time}, ${words(last[1])} at ${words(last[0])}.`;
+  }).join(" ");
+}

@@ -1,0 +1,138 @@
+/** The hand that edits: what a pointer does on the panes with each tool, as a state machine over pointer events. */
+import { simple } from "./commands.js";
+import { draws, holds, pointAt, pointFrom } from "./gestures.js";
+import { REACH, hitAt } from "./handles.js";
+
+/** @import { CSpace } from "../../draw/cspace.js" */
+/** @import { Pointer } from "../../domain/types.js" */
+/** @import { Editor } from "./editor.js" */
+/** @import { Gesture } from "./gestures.js" */
+/** @import { Point, EditorObject } from "./objects.js" */
+
+/**
+ * @typedef {object} Drag
+ * @property {Gesture} change
+ * @property {Pointer} from         where it began
+ * @property {EditorObject | null} drawn   what it draws
+ * @property {boolean} moved        has it gone farther than a trembling hand
+ */
+
+/** How far a pointer goes before it drags, CSS pixels. */
+const SLACK = { mouse: 3, touch: 8 };
+
+export class Hand {
+  /** @param {Editor} editor */
+  constructor(editor) {
+    this.editor = editor;
+    /** @type {Drag | null} */
+    this.drag = null;
+    /** The newest move, to be obeyed in the next frame. @type {Pointer | null} */
+    this.pending = null;
+    /** Corners of the polygon being drawn. @type {Point[]} */
+    this.draft = [];
+    /** Where its next corner would be. @type {Point | null} */
+    this.loose = null;
+  }
+
+  /** Is a gesture under way? */
+  get isBusy() { return this.drag !== null || this.draft.length > 0; }
+
+  /** @param {Pointer} pointer */
+  obey(pointer) {
+    if (pointer.type === "move" || pointer.type === "hover") {
+      this.pending = pointer;
+      return;
+    }
+    this.pass();
+    switch (pointer.type) {
+      case "down": this.down(pointer); break;
+      case "up": this.up(); break;
+      case "cancel": this.editor.abandon(); break;
+      default: this.loose = null;
+    }
+  }
+
+  /** Obeys the newest move: however many come, one a frame. */
+  pass() {
+    const { pending, drag, editor } = this;
+    this.pending = null;
+    const place = pending && this.at(pending);
+    if (!pending || !place) return;
+    const { x, y, scale, square } = place;
+    if (drag) {
+      drag.moved ||= Math.hypot(pending.x - drag.from.x, pending.y - drag.from.y) > (pending.touch ? SLACK.touch : SLACK.mouse);
+      if (drag.moved) editor.attempt(drag.change(x, y, pending.shift), drag.drawn ?? editor.selected, true);
+    } else if (this.draft.length > 0 && !square) this.loose = pointFrom(scale, this.draft.at(-1), x, y, pending.shift);
+  }
+
+  /** Where a pointer is: its pane, and the point of the plane; outside of the sheet the nearest on it. @param {Pointer} pointer */
+  at({ pane: id, x: px, y: py }) {
+    const found = this.editor.session.stage.at(id);
+    const { view } = found?.pane ?? {};
+    if (!found || !view) return null;
+    const [x, y] = view.toPlane(Math.min(view.width, Math.max(0, px)), Math.min(view.height, Math.max(0, py)));
+    return {
+      pane: found.pane, x, y, scale: { unit: this.editor.unit, grid: view.grid / 5, pixels: view.scaleX },
+      square: found.kind === "cspace" ? /** @type {CSpace} */ (found.pane) : null,
+    };
+  }
+
+  /** @param {Pointer} pointer */
+  down(pointer) {
+    const place = this.at(pointer);
+    if (!place || this.drag) return;
+    const { editor } = this;
+    const { shown, tool } = editor;
+    const { pane, x, y, scale, square } = place;
+    const reach = pointer.touch ? REACH.touch : REACH.mouse;
+    editor.refusal = null;
+    editor.session.byHand.release();
+    if (tool === "polygon" && !square) {
+      this.corner(pointFrom(scale, this.draft.at(-1), x, y, pointer.shift), reach / scale.pixels);
+    } else if ((tool === "disc" || tool === "rectangle") && !square) {
+      const drawn = { kind: /** @type {const} */ ("obstacle"), index: shown.document.world.obstacles.length };
+      this.drag = { change: draws(tool, shown.document, scale, [x, y], pointer.shift), from: pointer, drawn, moved: false };
+    } else {
+      const hit = hitAt(pane, square !== null, shown, editor.session.query, editor.selected, pointer.x, pointer.y, reach);
+      editor.choose(hit?.thing ?? null, hit?.handle?.kind === "middle" ? null : hit?.part ?? null);
+      if (hit) this.drag = { change: holds(shown, hit, scale, square, [x, y], () => editor.shown.scenario), from: pointer, drawn: null, moved: false };
+    }
+  }
+
+  /** A click of the polygon tool: another corner, or, on the first or the last one again, the end. @param {Point} point @param {number} reach  metres */
+  corner(point, reach) {
+    const { draft } = this;
+    const isNear = (/** @type {Point | undefined} */ other) => other !== undefined && Math.hypot(other[0] - point[0], other[1] - point[1]) <= reach;
+    const isLast = isNear(draft.at(-1));
+    this.loose = null;
+    if (draft.length >= 3 && (isLast || isNear(draft[0]))) this.close();
+    else if (!isLast) draft.push(point);
+  }
+
+  /** Closes the polygon being drawn, if the core takes it. */
+  close() {
+    const { editor, draft } = this;
+    if (editor.add([{ type: "polygon", vertices: [...draft] }])) this.draft = [];
+  }
+
+  up() {
+    const { drag, editor } = this;
+    this.drag = null;
+    if (!drag) return;
+    if (drag.moved) {
+      if (drag.drawn && editor.isDifferent) editor.put(drag.drawn);
+      editor.end();
+      return;
+    }
+    const place = drag.drawn && this.at(drag.from);
+    if (place) editor.add([simple(editor.tool, pointAt(place.scale, place.x, place.y, drag.from.shift), editor.size, editor.unit)]);
+  }
+
+  /** Lets go of everything. @returns {boolean} whether something was held */
+  open() {
+    const { drag } = this;
+    this.drag = this.pending = this.loose = null;
+    this.draft = [];
+    return drag !== null;
+  }
+}

@@ -1,0 +1,411 @@
+/**
+ * The editor: what is selected, and a history of scenario documents. Every change is read again by the core before it is shown:
+ * what the core refuses is drawn with its reason, and the last good document stays. Planning waits at iteration 0 until someone
+ * plays.
+ */
+import { faultOf } from "../../app/fault.js";
+import { drawOverlay } from "../../draw/selection.js";
+import { copies, middle, nudged, places, simple } from "./commands.js";
+import { coordinatesOf } from "../../domain/coordinates.js";
+import { History } from "./history.js";
+import { Hand } from "./drag.js";
+import { touchingSentence } from "../../domain/names.js";
+import { isTip, leads, otherGoal, tipOf } from "./end-effector.js";
+import { fieldsOf, obstacleOf, place, poseOf, rounded, same, targetOf, objectsOf, withField, withObstacle, withVertex } from "./objects.js";
+
+/** @import { Check, EditOrder, EditState, EditTool, Fault, Obstacle, Pointer, Scenario, ScenarioDocument } from "../../domain/types.js" */
+/** @import { Pane } from "../../draw/pane.js" */
+/** @import { Lane, Shown } from "../lane.js" */
+/** @import { Session } from "../session.js" */
+/** @import { Point, EditorObject } from "./objects.js" */
+
+/**
+ * @typedef {object} Overlay   what the panes draw of the editor
+ * @property {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} draw
+ * @property {EditorObject | null} selected
+ * @property {number | null} part       vertex or joint
+ * @property {Point[]} draft            the polygon being drawn, its loose end last
+ * @property {Obstacle | null} refused  what the core would not have
+ * @property {{ end: "start" | "goal", pose: number[], check: Check }[]} touching
+ */
+
+/** What to do with a tool. @type {Record<EditTool, string>} */
+const HINTS = {
+  select: "Drag the start, the goal, an obstacle or its handles. Then Play plans anew.",
+  disc: "Drag from the middle of the disc outwards.",
+  rectangle: "Drag from corner to corner; Shift makes a square.",
+  polygon: "Click the corners; click the first again, double-click or press Enter to close the polygon.",
+};
+
+/** The editor of a session: made when it is first asked for. @param {Session} session */
+export function editorOf(session) {
+  if (!session.editor) {
+    session.editor = new Editor(session);
+    if (session.shown) session.editor.begin();
+  }
+  return session.editor;
+}
+
+/** @param {string} message */
+function sentence(message) { return message && `${message[0].toUpperCase()}${message.slice(1)}.`; }
+
+export class Editor {
+  /** @param {Session} session */
+  constructor(session) {
+    this.session = session;
+    this.on = false;
+    /** Ends of gestures so far: who keeps the document asks for it again. */
+    this.changes = 0;
+    /** @type {History | null} */
+    this.edits = null;
+    this.story = session.story;
+    this.hand = new Hand(this);
+    /** @type {EditTool} */
+    this.tool = "select";
+    /** @type {EditorObject | null} */
+    this.selected = null;
+    /** Vertex or joint. @type {number | null} */
+    this.part = null;
+    /** @type {Fault | null} */
+    this.refusal = null;
+    /** @type {Obstacle | null} */
+    this.refused = null;
+    this.said = "";
+  }
+
+  /** Another scenario is on the stage. */
+  begin() {
+    this.edits = new History(this.shown.document);
+    this.story = this.session.story;
+    this.hand.open();
+    this.tool = "select";
+    this.selected = this.part = this.refusal = this.refused = null;
+    this.said = "";
+  }
+
+  get shown() { return /** @type {Shown} */ (this.session.shown); }
+  get document() { return this.shown.document; }
+  /** The target, where that is selected. */
+  get target() { return targetOf(this.document, this.selected); }
+  get obstacle() { return obstacleOf(this.document, this.selected); }
+  get history() { return /** @type {History} */ (this.edits); }
+
+  /** Does the stage show what is not in the history yet? */
+  get isDifferent() { return this.document !== this.history.now; }
+
+  /** The longer side of the world, metres. @returns {number} */
+  get size() {
+    const { min, max } = this.shown.scenario.extent();
+    return Math.max(max[0] - min[0], max[1] - min[1]);
+  }
+
+  /** What lengths are rounded to: a ten-thousandth of the world, or a little less. */
+  get unit() { return 10 ** Math.floor(Math.log10(this.size * 1e-4)); }
+
+  // Orders.
+
+  /** @param {EditOrder} order */
+  obey([verb, ...args]) { /** @type {(...args: unknown[]) => unknown} */ (this[verb]).apply(this, args); }
+
+  /** @param {Pointer} pointer @returns {boolean} whether something is held */
+  pointer(pointer) {
+    this.hand.obey(pointer);
+    return this.hand.drag !== null;
+  }
+
+  /** @param {boolean} on */
+  turn(on) {
+    const { session } = this;
+    this.use("select");
+    this.selected = null;
+    this.on = on;
+    if (on) {
+      if (session.byHand.pointing) session.byHand.pointing.at = null;
+      session.byHand.release();
+      session.timeline.pause();
+    } else if (session.refusal) session.byHand.showTouching();
+  }
+
+  /** @param {EditTool} tool */
+  use(tool) {
+    this.abandon();
+    this.tool = tool;
+  }
+
+  /** Cancels what is under way; else lets go, step by step. */
+  cancel() {
+    if (this.hand.isBusy) this.abandon();
+    else if (this.tool !== "select") this.tool = "select";
+    else this.choose(this.part === null ? null : this.selected, null);
+    this.refusal = null;
+  }
+
+  /** Selects the next or the previous thing. @param {number} way */
+  select(way) {
+    const things = objectsOf(this.document, this.session.query);
+    const at = things.findIndex((thing) => same(thing, this.selected));
+    this.choose(things.at(at < 0 && way < 0 ? -1 : (at + way) % things.length) ?? null, null);
+  }
+
+  /** Selects the next or the previous vertex or joint. @param {number} way */
+  pick(way) {
+    const { parts, part } = this;
+    if (parts > 0) this.choose(this.selected, part === null ? (way > 0 ? 0 : parts - 1) : (part + way + parts) % parts);
+  }
+
+  /** Moves what is selected by small steps. @param {number} dx @param {number} dy @param {boolean} goesOn  a key is held down */
+  nudge(dx, dy, goesOn) {
+    if (this.selected) this.change(nudged(this.shown, this.selected, this.part, dx, dy, this.unit), goesOn);
+  }
+
+  /** Gives one number of what is selected. @param {number} index @param {number} value */
+  set(index, value) {
+    const { selected, part, shown, document } = this;
+    const pose = poseOf(document, selected);
+    if (selected && pose && isTip(shown.scenario, selected, part)) {
+      const point = tipOf(shown.scenario, pose);
+      this.change(leads(shown, selected, pose)(/** @type {Point} */ (Array.from(point).with(index, value))));
+    } else if (selected) this.change(withField(document, selected, part ?? 0, index, value));
+  }
+
+  /** Adds a vertex behind the one that is selected. */
+  insert() {
+    const { selected, obstacle, document } = this;
+    if (!selected || obstacle?.type !== "polygon") return;
+    const at = (this.part ?? 0) + 1;
+    if (this.change(withObstacle(document, selected.index, withVertex(obstacle, at, middle(obstacle.vertices, at - 1, this.unit), true)))) this.choose(selected, at);
+  }
+
+  /** Takes away the vertex that is selected, or else the whole obstacle; of a polygon being drawn its last corner. */
+  remove() {
+    const { selected, part, obstacle, title } = this;
+    this.hand.loose = null;
+    if (this.hand.draft.pop() || !selected) return;
+    if (!obstacle) {
+      this.refusal = { message: "a start and a goal can be moved, not deleted", code: "not-deletable", pointer: "" };
+      return;
+    }
+    const left = obstacle.type === "polygon" && part !== null ? withVertex(obstacle, part, null) : null;
+    if (!this.change(withObstacle(this.document, selected.index, left))) return;
+    this.choose(left && selected, null);
+    this.said = `${title} deleted.`;
+  }
+
+  /** Makes a target of a goal, or a goal of a target. */
+  retarget() {
+    const { selected, shown } = this;
+    const document = selected && otherGoal(shown, selected);
+    if (!document || !this.change(document)) return;
+    this.choose(selected, null);
+    this.said = this.target ? "Any pose that reaches the point will do." : "The goal is this one pose.";
+  }
+
+  duplicate() {
+    if (this.obstacle) this.add(copies(this.obstacle, this.size, this.unit));
+  }
+
+  /** Closes the polygon being drawn, or puts what the tool draws where there is room. */
+  enter() {
+    if (this.hand.draft.length > 0) this.hand.close();
+    else if (this.tool !== "select") this.add(places(this.shown, this.size).map((at) => simple(this.tool, at, this.size, this.unit)));
+  }
+
+  /** Undoes or redoes. @param {-1 | 1} way */
+  go(way) {
+    this.abandon();
+    const { history } = this;
+    if (!history.go(way)) return;
+    this.settle();
+    this.said = way < 0 ? `Undone, ${history.undoable} left.` : `Redone, ${history.redoable} left.`;
+  }
+
+  /** Brings the scene back as it was opened; that, too, can be undone. */
+  revert() {
+    this.abandon();
+    const { history } = this;
+    if (history.now === history.first) return;
+    history.commit(history.first);
+    this.settle();
+    this.said = "The scene is as it was.";
+  }
+
+  // Changes.
+
+  /** @param {EditorObject | null} thing @param {number | null} part */
+  choose(thing, part) {
+    this.selected = thing;
+    this.part = part;
+    this.said = thing ? `${this.title} selected.` : "Nothing is selected.";
+  }
+
+  /** Something new is selected, and the tool put down. @param {EditorObject} thing */
+  put(thing) {
+    this.choose(thing, null);
+    this.tool = "select";
+  }
+
+  /** @param {ScenarioDocument} document @returns {Scenario | null} null: refused, and `refusal` says why */
+  read(document) {
+    try {
+      const scenario = this.session.library.Scenario.parse(document);
+      this.refusal = null;
+      return scenario;
+    } catch (error) {
+      const fault = faultOf(error);
+      if (fault.code === "" || fault.code === "internal") throw error;
+      this.refusal = fault;
+      return null;
+    }
+  }
+
+  /** Puts a document on the stage if the core takes it. @param {ScenarioDocument} document @param {EditorObject | null} thing  what was changed @param {boolean} live  the hand has not let go */
+  attempt(document, thing, live) {
+    const scenario = this.read(document);
+    this.refused = scenario || !live ? null : obstacleOf(document, thing);
+    if (scenario) this.session.replace(scenario, document, live);
+    return scenario !== null;
+  }
+
+  /** A change that is whole. @param {ScenarioDocument} document @param {boolean} [goesOn]  it goes on with the one before */
+  change(document, goesOn = false) {
+    if (!this.attempt(document, null, false)) return false;
+    this.end(goesOn);
+    return true;
+  }
+
+  /** Adds the first of some obstacles that leaves start and goal free, else the first that the core takes. @param {Obstacle[]} offers @returns {boolean} whether it takes one */
+  add(offers) {
+    const index = this.document.world.obstacles.length;
+    const documents = offers.map((offer) => withObstacle(this.document, index, offer));
+    /** @param {ScenarioDocument} document @returns {number} 0: refused, 1: start or goal is in collision, 2: it is fine */
+    const suits = (document) => {
+      const scenario = this.read(document);
+      const poses = objectsOf(document, this.session.query).map((thing) => poseOf(document, thing));
+      const free = scenario && poses.every((pose) => !pose || scenario.check(pose).free);
+      scenario?.free();
+      return scenario ? 1 + Number(free) : 0;
+    };
+    const document = documents.find((one) => suits(one) === 2) ?? documents.find(suits) ?? documents[0];
+    if (!this.change(document)) return false;
+    this.put({ kind: "obstacle", index });
+    this.said = this.whereabouts;
+    return true;
+  }
+
+  /** What is under way is no more, and leaves nothing. */
+  abandon() {
+    this.refusal = this.refused = null;
+    if (this.hand.open() && this.isDifferent) this.settle();
+  }
+
+  /** The stage shows the document of now again, which was good once. */
+  settle() {
+    this.attempt(this.history.now, null, false);
+    if (!this.obstacle && !this.target && !poseOf(this.document, this.selected)) this.selected = null;
+    if ((this.part ?? 0) >= this.parts) this.part = null;
+    this.end();
+  }
+
+  /** A gesture has ended: what is on the stage is the document of now. @param {boolean} [goesOn] */
+  end(goesOn = false) {
+    const { session, history } = this;
+    this.refused = null;
+    if (this.isDifferent) {
+      history.commit(this.document, goesOn);
+      this.said = this.whereabouts;
+    }
+    this.changes++;
+    session.story = history.now === history.first ? this.story : { algorithm: "", isProven: true, sentence: "" };
+    this.shown.rough = false;
+    session.stage.invalidate();
+  }
+
+  // What is told.
+
+  /** Vertices of a polygon, joints of an arm and its end effector, or the heading of a body, 0 where there is nothing to pick. @returns {number} */
+  get parts() {
+    const { obstacle } = this;
+    if (obstacle) return obstacle.type === "polygon" ? obstacle.vertices.length : 0;
+    const { scenario, placed } = this.shown;
+    return this.selected && !this.target && scenario.robot !== "disc" ? placed ? 1 : scenario.dimension + 1 : 0;
+  }
+
+  /** What is selected, in words. @returns {string} */
+  get title() {
+    const { selected, part, obstacle } = this;
+    if (!selected) return "";
+    const name = obstacle ? `Obstacle ${selected.index}, a ${obstacle.type}` : selected.kind === "start" ? "Start" : this.target ? "Target" : "Goal";
+    if (isTip(this.shown.scenario, selected, part)) return `${name}, end effector`;
+    if (part === null || this.parts === 0) return name;
+    return this.shown.placed && !obstacle ? `${name}, its heading` : `${name}, ${obstacle ? "vertex" : "joint"} ${part}`;
+  }
+
+  get fields() {
+    const { document, selected, part, shown } = this;
+    const pose = poseOf(document, selected);
+    if (!pose || !isTip(shown.scenario, selected, part)) return fieldsOf(document, selected, part ?? 0, coordinatesOf(shown));
+    const [x, y] = tipOf(shown.scenario, pose);
+    return [place("x", rounded(x, this.unit)), place("y", rounded(y, this.unit))];
+  }
+
+  /** What is selected, and where it is. */
+  get whereabouts() { return `${this.title}: ${this.fields.map(({ name, value }) => `${name} ${value}`).join(", ")}.`; }
+
+  /** Renews what the panes draw. */
+  overlay() {
+    const { shown, on, selected, part, refused, hand: { draft, loose } } = this;
+    if (!on) {
+      shown.overlay = null;
+      return;
+    }
+    const ends = this.session.refusal ? [{ end: /** @type {const} */ ("start"), pose: shown.start }, { end: /** @type {const} */ ("goal"), pose: shown.goal }] : [];
+    shown.overlay = {
+      draw: drawOverlay,
+      selected, part, refused, draft: loose ? [...draft, loose] : draft,
+      touching: ends.flatMap(({ end, pose }) => {
+        const check = pose && shown.scenario.check(pose);
+        return check && !check.free ? [{ end, pose: Array.from(pose), check }] : [];
+      }),
+    };
+  }
+
+  /** Start or goal in collision, or a target that is out of reach, in words. @returns {string} */
+  get touching() {
+    const { overlay, scenario, target } = this.shown;
+    const { refusal } = this.session;
+    if (target && refusal) return sentence(faultOf(refusal.error).message);
+    return (overlay?.touching ?? []).map(({ end, check }) => `The ${end} is in collision: ${touchingSentence(scenario, check)}.`).join(" ");
+  }
+
+  /** Why the last change was refused, or empty. @returns {string} */
+  get reason() {
+    return sentence(this.refusal?.message ?? "");
+  }
+
+  /** Is there bad news? @returns {boolean} */
+  get isBad() { return this.reason !== "" || this.touching !== ""; }
+
+  /** What there is to say above the stage; empty while a run goes on. */
+  get sentence() {
+    const { session: { clock }, touching } = this;
+    if (!this.on) return "";
+    if (this.reason) return this.reason;
+    if (clock.now > 0 || clock.playing) return "";
+    if (touching && this.shown.target) return touching;
+    return touching ? `${touching} Move it free to plan.` : HINTS[this.tool];
+  }
+
+  /** @returns {EditState | null} */
+  get state() {
+    if (!this.on || !this.session.shown) return null;
+    const { tool, title, said, part, parts, changes, history, reason, touching, fields, obstacle } = this;
+    return {
+      tool, title, said, part, parts, changes, reason, touching, fields,
+      kind: obstacle ? obstacle.type : this.selected ? "end" : "",
+      goal: this.selected?.kind !== "goal" || this.shown.scenario.robot !== "arm" ? "" : this.target ? "target" : "pose",
+      code: this.refusal?.code ?? "",
+      undoable: history.undoable, redoable: history.redoable, isChanged: history.now !== history.first,
+      isBusy: this.hand.isBusy,
+    };
+  }
+}

@@ -1,0 +1,115 @@
+/**
+ * NumPy's arrays come in: polygons become obstacles of the scene on the stage, configurations become marks on it. What an array
+ * is tells its shape; where it could be either, and what is to become of polygons, is asked.
+ */
+import { grouped } from "../counters.js";
+import { byId, make } from "../../app/dom.js";
+import { NpyError } from "../../formats/dtype.js";
+import { readNpy, readNpyPolygons } from "../../formats/npy.js";
+
+/** @import { Page } from "../page.js" */
+/** @import { Obstacle } from "../../domain/types.js" */
+
+/** Configurations shown at most. */
+const MOST = 20_000;
+
+/** The line about the marks, made once. @type {HTMLElement | undefined} */
+let line;
+
+/**
+ * @param {Page} page  with a scene on its stage
+ * @param {string} name  of the file @param {Uint8Array} bytes
+ * @throws {Error} with a code: the file is damaged, too large, or is neither
+ */
+export async function openArray(page, name, bytes) {
+  const { facts } = page;
+  if (!facts) throw Object.assign(new Error("There is no scene yet to put it in."), { code: "no-scene" });
+  const { dimension } = facts;
+  const shape = numericShape(bytes);
+  const isRows = shape?.length === 2 && shape[1] === dimension && shape[0] > 0;
+  const isPolygons = !shape || ((shape.length === 2 || shape.length === 3) && shape.at(-1) === 2);
+  if (!isRows && !isPolygons) {
+    throw new NpyError(`Its shape is (${shape.join(", ")}): polygons are (n, m, 2) or (m, 2), configurations of this robot (n, ${dimension}).`);
+  }
+  /** @type {[string, string][]} */
+  const choices = [];
+  let what = "";
+  let polygons = /** @type {number[][][]} */ ([]);
+  if (isPolygons) polygons = isRows ? maybePolygons(bytes) : readNpyPolygons(bytes);
+  if (polygons.length > 0) {
+    const vertices = polygons.reduce((sum, polygon) => sum + polygon.length, 0);
+    what = `${name} holds ${count(polygons.length, "polygon")} of ${grouped(vertices)} vertices`;
+    choices.push(["add", "Add to the scene"], ["replace", "Replace its obstacles"]);
+  }
+  if (isRows) {
+    const also = count(shape[0], "configuration");
+    what = what ? `${what}, or ${also}` : also;
+    choices.unshift(["mark", "Show as configurations"]);
+  }
+  const choice = choices.length === 1 ? choices[0][0] : await page.notice.ask(`${what}.`, choices);
+  if (choice === "mark") await mark(page, name, bytes);
+  else if (choice) await build(page, polygons, choice === "replace");
+}
+
+/** Polygons, or none where an array can only be configurations. @param {Uint8Array} bytes */
+function maybePolygons(bytes) {
+  try {
+    return readNpyPolygons(bytes);
+  } catch (error) {
+    if (error instanceof NpyError) return [];
+    throw error;
+  }
+}
+
+/** The shape of an array of numbers; of one of objects none. @param {Uint8Array} bytes @returns {number[] | null} @throws {NpyError} */
+function numericShape(bytes) {
+  const isObjects = /["']descr["']\s*:\s*["']\|O/.test(new TextDecoder("latin1").decode(bytes.subarray(0, 512)));
+  return isObjects ? null : readNpy(bytes).shape;
+}
+
+/** The scene with these obstacles, under the same planners. @param {Page} page @param {number[][][]} polygons @param {boolean} alone @throws {Error} the core refuses one of them */
+async function build(page, polygons, alone) {
+  const { facts, plans, panel } = page;
+  if (!facts) return;
+  const { world } = facts.document;
+  const fresh = polygons.map((vertices) => /** @type {Obstacle} */ ({ type: "polygon", vertices }));
+  const document = { ...facts.document, world: { ...world, obstacles: alone ? fresh : [...world.obstacles, ...fresh] } };
+  await page.open({ document }, { plans: plans ?? page.asked, query: panel.query.value || undefined });
+}
+
+/** Configurations as marks, with a line that counts them and takes them away. @param {Page} page @param {string} name @param {Uint8Array} bytes */
+async function mark(page, name, bytes) {
+  const { shape: [all, n], data } = readNpy(bytes);
+  if (all > MOST) throw new NpyError(`There are ${grouped(all)} configurations; at most ${grouped(MOST)} are shown.`);
+  const wrong = data.findIndex((value) => !Number.isFinite(value));
+  if (wrong >= 0) throw new NpyError(`Number ${wrong % n} of configuration ${Math.floor(wrong / n)} is not finite.`);
+  const free = page.run((session) => session.mark(data));
+  const shown = line ?? ground(page);
+  shown.dataset.free = String(free);
+  shown.dataset.count = String(all);
+  const clear = make("button", { type: "button" }, "Clear");
+  clear.addEventListener("click", () => {
+    page.act((session) => session.mark(null));
+    shown.hidden = true;
+    byId("stage", HTMLElement).focus();
+  });
+  shown.replaceChildren(
+    make("span", {}, `${count(all, "configuration")} of ${name}: `, sign("disc"), ` ${grouped(free)} free, `, sign("cross"), ` ${grouped(all - free)} in collision.`), clear,
+  );
+  shown.hidden = false;
+}
+
+/** Where the line stands; another scene has no marks. @param {Page} page */
+function ground(page) {
+  const made = make("p", { id: "marked", className: "marked", role: "status", hidden: true });
+  byId("readout", HTMLElement).before(made);
+  page.onOpen(() => { made.hidden = true; });
+  line = made;
+  return made;
+}
+
+/** What a mark looks like. @param {"disc" | "cross"} kind */
+function sign(kind) { return make("i", { className: kind, ariaHidden: "true" }); }
+
+/** @param {number} many @param {string} thing */
+function count(many, thing) { return `${grouped(many)} ${thing}${many === 1 ? "" : "s"}`; }

@@ -1,0 +1,137 @@
+/**
+ * The stage once more, at a time and a sharpness of one's own: panes of the same kinds and sizes on canvases of their own, over
+ * a light stand-in of each lane. The stage itself, and the time that it shows, are not touched.
+ */
+import { LAYERS } from "../../draw/layer.js";
+import { KINDS } from "../../draw/stage.js";
+import { Frontier } from "../run-log/frontier.js";
+
+/** @import { LayerName } from "../../draw/layer.js" */
+/** @import { Pane } from "../../draw/pane.js" */
+/** @import { Palette } from "../../draw/palette.js" */
+/** @import { Look, SheetLayout } from "../../domain/types.js" */
+/** @import { Lane, Shown } from "../lane.js" */
+/** @import { Run } from "../run-log/run-log.js" */
+/** @import { Session } from "../session.js" */
+/** @typedef {{ layout: SheetLayout, pane: Pane, layers: OffscreenCanvas[], lane: Lane }} Drawn */
+
+/** Milliseconds of inking before others have a turn. */
+const SLICE = 8;
+/** Of captions: CSS pixels. */
+const FONT = "13px system-ui, sans-serif";
+const LINE = 18;
+const GAP = 9;
+
+export class Picture {
+  /**
+   * @param {Session} session
+   * @param {SheetLayout[]} sheets   those to be drawn
+   * @param {number} ratio           pixels a CSS pixel
+   * @param {(width: number, height: number) => OffscreenCanvas} makeCanvas   of CSS pixels; the layers fit it
+   * @param {boolean} [whole]        the path is whole and nobody holds the robot, however far the stage has come
+   */
+  constructor(session, sheets, ratio, makeCanvas, whole = false) {
+    this.clock = { column: session.clock.column };
+    const look = /** @type {Look} */ (session.stage.look);
+    this.palette = look.palette;
+    this.ratio = ratio;
+    const shown = /** @type {Shown} */ (session.shown);
+    /** @type {Shown} */
+    const still = { ...shown, view: { ...shown.view }, hover: null, overlay: null, rough: false, ...(whole ? { hand: null, check: null } : {}) };
+    const lanes = session.lanes.map((lane) => standIn(lane, still, whole));
+    /** @type {Drawn[]} */
+    this.drawn = sheets.flatMap((layout) => {
+      const place = session.stage.at(layout.id);
+      const lane = place && lanes[place.lane];
+      if (!lane) return [];
+      const { width, height } = place.pane;
+      const layers = LAYERS.map(() => makeCanvas(width, height));
+      const pane = new KINDS[place.kind](/** @type {Record<LayerName, OffscreenCanvas>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, layers[i]]))));
+      Object.assign(pane, { width, height });
+      if (pane instanceof KINDS.cspace) pane.painter = session.stage.painter;
+      pane.glow.enabled = false;
+      pane.layout(lane, { ...look, ratio });
+      // Time goes on, or begins anew: no copies on the way.
+      for (const keeps of Object.values(pane.growth.snapshots)) keeps.spacing = Infinity;
+      return [{ layout, pane, layers, lane }];
+    });
+  }
+
+  /** Draws a time, the stage's own where none is given, a slice at each turn. @param {number} [time] @returns {Generator<void>} */
+  *draw(time) {
+    const { clock: { column } } = this;
+    for (const { pane, lane } of this.drawn) {
+      const { run } = lane;
+      if (run && time !== undefined) run.shown = run.iterationAt(column, time);
+      for (;;) {
+        const until = performance.now() + SLICE;
+        pane.refine(lane);
+        pane.grow(0, until);
+        if (pane.caughtUp && pane.isRefined) break;
+        yield;
+      }
+      run?.frontier.follow();
+      pane.glow.clear();
+      pane.drawTop(0);
+    }
+  }
+
+  /** Puts what is drawn, and the captions, on a canvas of the whole stage. @param {OffscreenCanvasRenderingContext2D} context @param {boolean} [blank]  on an empty ground */
+  compose(context, blank = true) {
+    const { ratio, palette } = this;
+    if (blank) {
+      context.fillStyle = palette.stage;
+      context.fillRect(0, 0, context.canvas.width, context.canvas.height);
+    }
+    for (const { layout, layers } of this.drawn) {
+      for (const layer of layers) context.drawImage(layer, Math.round(layout.x * ratio), Math.round(layout.y * ratio));
+      context.save();
+      context.scale(ratio, ratio);
+      writeCaption(context, layout, palette);
+      context.restore();
+    }
+  }
+}
+
+/** A lane held still: what happens on the stage meanwhile does not show. @param {Lane} lane @param {Shown} shown @param {boolean} whole @returns {Lane} */
+function standIn(lane, shown, whole) {
+  const { run, end } = lane;
+  /** @type {(Run & { shown: number }) | null} */
+  const its = run && Object.create(run, { shown: { value: run.shown, writable: true } });
+  if (run && its) Object.defineProperty(its, "frontier", { value: new Frontier(its, run.adjacency) });
+  return Object.create(lane, {
+    shown: { value: shown }, run: { value: its },
+    end: { value: end && Object.create(end, { drawn: { value: whole ? 1 : end.drawn }, at: { value: end.at } }) },
+  });
+}
+
+/** What stands above a sheet, in as many lines as it needs. @param {Pick<CanvasRenderingContext2D, "font" | "fillStyle" | "textBaseline" | "textAlign" | "fillText">} context @param {SheetLayout} layout @param {Palette} palette */
+export function writeCaption(context, { caption: { x, y, width, name, note } }, palette) {
+  const ruler = new OffscreenCanvas(1, 1).getContext("2d");
+  if (!ruler) return;
+  context.font = ruler.font = FONT;
+  context.textBaseline = "middle";
+  context.textAlign = "left";
+  let left = 0;
+  let line = 0;
+  for (const [words, colour] of [[name, palette.ink], [note, palette.quiet]]) {
+    context.fillStyle = colour;
+    let text = "";
+    const write = () => {
+      context.fillText(text, x + left, y + LINE * (line + 0.5));
+      left += ruler.measureText(text).width + GAP;
+      text = "";
+    };
+    for (const word of words.split(/\s+/).filter(Boolean)) {
+      const longer = `${text} ${word}`.trimStart();
+      if (left + ruler.measureText(longer).width <= width || left + text.length === 0) text = longer;
+      else {
+        write();
+        left = 0;
+        line++;
+        text = word;
+      }
+    }
+    if (text) write();
+  }
+}

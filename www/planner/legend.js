@@ -1,0 +1,38 @@
+/** The legend names what can be seen just now, and no more. */
+import { write } from "./counters.js";
+import { byId } from "../app/dom.js";
+
+/** @import { Page } from "./page.js" */
+/** @import { LaneState, State } from "../domain/types.js" */
+
+/** @param {Page} page @param {State} state */
+export function showLegend({ calm }, { lanes, view, growing, playing, clock, hover, touching, isBad }) {
+  const some = (/** @type {(lane: LaneState) => boolean} */ is) => lanes.some(is);
+  const waits = growing && !playing && clock.now > 0;
+  const flashes = growing && !calm;
+  const hasPath = lanes.some(({ status, isMiss }) => status === "solved" || isMiss);
+  const samples = lanes.some(({ hasRejected }) => hasRejected);
+  const motions = lanes.some(({ hasRefused }) => hasRefused);
+  const seen = {
+    guard: lanes.some(({ hasGuards }) => hasGuards), newest: flashes || waits, waiting: lanes.some(({ waiting }) => waiting > 0),
+    // What is refused stays where it is wanted to, and else flashes while it grows.
+    rejected: (view.refused || flashes || waits) && (samples || motions), path: hasPath, poses: hasPath && view.strobe,
+    piece: some(({ isApart }) => isApart), searched: some(({ isSearched }) => isSearched),
+    raw: view.raw && lanes.some(({ raw }) => raw !== null), touching: !touching.free || hover?.free === false || isBad,
+  };
+  for (const [name, isSeen] of Object.entries(seen)) byId(`legend-${name}`, HTMLElement).hidden = !isSeen;
+  byId("legend-rejected", HTMLElement).dataset.kinds = `${samples ? "samples " : ""}${motions ? "motions" : ""}`;
+  byId("legend-growth-row", HTMLElement).dataset.kind = lanes[0].kind;
+  write(byId("legend-growth", HTMLElement), [...new Set(lanes.map(({ kind }) => kind))].join(", "));
+  const path = byId("legend-path", HTMLElement);
+  const isProven = lanes.some((lane) => lane.isProven);
+  const isMiss = lanes.every((lane) => lane.isMiss);
+  path.dataset.proven = String(isProven);
+  path.dataset.miss = String(isMiss);
+  const also = [
+    !isMiss && lanes.some((lane) => lane.isMiss) ? "broken: nearest miss" : "",
+    lanes.every((lane) => lane.isProven) ? "" : isProven ? "hollow: not proven" : "not proven",
+  ];
+  const words = path.querySelector("span");
+  if (words) write(words, [isMiss ? "nearest miss" : "path", ...also].filter(Boolean).join(", "));
+}

@@ -1,0 +1,92 @@
+/**
+ * A link is an experiment: everything that a run needs, held by the fragment of an address.
+ *
+ * The fragment is a version digit and base64url of raw deflate (RFC 1951, RFC 4648) of JSON. What comes in is checked entry by
+ * entry, is never evaluated, and unpacks to 1 MB at most.
+ *
+ * @typedef {Record<string, number | string | boolean>} Settings
+ *
+ * @typedef {object} View   what is shown; what is absent is off, and the lens is on the workspace
+ * @property {[number, number]} [axes]  the two coordinates of a configuration that are drawn
+ * @property {boolean} [refused]    refused samples and edges
+ * @property {boolean} [strobe]     poses along the path
+ * @property {number} [poses]       how many, where they are not as many as usual
+ * @property {boolean} [raw]        the path before it was improved
+ * @property {boolean} [slice]      obstacles on the plane of those two coordinates
+ * @property {boolean} [projector]  large type and strong lines
+ * @property {"workspace" | "cspace"} [lens]
+ *
+ * @typedef {object} Experiment
+ * @property {1} version
+ * @property {string} [scene]     a built-in scene; where it is absent there is a document
+ * @property {Record<string, unknown>} [document]  the reader's own scenario
+ * @property {string} [query]
+ * @property {{ algorithm: string, settings: Settings }[]} lanes  1 to 4
+ * @property {number} iteration   a whole number from 0
+ * @property {View} view
+ * @property {Settings} [options]  of the scene
+ */
+import { packed, unpacked } from "../../formats/deflate-json.js";
+import { Fault, flag, json, list, must, name, record, rule, settings, text, whole } from "../../formats/rules.js";
+
+const MOST_FRAGMENT = 65536;
+const MOST_BYTES = 1 << 20;
+
+const experimentRule = record({
+  version: rule((value) => value === 1),
+  scene: name,
+  document: record({}, json(16)),
+  // Names of queries are free text in a scenario; they are only ever compared.
+  query: text,
+  lanes: list(record({ algorithm: name, settings }), 1, 4),
+  iteration: whole(Number.MAX_SAFE_INTEGER),
+  view: record({
+    axes: list(whole(63), 2, 2), refused: flag, strobe: flag, poses: whole(99), raw: flag, slice: flag, projector: flag,
+    lens: rule((value) => value === "workspace" || value === "cspace"),
+  }),
+  options: settings,
+});
+
+/** Throws a fault unless it is an experiment, with or without what is left out. @param {unknown} value @returns {asserts value is Partial<Experiment> & Pick<Experiment, "lanes">} */
+function requireExperiment(value) {
+  experimentRule(value, "experiment");
+  const { scene, document, lanes } = /** @type {Partial<Experiment>} */ (value);
+  must((scene || document) && lanes?.every((lane) => lane.algorithm), "it lacks a scene or an algorithm");
+}
+
+/** Without what is absent, off, or the workspace; nothing where nothing is left. @param {object} view */
+function seen(view) {
+  const entries = Object.entries(view).filter(([, entry]) => entry && entry !== "workspace");
+  return entries.length > 0 ? Object.fromEntries(entries) : undefined;
+}
+
+/**
+ * @param {Experiment} experiment
+ * @returns {Promise<string>}  the fragment, without `#`: characters of base64url only
+ * @throws {Error} where `decodeLink` would refuse it, with the same sentence
+ */
+export async function encodeLink(experiment) {
+  requireExperiment(experiment);
+  const { version, iteration, view, ...rest } = experiment;
+  const fragment = `1${await packed({ ...rest, iteration: iteration || undefined, view: seen(view) }, MOST_BYTES)}`;
+  must(fragment.length < MOST_FRAGMENT, "it is too long");
+  return fragment;
+}
+
+/**
+ * @param {string} fragment  with or without `#`
+ * @returns {Promise<{ experiment: Experiment, fault: null } | { experiment: null, fault: string }>}  never rejects; `fault` is a sentence for people
+ */
+export async function decodeLink(fragment) {
+  try {
+    must(String(fragment).length <= MOST_FRAGMENT, "it is too long");
+    const [, content] = /^#?1([\w-]+)$/.exec(fragment) ?? [];
+    must(content, "it is not one of version 1");
+    const value = await unpacked(content, MOST_BYTES);
+    requireExperiment(value);
+    const lanes = value.lanes.map((lane) => ({ ...lane, settings: lane.settings ?? {} }));
+    return { experiment: { iteration: 0, view: {}, ...value, version: 1, lanes }, fault: null };
+  } catch (error) {
+    return { experiment: null, fault: error instanceof Fault ? error.message : "This link does not work: it is damaged." };
+  }
+}

@@ -1,0 +1,19 @@
+/** What is pointed at, in one line beneath the stage. */
+import { write } from "../counters.js";
+import { byId } from "../../app/dom.js";
+
+/** @import { Page } from "../page.js" */
+
+/** @param {Page} page */
+export function watchReadout(page) {
+  const readout = byId("readout", HTMLOutputElement);
+  const hint = matchMedia("(hover: hover)").matches ? "Point at a vertex to read what it is." : "";
+  page.onState(({ hover }) => {
+    write(readout, hover ? hover.text : hint);
+    if (hover) Object.assign(readout.dataset, { vertex: String(hover.vertex), free: String(hover.free) });
+    else {
+      delete readout.dataset.vertex;
+      delete readout.dataset.free;
+    }
+  });
+}

@@ -1,0 +1,152 @@
+/**
+ * A race: up to three rivals beside the panel's planner, on one scenario, all given the same number of clearance evaluations.
+ * Rivals are chosen here; each has a sheet on the stage, and a line in the table beneath it.
+ */
+import { letter } from "./standings.js";
+import { byId, make } from "../../app/dom.js";
+import { Rival } from "./rival.js";
+import { Table } from "./table.js";
+
+/** @import { Page } from "../page.js" */
+/** @import { Sheets } from "../sheets.js" */
+/** @import { PaneKind, Plan, State } from "../../domain/types.js" */
+
+/** Rivals at most. */
+const MOST = 3;
+
+export class Race {
+  /** @param {Page} page @param {Sheets} sheets */
+  constructor(page, sheets) {
+    this.page = page;
+    this.sheets = sheets;
+    /** @type {Rival[]} */
+    this.rivals = [];
+    /** What the sheets and captions were last made for. @type {Plan[]} */
+    this.shown = [];
+    /** Which picture of each planner, where it was chosen. @type {PaneKind | null} */
+    this.kind = null;
+    this.table = new Table(byId("standings", HTMLElement));
+    this.numbers = byId("numbers", HTMLElement);
+    this.list = make("div", {});
+    this.choice = make("select", { id: "rival" }, ...page.panel.infos.map(({ id, title }) => make("option", { value: id }, title)));
+    // Two trees are the liveliest rival.
+    this.choice.value = page.panel.infos.find(({ grows }) => grows === "trees")?.id ?? this.choice.value;
+    this.button = make("button", { type: "button", id: "add-rival" }, "Add");
+    this.button.addEventListener("click", () => this.add());
+    this.hint = make("p", { className: "hint" });
+    byId("race", HTMLElement).append(
+      this.list,
+      make("div", { className: "row" }, make("label", { htmlFor: "rival" }, "Against"), this.choice, this.button), this.hint,
+    );
+    this.lens = this.makeLens();
+    sheets.element.before(this.lens);
+    this.number();
+    page.race = this;
+    page.onState((state) => this.show(state));
+  }
+
+  /** Which picture of each planner is shown: one choice for all. */
+  makeLens() {
+    const lens = make("fieldset", { className: "lens", hidden: true }, make("legend", { className: "visually-hidden" }, "Picture"));
+    for (const [kind, words] of /** @type {[PaneKind, string][]} */ ([["workspace", "Workspace"], ["cspace", "Configuration space"]])) {
+      const input = make("input", { type: "radio", name: "lens", value: kind });
+      input.addEventListener("change", () => this.look(kind));
+      lens.append(make("label", {}, input, words));
+    }
+    return lens;
+  }
+
+  /** What the rivals are asked beside planner A, or null while a field holds a value that is refused. @param {Plan} plan @returns {Plan[] | null} */
+  beside(plan) {
+    const plans = this.rivals.map((rival) => rival.plan(plan));
+    return plans.includes(null) ? null : plans.flatMap((one) => one ?? []);
+  }
+
+  /** One more rival, a copy of planner A as far as its planner goes. */
+  add() {
+    const { seed: _, ...settings } = this.page.panel.given;
+    this.enter({ algorithm: this.choice.value, settings });
+    this.number();
+    byId("curves-fold", HTMLDetailsElement).open = true;
+    this.page.plan();
+    if (this.button.disabled) this.rivals[MOST - 1].planner.focus();
+  }
+
+  /** @param {Plan} plan */
+  enter(plan) {
+    const { panel } = this.page;
+    const fits = (/** @type {object} */ info) => panel.fits(info);
+    const rival = new Rival(panel.infos.filter(fits), fits, plan, { change: () => this.page.plan(), remove: () => this.drop(rival) });
+    this.rivals.push(rival);
+    this.list.append(rival.element);
+  }
+
+  /** @param {Rival} rival */
+  drop(rival) {
+    this.rivals.splice(this.rivals.indexOf(rival), 1);
+    rival.element.remove();
+    this.number();
+    this.button.focus();
+    this.page.plan();
+  }
+
+  /** These plans are on the stage, the first of them in the panel. @param {Plan[]} plans */
+  adopt([first, ...others]) {
+    for (const { element } of this.rivals.splice(0)) element.remove();
+    for (const { algorithm, settings: { seed, ...settings } } of others) {
+      this.enter({ algorithm, settings: seed === first.settings.seed ? settings : { seed, ...settings } });
+    }
+    this.number();
+  }
+
+  number() {
+    this.rivals.forEach((rival, i) => rival.place(i + 1));
+    const { length } = this.rivals;
+    this.button.disabled = this.choice.disabled = length === MOST;
+    this.hint.textContent = length === 0
+      ? "A second planner on the same scene, with the settings above; then change one."
+      : `The planner above is A. All get the same number of clearance evaluations.${length === MOST ? " Four race at most." : ""}`;
+  }
+
+  /** @param {number} lane @param {string} pointer @param {string} reason */
+  refuse(lane, pointer, reason) { this.rivals[lane - 1]?.refuse(pointer, reason); }
+
+  get hasSquare() {
+    const { facts } = this.page;
+    return facts !== null && facts.robot !== "disc" && facts.dimension > 1;
+  }
+
+  /** Which picture of each planner is shown. @returns {PaneKind} */
+  get picture() { return this.hasSquare ? this.kind ?? (this.page.facts?.dimension === 2 ? "cspace" : "workspace") : "workspace"; }
+
+  /** Shows this picture of each planner. @param {PaneKind} kind */
+  look(kind) {
+    this.kind = kind;
+    this.arrange();
+  }
+
+  /** Shows a sheet for each planner. @returns {boolean} whether there is a race */
+  arrange() {
+    const { page, lens } = this;
+    const { asked } = page;
+    const isRace = asked.length > 1;
+    this.shown = asked;
+    lens.hidden = !isRace || !this.hasSquare;
+    this.numbers.hidden = isRace;
+    this.sheets.element.classList.toggle("race", isRace);
+    const { names } = page;
+    this.table.build(isRace ? names : []);
+    if (!isRace) return false;
+    const kind = this.picture;
+    for (const input of lens.querySelectorAll("input")) input.checked = input.value === kind;
+    this.sheets.show(names.map((caption, lane) => ({ id: `lane-${letter(lane)}`, kind, lane, caption })));
+    return true;
+  }
+
+  /** @param {State} state */
+  show(state) {
+    const { page } = this;
+    if (page.asked !== this.shown && !this.arrange() && page.facts) this.sheets.arrange(page.facts);
+    if (page.asked.length > 1 && state.lanes.length === page.asked.length) this.table.show(state, this.sheets);
+  }
+}

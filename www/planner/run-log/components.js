@@ -1,0 +1,34 @@
+/** The pieces that a roadmap has fallen into. */
+import { PAST } from "./run-log.js";
+
+/** @import { Run } from "./run-log.js" */
+
+/** Pieces of a roadmap at its shown iteration, found by union-find (Tarjan 1975): about O(vertices + edges). @param {Run} run */
+export function componentsOf(run) {
+  const { past, edges, roots } = run;
+  const count = past[PAST.vertices];
+  const parent = Uint32Array.from({ length: count }, (_, vertex) => vertex);
+  /** @param {number} vertex */
+  const find = (vertex) => {
+    let at = vertex;
+    while (parent[at] !== at) at = parent[at] = parent[parent[at]];
+    return at;
+  };
+  let pieces = count;
+  for (let e = 0; e < past[PAST.edges]; e++) {
+    const a = find(edges.data[2 * e]);
+    const b = find(edges.data[2 * e + 1]);
+    if (a === b) continue;
+    parent[Math.max(a, b)] = Math.min(a, b);
+    pieces--;
+  }
+  /** The vertices of the pieces that some are in, without the roots. @param {number[]} vertices */
+  const around = (vertices) => {
+    const pieces = new Set(vertices.map(find));
+    /** @type {number[]} */
+    const members = [];
+    for (let other = roots; other < count; other++) if (pieces.has(find(other))) members.push(other);
+    return members;
+  };
+  return { count: pieces, start: around([0]), goal: around(Array.from({ length: roots - 1 }, (_, i) => 1 + i)) };
+}

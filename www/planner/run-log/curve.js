@@ -1,0 +1,28 @@
+/** How runs went, in few points: as many however long they get. */
+import { PAST } from "./run-log.js";
+
+/** @import { Run } from "./run-log.js" */
+
+/** Points of a curve at most, for up to four runs. */
+const POINTS = 300;
+
+/**
+ * For each run rows of time, vertices and cost: how it stood at that time. Times rise from 0 to `head` and are the same for all;
+ * those of first paths are among them. Cost is Infinity while there is no path.
+ * @param {Run[]} runs
+ * @param {number} column  of the history, -1 for iterations
+ * @param {number} head    the latest time to be told
+ * @returns {Float64Array[]}
+ */
+export function thinned(runs, column, head) {
+  const times = new Set(Array.from({ length: POINTS - 4 }, (_, i) => Math.round((head * i) / (POINTS - 5))));
+  for (const run of runs) {
+    const found = run.foundBy(run.iterationAt(column, head));
+    if (found >= 0) times.add(run.clockAt(column, found));
+  }
+  const sorted = [...times].sort((a, b) => a - b);
+  return runs.map((run) => Float64Array.from(sorted.flatMap((time) => {
+    const row = run.history.row(run.iterationAt(column, time));
+    return [time, row[PAST.vertices], row[PAST.cost]];
+  })));
+}

@@ -1,0 +1,162 @@
+/**
+ * The figures on the stage, in the document: each a sheet of canvases that the session draws on. Sizes, and what pointers do on
+ * them, are passed on.
+ */
+import { byId, make } from "../app/dom.js";
+import { LAYERS } from "../draw/layer.js";
+import { robotName } from "../domain/names.js";
+
+/** @import { Page } from "./page.js" */
+/** @import { PaneKind, Pointer, SceneFacts, State } from "../domain/types.js" */
+/** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Sheet   the note says quietly what is to be seen */
+/** @typedef {{ figure: HTMLElement, caption: HTMLElement, note: HTMLElement, said: string, standing: string, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
+
+export class Sheets {
+  /** @param {Page} page */
+  constructor(page) {
+    this.session = page.session;
+    this.element = byId("stage", HTMLElement);
+    /** @type {Map<string, Figure>} */
+    this.figures = new Map();
+    this.described = -Infinity;
+    /** What is said beside the caption of a kind of sheet. @type {Partial<Record<PaneKind, string>>} */
+    this.notes = {};
+    this.observer = new ResizeObserver(() => this.measure());
+  }
+
+  /** The sheets that suit a scenario. @param {SceneFacts} facts */
+  arrange({ robot, dimension }) {
+    const square = robot !== "disc" && dimension >= 2;
+    const marked = { arm: "tip", disc: "centre", rigid_body: "origin", car: "rear axle" }[robot];
+    this.show([
+      { id: "workspace", kind: "workspace", lane: 0, caption: "Workspace", note: `the ${robotName(robot)}\u2019s world; points mark its ${marked}` },
+      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space", note: `each point is a pose: two ${dimension > 2 ? "of its " : ""}${robot === "arm" ? "angles" : "coordinates"}` }] : []),
+    ]);
+  }
+
+  /** Shows these sheets and no others, in this order. @param {Sheet[]} wanted */
+  show(wanted) {
+    for (const [id, { figure, sheet, kind, lane }] of this.figures) {
+      if (wanted.some((one) => one.id === id && one.kind === kind && one.lane === lane)) continue;
+      this.observer.unobserve(sheet);
+      figure.remove();
+      this.figures.delete(id);
+      this.session.stage.remove(id);
+    }
+    for (const [at, { id, kind, lane, caption, note = "" }] of wanted.entries()) {
+      const figure = this.figures.get(id) ?? this.add(id, kind, lane);
+      if (figure.caption.textContent !== caption) figure.caption.textContent = caption;
+      figure.said = note;
+      this.say(figure);
+      // What is in its place stays there: moving it would take the pointer away from whoever drags.
+      if (this.element.children[at] !== figure.figure) this.element.insertBefore(figure.figure, this.element.children[at] ?? null);
+    }
+    this.element.classList.toggle("single", wanted.length === 1);
+    this.element.dataset.sheets = String(wanted.length);
+    this.measure();
+  }
+
+  /** How a lane of a race stands. @param {number} lane @param {string} text */
+  rank(lane, text) {
+    for (const figure of this.figures.values()) {
+      if (figure.lane !== lane || figure.standing === text) continue;
+      figure.standing = text;
+      this.say(figure);
+    }
+  }
+
+  /** Says something beside the caption of every sheet of a kind, or again what it says by itself. @param {PaneKind} kind @param {string | undefined} text */
+  annotate(kind, text) {
+    if (this.notes[kind] === text) return;
+    this.notes[kind] = text;
+    for (const figure of this.figures.values()) this.say(figure);
+  }
+
+  /** Says which coordinates the square shows. @param {State} state @param {SceneFacts | null} facts */
+  look({ view: { axes: [across, up], slice } }, facts) {
+    const { dimension = 0, coordinates = [] } = facts ?? {};
+    const text = dimension > 2 && across < dimension && up < dimension
+      ? `${coordinates[across].name} across, ${coordinates[up].name} up${slice ? "; slice at the robot\u2019s pose" : ""}` : undefined;
+    this.annotate("cspace", text);
+  }
+
+  /** What was said of a kind of sheet now goes before what is said of each always. @param {Figure} figure */
+  say({ kind, note, said, standing }) {
+    const text = standing ? [standing, this.notes[kind]].filter(Boolean).join("; ") : this.notes[kind] || said;
+    if (note.textContent !== text) note.textContent = text;
+  }
+
+  /** @param {string} id @param {PaneKind} kind @param {number} lane @returns {Figure} */
+  add(id, kind, lane) {
+    const sheet = make("div", { className: "sheet" });
+    const caption = make("span", {});
+    const note = make("small", {});
+    const figure = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, caption, " ", note), sheet);
+    const canvases = LAYERS.map((name) => {
+      const canvas = make("canvas", {});
+      canvas.dataset.layer = name;
+      canvas.setAttribute("aria-hidden", "true");
+      sheet.append(canvas);
+      return canvas;
+    });
+    const top = canvases[canvases.length - 1];
+    top.removeAttribute("aria-hidden");
+    top.setAttribute("role", "img");
+    this.listen(top, id);
+    const named = /** @type {Record<typeof LAYERS[number], HTMLCanvasElement>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, canvases[i]])));
+    this.session.stage.add(id, kind, lane, named);
+    const made = { figure, caption, note, said: "", standing: "", sheet, top, kind, lane };
+    this.figures.set(id, made);
+    this.observer.observe(sheet);
+    return made;
+  }
+
+  /** Passes on how large the sheets are. */
+  measure() {
+    for (const [id, { sheet }] of this.figures) {
+      const box = sheet.getBoundingClientRect();
+      // Less than a pixel of the screen is no other size.
+      const [width, height] = [box.width, box.height].map((side) => Math.round(side * devicePixelRatio) / devicePixelRatio);
+      if (width < 1 || height < 1) continue;
+      // Whole pixels: a canvas that is stretched by a fraction of one is blurred.
+      for (const canvas of sheet.children) if (canvas instanceof HTMLElement) Object.assign(canvas.style, { width: `${width}px`, height: `${height}px` });
+      this.session.stage.resize(id, width, height);
+    }
+  }
+
+  /** What someone who cannot see the canvases should know; told at rest, and about once a second while it grows. @param {State} state */
+  describe({ settled, summary }) {
+    const now = performance.now();
+    if (!settled && now - this.described < 1000) return;
+    this.described = now;
+    for (const { top, kind, lane, caption } of this.figures.values()) {
+      const what = kind === "cspace" ? "Configuration space" : "Workspace";
+      const text = `${what}${caption.textContent === what ? "" : ` of ${caption.textContent}`}: ${summary[lane] ?? ""}`;
+      if (top.getAttribute("aria-label") !== text) top.setAttribute("aria-label", text);
+    }
+  }
+
+  /** One pointer at a time, captured while it is down; the others hover. @param {HTMLCanvasElement} canvas @param {string} pane */
+  listen(canvas, pane) {
+    let down = false;
+    /** @param {PointerEvent} event @param {Pointer["type"]} type */
+    const tell = (event, type) => {
+      if (!event.isPrimary) return;
+      void this.session.pointer({ pane, type, x: event.offsetX, y: event.offsetY, shift: event.shiftKey, touch: event.pointerType === "touch" });
+    };
+    canvas.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0 || !event.isPrimary) return;
+      down = true;
+      canvas.setPointerCapture(event.pointerId);
+      tell(event, "down");
+    });
+    canvas.addEventListener("pointermove", (event) => tell(event, down ? "move" : "hover"));
+    for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) {
+      canvas.addEventListener(end, (event) => {
+        if (down) tell(event, end === "pointerup" ? "up" : "cancel");
+        down = false;
+      });
+    }
+    canvas.addEventListener("pointerleave", (event) => tell(event, "leave"));
+  }
+}

@@ -1,0 +1,93 @@
+/** What is to be seen on the stage: what was refused, poses along the path, the path as it was found, which coordinates a plane shows. */
+import { write } from "./counters.js";
+import { byId, make } from "../app/dom.js";
+
+/** @import { Page } from "./page.js" */
+/** @import { SceneFacts, State } from "../domain/types.js" */
+
+/** Poses along the path. */
+const POSES = { least: 3, most: 24 };
+
+/** @param {Page} page */
+export function watchView(page) {
+  const poses = make("input", { type: "number", id: "view-poses", min: String(POSES.least), max: String(POSES.most), step: "1", autocomplete: "off" });
+  poses.addEventListener("input", () => {
+    const count = Number(poses.value);
+    const good = Number.isInteger(count) && count >= POSES.least && count <= POSES.most;
+    if (good) page.see({ poses: count });
+    poses.setAttribute("aria-invalid", String(!good));
+  });
+  const selects = ["across", "up"].map((way, i) => {
+    const select = make("select", { id: `view-${way}` });
+    select.addEventListener("change", () => {
+      const [before, other] = [page.state?.view.axes[i] ?? 0, Number(selects[1 - i].value)];
+      const chosen = Number(select.value);
+      // The two change places where both would be the same.
+      const rest = chosen === other ? before : other;
+      page.see({ axes: i === 0 ? [chosen, rest] : [rest, chosen] });
+    });
+    return select;
+  });
+  const lengths = make("p", { className: "hint", id: "view-lengths" });
+  const switches = {
+    refused: toggle("refused"), strobe: toggle("strobe"), raw: toggle("raw"), slice: toggle("slice"),
+  };
+  const plane = make("div", { id: "view-plane" }, row("Across", selects[0]), row("Up", selects[1]),
+    row("Slice of the obstacles", switches.slice, "What would collide on this plane, with all else as the robot has it."));
+  const raw = row("Path as found", switches.raw);
+  raw.append(lengths);
+  const number = inspector();
+  byId("view", HTMLElement).append(
+    row("What was refused", switches.refused, "Samples that collide as crosses; motions as broken lines, up to where they hit."),
+    row("Poses along the path", switches.strobe), row("How many poses", poses), raw, plane,
+    row("Vertex to read", number, "Its number, or point at it: both panes show where it is, the line beneath the stage what it is."),
+  );
+
+  page.onOpen(build);
+  page.onState(reflect);
+  if (page.facts) build(page.facts);
+  if (page.state) reflect(page.state);
+
+  /** @param {SceneFacts} facts */
+  function build({ dimension, coordinates }) {
+    const many = dimension > 2;
+    plane.hidden = !many;
+    for (const select of selects) select.replaceChildren(...(many ? coordinates : []).map(({ name }, i) => make("option", { value: String(i) }, name)));
+  }
+
+  /** @param {State} state */
+  function reflect({ view, lanes: [{ raw: found, length, unit, vertices }] }) {
+    number.max = String(Math.max(0, vertices - 1));
+    for (const option of /** @type {const} */ (["refused", "strobe", "raw", "slice"])) switches[option].checked = view[option];
+    if (document.activeElement !== poses) poses.value = String(view.poses);
+    if (!plane.hidden) selects.forEach((select, i) => { select.value = String(view.axes[i]); });
+    write(lengths, found !== null && length !== null
+      ? `${found.toFixed(2)} ${unit} as found, ${length.toFixed(2)} ${unit} shortened.`.replaceAll("  ", " ")
+      : "A second line where the path was shortened: see the planner\u2019s parameters.");
+  }
+
+  /** The vertex to be read by its number, for those without a pointer. */
+  function inspector() {
+    const readout = byId("readout", HTMLOutputElement);
+    const input = make("input", { type: "number", id: "inspect", min: "0", step: "1", autocomplete: "off", placeholder: "none" });
+    input.addEventListener("input", () => void page.inspect(input.value === "" ? -1 : Math.max(0, Math.floor(Number(input.value)))));
+    // Who moves from number to number hears what each is; who moves a pointer does not.
+    input.addEventListener("focus", () => readout.setAttribute("aria-live", "polite"));
+    input.addEventListener("blur", () => readout.setAttribute("aria-live", "off"));
+    return input;
+  }
+
+  /** A switch for something to be seen. @param {"refused" | "strobe" | "raw" | "slice"} option */
+  function toggle(option) {
+    const input = make("input", { type: "checkbox", role: "switch", id: `view-${option}` });
+    input.addEventListener("change", () => page.see({ [option]: input.checked }));
+    return input;
+  }
+}
+
+/** A control with its name, and what it means. @param {string} name @param {HTMLElement} control @param {string} [meaning] */
+function row(name, control, meaning) {
+  const field = make("div", { className: "field" }, make("label", { className: "row" }, make("span", { className: "name" }, name), control));
+  if (meaning) field.append(make("p", { className: "hint" }, meaning));
+  return field;
+}

@@ -1,0 +1,132 @@
+/**
+ * A planner in the worker: it is stepped in slices, and what has grown since the last slice is handed over as typed arrays that
+ * are transferred, not copied.
+ */
+
+/** @import { Planner, ResultDocument, Scenario, Settings, Stats, Status } from "../../domain/types.js" */
+
+/**
+ * @typedef {object} Growth   what a run has grown since the last one, rows as of the package
+ * @property {Float64Array} history    a row for each iteration
+ * @property {Float64Array} vertices
+ * @property {Uint32Array} edges
+ * @property {Float64Array} traces
+ * @property {Float64Array} motions
+ * @property {Float64Array} events
+ * @property {Status} status
+ * @property {string} phase
+ * @property {Stats} stats
+ * @property {ResultDocument | null} result   where it was asked for, and once the run has ended
+ * @property {Float64Array | null} path       once the run has ended
+ * @property {Float64Array | null} rawPath
+ */
+
+/** Iterations in one slice at most. */
+const LONGEST = 64;
+
+/** What one call of `advance` may grow at most, so that it can be drawn within the frame. */
+const BURST = { vertices: 400, edges: 240 };
+
+/** The column of the history that counts clearance evaluations is a clock; -1 counts iterations. */
+export class Stepper {
+  /** @param {Scenario} scenario @param {string} algorithm @param {Settings} settings  the query's name, the seed and the planner's parameters */
+  constructor(scenario, algorithm, settings) {
+    this.planner = scenario.planner({ ...settings, algorithm });
+    this.planner.record();
+    this.ended = false;
+    /** Rows that were handed over. Those before the first iteration the page has itself. */
+    this.sent = this.counts;
+    /** Rows of history that were not handed over yet. @type {Float64Array[]} */
+    this.rows = [];
+    /** The newest row. @type {Float64Array | null} */
+    this.last = null;
+    this.made = 0;
+  }
+
+  get counts() { return { vertices: this.planner.vertexCount, edges: this.planner.edgeCount, events: this.planner.eventCount }; }
+
+  /** What a clock of the history shows. Time 0 is before the first iteration. @param {number} column */
+  clock(column) {
+    if (column < 0 || !this.last) return this.made;
+    return Math.max(1, this.last[column]);
+  }
+
+  /**
+   * Is all made that belongs to a time? Iterations are counted; of another clock several may share a time, so that only the
+   * first one past it tells.
+   * @param {number} column @param {number} wanted
+   */
+  hasPassed(column, wanted) {
+    return this.ended || (column < 0 ? this.made >= wanted : this.clock(column) > wanted);
+  }
+
+  /** How far it may grow before it is drawn. */
+  burst() { return { vertices: this.planner.vertexCount + BURST.vertices, edges: this.planner.edgeCount + BURST.edges }; }
+
+  /**
+   * Plans until a clock has passed `wanted`, the run ends, the time passes `until`, or as much has grown as a frame can draw.
+   * Slices are small at first and grow as long as they prove cheap, so that one slice is never long.
+   * @param {number} column  of the history, -1 for iterations
+   * @param {number} wanted  may be Infinity
+   * @param {number} until   on the clock of performance.now(), milliseconds
+   * @param {{ vertices: number, edges: number }} [most]  how far it may grow
+   * @returns {boolean} whether it has come that far, or ended
+   */
+  advance(column, wanted, until, most = this.burst()) {
+    const { planner } = this;
+    const width = planner.historyWidth;
+    let slice = 1;
+    while (!this.hasPassed(column, wanted)) {
+      if (planner.vertexCount >= most.vertices || planner.edgeCount >= most.edges) return false;
+      const began = performance.now();
+      if (began >= until) return false;
+      const left = column < 0 ? wanted - this.made : slice;
+      const status = planner.step(Math.min(slice, Math.ceil(left)));
+      const rows = planner.takeHistory();
+      const count = rows.length / width;
+      if (count > 0) {
+        this.rows.push(rows);
+        this.last = rows.subarray(rows.length - width);
+        this.made += count;
+      }
+      this.ended = status !== "running";
+      const ended = performance.now();
+      const room = (until - ended) / (2 * Math.max((ended - began) / Math.max(1, count), 1e-4));
+      slice = Math.max(1, Math.min(2 * slice, LONGEST, Math.floor(room)));
+    }
+    return true;
+  }
+
+  /** Hands over what has grown. @param {boolean} isResult   with the result as it is now @returns {Growth} */
+  growth(isResult) {
+    const { planner, sent, rows, ended } = this;
+    const history = new Float64Array(rows.reduce((sum, { length }) => sum + length, 0));
+    rows.reduce((at, block) => {
+      history.set(block, at);
+      return at + block.length;
+    }, 0);
+    this.rows = [];
+    this.last &&= this.last.slice();
+    this.sent = this.counts;
+    return {
+      history, ...grownSince(planner, sent), status: planner.status, phase: planner.phase, stats: planner.stats(),
+      result: isResult || ended ? planner.result() : null,
+      path: ended ? planner.path() : null, rawPath: ended ? planner.rawPath() : null,
+    };
+  }
+
+  free() { this.planner.free(); }
+}
+
+/** What a planner has grown since these counts. @param {Planner} planner @param {{ vertices: number, edges: number, events: number }} counts */
+export function grownSince(planner, { vertices, edges, events }) {
+  return {
+    vertices: planner.verticesSince(vertices), edges: planner.edgesSince(edges), events: planner.eventsSince(events),
+    traces: planner.tracesSince(edges), motions: planner.motionsSince(edges),
+  };
+}
+
+/** The memory of what is handed over. @param {Growth} growth @returns {Transferable[]} */
+export function buffersOf(growth) {
+  return Object.values(growth).flatMap((value) => (ArrayBuffer.isView(value) ? [/** @type {ArrayBuffer} */ (value.buffer)] : []));
+}

@@ -1,0 +1,139 @@
+/**
+ * One parameter of a planner as a native control with its label, its meaning and, when the value is refused, the reason
+ * beside it. A value that is refused is never handed on.
+ */
+import { make } from "../app/dom.js";
+
+/** @import { OptionInfo, ParameterInfo } from "../domain/types.js" */
+
+/** Milliseconds after which what is typed is taken for meant. */
+const TYPING = 900;
+
+export class Field {
+  /**
+   * @param {ParameterInfo | OptionInfo} info
+   * @param {number | string | boolean | null} value   null: the planner's own choice
+   * @param {() => void} onChange   a valid value was given
+   * @param {string} [family]   begins the ids of its elements
+   */
+  constructor(info, value, onChange, family = "parameter") {
+    this.info = info;
+    this.onChange = onChange;
+    const id = `${family}-${info.name}`;
+    this.control = control(info, value, id);
+    this.reason = make("p", { className: "reason", id: `${id}-reason`, hidden: true });
+    const meaning = make("p", { className: "hint", id: `${id}-meaning` }, info.meaning);
+    this.automatic = make("span", {}, automatic(info));
+    meaning.append(this.automatic);
+    this.control.setAttribute("aria-describedby", `${id}-meaning ${id}-reason`);
+    /** What was handed on last, and when what is being typed will be. */
+    this.told = this.value;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    this.timer = undefined;
+    this.control.addEventListener("change", () => this.tell());
+    this.control.addEventListener("input", () => {
+      clearTimeout(this.timer);
+      if (this.validate()) this.timer = setTimeout(() => this.tell(), TYPING);
+    });
+    const name = make("span", { className: "name" }, info.title || info.name);
+    if (info.unit) name.append(make("span", { className: "unit" }, ` ${info.unit}`));
+    this.row = make("label", { className: "row", htmlFor: id }, name, this.control);
+    this.element = make("div", { className: "field" }, this.row, this.reason, meaning);
+  }
+
+  /** Hands the value on, if it is a good one and another. */
+  tell() {
+    clearTimeout(this.timer);
+    if (!this.validate() || this.value === this.told) return;
+    this.told = this.value;
+    this.onChange();
+  }
+
+  /** The value, or undefined where the planner is left to choose. @returns {number | string | boolean | undefined} */
+  get value() {
+    const { control, info } = this;
+    if (control instanceof HTMLInputElement && control.type === "checkbox") return control.checked;
+    const text = control.value.trim();
+    if (text === "") return undefined;
+    return info.kind === "choice" ? text : Number(text);
+  }
+
+  /** Puts a value in. @param {number | string | boolean} value */
+  set(value) {
+    if (this.control instanceof HTMLInputElement && this.control.type === "checkbox") this.control.checked = value === true;
+    else this.control.value = String(value);
+    this.told = this.value;
+    this.validate();
+  }
+
+  /** Shows why a value is refused, or nothing. @param {string} reason */
+  refuse(reason) {
+    this.reason.textContent = reason;
+    this.reason.hidden = reason === "";
+    if (reason === "") this.control.removeAttribute("aria-invalid");
+    else this.control.setAttribute("aria-invalid", "true");
+  }
+
+  /** Is the value in the field a good one? Says so beside it. */
+  validate() {
+    this.automatic.hidden = this.value !== undefined;
+    const reason = this.fault();
+    this.refuse(reason);
+    return reason === "";
+  }
+
+  /** What is wrong with the value, or nothing. @returns {string} */
+  fault() {
+    const { control, info } = this;
+    if (info.kind === "choice" || info.kind === "boolean") return "";
+    const text = control.value.trim();
+    const badInput = control.validity.badInput;
+    if (text === "" && !badInput) return isMissing(info.default) ? "" : `Give ${info.kind === "integer" ? "a whole number" : "a number"}.`;
+    const number = Number(text);
+    return reasonAgainst(info, badInput ? NaN : number);
+  }
+}
+
+/** What is wrong with a value, or nothing. @param {ParameterInfo | OptionInfo} info @param {unknown} value @returns {string} */
+export function reasonAgainst({ kind, min, max, choices }, value) {
+  if (kind === "boolean") return typeof value === "boolean" ? "" : `${value} is neither true nor false.`;
+  if (kind === "choice") return choices?.includes(String(value)) ? "" : `${value} is not one of its choices.`;
+  if (typeof value !== "number" || !Number.isFinite(value)) return "This is not a number.";
+  if (kind === "integer" && !Number.isInteger(value)) return `${value} is not a whole number.`;
+  if (min !== null && value < min) return `${value} is below ${min}.`;
+  if (max !== null && value > max) return `${value} is above ${max}.`;
+  return "";
+}
+
+/** @param {unknown} value */
+function isMissing(value) { return value === null || value === undefined; }
+
+/** What the planner takes where it is left to choose. @param {ParameterInfo | OptionInfo} info */
+function automatic(info) {
+  const words = "default_meaning" in info ? info.default_meaning : null;
+  if (typeof words !== "string") return "";
+  return nothing(words) ? ` ${words[0].toUpperCase()}${words.slice(1)}.` : ` Automatic: ${words}.`;
+}
+
+/** Some parameters left empty do nothing: the word that says so. @param {unknown} words @returns {string} */
+function nothing(words) {
+  return /^(none|never)(?=:)/.exec(String(words))?.[0] ?? "";
+}
+
+/** @param {ParameterInfo | OptionInfo} info @param {number | string | boolean | null} value @param {string} id @returns {HTMLInputElement | HTMLSelectElement} */
+function control(info, value, id) {
+  if (info.kind === "choice") {
+    const select = make("select", { id });
+    if (isMissing(info.default)) select.append(make("option", { value: "" }, "automatic"));
+    for (const choice of info.choices ?? []) select.append(make("option", { value: choice }, choice));
+    if (!isMissing(value)) select.value = String(value);
+    return select;
+  }
+  if (info.kind === "boolean") return make("input", { id, type: "checkbox", role: "switch", checked: value === true });
+  const input = make("input", {
+    id, type: "number", step: info.kind === "integer" ? "1" : "any", autocomplete: "off",
+    inputMode: info.kind === "integer" ? "numeric" : "decimal", value: isMissing(value) ? "" : String(value),
+  });
+  if (isMissing(info.default)) input.placeholder = "default_meaning" in info && nothing(info.default_meaning) || "automatic";
+  return input;
+}

@@ -1,0 +1,43 @@
+/** The scenes to choose from, each with a small picture of itself. */
+import { byId, make } from "../app/dom.js";
+
+/** @import { SceneEntry } from "../domain/types.js" */
+
+/** Side of a thumbnail, CSS pixels. */
+export const SIDE = 84;
+
+export class Gallery {
+  /** @param {SceneEntry[]} scenes @param {(entry: SceneEntry) => void} onChoose */
+  constructor(scenes, onChoose) {
+    this.element = byId("scenes", HTMLElement);
+    /** @type {Map<string, { input: HTMLInputElement, canvas: HTMLCanvasElement }>} */
+    this.cards = new Map();
+    for (const entry of scenes) {
+      const input = make("input", { type: "radio", name: "scene", value: entry.id });
+      input.addEventListener("change", () => onChoose(entry));
+      const canvas = make("canvas", {});
+      canvas.setAttribute("aria-hidden", "true");
+      this.cards.set(entry.id, { input, canvas });
+      this.element.append(make("label", { className: "card" }, input, canvas, make("span", {}, entry.title)));
+    }
+  }
+
+  /** Marks the scene that is on the stage; none for a file of the reader's own. @param {string | null} id */
+  mark(id) {
+    for (const [name, { input }] of this.cards) {
+      input.checked = name === id;
+      const card = input.parentElement;
+      // Only the strip moves, not the page.
+      if (name === id && card) this.element.scrollTo({ left: card.offsetLeft - (this.element.clientWidth - card.offsetWidth) / 2 });
+    }
+  }
+
+  /** Shows a scene's thumbnail. @param {string} id @param {ImageBitmap} picture */
+  draw(id, picture) {
+    const canvas = this.cards.get(id)?.canvas;
+    if (!canvas) return;
+    canvas.width = picture.width;
+    canvas.height = picture.height;
+    canvas.getContext("bitmaprenderer")?.transferFromImageBitmap(picture);
+  }
+}

@@ -2,7 +2,7 @@
 import { obstacleName } from "../domain/names.js";
 import { tracePen } from "./pen.js";
 import { drawGhost, drawHit, drawLabel, obstacleMiddle } from "./shapes.js";
-import { Workspace } from "./workspace.js";
+import { Workspace } from "./workspace-pane.js";
 
 /** @import { Lane } from "../planner/lane.js" */
 /** @import { Pane } from "./pane.js" */

@@ -12,7 +12,7 @@ import { contains, obstaclePath } from "./shapes.js";
 /** @import { Palette } from "./palette.js" */
 /** @import { Pane } from "./pane.js" */
 /** @import { View } from "./view.js" */
-/** @import { Workspace } from "./workspace.js" */
+/** @import { Workspace } from "./workspace-pane.js" */
 /** @typedef {number[] | Float64Array} Motion   speed, steering angle, seconds */
 /** @typedef {Extract<ScenarioDocument["robot"], { type: "rigid_body" | "car" }>} PlacedRobot */
 

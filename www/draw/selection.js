@@ -4,7 +4,7 @@ import { touchingSentence } from "../domain/names.js";
 import { isTip, tipOf } from "../planner/editor/end-effector.js";
 import { obstacleOf, targetOf } from "../planner/editor/objects.js";
 import { drawGhost, drawHit, drawLabel, drawTouchingParts, obstaclePath } from "./shapes.js";
-import { Workspace } from "./workspace.js";
+import { Workspace } from "./workspace-pane.js";
 
 /** @import { Lane } from "../planner/lane.js" */
 /** @import { Pane } from "./pane.js" */

@@ -2,11 +2,11 @@
  * The stage holds the panes: which there are, whose lane each shows, how large it is, in which colours. It draws a frame at a
  * time, a bounded slice of growth and the light top.
  */
-import { CSpace } from "./cspace.js";
-import { Workspace } from "./workspace.js";
+import { CSpace } from "./cspace-pane.js";
+import { Workspace } from "./workspace-pane.js";
 
 /** @import { Lane } from "../planner/lane.js" */
-/** @import { Painter } from "./cspace.js" */
+/** @import { Painter } from "./cspace-pane.js" */
 /** @import { Look, PaneKind } from "../domain/types.js" */
 /** @import { LayerName } from "./layer.js" */
 /** @import { Pane } from "./pane.js" */

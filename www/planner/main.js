@@ -39,7 +39,7 @@ import { Part } from "../app/feature.js";
 import { loadCore, makeWorker } from "../app/resources.js";
 import { SCENES } from "./scenes/scenes.js";
 import { Sheets } from "./sheets.js";
-import { PlannerWorker } from "../app/worker-client.js";
+import { PlannerWorker } from "../app/planner-worker.js";
 import { Session, placed } from "./session.js";
 
 /** @import { SceneEntry } from "../domain/types.js" */

@@ -15,7 +15,7 @@ import { report } from "./state.js";
 import * as story from "./story.js";
 import { PoseByHand } from "./pose/pose-by-hand.js";
 
-/** @import { PlannerWorker } from "../app/worker-client.js" */
+/** @import { PlannerWorker } from "../app/planner-worker.js" */
 /** @import { Painting } from "./worker/obstacles.js" */
 /** @import { Curves, Library, Plan, Pointer, Programme, Scenario, ScenarioDocument, SceneFacts, Source, State, ViewOptions } from "../domain/types.js" */
 /** @import { Driving } from "./driving/driving.js" */

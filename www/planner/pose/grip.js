@@ -6,7 +6,7 @@
 import { contained, coordinatesOf, wrap } from "../../domain/coordinates.js";
 
 /** @import { Pane } from "../../draw/pane.js" */
-/** @import { CSpace } from "../../draw/cspace.js" */
+/** @import { CSpace } from "../../draw/cspace-pane.js" */
 
 /** How near to a part a pointer must be to hold it, CSS pixels: a finger is less exact than a mouse. */
 const REACH = 18;

@@ -8,7 +8,7 @@ import { Grip } from "./grip.js";
 import { lengthText, obstacleName, touchingSentence } from "../../domain/names.js";
 import { PAST } from "../run-log/run-log.js";
 
-/** @import { CSpace } from "../../draw/cspace.js" */
+/** @import { CSpace } from "../../draw/cspace-pane.js" */
 /** @import { Place } from "../../draw/stage.js" */
 /** @import { View } from "../../draw/view.js" */
 /** @import { Hover, Lane } from "../lane.js" */

@@ -3,8 +3,8 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { list, number, record } from "../../www/exchange/rules.js";
-import { decodeState, encodeState } from "../../www/room/link.js";
+import { flag, list, number, record, withDefaults } from "../../www/exchange/rules.js";
+import { decodeState, encodeState } from "../../www/app/link.js";
 import { DESK, onPage, pageRoot, pixelsOf, root, start, stop } from "./browser.mjs";
 import { onReach, poseOf, rest } from "./reach.mjs";
 
@@ -74,10 +74,18 @@ describe("what a room may hold in its address", () => {
 
   test("comes back as it was, and is checked", async () => {
     const state = { values: [0.1, -1 / 3, 1e-300] };
-    assert.deepEqual(await decodeState(`#${await encodeState(state, rule)}`, rule), { state, fault: null });
+    assert.deepEqual(await decodeState(`#${await encodeState(state, rule)}`, rule), { state, fault: "" });
     await assert.rejects(encodeState({ other: 1 }, rule), /state.other is unknown/);
     const { fault } = await decodeState(await encodeState({ values: [1] }, rule), record({}));
     assert.match(fault ?? "", /state.values is unknown/);
+  });
+
+  test("leaves out what has its default, and gets it back", async () => {
+    const described = withDefaults({ values: list(number, 0, 3), isOn: flag }, { values: [1, 2], isOn: false });
+    const short = await encodeState({ values: [1, 2], isOn: false }, described);
+    assert.equal(short, await encodeState({}, described));
+    assert.deepEqual(await decodeState(short, described), { state: { values: [1, 2], isOn: false }, fault: "" });
+    assert.deepEqual((await decodeState(await encodeState({ values: [], isOn: true }, record({ values: list(number, 0, 3), isOn: flag })), described)).state, { values: [], isOn: true });
   });
 
   test("is 2 KB at most, and unpacks to no more than 16", async () => {

@@ -1,0 +1,24 @@
+/** The gallery of built-in scenes, each with a thumbnail that follows the theme. */
+import { Scenario } from "planarium";
+import { Gallery, SIDE } from "../controls/gallery.js";
+import { drawThumbnail } from "../worker/thumbnail.js";
+
+/** @import { App } from "../app/app.js" */
+/** @import { ScenarioDocument } from "../types.js" */
+
+/** @template {{ id: string, title: string }} E */
+export class SceneGallery extends Gallery {
+  /** @param {App} app @param {E[]} entries @param {(entry: E) => ScenarioDocument} documentOf  for the thumbnail @param {(entry: E) => void} onChoose */
+  constructor(app, entries, documentOf, onChoose) {
+    super(/** @type {any[]} */ (entries), (entry) => onChoose(/** @type {E} */ (/** @type {unknown} */ (entry))));
+    const drawAll = () => {
+      for (const entry of entries) {
+        const scenario = Scenario.parse(documentOf(entry));
+        this.draw(entry.id, drawThumbnail(scenario, SIDE, app.look));
+        scenario.free();
+      }
+    };
+    app.onTheme(drawAll);
+    drawAll();
+  }
+}

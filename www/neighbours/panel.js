@@ -32,7 +32,7 @@ export class Panel {
     });
     this.summary = make("p", { className: "hint", id: "index-summary" });
     this.host = make("div", { id: "index-settings" });
-    byId("query", HTMLElement).append(this.k.element, row("Index", this.index), this.summary, this.host);
+    byId("query-settings", HTMLElement).append(this.k.element, row("Index", this.index), this.summary, this.host);
     session.onChange((change) => this.show(change));
   }
 

@@ -97,6 +97,18 @@ describe("what a room may hold in its address", () => {
   });
 });
 
+test("a folder imports only what is below it", () => {
+  const below = { draw: "controls exchange stage worker", app: "controls exchange stage", widgets: "app controls draw take worker" };
+  const kit = "app controls draw exchange stage take widgets worker";
+  const allowed = { ...below, reach: kit, neighbours: kit, trajectories: kit, rooms: "app neighbours reach trajectories" };
+  for (const [folder, others] of Object.entries(allowed)) {
+    for (const name of readdirSync(join(root, "www", folder)).filter((file) => file.endsWith(".js"))) {
+      const text = readFileSync(join(root, "www", folder, name), "utf8");
+      for (const [, other] of text.matchAll(/^import .* from "\.\.\/(\w+)\//gm)) assert.ok(others.split(" ").includes(other), `${folder}/${name} imports ${other}`);
+    }
+  }
+});
+
 test("every page has the same policy as the planner's, and its own entry, style and links", () => {
   const policy = (/** @type {string} */ html) => /<meta http-equiv="Content-Security-Policy"[^>]*>/.exec(html)?.[0];
   const index = readFileSync(join(pageRoot, "index.html"), "utf8");

@@ -15,7 +15,7 @@ const APART = 13;
 /** Decades of a logarithmic axis, at most. */
 const DECADES = 16;
 /** Points of a line, about. */
-const POINTS = 800;
+const POINTS = 1000;
 
 export class Chart {
   /** @param {string} id   also a class of the picture @param {string} title @param {{ height?: number, isTimeline?: boolean }} [options] */

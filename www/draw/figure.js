@@ -100,26 +100,24 @@ export class Figure {
 
   /** Draws the layers that are dirty. */
   draw() {
-    const { palette, dirty, width, height } = this;
-    if (!palette || this.element.hidden) return;
+    const { dirty } = this;
+    if (!this.palette || this.element.hidden) return;
     for (const name of LAYERS) {
       if (!dirty.delete(name)) continue;
       const { context, ratio } = this.layers[name];
       this.layers[name].clear();
-      context.save();
-      this.drawing[name]({ context, palette, width, height, ratio, hatch: (colour) => hatch(context, colour, ratio) });
-      context.restore();
+      this.drawWith(context, ratio, (colour) => hatch(context, colour, ratio), [name]);
     }
   }
 
   /**
-   * Draws both layers with another context, such as that of an SVG.
-   * @param {CanvasRenderingContext2D} context @param {number} ratio @param {(colour: string) => CanvasPattern | Stripes | null} hatchOf
+   * Draws layers with a context, which may be that of an SVG.
+   * @param {CanvasRenderingContext2D} context @param {number} ratio @param {(colour: string) => CanvasPattern | Stripes | null} hatchOf @param {readonly ("ground" | "top")[]} [layers]
    */
-  drawWith(context, ratio, hatchOf) {
+  drawWith(context, ratio, hatchOf, layers = LAYERS) {
     const { palette, width, height } = this;
     if (!palette) return;
-    for (const name of LAYERS) {
+    for (const name of layers) {
       context.save();
       this.drawing[name]({ context, palette, width, height, ratio, hatch: /** @type {Brush["hatch"]} */ (hatchOf) });
       context.restore();

@@ -18,7 +18,7 @@ import { num, tuple } from "../widgets/format.js";
 import { SceneGallery } from "../widgets/scene-gallery.js";
 import { watchHandles } from "./handles.js";
 import { Panel } from "./panel.js";
-import { DIGITS, ResultTable, sentenceOf } from "./result.js";
+import { DIGITS, sentenceOf, showNeighbours } from "./result.js";
 import { ROBOTS } from "./robots.js";
 import { DRAWN, NeighbourSession } from "./session.js";
 import { Square } from "./square.js";
@@ -40,12 +40,11 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
   const drawings = { workspace: new Workspace(session), square: new Square(session) };
   const figures = {
     workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace" }, drawings.workspace),
-    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "each dot is a configuration; opposite borders meet" }, drawings.square),
+    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "one dot per configuration; borders wrap" }, drawings.square),
   };
   const all = Object.values(figures);
   const gallery = new SceneGallery(app, ROBOTS, ({ document, q }) => ({ ...document, queries: [{ name: "q", start: q, goal: q }] }), (entry) => void session.open(entry));
   new Panel(session, indexes);
-  new ResultTable(session);
   const timing = new Timing(session, indexes);
   const csv = (/** @type {string} */ text) => new Blob([text], { type: "text/csv" });
   showDownloads(app, all, { name: () => `neighbours-${session.entry.id}-${session.count}-k${session.k}`, title: () => session.entry.title }, [
@@ -87,6 +86,7 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
       "list-told": file === null ? "Sampled uniformly: the same seed gives the same list." : `${file}: ${grouped(count)} configurations, in the order of the file.`,
     });
     figures.workspace.note.textContent = count > DRAWN && entry.document.robot.type !== "disc" ? `the first ${DRAWN} of ${grouped(count)}; a dot for each ${isArm ? "tip" : "middle"}` : "";
+    if (change === "result" || change === "robot") showNeighbours(session);
     if (change !== "result") return;
     const { length } = found.indices;
     const distanceText = (/** @type {number | undefined} */ distance) => (distance === undefined ? "\u2013" : num(distance, DIGITS));

@@ -1,7 +1,6 @@
 /** The neighbours as a table, nearest first, and the result in a sentence. */
 import { grouped, write } from "../controls/counters.js";
 import { byId, make } from "../controls/dom.js";
-import { labelled } from "../widgets/elements.js";
 import { num, tuple } from "../widgets/format.js";
 
 /** @import { NeighbourSession } from "./session.js" */
@@ -11,31 +10,19 @@ const MOST = 100;
 /** Digits of coordinates and distances. */
 export const DIGITS = 3;
 
-export class ResultTable {
-  /** @param {NeighbourSession} session */
-  constructor(session) {
-    this.session = session;
-    this.caption = make("caption", {});
-    this.body = make("tbody", {});
-    const head = make("tr", {}, ...["Rank", "Index", "Configuration", "Distance"].map((title) => make("th", { scope: "col" }, title)));
-    const table = make("table", { className: "standings", id: "neighbours" }, this.caption, make("thead", {}, head), this.body);
-    byId("answer", HTMLElement).append(labelled("region", "Table of neighbours", make("div", { className: "scroll", tabIndex: 0 }, table)));
-    session.onChange((change) => { if (change === "result" || change === "robot") this.show(); });
-  }
-
-  show() {
-    const { session } = this;
-    const { indices, distances } = session.found;
-    const shown = indices.slice(0, MOST);
-    write(this.caption, shown.length < indices.length ? `The ${MOST} nearest of ${indices.length}` : `The ${indices.length} nearest`);
-    this.body.replaceChildren(...Array.from(shown, (i, rank) => {
-      const isRight = session.isRight(i);
-      const cells = [grouped(i), tuple(session.row(i), DIGITS), `${num(distances[rank], DIGITS)}${isRight ? "" : " \u2717"}`];
-      const row = make("tr", {}, make("th", { scope: "row" }, String(rank + 1)), ...cells.map((text) => make("td", {}, text)));
-      Object.assign(row.dataset, { index: i, distance: distances[rank], right: isRight });
-      return row;
-    }));
-  }
+/** Shows the neighbours in the table. @param {NeighbourSession} session */
+export function showNeighbours(session) {
+  const { indices, distances } = session.found;
+  const shown = indices.slice(0, MOST);
+  const { caption, tBodies: [body] } = byId("neighbours", HTMLTableElement);
+  if (caption) write(caption, shown.length < indices.length ? `The ${MOST} nearest of ${indices.length}` : `The ${indices.length} nearest`);
+  body.replaceChildren(...Array.from(shown, (i, rank) => {
+    const isRight = session.isRight(i);
+    const cells = [grouped(i), tuple(session.row(i), DIGITS), `${num(distances[rank], DIGITS)}${isRight ? "" : " \u2717"}`];
+    const row = make("tr", {}, make("th", { scope: "row" }, String(rank + 1)), ...cells.map((text) => make("td", {}, text)));
+    Object.assign(row.dataset, { index: i, distance: distances[rank], right: isRight });
+    return row;
+  }));
 }
 
 /** @param {NeighbourSession} session */
@@ -44,7 +31,7 @@ export function sentenceOf({ found, index, isNaive, isArm, count, missed, k }) {
   const asked = Math.min(k, count);
   const wrong = missed.length;
   if (isNaive) {
-    const naive = "The naive metric treats angles as plain numbers and cuts each circle at 0.";
+    const naive = "The naive metric treats angles as plain numbers from 0 to 2\u03c0, so it cuts each circle at 0.";
     return wrong === 0 ? `${naive} Here it happens to be right. Move a joint near 0 to see it fail.`
       : `${naive} Of its ${asked} neighbours ${wrong} ${wrong === 1 ? "is" : "are"} wrong: it misses nearer ones beyond the cut.`;
   }

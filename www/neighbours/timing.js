@@ -8,7 +8,6 @@ import { Chart } from "../controls/chart.js";
 import { grouped } from "../controls/counters.js";
 import { byId, make } from "../controls/dom.js";
 import { toCsv } from "../exchange/csv.js";
-import { button, labelled } from "../widgets/elements.js";
 
 /** @import { IndexInfo } from "planarium" */
 /** @import { NeighbourSession } from "./session.js" */
@@ -22,12 +21,12 @@ const MOST = 1500;
 /** @type {IndexId[]} */
 const KINDS = ["linear", "kd-tree", "forest"];
 
-/** @type {{ id: "query" | "build" | "visited" | "recall", title: string, kinds: IndexId[], text: (one: Measured) => string }[]} */
+/** The columns of the table, each for some indexes. @type {{ id: "query" | "build" | "visited" | "recall", kinds: IndexId[], text: (one: Measured) => string }[]} */
 const COLUMNS = [
-  { id: "query", title: "Query", kinds: KINDS, text: ({ query }) => duration(query) },
-  { id: "build", title: "Build", kinds: KINDS, text: ({ build }) => duration(build) },
-  { id: "visited", title: "Nodes visited", kinds: ["kd-tree", "forest"], text: ({ visited }) => grouped(Math.round(visited)) },
-  { id: "recall", title: "Recall", kinds: ["forest"], text: ({ recall }) => `${(100 * recall).toFixed(recall === 1 ? 0 : 1)} %` },
+  { id: "query", kinds: KINDS, text: ({ query }) => duration(query) },
+  { id: "build", kinds: KINDS, text: ({ build }) => duration(build) },
+  { id: "visited", kinds: ["kd-tree", "forest"], text: ({ visited }) => grouped(Math.round(visited)) },
+  { id: "recall", kinds: ["forest"], text: ({ recall }) => `${(100 * recall).toFixed(recall === 1 ? 0 : 1)} %` },
 ];
 
 export class Timing {
@@ -42,17 +41,10 @@ export class Timing {
     /** Was it stopped before its end? */
     this.isCut = false;
     this.element = byId("timing", HTMLElement);
-    this.button = button("measure", "Measure", () => void this.run());
-    this.button.className = "primary";
-    this.note = make("p", { className: "hint", id: "measured" });
-    this.body = make("tbody", {});
-    const heads = COLUMNS.map(({ title, kinds }) => make("th", { scope: "colgroup", colSpan: kinds.length }, title));
-    const kinds = COLUMNS.flatMap((column) => column.kinds.map((kind) => make("th", { scope: "col" }, kind === "linear" ? "scan" : kind)));
+    this.button = byId("measure", HTMLButtonElement);
+    this.button.addEventListener("click", () => void this.run());
     this.chart = new Chart("timings", "Query time, microseconds");
-    const rows = make("table", { className: "standings", id: "timings" }, make("caption", {}, "Query time, build time, nodes visited and recall"),
-      make("thead", {}, make("tr", {}, make("th", { scope: "col", rowSpan: 2 }, "n"), ...heads), make("tr", {}, ...kinds)), this.body);
-    this.results = make("div", { hidden: true }, make("div", { className: "charts" }, this.chart.element), labelled("region", "Timings", make("div", { className: "scroll", tabIndex: 0 }, rows)));
-    this.element.append(make("div", { className: "row" }, this.note, this.button), this.results);
+    byId("timing-chart", HTMLElement).append(this.chart.element);
     session.onChange((change) => { if (change === "robot" || change === "query") this.explain(); });
     this.setState("none");
   }
@@ -74,9 +66,10 @@ export class Timing {
     const { session: { entry, given: { metric }, k }, isPaused, measured } = this;
     const what = `${entry.title.toLowerCase()}, k = ${k}${metric ? `, ${metric} metric` : ""}`;
     this.button.textContent = isPaused ? "Measure the rest" : "Measure";
-    if (isPaused) this.note.textContent = `Paused at ${grouped(measured.at(-1)?.n ?? 0)} configurations after ${MOST / 1000} s. \u201cMeasure the rest\u201d may take several seconds.`;
-    else if (measured.length > 0 && this.key !== this.wanted) this.note.textContent = `Measured with other settings; measure again for ${what}.`;
-    else this.note.textContent = `Up to 100,000 configurations (${what}). Median of several batches, including the JavaScript call.`;
+    const note = isPaused ? `Paused at ${grouped(measured.at(-1)?.n ?? 0)} configurations after ${MOST / 1000} s. \u201cMeasure the rest\u201d may take several seconds.`
+      : measured.length > 0 && this.key !== this.wanted ? `Measured with other settings; measure again for ${what}.`
+        : `Up to 100,000 configurations (${what}). Median of several batches, including the JavaScript call.`;
+    this.session.app.write({ measured: note });
   }
 
   async run() {
@@ -105,7 +98,7 @@ export class Timing {
 
   show() {
     const { measured } = this;
-    this.body.replaceChildren(...[...new Set(measured.map(({ n }) => n))].map((n) => {
+    byId("timings", HTMLTableElement).tBodies[0].replaceChildren(...[...new Set(measured.map(({ n }) => n))].map((n) => {
       const row = make("tr", {}, make("th", { scope: "row" }, grouped(n)), ...COLUMNS.flatMap(({ id, kinds, text }) => kinds.map((kind) => {
         const one = measured.find(({ index, n: other }) => index === kind && other === n);
         const cell = make("td", {}, one ? text(one) : "\u2013");
@@ -115,7 +108,7 @@ export class Timing {
       row.dataset.n = String(n);
       return row;
     }));
-    this.results.hidden = false;
+    byId("timing-results", HTMLElement).hidden = false;
     const lines = KINDS.map((kind) => ({
       label: kind, className: kind, points: measured.filter(({ index }) => index === kind).map(({ n, query }) => /** @type {[number, number]} */ ([n, 1e6 * query])),
     }));

@@ -39,7 +39,7 @@ export function sentenceOf(session) {
   if (isBad) return { text: collision, isBad };
   if (!isNearlySingular(ellipse)) return { text: "Drag the ring to move the tip; drag a link to turn its joint.", isBad };
   if (dimension === 1) return { text: "One joint: the tip can only move along a circle.", isBad };
-  return { text: `Nearly singular: the arm is almost straight, and the tip can hardly move along its links (manipulability ${num(ellipse.manipulability, 3)} m\u00b2).`, isBad };
+  return { text: `Nearly singular: the links are almost in line, and the tip can hardly move along them (manipulability ${num(ellipse.manipulability, 3)} m\u00b2).`, isBad };
 }
 
 /** @param {ArmSession} session @returns {Sentence} */

@@ -12,9 +12,10 @@ export class SceneGallery extends Gallery {
   constructor(app, entries, documentOf, onChoose) {
     super(/** @type {any[]} */ (entries), (entry) => onChoose(/** @type {E} */ (/** @type {unknown} */ (entry))));
     const drawAll = () => {
+      const { look } = app;
       for (const entry of entries) {
         const scenario = Scenario.parse(documentOf(entry));
-        this.draw(entry.id, drawThumbnail(scenario, SIDE, app.look));
+        this.draw(entry.id, drawThumbnail(scenario, SIDE, look));
         scenario.free();
       }
     };

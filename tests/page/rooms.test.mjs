@@ -97,6 +97,29 @@ describe("what a room may hold in its address", () => {
   });
 });
 
+test("links that were made before states had defaults still open", async () => {
+  /** @param {string} name @param {string} fragment @param {string} ready @param {(data: Record<string, string>, value: (id: string) => Promise<string>) => Promise<void>} check */
+  const opened = (name, fragment, ready, check) => onPage({ reducedMotion: "reduce" }, async (page) => {
+    await page.waitForSelector(ready);
+    assert.equal(await page.isHidden("#notice"), true);
+    await check(/** @type {Record<string, string>} */ (await page.evaluate(() => ({ ...document.body.dataset, ...document.getElementById("stage")?.dataset }))), (id) => page.inputValue(`#${id}`));
+  }, { path: `${name}.html#${fragment}` });
+  await opened("reach", "1PY7BDoJADET_Zc6VIEo0_RXCAaQqcdnG3SIHwr-bqvEyaTqvM12RLxIFjDBOo2UQkvZq4BVhjI8MbsqiprI4uhzajXBNImBLsxCef7-qaVcWp7olTDp4Yi-2iEQQOqfoyznQg5uq-B24-jJovIGbfUvovvMnFNalm9inpyJ3s4aX-IOT2F0HMKIspl6UNcw2aszgMyFJti5ZBh_LbXsD",
+    "body[data-state=ready][data-settled=true]", async ({ scene, mode, q }, value) => {
+      assert.deepEqual([scene, mode, q], ["limits", "between", "0.5,0.25,-0.75"]);
+      assert.deepEqual([await value("along"), await value("link-0-number"), await value("method")], ["0.25", "0.500", "newton"]);
+    });
+  await opened("neighbours", "1FcxLCsIwFIbRvXzjq1SrCHcr4qA2fzVYU0ziA0r3Lh0fODN5uk4Vp96zhBFy98VnEt42jVGkgJ-MYXUfurFoMV74udkebbOz_cV44AcjpqAfzjBllYpxix-ldXuq5tjj6N2PMahLGDVLBW-X5Q8",
+    "body[data-settled=true][data-found]", async ({ robot, n, q, k, index, metric }, value) => {
+      assert.deepEqual([robot, n, q, k, index, metric], ["three", "300", "0.5,-1,2", "4", "forest", "euclidean"]);
+      assert.equal(await value("option-trees"), "3");
+    });
+  await opened("trajectories", "1q1ZKzyxLzVOyqlYqTk1NUbIyN9dRys1PSc1RslIqLsgsSsxRqtVRKinKBEmaGOgo5eelKllFG-iZ6uga6pnqGMfWAgA",
+    "body[data-settled=true] #stage[data-tried='40']", async (_, value) => {
+      assert.deepEqual([await value("option-seed"), await value("option-model"), await value("one-w-number")], ["77", "spiral", "-1.500"]);
+    });
+});
+
 test("a folder imports only what is below it", () => {
   const below = { draw: "controls exchange stage worker", app: "controls exchange stage", widgets: "app controls draw take worker" };
   const kit = "app controls draw exchange stage take widgets worker";

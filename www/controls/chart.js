@@ -51,14 +51,14 @@ export class Chart {
     picture.replaceChildren();
     for (const value of values(1).length > 0 ? y.marks : []) {
       picture.append(svg("line", { class: "grid", x1: ROOM.left, x2: right, y1: y.at(value), y2: y.at(value) }));
-      picture.append(words(y.text(value), { x: ROOM.left - 8, y: y.at(value) + 4, "text-anchor": "end", "data-up": value }));
+      picture.append(svgText(y.text(value), { x: ROOM.left - 8, y: y.at(value) + 4, "text-anchor": "end", "data-up": value }));
     }
     for (const value of x.marks) {
       picture.append(svg("line", { class: "tick", x1: x.at(value), x2: x.at(value), y1: bottom, y2: bottom + 4 }));
-      picture.append(words(x.text(value), { x: x.at(value), y: bottom + 17, "text-anchor": "middle", "data-across": value }));
+      picture.append(svgText(x.text(value), { x: x.at(value), y: bottom + 17, "text-anchor": "middle", "data-across": value }));
     }
     picture.append(svg("line", { class: "axis", x1: ROOM.left, x2: right, y1: bottom, y2: bottom }));
-    picture.append(words(across.title, { x: (ROOM.left + right) / 2, y: height - 3, "text-anchor": "middle" }));
+    picture.append(svgText(across.title, { x: (ROOM.left + right) / 2, y: height - 3, "text-anchor": "middle" }));
     const placed = lines.map(({ points }) => thinned(points).filter(([a, b]) => x.holds(a) && y.holds(b)).map(([a, b]) => [round(x.at(a)), round(y.at(b))]));
     const shapes = () => lines.flatMap((line, i) => (placed[i].length > 0 ? shapesOf(line, i, placed[i], isTimeline, up.low === undefined) : []));
     if (!isTimeline) picture.append(...shapes());
@@ -84,7 +84,7 @@ export class Chart {
       const above = ends.slice(0, i).findLast((other) => Math.abs(other.x - end.x) < 4 * APART);
       if (above) end.y = Math.max(end.y, above.y + APART);
       const isInside = end.x + 6 + 7 * end.label.length > width;
-      this.picture.append(words(end.label, { class: "end", x: end.x + (isInside ? -6 : 6), y: end.y + (isInside ? -6 : 4), "text-anchor": isInside ? "end" : "start" }));
+      this.picture.append(svgText(end.label, { class: "end", x: end.x + (isInside ? -6 : 6), y: end.y + (isInside ? -6 : 4), "text-anchor": isInside ? "end" : "start" }));
     });
   }
 
@@ -127,7 +127,7 @@ function scaleOf(values, { isLog = false, low = Infinity, high = -Infinity }, fr
   if (!isLog) {
     const marks = ticks(least, most, count);
     const [first, last] = [marks[0], marks[marks.length - 1]];
-    return { marks, text: told, holds: Number.isFinite, at: (/** @type {number} */ value) => from + ((value - first) / (last - first)) * (to - from) };
+    return { marks, text: numberText, holds: Number.isFinite, at: (/** @type {number} */ value) => from + ((value - first) / (last - first)) * (to - from) };
   }
   const top = Math.ceil(Math.log10(most) - 1e-9);
   const end = Math.min(top - 1, Math.max(top - DECADES, Math.floor(Math.log10(least) + 1e-9)));
@@ -142,7 +142,7 @@ function scaleOf(values, { isLog = false, low = Infinity, high = -Infinity }, fr
 /** A power of ten. @param {number} value */
 function powerText(value) {
   const exponent = Math.round(Math.log10(value));
-  return exponent >= -2 && exponent <= 4 ? told(value) : `10${superscript(exponent)}`;
+  return exponent >= -2 && exponent <= 4 ? numberText(value) : `10${superscript(exponent)}`;
 }
 
 /** The digits of an exponent. @param {number} exponent */
@@ -164,7 +164,7 @@ export function ticks(low, high, count) {
 const round = (value) => Math.round(10 * value) / 10;
 
 /** @param {number} value */
-export const told = (value) => value.toLocaleString("en", { maximumSignificantDigits: 6 });
+export const numberText = (value) => value.toLocaleString("en", { maximumSignificantDigits: 6 });
 
 /** @template {keyof SVGElementTagNameMap} T @param {T} tag @param {Record<string, string | number>} attributes @returns {SVGElementTagNameMap[T]} */
 export function svg(tag, attributes) {
@@ -174,7 +174,7 @@ export function svg(tag, attributes) {
 }
 
 /** @param {string} text @param {Record<string, string | number>} attributes */
-export function words(text, attributes) {
+function svgText(text, attributes) {
   const element = svg("text", attributes);
   element.textContent = text;
   return element;

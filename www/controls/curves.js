@@ -3,7 +3,7 @@
  * evaluations. The worker thins what it tells, so that a long run costs no more than a short one.
  */
 import { letter } from "../standings.js";
-import { Chart, told as words } from "./chart.js";
+import { Chart, numberText as words } from "./chart.js";
 import { byId, make } from "./dom.js";
 
 /** @import { Page } from "../page.js" */

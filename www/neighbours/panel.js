@@ -1,6 +1,5 @@
 /** The settings: how the list is sampled, the target and the query. Options of the indexes are built from the core's table. */
 import { byId, make } from "../controls/dom.js";
-import { row, select, toggle } from "../widgets/elements.js";
 import { tuple } from "../widgets/format.js";
 import { Options } from "../widgets/options.js";
 import { Slider } from "../widgets/slider.js";
@@ -17,31 +16,33 @@ export class Panel {
     this.table = table;
     this.count = new Slider({ name: "count", title: "Count", min: 100, max: 100_000, kind: "integer", isLog: true }, sampling.n, (n) => void session.sample({ n }));
     this.seed = new Slider({ name: "seed", title: "Seed", min: 0, max: 999, kind: "integer" }, sampling.seed, (seed) => void session.sample({ seed }));
-    this.free = toggle("free", (free) => void session.sample({ free }));
-    byId("list-settings", HTMLElement).append(this.count.element, this.seed.element, row("Collision-free only", this.free));
-    this.preset = select("preset", [], (i) => {
-      const preset = session.entry.presets[Number(i)];
-      if (i !== "") session.setQuery({ q: session.fitted(preset.q), k: preset.k });
+    this.free = byId("free", HTMLInputElement);
+    this.free.addEventListener("change", () => void session.sample({ free: this.free.checked }));
+    byId("list-settings", HTMLElement).prepend(this.count.element, this.seed.element);
+    this.preset = byId("preset", HTMLSelectElement);
+    this.preset.addEventListener("change", () => {
+      const preset = session.entry.presets[Number(this.preset.value)];
+      if (this.preset.value !== "") session.setQuery({ q: session.fitted(preset.q), k: preset.k });
     });
     /** @type {Slider[]} */
     this.sliders = [];
     this.k = new Slider({ name: "k", title: "k", min: 1, max: 500, kind: "integer" }, session.k, (k) => session.setQuery({ k }));
-    this.index = select("index", table, (index) => {
-      session.setQuery({ index: /** @type {IndexId} */ (index) });
+    byId("query-settings", HTMLElement).prepend(this.k.element);
+    this.index = byId("index", HTMLSelectElement);
+    this.index.append(...table.map(({ id, title }) => make("option", { value: id }, title)));
+    this.index.addEventListener("change", () => {
+      session.setQuery({ index: /** @type {IndexId} */ (this.index.value) });
       this.buildOptions();
     });
-    this.summary = make("p", { className: "hint", id: "index-summary" });
-    this.host = make("div", { id: "index-settings" });
-    byId("query-settings", HTMLElement).append(this.k.element, row("Index", this.index), this.summary, this.host);
     session.onChange((change) => this.show(change));
   }
 
   /** The options of the index; only an arm has a choice of metrics. */
   buildOptions() {
-    const { session, table, host } = this;
+    const { session, table } = this;
     const info = table.find(({ id }) => id === session.index) ?? table[0];
-    this.summary.textContent = info.summary;
-    const options = new Options(host, info.parameters.filter(({ name }) => name !== "metric" || session.isArm), session.given, () => {
+    session.app.write({ "index-summary": info.summary });
+    const options = new Options(byId("index-settings", HTMLElement), info.parameters.filter(({ name }) => name !== "metric" || session.isArm), session.given, () => {
       // The options of other indexes are kept for later.
       if (options.settings) session.setQuery({ given: { ...session.given, ...options.settings } });
     });
@@ -55,7 +56,7 @@ export class Panel {
     if (change === "robot") {
       this.preset.replaceChildren(make("option", { value: "" }, "\u2013"), ...presets.map((preset, i) => make("option", { value: String(i) }, `${tuple(preset.q)}, k = ${preset.k}`)));
       this.sliders = coordinates.map(({ name, low, high, unit }, i) => new Slider({ name: `q${i}`, title: name, unit, min: low, max: high }, q[i], (value) => session.setCoordinate(i, value)));
-      byId("target", HTMLElement).replaceChildren(row("Preset", this.preset), ...this.sliders.map(({ element }) => element));
+      byId("target", HTMLElement).replaceChildren(...this.sliders.map(({ element }) => element));
       this.buildOptions();
     }
     this.count.show(sampling.n);

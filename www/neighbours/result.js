@@ -17,7 +17,7 @@ export function showNeighbours(session) {
   const { caption, tBodies: [body] } = byId("neighbours", HTMLTableElement);
   if (caption) write(caption, shown.length < indices.length ? `The ${MOST} nearest of ${indices.length}` : `The ${indices.length} nearest`);
   body.replaceChildren(...Array.from(shown, (i, rank) => {
-    const isRight = session.isRight(i);
+    const isRight = session.exact.has(i);
     const cells = [grouped(i), tuple(session.row(i), DIGITS), `${num(distances[rank], DIGITS)}${isRight ? "" : " \u2717"}`];
     const row = make("tr", {}, make("th", { scope: "row" }, String(rank + 1)), ...cells.map((text) => make("td", {}, text)));
     Object.assign(row.dataset, { index: i, distance: distances[rank], right: isRight });

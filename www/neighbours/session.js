@@ -44,7 +44,8 @@ export class NeighbourSession {
     /** Options of the indexes. @type {Settings} */
     this.given = {};
     this.found = NOTHING;
-    this.exact = NOTHING;
+    /** The true neighbours. @type {Set<number>} */
+    this.exact = new Set();
     /** Is a result awaited, and has the query changed since? */
     this.isBusy = false;
     this.isStale = false;
@@ -64,10 +65,10 @@ export class NeighbourSession {
   row(i) { return this.list.rows.subarray(i * this.dimension, (i + 1) * this.dimension); }
 
   /** True neighbours that were not found. @returns {number[]} */
-  get missed() { return [...this.exact.indices].filter((i) => !this.found.indices.includes(i)); }
-
-  /** Is a configuration a true neighbour? @param {number} i */
-  isRight(i) { return this.exact.indices.includes(i); }
+  get missed() {
+    const found = new Set(this.found.indices);
+    return [...this.exact].filter((i) => !found.has(i));
+  }
 
   /** @param {(change: Change) => void} listener */
   onChange(listener) { this.listeners.push(listener); }
@@ -121,7 +122,8 @@ export class NeighbourSession {
   /** @param {List} list */
   setList(list) {
     this.list = list;
-    this.found = this.exact = NOTHING;
+    this.found = NOTHING;
+    this.exact = new Set();
     this.footprints = Array.from({ length: Math.min(DRAWN, this.count) }, (_, i) => this.scenario.footprint(this.row(i)));
   }
 
@@ -152,7 +154,8 @@ export class NeighbourSession {
     const result = await this.app.track(this.worker.search({ version, q, k, index, given: options }));
     this.isBusy = false;
     if (result && version === this.list.version) {
-      Object.assign(this, result);
+      this.found = result.found;
+      this.exact = new Set(result.exact.indices);
       this.update("result");
     }
     if (this.isStale) await this.search();

@@ -51,7 +51,7 @@ export class Square extends AngleSquare {
     const { session, view, inner } = this;
     if (!view || !this.isShown) return;
     const { found: { indices }, missed, isNaive, q } = session;
-    const colourOf = (/** @type {number} */ i) => (session.isRight(i) ? palette.start : palette.rejected);
+    const colourOf = (/** @type {number} */ i) => (session.exact.has(i) ? palette.start : palette.rejected);
     this.repeat(context, () => {
       if (isNaive) {
         context.strokeStyle = palette.rejected;

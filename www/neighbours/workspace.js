@@ -60,7 +60,7 @@ export class Workspace {
     if (!view || session.dimension === 0) return;
     const { scenario, missed, q, list: { tips }, found: { indices }, document: { robot } } = session;
     const isDot = robot.type === "disc";
-    const colourOf = (/** @type {number} */ i) => (session.isRight(i) ? palette.start : palette.rejected);
+    const colourOf = (/** @type {number} */ i) => (session.exact.has(i) ? palette.start : palette.rejected);
     const tipOf = (/** @type {number} */ i) => /** @type {Point} */ ([view.x(tips[2 * i]), view.y(tips[2 * i + 1])]);
     const footprintOf = (/** @type {number} */ i) => scenario.footprint(session.row(i));
     context.lineWidth = 1.6;

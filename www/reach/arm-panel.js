@@ -1,6 +1,5 @@
 /** The panels of the joints and of the arm: angles, orientation of the last link, links, radius and joint limits. */
 import { byId, make } from "../controls/dom.js";
-import { row, toggle } from "../widgets/elements.js";
 import { Slider } from "../widgets/slider.js";
 
 /** @import { ArmSession, Change } from "./session.js" */
@@ -29,17 +28,17 @@ export class ArmPanel {
       session.orientation = angle;
       onOrientation();
     };
-    this.isOriented = toggle("keep", (isOn) => setOrientation(isOn ? session.arm.orientation : null));
+    this.isOriented = byId("keep", HTMLInputElement);
+    this.isOriented.addEventListener("change", () => setOrientation(this.isOriented.checked ? session.arm.orientation : null));
     this.orientation = new Slider({ name: "direction", title: "orientation", unit: "rad", min: -Math.PI, max: Math.PI }, 0, setOrientation);
-    this.orientationHint = make("p", { className: "hint", id: "keep-hint" }, "Reaching a point uses up two joints; fixing the orientation as well needs a third.");
-    this.isOriented.setAttribute("aria-describedby", this.orientationHint.id);
-    byId("lock", HTMLElement).append(row("Fix the orientation of the last link", this.isOriented), this.orientation.element, this.orientationHint);
-
+    this.orientationHint = byId("keep-hint", HTMLElement);
+    this.orientationHint.before(this.orientation.element);
     this.count = new Slider({ name: "links", title: "Links", min: 1, max: MOST_LINKS, kind: "integer" }, 2, (count) => this.setCount(count));
     this.radius = new Slider({ name: "radius", title: "Radius", unit: "m", min: 0, max: 0.15, step: 0.005 }, 0, (radius) => this.change({ radius }));
-    this.hasLimits = toggle("stops", (isOn) => this.change({ joint_limits: isOn ? session.arm.robot.links.map(() => LIMITS) : undefined }));
-    this.reason = make("p", { className: "reason", id: "arm-reason", role: "status", hidden: true });
-    byId("arm", HTMLElement).append(this.count.element, make("div", { id: "lengths" }), this.radius.element, row("Joint limits", this.hasLimits), make("div", { id: "intervals" }), this.reason);
+    byId("lengths", HTMLElement).before(this.count.element);
+    byId("lengths", HTMLElement).after(this.radius.element);
+    this.hasLimits = byId("stops", HTMLInputElement);
+    this.hasLimits.addEventListener("change", () => this.change({ joint_limits: this.hasLimits.checked ? session.arm.robot.links.map(() => LIMITS) : undefined }));
     session.onChange((change) => this.show(change));
   }
 
@@ -121,7 +120,8 @@ export class ArmPanel {
   /** @param {string} reason @param {HTMLInputElement} [input] */
   refuse(reason, input) {
     input?.setAttribute("aria-invalid", "true");
-    this.reason.textContent = reason;
-    this.reason.hidden = reason === "";
+    const element = byId("arm-reason", HTMLElement);
+    element.textContent = reason;
+    element.hidden = reason === "";
   }
 }

@@ -10,7 +10,7 @@ import { grouped } from "../controls/counters.js";
 import { byId, make } from "../controls/dom.js";
 import { withSeed } from "../controls/panel.js";
 import { encodeLink } from "../exchange/link.js";
-import { button, labelled, press, select } from "../widgets/elements.js";
+import { button, press } from "../widgets/elements.js";
 import { small } from "../widgets/format.js";
 import { Options } from "../widgets/options.js";
 import { Transport } from "../widgets/transport.js";
@@ -52,16 +52,13 @@ export class IkPanel {
     /** The nearest point, if the target is out of reach. @type {import("planarium").ReachVerdict["nearest"]} */
     this.nearest = null;
     this.charted = -Infinity;
-    this.select = select("method", this.methods, (method) => this.choose(method));
-    this.select.ariaLabel = "Method";
+    this.select = byId("method", HTMLSelectElement);
+    this.select.append(...this.methods.map(({ id, title }) => make("option", { value: id }, title)));
     this.select.value = "damped-least-squares";
-    this.summary = make("p", { className: "hint" });
-    this.list = labelled("group", "Solutions", make("div", { className: "buttons", id: "solutions" }));
-    this.plan = make("a", { className: "plan-link", id: "plan", href: "./" }, "Plan a motion to this target");
-    const fields = make("div", {});
-    byId("solve-settings", HTMLElement).append(this.select, this.summary, this.list, make("p", {}, this.plan), fields);
-    this.options = new Options(fields, [], {}, () => {});
-    this.fields = fields;
+    this.select.addEventListener("change", () => this.choose(this.select.value));
+    this.list = byId("solutions", HTMLElement);
+    this.plan = byId("plan", HTMLAnchorElement);
+    this.options = new Options(byId("method-options", HTMLElement), [], {}, () => {});
     this.transport = new Transport(session.app, this.host, {
       name: "solve", label: "Inverse kinematics", unit: "iterations", steps: [1, 10], slowest: 1, fastest: 2000, pace: 12,
       advance: (count) => this.advance(count), reset: () => this.begin(), canFinish: true,
@@ -100,10 +97,10 @@ export class IkPanel {
   }
 
   buildOptions() {
-    const { method: { summary, parameters }, fields } = this;
-    this.summary.textContent = summary;
+    const { method: { summary, parameters }, session: { app } } = this;
+    app.write({ "method-summary": summary });
     const table = withSeed(parameters).map((row) => ({ ...row, default: DEFAULTS[row.name] ?? row.default }));
-    this.options = new Options(fields, /** @type {ParameterInfo[]} */ (table), this.given, () => {
+    this.options = new Options(byId("method-options", HTMLElement), /** @type {ParameterInfo[]} */ (table), this.given, () => {
       this.given = this.options.given;
       this.begin();
     }, { prefix: "solve", first: ["solutions", "free_only", "seed"] });

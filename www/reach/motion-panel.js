@@ -1,6 +1,6 @@
 /** The motion from A to B: setting its ends, the way round of each joint, and playing it. */
 import { byId, make } from "../controls/dom.js";
-import { button, press } from "../widgets/elements.js";
+import { press } from "../widgets/elements.js";
 import { Transport } from "../widgets/transport.js";
 
 /** @import { ArmSession, Change } from "./session.js" */
@@ -35,23 +35,19 @@ export class MotionPanel {
       event.preventDefault();
       this.transport.play.click();
     });
-    this.directions = make("div", { id: "rounds" });
-    byId("between-settings", HTMLElement).append(
-      make("div", { className: "buttons" },
-        this.button("set-a", "Set A here", () => ({ a: Float64Array.from(session.arm.q), progress: 0 })),
-        this.button("set-b", "Set B here", () => ({ b: Float64Array.from(session.arm.q), progress: 1 })),
-        this.button("swap", "Swap A and B", () => ({ a: session.b, b: session.a, progress: 0 }))),
-      make("div", { className: "buttons" },
-        this.button("all-short", "All the short way", () => this.all("short")),
-        this.button("all-long", "All the long way", () => this.all("long"))),
-      this.directions,
-    );
+    this.directions = byId("rounds", HTMLElement);
+    const onClick = (/** @type {string} */ id, /** @type {() => Partial<ArmSession>} */ change) => this.onClick(byId(id, HTMLButtonElement), change);
+    onClick("set-a", () => ({ a: Float64Array.from(session.arm.q), progress: 0 }));
+    onClick("set-b", () => ({ b: Float64Array.from(session.arm.q), progress: 1 }));
+    onClick("swap", () => ({ a: session.b, b: session.a, progress: 0 }));
+    onClick("all-short", () => this.all("short"));
+    onClick("all-long", () => this.all("long"));
     session.onChange((change) => this.show(change));
   }
 
-  /** @param {string} id @param {string} title @param {() => Partial<ArmSession>} change  what it changes in the session */
-  button(id, title, change) {
-    return button(id, title, () => {
+  /** @param {HTMLButtonElement} button @param {() => Partial<ArmSession>} change  what it changes in the session */
+  onClick(button, change) {
+    button.addEventListener("click", () => {
       const { session } = this;
       this.transport.pause();
       Object.assign(session, change());
@@ -82,7 +78,8 @@ export class MotionPanel {
     const { session } = this;
     this.directions.replaceChildren(...session.arm.joints.map(({ name, isCircle }, i) => {
       const choices = /** @type {Direction[]} */ (["short", "long"]).map((direction) => {
-        const element = this.button("", direction, () => ({ directions: session.directions.map((one, j) => (j === i ? direction : one)) }));
+        const element = make("button", { type: "button" }, direction);
+        this.onClick(element, () => ({ directions: session.directions.map((one, j) => (j === i ? direction : one)) }));
         element.dataset.direction = direction;
         element.setAttribute("aria-label", `${name}: the ${direction} way round`);
         return element;

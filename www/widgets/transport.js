@@ -63,9 +63,7 @@ export class Transport {
     this.bar = make("div", { className: "transport", id: `${name}-transport` }, this.play, labelled("group", "Step", make("div", { className: "steps" }, ...this.steps)),
       this.finish, button(`${name}-reset`, "Reset", () => this.restart()),
       make("label", { className: "speed", htmlFor: this.speed.id }, make("span", {}, "Speed"), this.speed, this.speedText));
-    this.bar.setAttribute("role", "toolbar");
-    this.bar.setAttribute("aria-label", label);
-    host.append(this.bar);
+    host.append(labelled("toolbar", label, this.bar));
     this.showSpeed();
     this.setPlaying(false);
     watchKeys([this.bar, ...keyTargets], { " ": () => this.toggle(), r: () => this.restart(), ".": () => this.step(steps[0]) });

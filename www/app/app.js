@@ -1,7 +1,7 @@
 /**
  * The shell of a page: it loads the core and the worker, runs one loop of frames, and shows messages and errors.
  *
- * For tests: `body` carries `data-state` ("loading", "ready", "failed") and `data-settled` ("true" while nothing moves, no answer
+ * For tests: `body` carries `data-state` ("loading", "ready", "failed") and `data-settled` ("true" while nothing moves, no reply
  * of the worker is pending and everything is drawn).
  */
 import * as library from "planarium";
@@ -35,7 +35,7 @@ export class App {
     /** Rebuilds what lived in the core, after a panic of the core. @type {() => unknown} */
     this.rebuild = () => {};
     this.frame = 0;
-    /** Answers of the worker not yet received. */
+    /** Promises that are tracked and pending. */
     this.pending = 0;
     this.message = "";
     addEventListener("error", (event) => {
@@ -103,16 +103,16 @@ export class App {
   }
 
   /**
-   * Awaits an answer; the page is not settled until then. An error is shown and gives undefined.
+   * Awaits a promise; the page is not settled until then. An error is shown and gives undefined.
    * @template T
-   * @param {Promise<T>} answer
+   * @param {Promise<T>} promise
    * @returns {Promise<T | undefined>}
    */
-  async track(answer) {
+  async track(promise) {
     this.pending++;
     document.body.dataset.settled = "false";
     try {
-      return await answer;
+      return await promise;
     } catch (error) {
       this.fail(error);
       return undefined;

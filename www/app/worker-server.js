@@ -1,4 +1,4 @@
-/** The worker's end: it runs messages `{ id, room, command, args }` and answers each with `{ id, value }` or `{ id, fault }`. */
+/** The worker's end: it runs messages `{ id, room, command, args }` and replies to each with `{ id, value }` or `{ id, fault }`. */
 import * as library from "planarium";
 import { faultOf } from "../fault.js";
 

@@ -54,7 +54,7 @@ export class Figure {
     this.height = 0;
     /** @type {Palette | null} */
     this.palette = null;
-    /** Layers to be drawn anew. @type {Set<"ground" | "top">} */
+    /** Layers to be redrawn. @type {Set<"ground" | "top">} */
     this.dirty = new Set();
     host.append(this.element);
     new ResizeObserver(() => this.measure()).observe(this.box);
@@ -62,7 +62,7 @@ export class Figure {
     app.onDraw(() => this.draw());
   }
 
-  /** Draws both layers anew in the next frame. */
+  /** Redraws both layers in the next frame. */
   redraw() {
     this.dirty.add("ground");
     this.redrawTop();

@@ -43,7 +43,7 @@ export class Panel {
     const info = table.find(({ id }) => id === session.index) ?? table[0];
     session.app.write({ "index-summary": info.summary });
     const options = new Options(byId("index-settings", HTMLElement), info.parameters.filter(({ name }) => name !== "metric" || session.isArm), session.given, () => {
-      // The options of other indexes are kept for later.
+      // The options of other indexes stay for later.
       if (options.settings) session.setQuery({ given: { ...session.given, ...options.settings } });
     });
   }

@@ -1,5 +1,5 @@
 /**
- * The state of the page: a robot, a list of its configurations, a target and a query. Listeners are told what changed. Lists and
+ * The state of the page: a robot, a list of its configurations, a target and a query. Listeners learn what changed. Lists and
  * results come from the worker; only the newest query counts.
  */
 import { Scenario } from "planarium";
@@ -107,11 +107,11 @@ export class NeighbourSession {
     return this.receive(list, name);
   }
 
-  /** @param {Promise<List | undefined>} answer @param {string | null} file */
-  async receive(answer, file) {
+  /** @param {Promise<List | undefined>} promise @param {string | null} file */
+  async receive(promise, file) {
     this.requests += 1;
     const { requests, entry } = this;
-    const list = await this.app.track(answer);
+    const list = await this.app.track(promise);
     if (!list || requests !== this.requests || entry !== this.entry) return;
     this.file = file;
     this.setList(list);

@@ -46,7 +46,7 @@ export class ArmPanel {
   show(change) {
     const { session: { arm, orientation } } = this;
     const { robot, hasLimits } = arm;
-    // Controls are made anew only if their number differs, so that whoever holds a slider keeps it.
+    // Controls are rebuilt only if their number differs, so that a slider can be held meanwhile.
     const key = `${arm.dimension} ${hasLimits}`;
     if (key !== this.built) this.build();
     this.built = key;

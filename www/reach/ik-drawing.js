@@ -10,7 +10,7 @@ import { drawCross } from "../draw/workspace.js";
 /** Iterates drawn, at most. */
 const FAINT = 40;
 
-/** Beneath the arm. @param {Brush} brush @param {View} view @param {IkPanel} ik */
+/** Draws what lies below the arm. @param {Brush} brush @param {View} view @param {IkPanel} ik */
 export function drawRun({ context, palette }, view, { run, nearest, chosen }) {
   if (!run) return;
   const { arm } = run;
@@ -43,7 +43,7 @@ export function drawRun({ context, palette }, view, { run, nearest, chosen }) {
   });
 }
 
-/** Above the arm. @param {Brush} brush @param {View} view @param {IkPanel} ik */
+/** Draws what lies above the arm. @param {Brush} brush @param {View} view @param {IkPanel} ik */
 export function drawIkTarget({ context, palette }, view, { nearest, session: { target, orientation } }) {
   const [x, y] = [view.x(target[0]), view.y(target[1])];
   context.save();

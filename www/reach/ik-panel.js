@@ -183,7 +183,7 @@ export class IkPanel {
   /** A button for each solution. */
   listSolutions() {
     const solutions = this.run?.shown ?? [];
-    // Buttons are made anew only if they differ, so that the focus stays.
+    // Buttons are rebuilt only if they differ, so that the focus stays.
     const key = solutions.map(({ isFree }) => Number(isFree)).join("");
     if (this.list.dataset.key !== key) {
       this.list.dataset.key = key;

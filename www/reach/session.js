@@ -1,6 +1,6 @@
 /**
- * The state of the page: the arm, the mode, the configurations A and B, and the target. Listeners are told what changed; nothing
- * here knows the document.
+ * The state of the page: the arm, the mode, the configurations A and B, and the target. Listeners learn what changed; nothing
+ * here uses the DOM.
  */
 import { Arm } from "./arm.js";
 import { Motion } from "./motion.js";

@@ -3,7 +3,7 @@ import { Trajectories, particlePoints } from "planarium";
 
 /** @import { TrajectoryOptions } from "planarium" */
 
-/** Milliseconds of an answer. */
+/** Milliseconds of a call, at most. */
 const LONGEST = 24;
 /** Radians of a turn between two points of a line, and pieces of a line at most. */
 const BEND = 0.13;

@@ -1,4 +1,4 @@
-/** The experiment as far as the page knows it. Answers for an experiment that was given up meanwhile are dropped. */
+/** The experiment as far as the page knows it. Replies for an abandoned experiment are dropped. */
 
 /** @import { TrajectoriesResult, TrajectoryOptions } from "planarium" */
 /** @import { Remote } from "../app/worker-client.js" */
@@ -37,7 +37,7 @@ export class Experiment {
 
   get isRunning() { return this.result?.status === "running"; }
 
-  /** @param {TrajectoryOptions} options @returns {Promise<boolean>}  false: it was given up for another one @throws {Error} they are refused */
+  /** @param {TrajectoryOptions} options @returns {Promise<boolean>}  false: another one was begun meanwhile @throws {Error} they are refused */
   async begin(options) {
     const epoch = ++this.epoch;
     const result = await this.worker.begin(options);

@@ -88,7 +88,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     return isMoving;
   });
   app.onDraw(() => {
-    // New trajectories are drawn on top of the others, unless all are drawn anew.
+    // New trajectories are drawn on top of the others, unless all are redrawn.
     const { palette, layers: { ground } } = figure;
     if (palette && !figure.dirty.has("ground")) plane.append({ context: ground.context, palette });
     charts.draw(performance.now(), !transport.isPlaying && app.pending === 0);

@@ -41,7 +41,7 @@ export class Transport {
     this.playback = playback;
     this.isPlaying = false;
     this.isFinishing = false;
-    /** Is an answer awaited? */
+    /** Is a promise of the playback pending? */
     this.isBusy = false;
     /** Units due at the time of the last frame. */
     this.due = 0;
@@ -134,13 +134,13 @@ export class Transport {
   /** @param {number} count */
   advance(count) {
     if (this.isBusy) return;
-    const answer = this.app.guard(() => this.playback.advance(count)) ?? false;
-    if (typeof answer === "boolean") {
-      this.goOn(answer);
+    const result = this.app.guard(() => this.playback.advance(count)) ?? false;
+    if (typeof result === "boolean") {
+      this.goOn(result);
       return;
     }
     this.isBusy = true;
-    void this.app.track(answer).then((isMore) => {
+    void this.app.track(result).then((isMore) => {
       this.isBusy = false;
       this.goOn(isMore === true);
     });

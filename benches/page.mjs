@@ -22,7 +22,7 @@ import { GifWriter, paletteOf } from "../www/formats/gif.js";
 import { decodeLink } from "../www/planner/link/codec.js";
 import { readNpyPolygons } from "../www/formats/npy.js";
 import { SvgContext } from "../www/formats/svg.js";
-import { VertexIndex } from "../www/draw/vertex-index.js";
+import { VertexIndex } from "../www/planner/stage/vertex-index.js";
 
 /** @import { Page } from "../tests/page/browser.mjs" */
 /** @typedef {{ name: string, bound: number, rounds: number, measure: () => Promise<number> | number, compares?: true }} Figure   milliseconds; `compares`: it measures any build in the same way */

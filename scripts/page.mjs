@@ -15,8 +15,8 @@ const PAGES = [["index", "Plan"], ["reach", "Reach"], ["neighbours", "Neighbours
  * Assembles the page around the package: a script for the page and one for its worker, each with the parts that are loaded when
  * they are asked for; the package stays a file of its own, the published one. The maps beside them lead back to the sources.
  *
- * Beside the planner's page stand rooms: `www/NAME.html` with `www/NAME/main.js`, `www/NAME/style.css` and, where there is one,
- * `www/NAME/worker.js`. They share their parts with each other, and none with the planner's page, which opens with no more for them.
+ * Each of the other pages has `www/NAME.html`, `www/NAME/main.js` and `www/NAME/style.css`; their worker is `www/rooms/worker.js`. They
+ * share their parts with each other, and none with the planner's page.
  */
 export function assemblePage() {
   const page = join(root, "www");
@@ -47,7 +47,7 @@ export function assemblePage() {
 }
 
 /**
- * The scripts, workers and styles of the rooms, with one set of parts. An entry and a part lie equally deep, so that the package
+ * The scripts and styles of the rooms and their worker, with one set of parts. An entry and a part lie equally deep, so that the package
  * has the same address for both.
  * @param {string[]} rooms
  * @param {import("esbuild").BuildOptions} inParts
@@ -55,7 +55,7 @@ export function assemblePage() {
 function assembleRooms(rooms, inParts) {
   if (rooms.length === 0) return;
   const page = join(root, "www");
-  const entries = rooms.flatMap((name) => ["main.js", "worker.js"].map((file) => join(page, name, file))).filter((file) => existsSync(file));
+  const entries = [join(page, "rooms", "worker.js"), ...rooms.map((name) => join(page, name, "main.js"))];
   joinModules("", "", { ...inParts, entryPoints: entries, outbase: page, alias: { planarium: "../planarium/planarium.js" }, external: ["../planarium/planarium.js"] });
   for (const name of rooms) joinModules(join(page, name, "style.css"), join(dist, "page", name, "style.css"));
 }
@@ -67,7 +67,7 @@ function linked(name, pages) {
   // Spaces between them: the planner's page is one of them only where there are others.
   const nav = pages.length > 1 ? `<nav class="rooms" aria-label="Pages">${links.join(" ")}</nav>` : "";
   return readFileSync(join(page, `${name}.html`), "utf8")
-    .replace("<!-- masthead -->", () => readFileSync(join(page, "room", "masthead.html"), "utf8").trim())
+    .replace("<!-- masthead -->", () => readFileSync(join(page, "rooms", "masthead.html"), "utf8").trim())
     .replace("<!-- rooms -->", () => nav);
 }
 

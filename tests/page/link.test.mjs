@@ -267,6 +267,7 @@ describe("what is broken", () => {
         }
       }
       await page.click("#notice button");
+      await atRest(page);
       assert.deepEqual(await shown(page), usual, "the stage is as it was");
     });
   });

@@ -11,7 +11,7 @@ import { Rows } from "../../www/planner/run-log/rows.js";
 import { PAST, SIDE } from "../../www/planner/run-log/run-log.js";
 import { endsOf } from "./library.mjs";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
-import { Glow } from "../../www/draw/glow.js";
+import { Glow } from "../../www/planner/stage/glow.js";
 import { Tracer, folded, unrolled, way } from "../../www/draw/trace.js";
 import { View } from "../../www/draw/view.js";
 import { ending, going } from "../../www/planner/story.js";

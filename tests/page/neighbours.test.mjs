@@ -6,7 +6,7 @@ import { after, before, describe, test } from "node:test";
 import { Scenario } from "planarium";
 import { writeNpy } from "../../www/formats/npy.js";
 import { ROBOTS } from "../../www/neighbours/robots.js";
-import { encodeState } from "../../www/room/link.js";
+import { encodeState } from "../../www/app/link.js";
 import { DESK, PHONE, choose as chooseOne, onPage, pixelsOf, root, start, stop } from "./browser.mjs";
 import { plane } from "./editing.mjs";
 import { assertFaultless, assertFits, assertForced, assertTargets } from "./looks.mjs";
@@ -122,13 +122,26 @@ describe("questions", () => {
       assert.equal(state.missed, String(missed));
       assert.match(await page.innerText("#story"), /naive metric .* cuts each circle at 0/);
       assert.equal(await page.locator("#neighbours tr[data-right=false]").count(), missed);
-      assert.equal(await page.innerText("#fact-right"), `${12 - missed} of 12`);
+      assert.equal(await page.innerText("#fact-recall"), `${12 - missed} of 12`);
       for (const pane of ["workspace", "cspace"]) assert.ok(await pixelsOf(page, pane, "top", "rejected") > 10, pane);
       await select(page, "option-metric", "euclidean");
       const euclidean = await stateOf(page);
       assert.deepEqual(numbers(euclidean.found), [...foundBy(state, { metric: "euclidean" }).indices]);
       assert.equal(euclidean.missed, "0");
       assert.equal(await pixelsOf(page, "cspace", "top", "rejected"), 0);
+    });
+  });
+
+  test("every arm opens on a target at which the naive metric is wrong", async () => {
+    await onNeighbours(async (page) => {
+      for (const { id, document } of ROBOTS) {
+        if (document.robot.type !== "arm") continue;
+        await choose(page, id);
+        await select(page, "option-metric", "naive");
+        assert.ok(Number((await stateOf(page)).missed) > 0, id);
+        assert.match(await page.innerText("#story"), /(is|are) wrong/);
+        await select(page, "option-metric", "sum");
+      }
     });
   });
 
@@ -338,8 +351,8 @@ describe("timing", () => {
       }
       assert.ok(Number(at("visited", "kd-tree", 2000)?.value) < 2000);
       assert.ok(Number(at("visited", "forest", 2000)?.value) >= 400);
-      assert.equal(await page.locator(".plot path.line").count(), 3);
-      assert.match(await page.getAttribute(".plot", "aria-label") ?? "", /Time for a question among [\d,]+: /);
+      assert.equal(await page.locator(".chart path.line").count(), 3);
+      assert.match(await page.getAttribute(".chart", "aria-label") ?? "", /Query time with [\d,]+ configurations: /);
       await page.click("#take-fold > summary");
       const [download] = await Promise.all([page.waitForEvent("download"), page.click("#take-timings")]);
       const lines = readFileSync(await download.path(), "utf8").trim().split("\r\n");
@@ -364,7 +377,7 @@ describe("links and files", () => {
       await put(page, "q2-number", -1.5);
       await put(page, "k-number", 17);
       await page.click("#link");
-      await page.getByText(/list of your own is not in it/).waitFor();
+      await page.getByText(/own list is not included/).waitFor();
       const [state, fragment] = [await stateOf(page), await page.evaluate(() => location.hash)];
       await onNeighbours(async (other) => {
         assert.deepEqual(await stateOf(other), state);

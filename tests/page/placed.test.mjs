@@ -6,7 +6,7 @@ import { after, before, describe, test } from "node:test";
 import { Scenario, planners } from "planarium";
 import { decodeLink } from "../../www/planner/link/codec.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
-import { Placed } from "../../www/draw/placed.js";
+import { Placed } from "../../www/planner/stage/placed.js";
 import { playbackOf } from "../../www/domain/path-playback.js";
 import { ending } from "../../www/planner/story.js";
 import { atRest, chooseScene, finish, growthHash, onPausedPage, pickFile, pixelsOf, root, seek, start, stop } from "./browser.mjs";

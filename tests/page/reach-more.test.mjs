@@ -49,7 +49,7 @@ describe("inverse kinematics", () => {
       await page.click("#solve-finish");
       await page.waitForSelector("#solve[data-verdict=in-collision]", { state: "attached" });
       await rest(page);
-      assert.match(await page.innerText("#story"), /touches (something|obstacle)/);
+      assert.match(await page.innerText("#story"), /All solutions found collide: link \d touches obstacle/);
     });
   });
 
@@ -63,6 +63,7 @@ describe("inverse kinematics", () => {
         await page.waitForSelector("#solve:not([data-status=running])", { state: "attached" });
         await rest(page);
         assert.ok(Number(await page.getAttribute("#solve", "data-solutions")) >= 1, id);
+        if (id === "closed-form") assert.match(await page.innerText("#story"), /^Two configurations reach the target \(elbow up and elbow down\); [^;]*\.$/);
       }
       await choose(page, "tentacle");
       await page.selectOption("#method", "closed-form");

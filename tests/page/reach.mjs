@@ -1,7 +1,7 @@
 /** The page of the arm in the browser, for its tests. */
 import assert from "node:assert/strict";
 import { Scenario } from "planarium";
-import { documentOf } from "../../www/reach/bench.js";
+import { documentOf } from "../../www/reach/session.js";
 import { SCENES } from "../../www/reach/scenes.js";
 import { DESK, choose as chooseOne, onPage } from "./browser.mjs";
 import { plane } from "./editing.mjs";

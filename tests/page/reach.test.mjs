@@ -2,12 +2,11 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
-import * as library from "planarium";
 import { Arm } from "../../www/reach/arm.js";
-import { documentOf } from "../../www/reach/bench.js";
+import { documentOf } from "../../www/reach/session.js";
 import { ellipseOf } from "../../www/reach/jacobian.js";
 import { SCENES } from "../../www/reach/scenes.js";
-import { Way } from "../../www/reach/way.js";
+import { Motion } from "../../www/reach/motion.js";
 import { DESK, PHONE, pixelsOf, start, stop } from "./browser.mjs";
 import { choose, entryOf, onReach, poseOf, put, rest, scenarioOf, windowOf } from "./reach.mjs";
 
@@ -83,10 +82,10 @@ for (const [name, options] of /** @type {[string, Options][]} */ ([["on a desk",
         await put(page, "joint-1-number", "0");
         assert.equal(await page.getAttribute("#stage", "data-free"), "false");
         const { touching } = scenarioOf("islands").check([0.78, 0]);
-        for (const { part, obstacle } of touching) assert.match(await page.innerText("#fact-touching"), new RegExp(`link ${part} touches obstacle ${obstacle}`, "i"));
+        for (const { part, obstacle } of touching) assert.match(await page.innerText("#fact-collision"), new RegExp(`link ${part} touches obstacle ${obstacle}`, "i"));
         assert.ok(await pixelsOf(page, "workspace", "top", "collision") > 200);
         assert.equal(await page.getAttribute("#stage", "data-singular"), "true");
-        assert.equal(await page.innerText("#fact-roundness"), "0.00");
+        assert.equal(await page.innerText("#fact-isotropy"), "0.00");
         await put(page, "joint-0-number", "-0.8");
         assert.match(await page.innerText("#story"), /Nearly singular/);
       }, options);
@@ -97,12 +96,12 @@ for (const [name, options] of /** @type {[string, Options][]} */ ([["on a desk",
         await page.click("#mode-between");
         await rest(page);
         const { a, b } = entryOf("islands");
-        const wayOf = (/** @type {import("../../www/reach/way.js").Round} */ round) => new Way(new Arm(library, documentOf(entryOf("islands")), a), a, b, [round, round]);
-        assert.equal(await page.getAttribute("#between", "data-hit"), String(wayOf("short").hit ?? "none"));
+        const motionOf = (/** @type {import("../../www/reach/motion.js").Direction} */ direction) => new Motion(new Arm(documentOf(entryOf("islands")), a), a, b, [direction, direction]);
+        assert.equal(await page.getAttribute("#between", "data-hit"), String(motionOf("short").hit ?? "none"));
         assert.deepEqual(await poseOf(page), a);
         await page.click("#all-long");
         await rest(page);
-        assert.equal(await page.getAttribute("#between", "data-hit"), String(wayOf("long").hit ?? "none"));
+        assert.equal(await page.getAttribute("#between", "data-hit"), String(motionOf("long").hit ?? "none"));
         assert.match(await page.innerText("#story"), /long way round/);
         for (let i = 0; i < 3; i++) await page.click("#between-step-10");
         await rest(page);
@@ -136,6 +135,7 @@ for (const [name, options] of /** @type {[string, Options][]} */ ([["on a desk",
         assert.equal(await page.getAttribute("#solve", "data-fingerprint"), run.fingerprint());
         assert.equal(await page.getAttribute("#solve", "data-solutions"), String(run.solutionCount));
         assert.equal(run.solutionCount, 2, "an elbow on either side");
+        assert.equal(await page.innerText("#story"), `Two configurations reach the target; ${await page.getAttribute("#solve", "data-free") === "2" ? "neither collides" : "1 of them is collision-free"}.`);
         assert.equal(await page.locator("#solutions button").count(), 2);
         await page.click("#solutions button >> nth=1");
         await rest(page);
@@ -147,19 +147,19 @@ for (const [name, options] of /** @type {[string, Options][]} */ ([["on a desk",
   });
 }
 
-test("a way is the core's own where joints go the short way, and is free as far as the core says", () => {
+test("a motion is the core's own where joints turn the short way, and is free as far as the core says", () => {
   for (const { id, a, b, q } of SCENES) {
     for (const pose of [a, b, q]) assert.ok(scenarioOf(id).check(pose).free, `${id}: ${pose}`);
-    const arm = new Arm(library, documentOf(entryOf(id)), a);
-    const short = new Way(arm, a, b, a.map(() => "short"));
+    const arm = new Arm(documentOf(entryOf(id)), a);
+    const short = new Motion(arm, a, b, a.map(() => "short"));
     const hit = arm.scenario.firstHit(a, b);
     assert.equal(short.hit === null, hit === null, id);
     if (hit !== null) assert.ok(Math.abs((short.hit ?? 1) - hit) < 1e-2, `${id}: ${short.hit} ${hit}`);
-    const long = new Way(arm, a, b, a.map(() => "long"));
-    for (const way of [short, long]) {
-      const free = way.hit ?? 1;
-      for (let i = 0; i <= 400; i++) if (i / 400 < free - 1e-9) assert.ok(arm.isFree(arm.fitted(way.at(i / 400))), `${id} at ${i / 400}`);
-      const end = arm.fitted(way.at(1));
+    const long = new Motion(arm, a, b, a.map(() => "long"));
+    for (const motion of [short, long]) {
+      const free = motion.hit ?? 1;
+      for (let i = 0; i <= 400; i++) if (i / 400 < free - 1e-9) assert.ok(arm.isFree(arm.fitted(motion.at(i / 400))), `${id} at ${i / 400}`);
+      const end = arm.fitted(motion.at(1));
       b.forEach((value, i) => assert.ok(Math.abs(Math.sin((end[i] - value) / 2)) < 1e-9));
     }
     long.turns.forEach((turn, i) => {
@@ -342,7 +342,7 @@ describe("the arm is made", () => {
       await put(page, "stop-0-0", "0.5");
       assert.ok((await poseOf(page))[0] >= 0.5, "what was beyond a stop is at it");
       await put(page, "stop-0-1", "0.1");
-      assert.match(await page.innerText("#arm-reason"), /stops of joint 0/);
+      assert.match(await page.innerText("#arm-reason"), /limits of joint 0/);
       await put(page, "stop-0-1", "2");
       assert.equal(await page.isHidden("#arm-reason"), true);
       await page.click("label[for=stops]");
@@ -370,7 +370,7 @@ describe("the arm is made", () => {
       assert.deepEqual(await poseOf(page), [1.42, -1.2, -0.22]);
       await give("museum.json");
       await page.waitForSelector("#notice[data-code=unsupported]");
-      assert.match(await page.innerText("#notice"), /is about arms/);
+      assert.match(await page.innerText("#notice"), /This page is for arms/);
     });
   });
 });

@@ -3,8 +3,8 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { list, number, record } from "../../www/formats/rules.js";
-import { decodeState, encodeState } from "../../www/room/link.js";
+import { flag, list, number, record, withDefaults } from "../../www/formats/rules.js";
+import { decodeState, encodeState } from "../../www/app/link.js";
 import { DESK, onPage, pageRoot, pixelsOf, root, start, stop } from "./browser.mjs";
 import { onReach, poseOf, rest } from "./reach.mjs";
 
@@ -74,10 +74,18 @@ describe("what a room may hold in its address", () => {
 
   test("comes back as it was, and is checked", async () => {
     const state = { values: [0.1, -1 / 3, 1e-300] };
-    assert.deepEqual(await decodeState(`#${await encodeState(state, rule)}`, rule), { state, fault: null });
+    assert.deepEqual(await decodeState(`#${await encodeState(state, rule)}`, rule), { state, fault: "" });
     await assert.rejects(encodeState({ other: 1 }, rule), /state.other is unknown/);
     const { fault } = await decodeState(await encodeState({ values: [1] }, rule), record({}));
     assert.match(fault ?? "", /state.values is unknown/);
+  });
+
+  test("leaves out what has its default, and gets it back", async () => {
+    const described = withDefaults({ values: list(number, 0, 3), isOn: flag }, { values: [1, 2], isOn: false });
+    const short = await encodeState({ values: [1, 2], isOn: false }, described);
+    assert.equal(short, await encodeState({}, described));
+    assert.deepEqual(await decodeState(short, described), { state: { values: [1, 2], isOn: false }, fault: "" });
+    assert.deepEqual((await decodeState(await encodeState({ values: [], isOn: true }, record({ values: list(number, 0, 3), isOn: flag })), described)).state, { values: [], isOn: true });
   });
 
   test("is 2 KB at most, and unpacks to no more than 16", async () => {
@@ -87,6 +95,56 @@ describe("what a room may hold in its address", () => {
     const { fault } = await decodeState(`1${"A".repeat(3000)}`, rule);
     assert.match(fault ?? "", /too long/);
   });
+});
+
+test("links that were made before states had defaults still open", async () => {
+  /** @param {string} name @param {string} fragment @param {string} ready @param {(data: Record<string, string>, value: (id: string) => Promise<string>) => Promise<void>} check */
+  const opened = (name, fragment, ready, check) => onPage({ reducedMotion: "reduce" }, async (page) => {
+    await page.waitForSelector(ready);
+    assert.equal(await page.isHidden("#notice"), true);
+    await check(/** @type {Record<string, string>} */ (await page.evaluate(() => ({ ...document.body.dataset, ...document.getElementById("stage")?.dataset }))), (id) => page.inputValue(`#${id}`));
+  }, { path: `${name}.html#${fragment}` });
+  await opened("reach", "1PY7BDoJADET_Zc6VIEo0_RXCAaQqcdnG3SIHwr-bqvEyaTqvM12RLxIFjDBOo2UQkvZq4BVhjI8MbsqiprI4uhzajXBNImBLsxCef7-qaVcWp7olTDp4Yi-2iEQQOqfoyznQg5uq-B24-jJovIGbfUvovvMnFNalm9inpyJ3s4aX-IOT2F0HMKIspl6UNcw2aszgMyFJti5ZBh_LbXsD",
+    "body[data-state=ready][data-settled=true]", async ({ scene, mode, q }, value) => {
+      assert.deepEqual([scene, mode, q], ["limits", "between", "0.5,0.25,-0.75"]);
+      assert.deepEqual([await value("along"), await value("link-0-number"), await value("method")], ["0.25", "0.500", "newton"]);
+    });
+  await opened("neighbours", "1FcxLCsIwFIbRvXzjq1SrCHcr4qA2fzVYU0ziA0r3Lh0fODN5uk4Vp96zhBFy98VnEt42jVGkgJ-MYXUfurFoMV74udkebbOz_cV44AcjpqAfzjBllYpxix-ldXuq5tjj6N2PMahLGDVLBW-X5Q8",
+    "body[data-settled=true][data-found]", async ({ robot, n, q, k, index, metric }, value) => {
+      assert.deepEqual([robot, n, q, k, index, metric], ["three", "300", "0.5,-1,2", "4", "forest", "euclidean"]);
+      assert.equal(await value("option-trees"), "3");
+    });
+  await opened("trajectories", "1q1ZKzyxLzVOyqlYqTk1NUbIyN9dRys1PSc1RslIqLsgsSsxRqtVRKinKBEmaGOgo5eelKllFG-iZ6uga6pnqGMfWAgA",
+    "body[data-settled=true] #stage[data-tried='40']", async (_, value) => {
+      assert.deepEqual([await value("option-seed"), await value("option-model"), await value("one-w-number")], ["77", "spiral", "-1.500"]);
+    });
+});
+
+/** What each folder of the pages may import from others; a feature of the planner's page says which of its neighbours it knows. */
+const KIT = "app domain draw formats widgets";
+const BELOW = {
+  formats: "", domain: "", app: "formats", draw: "app domain formats", widgets: "app domain draw formats",
+  neighbours: KIT, trajectories: KIT, reach: `${KIT} planner/link`, rooms: "app neighbours reach trajectories",
+  planner: `${KIT} planner/driving planner/editor planner/export planner/lessons planner/link planner/pose planner/race planner/run-log planner/scenes planner/settings planner/stage planner/timeline planner/worker`,
+  "planner/worker": KIT, "planner/settings": KIT, "planner/scenes": KIT,
+  "planner/run-log": `${KIT} planner/worker`, "planner/stage": `${KIT} planner/run-log`, "planner/pose": `${KIT} planner/run-log planner/stage`,
+  "planner/race": `${KIT} planner/settings`, "planner/link": KIT, "planner/lessons": `${KIT} planner/scenes`, "planner/timeline": `${KIT} planner/run-log`,
+  "planner/editor": `${KIT} planner/stage`, "planner/driving": `${KIT} planner/stage`,
+  "planner/export": `${KIT} planner/link planner/race planner/run-log planner/stage planner/timeline`,
+};
+
+test("a folder imports only what is below it", () => {
+  const folderOf = (/** @type {string} */ path) => /^(planner\/[\w-]+(?=\/)|[\w-]+)/.exec(path)?.[0] ?? "";
+  const sources = readdirSync(join(root, "www"), { recursive: true, encoding: "utf8" }).filter((path) => path.endsWith(".js"));
+  assert.deepEqual(new Set(sources.map(folderOf)), new Set(Object.keys(BELOW)));
+  for (const path of sources) {
+    const text = readFileSync(join(root, "www", path), "utf8");
+    const [own, allowed] = [folderOf(path), BELOW[/** @type {keyof typeof BELOW} */ (folderOf(path))].split(" ")];
+    for (const [, , other] of text.matchAll(/^(import |export ).*?"(\.[^"]+)"/gm)) {
+      const folder = folderOf(join(path, "..", other));
+      assert.ok(folder === own || allowed.includes(folder), `${path} imports ${other}`);
+    }
+  }
 });
 
 test("every page has the same policy as the planner's, and its own entry, style and links", () => {

@@ -83,7 +83,7 @@ describe("the experiment", () => {
       await rest(page, "[data-status=solved]");
       const { accepted, refused, fingerprint } = expected({});
       assert.deepEqual(await told(page), { status: "solved", accepted, tried: accepted + refused, drawn: 1000, last: "accepted", fingerprint });
-      assert.match(await page.locator("#story").innerText(), /1,000 trajectories, none of which crosses another/);
+      assert.match(await page.locator("#story").innerText(), /1,000 trajectories, no two of which cross/);
     });
   });
 
@@ -121,7 +121,7 @@ describe("the experiment", () => {
         const now = await inked(page);
         if (last === "refused") {
           assert.equal(now, before, "nothing is added below");
-          assert.match(await page.locator("#story").innerText(), /refused: it crosses number \d+/);
+          assert.match(await page.locator("#story").innerText(), /rejected: it crosses number \d+/);
           isRefusedSeen = true;
         } else assert.ok(now > before, `trajectory ${tried} is drawn`);
         before = now;
@@ -202,7 +202,7 @@ describe("settings", () => {
       await change(page, "max_iterations", "2000");
       await page.click("#course-finish");
       await rest(page, "[data-status=exhausted]");
-      assert.match(await page.locator("#story").innerText(), /Given up after 2,000 tries/);
+      assert.match(await page.locator("#story").innerText(), /Stopped after 2,000 tries/);
     });
   });
 });
@@ -236,10 +236,10 @@ describe("charts", () => {
       const tries = [...trajectories.tries()];
       trajectories.free();
       const mean = (/** @type {number[]} */ values) => values.reduce((sum, value) => sum + value, 0) / values.length;
-      const label = await page.getAttribute("svg.plot.tries", "aria-label") ?? "";
+      const label = await page.getAttribute("svg.chart.tries", "aria-label") ?? "";
       assert.ok(label.includes(`${mean(tries.slice(0, 20)).toFixed(1)} tries on average over the first 20, ${mean(tries.slice(-20)).toFixed(1)} over the last`), label);
-      assert.match(await page.getAttribute("svg.plot.time", "aria-label") ?? "", /1000 accepted, [\d.]+ microseconds on average over the first 20/);
-      for (const id of ["tries", "time"]) assert.equal(await page.locator(`svg.plot.${id} path.average`).count(), 1);
+      assert.match(await page.getAttribute("svg.chart.time", "aria-label") ?? "", /1000 accepted, [\d.]+ microseconds on average over the first 20/);
+      for (const id of ["tries", "time"]) assert.equal(await page.locator(`svg.chart.${id} path.average`).count(), 1);
     });
   });
 });

@@ -24,3 +24,16 @@ export function make(tag, properties = {}, ...children) {
   element.append(...children);
   return element;
 }
+
+/** Milliseconds between two changes of a text that can still be read. */
+export const READABLE = 80;
+
+const digits = new Intl.NumberFormat("en");
+
+/** @param {number} count */
+export function grouped(count) { return digits.format(count); }
+
+/** @param {HTMLElement} element @param {string} text */
+export function write(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}

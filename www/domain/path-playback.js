@@ -3,7 +3,7 @@
  * drives back and rests, at constant speed in the metric that the path was measured in.
  */
 
-/** @import { Placed } from "../draw/placed.js" */
+/** @import { Placed } from "../planner/stage/placed.js" */
 /** @import { Run } from "../planner/run-log/run-log.js" */
 /** @import { Check, ResultDocument, Scenario } from "./types.js" */
 /** @typedef {{ placed: Placed, motions: number[][] }} Course   speed, steering angle and seconds from each waypoint to the next */

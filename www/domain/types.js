@@ -52,7 +52,7 @@
  * @typedef {"workspace" | "cspace"} PaneKind
  *
  * @typedef {object} Look
- * @property {import("../draw/palette.js").Palette} palette
+ * @property {import("../app/palette.js").Palette} palette
  * @property {number} ratio   device pixels a CSS pixel
  * @property {boolean} calm   less motion is asked for
  * @property {number} bold    how much thicker lines and dots are than usual

@@ -1,7 +1,7 @@
 /** What lies beneath everything in the workspace: a grid, the bounds, how far an arm reaches, its base. */
 
 /** @import { Box } from "../domain/types.js" */
-/** @import { Palette } from "./palette.js" */
+/** @import { Palette } from "../app/palette.js" */
 /** @import { View } from "./view.js" */
 /** @typedef {CanvasRenderingContext2D} Context */
 

@@ -1,6 +1,6 @@
 /** A mask of cells, 1 for collision, as an image with round edges: the obstacles of a square of coordinates. */
 
-/** @import { Palette } from "./palette.js" */
+/** @import { Palette } from "../app/palette.js" */
 
 /** Rounds the stairs of a mask of cells: each becomes the weighted mean of its neighbourhood. @param {Uint8Array} bytes @param {number} side */
 export function soften(bytes, side) {

@@ -2,7 +2,7 @@
 
 /** @import { View } from "./view.js" */
 /** @import { Obstacle, Part } from "../domain/types.js" */
-/** @import { Palette } from "./palette.js" */
+/** @import { Palette } from "../app/palette.js" */
 /** @typedef {CanvasRenderingContext2D} Context */
 
 /** A part thinner than this on the screen is drawn as a line, CSS pixels. */

@@ -3,7 +3,7 @@ import { obstacleName, partName } from "../domain/names.js";
 import { contains, drawLabel, drawTouchingParts, obstacleMiddle, obstaclePath } from "./shapes.js";
 
 /** @import { Check, Obstacle, Part, Scenario, ScenarioDocument } from "../domain/types.js" */
-/** @import { Palette } from "./palette.js" */
+/** @import { Palette } from "../app/palette.js" */
 /** @import { View } from "./view.js" */
 /** @typedef {{ context: CanvasRenderingContext2D, view: View, palette: Palette, onPart: CanvasPattern | null, onObstacle: CanvasPattern | null }} Brush   with hatches for parts and for obstacles */
 /** @typedef {ScenarioDocument["world"]} World */

@@ -96,3 +96,11 @@ function leaves(angle) {
   if (angle < -Math.PI) return TURN;
   return 0;
 }
+
+/** The distance of a point to a segment. @param {number} x @param {number} y @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
+export function distanceToSegment(x, y, a, b) {
+  const dx = b[0] - a[0];
+  const dy = b[1] - a[1];
+  const t = Math.min(1, Math.max(0, ((x - a[0]) * dx + (y - a[1]) * dy) / (dx * dx + dy * dy || 1)));
+  return Math.hypot(a[0] + t * dx - x, a[1] + t * dy - y);
+}

@@ -44,6 +44,9 @@ export const record = (rules, others) => (value, at) => {
   }
 };
 
+/** A record, and the values of the entries that it leaves out. @param {Record<string, Rule>} rules @param {Record<string, unknown>} defaults @returns {Rule & { defaults: Record<string, unknown> }} */
+export const withDefaults = (rules, defaults) => Object.assign(record(rules), { defaults });
+
 export const settings = record({}, (value, at) => (typeof value === "string" ? text : typeof value === "number" ? number : flag)(value, at));
 
 /** Any JSON; what it means is for the package to judge. @param {number} depth  how deep it may be nested @returns {Rule} */

@@ -1,126 +1,105 @@
 /**
- * The page of nearest neighbours: wiring. It makes the desk, its figures and its controls, and lets them know of each other.
+ * The page of nearest neighbours: it makes the session, the figures and the panels.
  *
- * What tests may rely on, beside what room.js says: `body` carries `data-robot` (an id of robots.js), `data-n`, `data-source`
- * ("drawn" or "file"), `data-q`, `data-k`, `data-index`, `data-metric`, and of the answer `data-found` (the neighbours' numbers, in
- * their order), `data-missed`, `data-visited`; `#neighbours` has a row for each, `#timing` says how far it is measured.
+ * For tests, beside what app.js says: `body` carries `data-robot` (an id of robots.js), `data-n`, `data-source` ("drawn" or "file"),
+ * `data-q`, `data-k`, `data-index`, `data-metric`, and of the result `data-found` (the indices of the neighbours, in their order),
+ * `data-missed` and `data-visited`.
  */
-import * as library from "planarium";
-import { grouped, write } from "../planner/counters.js";
-import { byId } from "../app/dom.js";
+import { neighbourIndexes } from "planarium";
+import { App } from "../app/app.js";
+import { useLink } from "../app/link.js";
+import { byId, grouped } from "../app/dom.js";
 import { watchFiles } from "../app/drop.js";
-import { Gallery, SIDE } from "../widgets/gallery.js";
-import { loadCore } from "../app/resources.js";
-import { Asker } from "../room/ask.js";
-import { Link } from "../room/link.js";
-import { Room } from "../room/room.js";
-import { Sheet } from "../room/sheet.js";
-import { drawThumbnail } from "../draw/thumbnail.js";
-import { AnswerTable, configurationText, num, sentenceOf } from "./answer.js";
-import { DRAWN, Desk } from "./desk.js";
-import { Hand } from "./hand.js";
+import { Figure } from "../draw/figure.js";
+import { toCsv } from "../formats/csv.js";
+import { showDownloads } from "../widgets/downloads.js";
+import { num, tuple } from "../widgets/format.js";
+import { SceneGallery } from "../widgets/scene-gallery.js";
+import { watchHandles } from "./handles.js";
 import { Panel } from "./panel.js";
+import { DIGITS, sentenceOf, showNeighbours } from "./result.js";
 import { ROBOTS } from "./robots.js";
+import { DRAWN, NeighbourSession } from "./session.js";
 import { Square } from "./square.js";
-import { putState, stateOf, stateRule } from "./state.js";
-import { showTake } from "./take.js";
+import { openState, stateOf, stateRule } from "./state.js";
 import { Timing } from "./timing.js";
 import { Workspace } from "./workspace.js";
 
-/** @import { Change } from "./desk.js" */
-/** @import { Commands } from "./worker.js" */
+/** @import { Remote } from "../app/worker-client.js" */
+/** @import { Commands } from "./commands.js" */
+/** @import { Change } from "./session.js" */
+/** @import { State } from "./state.js" */
 
-const room = new Room();
-/** The sentence that was announced last. */
-let said = "";
+const app = new App();
 
-await room.open(async () => {
-  const core = await loadCore();
-  await library.default(core);
-  const asker = /** @type {Asker<Commands>} */ (new Asker("neighbours/worker.js", (error) => room.fail(error)));
-  void asker.start(core).catch((error) => room.fail(error));
-
-  const indexes = library.neighbourIndexes();
-  const desk = new Desk(room, library, asker, ROBOTS[0]);
+await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
   const stage = byId("stage", HTMLElement);
-  const workspace = new Workspace(desk);
-  const square = new Square(desk);
-  const sheets = {
-    workspace: new Sheet(room, stage, { id: "workspace", kind: "workspace", caption: "Workspace", note: "" }, workspace),
-    square: new Sheet(room, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "each dot is a configuration; the borders meet" }, square),
+  const indexes = neighbourIndexes();
+  const session = new NeighbourSession(app, worker, ROBOTS[0]);
+  const drawings = { workspace: new Workspace(session), square: new Square(session) };
+  const figures = {
+    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace" }, drawings.workspace),
+    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "one dot per configuration; borders wrap" }, drawings.square),
   };
-  const all = Object.values(sheets);
-  const gallery = new Gallery(/** @type {any[]} */ (ROBOTS), ({ id }) => {
-    const entry = ROBOTS.find((one) => one.id === id);
-    if (entry) void desk.open(entry);
-  });
-  new Panel(desk, indexes);
-  new AnswerTable(desk);
-  const timing = new Timing(desk, indexes);
-  showTake(desk, timing, all);
-  const hand = new Hand(desk);
-  hand.listen(sheets.workspace, hand.onWorkspace(workspace));
-  hand.listen(sheets.square, hand.onSquare(square));
-  hand.listenKeys(stage);
+  const all = Object.values(figures);
+  const gallery = new SceneGallery(app, ROBOTS, ({ document, q }) => ({ ...document, queries: [{ name: "q", start: q, goal: q }] }), (entry) => void session.open(entry));
+  new Panel(session, indexes);
+  const timing = new Timing(session, indexes);
+  const csv = (/** @type {string} */ text) => new Blob([text], { type: "text/csv" });
+  showDownloads(app, all, { name: () => `neighbours-${session.entry.id}-${session.count}-k${session.k}`, title: () => session.entry.title }, [
+    { id: "csv", title: "Neighbours", format: "CSV", meaning: "Rank, index, distance and configuration.", content: () => csv(neighboursCsv()) },
+    { id: "timings", title: "Timings", format: "CSV", meaning: "All measurements.", content: () => csv(timing.csv()), name: () => `timings-${session.entry.id}` },
+  ]);
+  watchHandles(session, stage, figures, drawings);
   watchFiles((name, bytes) => {
-    room.notice.hide();
-    void desk.read(name, bytes);
-  }, (name, error) => room.fail(error, `${name} could not be read.`));
-  const link = new Link(room, stateRule, () => stateOf(desk), async (state) => {
-    if (state) await putState(desk, /** @type {any} */ (state), indexes.map(({ id }) => id));
-    else if (desk.dimension === 0) await desk.open(ROBOTS[0]);
-    room.notice.hide();
-  }, "this robot, its drawn configurations, the target and the question; a list of your own is not in it");
-
-  desk.onChange(show);
-  room.recover = () => void library.default().then(() => desk.open(desk.entry, { q: [...desk.q], k: desk.k })).catch((error) => room.fail(error));
-  room.onDress(() => {
-    for (const sheet of all) sheet.redraw();
-    thumbnails();
+    app.notice.hide();
+    void session.read(name, bytes);
+  }, (name, error) => app.fail(error, `${name} could not be read.`));
+  session.onChange(show);
+  app.rebuild = () => session.open(session.entry, { q: session.q, k: session.k });
+  await useLink(app, stateRule, {
+    save: () => stateOf(session), contents: "the robot, the sampling, the target and the query. Your own list is not included",
+    open: async (/** @type {State | null} */ state) => {
+      if (state) await openState(session, state);
+      else if (session.dimension === 0) await session.open(ROBOTS[0]);
+    },
   });
-  await link.obey();
-  thumbnails();
 
   /** @param {Change} change */
   function show(change) {
-    const { entry, count, q, k, index, given, found, missed, source } = desk;
-    const isSquare = desk.isArm && desk.dimension === 2;
+    const { entry, count, q, k, index, given, found, missed, file, isArm, dimension } = session;
     const { dataset } = document.body;
-    Object.assign(dataset, { robot: entry.id, n: String(count), source: typeof source === "string" ? "file" : "drawn", q: [...q].join(), k: String(k), index, metric: String(given.metric ?? "") });
-    if (change === "answer") Object.assign(dataset, { found: [...found.indices].join(), missed: String(missed.length), visited: String(found.visited) });
+    Object.assign(dataset, { robot: entry.id, n: count, source: file === null ? "drawn" : "file", q: [...q].join(), k, index, metric: given.metric ?? "" });
+    if (change === "result") Object.assign(dataset, { found: [...found.indices].join(), missed: missed.length, visited: found.visited });
     else delete dataset.found;
-    sheets.square.show(isSquare);
+    const isSquare = isArm && dimension === 2;
+    figures.square.element.hidden = !isSquare;
     stage.classList.toggle("single", !isSquare);
-    for (const sheet of all) {
-      if (change === "robot" || change === "list") sheet.redraw();
-      else sheet.refresh();
+    for (const figure of all) {
+      if (change === "robot" || change === "list") figure.redraw();
+      else figure.redrawTop();
     }
     if (change === "robot") gallery.mark(entry.id);
-    write(byId("where", HTMLElement), `${entry.title} \u00b7 ${grouped(count)} configurations`);
-    write(byId("list-told", HTMLElement), typeof source === "string" ? `${source}: ${grouped(count)} configurations, in the order of the file.` : "Drawn uniformly, the same for the same seed.");
-    sheets.workspace.note.textContent = count > DRAWN && entry.document.robot.type !== "disc" ? `the first ${DRAWN} of ${grouped(count)}; a dot for each ${desk.isArm ? "tip" : "middle"}` : "";
-    if (change !== "answer") return;
-    const text = sentenceOf(desk);
-    const story = byId("story", HTMLElement);
-    write(story, text);
-    story.dataset.tone = missed.length > 0 ? "bad" : "";
-    write(byId("fact-target", HTMLElement), configurationText(q));
-    write(byId("fact-nearest", HTMLElement), found.distances.length > 0 ? num(found.distances[0]) : "\u2013");
-    write(byId("fact-farthest", HTMLElement), found.distances.length > 0 ? num(found.distances[found.distances.length - 1]) : "\u2013");
-    write(byId("fact-visited", HTMLElement), `${grouped(found.visited)} of ${grouped(count)}`);
-    write(byId("fact-right", HTMLElement), `${found.indices.length - missed.length} of ${found.indices.length}`);
-    for (const sheet of all) sheet.describe(`${sheet.caption.textContent}: the ${found.indices.length} configurations nearest to ${configurationText(q)}, of ${count}. ${text}`);
-    if (said !== text) room.announcer.say(text);
-    said = text;
+    app.write({
+      where: `${entry.title} \u00b7 ${grouped(count)} configurations`,
+      "list-told": file === null ? "Sampled uniformly: the same seed gives the same list." : `${file}: ${grouped(count)} configurations, in the order of the file.`,
+    });
+    figures.workspace.note.textContent = count > DRAWN && entry.document.robot.type !== "disc" ? `the first ${DRAWN} of ${grouped(count)}; a dot for each ${isArm ? "tip" : "middle"}` : "";
+    if (change === "result" || change === "robot") showNeighbours(session);
+    if (change !== "result") return;
+    const { length } = found.indices;
+    const distanceText = (/** @type {number | undefined} */ distance) => (distance === undefined ? "\u2013" : num(distance, DIGITS));
+    const text = sentenceOf(session);
+    app.say(text, { isBad: missed.length > 0 });
+    app.write({
+      "fact-target": tuple(q, DIGITS), "fact-nearest": distanceText(found.distances[0]), "fact-farthest": distanceText(found.distances[length - 1]),
+      "fact-visited": `${grouped(found.visited)} of ${grouped(count)}`, "fact-recall": `${length - missed.length} of ${length}`,
+    });
+    for (const figure of all) figure.describe(`${figure.caption.textContent}: the ${length} configurations nearest to ${tuple(q, DIGITS)}, of ${count}. ${text}`);
   }
 
-  /** Small pictures of the robots, each at its target. */
-  function thumbnails() {
-    const { look } = room;
-    for (const { id, document, q } of ROBOTS) {
-      const scenario = library.Scenario.parse({ ...document, queries: [{ name: "q", start: q, goal: q }] });
-      gallery.draw(id, drawThumbnail(scenario, SIDE, look));
-      scenario.free();
-    }
+  function neighboursCsv() {
+    const { found: { indices, distances }, coordinates } = session;
+    return toCsv(["rank", "number", "distance", ...coordinates.map(({ name }) => name)], Array.from(indices, (i, rank) => [rank + 1, i, distances[rank], ...session.row(i)]));
   }
 });

@@ -1,96 +1,77 @@
-/** The settings: where the list comes from, the target, the question. What the indexes take is built from the core's own table. */
+/** The settings: how the list is sampled, the target and the query. Options of the indexes are built from the core's table. */
 import { byId, make } from "../app/dom.js";
-import { Options } from "../room/options.js";
-import { Slider } from "../room/slider.js";
-import { Count } from "./count.js";
+import { tuple } from "../widgets/format.js";
+import { Options } from "../widgets/options.js";
+import { Slider } from "../widgets/slider.js";
 
 /** @import { IndexInfo } from "planarium" */
-/** @import { Desk, Change } from "./desk.js" */
-/** @import { IndexId, Settings } from "./types.js" */
-
-/** The most neighbours that are asked for. */
-const MOST = 500;
+/** @import { NeighbourSession, Change } from "./session.js" */
+/** @import { IndexId, Preset } from "./types.js" */
 
 export class Panel {
-  /** @param {Desk} desk @param {IndexInfo[]} table */
-  constructor(desk, table) {
-    this.desk = desk;
+  /** @param {NeighbourSession} session @param {IndexInfo[]} table */
+  constructor(session, table) {
+    const { sampling } = session;
+    this.session = session;
     this.table = table;
-    const { draw } = desk;
-    this.count = new Count({ name: "count", title: "Count", min: 100, max: 100_000 }, draw.n, (n) => void desk.fill({ n }));
-    this.seed = new Slider({ name: "seed", title: "Seed", unit: "", min: 0, max: 999, kind: "integer" }, draw.seed, (seed) => void desk.fill({ seed }));
-    this.free = make("input", { type: "checkbox", id: "free", checked: draw.free });
-    this.free.setAttribute("role", "switch");
-    this.free.addEventListener("change", () => void desk.fill({ free: this.free.checked }));
-    byId("list-settings", HTMLElement).append(this.count.element, this.seed.element,
-      make("label", { className: "row", htmlFor: "free" }, make("span", { className: "name" }, "Only free ones"), this.free));
-    this.preset = make("select", { id: "preset", ariaLabel: "Preset" });
+    this.count = new Slider({ name: "count", title: "Count", min: 100, max: 100_000, kind: "integer", isLog: true }, sampling.n, (n) => void session.sample({ n }));
+    this.seed = new Slider({ name: "seed", title: "Seed", min: 0, max: 999, kind: "integer" }, sampling.seed, (seed) => void session.sample({ seed }));
+    this.free = byId("free", HTMLInputElement);
+    this.free.addEventListener("change", () => void session.sample({ free: this.free.checked }));
+    byId("list-settings", HTMLElement).prepend(this.count.element, this.seed.element);
+    this.preset = byId("preset", HTMLSelectElement);
     this.preset.addEventListener("change", () => {
-      const preset = desk.entry.presets[Number(this.preset.value)];
-      if (preset && this.preset.value !== "") {
-        desk.place(preset.q);
-        desk.question({ k: preset.k });
-      }
+      const preset = session.entry.presets[Number(this.preset.value)];
+      if (this.preset.value !== "") session.setQuery({ q: session.fitted(preset.q), k: preset.k });
     });
-    this.targets = byId("target", HTMLElement);
     /** @type {Slider[]} */
     this.sliders = [];
-    this.k = new Slider({ name: "k", title: "k", unit: "", min: 1, max: MOST, kind: "integer" }, desk.k, (k) => desk.question({ k }));
-    this.index = make("select", { id: "index" }, ...table.map(({ id, title }) => make("option", { value: id }, title)));
+    this.k = new Slider({ name: "k", title: "k", min: 1, max: 500, kind: "integer" }, session.k, (k) => session.setQuery({ k }));
+    byId("query-settings", HTMLElement).prepend(this.k.element);
+    this.index = byId("index", HTMLSelectElement);
+    this.index.append(...table.map(({ id, title }) => make("option", { value: id }, title)));
     this.index.addEventListener("change", () => {
-      desk.question({ index: /** @type {IndexId} */ (this.index.value) });
-      this.build();
+      session.setQuery({ index: /** @type {IndexId} */ (this.index.value) });
+      this.buildOptions();
     });
-    this.summary = make("p", { className: "hint", id: "index-summary" });
-    this.host = make("div", { id: "index-settings" });
-    /** @type {Options | null} */
-    this.options = null;
-    byId("question", HTMLElement).append(this.k.element,
-      make("label", { className: "row", htmlFor: "index" }, make("span", { className: "name" }, "Index"), this.index), this.summary, this.host);
-    desk.onChange((change) => this.show(change));
+    session.onChange((change) => this.show(change));
   }
 
-  /** The parameters of the index, as far as they are for the robot. */
-  build() {
-    const { desk } = this;
-    const info = this.table.find(({ id }) => id === desk.index);
-    if (!info) return;
-    this.summary.textContent = info.summary;
-    // Of a disc the metric is always the same one.
-    const own = info.parameters.filter(({ name }) => name !== "metric" || desk.isArm);
-    this.options = new Options(this.host, own, desk.given, () => {
-      const given = this.options?.settings;
-      // What another index takes is kept for when it comes back.
-      if (given) desk.question({ given: { ...this.others(own.map(({ name }) => name)), ...given } });
+  /** The options of the index; only an arm has a choice of metrics. */
+  buildOptions() {
+    const { session, table } = this;
+    const info = table.find(({ id }) => id === session.index) ?? table[0];
+    session.app.write({ "index-summary": info.summary });
+    const options = new Options(byId("index-settings", HTMLElement), info.parameters.filter(({ name }) => name !== "metric" || session.isArm), session.given, () => {
+      // The options of other indexes stay for later.
+      if (options.settings) session.setQuery({ given: { ...session.given, ...options.settings } });
     });
   }
-
-  /** What is set and is not for this index. @param {string[]} names @returns {Settings} */
-  others(names) { return Object.fromEntries(Object.entries(this.desk.given).filter(([name]) => !names.includes(name))); }
 
   /** @param {Change} change */
   show(change) {
-    const { desk } = this;
+    const { session } = this;
+    const { entry: { presets }, coordinates, sampling, q, k, index } = session;
+    if (change === "result") return;
     if (change === "robot") {
-      const values = (/** @type {number[]} */ q) => q.map((value) => String(value).replace("-", "\u2212")).join(", ");
-      this.preset.replaceChildren(make("option", { value: "" }, "\u2013"), ...desk.entry.presets.map(({ q, k }, i) => make("option", { value: String(i) }, `(${values(q)}), k = ${k}`)));
-      this.sliders = desk.coordinates.map(({ name, low, high, unit }, i) => new Slider({ name: `q${i}`, title: name, unit, min: low, max: high }, desk.q[i], (value) => desk.turn(i, value)));
-      this.targets.replaceChildren(make("label", { className: "row", htmlFor: "preset" }, make("span", { className: "name" }, "Preset"), this.preset), ...this.sliders.map(({ element }) => element));
-      this.build();
+      this.preset.replaceChildren(make("option", { value: "" }, "\u2013"), ...presets.map((preset, i) => make("option", { value: String(i) }, `${tuple(preset.q)}, k = ${preset.k}`)));
+      this.sliders = coordinates.map(({ name, low, high, unit }, i) => new Slider({ name: `q${i}`, title: name, unit, min: low, max: high }, q[i], (value) => session.setCoordinate(i, value)));
+      byId("target", HTMLElement).replaceChildren(...this.sliders.map(({ element }) => element));
+      this.buildOptions();
     }
-    if (change === "list" && typeof desk.source !== "string") {
-      this.count.show(desk.source.n);
-      this.seed.show(desk.source.seed);
-      this.free.checked = desk.source.free;
-    }
-    if (change === "answer") return;
-    this.sliders.forEach((slider, i) => slider.show(desk.q[i]));
-    this.k.show(desk.k);
-    this.index.value = desk.index;
-    const at = desk.entry.presets.findIndex(({ q, k }) => k === desk.k && q.every((value, i) => Math.abs(turned(value - desk.q[i], desk.coordinates[i].isCircle)) < 1e-9));
-    this.preset.value = at < 0 ? "" : String(at);
+    this.count.show(sampling.n);
+    this.seed.show(sampling.seed);
+    this.free.checked = sampling.free;
+    this.sliders.forEach((slider, i) => slider.show(q[i]));
+    this.k.show(k);
+    this.index.value = index;
+    const preset = presets.findIndex((one) => this.isShown(one));
+    this.preset.value = preset < 0 ? "" : String(preset);
+  }
+
+  /** @param {Preset} preset */
+  isShown({ q, k }) {
+    const { session } = this;
+    return k === session.k && session.scenario.distance(session.fitted(q), session.q) < 1e-9;
   }
 }
-
-/** A difference, of angles the short way round. @param {number} difference @param {boolean} isCircle */
-function turned(difference, isCircle) { return isCircle ? difference - 2 * Math.PI * Math.round(difference / (2 * Math.PI)) : difference; }

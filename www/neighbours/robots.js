@@ -1,4 +1,4 @@
-/** The robots of this page: small worlds, each with a target and the questions of the course reports' tables. */
+/** The built-in robots: small worlds, each with a target and the queries of the course reports. */
 
 /** @import { Obstacle } from "../domain/types.js" */
 /** @import { Preset, RobotEntry, ScenarioDocument } from "./types.js" */
@@ -11,8 +11,8 @@ function box(x, y, width, height) {
 /** @param {number} x @param {number} y @param {number} radius @returns {Obstacle} */
 function disc(x, y, radius) { return { type: "disc", center: [x, y], radius }; }
 
-/** @param {[number[], number][]} questions @returns {Preset[]} */
-function presets(questions) { return questions.map(([q, k]) => ({ q, k })); }
+/** @param {[number[], number][]} queries @returns {Preset[]} */
+function presets(queries) { return queries.map(([q, k]) => ({ q, k })); }
 
 const BOUNDS = { min: /** @type {[number, number]} */ ([0, 0]), max: /** @type {[number, number]} */ ([2, 2]) };
 
@@ -25,7 +25,8 @@ function arm(name, title, links, obstacles) {
 export const ROBOTS = [
   {
     id: "two", title: "Two joints", document: arm("two-joints", "Two joints", [0.6, 0.45], [disc(0.62, 0.62, 0.18), box(-0.85, 0.45, 0.3, 0.2), disc(-0.35, -0.7, 0.16)]),
-    q: [3.14, 1.5], k: 6,
+    // Near both ends of the circle of one joint, and near 0, where the naive metric cuts, of the other.
+    q: [3.1, 0.05], k: 6,
     presets: presets([[[0, 0], 3], [[3.14, 1.5], 6], [[4, 5.2], 4], [[1.5, 1.1], 10], [[5.8, -1.5], 5], [[3.14, 0], 20]]),
   },
   {
@@ -37,18 +38,18 @@ export const ROBOTS = [
     q: [3, 0.5, 0.4, -0.6], k: 5, presets: presets([[[3, 0.5, 0.4, -0.6], 5], [[0, 3.1, 0, -3.1], 5]]),
   },
   {
-    id: "body", title: "A body that turns",
+    id: "body", title: "Rotating body",
     document: {
-      format: "planarium-scenario-1", name: "body", title: "A body that turns", world: { bounds: BOUNDS, obstacles: [disc(1.35, 0.6, 0.17), box(0.25, 1.2, 0.3, 0.22)] },
+      format: "planarium-scenario-1", name: "body", title: "Rotating body", world: { bounds: BOUNDS, obstacles: [disc(1.35, 0.6, 0.17), box(0.25, 1.2, 0.3, 0.22)] },
       robot: { type: "rigid_body", shape: { type: "polygon", vertices: [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]] }, metric: { translation: 0.7, rotation: 0.3 } }, queries: [],
     },
     q: [1, 1, 0], k: 3,
     presets: presets([[[1, 1, 0], 3], [[0.5, 0.5, 0], 4], [[0.75, 0.5, 0.2], 4], [[1, 1.5, -0.2], 4], [[0.4, 0.5, -0.3], 5], [[0.5, 0.5, 1], 4], [[1.75, 1.75, 0], 4], [[1.75, 1.75, 0], 20]]),
   },
   {
-    id: "point", title: "A point",
+    id: "point", title: "Point",
     document: {
-      format: "planarium-scenario-1", name: "point", title: "A point", world: { bounds: BOUNDS, obstacles: [disc(1.3, 1.3, 0.3), box(0.3, 0.5, 0.5, 0.2)] },
+      format: "planarium-scenario-1", name: "point", title: "Point", world: { bounds: BOUNDS, obstacles: [disc(1.3, 1.3, 0.3), box(0.3, 0.5, 0.5, 0.2)] },
       robot: { type: "disc", radius: 0 }, queries: [],
     },
     q: [1, 0.9], k: 8, presets: presets([[[1, 0.9], 8], [[0.25, 1.75], 5]]),

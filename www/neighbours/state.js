@@ -1,38 +1,38 @@
-/** What lies on the desk as a link holds it, and back. A list of the reader's own is not in it. */
-import { flag, list, name, number, record, rule, settings, whole } from "../formats/rules.js";
+/** The state that a link stores; a list from a file is not in it. */
+import { Scenario } from "planarium";
+import { flag, list, name, number, record, rule, settings, whole, withDefaults } from "../formats/rules.js";
 import { ROBOTS } from "./robots.js";
 
 /** @import { NeighboursOptions } from "planarium" */
-/** @import { Rule } from "../formats/rules.js" */
-/** @import { Desk } from "./desk.js" */
-/** @import { Draw, IndexId, Settings } from "./types.js" */
+/** @import { NeighbourSession } from "./session.js" */
+/** @import { IndexId, Sampling, Settings } from "./types.js" */
 
-/** @typedef {{ robot: string, draw: Draw, q: number[], k: number, index: IndexId, given: Settings }} State */
+/** @typedef {{ robot: string, draw: Sampling, q?: number[], k?: number, index: IndexId, given: Settings }} State */
 
-/** @type {Rule} */
-export const stateRule = record({
-  robot: rule((value) => ROBOTS.some(({ id }) => id === value)),
-  draw: record({ n: rule((value) => Number.isInteger(value) && Number(value) >= 100 && Number(value) <= 100_000), seed: whole(999), free: flag }),
-  q: list(number, 1, 8), k: rule((value) => Number.isInteger(value) && Number(value) >= 1 && Number(value) <= 500),
-  index: name, given: settings,
-});
+/** A whole number in a range. @param {number} least @param {number} most */
+const between = (least, most) => rule((value) => Number.isInteger(value) && Number(value) >= least && Number(value) <= most);
 
-/** @param {Desk} desk @returns {State} */
-export function stateOf({ entry, draw, q, k, index, given }) {
-  return { robot: entry.id, draw, q: Array.from(q, (value) => Number(value.toFixed(6))), k, index, given };
+export const stateRule = withDefaults({
+  robot: rule((value) => ROBOTS.some(({ id }) => id === value)), draw: record({ n: between(100, 100_000), seed: whole(999), free: flag }),
+  q: list(number, 1, 8), k: between(1, 500), index: name, given: settings,
+}, { robot: ROBOTS[0].id, draw: {}, index: "kd-tree", given: {} });
+
+/** @param {NeighbourSession} session @returns {State} */
+export function stateOf({ entry, sampling, q, k, index, given }) {
+  return { robot: entry.id, draw: sampling, q: Array.from(q, (value) => Number(value.toFixed(6))), k, index, given };
 }
 
-/** @param {Desk} desk @param {State} state @param {IndexId[]} indexes  those that there are */
-export async function putState(desk, { robot, draw, q, k, index, given }, indexes) {
-  const entry = ROBOTS.find(({ id }) => id === robot);
-  if (!entry || !indexes.includes(index)) throw new Error("It asks for what is not there.");
-  // The core judges what the index is to take, before anything is changed.
-  const scenario = desk.library.Scenario.parse(entry.document);
+/** @param {NeighbourSession} session @param {State} state @throws {Error} the core refuses it */
+export async function openState(session, { robot, draw, q, k, index, given }) {
+  const entry = ROBOTS.find(({ id }) => id === robot) ?? ROBOTS[0];
+  // The core checks the options before anything changes.
+  const scenario = Scenario.parse(entry.document);
   try {
-    scenario.neighbours(/** @type {NeighboursOptions} */ ({ index: "forest", ...given })).free();
+    scenario.neighbours({ index }).free();
+    scenario.neighbours(/** @type {NeighboursOptions} */ ({ ...given, index: "forest" })).free();
   } finally {
     scenario.free();
   }
-  Object.assign(desk, { draw: { ...desk.draw, ...draw }, index, given: { ...given } });
-  await desk.open(entry, { q, k });
+  Object.assign(session, { sampling: { ...session.sampling, ...draw }, index, given });
+  await session.open(entry, { q, k });
 }

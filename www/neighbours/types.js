@@ -1,49 +1,45 @@
 /**
- * The words that this page's modules share. Types only.
+ * Types that this page's modules share.
  *
  * @typedef {import("planarium").ScenarioDocument} ScenarioDocument
- * @typedef {import("planarium").Scenario} Scenario
  * @typedef {import("planarium").IndexInfo["id"]} IndexId
  * @typedef {import("planarium").NeighboursFound} Found
  * @typedef {Record<string, number | string | boolean>} Settings
  * @typedef {[number, number]} Point
+ * @typedef {{ q: number[], k: number }} Preset   a query
  *
- * @typedef {object} RobotEntry   one of the page's own robots
+ * @typedef {object} RobotEntry   a built-in robot
  * @property {string} id
  * @property {string} title
  * @property {ScenarioDocument} document
- * @property {number[]} q    the target to begin with
+ * @property {number[]} q    the target at first
  * @property {number} k
  * @property {Preset[]} presets
  *
- * @typedef {object} Preset   a question with a name
- * @property {number[]} q
- * @property {number} k
+ * @typedef {{ n: number, seed: number, free: boolean }} Sampling
  *
- * @typedef {{ n: number, seed: number, free: boolean }} Draw   configurations drawn by seed
- *
- * @typedef {object} List   the configurations, as the worker hands them over
- * @property {number} version   that of the list; answers are for one
+ * @typedef {object} List   configurations
+ * @property {number} version   another for each list
  * @property {Float64Array} rows
- * @property {Float64Array} tips   of each the point that the workspace plots, x and y
+ * @property {Float64Array} tips   for each the end effector, or the middle of a body, x and y
  *
- * @typedef {object} Question
+ * @typedef {object} Query
  * @property {number} version   of the list
  * @property {Float64Array} q
  * @property {number} k
  * @property {IndexId} index
- * @property {Settings} given   the index's parameters
+ * @property {Settings} given   the options of the index
  *
- * @typedef {object} Reply
+ * @typedef {object} Result
  * @property {Found} found
- * @property {Found} exact   by the metric that is meant: exact, and angles wrapped
+ * @property {Found} exact   by exact search, with angles that wrap
  *
- * @typedef {object} Measured   one index with so many configurations
+ * @typedef {object} Measured   an index on n configurations
  * @property {IndexId} index
  * @property {number} n
  * @property {number} build     seconds
- * @property {number} query     seconds, in the middle of several batches
- * @property {number} visited   on average
- * @property {number} recall    part of the true nearest, on average
+ * @property {number} query     seconds, the median of several batches
+ * @property {number} visited   mean
+ * @property {number} recall    mean part of the true nearest neighbours that were found
  */
 export {};

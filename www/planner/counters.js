@@ -1,10 +1,7 @@
 /** The numbers of the run in one line, and the same numbers as data attributes for whoever watches the page. */
-import { byId } from "../app/dom.js";
+import { READABLE, byId, grouped, write } from "../app/dom.js";
 
 /** @import { LaneState } from "../domain/types.js" */
-
-/** Milliseconds between two changes of the text. */
-export const READABLE = 80;
 
 const NUMBERS = /** @type {const} */ ([
   "phase", "iterations", "vertices", "edges", "length", "segments", "checks", "motions", "evaluations", "nearest", "time", "rate", "fingerprint",
@@ -77,13 +74,3 @@ function short(count) { return count < 100_000 ? grouped(Math.round(count)) : co
 
 /** @param {number} seconds */
 function duration(seconds) { return seconds < 1 ? `${Math.round(1000 * seconds)} ms` : `${seconds.toFixed(seconds < 10 ? 2 : 1)} s`; }
-
-const digits = new Intl.NumberFormat("en");
-
-/** @param {number} count */
-export function grouped(count) { return digits.format(count); }
-
-/** @param {HTMLElement} element @param {string} text */
-export function write(element, text) {
-  if (element.textContent !== text) element.textContent = text;
-}

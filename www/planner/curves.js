@@ -3,7 +3,7 @@
  * evaluations, in few points, so that a long run costs no more than a short one.
  */
 import { letter } from "./race/standings.js";
-import { Chart, told as words } from "../widgets/chart.js";
+import { Chart, numberText as words } from "../widgets/chart.js";
 import { byId, make } from "../app/dom.js";
 
 /** @import { Page } from "./page.js" */
@@ -20,8 +20,8 @@ const WIDTH = 3;
 /** @param {Page} page */
 export function watchCurves(page) {
   const fold = byId("curves-fold", HTMLDetailsElement);
-  const vertices = new Chart("vertices", "Vertices");
-  const cost = new Chart("cost", "Path length");
+  const vertices = new Chart("vertices", "Vertices", { isTimeline: true });
+  const cost = new Chart("cost", "Path length", { isTimeline: true });
   const charts = [vertices, cost];
   const table = make("table", { className: "standings" });
   const scroll = make("div", { className: "scroll", tabIndex: 0 }, table);
@@ -39,7 +39,6 @@ export function watchCurves(page) {
   page.onState(() => ask());
   fold.addEventListener("toggle", () => ask());
   numbers.addEventListener("toggle", () => draw());
-  new ResizeObserver(() => draw()).observe(fold);
 
   /** Asks for the curves if they are others than those that are known, now or after a pause. */
   function ask() {
@@ -69,8 +68,9 @@ export function watchCurves(page) {
     const unit = state.lanes[0].unit;
     const [grown, costs] = [1, 2].map((which) => lanes.map((rows, i) => ({ label: isRace ? letter(i) : "", points: column(rows, which) })));
     cost.title.textContent = `Path length, ${unit}`;
-    vertices.draw(grown, { end: head, time, isFromZero: true, summary: `Vertices against ${time}, up to ${words(head)}. ${summaryOf(grown, names, time)}` });
-    cost.draw(costs, { end: head, time, isFromZero: false, summary: `Length of the best path against ${time}, up to ${words(head)}. ${summaryOf(costs, names, time)}` });
+    const across = { title: time, low: 0, high: Math.max(1, head) };
+    vertices.draw(grown, across, { title: "vertices", low: 0 }, `Vertices against ${time}, up to ${words(head)}. ${summaryOf(grown, names, time)}`);
+    cost.draw(costs, across, { title: "path length" }, `Length of the best path against ${time}, up to ${words(head)}. ${summaryOf(costs, names, time)}`);
     for (const chart of charts) chart.show(state.clock.now);
     if (numbers.open) list(grown, costs, names, time);
   }

@@ -3,10 +3,10 @@ import { playbackOf } from "../domain/path-playback.js";
 import { PAST, Run } from "./run-log/run-log.js";
 
 /** @import { Standing } from "./race/standings.js" */
-/** @import { Marked } from "../draw/marked.js" */
+/** @import { Marked } from "./stage/marked.js" */
 /** @import { Overlay } from "./editor/editor.js" */
-/** @import { Pane } from "../draw/pane.js" */
-/** @import { Placed } from "../draw/placed.js" */
+/** @import { Pane } from "./stage/pane.js" */
+/** @import { Placed } from "./stage/placed.js" */
 /** @import { PathPlayback } from "../domain/path-playback.js" */
 /** @import { Check, Configuration, Plan, Scenario, ScenarioDocument, Target, ViewOptions } from "../domain/types.js" */
 

@@ -1,6 +1,5 @@
 /** The legend names what can be seen just now, and no more. */
-import { write } from "./counters.js";
-import { byId } from "../app/dom.js";
+import { byId, write } from "../app/dom.js";
 
 /** @import { Page } from "./page.js" */
 /** @import { LaneState, State } from "../domain/types.js" */

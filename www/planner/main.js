@@ -17,10 +17,10 @@
  * - In a race each row of `#standings tbody` carries `data-status` and, at rest at the newest iteration, `data-fingerprint`.
  * - The work of each frame in which something grew is a `performance.measure` called "planarium-frame".
  */
+import { watchAnnouncements } from "./announce.js";
 import * as library from "planarium";
-import { watchAnnouncements } from "../app/announcer.js";
-import { Counters, write } from "./counters.js";
-import { byId } from "../app/dom.js";
+import { Counters } from "./counters.js";
+import { byId, write } from "../app/dom.js";
 import { isArray, watchFiles } from "../app/drop.js";
 import { Gallery, SIDE } from "../widgets/gallery.js";
 import { watchKeys } from "../app/keys.js";
@@ -28,7 +28,7 @@ import { showLegend } from "./legend.js";
 import { Notice } from "../app/notice.js";
 import { Panel } from "./settings/panel.js";
 import { Pose } from "./pose/controls.js";
-import { Projector } from "./projector.js";
+import { Projector } from "../app/projector.js";
 import { showPseudocode } from "./pseudocode.js";
 import { watchTheme } from "../app/theme.js";
 import { watchReadout } from "./pose/readout.js";
@@ -95,7 +95,7 @@ async function start() {
   const options = new Part(notice, async () => (await import("./scenes/options.js")).showSceneOptions(page, generators)).inFold("make-fold");
   page.onOpen((_, entry) => { if (entry?.sliders) options.use(); });
   watchReadout(page);
-  const projector = new Projector(page);
+  const projector = new Projector(() => page.setTheme());
 
   const race = new Part(notice, async () => new (await import("./race/race.js")).Race(page, sheets)).inFold("race-fold");
   page.needRace = () => race.get();

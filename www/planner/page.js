@@ -3,11 +3,11 @@
  * scene opens, when a state comes, when the colours change; none of them knows the others.
  */
 import { byId } from "../app/dom.js";
-import { isProjected } from "./projector.js";
+import { isProjected } from "../app/projector.js";
 import { nameAll } from "./race/names.js";
 import { faultOf } from "../app/fault.js";
 import { loadScene } from "../app/resources.js";
-import { readPalette } from "../draw/palette.js";
+import { readPalette } from "../app/palette.js";
 import { letter } from "./race/standings.js";
 
 /** @import { Notice } from "../app/notice.js" */

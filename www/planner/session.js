@@ -4,7 +4,7 @@
  */
 import { faultOf } from "../app/fault.js";
 import { once } from "../app/once.js";
-import { Stage } from "../draw/stage.js";
+import { Stage } from "./stage/stage.js";
 import { Clock } from "./timeline/clock.js";
 import { Timeline } from "./timeline/playback.js";
 import { coordinatesOf } from "../domain/coordinates.js";
@@ -20,7 +20,7 @@ import { PoseByHand } from "./pose/pose-by-hand.js";
 /** @import { Curves, Library, Plan, Pointer, Programme, Scenario, ScenarioDocument, SceneFacts, Source, State, ViewOptions } from "../domain/types.js" */
 /** @import { Driving } from "./driving/driving.js" */
 /** @import { Editor } from "./editor/editor.js" */
-/** @import { Placed } from "../draw/placed.js" */
+/** @import { Placed } from "./stage/placed.js" */
 /** @import { Shown } from "./lane.js" */
 
 /** Milliseconds into a frame at which inking new growth stops. */
@@ -31,7 +31,7 @@ const REDRAW = 24;
 const MEASURES = 20000;
 
 /** Fetched once. */
-export const placed = once(() => import("../draw/placed.js"));
+export const placed = once(() => import("./stage/placed.js"));
 
 export class Session {
   /**

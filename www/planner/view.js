@@ -1,6 +1,5 @@
 /** What is to be seen on the stage: what was refused, poses along the path, the path as it was found, which coordinates a plane shows. */
-import { write } from "./counters.js";
-import { byId, make } from "../app/dom.js";
+import { byId, make, write } from "../app/dom.js";
 
 /** @import { Page } from "./page.js" */
 /** @import { SceneFacts, State } from "../domain/types.js" */

@@ -1,21 +1,21 @@
 /**
- * How far the tip of a planar arm goes when its joints turn a little: the ellipse of its velocities where the joints' have norm 1.
+ * The velocities of the tip for joint velocities of norm 1: the manipulability ellipse.
  *
- * Source: Yoshikawa 1985, "Manipulability of Robotic Mechanisms". Column i of the Jacobian is the tip's way when joint i turns: the
- * vector from that joint to the tip, a quarter turn on. The half axes are the roots of the eigenvalues of J times its transpose.
+ * Source: Yoshikawa 1985, "Manipulability of Robotic Mechanisms". Column i of the Jacobian is the velocity of the tip as joint i
+ * turns: the vector from that joint to the tip, rotated by a quarter turn. The half axes are the roots of the eigenvalues of J J^T.
  */
 
 /** @import { Part } from "../domain/types.js" */
 
 /**
  * @typedef {object} Ellipse
- * @property {number} major           half axes, metres a radian
+ * @property {number} major           half axes, metres per radian
  * @property {number} minor
  * @property {number} angle           of the major one, radians
- * @property {number} manipulability  their product, square metres; 0 in a singular pose
+ * @property {number} manipulability  their product, square metres; 0 where the arm is singular
  */
 
-/** Below this part of the major axis the minor one counts as nearly nothing. */
+/** The ratio of the axes below which the arm counts as nearly singular. */
 const NEARLY = 0.06;
 
 /** @param {Part[]} parts   the links, from the base on @returns {Ellipse} */
@@ -36,7 +36,7 @@ export function ellipseOf(parts) {
   const half = Math.hypot((xx - yy) / 2, xy);
   const determinant = Math.max(0, xx * yy - xy * xy);
   const major = Math.sqrt(middle + half);
-  // The product is known more exactly than the smaller of the two.
+  // The product is more exact than the smaller axis.
   const manipulability = Math.sqrt(determinant);
   return { major, minor: major > 0 ? manipulability / major : 0, angle: 0.5 * Math.atan2(2 * xy, xx - yy), manipulability };
 }

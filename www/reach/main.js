@@ -1,215 +1,145 @@
 /**
- * The page of the arm: wiring. It makes the bench, its figures and its controls, and lets them know of each other.
+ * The page of the arm: it makes the session, the figures and the panels.
  *
- * What tests may rely on, beside what room.js says:
- * - `body` carries `data-scene` (an id of scenes.js, or "file"), `data-mode`, and `data-q`, the pose;
- * - `#stage` carries `data-free`, `data-reached` ("false" while the tip is wanted where it cannot be), `data-singular`,
- *   and `data-cells` ("true" once the square shows its obstacles);
- * - `#between` carries `data-hit`: the part of the way at which it is first refused, or "none".
+ * For tests, beside what app.js says:
+ * - `body` carries `data-scene` (an id of scenes.js, or "file"), `data-mode`, and `data-q`, the configuration;
+ * - `#stage` carries `data-free`, `data-reached` ("false" while the tip cannot reach the wanted point), `data-singular`,
+ *   and `data-cells` ("true" once the square shows its obstacles finely);
+ * - `#between` carries `data-hit`: the part of the motion at which it first collides, or "none".
  */
-import * as library from "planarium";
-import { write } from "../planner/counters.js";
-import { byId, make } from "../app/dom.js";
+import { json } from "../app/files.js";
+import { App } from "../app/app.js";
+import { useLink } from "../app/link.js";
+import { byId } from "../app/dom.js";
 import { watchFiles } from "../app/drop.js";
-import { Gallery, SIDE } from "../widgets/gallery.js";
-import { loadCore } from "../app/resources.js";
-import { Asker } from "../room/ask.js";
-import { Link } from "../room/link.js";
-import { Room } from "../room/room.js";
-import { Sheet } from "../room/sheet.js";
-import { drawThumbnail } from "../draw/thumbnail.js";
-import { Axes } from "./axes.js";
-import { Bench, documentOf } from "./bench.js";
-import { Between } from "./between.js";
-import { Hand } from "./hand.js";
+import { Figure } from "../draw/figure.js";
+import { showDownloads } from "../widgets/downloads.js";
+import { button, press } from "../widgets/elements.js";
+import { num, tuple } from "../widgets/format.js";
+import { SceneGallery } from "../widgets/scene-gallery.js";
+import { ArmPanel } from "./arm-panel.js";
+import { watchHandles } from "./handles.js";
+import { IkPanel } from "./ik-panel.js";
 import { isNearlySingular } from "./jacobian.js";
-import { showLock } from "./lock.js";
-import { ArmPanel } from "./panel.js";
+import { MotionPanel } from "./motion-panel.js";
+import { ParallelAxes } from "./parallel-axes.js";
 import { SCENES } from "./scenes.js";
-import { SolvingPicture } from "./solving-picture.js";
-import { Solving } from "./solving.js";
+import { ArmSession, documentOf } from "./session.js";
 import { Square } from "./square.js";
-import { putState, stateOf, stateRule } from "./state.js";
-import { showTake } from "./take.js";
-import { num, pointText, sentenceOf, summaryOf, touchingText } from "./words.js";
+import { openState, stateOf, stateRule } from "./state.js";
+import { collisionText, descriptionOf, linksText, sentenceOf } from "./words.js";
 import { Workspace } from "./workspace.js";
 
-/** @import { Change } from "./bench.js" */
-/** @import { Mode, Point } from "./types.js" */
-/** @import { Commands } from "./worker.js" */
+/** @import { Remote } from "../app/worker-client.js" */
+/** @import { Commands } from "./commands.js" */
+/** @import { Change } from "./session.js" */
+/** @import { Mode } from "./types.js" */
+/** @import { State } from "./state.js" */
 
-/** Cells a side of the picture of the configuration space: at once, and finely. */
+/** Cells a side of the configuration space: at once, and finely. */
 const CELLS = { rough: 64, fine: 360 };
 
 /** @type {[Mode, string][]} */
 const MODES = [["hand", "By hand"], ["between", "From A to B"], ["solve", "Inverse kinematics"]];
 
-/** By how much of its reach another pose must come nearer for this one to be called stuck. */
-const STUCK = 1e-3;
+const app = new App();
+/** Does the worker compute the obstacles of a configuration space? */
+let isComputing = false;
 
-const room = new Room();
-/** The sentence that was announced last. */
-let said = "";
-/** Is the worker at a picture? */
-let asking = false;
-
-await room.open(async () => {
-  const core = await loadCore();
-  await library.default(core);
-  const asker = /** @type {Asker<Commands>} */ (new Asker("reach/worker.js", (error) => room.fail(error)));
-  void asker.start(core).catch((error) => room.fail(error));
-
-  const bench = new Bench(room, library);
+await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
   const stage = byId("stage", HTMLElement);
-  const workspace = new Workspace(bench);
-  const square = new Square(bench);
-  const axes = new Axes(bench);
-  const sheets = {
-    workspace: new Sheet(room, stage, { id: "workspace", kind: "workspace", caption: "Workspace", note: "the arm\u2019s world" }, workspace),
-    square: new Sheet(room, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "each point is a pose: its two angles" }, square),
-    axes: new Sheet(room, stage, { id: "axes", kind: "axes", caption: "Configuration", note: "an axis for each joint" }, axes),
+  const session = new ArmSession(app);
+  const ik = new IkPanel(session);
+  const drawings = { workspace: new Workspace(session, ik), square: new Square(session, ik), axes: new ParallelAxes(session, ik) };
+  const figures = {
+    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace", note: "the arm and its obstacles" }, drawings.workspace),
+    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "each point: two joint angles" }, drawings.square),
+    axes: new Figure(app, stage, { id: "axes", kind: "axes", caption: "Configuration", note: "one axis per joint" }, drawings.axes),
   };
-  const all = Object.values(sheets);
-  new ArmPanel(bench);
-  new Between(bench, stage);
-  const solving = new Solving(bench, library);
-  const picture = new SolvingPicture(solving);
-  workspace.overlay = picture;
-  square.overlay = (brush, on) => picture.onSquare(brush, on);
-  axes.overlay = (brush, on) => picture.onAxes(brush, on);
-  showLock(bench, () => {
-    if (bench.mode === "solve") solving.begin();
-    else pull(bench.arm.tip);
+  const all = Object.values(figures);
+  new ArmPanel(session, () => {
+    if (session.mode === "solve") ik.begin();
+    else session.moveTip(session.arm.tip);
   });
-  const hand = new Hand(bench, { pull, aim: (target) => {
-    bench.target = target;
-    solving.begin();
-  } });
-  hand.listen(sheets.workspace, hand.onWorkspace(workspace));
-  hand.listen(sheets.square, hand.onSquare(square));
-  hand.listen(sheets.axes, hand.onAxes(axes));
-  hand.listenKeys(stage);
-
-  const modes = MODES.map(([mode, title]) => {
-    const button = make("button", { type: "button", id: `mode-${mode}` }, title);
-    button.addEventListener("click", () => bench.turnTo(mode));
-    return { mode, button };
+  new MotionPanel(session, stage);
+  watchHandles(session, stage, figures, drawings, (target) => {
+    session.target = target;
+    ik.begin();
   });
-  byId("modes", HTMLElement).append(...modes.map(({ button }) => button));
-  const gallery = new Gallery(/** @type {any[]} */ (SCENES), ({ id }) => {
-    const entry = SCENES.find((one) => one.id === id);
-    if (!entry) return;
-    room.notice.hide();
-    bench.openEntry(entry);
-    if (bench.mode === "between") bench.goTo(0);
+  byId("modes", HTMLElement).append(...MODES.map(([mode, title]) => button(`mode-${mode}`, title, () => session.setMode(mode))));
+  const gallery = new SceneGallery(app, SCENES, documentOf, (entry) => {
+    app.notice.hide();
+    session.openScene(entry);
   });
   watchFiles((name, bytes) => {
     try {
-      bench.openDocument(new TextDecoder().decode(bytes));
-      room.notice.hide();
-      if (bench.mode === "between") bench.goTo(0);
+      session.openDocument(new TextDecoder().decode(bytes));
+      app.notice.hide();
     } catch (error) {
-      room.fail(error, `${name} is not a scenario that can be shown.`);
+      app.fail(error, `${name} could not be opened.`);
     }
-  }, (name, error) => room.fail(error, `${name} could not be read.`));
-  showTake(room, bench, all);
-  const link = new Link(room, stateRule, () => stateOf(bench, solving.told), (state) => {
-    if (state) putState(bench, solving, state);
-    else if (!bench.now) bench.openEntry(SCENES[0]);
-    room.notice.hide();
-  }, "this arm, its pose, and what is asked of it");
-
-  bench.onChange(show);
-  room.recover = () => void library.default().then(() => bench.change(bench.arm.document)).catch((error) => room.fail(error));
-  room.onDress(() => {
-    for (const sheet of all) sheet.redraw();
-    thumbnails();
+  }, (name, error) => app.fail(error, `${name} could not be read.`));
+  showDownloads(app, all, { name: () => `${session.arm.document.name}-reach`, title: () => session.arm.document.title ?? session.arm.document.name }, [
+    { id: "scenario", title: "Scenario", format: "JSON", meaning: "Arm and obstacles, with the queries A to B and the target.", content: () => json(session.document()) },
+  ]);
+  session.onChange(show);
+  app.rebuild = () => session.changeArm(session.arm.document);
+  await useLink(app, stateRule, {
+    save: () => stateOf(session, ik), contents: "the arm, its configuration and the current mode",
+    open: (/** @type {State | null} */ state) => {
+      if (state) openState(session, ik, state);
+      else if (!session.current) session.openScene(SCENES[0]);
+    },
   });
-  await link.obey();
-  thumbnails();
-
-  /** The tip follows a wish, as near as it gets; where that is not there, what is the nearest point at all? @param {Point} wanted */
-  function pull(wanted) {
-    const { arm, lock } = bench;
-    const orientation = lock ?? undefined;
-    const { configuration, point, distance, reached } = arm.scenario.follow(arm.q, wanted, orientation);
-    const nearest = reached ? null : arm.scenario.nearestReachable(wanted, orientation);
-    const isStuck = nearest !== null && nearest.distance < distance - STUCK * arm.reach;
-    bench.pose(configuration, { wanted, point: isStuck ? point : nearest?.point ?? point, distance: isStuck ? distance : nearest?.distance ?? distance, reached, isStuck });
-  }
 
   /** @param {Change} change */
   function show(change) {
-    const { arm, mode, entry, pull } = bench;
-    const { dataset } = document.body;
+    const { arm, mode, entry, tipGoal } = session;
+    const { ellipse: { major, minor, manipulability } } = arm;
     const isSquare = arm.dimension === 2;
-    Object.assign(dataset, { scene: entry?.id ?? "file", mode, q: [...arm.q].join() });
-    sheets.square.show(isSquare);
-    sheets.axes.show(!isSquare);
-    for (const sheet of all) {
-      if (change === "arm") sheet.redraw();
-      else sheet.refresh();
-    }
+    Object.assign(document.body.dataset, { scene: entry?.id ?? "file", mode, q: [...arm.q].join() });
+    Object.assign(stage.dataset, { free: arm.check.free, reached: tipGoal?.reached ?? true, singular: isNearlySingular(arm.ellipse) });
+    if (mode === "between") byId("between", HTMLElement).dataset.hit = String(session.motion.hit ?? "none");
+    figures.square.element.hidden = !isSquare;
+    figures.axes.element.hidden = isSquare;
     if (change === "arm") {
+      for (const figure of all) figure.redraw();
       gallery.mark(entry?.id ?? null);
-      if (isSquare) paintCells();
-    }
-    for (const { mode: own, button } of modes) button.setAttribute("aria-pressed", String(own === mode));
-    for (const element of document.querySelectorAll("[data-mode]:not(body)")) if (element instanceof HTMLElement) element.hidden = element.dataset.mode !== mode;
-    const { text, isBad } = mode === "solve" && solving.said ? solving.said : sentenceOf(bench);
-    const story = byId("story", HTMLElement);
-    write(story, text);
-    story.dataset.tone = isBad ? "bad" : "";
-    const { major, minor, manipulability } = arm.ellipse;
-    const touching = touchingText(bench);
-    write(byId("where", HTMLElement), `${arm.document.title ?? arm.document.name} \u00b7 ${arm.dimension} ${arm.dimension === 1 ? "link" : "links"}`);
-    write(byId("fact-tip", HTMLElement), `${pointText(arm.tip)} m`);
-    write(byId("fact-orientation", HTMLElement), `${num(arm.orientation)} rad`);
-    write(byId("fact-manipulability", HTMLElement), `${num(manipulability, 3)} m\u00b2`);
-    write(byId("fact-roundness", HTMLElement), num(major > 0 ? minor / major : 0));
-    write(byId("fact-touching", HTMLElement), touching || "nothing");
-    const touches = byId("fact-touching", HTMLElement).parentElement;
-    if (touches) touches.dataset.free = String(arm.check.free);
-    Object.assign(stage.dataset, { free: String(arm.check.free), reached: String(pull?.reached ?? true), singular: String(isNearlySingular(arm.ellipse)) });
-    if (mode === "between") byId("between", HTMLElement).dataset.hit = String(bench.way.hit ?? "none");
-    const summary = summaryOf(bench);
-    for (const sheet of all) sheet.describe(`${sheet.caption.textContent}: ${summary}`);
-    // What changes with each iterate is not read out.
-    if (said !== text && !solving.transport.isPlaying) room.announcer.say(text);
-    said = text;
+      if (isSquare) showObstacles();
+    } else for (const figure of all) figure.redrawTop();
+    for (const [one] of MODES) press(byId(`mode-${one}`, HTMLElement), one === mode);
+    for (const element of document.querySelectorAll("main [data-mode]")) if (element instanceof HTMLElement) element.hidden = element.dataset.mode !== mode;
+    const collision = collisionText(session);
+    app.write({
+      where: `${arm.document.title ?? arm.document.name} \u00b7 ${linksText(arm.dimension)}`, "fact-tip": `${tuple(arm.tip)} m`, "fact-orientation": `${num(arm.orientation)} rad`,
+      "fact-manipulability": `${num(manipulability, 3)} m\u00b2`, "fact-isotropy": num(major > 0 ? minor / major : 0), "fact-collision": collision || "none",
+    });
+    byId("fact-collision", HTMLElement).dataset.free = String(arm.check.free);
+    const { text, isBad } = (mode === "solve" && ik.sentence) || sentenceOf(session);
+    app.say(text, { isBad, isSilent: ik.transport.isPlaying });
+    const description = descriptionOf(session);
+    for (const figure of all) figure.describe(`${figure.caption.textContent}: ${description}`);
   }
 
-  /** The obstacles of the square: roughly at once, finely by the worker. */
-  function paintCells() {
-    const { arm } = bench;
+  /** Shows the obstacles of the configuration space, roughly at once and finely once the worker has computed them. */
+  function showObstacles() {
+    const { arm } = session;
+    const { square } = drawings;
     stage.dataset.cells = "false";
-    square.take(arm.scenario.cspace({ width: CELLS.rough, height: CELLS.rough }), CELLS.rough);
-    if (asking) return;
-    asking = true;
-    const { version } = arm;
-    void room.await(asker.ask("cspace", arm.document, CELLS.fine)).then((cells) => {
-      asking = false;
-      if (bench.arm.dimension !== 2) return;
-      if (bench.arm.version !== version) {
-        // Another arm by now: what was asked for is of no use.
-        paintCells();
+    square.setCells(arm.scenario.cspace({ width: CELLS.rough, height: CELLS.rough }), CELLS.rough);
+    // While an arm is being changed, only its last state is computed.
+    if (isComputing) return;
+    isComputing = true;
+    void app.track(worker.cspace(arm.document, CELLS.fine)).then((cells) => {
+      isComputing = false;
+      if (session.arm !== arm) {
+        if (session.arm.dimension === 2) showObstacles();
         return;
       }
       if (!cells) return;
-      square.take(cells, CELLS.fine);
+      square.setCells(cells, CELLS.fine);
       stage.dataset.cells = "true";
-      sheets.square.redraw();
+      figures.square.redraw();
     });
   }
-
-  /** Small pictures of the scenes, each with A and B. */
-  function thumbnails() {
-    const { look } = room;
-    for (const entry of SCENES) {
-      const scenario = library.Scenario.parse(documentOf(entry));
-      gallery.draw(entry.id, drawThumbnail(scenario, SIDE, look));
-      scenario.free();
-    }
-  }
 });
-

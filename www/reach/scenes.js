@@ -1,4 +1,4 @@
-/** The scenes of this page: small worlds, each with an arm, a pose to begin with, two poses to go between and a target. */
+/** The built-in scenes: small worlds, each with an arm, its configuration at first, the ends A and B of a motion, and a target. */
 
 /** @import { Point, SceneEntry } from "./types.js" */
 
@@ -20,7 +20,7 @@ export const SCENES = [
     robot: { base: ORIGIN, links: [0.62, 0.5], radius: 0.03 }, q: [-0.3, 1.1], a: [-0.55, 0.5], b: [2.35, 0.7], target: [0.2, 0.75],
   },
   {
-    id: "plane", title: "Nothing in the way", obstacles: [],
+    id: "plane", title: "No obstacles", obstacles: [],
     robot: { base: ORIGIN, links: [0.6, 0.5], radius: 0.03 }, q: [0.6, 0.9], a: [-2.4, 0.6], b: [2.6, -0.8], target: [-0.4, 0.6],
   },
   {
@@ -28,7 +28,7 @@ export const SCENES = [
     robot: { base: ORIGIN, links: [0.5, 0.45, 0.4], radius: 0.03 }, q: [1.7, -0.6, -0.6], a: [1.9, -0.6, -0.4], b: [0.35, -0.45, 0.15], target: [1.05, 0.2],
   },
   {
-    id: "limits", title: "Joints with stops", obstacles: [disc(0.9, 0.75, 0.18), disc(-0.55, 0.8, 0.16)],
+    id: "limits", title: "Joint limits", obstacles: [disc(0.9, 0.75, 0.18), disc(-0.55, 0.8, 0.16)],
     robot: { base: ORIGIN, links: [0.55, 0.45, 0.3], radius: 0.035, joint_limits: [[-0.4, 3.5], [-2.2, 2.2], [-1.6, 1.6]] },
     q: [0.5, 0.9, 0.4], a: [0, 0.55, 0.5], b: [2.9, -0.75, -0.45], target: [0.2, 1],
   },

@@ -1,65 +1,101 @@
-/** What the page says of the arm, in plain sentences. */
+/** The sentences of the page. */
+import { capital, num, small, tuple } from "../widgets/format.js";
 import { touchingSentence } from "../domain/names.js";
 import { isNearlySingular } from "./jacobian.js";
 
-/** @import { Bench } from "./bench.js" */
+/** @import { IkRun } from "./ik-run.js" */
+/** @import { ArmSession } from "./session.js" */
+/** @typedef {import("planarium").ReachVerdict} Verdict */
+/** @typedef {{ text: string, isBad: boolean }} Sentence */
 
-/** A number with a true minus. @param {number} value @param {number} [digits] */
-export function num(value, digits = 2) {
-  const text = value.toFixed(digits);
-  return (/^-0(\.0*)?$/.test(text) ? text.slice(1) : text).replace("-", "\u2212");
+/** Why a target is out of reach. */
+const REASONS = {
+  "too-far": "it is too far away", "too-near": "it is too near to the base", limits: "the joint limits keep the tip away",
+  orientation: "the joint limits do not allow this orientation",
+};
+
+/** The collisions of the arm, or nothing. @param {ArmSession} session */
+export function collisionText({ arm: { scenario, check } }) { return check.free ? "" : capital(`${touchingSentence(scenario, check)}.`); }
+
+/** The arm for screen readers. @param {ArmSession} session */
+export function descriptionOf(session) {
+  const { arm: { q, dimension, tip, document: { world } } } = session;
+  return `${linksText(dimension)}, ${world.obstacles.length} obstacles. Joints at ${[...q].map((angle) => num(angle)).join(", ")} radians; the tip is at ${tuple(tip)} metres. ${collisionText(session) || "No collision."}`;
 }
 
-/** @param {ArrayLike<number>} point */
-export function pointText(point, digits = 2) { return `(${num(point[0], digits)}, ${num(point[1], digits)})`; }
+/** @param {number} count */
+export function linksText(count) { return `${count} ${count === 1 ? "link" : "links"}`; }
 
-/** What touches what, or nothing. @param {Bench} bench */
-export function touchingText({ arm: { scenario, check } }) {
-  return check.free ? "" : capital(`${touchingSentence(scenario, check)}.`);
-}
-
-/** The sentence over the stage. @param {Bench} bench @returns {{ text: string, isBad: boolean }} */
-export function sentenceOf(bench) {
-  const touching = touchingText(bench);
-  if (bench.mode === "between") return betweenSentence(bench);
-  const { pull, arm } = bench;
-  if (pull?.isStuck) {
-    return { text: `From this pose the tip comes no nearer to ${pointText(pull.wanted)} than ${num(pull.distance)} m; another pose would.`, isBad: touching !== "" };
+/** Dragging, and the motion from A to B. @param {ArmSession} session @returns {Sentence} */
+export function sentenceOf(session) {
+  const { mode, tipGoal, arm: { dimension, ellipse }, orientation } = session;
+  if (mode === "between") return motionSentence(session);
+  const collision = collisionText(session);
+  const isBad = collision !== "";
+  if (tipGoal?.isStuck) return { text: `Local minimum: from this configuration the tip gets no closer to ${tuple(tipGoal.wanted)} than ${num(tipGoal.distance)} m, although another configuration would.`, isBad };
+  if (tipGoal && !tipGoal.reached) {
+    return { text: `${tuple(tipGoal.wanted)} is out of reach${orientation === null ? "" : " in this orientation"}. The nearest reachable point is ${tuple(tipGoal.point)}, ${num(tipGoal.distance)} m away.`, isBad };
   }
-  if (pull && !pull.reached) {
-    const where = `the nearest point that it reaches is ${pointText(pull.point)}, ${num(pull.distance)} m away`;
-    return { text: `${pointText(pull.wanted)} is out of reach${bench.lock === null ? "" : " in this direction"}: ${where}.`, isBad: touching !== "" };
+  if (isBad) return { text: collision, isBad };
+  if (!isNearlySingular(ellipse)) return { text: "Drag the ring to move the tip; drag a link to turn its joint.", isBad };
+  if (dimension === 1) return { text: "One joint: the tip can only move along a circle.", isBad };
+  return { text: `Nearly singular: the links are almost in line, and the tip can hardly move along them (manipulability ${num(ellipse.manipulability, 3)} m\u00b2).`, isBad };
+}
+
+/** @param {ArmSession} session @returns {Sentence} */
+function motionSentence(session) {
+  const { motion, arm } = session;
+  const long = arm.joints.filter((_, i) => Math.abs(motion.turns[i]) > Math.PI).map(({ name }) => name);
+  const how = long.length === 0 ? "Each joint turns the short way round" : `${capital(long.join(" and "))} ${long.length > 1 ? "turn" : "turns"} the long way round`;
+  const begin = `${how}, ${num(motion.length)} rad in total.`;
+  if (motion.hit === null) return { text: `${begin} The motion is proven to be collision-free.`, isBad: false };
+  const collision = collisionText(session);
+  const where = motion.hit >= 0.005 ? `The motion collides after ${Math.round(100 * motion.hit)} %.` : arm.isFree(motion.a) ? "The motion collides at once." : "A itself is in collision.";
+  return { text: `${begin} ${where} ${collision}`.trimEnd(), isBad: collision !== "" || !arm.isFree(motion.a) };
+}
+
+/**
+ * Inverse kinematics.
+ * @param {ArmSession} session @param {IkRun} run @param {Verdict | null} verdict   null while nothing is found
+ * @param {{ id: string, title: string }} method
+ * @returns {Sentence}
+ */
+export function ikSentence(session, run, verdict, method) {
+  const { target, orientation, arm: { scenario } } = session;
+  const count = run.solutions.length;
+  if (run.isRunning) {
+    const { run: { iterations, restarts }, last: { error } } = run;
+    const text = iterations === 0 ? `Drag the target, then press Play: ${inSentence(method.title)} moves the tip there step by step.`
+      : `${method.title}, start ${restarts + 1}: the error is ${small(error)} ${orientation === null ? "m" : "m or rad"}.`;
+    return { text, isBad: false };
   }
-  if (touching) return { text: touching, isBad: true };
-  if (isNearlySingular(arm.ellipse)) return { text: singularText(bench), isBad: false };
-  return { text: "Drag the ring at the tip and the arm follows; drag a link and its joint alone turns.", isBad: false };
+  switch (verdict?.verdict) {
+    case "out-of-reach": {
+      const { reason, nearest } = verdict;
+      const digits = nearest && nearest.distance < 0.005 ? 6 : 2;
+      const where = nearest ? ` The nearest point is ${tuple(nearest.point, digits)}, ${num(nearest.distance, digits)} m away.` : "";
+      return { text: `${tuple(target, digits)} is out of reach: ${REASONS[reason ?? "too-far"]}.${where}`, isBad: false };
+    }
+    case "in-collision": {
+      const { touching } = verdict;
+      return { text: touching ? `All solutions found collide: ${touchingSentence(scenario, { free: false, touching })}.` : "All solutions found collide.", isBad: true };
+    }
+    case "not-found": return { text: `The target is reachable, but ${inSentence(method.title)} did not converge.`, isBad: false };
+    default: {
+      const elbows = method.id === "closed-form" && count === 2 ? " (elbow up and elbow down)" : "";
+      const found = count === 1 ? "One configuration reaches the target" : `${count === 2 ? "Two" : count} configurations reach the target${elbows}`;
+      return { text: `${found}; ${freeText(count, run.freeCount)}.`, isBad: run.freeCount === 0 };
+    }
+  }
 }
 
-/** @param {Bench} bench */
-function singularText({ arm: { dimension, ellipse } }) {
-  if (dimension === 1) return "One joint: the tip goes along a circle, and nowhere else.";
-  return `Nearly singular: the links are almost in line, and across the flat ellipse the tip can hardly move (manipulability ${num(ellipse.manipulability, 3)} m\u00b2).`;
-}
+/** A method within a sentence: names of people stay capital. @param {string} title */
+function inSentence(title) { return title.replace(/^(?!Newton)./, (letter) => letter.toLowerCase()); }
 
-/** @param {Bench} bench */
-function betweenSentence(bench) {
-  const { way, arm } = bench;
-  const touching = touchingText(bench);
-  const long = way.turns.map((turn, i) => (Math.abs(turn) > Math.PI ? i : -1)).filter((i) => i >= 0);
-  const how = long.length === 0 ? "Each joint turns the short way" : `${long.map((i) => arm.joints[i].name).join(" and ")} ${long.length > 1 ? "turn" : "turns"} the long way round`;
-  const length = `${num(way.length)} rad in all`;
-  if (way.hit === null) return { text: `${capital(how)}, ${length}: free along all of it, proven.`, isBad: false };
-  if (way.hit === 0 && !arm.isFree(way.a)) return { text: `${capital(how)}, ${length}: A itself touches something. ${touching}`, isBad: true };
-  return { text: `${capital(how)}, ${length}: ${way.hit < 0.005 ? "at once" : `after ${Math.round(100 * way.hit)} %`} it touches something. ${touching}`, isBad: touching !== "" };
-}
-
-/** @param {string} text */
-export function capital(text) { return text && text[0].toUpperCase() + text.slice(1); }
-
-/** The pose in words, for those who do not see it. @param {Bench} bench */
-export function summaryOf(bench) {
-  const { arm } = bench;
-  const angles = [...arm.q].map((angle) => num(angle)).join(", ");
-  const touching = touchingText(bench);
-  return `${arm.dimension} ${arm.dimension === 1 ? "link" : "links"}, ${arm.document.world.obstacles.length} obstacles. Joints at ${angles} radians; the tip is at ${pointText(arm.tip)} metres. ${touching || "It touches nothing."}`;
+/** How many of some solutions are free. @param {number} count @param {number} free */
+function freeText(count, free) {
+  if (count === 1) return free === 1 ? "it does not collide" : "it collides";
+  if (free === count) return count === 2 ? "neither collides" : "none collides";
+  if (free === 0) return count === 2 ? "both collide" : "all of them collide";
+  return `${free} of them ${free === 1 ? "is" : "are"} collision-free`;
 }

@@ -1,63 +1,64 @@
-/** The workspace: the world, the arm in it, how its tip can move, and whatever the stage is for just now. */
-import { drawBase, drawBounds, drawReach, drawScale } from "../draw/ground.js";
-import { disc } from "../draw/marks.js";
-import { drawGhost, drawGoal, drawHit, drawObstacles, drawRobot, drawStart } from "../draw/shapes.js";
+/** The workspace: the world, the arm, its manipulability ellipse, and what the mode adds. */
+import { drawCross, drawHandle, drawWorld } from "../draw/workspace.js";
+import { drawGhost, drawGoal, drawHit, drawRobot, drawStart } from "../draw/shapes.js";
 import { drawTouching } from "../draw/touching.js";
-import { View } from "../draw/view.js";
+import { drawIkTarget, drawRun } from "./ik-drawing.js";
 
-/** @import { Brush, Painting } from "../room/sheet.js" */
-/** @import { Bench } from "./bench.js" */
-/** @typedef {CanvasRenderingContext2D} Context */
+/** @import { Brush } from "../draw/figure.js" */
+/** @import { View } from "../draw/view.js" */
+/** @import { IkPanel } from "./ik-panel.js" */
+/** @import { ArmSession } from "./session.js" */
+/** @import { Point } from "./types.js" */
 
-const MARGIN = { left: 14, right: 14, top: 14, bottom: 14 };
-/** A radian a second of the joints is drawn as this part of the way that the tip goes in it: as large as it is, it would hide the arm. */
+/** Scale of the ellipse: at full size it would hide the arm. */
 const ELLIPSE = 0.3;
 
-/** @implements {Painting} */
 export class Workspace {
-  /** @param {Bench} bench */
-  constructor(bench) {
-    this.bench = bench;
+  /** @param {ArmSession} session @param {IkPanel} ik */
+  constructor(session, ik) {
+    this.session = session;
+    this.ik = ik;
     /** @type {View | null} */
     this.view = null;
-    /** Draws beneath and above the arm what belongs to a mode of its own. @type {{ under: (brush: Brush, view: View) => void, over: (brush: Brush, view: View) => void } | null} */
-    this.overlay = null;
   }
 
   /** @param {Brush} brush */
-  ground({ context, palette, width, height }) {
-    const { arm } = this.bench;
-    const view = new View(arm.scenario.extent(), width, height, MARGIN, false);
-    this.view = view;
-    const { world } = arm.document;
-    drawScale(context, view, palette);
-    if (world.bounds) drawBounds(context, view, world.bounds, palette);
-    else drawReach(context, view, arm.robot, palette);
-    drawObstacles(context, view, world.obstacles, palette);
-    drawBase(context, view, arm.base, palette);
+  ground(brush) {
+    const { arm } = this.session;
+    this.view = drawWorld(brush, arm.scenario, arm.document);
   }
 
   /** @param {Brush} brush */
   top(brush) {
     const { context, palette, hatch } = brush;
-    const { bench, view } = this;
+    const { session: { arm, mode, tipGoal }, ik, view } = this;
     if (!view) return;
-    const { arm, mode } = bench;
-    if (mode === "between") this.drawWay(brush, view);
-    if (mode === "solve") this.overlay?.under(brush, view);
+    if (mode === "between") this.drawMotion(brush, view);
+    if (mode === "solve") drawRun(brush, view, ik);
     this.drawEllipse(brush, view);
     const shown = { scenario: arm.scenario, world: arm.document.world, parts: arm.parts, touching: arm.check.touching };
     drawTouching({ context, view, palette, onPart: hatch(palette.stage), onObstacle: hatch(palette.collision) }, shown, () => drawRobot(context, view, arm.parts, palette));
-    this.drawPull(brush, view);
+    context.save();
+    if (tipGoal && !tipGoal.reached) {
+      const [from, to] = [tipGoal.point, tipGoal.wanted].map(([x, y]) => /** @type {Point} */ ([view.x(x), view.y(y)]));
+      context.strokeStyle = palette.quiet;
+      context.lineWidth = 1.4;
+      context.setLineDash([4, 4]);
+      context.beginPath();
+      context.moveTo(...from);
+      context.lineTo(...to);
+      context.stroke();
+      context.setLineDash([]);
+      drawCross(context, ...to, palette.quiet, palette, 7);
+    }
     this.drawTip(brush, view);
-    if (mode === "solve") this.overlay?.over(brush, view);
+    context.restore();
+    if (mode === "solve") drawIkTarget(brush, view, ik);
   }
 
-  /** How the tip can move: long where it is quick, flat where it is nearly stuck. @param {Brush} brush @param {View} view */
+  /** @param {Brush} brush @param {View} view */
   drawEllipse({ context, palette }, view) {
-    const { arm } = this.bench;
-    const { major, minor, angle } = arm.ellipse;
-    const [x, y] = arm.tip;
+    const { ellipse: { major, minor, angle }, tip: [x, y] } = this.session.arm;
     context.save();
     context.strokeStyle = context.fillStyle = palette.newest;
     context.lineWidth = 1.6;
@@ -76,114 +77,60 @@ export class Workspace {
     context.restore();
   }
 
-  /** The tip as a handle, and the direction that it keeps. @param {Brush} brush @param {View} view */
+  /** The tip as a handle, with an arrow if its orientation is fixed. @param {Brush} brush @param {View} view */
   drawTip({ context, palette }, view) {
-    const { arm, lock } = this.bench;
+    const { arm, orientation } = this.session;
     const [x, y] = [view.x(arm.tip[0]), view.y(arm.tip[1])];
-    context.save();
-    context.lineCap = "round";
-    if (lock !== null) {
+    if (orientation !== null) {
+      const [dx, dy] = [Math.cos(orientation), -Math.sin(orientation)];
+      const at = (/** @type {number} */ along, /** @type {number} */ aside) => /** @type {Point} */ ([x + along * dx - aside * dy, y + along * dy + aside * dx]);
+      context.lineCap = "round";
       for (const [width, colour] of /** @type {[number, string][]} */ ([[5, palette.stage], [2, palette.path]])) {
         context.lineWidth = width;
         context.strokeStyle = colour;
-        const [dx, dy] = [Math.cos(lock), -Math.sin(lock)];
         context.beginPath();
-        context.moveTo(x + 12 * dx, y + 12 * dy);
-        context.lineTo(x + 38 * dx, y + 38 * dy);
-        context.moveTo(x + 30 * dx - 5 * dy, y + 30 * dy + 5 * dx);
-        context.lineTo(x + 38 * dx, y + 38 * dy);
-        context.lineTo(x + 30 * dx + 5 * dy, y + 30 * dy - 5 * dx);
+        context.moveTo(...at(12, 0));
+        context.lineTo(...at(38, 0));
+        context.moveTo(...at(30, 5));
+        context.lineTo(...at(38, 0));
+        context.lineTo(...at(30, -5));
         context.stroke();
       }
     }
-    context.fillStyle = palette.stage;
-    disc(context, x, y, 8);
-    context.strokeStyle = arm.check.free ? palette.robot : palette.collision;
-    context.lineWidth = 2.4;
-    context.beginPath();
-    context.arc(x, y, 7, 0, 2 * Math.PI);
-    context.stroke();
-    context.fillStyle = context.strokeStyle;
-    disc(context, x, y, 2.6);
-    context.restore();
+    drawHandle(context, x, y, arm.check.free ? palette.robot : palette.collision, palette);
   }
 
-  /** Where the tip is wanted and cannot be. @param {Brush} brush @param {View} view */
-  drawPull({ context, palette }, view) {
-    const { pull } = this.bench;
-    if (!pull || pull.reached) return;
-    const [x0, y0] = [view.x(pull.point[0]), view.y(pull.point[1])];
-    const [x1, y1] = [view.x(pull.wanted[0]), view.y(pull.wanted[1])];
-    context.save();
-    context.strokeStyle = palette.quiet;
-    context.lineWidth = 1.4;
-    context.setLineDash([4, 4]);
-    context.beginPath();
-    context.moveTo(x0, y0);
-    context.lineTo(x1, y1);
-    context.stroke();
-    context.setLineDash([]);
-    drawCross(context, x1, y1, palette.quiet, palette.stage, 7);
-    context.restore();
-  }
-
-  /** A and B, the tip's curve between them, and where it touches. @param {Brush} brush @param {View} view */
-  drawWay({ context, palette }, view) {
-    const { arm, a, b, way, along } = this.bench;
-    for (const [pose, colour, dash] of /** @type {[Float64Array, string, number[]][]} */ ([[b, palette.goal, [5, 4]], [a, palette.start, []]])) {
-      drawGhost(context, view, arm.scenario.footprint(pose), { colour, fill: 0.14, stroke: 0.95, dash, width: 1.5 });
-    }
-    const { curve, touches } = way;
-    const last = touches.length - 1;
-    const passed = Math.floor(along * last + 1e-9);
+  /** A and B, the curve of the tip between them, and where it collides. @param {Brush} brush @param {View} view */
+  drawMotion({ context, palette }, view) {
+    const { arm, a, b, motion, progress } = this.session;
+    drawGhost(context, view, arm.scenario.footprint(b), { colour: palette.goal, fill: 0.14, stroke: 0.95, dash: [5, 4], width: 1.5 });
+    drawGhost(context, view, arm.scenario.footprint(a), { colour: palette.start, fill: 0.14, stroke: 0.95, dash: [], width: 1.5 });
+    const { curve, collides } = motion;
+    const done = Math.floor(progress * (collides.length - 1) + 1e-9);
     context.save();
     context.lineCap = "round";
-    context.lineJoin = "round";
-    // What lies ahead is thin, what has been gone strong; where it touches, red and broken.
-    for (const [from, to, width] of [[passed, last, 1.4], [0, passed, 3.4]]) {
-      for (const isTouching of [false, true]) {
-        context.strokeStyle = isTouching ? palette.collision : palette.path;
-        context.lineWidth = width;
-        context.setLineDash(isTouching ? [2, 5] : []);
+    // What is done is bold; what collides is red and dashed.
+    for (const isDone of [false, true]) {
+      for (const isCollision of [false, true]) {
+        context.strokeStyle = isCollision ? palette.collision : palette.path;
+        context.lineWidth = isDone ? 3.4 : 1.4;
+        context.setLineDash(isCollision ? [2, 5] : []);
         context.beginPath();
-        let pen = -1;
-        for (let i = from; i < to; i++) {
-          if ((touches[i] || touches[i + 1]) !== isTouching) {
-            pen = -1;
-            continue;
-          }
-          if (pen !== i) context.moveTo(view.x(curve[2 * i]), view.y(curve[2 * i + 1]));
-          pen = i + 1;
-          context.lineTo(view.x(curve[2 * i + 2]), view.y(curve[2 * i + 3]));
-        }
+        context.moveTo(view.x(curve[0]), view.y(curve[1]));
+        collides.slice(1).forEach((end, i) => {
+          const isPart = (i < done) === isDone && (collides[i] || end) === isCollision;
+          context[isPart ? "lineTo" : "moveTo"](view.x(curve[2 * i + 2]), view.y(curve[2 * i + 3]));
+        });
         context.stroke();
       }
     }
     context.restore();
-    const [ax, ay] = arm.scenario.endEffector(a);
-    const [bx, by] = arm.scenario.endEffector(b);
-    drawStart(context, view.x(ax), view.y(ay), palette);
-    drawGoal(context, view.x(bx), view.y(by), palette);
-    if (way.hit !== null) {
-      const [x, y] = arm.scenario.endEffector(arm.fitted(way.at(way.hit)));
-      drawHit(context, view.x(x), view.y(y), palette);
-    }
+    const tipAt = (/** @type {Float64Array} */ q) => {
+      const [x, y] = arm.scenario.endEffector(arm.fitted(q));
+      return /** @type {Point} */ ([view.x(x), view.y(y)]);
+    };
+    drawStart(context, ...tipAt(a), palette);
+    drawGoal(context, ...tipAt(b), palette);
+    if (motion.hit !== null) drawHit(context, ...tipAt(motion.at(motion.hit)), palette);
   }
-}
-
-/** A ringed cross of a colour, with a halo. @param {Context} context @param {number} x @param {number} y @param {string} colour @param {string} halo @param {number} size */
-export function drawCross(context, x, y, colour, halo, size) {
-  context.save();
-  context.lineCap = "round";
-  for (const [width, stroke] of /** @type {[number, string][]} */ ([[5.5, halo], [2.2, colour]])) {
-    context.lineWidth = width;
-    context.strokeStyle = stroke;
-    context.beginPath();
-    context.moveTo(x - size, y);
-    context.lineTo(x + size, y);
-    context.moveTo(x, y - size);
-    context.lineTo(x, y + size);
-    context.stroke();
-  }
-  context.restore();
 }

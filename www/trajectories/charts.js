@@ -1,57 +1,47 @@
 /**
- * How hard it gets: for each accepted trajectory how many were tried, which the seed decides, and how long that took, which the
- * machine decides; each with its moving average. Drawn a few times a second while it grows, and once at rest.
+ * How hard it gets: tries and time for each accepted trajectory, with their moving averages. The seed decides the tries, the
+ * machine the time.
  */
+import { Chart } from "../widgets/chart.js";
 import { byId } from "../app/dom.js";
-import { Plot } from "../room/plot.js";
-import { movingAverage } from "./growth.js";
+import { WINDOW, movingAverage } from "./experiment.js";
 
-/** @import { Growth } from "./growth.js" */
+/** @import { Experiment } from "./experiment.js" */
 
-/** The moving average is taken over so many. */
-export const WINDOW = 20;
 /** Milliseconds between two drawings while it grows. */
-const EVERY = 500;
-/** Points of a curve at most. */
-const MOST = 1000;
+const PAUSE = 500;
 
 export class Charts {
-  /** @param {Growth} growth */
-  constructor(growth) {
-    this.growth = growth;
-    this.tries = new Plot("tries", "Tries for each accepted trajectory");
-    this.time = new Plot("time", "Microseconds for each accepted trajectory, by the clock of this machine");
+  /** @param {Experiment} experiment */
+  constructor(experiment) {
+    this.experiment = experiment;
+    this.tries = new Chart("tries", "Tries per accepted trajectory");
+    this.time = new Chart("time", "Time per accepted trajectory, microseconds on this machine");
     byId("charts", HTMLElement).append(this.tries.element, this.time.element);
-    this.drawn = -Infinity;
-    this.count = -1;
-    this.epoch = -1;
+    this.drawnAt = -Infinity;
+    /** What was drawn. */
+    this.key = "";
   }
 
   /** @param {number} now @param {boolean} isAtRest */
   draw(now, isAtRest) {
-    const { growth } = this;
-    const isOther = growth.epoch !== this.epoch || growth.tries.length !== this.count;
-    if (!isOther || (!isAtRest && now - this.drawn < EVERY)) return;
-    [this.drawn, this.count, this.epoch] = [now, growth.tries.length, growth.epoch];
-    curve(this.tries, growth.tries, "tries", (value) => value.toFixed(1));
-    curve(this.time, growth.milliseconds.map((value) => 1000 * value), "microseconds", (value) => value.toFixed(1), true);
+    const { epoch, tries, milliseconds } = this.experiment;
+    const key = `${epoch} ${tries.length}`;
+    if (key === this.key || (!isAtRest && now - this.drawnAt < PAUSE)) return;
+    [this.drawnAt, this.key] = [now, key];
+    drawCurve(this.tries, tries, "tries", false);
+    // Clocks of browsers are coarse and some times are outliers: dots, on a logarithmic scale.
+    drawCurve(this.time, milliseconds.map((value) => 1000 * value), "microseconds", true);
   }
 }
 
-/**
- * Times are told on a logarithmic scale, each by a dot: clocks of browsers count in coarse steps, and now and then the machine is
- * busy with something else. Those too short for the clock have no dot, but count in the mean.
- * @param {Plot} plot @param {number[]} values @param {string} unit @param {(value: number) => string} told @param {boolean} [isLog]
- */
-function curve(plot, values, unit, told, isLog = false) {
-  const every = Math.max(1, Math.ceil(values.length / MOST));
-  const thin = (/** @type {[number, number][]} */ points) => points.filter((_, i) => i % every === 0 || i === points.length - 1);
-  const average = movingAverage(values, WINDOW);
-  const last = average[average.length - 1]?.[1];
-  const summary = values.length === 0 ? `${plot.title.textContent}: none yet.`
-    : `${plot.title.textContent}: ${values.length} accepted${last === undefined ? "" : `, ${told(average[0][1])} ${unit} on average over the first ${WINDOW}, ${told(last)} over the last`}.`;
-  plot.draw([
-    { label: "", points: thin(values.map((value, i) => [i + 1, value])), className: "each", dots: isLog },
-    { label: last === undefined ? "" : `mean of ${WINDOW}`, points: thin(average), className: "average" },
-  ], { title: "accepted", low: 0, high: 1 }, isLog ? { title: unit, isLog } : { title: unit, low: 0 }, summary);
+/** @param {Chart} chart @param {number[]} values @param {string} unit @param {boolean} isTime */
+function drawCurve(chart, values, unit, isTime) {
+  const average = movingAverage(values);
+  const means = average.length === 0 ? "" : `, ${average[0][1].toFixed(1)} ${unit} on average over the first ${WINDOW}, ${average[average.length - 1][1].toFixed(1)} over the last`;
+  const summary = `${chart.title.textContent}: ${values.length === 0 ? "none yet" : `${values.length} accepted${means}`}.`;
+  chart.draw([
+    { label: "", points: values.map((value, i) => [i + 1, value]), className: "each", isDots: isTime },
+    { label: average.length === 0 ? "" : `mean of ${WINDOW}`, points: average, className: "average" },
+  ], { title: "accepted", low: 0, high: 1 }, isTime ? { title: unit, isLog: true } : { title: unit, low: 0 }, summary);
 }

@@ -1,125 +1,104 @@
 /**
- * The plane with its trajectories. Those accepted are drawn once, when they come; on top of them the newest glow and settle, the
- * one refused last is dashed, with a cross where it meets the earlier one, and the particles move where that is asked for.
+ * The plane with its trajectories. Accepted ones are drawn once, when they are received. On top the newest glow for a moment, the
+ * last rejected one is dashed, with a cross where it meets the earlier one, and the particles move if the animation is on.
  */
+import { cross } from "../draw/marks.js";
+import { View } from "../draw/view.js";
 
-/** @import { Brush } from "../room/sheet.js" */
-/** @import { Growth } from "./growth.js" */
+/** @import { Brush } from "../draw/figure.js" */
+/** @import { Experiment } from "./experiment.js" */
+/** @typedef {CanvasRenderingContext2D} Context */
 
-/** Milliseconds for which what is new is seen to be new. */
-export const SETTLING = 650;
-/** So many glow at once. */
+/** Milliseconds for which a new trajectory glows. */
+const GLOWING = 650;
+/** Trajectories that glow at once, at most. */
 const MOST_GLOWING = 48;
-/** Room about the picture, pixels. */
-const MARGIN = 14;
+const MARGIN = { left: 14, right: 14, top: 14, bottom: 14 };
 /** Seconds that the particles rest between two rounds. */
 const REST = 0.6;
 
 export class Plane {
-  /** @param {Growth} growth */
-  constructor(growth) {
-    this.growth = growth;
-    /** Metres from the middle to the border. */
-    this.reach = 3;
-    /** Half the side of the square of starts. */
-    this.half = 3;
-    /** Does everything stay as it is, that is: is nothing to settle by itself? */
+  /** @param {Experiment} experiment */
+  constructor(experiment) {
+    this.experiment = experiment;
+    /** Without glow: nothing changes by itself. */
     this.isStill = true;
-    /** Seconds into the motion of the particles, or null. @type {number | null} */
+    /** Seconds of the animation, or null. @type {number | null} */
     this.moment = null;
     this.now = 0;
-    /** As it was drawn last. */
-    this.scale = 1;
-    this.middle = [0, 0];
+    /** @type {View | null} */
+    this.view = null;
+    /** Trajectories drawn. */
     this.drawn = 0;
   }
 
-  /** Fits the picture to the options. */
-  fit() {
-    const { half_side: half = 3, fastest = 1, duration = 1 } = this.growth.options;
-    this.half = half;
-    this.reach = half + Math.min(0.6 * fastest * duration, 3 * half);
-  }
-
-  /** All that is accepted. @param {Brush} brush */
+  /** All accepted trajectories. @param {Brush} brush */
   ground(brush) {
     const { context, palette, width, height } = brush;
-    this.scale = Math.max(1, Math.min(width, height) / 2 - MARGIN) / this.reach;
-    this.middle = [width / 2, height / 2];
-    const corner = this.at(-this.half, this.half);
-    const side = 2 * this.half * this.scale;
+    const { half_side: half = 3, fastest = 1, duration = 1 } = this.experiment.options;
+    const reach = half + Math.min(0.6 * fastest * duration, 3 * half);
+    const view = this.view = new View({ min: [-reach, -reach], max: [reach, reach] }, width, height, MARGIN, false);
     context.strokeStyle = palette.line;
     context.lineWidth = 1;
-    context.strokeRect(corner[0], corner[1], side, side);
+    context.strokeRect(view.x(-half), view.y(half), 2 * half * view.scaleX, 2 * half * view.scaleY);
     this.drawn = 0;
     this.append(brush);
   }
 
-  /** Those that were not drawn yet. @param {Pick<Brush, "context" | "palette">} brush */
+  /** Those not drawn yet. @param {Pick<Brush, "context" | "palette">} brush */
   append({ context, palette }) {
-    const { growth: { lines } } = this;
-    if (this.drawn === lines.length) return;
-    this.pen(context, palette.growth, 1.25);
+    const { experiment: { lines }, view, drawn } = this;
+    if (drawn === lines.length || !view) return;
     context.beginPath();
-    for (let i = this.drawn; i < lines.length; i++) this.trace(context, lines[i]);
-    context.stroke();
+    for (const line of lines.slice(drawn)) this.trace(context, line);
+    this.stroke(context, palette.growth, 1.25);
     context.fillStyle = palette.start;
     context.beginPath();
-    for (let i = this.drawn; i < lines.length; i++) this.dot(context, lines[i][0], lines[i][1], 1.4);
+    for (const [x, y] of lines.slice(drawn)) this.dot(context, x, y, 1.4);
     context.fill();
     this.drawn = lines.length;
   }
 
-  /** Is something yet to settle? @param {number} now */
+  /** Does anything glow or move? @param {number} now */
   isMoving(now) {
-    const { born, refusedAt } = this.growth;
-    return this.moment !== null || (!this.isStill && Math.max(born[born.length - 1] ?? -Infinity, refusedAt) + SETTLING > now);
+    const { born, rejectedAt } = this.experiment;
+    return this.moment !== null || (!this.isStill && Math.max(born[born.length - 1] ?? -Infinity, rejectedAt) + GLOWING > now);
   }
+
+  /** The strength of the glow of what was received at a time. @param {number} time @param {boolean} isLast */
+  glowOf(time, isLast) { return this.isStill ? Number(isLast) : Math.max(0, 1 - (this.now - time) / GLOWING); }
 
   /** @param {Brush} brush */
   top({ context, palette }) {
-    const { growth, now, isStill } = this;
-    const { lines, born, refused, refusedAt, isLastRefused } = growth;
-    context.lineCap = "round";
-    context.lineJoin = "round";
+    const { lines, born, rejected, rejectedAt, isLastRejected } = this.experiment;
+    if (!this.view) return;
     for (let i = Math.max(0, lines.length - MOST_GLOWING); i < lines.length; i++) {
-      const isLast = i === lines.length - 1 && isStill && !isLastRefused;
-      const light = isLast ? 1 : isStill ? 0 : Math.max(0, 1 - (now - born[i]) / SETTLING);
-      if (light === 0) continue;
-      this.glow(context, lines[i], palette.halo, 0.35 * light, 7);
-      this.glow(context, lines[i], palette.newest, light, 2.2);
+      const strength = this.glowOf(born[i], i === lines.length - 1 && !isLastRejected);
+      if (strength === 0) continue;
+      this.drawLine(context, lines[i], palette.halo, 7, 0.35 * strength);
+      this.drawLine(context, lines[i], palette.newest, 2.2, strength);
     }
-    const light = isStill ? Number(isLastRefused) : Math.max(0, 1 - (now - refusedAt) / SETTLING);
-    if (refused && light > 0) {
-      context.globalAlpha = light;
-      if (lines[refused.other]) this.glow(context, lines[refused.other], palette.collision, 0.8 * light, 2.2);
-      context.globalAlpha = light;
+    const strength = this.glowOf(rejectedAt, isLastRejected);
+    if (rejected && strength > 0) {
+      if (lines[rejected.other]) this.drawLine(context, lines[rejected.other], palette.collision, 2.2, 0.8 * strength);
       context.setLineDash([5, 4]);
-      this.pen(context, palette.rejected, 2);
-      context.beginPath();
-      this.trace(context, refused.line);
-      context.stroke();
+      this.drawLine(context, rejected.line, palette.rejected, 2, strength);
       context.setLineDash([]);
-      const [x, y] = this.at(...refused.place);
-      this.pen(context, palette.collision, 2.4);
-      context.beginPath();
-      for (const [dx, dy] of [[5, 5], [5, -5]]) {
-        context.moveTo(x - dx, y - dy);
-        context.lineTo(x + dx, y + dy);
-      }
-      context.stroke();
+      context.strokeStyle = palette.collision;
+      context.lineWidth = 2.4;
+      context.globalAlpha = strength;
+      cross(context, this.view.x(rejected.place[0]), this.view.y(rejected.place[1]), 5);
     }
     context.globalAlpha = 1;
-    if (this.moment !== null) this.particles(context, palette.robot);
+    if (this.moment !== null) this.drawParticles(context, palette.robot, this.moment);
   }
 
-  /** The particles where they are now. @param {CanvasRenderingContext2D} context @param {string} colour */
-  particles(context, colour) {
-    const { duration = 1 } = this.growth.options;
-    const part = Math.min(1, Math.max(0, (this.moment ?? 0) - REST / 2) / duration);
+  /** The particles at a moment of the animation. @param {Context} context @param {string} colour @param {number} moment */
+  drawParticles(context, colour, moment) {
+    const part = Math.min(1, Math.max(0, (moment - REST / 2) / (this.round - REST)));
     context.fillStyle = colour;
     context.beginPath();
-    for (const line of this.growth.lines) {
+    for (const line of this.experiment.lines) {
       const pieces = line.length / 2 - 1;
       const i = Math.min(pieces - 1, Math.floor(part * pieces));
       const rest = part * pieces - i;
@@ -128,40 +107,37 @@ export class Plane {
     context.fill();
   }
 
-  /** How long a round of the particles takes, with its rests, seconds. */
-  get round() { return (this.growth.options.duration ?? 1) + REST; }
+  /** Seconds of a round of the animation. */
+  get round() { return (this.experiment.options.duration ?? 1) + REST; }
 
-  /** @param {number} x @param {number} y @returns {[number, number]} */
-  at(x, y) { return [this.middle[0] + x * this.scale, this.middle[1] - y * this.scale]; }
-
-  /** @param {CanvasRenderingContext2D} context @param {string} colour @param {number} width */
-  pen(context, colour, width) {
+  /** @param {Context} context @param {string} colour @param {number} width */
+  stroke(context, colour, width) {
     context.strokeStyle = colour;
     context.lineWidth = width;
     context.lineCap = "round";
     context.lineJoin = "round";
-  }
-
-  /** @param {CanvasRenderingContext2D} context @param {Float32Array} line @param {string} colour @param {number} light @param {number} width */
-  glow(context, line, colour, light, width) {
-    context.globalAlpha = light;
-    this.pen(context, colour, width);
-    context.beginPath();
-    this.trace(context, line);
     context.stroke();
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {Float32Array} line */
-  trace(context, line) {
-    const { scale, middle: [left, top] } = this;
-    context.moveTo(left + line[0] * scale, top - line[1] * scale);
-    for (let i = 2; i < line.length; i += 2) context.lineTo(left + line[i] * scale, top - line[i + 1] * scale);
+  /** @param {Context} context @param {Float32Array} line @param {string} colour @param {number} width @param {number} alpha */
+  drawLine(context, line, colour, width, alpha) {
+    context.globalAlpha = alpha;
+    context.beginPath();
+    this.trace(context, line);
+    this.stroke(context, colour, width);
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {number} radius */
+  /** @param {Context} context @param {Float32Array} line */
+  trace(context, line) {
+    const view = /** @type {View} */ (this.view);
+    context.moveTo(view.x(line[0]), view.y(line[1]));
+    for (let i = 2; i < line.length; i += 2) context.lineTo(view.x(line[i]), view.y(line[i + 1]));
+  }
+
+  /** @param {Context} context @param {number} x @param {number} y @param {number} radius */
   dot(context, x, y, radius) {
-    const [left, top] = this.at(x, y);
-    context.moveTo(left + radius, top);
-    context.arc(left, top, radius, 0, 2 * Math.PI);
+    const view = /** @type {View} */ (this.view);
+    context.moveTo(view.x(x) + radius, view.y(y));
+    context.arc(view.x(x), view.y(y), radius, 0, 2 * Math.PI);
   }
 }

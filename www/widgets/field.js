@@ -137,3 +137,19 @@ function control(info, value, id) {
   if (isMissing(info.default)) input.placeholder = "default_meaning" in info && nothing(info.default_meaning) || "automatic";
   return input;
 }
+
+/**
+ * Every planner and every generator takes a seed, whether its table lists it or not.
+ * @template {ParameterInfo | OptionInfo} T
+ * @param {T[]} parameters
+ * @param {string} [what]   it decides
+ */
+export function withSeed(parameters, what = "run") {
+  if (parameters.some(({ name }) => name === "seed")) return parameters;
+  /** @type {OptionInfo} */
+  const seed = {
+    name: "seed", title: "Seed", kind: "integer", unit: "", min: 0, max: Number.MAX_SAFE_INTEGER, default: 0, choices: null, robots: [],
+    meaning: `Decides every random draw: the same seed gives the same ${what}, bit for bit.`,
+  };
+  return [...parameters, seed];
+}

@@ -2,11 +2,10 @@
  * Driving: keys of the stage, buttons beneath it, what the car does in numbers, its record, and where one control would lead.
  * It takes the place of the transport while the reader drives.
  */
-import { json, save } from "../export/files.js";
+import { json, save } from "../../app/files.js";
 import { drivingOf } from "./driving.js";
 import { Announcer } from "../../app/announcer.js";
-import { write } from "../counters.js";
-import { byId, make } from "../../app/dom.js";
+import { byId, make, write } from "../../app/dom.js";
 
 /** @import { DriveKey } from "planarium" */
 /** @import { Page } from "../page.js" */

@@ -2,7 +2,7 @@
  * The keyboard car: a drive of the core under the reader's keys, in time that goes by in the core's own steps. A key counts from
  * the moment it was pressed, whatever frame is drawn by then, so the same keys lead to the same place however fast frames come.
  */
-import { drawDrive, drawTrace } from "../../draw/driven.js";
+import { drawDrive, drawTrace } from "../stage/driven.js";
 
 /** @import { Drive, DriveKey, DriveState, KeyPress } from "planarium" */
 /** @import { DriveOrder, DriveReport } from "../../domain/types.js" */

@@ -5,8 +5,7 @@
 import { documentText } from "../../formats/document.js";
 import { editorOf } from "./editor.js";
 import { Announcer } from "../../app/announcer.js";
-import { write } from "../counters.js";
-import { byId, make } from "../../app/dom.js";
+import { byId, make, write } from "../../app/dom.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { EditOrder, EditState, EditTool, SceneEntry, Source } from "../../domain/types.js" */

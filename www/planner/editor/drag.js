@@ -3,7 +3,7 @@ import { simple } from "./commands.js";
 import { draws, holds, pointAt, pointFrom } from "./gestures.js";
 import { REACH, hitAt } from "./handles.js";
 
-/** @import { CSpace } from "../../draw/cspace-pane.js" */
+/** @import { CSpace } from "../stage/cspace-pane.js" */
 /** @import { Pointer } from "../../domain/types.js" */
 /** @import { Editor } from "./editor.js" */
 /** @import { Gesture } from "./gestures.js" */

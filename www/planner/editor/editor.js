@@ -4,7 +4,7 @@
  * plays.
  */
 import { faultOf } from "../../app/fault.js";
-import { drawOverlay } from "../../draw/selection.js";
+import { drawOverlay } from "./selection.js";
 import { copies, middle, nudged, places, simple } from "./commands.js";
 import { coordinatesOf } from "../../domain/coordinates.js";
 import { History } from "./history.js";
@@ -14,7 +14,7 @@ import { isTip, leads, otherGoal, tipOf } from "./end-effector.js";
 import { fieldsOf, obstacleOf, place, poseOf, rounded, same, targetOf, objectsOf, withField, withObstacle, withVertex } from "./objects.js";
 
 /** @import { Check, EditOrder, EditState, EditTool, Fault, Obstacle, Pointer, Scenario, ScenarioDocument } from "../../domain/types.js" */
-/** @import { Pane } from "../../draw/pane.js" */
+/** @import { Pane } from "../stage/pane.js" */
 /** @import { Lane, Shown } from "../lane.js" */
 /** @import { Session } from "../session.js" */
 /** @import { Point, EditorObject } from "./objects.js" */

@@ -6,7 +6,7 @@ import { contained, coordinatesOf, wrap } from "../../domain/coordinates.js";
 import { isTip, leads } from "./end-effector.js";
 import { moved, obstacleOf, rectangle, rounded, targetOf, withObstacle, withPose, withTarget, withVertex } from "./objects.js";
 
-/** @import { CSpace } from "../../draw/cspace-pane.js" */
+/** @import { CSpace } from "../stage/cspace-pane.js" */
 /** @import { Obstacle, Scenario, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Shown } from "../lane.js" */
 /** @import { Hit } from "./handles.js" */

@@ -1,9 +1,9 @@
 /** What lies beneath a pointer: handles of what is selected, start and goal by their robot, obstacles. */
+import { distanceToSegment } from "../../draw/trace.js";
 import { contains } from "../../draw/shapes.js";
-import { distanceToSegment } from "../pose/grip.js";
 import { obstacleOf, same, targetOf, objectsOf } from "./objects.js";
 
-/** @import { Pane } from "../../draw/pane.js" */
+/** @import { Pane } from "../stage/pane.js" */
 /** @import { View } from "../../draw/view.js" */
 /** @import { Obstacle, Part } from "../../domain/types.js" */
 /** @import { Shown } from "../lane.js" */

@@ -2,8 +2,7 @@
  * NumPy's arrays come in: polygons become obstacles of the scene on the stage, configurations become marks on it. What an array
  * is tells its shape; where it could be either, and what is to become of polygons, is asked.
  */
-import { grouped } from "../counters.js";
-import { byId, make } from "../../app/dom.js";
+import { byId, grouped, make } from "../../app/dom.js";
 import { NpyError } from "../../formats/dtype.js";
 import { readNpy, readNpyPolygons } from "../../formats/npy.js";
 

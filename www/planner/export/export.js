@@ -2,12 +2,12 @@
  * What can be taken away of what is on the stage: pictures, drawn anew at the size that is asked for, and the
  * numbers behind them. Each says what it is, or why it is not to be had.
  */
-import { write } from "../counters.js";
-import { byId, make } from "../../app/dom.js";
+import { json, save } from "../../app/files.js";
+import { byId, make, write } from "../../app/dom.js";
 import { Exporter } from "./exporter.js";
 import { writeNpy } from "../../formats/npy.js";
 import { showSnippets } from "./embed.js";
-import { countersCsv, json, nameOf, save } from "./files.js";
+import { countersCsv, nameOf } from "./files.js";
 import { layoutOfStage } from "./layout.js";
 
 /** @import { Page } from "../page.js" */

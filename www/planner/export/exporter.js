@@ -5,7 +5,7 @@
 import { GifWriter, paletteOf } from "../../formats/gif.js";
 import { SvgContext } from "../../formats/svg.js";
 import { NONE } from "../timeline/playback.js";
-import { Figure, stripes } from "./svg-layer.js";
+import { Figure, stripes } from "../../draw/svg-layer.js";
 import { Picture, writeCaption } from "./picture.js";
 import { PAST } from "../run-log/run-log.js";
 

@@ -1,5 +1,4 @@
 /** What is taken away as a file: its name, its content, and how it is handed over. */
-import { documentText } from "../../formats/document.js";
 import { toCsv } from "../../formats/csv.js";
 import { letter } from "../race/standings.js";
 
@@ -16,16 +15,6 @@ export function nameOf(scene, plans, time) {
   const who = plans.length > 1 ? ["race"] : [algorithm, `seed${settings.seed ?? 0}`];
   return [scene, ...who, time].join("-").replace(/[^\w.-]+/g, "-");
 }
-
-/** @param {Blob} blob @param {string} name */
-export function save(blob, name) {
-  const href = URL.createObjectURL(blob);
-  Object.assign(document.createElement("a"), { href, download: name }).click();
-  setTimeout(() => URL.revokeObjectURL(href), 60_000);
-}
-
-/** @param {object} value  plain data */
-export function json(value) { return new Blob([documentText(JSON.parse(JSON.stringify(value)))], { type: "application/json" }); }
 
 /** A row for each iteration of each run, from before the first; of a race the planner goes before. @param {LaneLog[]} logs @param {Plan[]} plans */
 export function countersCsv(logs, plans) {

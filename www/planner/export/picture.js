@@ -3,12 +3,12 @@
  * a light stand-in of each lane. The stage itself, and the time that it shows, are not touched.
  */
 import { LAYERS } from "../../draw/layer.js";
-import { KINDS } from "../../draw/stage.js";
+import { KINDS } from "../stage/stage.js";
 import { Frontier } from "../run-log/frontier.js";
 
 /** @import { LayerName } from "../../draw/layer.js" */
-/** @import { Pane } from "../../draw/pane.js" */
-/** @import { Palette } from "../../draw/palette.js" */
+/** @import { Pane } from "../stage/pane.js" */
+/** @import { Palette } from "../../app/palette.js" */
 /** @import { Look, SheetLayout } from "../../domain/types.js" */
 /** @import { Lane, Shown } from "../lane.js" */
 /** @import { Run } from "../run-log/run-log.js" */

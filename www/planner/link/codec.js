@@ -26,11 +26,10 @@
  * @property {View} view
  * @property {Settings} [options]  of the scene
  */
-import { packed, unpacked } from "../../formats/deflate-json.js";
-import { Fault, flag, json, list, must, name, record, rule, settings, text, whole } from "../../formats/rules.js";
+import { decodeFragment, encodeFragment } from "../../formats/fragment.js";
+import { flag, json, list, must, name, record, rule, settings, text, whole } from "../../formats/rules.js";
 
-const MOST_FRAGMENT = 65536;
-const MOST_BYTES = 1 << 20;
+const LIMITS = { characters: 65535, bytes: 1 << 20 };
 
 const experimentRule = record({
   version: rule((value) => value === 1),
@@ -68,9 +67,7 @@ function seen(view) {
 export async function encodeLink(experiment) {
   requireExperiment(experiment);
   const { version, iteration, view, ...rest } = experiment;
-  const fragment = `1${await packed({ ...rest, iteration: iteration || undefined, view: seen(view) }, MOST_BYTES)}`;
-  must(fragment.length < MOST_FRAGMENT, "it is too long");
-  return fragment;
+  return encodeFragment({ ...rest, iteration: iteration || undefined, view: seen(view) }, LIMITS);
 }
 
 /**
@@ -78,15 +75,9 @@ export async function encodeLink(experiment) {
  * @returns {Promise<{ experiment: Experiment, fault: null } | { experiment: null, fault: string }>}  never rejects; `fault` is a sentence for people
  */
 export async function decodeLink(fragment) {
-  try {
-    must(String(fragment).length <= MOST_FRAGMENT, "it is too long");
-    const [, content] = /^#?1([\w-]+)$/.exec(fragment) ?? [];
-    must(content, "it is not one of version 1");
-    const value = await unpacked(content, MOST_BYTES);
-    requireExperiment(value);
-    const lanes = value.lanes.map((lane) => ({ ...lane, settings: lane.settings ?? {} }));
-    return { experiment: { iteration: 0, view: {}, ...value, version: 1, lanes }, fault: null };
-  } catch (error) {
-    return { experiment: null, fault: error instanceof Fault ? error.message : "This link does not work: it is damaged." };
-  }
+  const { value, fault } = await decodeFragment(fragment, LIMITS, requireExperiment);
+  if (fault) return { experiment: null, fault };
+  const read = /** @type {Partial<Experiment> & Pick<Experiment, "lanes">} */ (value);
+  const lanes = read.lanes.map((lane) => ({ ...lane, settings: lane.settings ?? {} }));
+  return { experiment: { iteration: 0, view: {}, ...read, version: 1, lanes }, fault: null };
 }

@@ -2,10 +2,9 @@
  * What is on the stage as an experiment that a link can hold, and back. What a link names and the page does not have, or would
  * refuse, is left out, with a sentence for each.
  */
-import { reasonAgainst } from "../../widgets/field.js";
-import { withSeed } from "../settings/panel.js";
+import { reasonAgainst, withSeed } from "../../widgets/field.js";
 import { axesOf } from "../../domain/names.js";
-import { isProjected } from "../projector.js";
+import { isProjected } from "../../app/projector.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { Experiment } from "./codec.js" */

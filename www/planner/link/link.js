@@ -4,12 +4,11 @@
  */
 import { decodeLink, encodeLink } from "./codec.js";
 import { axesOf } from "../../domain/names.js";
-import { grouped } from "../counters.js";
-import { byId, make } from "../../app/dom.js";
+import { byId, grouped, make } from "../../app/dom.js";
 import { POSES, experimentOf, find } from "./experiment.js";
 
 /** @import { Page } from "../page.js" */
-/** @import { Projector } from "../projector.js" */
+/** @import { Projector } from "../../app/projector.js" */
 /** @import { Experiment } from "./codec.js" */
 /** @import { GeneratorInfo, SceneEntry } from "../../domain/types.js" */
 

@@ -3,10 +3,11 @@
  * one leads the arm; a disc goes
  * where it is put, a body too, unless it is taken by the handle that turns it. What a pointer says in pixels of a pane becomes a configuration.
  */
+import { distanceToSegment } from "../../draw/trace.js";
 import { contained, coordinatesOf, wrap } from "../../domain/coordinates.js";
 
-/** @import { Pane } from "../../draw/pane.js" */
-/** @import { CSpace } from "../../draw/cspace-pane.js" */
+/** @import { Pane } from "../stage/pane.js" */
+/** @import { CSpace } from "../stage/cspace-pane.js" */
 
 /** How near to a part a pointer must be to hold it, CSS pixels: a finger is less exact than a mouse. */
 const REACH = 18;
@@ -83,12 +84,4 @@ export class Grip {
     next[this.held.joint] += wrap(wanted - link);
     return contained(next, coordinates);
   }
-}
-
-/** @param {number} x @param {number} y @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
-export function distanceToSegment(x, y, a, b) {
-  const dx = b[0] - a[0];
-  const dy = b[1] - a[1];
-  const t = Math.min(1, Math.max(0, ((x - a[0]) * dx + (y - a[1]) * dy) / (dx * dx + dy * dy || 1)));
-  return Math.hypot(a[0] + t * dx - x, a[1] + t * dy - y);
 }

@@ -3,13 +3,13 @@
  * pose; or a vertex chosen by its number, for those without a pointer. Found anew each frame, so that it is true of the
  * iteration that is shown.
  */
-import { Passages } from "../../draw/passages.js";
+import { Passages } from "../stage/passages.js";
 import { Grip } from "./grip.js";
 import { lengthText, obstacleName, touchingSentence } from "../../domain/names.js";
 import { PAST } from "../run-log/run-log.js";
 
-/** @import { CSpace } from "../../draw/cspace-pane.js" */
-/** @import { Place } from "../../draw/stage.js" */
+/** @import { CSpace } from "../stage/cspace-pane.js" */
+/** @import { Place } from "../stage/stage.js" */
 /** @import { View } from "../../draw/view.js" */
 /** @import { Hover, Lane } from "../lane.js" */
 /** @import { Run } from "../run-log/run-log.js" */

@@ -1,6 +1,5 @@
 /** What is pointed at, in one line beneath the stage. */
-import { write } from "../counters.js";
-import { byId } from "../../app/dom.js";
+import { byId, write } from "../../app/dom.js";
 
 /** @import { Page } from "../page.js" */
 

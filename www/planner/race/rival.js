@@ -1,8 +1,8 @@
 /** One rival in a race: its planner, its settings, and a way to be rid of it. Its seed is that of planner A unless it is given one. */
 import { letter } from "./standings.js";
 import { make } from "../../app/dom.js";
-import { Field } from "../../widgets/field.js";
-import { FIRST, groupsOf, withSeed } from "../settings/panel.js";
+import { Field, withSeed } from "../../widgets/field.js";
+import { FIRST, groupsOf } from "../settings/panel.js";
 
 /** @import { Plan, PlannerInfo, Settings } from "../../domain/types.js" */
 

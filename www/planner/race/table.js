@@ -1,7 +1,6 @@
 /** How the planners of a race stand, in numbers and in words. */
 import { leaders } from "./standings.js";
-import { grouped, write } from "../counters.js";
-import { make } from "../../app/dom.js";
+import { grouped, make, write } from "../../app/dom.js";
 
 /** @import { Sheets } from "../sheets.js" */
 /** @import { LaneState, State } from "../../domain/types.js" */

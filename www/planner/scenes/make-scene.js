@@ -1,7 +1,6 @@
 /** A form that makes any scene that the core can make. */
 import { make } from "../../app/dom.js";
-import { Field } from "../../widgets/field.js";
-import { withSeed } from "../settings/panel.js";
+import { Field, withSeed } from "../../widgets/field.js";
 
 /** @import { GeneratorInfo, Settings } from "../../domain/types.js" */
 

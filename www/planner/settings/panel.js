@@ -3,9 +3,9 @@
  * that the core learns appears here by itself.
  */
 import { byId, make } from "../../app/dom.js";
-import { Field } from "../../widgets/field.js";
+import { Field, withSeed } from "../../widgets/field.js";
 
-/** @import { OptionInfo, ParameterInfo, Plan, PlannerInfo, Settings } from "../../domain/types.js" */
+/** @import { Plan, PlannerInfo, Settings } from "../../domain/types.js" */
 
 /** Parameters worth a place of their own; the others stand under "More parameters". */
 export const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "blossom", "goal_bias", "sampler", "seed"]);
@@ -219,20 +219,4 @@ export function groupsOf(fields) {
     const elements = others.filter(({ info }) => names.includes(info.name)).map(({ element }) => element);
     return elements.length > 0 ? make("div", { className: "group" }, make("h3", {}, title), ...elements) : [];
   });
-}
-
-/**
- * Every planner and every generator takes a seed, whether its table lists it or not.
- * @template {ParameterInfo | OptionInfo} T
- * @param {T[]} parameters
- * @param {string} [what]   it decides
- */
-export function withSeed(parameters, what = "run") {
-  if (parameters.some(({ name }) => name === "seed")) return parameters;
-  /** @type {OptionInfo} */
-  const seed = {
-    name: "seed", title: "Seed", kind: "integer", unit: "", min: 0, max: Number.MAX_SAFE_INTEGER, default: 0, choices: null, robots: [],
-    meaning: `Decides every random draw: the same seed gives the same ${what}, bit for bit.`,
-  };
-  return [...parameters, seed];
 }

@@ -2,8 +2,7 @@
  * The transport: back, play and pause, steps, run to the end, reset, speed, the timeline, and once solved the way along the path.
  * It passes on what was asked, and shows how things stand.
  */
-import { READABLE, grouped, write } from "../counters.js";
-import { byId } from "../../app/dom.js";
+import { byId, grouped, READABLE, write } from "../../app/dom.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { State } from "../../domain/types.js" */

@@ -2,7 +2,7 @@
 import { paint, soften } from "../../draw/mask.js";
 
 /** @import { Box, Scenario, ScenarioDocument } from "../../domain/types.js" */
-/** @import { Palette } from "../../draw/palette.js" */
+/** @import { Palette } from "../../app/palette.js" */
 
 /**
  * @typedef {object} Painting

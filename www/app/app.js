@@ -1,0 +1,171 @@
+/**
+ * The shell of a page: it loads the core and the worker, runs one loop of frames, and shows messages and errors.
+ *
+ * For tests: `body` carries `data-state` ("loading", "ready", "failed") and `data-settled` ("true" while nothing moves, no reply
+ * of the worker is pending and everything is drawn).
+ */
+import * as library from "planarium";
+import { Announcer } from "./announcer.js";
+import { byId, write } from "./dom.js";
+import { Notice } from "./notice.js";
+import { watchTheme } from "./theme.js";
+import { faultOf } from "./fault.js";
+import { keepForLater } from "./keep-offline.js";
+import { loadCore } from "./resources.js";
+import { readPalette } from "./palette.js";
+import { connect } from "./worker-client.js";
+
+/** @import { Look } from "../domain/types.js" */
+/** @import { Remote } from "./worker-client.js" */
+
+/** @typedef {(now: number) => boolean | void} Animation   milliseconds as of performance.now(); returns true while it goes on */
+
+export class App {
+  constructor() {
+    this.notice = new Notice();
+    this.announcer = new Announcer();
+    this.reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    /** @type {Animation[]} */
+    this.animations = [];
+    /** @type {(() => void)[]} */
+    this.drawings = [];
+    /** @type {(() => void)[]} */
+    this.themeListeners = [];
+    /** Rebuilds what lived in the core, after a panic of the core. @type {() => unknown} */
+    this.rebuild = () => {};
+    this.frame = 0;
+    /** Promises that are tracked and pending. */
+    this.pending = 0;
+    this.message = "";
+    addEventListener("error", (event) => {
+      // Browsers report loops of resize observers as events without an error.
+      if (!event.error) return;
+      event.preventDefault();
+      this.fail(event.error);
+    });
+    addEventListener("unhandledrejection", (event) => {
+      event.preventDefault();
+      this.fail(event.reason);
+    });
+    watchTheme(() => this.setTheme());
+    matchMedia("(forced-colors: active)").addEventListener("change", () => this.setTheme());
+    this.watchPixelRatio();
+  }
+
+  /**
+   * Opens the page.
+   * @template C
+   * @param {string} room   whose commands the worker runs
+   * @param {(worker: Remote<C>) => Promise<void>} start
+   */
+  async open(room, start) {
+    const { dataset } = document.body;
+    dataset.state = "loading";
+    dataset.settled = "false";
+    try {
+      const core = await loadCore();
+      await library.default(core);
+      await start(/** @type {Remote<C>} */ (connect(room, core, (error) => this.fail(error))));
+      dataset.state = "ready";
+      this.requestFrame();
+      keepForLater();
+    } catch (error) {
+      dataset.state = "failed";
+      this.notice.show("This page could not start. It needs a browser with WebAssembly and the other files of this site.", error);
+    }
+  }
+
+  /** Runs in each frame, before drawing. @param {Animation} animate */
+  onFrame(animate) { this.animations.push(animate); }
+
+  /** Runs at the end of each frame. @param {() => void} draw */
+  onDraw(draw) { this.drawings.push(draw); }
+
+  /** Runs when colours or the pixel ratio change. @param {() => void} listener */
+  onTheme(listener) { this.themeListeners.push(listener); }
+
+  requestFrame() {
+    document.body.dataset.settled = "false";
+    this.frame ||= requestAnimationFrame((now) => this.runFrame(now));
+  }
+
+  /** @param {number} now */
+  runFrame(now) {
+    this.frame = 0;
+    let goesOn = false;
+    this.guard(() => {
+      for (const animate of this.animations) goesOn = animate(now) === true || goesOn;
+      for (const draw of this.drawings) draw();
+    });
+    if (goesOn) this.requestFrame();
+    else if (this.frame === 0 && this.pending === 0) document.body.dataset.settled = "true";
+  }
+
+  /**
+   * Awaits a promise; the page is not settled until then. An error is shown and gives undefined.
+   * @template T
+   * @param {Promise<T>} promise
+   * @returns {Promise<T | undefined>}
+   */
+  async track(promise) {
+    this.pending++;
+    document.body.dataset.settled = "false";
+    try {
+      return await promise;
+    } catch (error) {
+      this.fail(error);
+      return undefined;
+    } finally {
+      this.pending--;
+      this.requestFrame();
+    }
+  }
+
+  /**
+   * Calls a function; an error is shown and gives undefined.
+   * @template T
+   * @param {() => T} act
+   * @returns {T | undefined}
+   */
+  guard(act) {
+    try {
+      return act();
+    } catch (error) {
+      this.fail(error);
+      return undefined;
+    }
+  }
+
+  /** Shows an error; after a panic of the core, starts the core again. @param {unknown} error @param {string} [title] */
+  fail(error, title = "Something went wrong.") {
+    this.notice.show(title, error);
+    if (faultOf(error).code === "internal") void library.default().then(() => this.rebuild()).catch((cause) => this.fail(cause));
+  }
+
+  /** Shows a sentence above the figures and announces it. @param {string} text @param {{ isBad?: boolean, isSilent?: boolean }} [options] */
+  say(text, { isBad = false, isSilent = false } = {}) {
+    const story = byId("story", HTMLElement);
+    write(story, text);
+    story.dataset.tone = isBad ? "bad" : "";
+    if (text !== this.message && !isSilent) this.announcer.say(text);
+    this.message = text;
+  }
+
+  /** Writes texts into elements by their ids. @param {Record<string, string>} texts */
+  write(texts) { for (const [id, text] of Object.entries(texts)) write(byId(id, HTMLElement), text); }
+
+  /** @returns {Look} */
+  get look() { return { palette: readPalette(byId("main", HTMLElement)), ratio: devicePixelRatio || 1, calm: this.reducedMotion, bold: 1 }; }
+
+  setTheme() {
+    for (const listener of this.themeListeners) listener();
+    this.requestFrame();
+  }
+
+  watchPixelRatio() {
+    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", () => {
+      this.setTheme();
+      this.watchPixelRatio();
+    }, { once: true });
+  }
+}

@@ -1,0 +1,29 @@
+/** The page for the back row: the stage fills the room, words are large, lines are bold. */
+import { byId, make } from "./dom.js";
+
+const CLASS = "projector";
+
+/** Is the page shown so? */
+export function isProjected() { return document.documentElement.classList.contains(CLASS); }
+
+export class Projector {
+  /** @param {() => void} onChange   lines and words have another size */
+  constructor(onChange) {
+    this.onChange = onChange;
+    this.button = make("button", { type: "button", id: "projector", className: "quiet", ariaPressed: "false" }, "Projector");
+    this.button.title = "Large words and bold lines for a class; Escape leaves";
+    byId("tools", HTMLElement).append(this.button);
+    this.button.addEventListener("click", () => this.turn(!isProjected()));
+    addEventListener("keydown", (event) => {
+      if (event.key === "Escape" && !event.defaultPrevented && isProjected()) this.turn(false);
+    });
+  }
+
+  /** @param {boolean} on */
+  turn(on) {
+    if (on === isProjected()) return;
+    document.documentElement.classList.toggle(CLASS, on);
+    this.button.setAttribute("aria-pressed", String(on));
+    this.onChange();
+  }
+}

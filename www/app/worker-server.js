@@ -1,0 +1,42 @@
+/** The worker's end: it runs messages `{ id, room, command, args }` and replies to each with `{ id, value }` or `{ id, fault }`. */
+import * as library from "planarium";
+import { faultOf } from "./fault.js";
+
+/**
+ * The commands of a room. Typed arrays that one returns are transferred, so it returns copies of those that it stores.
+ * @typedef {Record<string, (...args: any[]) => unknown>} Commands
+ */
+
+const port = /** @type {{ postMessage(message: unknown, transfer?: Transferable[]): void }} */ (/** @type {unknown} */ (self));
+
+/**
+ * @param {Record<string, { commands: Commands, reset?: () => void }>} rooms   `reset` is called after a panic of the core, which
+ *   leaves nothing of what was made by it
+ */
+export function serve(rooms) {
+  /** @type {Promise<unknown>} */
+  let started = Promise.resolve();
+  addEventListener("message", async ({ data: { id, room, command, args } }) => {
+    const { commands, reset } = rooms[room];
+    try {
+      if (command === "start") started = library.default(args[0]);
+      await started;
+      const value = command === "start" ? null : await commands[command](...args);
+      port.postMessage({ id, value }, [...buffersOf(value)]);
+    } catch (error) {
+      const fault = faultOf(error);
+      if (fault.code === "internal") {
+        await library.default();
+        reset?.();
+      }
+      port.postMessage({ id, fault });
+    }
+  });
+}
+
+/** The memory of the typed arrays in a value. @param {unknown} value @param {Set<ArrayBuffer>} [buffers] @returns {Set<ArrayBuffer>} */
+function buffersOf(value, buffers = new Set()) {
+  if (ArrayBuffer.isView(value)) buffers.add(/** @type {ArrayBuffer} */ (value.buffer));
+  else if (typeof value === "object" && value) for (const entry of Object.values(value)) buffersOf(entry, buffers);
+  return buffers;
+}

@@ -1,0 +1,126 @@
+/**
+ * A figure: a caption, and two canvases as sharp as the screen. The ground is drawn when the picture changes, the top whenever
+ * something moves, each once a frame. The same drawing can be exported as PNG or SVG.
+ */
+import { make } from "../app/dom.js";
+import { hatch } from "./hatch.js";
+import { Layer } from "./layer.js";
+
+/** @import { App } from "../app/app.js" */
+/** @import { Stripes } from "../formats/svg.js" */
+/** @import { Palette } from "../app/palette.js" */
+
+/**
+ * What a figure is drawn with; lengths are CSS pixels.
+ * @typedef {object} Brush
+ * @property {CanvasRenderingContext2D} context
+ * @property {Palette} palette
+ * @property {number} width
+ * @property {number} height
+ * @property {number} ratio   device pixels a CSS pixel
+ * @property {(colour: string) => CanvasPattern | null} hatch   diagonal lines
+ */
+
+/** What is drawn. @typedef {{ ground: (brush: Brush) => void, top: (brush: Brush) => void }} Drawing */
+
+const LAYERS = /** @type {const} */ (["ground", "top"]);
+
+export class Figure {
+  /**
+   * @param {App} app
+   * @param {HTMLElement} host   the figure is appended
+   * @param {{ id: string, kind: string, caption: string, note?: string }} names   `kind`: a class of the figure, such as "workspace"
+   * @param {Drawing} drawing
+   */
+  constructor(app, host, { id, kind, caption, note = "" }, drawing) {
+    this.app = app;
+    this.drawing = drawing;
+    this.caption = make("span", {}, caption);
+    this.note = make("small", {}, note);
+    const [ground, top] = LAYERS.map((name) => {
+      const canvas = make("canvas", { ariaHidden: "true" });
+      canvas.dataset.layer = name;
+      return canvas;
+    });
+    this.box = make("div", { className: "sheet" }, ground, top);
+    this.element = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, this.caption, " ", this.note), this.box);
+    this.layers = { ground: new Layer(ground), top: new Layer(top) };
+    /** Receives pointer events. */
+    this.canvas = top;
+    top.removeAttribute("aria-hidden");
+    top.setAttribute("role", "img");
+    top.setAttribute("aria-label", caption);
+    this.width = 0;
+    this.height = 0;
+    /** @type {Palette | null} */
+    this.palette = null;
+    /** Layers to be redrawn. @type {Set<"ground" | "top">} */
+    this.dirty = new Set();
+    host.append(this.element);
+    new ResizeObserver(() => this.measure()).observe(this.box);
+    app.onTheme(() => this.fit());
+    app.onDraw(() => this.draw());
+  }
+
+  /** Redraws both layers in the next frame. */
+  redraw() {
+    this.dirty.add("ground");
+    this.redrawTop();
+  }
+
+  redrawTop() {
+    this.dirty.add("top");
+    this.app.requestFrame();
+  }
+
+  /** Sets the description for screen readers. @param {string} text */
+  describe(text) { if (this.canvas.getAttribute("aria-label") !== text) this.canvas.setAttribute("aria-label", text); }
+
+  /** Fits the canvases to their place, in whole pixels: a canvas stretched by a fraction of one is blurred. */
+  measure() {
+    const box = this.box.getBoundingClientRect();
+    const [width, height] = [box.width, box.height].map((side) => Math.round(side * devicePixelRatio) / devicePixelRatio);
+    if (width < 1 || height < 1 || (width === this.width && height === this.height)) return;
+    Object.assign(this, { width, height });
+    for (const canvas of this.box.querySelectorAll("canvas")) Object.assign(canvas.style, { width: `${width}px`, height: `${height}px` });
+    this.fit();
+    this.app.requestFrame();
+  }
+
+  /** Takes on the colours, the pixel ratio and the size. */
+  fit() {
+    if (this.width < 1) return;
+    const { palette, ratio } = this.app.look;
+    this.palette = palette;
+    for (const name of LAYERS) {
+      this.layers[name].fit(this.width, this.height, ratio);
+      this.dirty.add(name);
+    }
+  }
+
+  /** Draws the layers that are dirty. */
+  draw() {
+    const { dirty } = this;
+    if (!this.palette || this.element.hidden) return;
+    for (const name of LAYERS) {
+      if (!dirty.delete(name)) continue;
+      const { context, ratio } = this.layers[name];
+      this.layers[name].clear();
+      this.drawWith(context, ratio, (colour) => hatch(context, colour, ratio), [name]);
+    }
+  }
+
+  /**
+   * Draws layers with a context, which may be that of an SVG.
+   * @param {CanvasRenderingContext2D} context @param {number} ratio @param {(colour: string) => CanvasPattern | Stripes | null} hatchOf @param {readonly ("ground" | "top")[]} [layers]
+   */
+  drawWith(context, ratio, hatchOf, layers = LAYERS) {
+    const { palette, width, height } = this;
+    if (!palette) return;
+    for (const name of layers) {
+      context.save();
+      this.drawing[name]({ context, palette, width, height, ratio, hatch: /** @type {Brush["hatch"]} */ (hatchOf) });
+      context.restore();
+    }
+  }
+}

@@ -1,0 +1,68 @@
+/**
+ * A sheet's layer that writes SVG in place of pixels: what panes draw on a canvas becomes lines. It stands where a canvas
+ * would and gives its own context; coordinates are CSS pixels whatever the ratio, which is left to the images in it.
+ */
+import { SvgContext } from "../formats/svg.js";
+
+/** @import { Stripes } from "../formats/svg.js" */
+
+/** Stands in an image's place until its bytes are known. */
+const LATER = "image:";
+
+export class Figure extends SvgContext {
+  /** @param {number} width @param {number} height  CSS pixels */
+  constructor(width, height) {
+    super(width, height);
+    this.width = width;
+    this.height = height;
+    /** @type {(OffscreenCanvas | ImageBitmap)[]} */
+    this.images = [];
+  }
+
+  /** It is its own canvas. */
+  getContext() { return this; }
+
+  /** Pixels are not told: there are none. @override */
+  setTransform() {}
+
+  /** A pattern of pixels is of no use; stripes are given in its place. */
+  createPattern() { return null; }
+
+  /** @param {OffscreenCanvas | ImageBitmap | { toDataURL(): string }} image @param {number} x @param {number} y @param {number} width @param {number} height @override */
+  drawImage(image, x, y, width, height) {
+    this.images.push(/** @type {OffscreenCanvas | ImageBitmap} */ (image));
+    super.drawImage({ toDataURL: () => `${LATER}${this.images.length - 1};` }, x, y, width, height);
+  }
+
+  /** The figure as an element to be put into another one. @param {string} name  sets its own names apart from others' @param {number} x @param {number} y @returns {Promise<string>} */
+  async element(name, x, y) {
+    const urls = await Promise.all(this.images.map(dataUrl));
+    return this.toString()
+      .replaceAll(/(\bid="|url\(#)/g, `$1${name}-`)
+      .replaceAll(new RegExp(`${LATER}(\\d+);`, "g"), (_, index) => urls[Number(index)])
+      .replaceAll(/color-mix\([^"]*\)/g, plain)
+      .replace("<svg ", `<svg x="${x}" y="${y}" `);
+  }
+}
+
+/** Stripes of a colour, as wide and as far apart as the stage has them. @param {string} colour @returns {Stripes} */
+export function stripes(colour) { return { colour, size: 5, width: 1.5 }; }
+
+/** @param {OffscreenCanvas | ImageBitmap} image @returns {Promise<string>} */
+async function dataUrl(image) {
+  const canvas = image instanceof OffscreenCanvas ? image : new OffscreenCanvas(image.width, image.height);
+  if (canvas !== image) canvas.getContext("2d")?.drawImage(image, 0, 0);
+  const bytes = new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer());
+  let text = "";
+  for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
+  return `data:image/png;base64,${btoa(text)}`;
+}
+
+/** A mixed colour as one that every program knows. @param {string} colour */
+function plain(colour) {
+  const context = new OffscreenCanvas(1, 1).getContext("2d");
+  if (!context) return colour;
+  context.fillStyle = colour;
+  context.fillRect(0, 0, 1, 1);
+  return `rgb(${context.getImageData(0, 0, 1, 1).data.slice(0, 3).join(", ")})`;
+}

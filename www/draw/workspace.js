@@ -1,0 +1,47 @@
+/** What every drawing of a workspace begins with, and handles to drag. */
+import { drawBase, drawBounds, drawReach, drawScale } from "./ground.js";
+import { disc, ring } from "./marks.js";
+import { drawObstacles } from "./shapes.js";
+import { View } from "./view.js";
+
+/** @import { Scenario, ScenarioDocument } from "../domain/types.js" */
+/** @import { Palette } from "../app/palette.js" */
+/** @import { Brush } from "./figure.js" */
+
+const MARGIN = { left: 14, right: 14, top: 14, bottom: 14 };
+
+/** Grid, bounds, the reach of an arm, obstacles and its base. @param {Brush} brush @param {Scenario} scenario @param {ScenarioDocument} document @returns {View} */
+export function drawWorld({ context, palette, width, height }, scenario, { world, robot }) {
+  const view = new View(scenario.extent(), width, height, MARGIN, false);
+  drawScale(context, view, palette);
+  if (world.bounds) drawBounds(context, view, world.bounds, palette);
+  else if (robot.type === "arm") drawReach(context, view, robot, palette);
+  drawObstacles(context, view, world.obstacles, palette);
+  if (robot.type === "arm") drawBase(context, view, robot.base, palette);
+  return view;
+}
+
+/** A ring to drag. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {string} colour @param {Palette} palette */
+export function drawHandle(context, x, y, colour, palette) {
+  context.fillStyle = palette.stage;
+  disc(context, x, y, 8);
+  context.strokeStyle = context.fillStyle = colour;
+  context.lineWidth = 2.4;
+  ring(context, x, y, 6.6);
+  disc(context, x, y, 2.4);
+}
+
+/** An upright cross with a halo. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {string} colour @param {Palette} palette @param {number} size */
+export function drawCross(context, x, y, colour, palette, size) {
+  context.lineCap = "round";
+  for (const [width, stroke] of /** @type {[number, string][]} */ ([[5.5, palette.stage], [2.2, colour]])) {
+    context.lineWidth = width;
+    context.strokeStyle = stroke;
+    context.beginPath();
+    context.moveTo(x - size, y);
+    context.lineTo(x + size, y);
+    context.moveTo(x, y - size);
+    context.lineTo(x, y + size);
+    context.stroke();
+  }
+}

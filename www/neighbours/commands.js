@@ -1,0 +1,99 @@
+/** What the worker computes for this page: the newest list of configurations, indexes on it, and their times. */
+import { Scenario } from "planarium";
+import { Measurement } from "./measurement.js";
+import { readList } from "./read-list.js";
+
+/** @import { Neighbours, NeighboursOptions } from "planarium" */
+/** @import { List, Measured, Query, Result, Sampling, ScenarioDocument, Settings } from "./types.js" */
+
+/** @type {Scenario | null} */
+let scenario = null;
+let version = 0;
+/** @type {Float64Array} */
+let rows = new Float64Array();
+/** Indexes on the rows, by their options. @type {Map<string, Neighbours>} */
+const indexes = new Map();
+/** @type {Measurement | null} */
+let measurement = null;
+
+/** @returns {Scenario} */
+function robot() {
+  if (!scenario) throw new Error("No robot is open.");
+  return scenario;
+}
+
+/** @param {Scenario} opened @param {Float64Array} list @returns {List} */
+function store(opened, list) {
+  scenario?.free();
+  scenario = opened;
+  for (const index of indexes.values()) index.free();
+  indexes.clear();
+  rows = list;
+  version += 1;
+  return { version, rows: rows.slice(), tips: opened.endEffectors(rows) };
+}
+
+/** @param {Settings} options */
+function indexOf(options) {
+  const key = JSON.stringify(options);
+  const index = indexes.get(key) ?? robot().neighbours(/** @type {NeighboursOptions} */ (options));
+  if (!indexes.has(key)) index.add(rows);
+  indexes.set(key, index);
+  return index;
+}
+
+export const commands = {
+  /** @param {ScenarioDocument} document @param {Sampling} sampling @returns {List} */
+  sample(document, { n, seed, free }) {
+    const opened = Scenario.parse(document);
+    return store(opened, opened.sampleConfigurations(n, { seed, free }));
+  },
+
+  /** Reads JSON or a NumPy array; if it is refused, the list before stays. @param {ScenarioDocument} document @param {string} name @param {Uint8Array} bytes @returns {List} */
+  read(document, name, bytes) {
+    const opened = Scenario.parse(document);
+    try {
+      const list = readList(name, bytes, opened.dimension);
+      const index = opened.neighbours({ index: "linear" });
+      try {
+        index.add(list);
+      } finally {
+        index.free();
+      }
+      return store(opened, list);
+    } finally {
+      if (scenario !== opened) opened.free();
+    }
+  },
+
+  /** @param {Query} query @returns {Result | null}  null: the list is another by now */
+  search({ version: asked, q, k, index, given }) {
+    if (asked !== version) return null;
+    const { metric } = given;
+    /** @type {Settings} */
+    const meant = metric === undefined || metric === "naive" ? {} : { metric };
+    return { found: indexOf({ index, ...given }).nearest(q, k), exact: indexOf({ index: "kd-tree", ...meant }).nearest(q, k) };
+  },
+
+  /** Begins to measure. @param {ScenarioDocument} document @param {number} k @param {Settings} given  options of the indexes */
+  beginMeasurement(document, k, given) {
+    measurement?.free();
+    measurement = new Measurement(document, k, given);
+  },
+
+  /** Measures on n configurations; what there is no time for is left out. @param {number} n @param {number} milliseconds @returns {Measured[]} */
+  measure(n, milliseconds) { return measurement?.measure(n, milliseconds) ?? []; },
+
+  endMeasurement() {
+    measurement?.free();
+    measurement = null;
+  },
+};
+
+/** @typedef {typeof commands} Commands */
+
+export function reset() {
+  scenario = measurement = null;
+  indexes.clear();
+  version += 1;
+}

@@ -1,0 +1,46 @@
+/** Dragging the target: its handles in the workspace, anywhere in the square, and arrow keys. */
+import { watchArrows, watchDrag } from "../draw/drag.js";
+
+/** @import { Figure } from "../draw/figure.js" */
+/** @import { NeighbourSession } from "./session.js" */
+/** @import { Square } from "./square.js" */
+/** @import { Workspace } from "./workspace.js" */
+
+/** What an arrow key changes a coordinate by, as part of its range. */
+const STEP = 0.005;
+
+/**
+ * @param {NeighbourSession} session @param {HTMLElement} stage   receives keys
+ * @param {{ workspace: Figure, square: Figure }} figures @param {{ workspace: Workspace, square: Square }} drawings
+ */
+export function watchHandles(session, stage, figures, { workspace, square }) {
+  const { app } = session;
+  watchDrag(app, figures.workspace.canvas, ({ x, y, near }) => {
+    const { view } = workspace;
+    if (!view) return null;
+    const distances = workspace.handles.map((handle) => Math.hypot(view.x(handle[0]) - x, view.y(handle[1]) - y));
+    const least = Math.min(...distances);
+    return least > near ? null : (place) => moveHandle(distances.indexOf(least), ...view.toPlane(place.x, place.y));
+  });
+  watchDrag(app, figures.square.canvas, () => {
+    const { view } = square;
+    return view && ((place) => session.moveTo(view.toPlane(place.x, place.y)));
+  });
+  watchArrows(stage, (coordinate, direction, factor) => {
+    if (coordinate >= session.dimension) return false;
+    const { low, high } = session.coordinates[coordinate];
+    session.setCoordinate(coordinate, session.q[coordinate] + direction * factor * STEP * (high - low));
+    return true;
+  });
+
+  /** Turns the joint of a link towards a point, moves a body, or turns it. @param {number} handle @param {number} x @param {number} y */
+  function moveHandle(handle, x, y) {
+    const { q, isArm, scenario } = session;
+    const part = isArm ? scenario.footprint(q)[handle] : null;
+    if (part?.type === "capsule") {
+      const before = q.subarray(0, handle).reduce((sum, angle) => sum + angle, 0);
+      session.setCoordinate(handle, Math.atan2(y - part.a[1], x - part.a[0]) - before);
+    } else if (handle === 0) session.moveTo([x, y, ...q.subarray(2)]);
+    else session.setCoordinate(2, Math.atan2(y - q[1], x - q[0]));
+  }
+}

@@ -1,0 +1,109 @@
+/**
+ * Times for building and querying scan, kd-tree and forest on more and more configurations. The clock of a browser is coarse, so
+ * queries are timed in batches, and their median counts.
+ */
+import { Scenario } from "planarium";
+
+/** @import { Neighbours, NeighboursOptions } from "planarium" */
+/** @import { IndexId, Measured, ScenarioDocument, Settings } from "./types.js" */
+
+/** An index, and the milliseconds that it took to build. @typedef {{ kind: IndexId, index: Neighbours, build: number }} Candidate */
+
+/** @type {IndexId[]} */
+const KINDS = ["linear", "kd-tree", "forest"];
+/** Targets queried in turn. */
+const TARGETS = 40;
+/** Milliseconds of a batch at least, and the number of batches. */
+const BATCH = 1.5;
+const BATCHES = 7;
+/** Configurations added between two looks at the clock. */
+const CHUNK = 2000;
+/** Configurations measured at most. */
+const MOST = 100_000;
+const SEEDS = { rows: 1, targets: 2 };
+
+export class Measurement {
+  /** @param {ScenarioDocument} document @param {number} k @param {Settings} given */
+  constructor(document, k, { metric, ...forest }) {
+    this.scenario = Scenario.parse(document);
+    this.k = k;
+    this.rows = this.scenario.sampleConfigurations(MOST, { seed: SEEDS.rows });
+    const { dimension } = this.scenario;
+    const targets = this.scenario.sampleConfigurations(TARGETS, { seed: SEEDS.targets });
+    this.targets = Array.from({ length: TARGETS }, (_, i) => targets.subarray(i * dimension, (i + 1) * dimension));
+    /** @type {Candidate[]} */
+    this.candidates = KINDS.map((kind) => {
+      const options = { index: kind, ...(metric === undefined ? {} : { metric }), ...(kind === "forest" ? forest : {}) };
+      return { kind, index: this.scenario.neighbours(/** @type {NeighboursOptions} */ (options)), build: 0 };
+    });
+  }
+
+  /** @param {number} n  more than before @param {number} milliseconds  that may be spent @returns {Measured[]} */
+  measure(n, milliseconds) {
+    const end = performance.now() + milliseconds;
+    /** @type {Measured[]} */
+    const measured = [];
+    /** The true neighbours of each target. @type {Set<number>[]} */
+    let truth = [];
+    for (const candidate of [...this.candidates]) {
+      const { kind, index } = candidate;
+      if (!this.grow(candidate, n, end) || performance.now() > end) {
+        // An index that could not be built has no part in larger measurements.
+        if (index.size < n) this.drop(candidate);
+        continue;
+      }
+      const results = this.targets.map((q) => index.nearest(q, this.k));
+      if (kind === "kd-tree") truth = results.map(({ indices }) => new Set(indices));
+      const recalls = results.map(({ indices }, i) => (truth[i]?.size ? indices.filter((one) => truth[i].has(one)).length / truth[i].size : 1));
+      measured.push({
+        index: kind, n, build: candidate.build / 1000, query: this.time(index) / 1000,
+        visited: mean(results.map(({ visited }) => visited)), recall: kind === "forest" ? mean(recalls) : 1,
+      });
+    }
+    return measured;
+  }
+
+  /** Adds configurations until there are n. @param {Candidate} candidate @param {number} n @param {number} end @returns {boolean} whether there was time */
+  grow(candidate, n, end) {
+    const { scenario: { dimension }, rows } = this;
+    const { index } = candidate;
+    while (index.size < n) {
+      const began = performance.now();
+      if (began > end) return false;
+      index.add(rows.subarray(index.size * dimension, Math.min(n, index.size + CHUNK) * dimension));
+      candidate.build += performance.now() - began;
+    }
+    return true;
+  }
+
+  /** Milliseconds of a query. @param {Neighbours} index */
+  time(index) {
+    let i = 0;
+    const batches = Array.from({ length: BATCHES }, () => {
+      const began = performance.now();
+      let count = 0;
+      let now = began;
+      while (now - began < BATCH) {
+        for (let one = 0; one < 8; one++) index.nearest(this.targets[i++ % TARGETS], this.k);
+        count += 8;
+        now = performance.now();
+      }
+      return (now - began) / count;
+    });
+    return batches.sort((a, b) => a - b)[BATCHES >> 1];
+  }
+
+  /** @param {Candidate} candidate */
+  drop(candidate) {
+    candidate.index.free();
+    this.candidates = this.candidates.filter((one) => one !== candidate);
+  }
+
+  free() {
+    for (const candidate of this.candidates) this.drop(candidate);
+    this.scenario.free();
+  }
+}
+
+/** @param {number[]} values */
+function mean(values) { return values.reduce((sum, value) => sum + value, 0) / values.length; }

@@ -1,0 +1,44 @@
+/** The neighbours as a table, nearest first, and the result in a sentence. */
+import { byId, grouped, make, write } from "../app/dom.js";
+import { num, tuple } from "../widgets/format.js";
+
+/** @import { NeighbourSession } from "./session.js" */
+
+/** Rows of the table, at most. */
+const MOST = 100;
+/** Digits of coordinates and distances. */
+export const DIGITS = 3;
+
+/** Shows the neighbours in the table. @param {NeighbourSession} session */
+export function showNeighbours(session) {
+  const { indices, distances } = session.found;
+  const shown = indices.slice(0, MOST);
+  const { caption, tBodies: [body] } = byId("neighbours", HTMLTableElement);
+  if (caption) write(caption, shown.length < indices.length ? `The ${MOST} nearest of ${indices.length}` : `The ${indices.length} nearest`);
+  body.replaceChildren(...Array.from(shown, (i, rank) => {
+    const isRight = session.exact.has(i);
+    const cells = [grouped(i), tuple(session.row(i), DIGITS), `${num(distances[rank], DIGITS)}${isRight ? "" : " \u2717"}`];
+    const row = make("tr", {}, make("th", { scope: "row" }, String(rank + 1)), ...cells.map((text) => make("td", {}, text)));
+    Object.assign(row.dataset, { index: i, distance: distances[rank], right: isRight });
+    return row;
+  }));
+}
+
+/** @param {NeighbourSession} session */
+export function sentenceOf({ found, index, isNaive, isArm, count, missed, k }) {
+  if (found.indices.length === 0) return "Sampling configurations.";
+  const asked = Math.min(k, count);
+  const wrong = missed.length;
+  if (isNaive) {
+    const naive = "The naive metric treats angles as plain numbers from 0 to 2\u03c0, so it cuts each circle at 0.";
+    return wrong === 0 ? `${naive} Here it happens to be right. Move a joint near 0 to see it fail.`
+      : `${naive} Of its ${asked} neighbours ${wrong} ${wrong === 1 ? "is" : "are"} wrong: it misses nearer ones beyond the cut.`;
+  }
+  const visited = `visited ${grouped(found.visited)} of ${grouped(count)} configurations`;
+  if (index === "forest") {
+    return wrong === 0 ? `The forest ${visited} and found all ${asked} nearest. With more configurations or fewer candidates it misses some.`
+      : `The forest ${visited} and missed ${wrong} of the ${asked} nearest (dashed).`;
+  }
+  if (index === "linear") return `The linear scan visited all ${grouped(count)} configurations to find the ${asked} nearest.`;
+  return `The kd-tree ${visited} to find the ${asked} nearest.${isArm ? " Angles wrap, so a neighbour may lie across the border." : ""}`;
+}

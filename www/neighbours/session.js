@@ -1,0 +1,163 @@
+/**
+ * The state of the page: a robot, a list of its configurations, a target and a query. Listeners learn what changed. Lists and
+ * results come from the worker; only the newest query counts.
+ */
+import { Scenario } from "planarium";
+import { contained, coordinatesOf, wrap } from "../domain/coordinates.js";
+
+/** @import { App } from "../app/app.js" */
+/** @import { Remote } from "../app/worker-client.js" */
+/** @import { Coordinate, Part } from "../domain/types.js" */
+/** @import { Commands } from "./commands.js" */
+/** @import { Found, IndexId, List, RobotEntry, Sampling, Settings } from "./types.js" */
+
+/** @typedef {"robot" | "list" | "query" | "result"} Change */
+
+/** Robots drawn, at most. */
+export const DRAWN = 400;
+
+/** @type {Found} */
+const NOTHING = { indices: new Uint32Array(), distances: new Float64Array(), visited: 0 };
+
+export class NeighbourSession {
+  /** @param {App} app @param {Remote<Commands>} worker @param {RobotEntry} entry */
+  constructor(app, worker, entry) {
+    this.app = app;
+    this.worker = worker;
+    this.entry = entry;
+    this.scenario = Scenario.parse(entry.document);
+    /** @type {Coordinate[]} */
+    this.coordinates = [];
+    /** @type {Sampling} */
+    this.sampling = { n: 500, seed: 0, free: true };
+    /** The name of the file, if the list was not sampled. @type {string | null} */
+    this.file = null;
+    /** @type {List} */
+    this.list = { version: 0, rows: new Float64Array(), tips: new Float64Array() };
+    /** The parts of the first robots of the list. @type {Part[][]} */
+    this.footprints = [];
+    /** @type {Float64Array} */
+    this.q = new Float64Array();
+    this.k = entry.k;
+    /** @type {IndexId} */
+    this.index = "kd-tree";
+    /** Options of the indexes. @type {Settings} */
+    this.given = {};
+    this.found = NOTHING;
+    /** The true neighbours. @type {Set<number>} */
+    this.exact = new Set();
+    /** Is a result awaited, and has the query changed since? */
+    this.isBusy = false;
+    this.isStale = false;
+    /** Lists asked for. */
+    this.requests = 0;
+    /** @type {((change: Change) => void)[]} */
+    this.listeners = [];
+  }
+
+  get document() { return this.entry.document; }
+  get dimension() { return this.coordinates.length; }
+  get count() { return this.dimension === 0 ? 0 : this.list.rows.length / this.dimension; }
+  get isArm() { return this.document.robot.type === "arm"; }
+  get isNaive() { return this.given.metric === "naive"; }
+
+  /** A configuration of the list. @param {number} i */
+  row(i) { return this.list.rows.subarray(i * this.dimension, (i + 1) * this.dimension); }
+
+  /** True neighbours that were not found. @returns {number[]} */
+  get missed() {
+    const found = new Set(this.found.indices);
+    return [...this.exact].filter((i) => !found.has(i));
+  }
+
+  /** @param {(change: Change) => void} listener */
+  onChange(listener) { this.listeners.push(listener); }
+
+  /** @param {Change} change */
+  update(change) {
+    for (const listener of this.listeners) listener(change);
+    this.app.requestFrame();
+  }
+
+  /** @param {RobotEntry} entry @param {{ q?: ArrayLike<number>, k?: number }} [query] @returns {Promise<void>} */
+  open(entry, { q = entry.q, k = entry.k } = {}) {
+    const scenario = Scenario.parse(entry.document);
+    this.scenario.free();
+    Object.assign(this, { scenario, entry, k, coordinates: coordinatesOf({ scenario, document: entry.document }) });
+    this.setList({ version: -1, rows: new Float64Array(), tips: new Float64Array() });
+    if (!this.isArm) delete this.given.metric;
+    this.q = this.fitted(q);
+    this.update("robot");
+    return this.sample();
+  }
+
+  /** @param {Partial<Sampling>} [changes] */
+  sample(changes = {}) {
+    this.sampling = { ...this.sampling, ...changes };
+    this.file = null;
+    return this.receive(this.worker.sample(this.document, this.sampling), null);
+  }
+
+  /** Reads a list from a file. @param {string} name @param {Uint8Array} bytes */
+  read(name, bytes) {
+    const list = this.worker.read(this.document, name, bytes).catch((error) => {
+      this.app.fail(error, `${name} could not be read as a list of configurations.`);
+      return undefined;
+    });
+    return this.receive(list, name);
+  }
+
+  /** @param {Promise<List | undefined>} promise @param {string | null} file */
+  async receive(promise, file) {
+    this.requests += 1;
+    const { requests, entry } = this;
+    const list = await this.app.track(promise);
+    if (!list || requests !== this.requests || entry !== this.entry) return;
+    this.file = file;
+    this.setList(list);
+    this.update("list");
+    await this.search();
+  }
+
+  /** @param {List} list */
+  setList(list) {
+    this.list = list;
+    this.found = NOTHING;
+    this.exact = new Set();
+    this.footprints = Array.from({ length: Math.min(DRAWN, this.count) }, (_, i) => this.scenario.footprint(this.row(i)));
+  }
+
+  /** @param {ArrayLike<number>} q */
+  fitted(q) { return contained(Float64Array.from({ length: this.dimension }, (_, i) => q[i] ?? 0), this.coordinates); }
+
+  /** Moves the target. @param {ArrayLike<number>} q */
+  moveTo(q) { this.setQuery({ q: this.fitted(q) }); }
+
+  /** Changes one coordinate of the target. @param {number} i @param {number} value */
+  setCoordinate(i, value) { this.moveTo(this.q.map((old, j) => (j !== i ? old : this.coordinates[i].isCircle ? wrap(value) : value))); }
+
+  /** @param {Partial<Pick<NeighbourSession, "q" | "k" | "index" | "given">>} changes */
+  setQuery(changes) {
+    Object.assign(this, changes);
+    this.update("query");
+    void this.search();
+  }
+
+  /** Finds the neighbours; while a result is awaited only the newest query waits. */
+  async search() {
+    this.isStale = this.isBusy;
+    if (this.isBusy || this.list.version < 1) return;
+    this.isBusy = true;
+    const { list: { version }, q, k, index, given } = this;
+    // Only a forest has options beside the metric.
+    const options = index === "forest" ? given : given.metric === undefined ? {} : { metric: given.metric };
+    const result = await this.app.track(this.worker.search({ version, q, k, index, given: options }));
+    this.isBusy = false;
+    if (result && version === this.list.version) {
+      this.found = result.found;
+      this.exact = new Set(result.exact.indices);
+      this.update("result");
+    }
+    if (this.isStale) await this.search();
+  }
+}

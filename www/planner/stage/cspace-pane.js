@@ -1,0 +1,261 @@
+/**
+ * The configuration space of an arm or a body as a square of two of its coordinates. Where there are only two, obstacles are the poses that
+ * touch something, computed by the core; of more, one looks along the others. A motion that leaves the square on one side
+ * comes back on the other.
+ */
+import { coordinatesOf } from "../../domain/coordinates.js";
+import { tick, ticks, titleOf } from "../../draw/angles.js";
+import { drawMarked } from "./marked.js";
+import { Pane } from "./pane.js";
+import { folded, unrolled } from "../../draw/trace.js";
+import { View } from "../../draw/view.js";
+
+/** @import { Lane, Shown } from "../lane.js" */
+/** @import { LayerName } from "../../draw/layer.js" */
+/** @import { Palette } from "../../app/palette.js" */
+/** @import { Painting } from "../worker/obstacles.js" */
+/** @import { Coordinate } from "../../domain/types.js" */
+/** @typedef {(painting: Painting) => Promise<ImageBitmap | null>} Painter   paints obstacles, in the worker; null: it could not */
+
+const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };
+/** Cells a side of the picture of obstacles: while the world changes and at first, and as many as the screen is worth, within reason. */
+const CELLS = { rough: 64, least: 256, most: 512, pixels: 2 };
+/** The same of a slice, of which each cell is a configuration that is checked. */
+const SLICE = { rough: 24, fine: 96 };
+
+export class CSpace extends Pane {
+  /** @param {Record<LayerName, HTMLCanvasElement | OffscreenCanvas>} canvases */
+  constructor(canvases) {
+    super(canvases);
+    /** The coordinates across and up. @type {[number, number]} */
+    this.axes = [0, 1];
+    /** What they are. @type {Coordinate[]} */
+    this.named = [];
+    /** Are they circles? @type {boolean[]} */
+    this.circles = [];
+    /** Paints obstacles. @type {Painter | null} */
+    this.painter = null;
+    /** The obstacles: a picture of this, with so many cells a side. @type {{ key: string, name: string, side: number, image: ImageBitmap | null } | null} */
+    this.cells = null;
+    /** What is painted of them is of this, where something is. @type {{ key: string, sides: number[] } | null} */
+    this.wanted = null;
+    this.isPainting = false;
+    /** Counts the worlds that were shown. */
+    this.world = { document: /** @type {object | null} */ (null), count: 0 };
+  }
+
+  /** Has a scenario such a square? @param {Lane} lane @override */
+  fits({ scenario }) { return scenario.robot !== "disc" && scenario.dimension >= 2; }
+
+  /** @param {Lane} lane @param {number} width @param {number} height @override */
+  makeView(lane, width, height) {
+    const n = lane.scenario.dimension;
+    const [a, b] = lane.shown.view.axes;
+    this.axes = a < n && b < n && a !== b ? [a, b] : [0, 1];
+    this.named = this.axes.map((axis) => coordinatesOf(lane.shown)[axis]);
+    const [x, y] = this.named;
+    // What is metres both ways has one scale.
+    return new View({ min: [x.low, y.low], max: [x.high, y.high] }, width, height, MARGIN, x.unit !== "m" || y.unit !== "m");
+  }
+
+  /** @param {Lane} lane @override */
+  survey({ scenario, shown }) {
+    const circles = scenario.circles();
+    this.circles = this.axes.map((axis) => circles[axis]);
+    const { document } = shown;
+    if (this.world.document !== document.world) this.world = { document: document.world, count: this.world.count + 1 };
+    // Of the scene that was there before nothing stays.
+    if (this.cells?.name !== document.name || scenario.dimension > 2 !== this.cells.key.includes(" ")) this.cells = null;
+  }
+
+  /** Has the obstacles painted: of two coordinates all, of more those of a slice that follows the robot, where that is wanted. @param {Lane} lane @override */
+  refine(lane) {
+    const { view, painter } = this;
+    if (!view || !painter) return;
+    const { scenario: { dimension }, shown } = lane;
+    const pose = dimension > 2 && shown.view.slice ? lane.pose ?? shown.start : null;
+    this.wanted = dimension > 2 && !pose ? null : this.picture(shown, pose);
+    if (!this.wanted) {
+      if (this.cells) this.repaint(null);
+      return;
+    }
+    if (this.isRefined || this.isPainting) return;
+    const { key, sides } = this.wanted;
+    const side = this.cells?.key === key ? sides[sides.length - 1] : sides[0];
+    const { width, height } = this.frame();
+    const ratio = shown.rough ? 1 : this.layers.ground.ratio;
+    this.isPainting = true;
+    const { name } = shown.document;
+    void painter({
+      document: shown.document, side, slice: pose && { pose: Array.from(pose), axes: this.axes, box: view.box },
+      width: Math.round(width * ratio), height: Math.round(height * ratio), palette: /** @type {Palette} */ (this.palette),
+    }).then((image) => {
+      // What could not be painted is not asked for again.
+      if (this.view && this.lane?.shown.document.name === name) this.repaint({ key, name, side: image ? side : Infinity, image });
+    }).finally(() => { this.isPainting = false; });
+  }
+
+  /** What the picture of the obstacles depends on, and how fine it is to be: at once, and then. @param {Shown} shown @param {ArrayLike<number> | null} pose */
+  picture({ rough }, pose) {
+    const { width, height } = this.frame();
+    const { ratio } = this.layers.ground;
+    const { palette, axes } = this;
+    const look = `${this.world.count},${width},${height},${ratio},${palette?.obstacle},${palette?.["obstacle-edge"]}`;
+    if (pose) return { key: `${look} ${Array.from(pose, (value, j) => (axes.includes(j) ? `axis ${axes.indexOf(j)}` : value)).join()}`, sides: rough ? [SLICE.rough] : [SLICE.rough, SLICE.fine] };
+    const fine = Math.round(Math.min(CELLS.most, Math.max(CELLS.least, (width * ratio) / CELLS.pixels)));
+    return { key: look, sides: rough ? [CELLS.rough] : [CELLS.rough, fine] };
+  }
+
+  /** Is the picture of the obstacles the one that is wanted, and as fine? @override */
+  get isRefined() {
+    const { painter, wanted, cells } = this;
+    return !painter || !wanted || (cells?.key === wanted.key && cells.side >= Math.max(...wanted.sides));
+  }
+
+  /** The ground with other obstacles. @param {CSpace["cells"]} cells */
+  repaint(cells) {
+    this.cells = cells;
+    this.layers.ground.clear();
+    this.drawGround(this.layers.ground.context, /** @type {Lane} */ (this.lane));
+  }
+
+  /** @param {CanvasRenderingContext2D} context @override */
+  clip(context) {
+    const { x, y, width, height } = this.frame();
+    context.beginPath();
+    context.rect(x, y, width, height);
+    context.clip();
+  }
+
+  /** The square in CSS pixels. */
+  frame() {
+    const view = /** @type {View} */ (this.view);
+    const { min, max } = view.box;
+    return { x: view.x(min[0]), y: view.y(max[1]), width: (max[0] - min[0]) * view.scaleX, height: (max[1] - min[1]) * view.scaleY };
+  }
+
+  /** @param {Float64Array} rows @override */
+  pixels(rows) {
+    const view = /** @type {View} */ (this.view);
+    const n = /** @type {Lane} */ (this.lane).scenario.dimension;
+    const points = new Float64Array((rows.length / n) * 2);
+    const [across, up] = this.axes;
+    const [wrapsX, wrapsY] = this.circles;
+    for (let i = 0; n * i < rows.length; i++) {
+      const x = rows[n * i + across];
+      const y = rows[n * i + up];
+      points[2 * i] = view.x(wrapsX ? folded(x) : x);
+      points[2 * i + 1] = view.y(wrapsY ? folded(y) : y);
+    }
+    return points;
+  }
+
+  /** @param {Float64Array} ends @param {boolean[]} [circles] @override */
+  lines(ends, circles) {
+    const view = /** @type {View} */ (this.view);
+    const n = /** @type {Lane} */ (this.lane).scenario.dimension;
+    const { axes } = this;
+    const short = circles ? axes.map((axis) => circles[axis]) : this.circles;
+    /** @type {number[]} */
+    const points = [];
+    const firsts = new Uint32Array(ends.length / (2 * n) + 1);
+    for (let m = 0; 2 * n * m < ends.length; m++) {
+      const at = 2 * n * m;
+      const pair = [ends[at + axes[0]], ends[at + axes[1]], ends[at + n + axes[0]], ends[at + n + axes[1]]];
+      let copies = 0;
+      unrolled(pair, 0, this.circles, short, (x0, y0, x1, y1) => {
+        if (copies++ > 0) points.push(NaN, NaN);
+        points.push(view.x(x0), view.y(y0), view.x(x1), view.y(y1));
+      });
+      firsts[m + 1] = points.length / 2;
+    }
+    return { points: Float64Array.from(points), firsts };
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
+  drawGround(context, lane) {
+    const { palette, cells } = this;
+    if (!palette) return;
+    const { x, y, width, height } = this.frame();
+    if (cells?.image) context.drawImage(cells.image, x, y, width, height);
+    context.strokeStyle = palette["obstacle-edge"];
+    context.lineWidth = 1;
+    context.strokeRect(x, y, width, height);
+    this.drawTicks(context);
+    drawMarked(this, context, lane);
+  }
+
+  /** @param {CanvasRenderingContext2D} context */
+  drawTicks(context) {
+    const { palette, view } = this;
+    if (!palette || !view) return;
+    const { x, y, width, height } = this.frame();
+    context.fillStyle = palette.quiet;
+    context.strokeStyle = palette["obstacle-edge"];
+    context.font = "12px system-ui, sans-serif";
+    context.textBaseline = "top";
+    const [across, up] = this.named;
+    for (const { value, text } of ticks(across)) {
+      const at = view.x(value);
+      tick(context, at, y + height, at, y + height + 4);
+      context.textAlign = "center";
+      context.fillText(text, at, y + height + 7);
+    }
+    context.textBaseline = "middle";
+    context.textAlign = "right";
+    for (const { value, text } of ticks(up)) {
+      const at = view.y(value);
+      tick(context, x - 4, at, x, at);
+      context.fillText(text, x - 8, at);
+    }
+    context.textBaseline = "top";
+    context.textAlign = "center";
+    context.fillText(titleOf(across), x + width * 0.375, y + height + 7);
+    context.save();
+    context.translate(x - 22, y + height * 0.375);
+    context.rotate(-Math.PI / 2);
+    context.fillText(titleOf(up), 0, 0);
+    context.restore();
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
+  drawRobot(context, lane) {
+    const { palette, view } = this;
+    const { pose } = lane;
+    if (!palette || !view || !pose) return;
+    const { hand, check } = lane.shown;
+    const hit = hand !== null && check !== null && !check.free;
+    const [px, py] = this.pixels(pose);
+    const { x, y, width, height } = this.frame();
+    context.save();
+    context.strokeStyle = hit ? palette.collision : palette.robot;
+    context.globalAlpha = 0.35;
+    context.lineWidth = 1;
+    context.setLineDash([2, 4]);
+    context.beginPath();
+    context.moveTo(px, y);
+    context.lineTo(px, y + height);
+    context.moveTo(x, py);
+    context.lineTo(x + width, py);
+    context.stroke();
+    context.setLineDash([]);
+    context.globalAlpha = 1;
+    context.beginPath();
+    context.arc(px, py, 6.5, 0, 2 * Math.PI);
+    context.fillStyle = hit ? palette.collision : palette.robot;
+    context.fill();
+    context.strokeStyle = palette.stage;
+    context.lineWidth = 2;
+    context.stroke();
+    if (hit) {
+      context.strokeStyle = palette.stage;
+      context.beginPath();
+      context.moveTo(px - 2.6, py - 2.6);
+      context.lineTo(px + 2.6, py + 2.6);
+      context.moveTo(px - 2.6, py + 2.6);
+      context.lineTo(px + 2.6, py - 2.6);
+      context.stroke();
+    }
+    context.restore();
+  }
+}

@@ -1,0 +1,127 @@
+/** What a drive adds to the picture: where the car has been, what stopped it, where a control would lead. */
+import { obstacleName } from "../../domain/names.js";
+import { tracePen } from "../../draw/pen.js";
+import { drawGhost, drawHit, drawLabel, obstacleMiddle } from "../../draw/shapes.js";
+import { Workspace } from "./workspace-pane.js";
+
+/** @import { Lane } from "../lane.js" */
+/** @import { Pane } from "./pane.js" */
+/** @import { Palette } from "../../app/palette.js" */
+/** @import { View } from "../../draw/view.js" */
+/** @import { Obstacle, Part, ScenarioDocument } from "../../domain/types.js" */
+
+/** Ghosts of a rollout, about. */
+const GHOSTS = 9;
+
+/** Beneath the robot. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
+export function drawTrace(pane, context, { shown: { driven, scenario } }) {
+  if (!driven) return;
+  const palette = /** @type {Palette} */ (pane.palette);
+  const { trace, rollout } = driven;
+  context.save();
+  context.lineJoin = context.lineCap = "round";
+  line(pane, context, trace, palette.stage, 5, []);
+  line(pane, context, trace, palette.robot, 2, []);
+  if (rollout) {
+    line(pane, context, rollout.poses, palette.stage, 5, []);
+    line(pane, context, rollout.poses, palette.newest, 2, [6, 5]);
+    const rows = rollout.poses.length / 3;
+    const view = /** @type {View} */ (pane.view);
+    const style = { colour: palette.newest, fill: 0.06, stroke: 0.7, dash: [], width: 1.2 };
+    for (let i = 1; pane instanceof Workspace && i <= GHOSTS; i++) {
+      const row = Math.round((i * (rows - 1)) / GHOSTS);
+      drawGhost(context, view, scenario.footprint(rollout.poses.subarray(3 * row, 3 * row + 3)), style);
+    }
+  }
+  context.restore();
+}
+
+/** Above the robot. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
+export function drawDrive(pane, context, { shown: { driven, document, scenario } }) {
+  if (!driven) return;
+  const palette = /** @type {Palette} */ (pane.palette);
+  const { blocked, rollout, trace } = driven;
+  for (const [what, rows] of /** @type {[typeof blocked, Float64Array][]} */ ([[blocked, trace], [rollout?.blocked ?? null, rollout?.poses ?? trace]])) {
+    if (what === null) continue;
+    const pose = rows.slice(rows.length - 3);
+    const [x, y] = pane.pixels(pose);
+    if (!(pane instanceof Workspace) || what === "near") {
+      drawHit(context, x, y, palette);
+      continue;
+    }
+    pane.drawTouched(context, document, what);
+    const at = nearest(scenario.footprint(pose)[0], what === "bounds" ? boxOf(document.world.bounds) : document.world.obstacles[what]);
+    const [hx, hy] = pane.place(Float64Array.from(at));
+    drawHit(context, hx, hy, palette);
+    if (what === "bounds") continue;
+    const [ox, oy] = obstacleMiddle(document.world.obstacles[what]);
+    const view = /** @type {View} */ (pane.view);
+    const clear = Math.abs(view.y(oy) - hy) < 26 ? hy + (hy > 60 ? -26 : 26) : view.y(oy);
+    drawLabel(context, obstacleName(what), view.x(ox), clear, palette.collision, palette);
+  }
+}
+
+/** Where the outlines of a car and of a thing come nearest to each other, on the thing. @param {Part} part @param {Obstacle} thing @returns {[number, number]} */
+function nearest(part, thing) {
+  const corners = part.type === "polygon" ? part.vertices : [];
+  let least = Infinity;
+  /** @type {[number, number]} */
+  let best = corners[0];
+  /** @param {[number, number]} at @param {number} distance */
+  const offer = (at, distance) => {
+    if (distance >= least) return;
+    least = distance;
+    best = at;
+  };
+  corners.forEach((corner, i) => {
+    const next = corners[(i + 1) % corners.length];
+    if (thing.type === "disc") {
+      const [x, y] = onSegment(thing.center, corner, next);
+      const far = Math.hypot(x - thing.center[0], y - thing.center[1]);
+      offer([thing.center[0] + ((x - thing.center[0]) * thing.radius) / far, thing.center[1] + ((y - thing.center[1]) * thing.radius) / far], far);
+      return;
+    }
+    thing.vertices.forEach((vertex, j) => {
+      const [x, y] = onSegment(corner, vertex, thing.vertices[(j + 1) % thing.vertices.length]);
+      offer([x, y], Math.hypot(x - corner[0], y - corner[1]));
+      const [cx, cy] = onSegment(vertex, corner, next);
+      offer(vertex, Math.hypot(cx - vertex[0], cy - vertex[1]));
+    });
+  });
+  return best;
+}
+
+/** The point of a segment nearest to another. @param {[number, number]} point @param {[number, number]} a @param {[number, number]} b @returns {[number, number]} */
+function onSegment([x, y], [ax, ay], [bx, by]) {
+  const [dx, dy] = [bx - ax, by - ay];
+  const t = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
+  return [ax + t * dx, ay + t * dy];
+}
+
+/** @param {ScenarioDocument["world"]["bounds"]} bounds @returns {Obstacle} */
+function boxOf(bounds) {
+  const { min, max } = bounds ?? { min: [0, 0], max: [0, 0] };
+  return { type: "polygon", vertices: [[min[0], min[1]], [max[0], min[1]], [max[0], max[1]], [min[0], max[1]]] };
+}
+
+/** Poses as a line of the pane. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Float64Array} rows @param {string} colour @param {number} width @param {number[]} dash */
+function line(pane, context, rows, colour, width, dash) {
+  if (rows.length < 6) return;
+  // A pixel or so between two places is fine enough: of long traces only some are drawn.
+  const count = rows.length / 3;
+  const each = Math.max(1, Math.floor(count / 3000));
+  /** @type {number[]} */
+  const ends = [];
+  for (let i = 0; i + 1 < count; i += each) {
+    const to = Math.min(count - 1, i + each);
+    ends.push(...rows.subarray(3 * i, 3 * i + 3), ...rows.subarray(3 * to, 3 * to + 3));
+  }
+  const { points, firsts } = pane.lines(Float64Array.from(ends));
+  context.strokeStyle = colour;
+  context.lineWidth = width;
+  context.setLineDash(dash);
+  context.beginPath();
+  tracePen(context, points, 0, firsts[firsts.length - 1]);
+  context.stroke();
+  context.setLineDash([]);
+}

@@ -1,0 +1,106 @@
+/**
+ * What was born in the last half second: new vertices and edges glow and settle, refused ones flash and go.
+ * Only the newest few are kept, so a burst of growth costs no more than a trickle.
+ */
+
+import { cross, disc } from "../../draw/marks.js";
+
+/** @import { Palette } from "../../app/palette.js" */
+
+/** Milliseconds until a glow has settled. */
+const LIFE = 520;
+const MOST = { vertex: 140, edge: 70, rejected: 40, discarded: 40, refused: 30 };
+
+/** @typedef {keyof typeof MOST} GlowKind */
+/** @typedef {{ kind: GlowKind, born: number, points: Float64Array }} Spark   `points` in CSS pixels, x and y in turn */
+
+export class Glow {
+  constructor() {
+    /** @type {Record<GlowKind, Spark[]>} */
+    this.sparks = { vertex: [], edge: [], rejected: [], discarded: [], refused: [] };
+    this.enabled = true;
+  }
+
+  /** How many of a kind are worth adding at once. @param {GlowKind} kind */
+  room(kind) { return this.enabled ? MOST[kind] : 0; }
+
+  /** @param {GlowKind} kind @param {number} born @param {Float64Array} points */
+  add(kind, born, points) {
+    const list = this.sparks[kind];
+    list.push({ kind, born, points });
+    if (list.length > MOST[kind]) list.splice(0, list.length - MOST[kind]);
+  }
+
+  clear() {
+    for (const list of Object.values(this.sparks)) list.length = 0;
+  }
+
+  /** Is anything still glowing? */
+  get alive() { return Object.values(this.sparks).some((list) => list.length > 0); }
+
+  /** @param {CanvasRenderingContext2D} context @param {Palette} palette @param {number} now */
+  draw(context, palette, now) {
+    for (const list of Object.values(this.sparks)) {
+      while (list.length > 0 && now - list[0].born > LIFE) list.shift();
+    }
+    context.save();
+    context.lineCap = "round";
+    context.lineJoin = "round";
+    for (const spark of this.sparks.edge) {
+      const left = remaining(spark, now);
+      context.globalAlpha = 0.32 * left;
+      context.strokeStyle = palette.halo;
+      context.lineWidth = 1 + 3.5 * left;
+      line(context, spark.points);
+      context.globalAlpha = 0.8 * left;
+      context.strokeStyle = palette.newest;
+      context.lineWidth = 1;
+      line(context, spark.points);
+    }
+    context.setLineDash([3, 4]);
+    for (const spark of this.sparks.refused) {
+      context.globalAlpha = 0.6 * remaining(spark, now);
+      context.strokeStyle = palette.rejected;
+      context.lineWidth = 1;
+      line(context, spark.points);
+    }
+    context.setLineDash([]);
+    for (const spark of [...this.sparks.discarded, ...this.sparks.rejected]) {
+      const [x, y] = spark.points;
+      context.globalAlpha = (spark.kind === "rejected" ? 0.9 : 0.4) * remaining(spark, now);
+      context.strokeStyle = palette.rejected;
+      context.lineWidth = 1.4;
+      cross(context, x, y, 3);
+    }
+    for (const spark of this.sparks.vertex) {
+      const left = remaining(spark, now);
+      const [x, y] = spark.points;
+      context.fillStyle = palette.halo;
+      context.globalAlpha = 0.28 * left;
+      disc(context, x, y, 3 + 9 * left);
+      context.globalAlpha = 0.4 * left;
+      disc(context, x, y, 2 + 4 * left);
+      context.fillStyle = palette.newest;
+      context.globalAlpha = left;
+      disc(context, x, y, 1.4 + 1.6 * left);
+    }
+    context.restore();
+  }
+}
+
+/** 1 when just born, 0 when settled. @param {Spark} spark @param {number} now */
+function remaining(spark, now) {
+  const age = Math.min(1, Math.max(0, (now - spark.born) / LIFE));
+  return (1 - age) * (1 - age);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Float64Array} points */
+function line(context, points) {
+  context.beginPath();
+  for (let i = 0; i < points.length; i += 2) {
+    if (Number.isNaN(points[i])) continue;
+    if (i === 0 || Number.isNaN(points[i - 2])) context.moveTo(points[i], points[i + 1]);
+    else context.lineTo(points[i], points[i + 1]);
+  }
+  context.stroke();
+}

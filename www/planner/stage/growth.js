@@ -1,0 +1,327 @@
+/**
+ * Inks the log of a run on a pane's layers, up to the iteration that is shown. Going forward it only adds what is new;
+ * going far it begins at the nearest copy that was kept. Each layer is drawn in the order of the log, one mark at a time, so that the picture of an
+ * iteration is the same to the pixel, whichever way one came to it.
+ */
+import { EVENT, PAST } from "../run-log/run-log.js";
+import { Snapshots } from "./snapshots.js";
+import { cross, disc, ring } from "../../draw/marks.js";
+import { strokeLine } from "../../draw/pen.js";
+import { way } from "../../draw/trace.js";
+
+/** @import { Pane } from "./pane.js" */
+/** @import { Run } from "../run-log/run-log.js" */
+
+/** Rows inked between two readings of the clock. */
+const BATCH = { edges: 16, vertices: 64, events: 64 };
+
+/** Of the newest events so many flash. */
+const FLASHES = 128;
+
+/** Which layer holds what. */
+const LAYER = /** @type {const} */ ({ edges: "edges", vertices: "vertices", events: "marks" });
+const KINDS = /** @type {(keyof typeof LAYER)[]} */ (Object.keys(LAYER));
+
+/** @typedef {{ vertices: number, edges: number, events: number }} Counts */
+
+export class Growth {
+  /** @param {Pane} pane */
+  constructor(pane) {
+    this.pane = pane;
+    /** What is inked. @type {Counts} */
+    this.drawn = { vertices: 0, edges: 0, events: 0 };
+    /** What was there before these counts does not glow: it is being redrawn. @type {Counts} */
+    this.old = { vertices: 0, edges: 0, events: 0 };
+    /** How many removed vertices are left out. */
+    this.removed = 0;
+    this.snapshots = {
+      edges: new Snapshots(pane.layers.edges), vertices: new Snapshots(pane.layers.vertices), events: new Snapshots(pane.layers.marks),
+    };
+  }
+
+  /** Begins anew. @param {Counts} old  what does not glow */
+  restart(old = { vertices: 0, edges: 0, events: 0 }) {
+    for (const kind of KINDS) {
+      this.snapshots[kind].clear();
+      this.pane.layers[LAYER[kind]].paste(null);
+    }
+    this.drawn = { vertices: 0, edges: 0, events: 0 };
+    this.old = old;
+    this.removed = 0;
+  }
+
+  /** How much there is to ink. @returns {Counts} */
+  get target() { return countsOf(this.pane.lane?.run ?? null); }
+
+  get caughtUp() {
+    const { drawn, target } = this;
+    return drawn.vertices === target.vertices && drawn.edges === target.edges && drawn.events === target.events;
+  }
+
+  /**
+   * Inks what is new, until the clock passes `until`; at least one batch of each. A copy of a layer takes a frame of its own, since
+   * the browser draws what it has put off before it copies.
+   * @param {number} now @param {number} until @param {number} most  rows at most
+   */
+  ink(now, until, most) {
+    const run = this.pane.lane?.run;
+    if (!run) return;
+    const { target } = this;
+    this.leap(target);
+    const due = KINDS.find((kind) => this.snapshots[kind].isDue(this.drawn[kind]));
+    if (due) {
+      this.snapshots[due].copy(this.drawn[due]);
+      return;
+    }
+    // What is drawn anew without what was removed is drawn at once: half of it would flicker.
+    const limit = this.shed(run, target) ? Infinity : until;
+    const { edges, vertices } = this.drawn;
+    const isRoom = () => limit === Infinity || (performance.now() < until && this.drawn.edges - edges + this.drawn.vertices - vertices < most);
+    do { this.inkEdges(run, target.edges, now); } while (this.drawn.edges < target.edges && isRoom());
+    do { this.inkVertices(run, target.vertices, now); } while (this.drawn.vertices < target.vertices && isRoom());
+    do { this.inkEvents(run, target.events, now); } while (this.drawn.events < target.events && performance.now() < until);
+  }
+
+  /** Begins anew where other vertices are removed than those that are left out. @param {Run} run @param {Counts} target @returns {boolean} whether it does */
+  shed(run, target) {
+    const removed = run.removedBy(target.events);
+    if (removed === this.removed) return false;
+    this.removed = removed;
+    this.old = { ...this.old, edges: this.drawn.edges, vertices: this.drawn.vertices };
+    for (const kind of /** @type {const} */ (["edges", "vertices"])) {
+      this.snapshots[kind].clear();
+      this.pane.layers[LAYER[kind]].paste(null);
+      this.drawn[kind] = 0;
+    }
+    return true;
+  }
+
+  /** Where more is inked than is to be shown, or a copy is nearer, begins at the copy. @param {Counts} target */
+  leap(target) {
+    const { drawn, snapshots: copies } = this;
+    if (KINDS.some((kind) => drawn[kind] > target[kind])) {
+      this.pane.glow.clear();
+      this.old = target;
+    }
+    for (const kind of KINDS) {
+      const count = copies[kind].best(target[kind])?.count ?? 0;
+      if (drawn[kind] > target[kind] || count > drawn[kind]) drawn[kind] = copies[kind].restore(target[kind]);
+    }
+  }
+
+  /** @param {Run} run @param {number} target @param {number} now */
+  inkEdges(run, target, now) {
+    const first = this.drawn.edges;
+    const end = Math.min(target, first + BATCH.edges);
+    if (end === first) return;
+    const { pane, removed } = this;
+    const { events } = this.target;
+    const { points, firsts } = this.linesOf(run, first, end);
+    const { context } = pane.layers.edges;
+    context.lineWidth = (run.isTree ? 1.2 : 0.8) * Math.max(0.85, pane.fineness);
+    context.lineCap = "round";
+    context.lineJoin = "round";
+    context.globalAlpha = run.isTree ? 0.9 : 0.42;
+    let side = -1;
+    for (let e = first; e < end; e++) {
+      if (removed > 0 && !run.isThere(run.edges.data[2 * e + 1], events)) continue;
+      const its = run.sides.data[run.edges.data[2 * e]];
+      if (its !== side) context.strokeStyle = pane.sideColour(side = its);
+      strokeLine(context, points, firsts[e - first], firsts[e - first + 1]);
+    }
+    context.globalAlpha = 1;
+    this.drawn.edges = end;
+    const glowing = Math.max(first, this.old.edges, target - pane.glow.room("edge"));
+    for (let e = glowing; e < end; e++) pane.glow.add("edge", now, points.slice(2 * firsts[e - first], 2 * firsts[e - first + 1]));
+  }
+
+  /** Edges as lines on the pane, those that are not straight piece by piece. @param {Run} run @param {number} first @param {number} end @returns {import("./pane.js").Lines} */
+  linesOf(run, first, end) {
+    const n = run.dimension;
+    if (run.traces.count === 0) {
+      const ends = new Float64Array((end - first) * 2 * n);
+      for (let e = first; e < end; e++) {
+        const [from, to] = run.edges.row(e);
+        ends.set(run.vertices.row(from), (e - first) * 2 * n);
+        ends.set(run.vertices.row(to), (e - first) * 2 * n + n);
+      }
+      return this.pane.lines(ends, run.circles);
+    }
+    const edges = Array.from({ length: end - first }, (_, i) => run.along(first + i));
+    const starts = [0];
+    for (const { length } of edges) starts.push(starts[starts.length - 1] + length / n - 1);
+    const ends = new Float64Array(starts[edges.length] * 2 * n);
+    edges.forEach((rows, i) => {
+      for (let at = 0; at + n < rows.length; at += n) ends.set(rows.subarray(at, at + 2 * n), starts[i] * 2 * n + 2 * at);
+    });
+    const { points, firsts } = this.pane.lines(ends, run.circles);
+    return { points, firsts: Uint32Array.from(starts, (at) => firsts[at]) };
+  }
+
+  /** @param {Run} run @param {number} target @param {number} now */
+  inkVertices(run, target, now) {
+    const first = this.drawn.vertices;
+    const end = Math.min(target, first + BATCH.vertices);
+    if (end === first) return;
+    const { pane } = this;
+    const points = pane.pixels(run.vertices.slice(first, end));
+    const { context } = pane.layers.vertices;
+    const radius = (run.isTree ? 1.8 : 1.5) * pane.fineness;
+    const { events } = this.target;
+    // The marks of start and goal stand for the roots.
+    for (let v = Math.max(first, run.roots); v < end; v++) {
+      if (this.removed > 0 && !run.isThere(v, events)) continue;
+      context.fillStyle = pane.sideColour(run.sides.data[v]);
+      disc(context, points[2 * (v - first)], points[2 * (v - first) + 1], radius);
+    }
+    this.drawn.vertices = end;
+    const glowing = Math.max(first, this.old.vertices, target - pane.glow.room("vertex"));
+    for (let v = glowing; v < end; v++) pane.glow.add("vertex", now, points.slice(2 * (v - first), 2 * (v - first) + 2));
+  }
+
+  /**
+   * Vertices that the search has expanded stand out, guards stand in a ring; samples that were refused are crosses, motions
+   * that were refused broken lines up to where they hit: these stay where the reader wants them to, and flash anyway.
+   * @param {Run} run @param {number} target @param {number} now
+   */
+  inkEvents(run, target, now) {
+    const first = this.drawn.events;
+    const end = Math.min(target, first + BATCH.events);
+    if (end === first) return;
+    const { pane } = this;
+    const { palette, lane } = pane;
+    if (!palette || !lane) return;
+    const { context } = pane.layers.marks;
+    const { data, width } = run.events;
+    const keeps = lane.shown.view.refused;
+    const points = pane.pixels(this.placesOf(run, first, end));
+    const glowing = Math.max(this.old.events, target - FLASHES);
+    const refused = this.refusedLines(run, first, end, keeps ? 0 : pane.glow.enabled ? glowing : end);
+    for (let i = first; i < end; i++) {
+      const kind = data[i * width];
+      const x = points[2 * (i - first)];
+      const y = points[2 * (i - first) + 1];
+      const glows = i >= glowing && pane.glow.enabled;
+      if (kind === EVENT.expanded) {
+        context.fillStyle = palette.ink;
+        disc(context, x, y, 2.5 * pane.fineness);
+      } else if (kind === EVENT.guard) {
+        context.strokeStyle = palette.growth;
+        context.lineWidth = 1.6 * pane.fineness;
+        ring(context, x, y, 5.5 * pane.fineness);
+      } else if (kind === EVENT.rejected || kind === EVENT.discarded) {
+        if (glows) pane.glow.add(kind === EVENT.rejected ? "rejected" : "discarded", now, Float64Array.of(x, y));
+        if (!keeps) continue;
+        context.strokeStyle = palette.rejected;
+        context.globalAlpha = kind === EVENT.rejected ? 0.75 : 0.35;
+        context.lineWidth = 1.2;
+        cross(context, x, y, 2.6 * pane.fineness);
+        context.globalAlpha = 1;
+      } else if (kind === EVENT.refused) {
+        const line = refused.get(i);
+        if (!line) continue;
+        if (glows) pane.glow.add("refused", now, line);
+        if (!keeps) continue;
+        context.strokeStyle = palette.rejected;
+        context.globalAlpha = 0.6;
+        context.lineWidth = 1;
+        context.setLineDash([3, 4]);
+        strokeLine(context, line, 0, line.length / 2);
+        context.setLineDash([]);
+        context.globalAlpha = 1;
+      }
+    }
+    this.drawn.events = end;
+  }
+
+  /** What the shown iteration did, above all else: so it can be looked at as long as the run waits. @param {CanvasRenderingContext2D} context */
+  inkLatest(context) {
+    const { pane } = this;
+    const run = pane.lane?.run;
+    const { palette } = pane;
+    if (!run || !palette || run.shown === 0) return;
+    const before = run.history.row(run.shown - 1);
+    const { past } = run;
+    const first = { vertices: before[PAST.vertices], edges: before[PAST.edges], events: before[PAST.events] };
+    context.save();
+    context.lineCap = "round";
+    const { points, firsts } = this.linesOf(run, first.edges, past[PAST.edges]);
+    context.strokeStyle = palette.newest;
+    context.lineWidth = 2.2 * pane.fineness;
+    for (let i = 0; i + 1 < firsts.length; i++) strokeLine(context, points, firsts[i], firsts[i + 1]);
+    const dots = pane.pixels(run.vertices.slice(first.vertices, past[PAST.vertices]));
+    context.fillStyle = palette.newest;
+    for (let i = 0; i < dots.length; i += 2) disc(context, dots[i], dots[i + 1], 3.4 * pane.fineness);
+    const { data, width } = run.events;
+    const places = pane.pixels(this.placesOf(run, first.events, past[PAST.events]));
+    const refused = this.refusedLines(run, first.events, past[PAST.events], 0);
+    context.strokeStyle = palette.rejected;
+    for (let i = first.events; i < past[PAST.events]; i++) {
+      const kind = data[i * width];
+      context.lineWidth = 1.6;
+      if (kind === EVENT.rejected || kind === EVENT.discarded) cross(context, places[2 * (i - first.events)], places[2 * (i - first.events) + 1], 3.6 * pane.fineness);
+      const line = refused.get(i);
+      if (!line) continue;
+      context.setLineDash([4, 4]);
+      strokeLine(context, line, 0, line.length / 2);
+      context.setLineDash([]);
+    }
+    context.restore();
+  }
+
+  /** Where events are: their vertex, or the configuration that they are about. @param {Run} run @param {number} first @param {number} end */
+  placesOf(run, first, end) {
+    const n = run.dimension;
+    const { data, width } = run.events;
+    const rows = new Float64Array((end - first) * n);
+    for (let i = first; i < end; i++) {
+      const kind = data[i * width];
+      const vertex = data[i * width + 2];
+      const at = kind === EVENT.expanded || kind === EVENT.guard
+        ? run.vertices.row(vertex)
+        : data.subarray(i * width + 4, i * width + 4 + n);
+      rows.set(at, (i - first) * n);
+    }
+    return rows;
+  }
+
+  /** Lines of refused motions, from their vertex to where they hit, by the event's number. @param {Run} run @param {number} first @param {number} end @param {number} least  older events are left out */
+  refusedLines(run, first, end, least) {
+    const n = run.dimension;
+    const { data, width } = run.events;
+    /** @type {Map<number, Float64Array>} */
+    const lines = new Map();
+    /** @type {number[]} */
+    const which = [];
+    for (let i = Math.max(first, least); i < end; i++) if (data[i * width] === EVENT.refused && data[i * width + 2] >= 0) which.push(i);
+    if (which.length === 0) return lines;
+    const ends = new Float64Array(which.length * 2 * n);
+    which.forEach((i, k) => {
+      const other = data[i * width + 3];
+      ends.set(run.vertices.row(data[i * width + 2]), k * 2 * n);
+      ends.set(other >= 0 ? run.vertices.row(other) : data.subarray(i * width + 4, i * width + 4 + n), k * 2 * n + n);
+    });
+    const hits = run.isDriven ? new Float64Array(which.length).fill(1) : run.planner.firstHits(ends);
+    const { points, firsts } = this.pane.lines(shortened(ends, n, hits, run.circles), run.circles);
+    which.forEach((i, k) => lines.set(i, points.slice(2 * firsts[k], 2 * firsts[k + 1])));
+    return lines;
+  }
+}
+
+/** What a run shows at its iteration. @param {Run | null} run @returns {Counts} */
+export function countsOf(run) {
+  if (!run) return { vertices: 0, edges: 0, events: 0 };
+  const { past } = run;
+  return { vertices: past[PAST.vertices], edges: past[PAST.edges], events: past[PAST.events] };
+}
+
+/** Motions cut off at fractions of themselves, in place. @param {Float64Array} ends @param {number} n @param {Float64Array} parts @param {boolean[]} circles */
+function shortened(ends, n, parts, circles) {
+  for (let m = 0; m < parts.length; m++) {
+    for (let j = 0; j < n; j++) {
+      const from = ends[2 * n * m + j];
+      ends[2 * n * m + n + j] = from + way(from, ends[2 * n * m + n + j], circles[j]) * parts[m];
+    }
+  }
+  return ends;
+}

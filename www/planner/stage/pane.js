@@ -1,0 +1,291 @@
+/**
+ * A pane draws one picture of a lane on its layers. Workspace and configuration space differ in their ground and in how a
+ * configuration and a motion become pixels.
+ */
+import { SIDE } from "../run-log/run-log.js";
+import { Glow } from "./glow.js";
+import { Growth, countsOf } from "./growth.js";
+import { hatch } from "../../draw/hatch.js";
+import { LAYERS, Layer } from "../../draw/layer.js";
+import { ring } from "../../draw/marks.js";
+import { disc } from "../../draw/marks.js";
+import { tracePen } from "../../draw/pen.js";
+import { VertexIndex } from "./vertex-index.js";
+import { drawGoal, drawHit, drawStart } from "../../draw/shapes.js";
+import { Strobe } from "./strobe.js";
+
+/** @import { Hover, Lane } from "../lane.js" */
+/** @import { Run } from "../run-log/run-log.js" */
+/** @import { PathPlayback } from "../../domain/path-playback.js" */
+/** @import { LayerName } from "../../draw/layer.js" */
+/** @import { Palette } from "../../app/palette.js" */
+/** @import { Look } from "../../domain/types.js" */
+/** @import { View } from "../../draw/view.js" */
+/** @typedef {{ points: Float64Array, firsts: Uint32Array }} Lines  line i: pixels x, y in turn, points firsts[i] up to firsts[i + 1]; NaN lifts the pen */
+
+export class Pane {
+  /** @param {Record<LayerName, HTMLCanvasElement | OffscreenCanvas>} canvases */
+  constructor(canvases) {
+    this.layers = /** @type {Record<LayerName, Layer>} */ (Object.fromEntries(LAYERS.map((name) => [name, new Layer(canvases[name])])));
+    this.growth = new Growth(this);
+    this.glow = new Glow();
+    /** @type {Lane | null} */
+    this.lane = null;
+    /** @type {Palette | null} */
+    this.palette = null;
+    /** @type {View | null} */
+    this.view = null;
+    /** Of the sheet, CSS pixels. */
+    this.width = 0;
+    this.height = 0;
+    /** How fine dots and lines are: 1 on a middling sheet, less on a small one. */
+    this.fineness = 1;
+    /** How much thicker the strong lines are than usual. */
+    this.bold = 1;
+    /** @type {CanvasPattern | null} */
+    this.hatchOnPart = null;
+    /** @type {CanvasPattern | null} */
+    this.hatchOnObstacle = null;
+    /** @type {{ playback: PathPlayback, lines: Lines } | null} */
+    this.pathLines = null;
+    /** @type {{ raw: Float64Array, lines: Lines } | null} */
+    this.rawLines = null;
+    /** @type {Strobe | null} */
+    this.flashes = null;
+    /** @type {VertexIndex | null} */
+    this.found = null;
+  }
+
+  // What a kind of pane must say of itself.
+
+  /** Can it show this? @param {Lane} _lane */
+  fits(_lane) { return true; }
+  /** @param {Lane} _lane @param {number} _width @param {number} _height @returns {View} */
+  makeView(_lane, _width, _height) { throw new Error("a pane must make its view"); }
+  /** @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
+  drawGround(_context, _lane) {}
+  /** Configurations to pixels. @param {Float64Array} _rows @returns {Float64Array} */
+  pixels(_rows) { throw new Error("a pane must place configurations"); }
+  /** Motions to lines in pixels. @param {Float64Array} _ends  rows of from, to @param {boolean[]} [_circles]  coordinates whose motions go the short way round @returns {Lines} */
+  lines(_ends, _circles) { throw new Error("a pane must trace motions"); }
+  /** Called before anything is drawn of another scenario. @param {Lane} _lane */
+  survey(_lane) {}
+  /** The robot, above everything else. @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
+  drawRobot(_context, _lane) {}
+  /** Sees to what the ground still lacks. @param {Lane} _lane */
+  refine(_lane) {}
+  /** Is the ground complete? */
+  get isRefined() { return true; }
+  /** Snapshots what crosses the border of the picture inside. @param {CanvasRenderingContext2D} _context */
+  clip(_context) {}
+
+  /** Fits the layers to the sheet and draws all anew. @param {Lane} lane @param {Look} look */
+  layout(lane, { palette, ratio, bold }) {
+    this.lane = lane;
+    this.palette = palette;
+    const { width, height, layers } = this;
+    this.view = null;
+    if (width < 1 || height < 1 || !this.fits(lane)) return;
+    for (const name of LAYERS) layers[name].fit(width, height, ratio);
+    this.view = this.makeView(lane, width, height);
+    this.fineness = Math.min(1.5, Math.max(0.72, Math.min(width, height) / 460)) * bold;
+    this.bold = bold;
+    this.hatchOnPart = hatch(layers.top.context, palette.stage, ratio);
+    this.hatchOnObstacle = hatch(layers.top.context, palette.collision, ratio);
+    this.forget();
+    this.survey(lane);
+    for (const name of /** @type {const} */ (["edges", "vertices", "marks"])) layers[name].enclose((context) => this.clip(context));
+    this.drawGround(layers.ground.context, lane);
+    this.growth.restart(countsOf(lane.run));
+  }
+
+  /** The world changes beneath the reader's hand: another ground, on the same view. @param {Lane} lane */
+  refresh(lane) {
+    this.lane = lane;
+    this.layers.ground.clear();
+    this.survey(lane);
+    this.drawGround(this.layers.ground.context, lane);
+    this.restart();
+  }
+
+  /** A new run on the same ground. */
+  restart() {
+    this.forget();
+    this.growth.restart();
+  }
+
+  /** What was made for another layout or run. */
+  forget() {
+    this.glow.clear();
+    this.pathLines = this.rawLines = this.flashes = this.found = null;
+  }
+
+  /** Where vertices are; none while there is no run or no room. @returns {VertexIndex | null} */
+  get places() {
+    const run = this.lane?.run;
+    if (!run || !this.view) return null;
+    if (this.found?.run !== run) this.found = new VertexIndex(this, run);
+    return this.found;
+  }
+
+  /** Has everything that is shown been inked? */
+  get caughtUp() { return !this.view || this.growth.caughtUp; }
+
+  /** @param {number} now @param {number} until @param {number} [most]  rows at most */
+  grow(now, until, most = Infinity) {
+    if (this.view && this.palette) this.growth.ink(now, until, most);
+  }
+
+  /** @param {number} side */
+  sideColour(side) {
+    const palette = /** @type {Palette} */ (this.palette);
+    if (side === SIDE.start) return palette.start;
+    return side === SIDE.goal ? palette.goal : palette.growth;
+  }
+
+  /** Redraws the top: glow, path, marks, robot. @param {number} now */
+  drawTop(now) {
+    const { lane, palette, view } = this;
+    if (!lane || !palette || !view) return;
+    const { context } = this.layers.top;
+    this.layers.top.clear();
+    context.save();
+    this.clip(context);
+    this.drawWaiting(context, lane, palette);
+    this.glow.draw(context, palette, now);
+    if (lane.run?.pieces) this.drawPieces(context, lane.run, palette);
+    if (lane.still) this.growth.inkLatest(context);
+    if (lane.playback) this.drawPath(context, lane.playback, palette);
+    context.restore();
+    this.drawEnds(context, lane, palette);
+    const { hover } = lane.shown;
+    if (hover?.lane === lane) this.drawHover(context, hover, palette);
+    lane.shown.driven?.drawUnder(this, context, lane);
+    this.drawRobot(context, lane);
+    lane.shown.driven?.drawOver(this, context, lane);
+    lane.shown.overlay?.draw(this, context, lane);
+  }
+
+  /** Of a roadmap without a path: what hangs together with the start, and with the goal. @param {CanvasRenderingContext2D} context @param {Run} run @param {Palette} palette */
+  drawPieces(context, { pieces }, palette) {
+    const { places } = this;
+    if (!pieces || !places) return;
+    places.follow();
+    for (const [members, colour] of /** @type {[number[], string][]} */ ([[pieces.start, palette.start], [pieces.goal, palette.goal]])) {
+      context.fillStyle = colour;
+      for (const vertex of members) disc(context, places.points[2 * vertex], places.points[2 * vertex + 1], 3.2 * this.fineness);
+    }
+  }
+
+  /** The vertices that wait for the search, each in a small ring. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette */
+  drawWaiting(context, { run }, palette) {
+    const { places } = this;
+    if (!run || !places || run.frontier.count === 0) return;
+    places.follow();
+    const radius = 3.4 * this.fineness;
+    context.strokeStyle = palette.ink;
+    context.lineWidth = 1.1;
+    context.beginPath();
+    run.frontier.each((vertex) => {
+      const [x, y] = [places.points[2 * vertex], places.points[2 * vertex + 1]];
+      context.moveTo(x + radius, y);
+      context.arc(x, y, radius, 0, 2 * Math.PI);
+    });
+    context.stroke();
+  }
+
+  /** What is pointed at: a ring about it. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette */
+  drawHover(context, { pose, check }, palette) {
+    const [x, y] = this.pixels(pose);
+    for (const [width, colour] of /** @type {[number, string][]} */ ([[4.6, palette.stage], [1.8, check.free ? palette.ink : palette.collision]])) {
+      context.lineWidth = width;
+      context.strokeStyle = colour;
+      ring(context, x, y, 9);
+    }
+  }
+
+  /** The robot's poses along the path, where they are to be seen. @param {PathPlayback} playback @returns {Strobe | null} */
+  strobe(playback) {
+    const { strobe, poses } = /** @type {Lane} */ (this.lane).shown.view;
+    if (!strobe) return null;
+    if (this.flashes?.playback !== playback || this.flashes.count !== poses) this.flashes = new Strobe(this, playback, poses);
+    return this.flashes;
+  }
+
+  /** The path as it was found, a thin line. @param {CanvasRenderingContext2D} context @param {PathPlayback} playback */
+  drawRaw(context, { raw, scenario }) {
+    if (!raw) return;
+    if (this.rawLines?.raw !== raw) {
+      const n = scenario.dimension;
+      const ends = new Float64Array(2 * (raw.length - n));
+      for (let i = 0; i + n < raw.length; i += n) ends.set(raw.subarray(i, i + 2 * n), 2 * i);
+      this.rawLines = { raw, lines: this.lines(ends) };
+    }
+    const { points, firsts } = this.rawLines.lines;
+    context.save();
+    context.lineWidth = 1.5;
+    context.lineJoin = "round";
+    context.strokeStyle = /** @type {Palette} */ (this.palette).path;
+    context.beginPath();
+    tracePen(context, points, 0, firsts[firsts.length - 1]);
+    context.stroke();
+    context.restore();
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {PathPlayback} playback @param {Palette} palette */
+  drawPath(context, playback, palette) {
+    if (this.pathLines?.playback !== playback) {
+      const { rows, parts } = playback.samples;
+      const n = playback.scenario.dimension;
+      const ends = new Float64Array(Math.max(0, parts.length - 1) * 2 * n);
+      for (let i = 0; i + 1 < parts.length; i++) ends.set(rows.subarray(i * n, (i + 2) * n), i * 2 * n);
+      this.pathLines = { playback, lines: this.lines(ends) };
+    }
+    if (/** @type {Lane} */ (this.lane).shown.view.raw) this.drawRaw(context, playback);
+    const { lines } = this.pathLines;
+    const parts = playback.samples.parts;
+    let pieces = 0;
+    while (pieces + 1 < parts.length && parts[pieces + 1] <= playback.drawn) pieces++;
+    context.save();
+    context.lineCap = "round";
+    context.lineJoin = "round";
+    // Without a proof the line is hollow, and broken where it misses the goal: colour is not all that tells.
+    const colour = this.pathColour(playback);
+    /** @type {[number, string, number][]} */
+    const strokes = [[8 * this.bold, palette.stage, 0.75], [(playback.isProven ? 3.4 : 5) * this.bold, colour, 1]];
+    if (!playback.isProven) strokes.push([1.8, palette.stage, 1]);
+    if (playback.isMiss) context.setLineDash([9, 8]);
+    for (const [width, stroke, alpha] of strokes) {
+      context.lineWidth = width;
+      context.strokeStyle = stroke;
+      context.globalAlpha = alpha;
+      context.beginPath();
+      tracePen(context, lines.points, 0, lines.firsts[pieces]);
+      context.stroke();
+    }
+    context.restore();
+    this.strobe(playback)?.draw(context, palette.stage);
+    if (playback.flaw && playback.drawn >= playback.flaw.at) {
+      const [x, y] = this.pixels(playback.flaw.pose);
+      drawHit(context, x, y, palette);
+    }
+  }
+
+  /** @param {PathPlayback} playback */
+  pathColour(playback) {
+    const palette = /** @type {Palette} */ (this.palette);
+    return playback.isProven ? palette.path : palette.unproven;
+  }
+
+  /** Start and goal. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette */
+  drawEnds(context, { shown: { start, goals } }, palette) {
+    if (start) {
+      const [x, y] = this.pixels(Float64Array.from(start));
+      drawStart(context, x, y, palette);
+    }
+    for (const goal of goals) {
+      const [x, y] = this.pixels(Float64Array.from(goal));
+      drawGoal(context, x, y, palette);
+    }
+  }
+}

@@ -1,0 +1,54 @@
+/**
+ * Copies of a growing layer, taken now and then, so that going to another time inks from the nearest copy and not from
+ * nothing. Few are kept, by their bytes; when there are too many every other one goes and they are taken half as often.
+ */
+
+/** @import { Layer } from "../../draw/layer.js" */
+
+/** Marks between two copies at first. */
+const SPACING = 512;
+/** Bytes of one layer's copies, and how many there may be. */
+const BYTES = 8e6;
+const COPIES = { least: 2, most: 8 };
+
+export class Snapshots {
+  /** @param {Layer} layer */
+  constructor(layer) {
+    this.layer = layer;
+    /** @type {{ count: number, canvas: OffscreenCanvas }[]} */
+    this.copies = [];
+    this.spacing = SPACING;
+  }
+
+  /** Forgets all copies. */
+  clear() {
+    this.spacing = SPACING;
+    this.copies = [];
+  }
+
+  /** Is it time for a copy, when the layer holds so many marks? @param {number} count */
+  isDue(count) { return count >= (this.copies.at(-1)?.count ?? 0) + this.spacing; }
+
+  /** Copies the layer, which holds its first `count` marks. @param {number} count */
+  copy(count) {
+    const { copies, layer } = this;
+    const { width, height } = layer.canvas;
+    const canvas = new OffscreenCanvas(width, height);
+    canvas.getContext("2d")?.drawImage(layer.canvas, 0, 0);
+    copies.push({ count, canvas });
+    const most = Math.max(COPIES.least, Math.min(COPIES.most, Math.floor(BYTES / (4 * width * height))));
+    if (copies.length <= most) return;
+    this.copies = copies.filter((_, i) => i % 2 === 1);
+    this.spacing *= 2;
+  }
+
+  /** The copy nearest to a time, of those with at most `count` marks. @param {number} count */
+  best(count) { return this.copies.findLast((copy) => copy.count <= count); }
+
+  /** Puts that copy back, or nothing. @param {number} count @returns {number} how many marks the layer holds now */
+  restore(count) {
+    const copy = this.best(count);
+    this.layer.paste(copy?.canvas ?? null);
+    return copy?.count ?? 0;
+  }
+}

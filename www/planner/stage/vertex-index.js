@@ -1,0 +1,63 @@
+/**
+ * Where the vertices of a run are on a pane, in CSS pixels, and which of them is nearest to a point: a grid of cells as wide
+ * as the reach of a pointer, so that nine cells are looked through. Made when it is first asked for, then only added to; a
+ * new layout or a new run makes it anew.
+ */
+
+/** @import { Pane } from "./pane.js" */
+/** @import { Run } from "../run-log/run-log.js" */
+
+/** How near to a vertex a pointer must be, CSS pixels. */
+export const NEAR = 12;
+
+export class VertexIndex {
+  /** @param {Pane} pane @param {Run} run */
+  constructor(pane, run) {
+    this.pane = pane;
+    this.run = run;
+    /** Pixels, x and y in turn. @type {number[]} */
+    this.points = [];
+    /** Vertices by cell. @type {Map<number, number[]>} */
+    this.cells = new Map();
+  }
+
+  /** Takes in the vertices that are new. */
+  follow() {
+    const { points, run } = this;
+    const first = points.length / 2;
+    if (first === run.vertices.count) return;
+    const fresh = this.pane.pixels(run.vertices.slice(first, run.vertices.count));
+    for (let i = 0; i < fresh.length; i += 2) this.put(fresh[i], fresh[i + 1]);
+  }
+
+  /** One more point. @param {number} x @param {number} y */
+  put(x, y) {
+    const { points, cells } = this;
+    const key = keyOf(x, y);
+    const cell = cells.get(key);
+    if (cell) cell.push(points.length / 2);
+    else cells.set(key, [points.length / 2]);
+    points.push(x, y);
+  }
+
+  /** The point nearest to another of the pane, of the first `count`; the older one of two at the same place; -1 where none is near. @param {number} x @param {number} y @param {number} count @param {(point: number) => boolean} [counts]  those that count */
+  nearest(x, y, count, counts = () => true) {
+    this.follow();
+    let best = -1;
+    let least = NEAR;
+    for (let dx = -NEAR; dx <= NEAR; dx += NEAR) {
+      for (let dy = -NEAR; dy <= NEAR; dy += NEAR) {
+        for (const point of this.cells.get(keyOf(x + dx, y + dy)) ?? []) {
+          const distance = Math.hypot(this.points[2 * point] - x, this.points[2 * point + 1] - y);
+          if (point >= count || distance > least || (distance === least && point > best) || !counts(point)) continue;
+          best = point;
+          least = distance;
+        }
+      }
+    }
+    return best;
+  }
+}
+
+/** @param {number} x @param {number} y */
+function keyOf(x, y) { return Math.floor(x / NEAR) * 65536 + Math.floor(y / NEAR); }

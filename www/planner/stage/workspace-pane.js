@@ -1,0 +1,140 @@
+/** The workspace: the world as it is, the robot in it, and the end-effector's image of every vertex and edge. */
+import { drawBase, drawBounds, drawReach, drawScale } from "../../draw/ground.js";
+import { drawMarked } from "./marked.js";
+import { Pane } from "./pane.js";
+import { drawGhost, drawObstacles, drawRobot, drawTarget } from "../../draw/shapes.js";
+import { drawTouched, drawTouching } from "../../draw/touching.js";
+import { Tracer } from "../../draw/trace.js";
+import { View } from "../../draw/view.js";
+
+/** @import { Hover, Lane } from "../lane.js" */
+/** @import { PathPlayback } from "../../domain/path-playback.js" */
+/** @import { LayerName } from "../../draw/layer.js" */
+/** @import { Palette } from "../../app/palette.js" */
+/** @import { Brush } from "../../draw/touching.js" */
+/** @import { Check, Configuration, Part, ScenarioDocument } from "../../domain/types.js" */
+
+const MARGIN = { left: 14, right: 14, top: 14, bottom: 14 };
+
+export class Workspace extends Pane {
+  /** @param {Record<LayerName, HTMLCanvasElement | OffscreenCanvas>} canvases */
+  constructor(canvases) {
+    super(canvases);
+    /** @type {Tracer | null} */
+    this.tracer = null;
+  }
+
+  /** @param {Lane} lane @param {number} width @param {number} height @override */
+  makeView(lane, width, height) {
+    return new View(lane.scenario.extent(), width, height, MARGIN, false);
+  }
+
+  /** @param {Lane} lane @override */
+  survey(lane) { this.tracer = new Tracer(lane.scenario); }
+
+  /** @param {Float64Array} rows @override */
+  pixels(rows) {
+    return this.place(/** @type {Lane} */ (this.lane).scenario.endEffectors(rows));
+  }
+
+  /** @param {Float64Array} ends @param {boolean[]} [circles] @override */
+  lines(ends, circles) {
+    const { points, firsts } = /** @type {Tracer} */ (this.tracer).curves(ends, circles);
+    return { points: this.place(points), firsts };
+  }
+
+  /** Points of the plane to pixels, in place. @param {Float64Array} points */
+  place(points) {
+    const view = /** @type {View} */ (this.view);
+    for (let i = 0; i < points.length; i += 2) {
+      points[i] = view.x(points[i]);
+      points[i + 1] = view.y(points[i + 1]);
+    }
+    return points;
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
+  drawGround(context, lane) {
+    const { shown } = lane;
+    const { view, palette } = this;
+    if (!view || !palette) return;
+    const { world, robot } = shown.document;
+    drawScale(context, view, palette);
+    context.lineWidth = 1;
+    if (world.bounds) drawBounds(context, view, world.bounds, palette);
+    else if (robot.type === "arm") drawReach(context, view, robot, palette);
+    drawObstacles(context, view, world.obstacles, palette);
+    const { start, goal, goals, scenario } = shown;
+    const thin = "radius" in robot && (robot.radius ?? 0) * view.scaleX < 1.6;
+    const width = thin ? 2 : 1.5;
+    if (goal) shown.placed?.drawRegion(context, view, goal, shown, palette.goal);
+    for (const [pose, colour, fill, dash] of /** @type {[Configuration | null, string, number, number[]][]} */ ([...goals.map((pose) => [pose, palette.goal, 0.14 / goals.length, [5, 4]]), [start, palette.start, 0.16, []]])) {
+      if (!pose) continue;
+      drawGhost(context, view, scenario.footprint(pose), { colour, fill, stroke: dash.length > 0 && goals.length > 1 ? 0.5 : 0.95, dash, width });
+      shown.placed?.drawMarks(context, view, pose, 0, colour);
+    }
+    if (robot.type === "arm") drawBase(context, view, robot.base, palette);
+    drawMarked(this, context, lane);
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette @override */
+  drawEnds(context, lane, palette) {
+    super.drawEnds(context, lane, palette);
+    const { target } = lane.shown;
+    if (target && this.view) drawTarget(context, this.view.x(target.point[0]), this.view.y(target.point[1]), target.orientation, palette);
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {PathPlayback} playback @param {Palette} palette @override */
+  drawPath(context, playback, palette) {
+    for (const { part, parts, colour } of this.strobe(playback)?.seen ?? []) {
+      if (this.view) drawGhost(context, this.view, parts, { colour, fill: 0.05, stroke: 0.55, dash: [], width: 0.7 + 1.5 * part });
+    }
+    if (this.view && playback.flaw && playback.drawn >= playback.flaw.at) {
+      const style = { colour: palette.collision, fill: 0.3, stroke: 1, dash: [], width: 2 };
+      drawGhost(context, this.view, playback.scenario.footprint(playback.flaw.pose), style);
+    }
+    super.drawPath(context, playback, palette);
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
+  drawRobot(context, lane) {
+    const { view, palette } = this;
+    const { pose } = lane;
+    if (!view || !palette || !pose) return;
+    const { scenario, hand, check } = lane.shown;
+    const parts = scenario.footprint(pose);
+    this.drawTouching(context, lane, parts, hand && check ? check.touching : [], () => drawRobot(context, view, parts, palette));
+    lane.shown.placed?.drawMarks(context, view, pose, lane.steering, palette["robot-edge"], palette.robot);
+  }
+
+  /** The robot at what is pointed at, fine. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette @override */
+  drawHover(context, hover, palette) {
+    const { view } = this;
+    if (!view) return;
+    const parts = hover.lane.scenario.footprint(hover.pose);
+    const style = { colour: palette.ink, fill: 0.06, stroke: 0.85, dash: [], width: 1.3 };
+    const { placed } = hover.lane.shown;
+    placed?.drawSwept(this, context, hover, palette);
+    this.drawTouching(context, hover.lane, parts, hover.check.touching, () => drawGhost(context, view, parts, style));
+    placed?.drawMarks(context, view, hover.pose, hover.motions?.[hover.motions.length - 2] ?? 0, palette.ink);
+    super.drawHover(context, hover, palette);
+  }
+
+  /** A robot and what it touches. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Part[]} parts @param {Check["touching"]} touching @param {() => void} draw  the robot */
+  drawTouching(context, { shown: { scenario, document: { world } } }, parts, touching, draw) {
+    const brush = this.brush(context);
+    if (brush) drawTouching(brush, { scenario, world, parts, touching }, draw);
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {ScenarioDocument} document @param {number | "bounds"} obstacle */
+  drawTouched(context, { world }, obstacle) {
+    const brush = this.brush(context);
+    if (brush) drawTouched(brush, world, obstacle);
+  }
+
+  /** @param {CanvasRenderingContext2D} context @returns {Brush | null} */
+  brush(context) {
+    const { view, palette } = this;
+    return view && palette && { context, view, palette, onPart: this.hatchOnPart, onObstacle: this.hatchOnObstacle };
+  }
+}

@@ -1,0 +1,18 @@
+/** What the worker computes for this page. */
+import { Scenario } from "planarium";
+
+/** @import { ScenarioDocument } from "./types.js" */
+
+export const commands = {
+  /** The obstacles in the configuration space of an arm of two joints. @param {ScenarioDocument} document @param {number} side  cells @returns {Uint8Array} */
+  cspace(document, side) {
+    const scenario = Scenario.parse(document);
+    try {
+      return scenario.cspace({ width: side, height: side });
+    } finally {
+      scenario.free();
+    }
+  },
+};
+
+/** @typedef {typeof commands} Commands */

@@ -1,0 +1,79 @@
+/** What can be dragged: the tip, a link, the target, a configuration in the square, a joint on its axis. */
+import { distanceToSegment } from "../draw/trace.js";
+import { watchArrows, watchDrag } from "../draw/drag.js";
+import { wrap } from "../domain/coordinates.js";
+
+/** @import { Grip, Place } from "../draw/drag.js" */
+/** @import { Figure } from "../draw/figure.js" */
+/** @import { ParallelAxes } from "./parallel-axes.js" */
+/** @import { ArmSession } from "./session.js" */
+/** @import { Square } from "./square.js" */
+/** @import { Point } from "./types.js" */
+/** @import { Workspace } from "./workspace.js" */
+
+/** What an arrow key moves the tip by, as part of the arm's reach. */
+const STEP = 0.01;
+
+/**
+ * @param {ArmSession} session @param {HTMLElement} stage   receives arrow keys
+ * @param {{ workspace: Figure, square: Figure, axes: Figure }} figures @param {{ workspace: Workspace, square: Square, axes: ParallelAxes }} drawings
+ * @param {(target: Point) => void} setTarget
+ */
+export function watchHandles(session, stage, figures, { workspace, square, axes }, setTarget) {
+  const { app } = session;
+  watchDrag(app, figures.workspace.canvas, grabInWorkspace);
+  watchDrag(app, figures.square.canvas, ({ x, y, isTouch, near }) => {
+    if (!square.view || session.arm.dimension !== 2) return null;
+    const [px, py] = square.place(session.arm.q);
+    if (isTouch && Math.hypot(px - x, py - y) > near) return null;
+    return (place) => { if (square.view) session.moveTo(square.view.toPlane(place.x, place.y)); };
+  });
+  watchDrag(app, figures.axes.canvas, ({ x, near }) => {
+    const joint = axes.jointAt(x, near);
+    return joint < 0 ? null : (place) => session.turnJoint(joint, axes.valueAt(joint, place.y));
+  });
+  watchArrows(stage, (coordinate, direction, factor) => {
+    if (coordinate > 1) return false;
+    const { arm, mode, target, tipGoal } = session;
+    const from = mode === "solve" ? target : tipGoal && !tipGoal.reached ? tipGoal.wanted : arm.tip;
+    const to = /** @type {Point} */ ([...from]);
+    to[coordinate] += direction * factor * STEP * arm.reach;
+    moveEnd(to);
+    return true;
+  });
+
+  /** Moves the tip; in inverse kinematics the target. @param {Point} point */
+  function moveEnd(point) {
+    if (session.mode === "solve") setTarget(point);
+    else session.moveTip(point);
+  }
+
+  /** @param {Place} place @returns {Grip | null} */
+  function grabInWorkspace({ x, y, near, isTouch }) {
+    const { arm, mode, target } = session;
+    const { view } = workspace;
+    if (!view) return null;
+    const isNear = (/** @type {Point} */ point) => Math.hypot(view.x(point[0]) - x, view.y(point[1]) - y) <= near;
+    const pointOf = (/** @type {Place} */ place) => view.toPlane(place.x, place.y);
+    if (mode === "solve" && isNear(target)) return (place) => setTarget(pointOf(place));
+    if (isNear(arm.tip)) return (place) => session.moveTip(pointOf(place));
+    const [px, py] = view.toPlane(x, y);
+    const distances = arm.parts.map((part) => (part.type === "capsule" ? distanceToSegment(px, py, part.a, part.b) - part.radius : Infinity));
+    const least = Math.min(...distances);
+    if (least * view.scaleX <= near) return turnLink(distances.indexOf(least), px, py, pointOf);
+    // A finger elsewhere scrolls the page; a click with the mouse calls the tip or the target.
+    return isTouch ? null : (place) => moveEnd(pointOf(place));
+  }
+
+  /** Turns the joint of a link with the pointer. @param {number} joint @param {number} px @param {number} py @param {(place: Place) => Point} pointOf @returns {Grip} */
+  function turnLink(joint, px, py, pointOf) {
+    /** The angle of the pointer from the link, about its joint. @param {number} x @param {number} y */
+    const angleFromLink = (x, y) => {
+      const part = session.arm.parts[joint];
+      if (part?.type !== "capsule") return 0;
+      return wrap(Math.atan2(y - part.a[1], x - part.a[0]) - Math.atan2(part.b[1] - part.a[1], part.b[0] - part.a[0]));
+    };
+    const offset = angleFromLink(px, py);
+    return (place) => session.turnJoint(joint, session.arm.q[joint] + wrap(angleFromLink(...pointOf(place)) - offset));
+  }
+}

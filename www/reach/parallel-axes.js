@@ -1,0 +1,163 @@
+/**
+ * A configuration in parallel coordinates (Inselberg 1985): an upright axis for each joint, and a line through their values. Red
+ * stretches of an axis are where that joint, turned alone, would collide.
+ */
+import { tick, ticks } from "../draw/angles.js";
+import { disc } from "../draw/marks.js";
+import { folded } from "../draw/trace.js";
+import { num } from "../widgets/format.js";
+
+/** @import { Brush } from "../draw/figure.js" */
+/** @import { IkPanel } from "./ik-panel.js" */
+/** @import { ArmSession } from "./session.js" */
+/** @typedef {CanvasRenderingContext2D} Context */
+
+const MARGIN = { left: 34, right: 24, top: 26, bottom: 44 };
+/** Configurations tested along each axis. */
+const TESTS = 72;
+/** Half the width of a stretch in collision, CSS pixels. */
+const HALF = 4;
+
+export class ParallelAxes {
+  /** @param {ArmSession} session @param {IkPanel} ik */
+  constructor(session, ik) {
+    this.session = session;
+    this.ik = ik;
+    this.width = 0;
+    this.height = 0;
+  }
+
+  /** @param {number} joint */
+  x(joint) {
+    const { dimension } = this.session.arm;
+    const inner = this.width - MARGIN.left - MARGIN.right;
+    return MARGIN.left + inner * (dimension === 1 ? 0.5 : joint / (dimension - 1));
+  }
+
+  /** @param {number} joint @param {number} value */
+  y(joint, value) {
+    const { low, high, isCircle } = this.session.arm.joints[joint];
+    const part = ((isCircle ? folded(value) : value) - low) / (high - low);
+    return this.height - MARGIN.bottom - part * (this.height - MARGIN.top - MARGIN.bottom);
+  }
+
+  /** The value of a joint at a height. @param {number} joint @param {number} y */
+  valueAt(joint, y) {
+    const { low, high } = this.session.arm.joints[joint];
+    const part = (this.height - MARGIN.bottom - y) / (this.height - MARGIN.top - MARGIN.bottom);
+    return Math.min(high, Math.max(low, low + part * (high - low)));
+  }
+
+  /** The joint whose axis is near, or -1. @param {number} x @param {number} near  CSS pixels */
+  jointAt(x, near) { return this.session.arm.joints.findIndex((_, i) => Math.abs(this.x(i) - x) <= Math.min(near, (this.x(1) - this.x(0)) / 2 || near)); }
+
+  /** @param {Brush} brush */
+  ground({ context, palette, width, height }) {
+    Object.assign(this, { width, height });
+    const { joints } = this.session.arm;
+    const isNarrow = width / joints.length < 64;
+    context.font = "12px system-ui, sans-serif";
+    context.strokeStyle = palette["obstacle-edge"];
+    context.fillStyle = palette.quiet;
+    context.lineWidth = 1.4;
+    joints.forEach((joint, i) => {
+      const x = this.x(i);
+      const [top, bottom] = [this.y(i, joint.high), this.y(i, joint.low)];
+      tick(context, x, top, x, bottom);
+      // A limit is a bar; an axis that wraps ends in arrowheads.
+      for (const [y, away] of [[top, 5], [bottom, -5]]) {
+        if (!joint.isCircle) tick(context, x - 7, y, x + 7, y);
+        else for (const side of [-5, 5]) tick(context, x + side, y + away, x, y);
+      }
+      context.textAlign = "center";
+      context.textBaseline = "alphabetic";
+      context.fillText(isNarrow ? String(i) : joint.name, x, height - 10);
+      if (!joint.isCircle) {
+        context.fillText(num(joint.high, 1), x, top - 5);
+        context.textBaseline = "top";
+        context.fillText(num(joint.low, 1), x, bottom + 2);
+      } else if (i === 0) {
+        context.textAlign = "right";
+        context.textBaseline = "middle";
+        for (const { value, text } of ticks(joint)) context.fillText(text, x - 9, this.y(i, value));
+      }
+    });
+  }
+
+  /** @param {Brush} brush */
+  top(brush) {
+    const { context, palette } = brush;
+    const { arm, mode, a, b } = this.session;
+    if (this.width === 0) return;
+    this.drawCollisions(brush);
+    if (mode === "between") {
+      this.drawLine(context, b, palette.goal, 2, [6, 4]);
+      this.drawLine(context, a, palette.start, 2);
+    }
+    if (mode === "solve") this.drawRun(brush);
+    const colour = arm.check.free ? palette.robot : palette.collision;
+    this.drawLine(context, arm.q, palette.stage, 5);
+    this.drawLine(context, arm.q, colour, 2.6);
+    context.fillStyle = colour;
+    context.strokeStyle = palette.stage;
+    context.lineWidth = 2;
+    arm.q.forEach((value, i) => {
+      disc(context, this.x(i), this.y(i, value), 6.5);
+      context.stroke();
+    });
+  }
+
+  /** @param {Brush} brush */
+  drawCollisions({ context, palette, hatch }) {
+    const { arm } = this.session;
+    const pattern = hatch(palette.collision);
+    arm.joints.forEach(({ low, high }, joint) => {
+      const q = Float64Array.from(arm.q);
+      const valueAt = (/** @type {number} */ test) => low + ((high - low) * test) / TESTS;
+      let from = -1;
+      for (let i = 0; i <= TESTS; i++) {
+        q[joint] = valueAt(i + 0.5);
+        const collides = i < TESTS && !arm.isFree(q);
+        if (collides && from < 0) from = i;
+        if (collides || from < 0) continue;
+        const [bottom, top] = [this.y(joint, valueAt(from)), this.y(joint, valueAt(i))];
+        context.beginPath();
+        context.rect(this.x(joint) - HALF, top, 2 * HALF, bottom - top);
+        context.globalAlpha = 0.35;
+        context.fillStyle = palette.collision;
+        context.fill();
+        context.globalAlpha = 1;
+        if (pattern) {
+          context.fillStyle = pattern;
+          context.fill();
+        }
+        from = -1;
+      }
+    });
+  }
+
+  /** Iterates and solutions of inverse kinematics. @param {Brush} brush */
+  drawRun({ context, palette }) {
+    const { run } = this.ik;
+    if (!run) return;
+    for (const { q, strength } of run.recent(40)) {
+      context.globalAlpha = 0.1 + 0.4 * strength ** 2;
+      this.drawLine(context, q, palette.growth, 1);
+    }
+    context.globalAlpha = 0.9;
+    for (const { q, isFree } of run.shown) this.drawLine(context, q, isFree ? palette.path : palette.collision, 1.8, isFree ? [] : [2, 4]);
+    context.globalAlpha = 1;
+  }
+
+  /** A configuration as a line. @param {Context} context @param {ArrayLike<number>} q @param {string} colour @param {number} width @param {number[]} [dash] */
+  drawLine(context, q, colour, width, dash = []) {
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.lineJoin = "round";
+    context.setLineDash(dash);
+    context.beginPath();
+    for (let i = 0; i < q.length; i++) context.lineTo(this.x(i), this.y(i, q[i]));
+    context.stroke();
+    context.setLineDash([]);
+  }
+}

@@ -1,0 +1,183 @@
+/**
+ * The state of the page: the arm, the mode, the configurations A and B, and the target. Listeners learn what changed; nothing
+ * here uses the DOM.
+ */
+import { Arm } from "./arm.js";
+import { Motion } from "./motion.js";
+
+/** @import { App } from "../app/app.js" */
+/** @import { Mode, Point, SceneEntry, ScenarioDocument } from "./types.js" */
+/** @import { Direction } from "./motion.js" */
+
+/**
+ * The outcome of moving the tip to a point.
+ * @typedef {object} TipGoal
+ * @property {Point} wanted
+ * @property {Point} point      the nearest point
+ * @property {number} distance  between them, metres
+ * @property {boolean} reached
+ * @property {boolean} isStuck   another configuration would come nearer
+ */
+
+/** The arm itself; its configuration, by the user or by inverse kinematics; or anything else. @typedef {"arm" | "pose" | "iterate" | "rest"} Change */
+
+/** The part of its reach by which another configuration must come nearer for the arm to be stuck. */
+const STUCK = 1e-3;
+
+export class ArmSession {
+  /** @param {App} app */
+  constructor(app) {
+    this.app = app;
+    /** @type {Arm | null} */
+    this.current = null;
+    /** The built-in scene, if it is one. @type {SceneEntry | null} */
+    this.entry = null;
+    /** @type {Mode} */
+    this.mode = "hand";
+    /** @type {Float64Array} */
+    this.a = new Float64Array();
+    /** @type {Float64Array} */
+    this.b = new Float64Array();
+    /** The way round of each joint from A to B. @type {Direction[]} */
+    this.directions = [];
+    /** The part of the motion that is done, 0 to 1. */
+    this.progress = 0;
+    /** The orientation of the last link, radians; null: any. @type {number | null} */
+    this.orientation = null;
+    /** @type {Point} */
+    this.target = [0, 0];
+    /** @type {TipGoal | null} */
+    this.tipGoal = null;
+    /** The motion, and what it was computed for. @type {{ key: string, arm: Arm, motion: Motion } | null} */
+    this.computed = null;
+    /** @type {((change: Change) => void)[]} */
+    this.listeners = [];
+  }
+
+  /** @returns {Arm} */
+  get arm() {
+    if (!this.current) throw new Error("No arm is open yet.");
+    return this.current;
+  }
+
+  /** @param {(change: Change) => void} listener */
+  onChange(listener) { this.listeners.push(listener); }
+
+  /** @param {Change} change */
+  update(change) {
+    for (const listener of this.listeners) listener(change);
+    this.app.requestFrame();
+  }
+
+  /** @param {SceneEntry} entry */
+  openScene(entry) {
+    this.setArm(documentOf(entry), entry.q, entry);
+    Object.assign(this, { a: Float64Array.from(entry.a), b: Float64Array.from(entry.b), target: entry.target });
+    this.reset(null);
+  }
+
+  /** Opens the user's scenario; without queries A, B and the target are chosen for it. @param {ScenarioDocument | string} document @throws {Error} the core refuses it */
+  openDocument(document) {
+    this.setArm(document, [], null);
+    const { arm } = this;
+    const middle = arm.joints.map(({ low, high }) => (low + high) / 2);
+    const [{ start = middle, goal, target } = { start: middle }] = /** @type {Partial<import("planarium").Query>[]} */ (arm.document.queries);
+    arm.moveTo(start);
+    this.a = Float64Array.from(arm.q);
+    this.target = target?.point ?? (goal ? arm.scenario.endEffector(goal) : [arm.base[0] + 0.6 * arm.reach, arm.base[1] + 0.2 * arm.reach]);
+    this.b = arm.fitted(goal ?? arm.scenario.nearestReachable(this.target, target?.orientation).configuration);
+    this.reset(arm.dimension > 2 ? target?.orientation ?? null : null);
+  }
+
+  /** Sets what every scene begins with. @param {number | null} orientation */
+  reset(orientation) {
+    Object.assign(this, { directions: this.arm.joints.map(() => "short"), progress: 0, orientation, tipGoal: null });
+    this.update("arm");
+    if (this.mode === "between") this.setProgress(0);
+  }
+
+  /** Changes the arm within the same world. @param {ScenarioDocument} document @throws {Error} the core refuses it, and nothing changes */
+  changeArm(document) {
+    const { arm: { q }, a, b, directions, entry } = this;
+    this.setArm({ ...document, queries: [] }, q, entry);
+    this.a = this.arm.fitted(a);
+    this.b = this.arm.fitted(b);
+    this.directions = this.arm.joints.map((_, i) => directions[i] ?? "short");
+    this.tipGoal = null;
+    this.update("arm");
+  }
+
+  /** @param {ScenarioDocument | string} document @param {ArrayLike<number>} q @param {SceneEntry | null} entry */
+  setArm(document, q, entry) {
+    const arm = new Arm(document, q);
+    this.current?.free();
+    this.current = arm;
+    this.entry = entry;
+    if (arm.dimension < 3) this.orientation = null;
+  }
+
+  /** @param {ArrayLike<number>} q @param {Change} [change] @param {TipGoal | null} [tipGoal] */
+  moveTo(q, change = "pose", tipGoal = null) {
+    this.arm.moveTo(q);
+    this.tipGoal = tipGoal;
+    this.update(change);
+  }
+
+  /** @param {number} joint @param {number} angle */
+  turnJoint(joint, angle) {
+    const q = Float64Array.from(this.arm.q);
+    q[joint] = angle;
+    this.moveTo(q);
+  }
+
+  /** Moves the tip to a point, or as near as it gets. @param {Point} wanted */
+  moveTip(wanted) {
+    const { arm } = this;
+    const orientation = this.orientation ?? undefined;
+    const { configuration, point, distance, reached } = arm.scenario.follow(arm.q, wanted, orientation);
+    const nearest = reached ? null : arm.scenario.nearestReachable(wanted, orientation);
+    const isStuck = nearest !== null && nearest.distance < distance - STUCK * arm.reach;
+    this.moveTo(configuration, "pose", { wanted, reached, isStuck, ...(nearest && !isStuck ? { point: nearest.point, distance: nearest.distance } : { point, distance }) });
+  }
+
+  /** @param {Mode} mode */
+  setMode(mode) {
+    this.mode = mode;
+    this.tipGoal = null;
+    if (mode === "between") this.setProgress(0);
+    this.update("rest");
+  }
+
+  /** The motion from A to B. @returns {Motion} */
+  get motion() {
+    const { arm, a, b, directions, computed } = this;
+    const key = [...a, ...b, ...directions].join();
+    if (computed?.key === key && computed.arm === arm) return computed.motion;
+    const motion = new Motion(arm, a, b, directions);
+    this.computed = { key, arm, motion };
+    return motion;
+  }
+
+  /** @param {number} progress */
+  setProgress(progress) {
+    this.progress = Math.min(1, Math.max(0, progress));
+    this.moveTo(this.motion.at(this.progress));
+  }
+
+  /** The query to reach the target from a configuration. @param {ArrayLike<number>} start @returns {import("planarium").Query} */
+  targetQuery(start) {
+    const { target: point, orientation } = this;
+    return { name: "reach", start: Array.from(start), target: { point, ...(orientation === null ? {} : { orientation }) } };
+  }
+
+  /** The arm and its world with the queries A to B and the target. @returns {ScenarioDocument} */
+  document() {
+    const { arm, a, b } = this;
+    return { ...arm.document, queries: [{ name: "a-to-b", start: [...a], goal: [...b] }, this.targetQuery(arm.q)] };
+  }
+}
+
+/** @param {SceneEntry} entry @returns {ScenarioDocument} */
+export function documentOf({ id, title, obstacles, robot, a, b }) {
+  return { format: "planarium-scenario-1", name: id, title, world: { obstacles }, robot: { type: "arm", ...robot }, queries: [{ name: "a-to-b", start: a, goal: b }] };
+}

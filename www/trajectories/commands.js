@@ -1,0 +1,94 @@
+/** What the worker computes for this page: the experiment, with the time that each trajectory took. */
+import { Trajectories, particlePoints } from "planarium";
+
+/** @import { TrajectoryOptions } from "planarium" */
+
+/** Milliseconds of a call, at most. */
+const LONGEST = 24;
+/** Radians of a turn between two points of a line, and pieces of a line at most. */
+const BEND = 0.13;
+const MOST_PIECES = 800;
+
+/** @type {Trajectories | null} */
+let trajectories = null;
+/** @type {TrajectoryOptions["model"]} */
+let model = "arc";
+/** Milliseconds spent since the last trajectory was accepted. */
+let spent = 0;
+
+/**
+ * @typedef {object} Progress   what some tries added
+ * @property {number} done       tries made
+ * @property {Float64Array} accepted   rows of x, y, theta, v, w, duration
+ * @property {Float64Array} rejected   the last one, if any: the same, the number of the one it crosses, and where
+ * @property {number[]} milliseconds   for each accepted one, with the tries rejected before it
+ * @property {Uint32Array} tries   for each accepted one
+ * @property {Float32Array[]} lines   points of each accepted one at equal times; then of the rejected one
+ * @property {boolean} isLastRejected   of all tries
+ * @property {import("planarium").TrajectoriesResult} result
+ */
+
+export const commands = {
+  /** @param {TrajectoryOptions} options @throws {Error} they are refused */
+  begin(options) {
+    const begun = new Trajectories(options);
+    trajectories?.free();
+    trajectories = begun;
+    model = options.model ?? "arc";
+    spent = 0;
+    return begun.result();
+  },
+
+  /** Makes at most so many tries, fewer where they take long. @param {number} count @returns {Progress} */
+  advance(count) {
+    if (!trajectories) throw new Error("No experiment has begun.");
+    const { acceptedCount, refusedCount } = trajectories;
+    const { milliseconds, done } = makeTries(trajectories, count);
+    const accepted = trajectories.acceptedSince(acceptedCount);
+    const rejected = trajectories.refusedSince(Math.max(refusedCount, trajectories.refusedCount - 1));
+    const rows = [...rowsOf(accepted), ...rowsOf(rejected.slice(0, 6))];
+    const tries = trajectories.tries();
+    const result = trajectories.result();
+    const lastAccepted = tries.reduce((sum, one) => sum + one, 0);
+    return {
+      done, accepted, rejected, milliseconds, tries: tries.slice(acceptedCount), lines: rows.map(lineOf), result,
+      isLastRejected: result.iterations > lastAccepted,
+    };
+  },
+};
+
+/** @typedef {typeof commands} Commands */
+
+export function reset() { trajectories = null; }
+
+/** Tries one by one, for the time of each. @param {Trajectories} all @param {number} count */
+function makeTries(all, count) {
+  const end = performance.now() + LONGEST;
+  /** @type {number[]} */
+  const milliseconds = [];
+  let done = 0;
+  let last = performance.now();
+  while (done < count && all.status === "running" && last <= end) {
+    const { acceptedCount } = all;
+    all.step(1);
+    done++;
+    const now = performance.now();
+    spent += now - last;
+    last = now;
+    if (all.acceptedCount === acceptedCount) continue;
+    milliseconds.push(spent);
+    spent = 0;
+  }
+  return { milliseconds, done };
+}
+
+/** @param {Float64Array} values */
+function rowsOf(values) { return Array.from({ length: values.length / 6 }, (_, i) => values.subarray(6 * i, 6 * i + 6)); }
+
+/** Points of a trajectory at equal times. @param {Float64Array} row */
+function lineOf([x, y, theta, v, w, duration]) {
+  const bend = Math.abs(w) * duration * (model === "spiral" ? 2 : 1);
+  const pieces = v * duration === 0 ? 1 : Math.min(MOST_PIECES, Math.max(1, Math.ceil(bend / BEND)));
+  const times = Float64Array.from({ length: pieces + 1 }, (_, i) => (duration * i) / pieces);
+  return Float32Array.from(particlePoints({ model, x, y, theta, v, w }, times));
+}

@@ -1,0 +1,93 @@
+/** The experiment as far as the page knows it. Replies for an abandoned experiment are dropped. */
+
+/** @import { TrajectoriesResult, TrajectoryOptions } from "planarium" */
+/** @import { Remote } from "../app/worker-client.js" */
+/** @import { Commands, Progress } from "./commands.js" */
+
+/** @typedef {{ line: Float32Array, other: number, place: [number, number] }} Rejected   the number of the one it crosses, and where */
+
+/** The moving averages are taken over so many. */
+export const WINDOW = 20;
+
+export class Experiment {
+  /** @param {Remote<Commands>} worker */
+  constructor(worker) {
+    this.worker = worker;
+    /** Another number for each experiment. */
+    this.epoch = 0;
+    /** @type {TrajectoryOptions} */
+    this.options = {};
+    /** @type {TrajectoriesResult | null} */
+    this.result = null;
+    /** Rows of x, y, theta, v, w, duration. @type {number[]} */
+    this.rows = [];
+    /** Points of each accepted trajectory at equal times, metres. @type {Float32Array[]} */
+    this.lines = [];
+    /** When each was received, as of performance.now(). @type {number[]} */
+    this.born = [];
+    /** @type {number[]} */
+    this.tries = [];
+    /** @type {number[]} */
+    this.milliseconds = [];
+    /** The last one rejected, and when it was received. @type {Rejected | null} */
+    this.rejected = null;
+    this.rejectedAt = -Infinity;
+    this.isLastRejected = false;
+  }
+
+  get isRunning() { return this.result?.status === "running"; }
+
+  /** @param {TrajectoryOptions} options @returns {Promise<boolean>}  false: another one was begun meanwhile @throws {Error} they are refused */
+  async begin(options) {
+    const epoch = ++this.epoch;
+    const result = await this.worker.begin(options);
+    if (epoch !== this.epoch) return false;
+    Object.assign(this, { options, result, rows: [], lines: [], born: [], tries: [], milliseconds: [], rejected: null, rejectedAt: -Infinity, isLastRejected: false });
+    return true;
+  }
+
+  /** @param {number} count  tries @param {() => void} onProgress @returns {Promise<boolean>} whether more tries can be made */
+  async advance(count, onProgress) {
+    const { epoch } = this;
+    for (let left = count; left > 0 && this.isRunning && epoch === this.epoch;) {
+      const progress = await this.worker.advance(left);
+      if (epoch !== this.epoch) return false;
+      left -= progress.done;
+      this.add(progress);
+      onProgress();
+    }
+    return this.isRunning && epoch === this.epoch;
+  }
+
+  /** @param {Progress} progress */
+  add({ accepted, rejected, milliseconds, tries, lines, isLastRejected, result }) {
+    const now = performance.now();
+    const count = tries.length;
+    this.rows.push(...accepted);
+    this.lines.push(...lines.slice(0, count));
+    this.born.push(...tries.map(() => now));
+    this.tries.push(...tries);
+    this.milliseconds.push(...milliseconds);
+    if (rejected.length > 0) {
+      this.rejected = { line: lines[count], other: rejected[6], place: [rejected[7], rejected[8]] };
+      this.rejectedAt = now;
+    }
+    this.isLastRejected = isLastRejected;
+    this.result = result;
+  }
+}
+
+/** Means of the last WINDOW values, each with the number of the last one, counted from 1. @param {number[]} values @returns {[number, number][]} */
+export function movingAverage(values) {
+  let sum = 0;
+  return values.map((value, i) => {
+    sum += value - (values[i - WINDOW] ?? 0);
+    return /** @type {[number, number]} */ ([i + 1, Math.max(0, sum / WINDOW)]);
+  }).slice(WINDOW - 1);
+}
+
+/** The mean of the last values. @param {number[]} values */
+export function recentMean(values) {
+  const recent = values.slice(-WINDOW);
+  return recent.reduce((sum, value) => sum + value, 0) / recent.length;
+}

@@ -1,0 +1,92 @@
+/** A single particle: its circular arc, and the spiral of the other model. */
+import { particlePoints } from "planarium";
+import { make } from "../app/dom.js";
+import { Figure } from "../draw/figure.js";
+import { disc, ring } from "../draw/marks.js";
+import { View } from "../draw/view.js";
+import { num, tuple } from "../widgets/format.js";
+import { Slider } from "../widgets/slider.js";
+
+/** @import { App } from "../app/app.js" */
+/** @import { Brush } from "../draw/figure.js" */
+
+/** @typedef {[number, number, number]} Movement   speed, turn rate, duration */
+
+const PIECES = 240;
+/** Seconds between two marks, and marks at most. */
+const MARK = 0.1;
+const MOST_MARKS = 40;
+const MARGIN = { left: 16, right: 16, top: 16, bottom: 16 };
+
+/** @type {Movement} */
+export const FIRST = [1, Math.PI / 4, 4];
+
+export class Particle {
+  /** @param {App} app @param {HTMLElement} host */
+  constructor(app, host) {
+    /** @type {Movement} */
+    this.movement = [...FIRST];
+    this.words = make("p", { className: "hint", id: "one-words" });
+    this.sliders = [
+      { name: "one-v", title: "Speed", unit: "m/s", min: 0, max: 2 },
+      { name: "one-w", title: "Turn rate", unit: "rad/s", min: -2 * Math.PI, max: 2 * Math.PI },
+      { name: "one-duration", title: "Duration", unit: "s", min: 0.1, max: 10 },
+    ].map((info, i) => new Slider(info, this.movement[i], (value) => {
+      this.movement[i] = value;
+      this.update();
+    }));
+    const stage = make("div", { className: "stage single one" });
+    host.append(stage, ...this.sliders.map(({ element }) => element), this.words);
+    this.figure = new Figure(app, stage, { id: "one", kind: "workspace", caption: "One particle", note: "arc and spiral" }, this);
+    this.arc = this.spiral = /** @type {Float64Array} */ (new Float64Array(0));
+    this.update();
+  }
+
+  /** @param {Movement} movement @throws {Error} it is out of range */
+  set(movement) {
+    if (this.sliders.some(({ info: { min, max } }, i) => movement[i] < min || movement[i] > max)) throw new Error("The single particle of this link is out of range.");
+    this.movement = [...movement];
+    this.sliders.forEach((slider, i) => slider.show(movement[i]));
+    this.update();
+  }
+
+  update() {
+    const [v, w, duration] = this.movement;
+    const times = Array.from({ length: PIECES + 1 }, (_, i) => (duration * i) / PIECES);
+    this.arc = particlePoints({ model: "arc", v, w }, times);
+    this.spiral = particlePoints({ model: "spiral", v, w }, times);
+    const [arc, spiral] = [this.arc, this.spiral].map((points) => points.slice(-2));
+    const apart = Math.hypot(arc[0] - spiral[0], arc[1] - spiral[1]);
+    this.words.textContent = `After ${num(duration)} s the arc ends at ${tuple(arc, 3)} and the spiral at ${tuple(spiral, 3)}, ${num(apart, 3)} m apart. The spiral is the point v\u00b7t in direction w\u00b7t, as if the particle had always had its present heading.`;
+    this.figure.describe(`One particle: ${this.words.textContent}`);
+    this.figure.element.dataset.apart = String(apart);
+    this.figure.redraw();
+  }
+
+  /** @param {Brush} brush */
+  ground({ context, palette, width, height }) {
+    const { arc, spiral, movement } = this;
+    const xs = [...arc, ...spiral].filter((_, i) => i % 2 === 0);
+    const ys = [...arc, ...spiral].filter((_, i) => i % 2 === 1);
+    const box = { min: /** @type {[number, number]} */ ([Math.min(...xs), Math.min(...ys)]), max: /** @type {[number, number]} */ ([Math.max(...xs), Math.max(...ys, Math.min(...ys) + 1e-3)]) };
+    const view = new View(box, width, height, MARGIN, false);
+    const at = (/** @type {Float64Array} */ points, /** @type {number} */ i) => /** @type {[number, number]} */ ([view.x(points[2 * i]), view.y(points[2 * i + 1])]);
+    const marks = Math.min(MOST_MARKS, Math.floor(movement[2] / MARK));
+    context.lineJoin = "round";
+    for (const [points, colour, line, dash] of /** @type {const} */ ([[spiral, palette.growth, 1.8, [6, 4]], [arc, palette.path, 3, []]])) {
+      context.strokeStyle = context.fillStyle = colour;
+      context.lineWidth = line;
+      context.setLineDash([...dash]);
+      context.beginPath();
+      for (let i = 0; i <= PIECES; i++) context.lineTo(...at(points, i));
+      context.stroke();
+      context.setLineDash([]);
+      for (let i = 1; i <= marks; i++) disc(context, ...at(points, Math.round((PIECES * i) / marks)), 2.4);
+    }
+    context.strokeStyle = palette.start;
+    context.lineWidth = 2;
+    ring(context, ...at(arc, 0), 5);
+  }
+
+  top() {}
+}

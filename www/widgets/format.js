@@ -1,0 +1,21 @@
+/** Numbers as text. */
+import { superscript } from "./chart.js";
+
+/** With a true minus, and no minus before zero. @param {number} value @param {number} [digits]  after the point */
+export function num(value, digits = 2) {
+  const text = value.toFixed(digits);
+  return (/^-0(\.0*)?$/.test(text) ? text.slice(1) : text).replace("-", "\u2212");
+}
+
+/** A point or configuration. @param {ArrayLike<number>} values @param {number} [digits] */
+export function tuple(values, digits = 2) { return `(${Array.from(values, (value) => num(value, digits)).join(", ")})`; }
+
+/** @param {string} text */
+export function capital(text) { return text && text[0].toUpperCase() + text.slice(1); }
+
+/** A small number, in powers of ten where that is shorter. @param {number} value */
+export function small(value) {
+  if (value === 0 || value >= 0.001) return value === 0 ? "0" : num(value, 3);
+  const [digits, exponent] = value.toExponential(1).split("e");
+  return `${digits}\u00b710${superscript(Number(exponent))}`;
+}

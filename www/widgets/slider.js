@@ -1,0 +1,97 @@
+/** One number as a slider and a field. A value that is refused is explained beside the field and not handed on. */
+import { grouped, make } from "../app/dom.js";
+import { reasonAgainst } from "./field.js";
+
+/**
+ * @typedef {object} SliderInfo
+ * @property {string} name   the id of the slider; that of the field ends in "-number"
+ * @property {string} title
+ * @property {string} [unit]
+ * @property {number} min
+ * @property {number} max
+ * @property {number} [step]
+ * @property {"integer" | "number"} [kind]
+ * @property {boolean} [isLog]   its steps are equal ratios, and only the value at which it is released is handed on
+ */
+
+/** @type {Record<string, string>} */
+const SPOKEN = { rad: "radians", m: "metres" };
+/** Steps of a logarithmic slider. */
+const LOG_STEPS = 300;
+
+export class Slider {
+  /** @param {SliderInfo} info @param {number} value @param {(value: number) => void} onInput */
+  constructor(info, value, onInput) {
+    const { name, title, unit = "", isLog = false } = info;
+    this.info = info;
+    this.onInput = onInput;
+    this.current = value;
+    this.range = make("input", { type: "range", id: name, ariaLabel: title });
+    this.number = make("input", { type: "number", id: `${name}-number`, autocomplete: "off", ariaLabel: unit ? `${title}, ${SPOKEN[unit] ?? unit}` : title });
+    this.reason = make("p", { className: "reason", id: `${name}-reason`, hidden: true });
+    this.number.setAttribute("aria-describedby", this.reason.id);
+    this.range.addEventListener("input", () => {
+      if (isLog) this.write(this.rangeValue);
+      else this.give(this.rangeValue);
+    });
+    if (isLog) this.range.addEventListener("change", () => this.give(this.rangeValue));
+    this.number.addEventListener("change", () => this.give(this.number.value.trim() === "" ? NaN : Number(this.number.value)));
+    this.row = make("div", { className: "coordinate" }, make("span", { className: "name" }, title), this.range, this.number, make("span", { className: "unit" }, unit));
+    this.element = make("div", {}, this.row, this.reason);
+    this.setLimits(info.min, info.max);
+  }
+
+  get kind() { return this.info.kind ?? "number"; }
+
+  /** The value at the slider; of a logarithmic one rounded to two digits. */
+  get rangeValue() {
+    const { info: { min, max, isLog }, range } = this;
+    if (!isLog) return Number(range.value);
+    const value = min * (max / min) ** (Number(range.value) / LOG_STEPS);
+    return Math.min(max, Math.max(min, Number(value.toPrecision(2))));
+  }
+
+  /** Hands a value on, unless it is refused. @param {number} value */
+  give(value) {
+    const { info, kind } = this;
+    const reason = reasonAgainst({ unit: "", ...info, kind, choices: null, robots: [], default: info.min, meaning: "" }, value);
+    this.refuse(reason);
+    if (reason) return;
+    this.show(value);
+    this.onInput(value);
+  }
+
+  /** @param {string} reason */
+  refuse(reason) {
+    this.reason.textContent = reason;
+    this.reason.hidden = reason === "";
+    if (reason) this.number.setAttribute("aria-invalid", "true");
+    else this.number.removeAttribute("aria-invalid");
+  }
+
+  /** Writes a value into the field, unless someone types there. @param {number} value */
+  write(value) {
+    const text = value.toFixed(this.kind === "integer" ? 0 : 3).replace(/^-(0(\.0*)?)$/, "$1");
+    if (document.activeElement !== this.number && this.number.value !== text) this.number.value = text;
+    if (this.info.isLog) this.range.setAttribute("aria-valuetext", grouped(value));
+  }
+
+  /** Shows a value. @param {number} value */
+  show(value) {
+    const { info: { min, max, isLog }, range } = this;
+    this.current = value;
+    if (!range.matches(":active")) range.value = String(isLog ? Math.round((LOG_STEPS * Math.log(value / min)) / Math.log(max / min)) : value);
+    this.write(value);
+    if (document.activeElement !== this.number) this.refuse("");
+  }
+
+  /** @param {number} min @param {number} max */
+  setLimits(min, max) {
+    const { info, kind, range, number } = this;
+    Object.assign(info, { min, max });
+    const step = info.step ?? (kind === "integer" ? 1 : (max - min) / 2000);
+    Object.assign(range, info.isLog ? { min: "0", max: String(LOG_STEPS), step: "1" } : { min: String(min), max: String(max), step: String(step) });
+    Object.assign(number, { min: String(min), max: String(max), step: kind === "integer" ? "1" : "any" });
+    this.show(this.current);
+  }
+}

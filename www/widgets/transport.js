@@ -1,0 +1,157 @@
+/**
+ * Play, pause, step and speed for whatever a page plays, counted in its own units.
+ *
+ * For tests: the play button carries `data-playing`.
+ */
+import { svg } from "./chart.js";
+import { grouped, make } from "../app/dom.js";
+import { watchKeys } from "../app/keys.js";
+import { button, labelled } from "./elements.js";
+
+/** @import { App } from "../app/app.js" */
+
+/**
+ * @typedef {object} Playback   what is played
+ * @property {string} name       the ids of the buttons begin with it
+ * @property {string} label
+ * @property {string} unit       what is counted, in the plural
+ * @property {number[]} steps    units of each step button
+ * @property {number} slowest    units a second
+ * @property {number} fastest
+ * @property {number} pace       at first
+ * @property {(count: number) => boolean | Promise<boolean>} advance   moves on by so many units; returns whether there is more
+ * @property {() => void} reset
+ * @property {boolean} [canFinish]   has it a button that runs to the end?
+ * @property {boolean} [isWhole]   are the units counted whole? true where absent
+ * @property {(pace: number) => string} [paceText]
+ */
+
+/** Milliseconds of a frame spent on running to the end, and units of each call. */
+const SLICE = 8;
+const AT_ONCE = 50;
+/** Seconds between two frames that are made up for, at most. */
+const LONGEST = 0.1;
+
+export class Transport {
+  /** @param {App} app @param {HTMLElement} host @param {Playback} playback @param {HTMLElement[]} [keyTargets]  elements on which keys work, beside the bar */
+  constructor(app, host, playback, keyTargets = []) {
+    const { name, label, steps, canFinish = false } = playback;
+    this.app = app;
+    this.playback = playback;
+    this.isPlaying = false;
+    this.isFinishing = false;
+    /** Is a promise of the playback pending? */
+    this.isBusy = false;
+    /** Units due at the time of the last frame. */
+    this.due = 0;
+    this.last = 0;
+    this.word = make("span", { className: "word" });
+    this.play = button(`${name}-play`, "", () => this.toggle());
+    this.play.className = "primary";
+    this.play.append(icon("icon-play", "M5 3v14l12-7z"), icon("icon-pause", "M4.5 3h4v14h-4zm7 0h4v14h-4z"), this.word);
+    this.steps = steps.map((count) => Object.assign(button(`${name}-step-${count}`, String(count), () => this.step(count)), { ariaLabel: `Step ${count}` }));
+    this.finish = button(`${name}-finish`, "To the end", () => {
+      this.setPlaying(true);
+      this.isFinishing = true;
+    });
+    this.finish.hidden = !canFinish;
+    this.speed = make("input", { type: "range", id: `${name}-speed`, min: "0", max: "100", step: "1", ariaLabel: "Speed" });
+    this.speed.value = String(Math.round((100 * Math.log(playback.pace / playback.slowest)) / Math.log(playback.fastest / playback.slowest)));
+    this.speed.addEventListener("input", () => this.showSpeed());
+    this.speedText = make("output", {});
+    this.bar = make("div", { className: "transport", id: `${name}-transport` }, this.play, labelled("group", "Step", make("div", { className: "steps" }, ...this.steps)),
+      this.finish, button(`${name}-reset`, "Reset", () => this.restart()),
+      make("label", { className: "speed", htmlFor: this.speed.id }, make("span", {}, "Speed"), this.speed, this.speedText));
+    host.append(labelled("toolbar", label, this.bar));
+    this.showSpeed();
+    this.setPlaying(false);
+    watchKeys([this.bar, ...keyTargets], { " ": () => this.toggle(), r: () => this.restart(), ".": () => this.step(steps[0]) });
+    app.onFrame((now) => this.move(now));
+  }
+
+  /** Units a second. */
+  get pace() { return this.playback.slowest * (this.playback.fastest / this.playback.slowest) ** (Number(this.speed.value) / 100); }
+
+  showSpeed() {
+    const { pace, playback: { unit, paceText } } = this;
+    const number = pace < 10 ? pace.toFixed(1) : grouped(Math.round(pace));
+    this.speedText.textContent = paceText?.(pace) ?? `${number}/s`;
+    this.speed.setAttribute("aria-valuetext", paceText?.(pace) ?? `${number} ${unit} a second`);
+  }
+
+  toggle() { if (!this.play.disabled) this.setPlaying(!this.isPlaying); }
+
+  pause() { this.setPlaying(false); }
+
+  /** @param {boolean} isPlaying */
+  setPlaying(isPlaying) {
+    this.isPlaying = isPlaying;
+    this.isFinishing = false;
+    this.due = 0;
+    this.last = performance.now();
+    this.play.dataset.playing = String(isPlaying);
+    this.word.textContent = isPlaying ? "Pause" : "Play";
+    this.app.requestFrame();
+  }
+
+  /** @param {number} count */
+  step(count) {
+    if (this.steps[0].disabled) return;
+    this.pause();
+    this.advance(count);
+  }
+
+  restart() {
+    this.pause();
+    this.playback.reset();
+  }
+
+  /** Is there anything to play? @param {boolean} isReady */
+  enable(isReady) {
+    for (const element of [this.play, ...this.steps, this.finish]) element.disabled = !isReady;
+    if (!isReady && this.isPlaying) this.pause();
+  }
+
+  /** @param {number} now */
+  move(now) {
+    if (!this.isPlaying) return false;
+    if (this.isFinishing) {
+      const until = performance.now() + SLICE;
+      do this.advance(AT_ONCE); while (this.isFinishing && !this.isBusy && performance.now() < until);
+      return this.isPlaying;
+    }
+    this.due += this.pace * Math.min(LONGEST, Math.max(0, (now - this.last) / 1000));
+    this.last = now;
+    const count = this.playback.isWhole === false ? this.due : Math.floor(this.due);
+    if (count > 0 && !this.isBusy) {
+      this.due -= count;
+      this.advance(count);
+    }
+    return this.isPlaying;
+  }
+
+  /** @param {number} count */
+  advance(count) {
+    if (this.isBusy) return;
+    const result = this.app.guard(() => this.playback.advance(count)) ?? false;
+    if (typeof result === "boolean") {
+      this.goOn(result);
+      return;
+    }
+    this.isBusy = true;
+    void this.app.track(result).then((isMore) => {
+      this.isBusy = false;
+      this.goOn(isMore === true);
+    });
+  }
+
+  /** @param {boolean} isMore */
+  goOn(isMore) { if (!isMore && this.isPlaying) this.pause(); }
+}
+
+/** @param {string} name @param {string} path */
+function icon(name, path) {
+  const element = svg("svg", { class: name, viewBox: "0 0 20 20", "aria-hidden": "true" });
+  element.append(svg("path", { d: path, fill: "currentColor" }));
+  return element;
+}

@@ -65,7 +65,7 @@ export class App {
     try {
       const core = await loadCore();
       await library.default(core);
-      await start(/** @type {Remote<C>} */ (connect(room, core, (error) => this.fail(error))));
+      await start(/** @type {Remote<C>} */ (connect(new Worker("rooms/worker.js", { type: "module" }), room, core, (error) => this.fail(error))));
       dataset.state = "ready";
       this.requestFrame();
       keepForLater();

@@ -3,13 +3,12 @@
 /** @template C @typedef {{ [K in keyof C]: C[K] extends (...args: infer A) => infer R ? (...args: A) => Promise<Awaited<R>> : never }} Remote */
 
 /**
- * Starts the worker with the compiled WebAssembly.
- * @param {string} room   whose commands it runs @param {WebAssembly.Module} core
+ * Starts a worker with the compiled WebAssembly.
+ * @param {Worker} worker @param {string} room   whose commands it runs @param {WebAssembly.Module | Promise<WebAssembly.Module>} core
  * @param {(error: Error) => void} onError   it could not be loaded, or failed outside of a command
  * @returns {unknown}  a `Remote` of the room's commands; rejections are errors with `code` and `pointer`
  */
-export function connect(room, core, onError) {
-  const worker = new Worker("rooms/worker.js", { type: "module" });
+export function connect(worker, room, core, onError) {
   /** @type {Map<number, { resolve: (value: unknown) => void, reject: (error: Error) => void }>} */
   const calls = new Map();
   let count = 0;
@@ -30,6 +29,10 @@ export function connect(room, core, onError) {
     calls.clear();
     onError(error);
   });
-  call("start", [core]).catch(onError);
-  return new Proxy({}, { get: (_, command) => (/** @type {unknown[]} */ ...args) => call(String(command), args) });
+  const started = Promise.resolve(core).then((module) => call("start", [module]));
+  started.catch(onError);
+  return new Proxy({}, { get: (_, command) => async (/** @type {unknown[]} */ ...args) => {
+    await started;
+    return call(String(command), args);
+  } });
 }

@@ -3,7 +3,7 @@ import * as library from "planarium";
 import { faultOf } from "./fault.js";
 
 /**
- * The commands of a room. Typed arrays that one returns are transferred, so it returns copies of those that it stores.
+ * The commands of a room. Typed arrays and pictures that one returns are transferred, so it returns copies of those that it stores.
  * @typedef {Record<string, (...args: any[]) => unknown>} Commands
  */
 
@@ -34,9 +34,10 @@ export function serve(rooms) {
   });
 }
 
-/** The memory of the typed arrays in a value. @param {unknown} value @param {Set<ArrayBuffer>} [buffers] @returns {Set<ArrayBuffer>} */
+/** The memory of the typed arrays and pictures in a value. @param {unknown} value @param {Set<Transferable>} [buffers] @returns {Set<Transferable>} */
 function buffersOf(value, buffers = new Set()) {
-  if (ArrayBuffer.isView(value)) buffers.add(/** @type {ArrayBuffer} */ (value.buffer));
+  if (value instanceof ImageBitmap) buffers.add(value);
+  else if (ArrayBuffer.isView(value)) buffers.add(/** @type {ArrayBuffer} */ (value.buffer));
   else if (typeof value === "object" && value) for (const entry of Object.values(value)) buffersOf(entry, buffers);
   return buffers;
 }

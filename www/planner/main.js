@@ -4,7 +4,7 @@
  * What tests may rely on:
  * - `#counters` carries `data-status` ("loading", "failed", "none", "running", "solved", "exhausted"), `data-phase`,
  *   `data-iterations`, `data-vertices`, `data-edges` of what is shown, `data-settled` ("true" while nothing moves and all is
- *   drawn), and while it is settled at the newest iteration `data-fingerprint` and, once solved, `data-length`.
+ *   drawn), and once the newest iteration is shown and its result known `data-fingerprint` and, once solved, `data-length`.
  * - `#play` carries `data-playing`; `body` carries `data-scene` (an id of scenes.js, or "file"), and `data-complete` once no scene
  *   needs the network any more.
  * - `#notice` is hidden, or carries `data-code` and `data-pointer` of the error it shows.
@@ -39,9 +39,10 @@ import { Part } from "../app/feature.js";
 import { loadCore, makeWorker } from "../app/resources.js";
 import { SCENES } from "./scenes/scenes.js";
 import { Sheets } from "./sheets.js";
-import { PlannerWorker } from "../app/planner-worker.js";
+import { connect } from "../app/worker-client.js";
 import { Session, placed } from "./session.js";
 
+/** @import { PlannerWorker } from "./worker/worker.js" */
 /** @import { SceneEntry } from "../domain/types.js" */
 
 /** Milliseconds after which the thumbnails are drawn: the stage comes first. */
@@ -63,9 +64,8 @@ try {
 
 async function start() {
   const loading = loadCore();
-  const workers = new PlannerWorker(await makeWorker(), (error) => notice.show("Something went wrong.", error));
+  const workers = /** @type {PlannerWorker} */ (connect(await makeWorker(), "planner", loading, (error) => notice.show("Something went wrong.", error)));
   const core = await loading;
-  workers.ask("start", [core]).catch((error) => notice.show("Something went wrong.", error));
   await library.default(core);
   const generators = library.generators();
   const session = new Session(library, workers, () => library.initSync(core));
@@ -167,7 +167,7 @@ async function start() {
 
   async function drawThumbnails() {
     for (const entry of SCENES) {
-      const picture = await workers.ask("thumbnail", [await page.sourceOf(entry), SIDE, page.look]);
+      const picture = await workers.thumbnail(await page.sourceOf(entry), SIDE, page.look);
       gallery.draw(entry.id, picture);
     }
     setTimeout(() => void provide(), PROVISIONS);

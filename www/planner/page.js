@@ -37,7 +37,7 @@ export class Page {
     this.entry = null;
     /** Iterations a second that it was opened with, if it did not keep those of before. @type {number | undefined} */
     this.pace = undefined;
-    /** PlannerWorker that race with the one of the panel. @type {Plan[]} */
+    /** Planners that race with the one of the panel. @type {Plan[]} */
     this.rivals = [];
     /** What the planners on the stage were asked. @type {Plan[]} */
     this.asked = [];
@@ -131,7 +131,7 @@ export class Page {
     const plan = given ? panel.reads(given.algorithm, given.settings) : panel.plan ?? { algorithm: panel.algorithm, settings: {} };
     const rivals = plans?.slice(1) ?? this.race?.beside(plan) ?? this.rivals;
     const mine = this.wish;
-    const scenario = this.run((session) => session.read(source));
+    const scenario = this.run(() => this.session.read(source));
     const placed = await this.session.placedOf(scenario);
     if (mine !== this.wish) {
       scenario.free();
@@ -172,12 +172,12 @@ export class Page {
   run(action) {
     const { session } = this;
     try {
-      return action(session);
+      const value = action(session);
+      session.markDirty();
+      return value;
     } catch (error) {
       if (faultOf(error).code === "internal") session.recover();
       throw error;
-    } finally {
-      session.markDirty();
     }
   }
 

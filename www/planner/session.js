@@ -15,7 +15,7 @@ import { report } from "./state.js";
 import * as story from "./story.js";
 import { PoseByHand } from "./pose/pose-by-hand.js";
 
-/** @import { PlannerWorker } from "../app/planner-worker.js" */
+/** @import { PlannerWorker } from "./worker/worker.js" */
 /** @import { Painting } from "./worker/obstacles.js" */
 /** @import { Curves, Library, Plan, Pointer, Programme, Scenario, ScenarioDocument, SceneFacts, Source, State, ViewOptions } from "../domain/types.js" */
 /** @import { Driving } from "./driving/driving.js" */
@@ -297,7 +297,7 @@ export class Session {
   /** Has the worker paint obstacles. @param {Painting} painting @returns {Promise<ImageBitmap | null>} null: it could not */
   async paint(painting) {
     try {
-      return await this.planners.ask("obstacles", [painting]);
+      return await this.planners.obstacles(painting);
     } catch (error) {
       this.fail(error);
       return null;

@@ -28,7 +28,7 @@ export function report(session) {
     touching: shown?.hand && shown.check ? { text: poseSentence(shown.scenario, shown.check), free: shown.check.free } : { text: "", free: true },
     arrived: shown?.hand !== null && session.byHand.game.arrived,
     hover: shown?.hover ? { vertex: shown.hover.vertex, text: session.byHand.pointing?.text(shown.hover) ?? "", free: shown.hover.check.free } : null,
-    lanes: lanes.map((lane) => laneState(lane, settled)),
+    lanes: lanes.map((lane) => laneState(lane)),
     summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),
     curves: session.curvesKey,
     edit: session.editor?.state ?? null,
@@ -37,8 +37,8 @@ export function report(session) {
   };
 }
 
-/** @param {Lane} lane @param {boolean} settled @returns {LaneState} */
-function laneState({ plan, run, playback, scenario, standing }, settled) {
+/** @param {Lane} lane @returns {LaneState} */
+function laneState({ plan, run, playback, scenario, standing }) {
   if (!run) {
     return {
       algorithm: plan.algorithm, status: "none", phase: "", iteration: 0, made: 0, vertices: 0, edges: 0, checks: 0, motions: 0, evaluations: 0,
@@ -47,7 +47,7 @@ function laneState({ plan, run, playback, scenario, standing }, settled) {
     };
   }
   const { past, status } = run;
-  const isEnd = settled && run.isNewest;
+  const isEnd = run.isNewest && run.hasResult;
   const stats = run.isNewest ? run.now.stats : null;
   return {
     algorithm: plan.algorithm, status, phase: run.phase, iteration: run.shown, made: run.made,

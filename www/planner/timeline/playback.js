@@ -128,7 +128,7 @@ export class Timeline {
     const fresh = this.known === plannings ? null : { document: shown.document, plans: lanes.map((lane) => lane.order(session.query)) };
     this.known = this.asking = plannings;
     try {
-      const growths = await session.planners.ask("advance", [{ fresh, column, wanted, isResult }]);
+      const growths = await session.planners.advance({ fresh, column, wanted, isResult });
       if (session.plannings === plannings) this.take(growths);
     } catch (error) {
       if (this.isAsking) this.asking = -1;

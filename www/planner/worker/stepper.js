@@ -125,8 +125,3 @@ export function grownSince(planner, { vertices, edges, events }) {
     traces: planner.tracesSince(edges), motions: planner.motionsSince(edges),
   };
 }
-
-/** The memory of what is handed over. @param {Growth} growth @returns {Transferable[]} */
-export function buffersOf(growth) {
-  return Object.values(growth).flatMap((value) => (ArrayBuffer.isView(value) ? [/** @type {ArrayBuffer} */ (value.buffer)] : []));
-}

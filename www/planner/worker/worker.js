@@ -1,12 +1,12 @@
 /**
  * The worker: planners are stepped here, and pictures are made that take longer than a frame, so that the page never waits for
- * either. It obeys messages `{ id, command, args }` and answers each with `{ id, value }` or `{ id, fault }`.
+ * either.
  */
 import * as library from "planarium";
-import { faultOf } from "../../app/fault.js";
+import { serve } from "../../app/worker-server.js";
 import { compete } from "./compete.js";
 import { paintObstacles } from "./obstacles.js";
-import { Stepper, buffersOf } from "./stepper.js";
+import { Stepper } from "./stepper.js";
 import { drawThumbnail } from "../../draw/thumbnail.js";
 
 /** @import { Look, Plan, Scenario, ScenarioDocument, Source } from "../../domain/types.js" */
@@ -20,8 +20,6 @@ import { drawThumbnail } from "../../draw/thumbnail.js";
  * @property {number} wanted     the time to come to, as far as one block goes; below 0: none
  * @property {boolean} isResult  once it has come there, with the results
  */
-
-const port = /** @type {{ postMessage(message: unknown, transfer?: Transferable[]): void }} */ (/** @type {unknown} */ (self));
 
 /** Milliseconds of planning before what has grown is handed over. */
 const BLOCK = 12;
@@ -51,8 +49,6 @@ function within(source, then) {
 }
 
 const commands = {
-  /** Loads the package. @param {WebAssembly.Module} core */
-  async start(core) { await library.default(core); },
   /** Plans one block. @param {Advance} advance @returns {Growth[]} */
   advance({ fresh, column, wanted, isResult }) {
     if (fresh) begin(fresh);
@@ -65,25 +61,7 @@ const commands = {
   thumbnail: (source, side, look) => within(source, (opened) => drawThumbnail(opened, side, look)),
 };
 
-/** @typedef {typeof commands} Commands */
+/** @typedef {import("../../app/worker-client.js").Remote<typeof commands>} PlannerWorker */
 
-/** The memory that a reply need not keep. @param {unknown} value @returns {Transferable[]} */
-function transferOf(value) {
-  if (value instanceof ImageBitmap) return [value];
-  return Array.isArray(value) ? value.flatMap(buffersOf) : [];
-}
-
-addEventListener("message", async ({ data: { id, command, args } }) => {
-  try {
-    const order = /** @type {(...args: unknown[]) => unknown} */ (commands[/** @type {keyof Commands} */ (command)]);
-    const value = await order(...args);
-    port.postMessage({ id, value }, transferOf(value));
-  } catch (error) {
-    const fault = faultOf(error);
-    if (fault.code === "internal") {
-      await library.default();
-      [scenario, steppers] = [null, []];
-    }
-    port.postMessage({ id, fault });
-  }
-});
+// After a panic of the core nothing that it made is left.
+serve({ planner: { commands, reset: () => { [scenario, steppers] = [null, []]; } } });

@@ -1,4 +1,5 @@
 /** A race: planners side by side, given the same work; the table and the curves say what the package says. */
+import { withOptions } from "../../www/option-names.js";
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -23,10 +24,10 @@ const text = (/** @type {string} */ id) => readFileSync(join(root, "www", "scene
 /** What the package says of a plan by itself: its rows of history, its result. @param {string} id @param {Plan} plan */
 async function alone(id, { algorithm, settings }) {
   const { Scenario } = await import("planarium");
-  const planner = Scenario.parse(text(id)).planner({ ...settings, algorithm });
+  const planner = withOptions({ ...settings, algorithm }, (options) => Scenario.parse(text(id)).planner(options));
   planner.record();
   while (planner.step(1000) === "running");
-  const data = planner.takeHistory();
+  const data = planner.historySince(0);
   const width = planner.historyWidth;
   const rows = [[0, 0, 0, 0, 0, 0, 0, Infinity], ...Array.from({ length: data.length / width }, (_, i) => [...data.slice(i * width, (i + 1) * width)])];
   return { rows, planner, fingerprint: planner.fingerprint() };

@@ -2,10 +2,11 @@
  * The settings: which planner, its parameters, the seed, the query. Built from the planners' own tables, so a planner
  * that the core learns appears here by itself.
  */
+import { namesOfDocuments } from "../option-names.js";
 import { byId, make } from "./dom.js";
 import { Field } from "./field.js";
 
-/** @import { OptionInfo, ParameterInfo, Plan, PlannerInfo, Settings } from "../types.js" */
+/** @import { ParameterInfo, Plan, PlannerInfo, Settings } from "../types.js" */
 
 /** Parameters worth a place of their own; the others stand under "More parameters". */
 export const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "blossom", "goal_bias", "sampler", "seed"]);
@@ -72,7 +73,10 @@ export class Panel {
   }
 
   /** Settings of the planner that have a name. */
-  get presets() { return this.infos.find(({ id }) => id === this.planner.value)?.presets ?? []; }
+  get presets() {
+    const { presets = [] } = this.infos.find(({ id }) => id === this.planner.value) ?? {};
+    return presets.map((preset) => ({ ...preset, settings: namesOfDocuments(preset.settings) }));
+  }
 
   /** A choice of them, where there are some: what they do not say is at its default, but for the seed. */
   offerPresets() {
@@ -223,13 +227,12 @@ export function groupsOf(fields) {
 
 /**
  * Every planner and every generator takes a seed, whether its table lists it or not.
- * @template {ParameterInfo | OptionInfo} T
- * @param {T[]} parameters
+ * @param {ParameterInfo[]} parameters
  * @param {string} [what]   it decides
  */
 export function withSeed(parameters, what = "run") {
   if (parameters.some(({ name }) => name === "seed")) return parameters;
-  /** @type {OptionInfo} */
+  /** @type {ParameterInfo} */
   const seed = {
     name: "seed", title: "Seed", kind: "integer", unit: "", min: 0, max: Number.MAX_SAFE_INTEGER, default: 0, choices: null, robots: [],
     meaning: `Decides every random draw: the same seed gives the same ${what}, bit for bit.`,

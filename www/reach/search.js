@@ -1,5 +1,7 @@
 /** One run of inverse kinematics, as far as it has come: iterates, solutions, what is to be drawn of them. */
 
+import { withOptions } from "../option-names.js";
+
 /** @import { Arm } from "./arm.js" */
 /** @import { Point } from "./types.js" */
 /** @typedef {Record<string, number | string | boolean>} Settings */
@@ -14,7 +16,8 @@ export class Search {
    */
   constructor(arm, { target, orientation, start, method, settings }) {
     this.arm = arm;
-    this.run = arm.scenario.reach({ ...settings, method, target, start: Array.from(start), ...(orientation === null ? {} : { orientation }) });
+    const wish = { ...settings, method, target, start: Array.from(start), ...(orientation === null ? {} : { orientation }) };
+    this.run = withOptions(wish, (options) => arm.scenario.reach(options));
     /** @type {Iterate[]} */
     this.iterates = [];
     /** @type {Solution[]} */

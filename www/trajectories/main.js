@@ -22,7 +22,8 @@ import { Plane } from "./plane.js";
 import { stateRule } from "./state.js";
 import { showTake } from "./take.js";
 
-/** @import { ParameterInfo, TrajectoryOptions } from "planarium" */
+/** @import { TrajectoryOptions } from "planarium" */
+/** @import { ParameterInfo } from "../types.js" */
 /** @import { Settings } from "../types.js" */
 /** @import { State } from "./state.js" */
 /** @import { Commands } from "./worker.js" */

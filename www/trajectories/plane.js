@@ -36,7 +36,7 @@ export class Plane {
 
   /** Fits the picture to the options. */
   fit() {
-    const { half_side: half = 3, fastest = 1, duration = 1 } = this.growth.options;
+    const { half_side: half = 3, fastest = 1, duration = 1 } = /** @type {Record<string, number>} */ (this.growth.options);
     this.half = half;
     this.reach = half + Math.min(0.6 * fastest * duration, 3 * half);
   }

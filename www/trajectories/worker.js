@@ -1,5 +1,6 @@
 /** The experiment itself, beside the page: it tries trajectories and tells what has come of them, with the time that each took. */
 import { Trajectories, particlePoints, trajectoryOptions } from "planarium";
+import { withOptions } from "../option-names.js";
 import { handed, serve } from "../room/serve.js";
 
 /** @import { TrajectoryOptions } from "planarium" */
@@ -37,7 +38,7 @@ const commands = {
 
   /** Begins anew. @param {TrajectoryOptions} options @throws {Error} they are refused: code and pointer */
   begin(options) {
-    const begun = new Trajectories(options);
+    const begun = withOptions(options, (named) => new Trajectories(named));
     trajectories?.free();
     trajectories = begun;
     model = options.model ?? "arc";

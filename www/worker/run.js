@@ -3,6 +3,7 @@
  * The log is only ever added to, and each iteration has left a row of counts in it. So what an earlier iteration showed is
  * the beginning of the log up to its counts: going back costs no planning, and shows what a fresh run to there would.
  */
+import { withOptions } from "../option-names.js";
 import { Frontier } from "./frontier.js";
 import { Kin } from "./kin.js";
 import { piecesOf } from "./pieces.js";
@@ -38,7 +39,7 @@ export class Run {
     this.algorithm = algorithm;
     this.settings = settings;
     this.phases = phases;
-    this.planner = scenario.planner({ ...settings, algorithm });
+    this.planner = withOptions({ ...settings, algorithm }, (options) => scenario.planner(options));
     this.planner.record();
     const dimension = this.planner.dimension;
     this.dimension = dimension;
@@ -183,7 +184,7 @@ export class Run {
         const left = column < 0 ? wanted - this.made : slice;
         const made = this.made;
         const status = planner.step(Math.min(slice, Math.ceil(left)));
-        this.history.add(planner.takeHistory());
+        this.history.add(planner.historySince(this.history.count - 1));
         this.ended = status !== "running";
         const ended = performance.now();
         const perIteration = (ended - began) / Math.max(1, this.made - made);

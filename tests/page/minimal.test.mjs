@@ -7,7 +7,7 @@ import { chromium } from "playwright-core";
 import { serve } from "../../scripts/serve.mjs";
 import { root } from "./browser.mjs";
 
-test("examples/minimal.html solves and draws, in at most 60 lines", async () => {
+test("examples/minimal.html solves and draws, in at most 60 lines, and growth streams in a browser", async () => {
   assert.ok(readFileSync(join(root, "examples", "minimal.html"), "utf8").trimEnd().split("\n").length <= 60);
   const server = await serve({ root, port: 0 });
   const found = ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find((path) => existsSync(path));
@@ -36,6 +36,20 @@ test("examples/minimal.html solves and draws, in at most 60 lines", async () => 
       return counts;
     });
     assert.ok(counts.gray > 20_000 && counts.blue > 500 && counts.red > 300, JSON.stringify(counts));
+    // The same package as a stream: other tasks run between its slices here, too.
+    const { status, vertices, count, ticks } = await page.evaluate(`import("/dist/package/planarium.js").then(async ({ Scenario }) => {
+      const planner = Scenario.generate("maze", { seed: 1 }).planner({ algorithm: "prm", samples: 3000 });
+      let [ticks, vertices, status] = [0, 0, "running"];
+      const timer = setInterval(() => { ticks += 1; }, 0);
+      for await (const growth of planner.growth({ budget: 1 })) {
+        vertices += growth.vertices.length / planner.dimension;
+        status = growth.status;
+      }
+      clearInterval(timer);
+      return { status, vertices, count: planner.vertexCount, ticks };
+    })`);
+    assert.deepEqual([status, vertices], ["solved", count]);
+    assert.ok(ticks > 0, `${ticks} ticks`);
     assert.deepEqual(faults, []);
   } finally {
     await browser.close();

@@ -1,19 +1,17 @@
 /** The one error type of the package. */
 
 /**
- * What the package throws, always: a stable code, a sentence with the offending value, and where it stands.
- *
- * The codes are those of the crate (`invalid-json`, `unknown-field`, `start-in-collision`, ...), and five of the
- * package itself: `not-initialised` (call `init` first), `init-failed` (the WebAssembly file could not be loaded),
- * `freed` (the handle was used after `free`), `illegal-constructor` (handles come from `Scenario.parse`,
- * `Scenario.generate`, `scenario.planner`, `scenario.resume`, `scenario.reach`, `scenario.neighbours` and `scenario.drive`) and `internal` (a fault in Planarium: please report it).
+ * What the package throws: a stable code, a sentence with the offending value, and its JSON pointer. The codes are those of the crate
+ * (`invalid-json`, `unknown-field`, `start-in-collision`, ...), and `not-initialised` (call `init` first), `init-failed` (the WebAssembly
+ * file could not be loaded), `freed` (use after `free`), `illegal-constructor` (the class has no public constructor) and `internal` (a
+ * fault in Planarium: please report it).
  */
 export class PlanariumError extends Error {
   /**
    * @param {string} code     stable, in kebab-case; programs may match on it
    * @param {string} message  a sentence for people
-   * @param {string} [pointer]  JSON pointer (RFC 6901) of the offending value; empty where the whole is meant
-   * @param {ErrorOptions} [options]  the `cause`, where there is one
+   * @param {string} [pointer]  JSON pointer (RFC 6901) of the offending value; empty for the whole
+   * @param {ErrorOptions} [options]  the `cause`, if any
    */
   constructor(code, message, pointer = "", options = undefined) {
     super(message, options);
@@ -21,18 +19,12 @@ export class PlanariumError extends Error {
     this.name = "PlanariumError";
     /** Stable code in kebab-case, for programs. @type {string} */
     this.code = code;
-    /** JSON pointer of the offending value in the document or the arguments; empty where the whole is meant. @type {string} */
+    /** JSON pointer of the offending value in the document or the arguments; empty for the whole. @type {string} */
     this.pointer = pointer;
   }
 }
 
-/**
- * Whether a value is an error of the package. Never runs the caller's own code into an error of its own: a revoked proxy can be
- * thrown too.
- * @param {unknown} value
- * @returns {value is PlanariumError}
- * @internal
- */
+/** Whether a value is an error of the package: anything can be thrown, also a revoked proxy. @param {unknown} value @returns {value is PlanariumError} @internal */
 export function isOwn(value) {
   try {
     return value instanceof PlanariumError;
@@ -41,12 +33,7 @@ export function isOwn(value) {
   }
 }
 
-/**
- * What a thrown value says, of whatever kind it is: some have no string form.
- * @param {unknown} thrown
- * @returns {string}
- * @internal
- */
+/** The message of a thrown value: some have no string form. @param {unknown} thrown @returns {string} @internal */
 export function reasonOf(thrown) {
   try {
     return String(thrown instanceof Error ? thrown.message : thrown);
@@ -55,12 +42,7 @@ export function reasonOf(thrown) {
   }
 }
 
-/**
- * Whether an error came from the core, which marks its own with a code and a pointer.
- * @param {unknown} error
- * @returns {error is { code: string, pointer: string, message: string }}
- * @internal
- */
+/** Whether an error is one of the core, with code and pointer. @param {unknown} error @returns {error is { code: string, pointer: string, message: string }} @internal */
 export function isFromCore(error) {
   return error instanceof Error
     && "code" in error && typeof error.code === "string"

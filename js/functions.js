@@ -1,53 +1,58 @@
-/** What stands on its own: the lists of planners, of generators, of methods, of indexes and of phases, and a fresh seed. */
+/** Functions beside the core: the lists of what there is to choose from, the names of numbers in tables, and a plan in one call. */
 import catalogue from "./catalogue.js";
-import { call } from "./runtime.js";
+import { Scenario } from "./core.js";
+import { requireCore } from "./runtime.js";
 
-/** @import { GeneratorInfo, IndexInfo, Phase, PlannerInfo, ReachMethodInfo } from "./types.js" */
+/** @import { GeneratorInfo, IndexInfo, ParameterInfo, PlannerInfo, PlannerOptions, ReachMethodInfo, ResultDocument, ScenarioDocument } from "./core.js" */
 
-/**
- * The names of phases: a row of `planner.takeHistory()` holds the place of one in this list.
- * @type {readonly Phase[]}
- */
-export const phases = Object.freeze(["sampling", "connecting", "guarding", "searching", "growing", "improving", "done"]);
+/** The phases: a row of `planner.historySince` holds an index into this list. */
+export const phases = Object.freeze(/** @type {const} */ (["sampling", "connecting", "guarding", "searching", "growing", "improving", "done"]));
 
-/**
- * The planners: their pseudo-code, and their parameters with title, meaning, unit, range and default of each.
- * @returns {PlannerInfo[]}
- */
-export function planners() {
-  return call(() => catalogue().planners);
+/** The kinds of events: a row of `planner.eventsSince` begins with an index into this list. */
+export const eventKinds = Object.freeze(/** @type {const} */ (["rejected", "refused", "expanded", "solved", "discarded", "guard", "removed"]));
+
+/** The columns of `planner.historySince`; `length` is that of the best path so far. */
+export const historyColumns = Object.freeze(/** @type {const} */ ([
+  "vertices", "edges", "events", "phase", "configurationChecks", "motionChecks", "clearanceEvaluations", "length",
+]));
+
+/** The lists, of which callers get copies of their own. */
+function chosen() {
+  requireCore();
+  return catalogue();
 }
 
-/**
- * The generators and their options, with title, meaning, unit, range and default of each. All take `seed` as well, an integer
- * from 0 (default) to 2^53 - 1.
- * @returns {GeneratorInfo[]}
- */
-export function generators() {
-  return call(() => catalogue().generators);
-}
+/** The planners: their pseudo-code, presets, and parameters. @returns {PlannerInfo[]} */
+export function planners() { return chosen().planners; }
+
+/** The generators of scenarios and their options. All take `seed` as well, a whole number from 0 (default) to 2^53 - 1. @returns {GeneratorInfo[]} */
+export function generators() { return chosen().generators; }
+
+/** The methods of inverse kinematics and their parameters. @returns {ReachMethodInfo[]} */
+export function reachMethods() { return chosen().reach_methods; }
+
+/** The indexes that `scenario.neighbours` makes, and their parameters. @returns {IndexInfo[]} */
+export function neighbourIndexes() { return chosen().indexes; }
+
+/** The options of `new Trajectories`. It takes `seed` as well, a whole number from 0 (default) to 2^53 - 1. @returns {ParameterInfo[]} */
+export function trajectoryOptions() { return chosen().trajectories; }
 
 /**
- * The methods of inverse kinematics: their parameters with title, meaning, unit, range and default of each.
- * @returns {ReachMethodInfo[]}
+ * Plans in one call: starts a planner, steps it to its end, and frees it.
+ * @param {Scenario | ScenarioDocument | string} scenario
+ * @param {PlannerOptions} [options]
+ * @returns {ResultDocument}
+ * @throws {import("./error.js").PlanariumError} those of `Scenario.parse` and `scenario.planner`
  */
-export function reachMethods() {
-  return call(() => catalogue().reach_methods);
-}
-
-/**
- * The indexes of configurations that `scenario.neighbours` makes, and their parameters, with title, meaning, unit, range and
- * default of each.
- * @returns {IndexInfo[]}
- */
-export function neighbourIndexes() {
-  return call(() => catalogue().indexes);
-}
-
-/**
- * A fresh seed, from the entropy of the platform: an integer from 0 to 2^53 - 1.
- * @returns {number}
- */
-export function randomSeed() {
-  return call((core) => core.random_seed());
+export function solve(scenario, options) {
+  const parsed = scenario instanceof Scenario ? scenario : Scenario.parse(scenario);
+  try {
+    const planner = parsed.planner(options);
+    planner.step(Number.MAX_SAFE_INTEGER);
+    const result = planner.result();
+    planner.free();
+    return result;
+  } finally {
+    if (parsed !== scenario) parsed.free();
+  }
 }

@@ -14,6 +14,8 @@ import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, 
 import { createRequire } from "node:module";
 import { homedir } from "node:os";
 import { basename, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { coreDeclarations, forJavaScript, optionTypes, rowsOf } from "./declarations.mjs";
 import { assembleOneFile, assemblePage } from "./page.mjs";
 import { Problem, ask, isMain, requireFile, root, run, script } from "./run.mjs";
 import { QUICK_TOOL, ensureNodeModules, ensureWasmTarget, lockedVersion, targetFolder } from "./setup.mjs";
@@ -71,7 +73,8 @@ async function compileCrate() {
 async function makeGlue(wasm) {
   const tool = readFileSync(join(root, "tools", "bindgen", "src", "main.rs"));
   const binaryen = readFileSync(join(root, "node_modules", "binaryen", "package.json"));
-  const stamp = createHash("sha256").update(readFileSync(wasm)).update(tool).update(binaryen).update(OPTIMIZE.join(" "))
+  const here = readFileSync(fileURLToPath(import.meta.url));
+  const stamp = createHash("sha256").update(readFileSync(wasm)).update(tool).update(here).update(binaryen).update(OPTIMIZE.join(" "))
     .update(lockedVersion("wasm-bindgen")).digest("hex");
   const stampFile = join(glue, "stamp");
   if (existsSync(stampFile) && readFileSync(stampFile, "utf8") === stamp) return;
@@ -83,7 +86,11 @@ async function makeGlue(wasm) {
   const script = readFileSync(join(glue, "planarium.js"), "utf8").replace(/^\/\* @ts-self-types=.*\*\/\n/, "");
   writeFileSync(join(glue, "planarium_glue.js"), script);
   rmSync(join(glue, "planarium.js"));
-  renameSync(join(glue, "planarium.d.ts"), join(glue, "planarium_glue.d.ts"));
+  renameSync(join(glue, "planarium.d.ts"), join(glue, "declarations.txt"));
+  writeFileSync(join(glue, "planarium_glue.d.ts"), `export * from "./core.js";
+export declare function initSync(options: { module: BufferSource | WebAssembly.Module }): { memory: WebAssembly.Memory };
+export declare function __wbg_reset_state(): void;
+`);
 
   const module = join(glue, "planarium_bg.wasm");
   const optimized = join(glue, "optimized.wasm");
@@ -92,25 +99,43 @@ async function makeGlue(wasm) {
   writeFileSync(stampFile, stamp);
 }
 
-/** The catalogue as a module beside the glue: each call gives a fresh copy. */
+/** The catalogue as a module beside the glue: each call gives a fresh copy. And the core, guarded, with its declarations. */
 function makeCatalogue() {
-  const text = JSON.stringify(JSON.parse(readFileSync(join(root, "schema", "catalogue.json"), "utf8")));
-  writeFileSync(join(glue, "catalogue.js"), `const text = ${JSON.stringify(text)};\nexport default () => JSON.parse(text);\n`);
-  writeFileSync(join(glue, "catalogue.d.ts"), `declare function catalogue(): import("./types.js").Catalogue;\nexport default catalogue;\n`);
+  const catalogue = forJavaScript(JSON.parse(readFileSync(join(root, "schema", "catalogue.json"), "utf8")));
+  const renamed = [...new Set(rowsOf(catalogue).filter(({ name, option }) => name !== option).map(({ option }) => option))];
+  writeFileSync(join(glue, "catalogue.js"), `const text = ${JSON.stringify(JSON.stringify(catalogue))};
+export default () => JSON.parse(text);
+export const renamed = ${JSON.stringify(renamed)};
+`);
+  writeFileSync(join(glue, "catalogue.d.ts"), `import type { GeneratorInfo, IndexInfo, ParameterInfo, PlannerInfo, ReachMethodInfo } from "./core.js";
+declare function catalogue(): { planners: PlannerInfo[], generators: GeneratorInfo[], reach_methods: ReachMethodInfo[], indexes: IndexInfo[], trajectories: ParameterInfo[] };
+export default catalogue;
+export declare const renamed: readonly string[];
+`);
+  const declarations = coreDeclarations(readFileSync(join(glue, "declarations.txt"), "utf8"));
+  writeFileSync(join(glue, "core.d.ts"), `/// <reference lib="esnext.disposable" preserve="true" />
+${readFileSync(join(root, "js", "types.d.ts"), "utf8")}
+${optionTypes(catalogue)}
+${declarations}`);
+  const names = Array.from(declarations.matchAll(/^export (?:class|function) (\w+)/gm), ([, name]) => name);
+  writeFileSync(join(glue, "core.js"), `import * as glue from "./planarium_glue.js";
+import { guarded } from "./guard.js";
+export const { ${names.join(", ")} } = guarded(glue);
+`);
 }
 
 /** Checks the JavaScript layer against the generated glue and writes its declarations. */
 async function makeTypes() {
   rmSync(types, { recursive: true, force: true });
   await run(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "-p", "js"]);
-  cpSync(join(root, "js", "types.d.ts"), join(types, "types.d.ts"));
+  cpSync(join(glue, "core.d.ts"), join(types, "core.d.ts"));
 }
 
 async function assemblePackage() {
   requireFile(join(root, "schema", "scenario.schema.json"));
   const out = mkdtempSync(join(dist, "package-"));
   const sources = readdirSync(join(root, "js")).filter((name) => name.endsWith(".js")).map((name) => join(root, "js", name));
-  for (const file of [...sources, join(glue, "catalogue.js"), join(glue, "planarium_bg.wasm")]) cpSync(file, join(out, basename(file)));
+  for (const file of [...sources, ...["catalogue.js", "core.js"].map((name) => join(glue, name)), join(glue, "planarium_bg.wasm")]) cpSync(file, join(out, basename(file)));
   // Nobody reads the generated glue; ours stays as it was written.
   /** @type {typeof import("esbuild")} */
   const { transformSync } = createRequire(import.meta.url)("esbuild");

@@ -315,6 +315,19 @@ fn add_row<T: Single>(row: OptionInfo, range: &Range, table: &mut Vec<OptionInfo
     }
 }
 
+/// The name of an option in JavaScript.
+pub(crate) fn in_camel_case(name: &str) -> String {
+    let mut letters = name.chars();
+    let mut camel = String::new();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '_' => camel.extend(letters.next().map(|letter| letter.to_ascii_uppercase())),
+            _ => camel.push(letter),
+        }
+    }
+    camel
+}
+
 /// An error about the option of this name.
 pub fn refusal(code: Code, name: &str, sentence: impl Into<String>) -> Error {
     // As in a JSON pointer.

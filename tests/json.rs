@@ -77,7 +77,7 @@ fn structs_are_objects_and_nothing_else_stands_for_them() {
         (r#"{"name": "first", "start": [-1, 0], "goal": [1, 2]}"#, r#"["first", [-1, 0], [1, 2]]"#, "/queries/0"),
     ] {
         let message = refusal(&with(ARM, piece, replacement), "wrong-type", pointer);
-        assert!(message.contains("an object, not an array of"), "{message}");
+        assert!(message.contains("an object with the field") && message.contains(", not an array of"), "{message}");
     }
 }
 

@@ -34,7 +34,7 @@ fn sst_improves_for_its_iterations_and_never_costs_more() {
             run.step(1);
         }
         assert_eq!((run.status(), run.iterations()), (Status::Solved, solved_at + 1500));
-        let history = run.take_history();
+        let history = run.history_since(0);
         let costs: Vec<f64> = history.chunks(HISTORY_WIDTH).map(|row| row[HISTORY_WIDTH - 1]).collect();
         assert!(costs.windows(2).all(|pair| pair[1] <= pair[0]), "cost never rises");
         assert_eq!(costs[solved_at as usize - 1].to_bits(), first.length.to_bits());

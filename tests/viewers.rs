@@ -42,12 +42,12 @@ fn every_iteration_leaves_the_row_of_counts_of_the_run() {
             let mut status = Status::Running;
             while status == Status::Running {
                 status = run.step(1);
-                let row = run.take_history();
+                let row = run.history_since(run.history_count() - 1);
                 assert_eq!(row.len(), HISTORY_WIDTH, "{planner} {settings}");
                 assert_eq!(row[..COST], counts(&*run), "{planner} {settings}");
                 rows.extend(row);
             }
-            assert!(run.step(3) == status && run.take_history().is_empty(), "a finished run leaves no rows");
+            assert!(run.step(3) == status && run.history_since(0) == rows, "a finished run leaves no rows");
             assert_eq!(rows.len() as u64, run.iterations() * HISTORY_WIDTH as u64);
             let costs: Vec<f64> = rows.chunks(HISTORY_WIDTH).map(|row| row[COST]).collect();
             assert!(costs.windows(2).all(|pair| pair[1] <= pair[0]), "{planner} {settings}: costs fall");
@@ -70,7 +70,7 @@ fn rows_are_the_same_in_any_slices_and_change_nothing() {
         whole.step(u64::MAX);
         assert_eq!((whole.fingerprint(), whole.stats()), (plain.fingerprint(), plain.stats()), "{planner} {settings}");
         assert_eq!(whole.path(), plain.path());
-        let rows = whole.take_history();
+        let rows = whole.history_since(0);
         for slice in [1, 7, 64] {
             let mut run = begin_with(&world, planner, 9, settings);
             run.record().expect("nothing is done yet");
@@ -80,10 +80,10 @@ fn rows_are_the_same_in_any_slices_and_change_nothing() {
                 calls += 1;
                 // Every third time the rows of two slices are read together.
                 if calls % 3 != 0 {
-                    read.extend(run.take_history());
+                    read.extend(run.history_since(read.len() / HISTORY_WIDTH));
                 }
             }
-            read.extend(run.take_history());
+            read.extend(run.history_since(read.len() / HISTORY_WIDTH));
             assert_eq!(read, rows, "{planner} {settings} in slices of {slice}");
         }
     }
@@ -101,7 +101,7 @@ fn costs_fall_while_a_path_is_improved_and_stand_when_it_is_accepted() {
     let before = run.iterations();
     assert_eq!((run.finish(), run.step(5)), (Status::Solved, Status::Solved));
     assert!(run.path().len() >= 2);
-    let rows = run.take_history();
+    let rows = run.history_since(0);
     assert_eq!(rows.len() as u64, before * HISTORY_WIDTH as u64, "to accept the path is no iteration");
     let improving: Vec<&[f64]> =
         rows.chunks(HISTORY_WIDTH).filter(|row| row[PHASE] == f64::from(Phase::Improving as u8)).collect();
@@ -114,18 +114,18 @@ fn costs_fall_while_a_path_is_improved_and_stand_when_it_is_accepted() {
 fn a_run_that_has_begun_cannot_be_recorded() {
     let mut run = begin_with(&no_way(), "rrt", 1, "max_iterations=20");
     run.step(0);
-    assert!(run.take_history().is_empty(), "nothing is recorded");
+    assert!(run.history_since(0).is_empty(), "nothing is recorded");
     run.step(3);
     let message = refuses(run.record(), "unsupported", "");
     assert_eq!(message, "recording must begin before the first iteration; 3 were made");
     run.step(3);
-    assert!(run.take_history().is_empty());
+    assert!(run.history_since(0).is_empty());
 
     let mut run = begin_with(&no_way(), "rrt", 1, "max_iterations=20");
     run.record().expect("nothing is done yet");
     run.step(3);
     run.record().expect("it is being recorded");
-    assert_eq!(run.take_history().len(), 3 * HISTORY_WIDTH);
+    assert_eq!(run.history_since(0).len(), 3 * HISTORY_WIDTH);
 }
 
 /// Both ends of every refused edge, from the events.
@@ -213,7 +213,7 @@ fn the_clearance_is_the_least_distance_and_its_points_are_that_far_apart() {
     assert!(free > 200 && touching > 200, "{free} free, {touching} touching");
     let empty = Inspector::new(&scenario("", "", &arm(&[1.0], 0.0), ""));
     assert_eq!(empty.clearance(&[0.0]).expect("a configuration"), None);
-    refuses(empty.clearance(&[f64::NAN]), "not-finite", "/0");
+    refuses(empty.clearance(&[f64::NAN]), "not-finite", "/q/0");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -238,6 +238,6 @@ fn wrong_configurations_are_refused_before_any_proof() {
     hit(&[0.0, 0.0], &[0.0, 50.0], "out-of-range", "/b/1");
     hit(&[0.0, f64::NAN], &[0.0, 0.0], "not-finite", "/a/1");
     hit(&[0.0], &[0.0, 0.0], "wrong-dimension", "/a");
-    refuses(inspector.check(&[1e308, 0.0]), "out-of-range", "/0");
-    refuses(inspector.footprint(&[0.0, -1e7]), "out-of-range", "/1");
+    refuses(inspector.check(&[1e308, 0.0]), "out-of-range", "/q/0");
+    refuses(inspector.footprint(&[0.0, -1e7]), "out-of-range", "/q/1");
 }

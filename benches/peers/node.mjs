@@ -6,6 +6,7 @@
 import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
 import { Scenario, version } from "planarium";
+import { camelCase } from "../../scripts/declarations.mjs";
 
 /** Iterations between two readings of the clock. */
 const SLICE = 32;
@@ -17,10 +18,10 @@ function answer(job) {
   const [file, algorithm, first, runs, limit, ...pairs] = job.split(" ");
   const parameters = Object.fromEntries(pairs.map((pair) => {
     const [name, value] = pair.split("=");
-    return [name, Number.isNaN(Number(value)) ? value : Number(value)];
+    return [camelCase(name), Number.isNaN(Number(value)) ? value : Number(value)];
   }));
   const scenario = Scenario.parse(readFileSync(file, "utf8"));
-  const done = Array.from({ length: Number(runs) }, (_, i) => outcome(scenario, { algorithm, seed: Number(first) + i, ...parameters }, Number(limit)));
+  const done = Array.from({ length: Number(runs) }, (_, i) => outcome(scenario, /** @type {import("planarium").PlannerOptions} */ ({ algorithm, seed: Number(first) + i, ...parameters }), Number(limit)));
   scenario.free();
   return { runs: done };
 }

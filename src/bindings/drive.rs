@@ -1,71 +1,61 @@
 //! A drive for JavaScript.
 
-use super::convert::{count, cursor};
-use crate::driving::{Drive, Key, Press};
-use crate::error::{Code, Error};
-use crate::problem::Touched;
+use super::arguments::{choice, count, records};
+use super::records::{DriveState, record};
+use super::types::{JsKey, JsNumber, KeyPresses};
+use crate::Error;
+use crate::driving::{self, Key, Press};
+use strum::VariantArray;
+use tsify::Ts;
 use wasm_bindgen::prelude::*;
 
-/// A car that is driven by keys.
+/// A car that starts at rest and is driven by keys; `scenario.drive` makes it. Time passes in steps of fixed length
+/// (`stepSeconds`), so the same keys at the same steps lead to the same pose, bit for bit. Each step is an exact arc that is proven free
+/// before it is made; if it is not, the car stops and reports the obstruction.
 #[wasm_bindgen]
-pub struct RawDrive(pub(super) Drive);
-
-/// The obstacle that stopped a car: its index, -1 for the bounds, -2 if the car would only have come too near; -3 if it was not
-/// stopped.
-pub(super) fn obstruction(blocked: Option<Option<Touched>>) -> f64 {
-    match blocked {
-        Some(Some(Touched::Obstacle(i))) => i as f64,
-        Some(Some(Touched::Bounds)) => -1.0,
-        Some(None) => -2.0,
-        None => -3.0,
-    }
-}
-
-fn key_of(number: f64, pointer: &str) -> Result<Key, Error> {
-    let named = Key::from_repr(number as u8).filter(|&key| f64::from(key as u8) == number);
-    named.ok_or_else(|| Error::new(Code::OutOfRange, pointer, "there is no such key"))
-}
+pub struct Drive(pub(super) driving::Drive);
 
 #[wasm_bindgen]
-impl RawDrive {
-    /// Presses the key of that number.
-    pub fn press(&mut self, key: u8) -> Result<(), Error> {
-        self.0.press(key_of(f64::from(key), "/key")?)
+impl Drive {
+    /// Presses a key, and records it: `faster` and `slower` change v by 0.1 m/s, `left` and `right` turn the front wheels by
+    /// pi / 12 to that side, within the limits of the car; `keep` changes nothing.
+    /// @throws {PlanariumError} `out-of-range` for another word; `too-large` after a million keys
+    pub fn press(&mut self, key: &JsKey) -> Result<(), Error> {
+        let words: Vec<&str> = Key::VARIANTS.iter().map(|&key| key.into()).collect();
+        self.0.press(Key::VARIANTS[choice(key, "key", &words)?])
     }
 
-    /// Advances by `n` steps.
-    pub fn tick(&mut self, n: f64) -> Result<(), Error> {
-        self.0.tick(count(n, "n")?)
+    /// Advances by `n` steps, at most 1,000,000. A step that cannot be proven free is not made: v becomes 0, and `blocked` says why.
+    /// @throws {PlanariumError} `out-of-range`; `too-large` after a million steps in motion: start another drive
+    pub fn tick(&mut self, n: &JsNumber) -> Result<Ts<DriveState>, Error> {
+        self.0.tick(count(n, "n")?)?;
+        Ok(self.state())
     }
 
-    /// The trace from row `row` on: x, y, theta each.
-    pub fn trace_since(&self, row: f64) -> Result<Vec<f64>, Error> {
-        let trace = self.0.trace();
-        Ok(trace[cursor(row, trace.len())?..].concat())
-    }
-
-    /// Restarts and drives as recorded, in rows of step and number of the key, until `steps` have passed.
-    pub fn replay(&mut self, record: &[f64], steps: f64) -> Result<(), Error> {
-        let press = |(i, row): (usize, &[f64])| {
-            let key = key_of(row[1], &format!("/record/{i}/key"))?;
-            Ok(Press { step: count(row[0], "step").map_err(|error| error.under(&format!("/record/{i}")))?, key })
-        };
-        let record: Result<Vec<Press>, Error> = record.chunks_exact(2).enumerate().map(press).collect();
-        let record = record?;
-        self.0.replay(&record, count(steps, "steps")?)
+    /// Restarts and drives as recorded until `steps` steps are made: the same bits again. Keys are in the order of their steps;
+    /// later ones are not pressed.
+    /// @throws {PlanariumError} `wrong-type`, `out-of-range` with a pointer below `/record`, or of `steps`
+    pub fn replay(&mut self, record: &KeyPresses, steps: &JsNumber) -> Result<Ts<DriveState>, Error> {
+        let record: Vec<Press> = records(record, "record")?;
+        self.0.replay(&record, count(steps, "steps")?)?;
+        Ok(self.state())
     }
 }
 
-getters! { RawDrive(self)
-    /// x, y, theta, v, phi, steps, the obstruction, rows of the trace, keys recorded.
-    state: Vec<f64> = {
-        let ([x, y, theta], control) = (self.0.pose(), self.0.control());
-        let [rows, keys] = [self.0.trace().len(), self.0.record().len()].map(|count| count as f64);
-        let steps = self.0.steps() as f64;
-        vec![x, y, theta, control.speed, control.steering, steps, obstruction(self.0.blocked()), rows, keys]
-    };
-    /// The length of a step, in seconds.
-    step: f64 = self.0.step();
-    /// The keys pressed: rows of step and number of the key.
-    record: Vec<f64> = self.0.record().iter().flat_map(|press| [press.step as f64, f64::from(press.key as u8)]).collect();
+members! { Drive(self): wasm_bindgen(getter);
+    /// The pose, the control, and what stopped the car.
+    state: Ts<DriveState> = record(&DriveState::from(&self.0));
+    /// The length of a step, in seconds: the `integration_step` of the scenario's car.
+    stepSeconds: f64 = self.0.step();
+}
+
+members! { Drive(self): wasm_bindgen;
+    /// The keys pressed so far, which `replay` takes.
+    record: Vec<Ts<Press>> = self.0.record().iter().map(record).collect();
+}
+
+tables! { Drive(self, row)
+    /// The trace from row `row` (0 to `state.traceCount`) on: the start, and the pose after each step that moved the car, in rows of
+    /// x, y, theta. A copy.
+    traceSince: Vec<f64> = self.0.trace().len() => self.0.trace()[row..].concat();
 }

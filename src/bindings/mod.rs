@@ -1,40 +1,67 @@
-//! The classes and functions that JavaScript sees, thin over [`crate::run`] and [`crate::run::inspect`]. The package wraps them
-//! once more in JavaScript, where use before `init` and after `free` can be caught.
+//! The classes and functions of the package, exported as they are declared here: their comments are those of the TypeScript
+//! declarations. The package wraps each once more in JavaScript, where use before `init` and after `free` is caught.
 //!
-//! Scenarios and roadmaps come in as JSON text, options and records cross as plain objects, tables as typed arrays, which are
-//! copies and stay valid. Every count comes in as a JavaScript number and is checked; every error is an `Error` with `code` and
-//! `pointer`.
+//! Every argument is checked in [`arguments`]; every error is an `Error` with `code` and `pointer`. Records cross as plain
+//! objects, their types generated from the Rust ones; tables cross as typed arrays, which are copies.
 
-/// Declares methods of a class without arguments, each by the value that it returns.
-macro_rules! getters {
-    ($Class:ident($self:ident) $( $(#[doc = $doc:literal])? $name:ident: $Type:ty = $value:expr; )*) => {
+/// Declares members of a class without arguments, each by the value that it returns: getters or methods, as the attribute says.
+macro_rules! members {
+    ($Class:ident($self:ident): $kind:meta; $( $(#[$doc:meta])+ $name:ident: $Type:ty = $value:expr; )+) => {
         #[wasm_bindgen]
+        #[allow(non_snake_case)]
         impl $Class {
-            $( $(#[doc = $doc])? pub fn $name(&$self) -> $Type { $value } )*
+            $( $(#[$doc])+ #[$kind] pub fn $name(&$self) -> $Type { $value } )+
         }
     };
 }
 
-mod convert;
+/// Declares methods that read the rows of a table from a cursor on, each by the number of rows and by the rows from one on.
+macro_rules! tables {
+    ($Class:ident($self:ident, $row:ident) $( $(#[$doc:meta])+ $name:ident: $Type:ty = $count:expr => $rows:expr; )+) => {
+        #[wasm_bindgen]
+        #[allow(non_snake_case)]
+        impl $Class {
+            $( $(#[$doc])+ pub fn $name(&$self, row: &$crate::bindings::types::JsNumber) -> Result<$Type, $crate::Error> {
+                let $row = $crate::bindings::arguments::cursor(row, $count)?;
+                Ok($rows)
+            } )+
+        }
+    };
+}
+
+mod arguments;
+mod clock;
 mod drive;
 mod neighbours;
 mod planner;
 mod reach;
+mod records;
 mod scenario;
 mod trajectories;
-
-pub use drive::RawDrive;
-pub use neighbours::RawNeighbours;
-pub use planner::RawPlanner;
-pub use reach::RawReach;
-pub use scenario::RawScenario;
-pub use trajectories::{RawTrajectories, particle_points};
+mod types;
 
 use crate::Error;
 use wasm_bindgen::prelude::*;
 
-/// A fresh seed.
-#[wasm_bindgen]
+/// An `Error` with `code` and `pointer`.
+impl From<Error> for JsValue {
+    fn from(error: Error) -> Self {
+        let thrown = JsValue::from(js_sys::Error::new(error.message()));
+        for (key, value) in [("code", error.code().as_str()), ("pointer", error.pointer())] {
+            // Setting a property of a fresh object cannot fail.
+            let _ = js_sys::Reflect::set(&thrown, &key.into(), &value.into());
+        }
+        thrown
+    }
+}
+
+/// 16 hexadecimal digits.
+fn digits(fingerprint: u64) -> String {
+    format!("{fingerprint:016x}")
+}
+
+/// Draws a seed from the entropy of the platform: a whole number from 0 to 2^53 - 1.
+#[wasm_bindgen(js_name = randomSeed)]
 pub fn random_seed() -> Result<f64, Error> {
     crate::random::random_seed().map(|seed| seed as f64)
 }

@@ -1,187 +1,184 @@
 //! A planning run for JavaScript.
 
-use super::convert::{count, cursor, digits, record};
+use super::arguments::{choice, fields, row, rows};
+use super::clock::{Stepped, Timed, stepped};
+use super::digits;
+use super::records::record;
+use super::types::{JsConfiguration, JsText, Phase, QueryOptions, Rows, Status};
 use crate::error::{Code, Error};
 use crate::path::ResultDocument;
-use crate::problem::{Phase, Stats};
-use crate::run::storage::RoadmapDocument;
+use crate::problem::{self, Stats};
 use crate::run::{EVENT_HEAD, HISTORY_WIDTH, Run};
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
+use tsify::Ts;
 use wasm_bindgen::prelude::*;
-use web_sys::Performance;
 
-/// A planning run.
+/// A run of a planner; `scenario.planner` and `scenario.resume` make it. Each `step` makes some iterations; how they are divided into
+/// steps does not change the result.
+///
+/// What grows is read by cursors: a cursor is a number of rows (vertices, edges, events, iterations), not of array elements. Rows are
+/// only ever appended; an event tells what leaves a tree. Vertex 0 is the start, vertex 1 the goal (also of `rrt`, whose tree contains
+/// it only once it is reached); if a car is driven by controls, the goal is no vertex.
 #[wasm_bindgen]
-pub struct RawPlanner {
-    // A clock that a caller has replaced may call the planner: no borrow is held while the clock is read.
-    run: RefCell<Box<dyn Run>>,
-    /// Milliseconds spent building and searching.
-    spent: Cell<[f64; 2]>,
-}
+pub struct Planner(RefCell<Timed<Box<dyn Run>>>);
 
-#[wasm_bindgen]
-extern "C" {
-    /// The clock of the page, the worker or Node.
-    #[wasm_bindgen(thread_local_v2, js_name = performance)]
-    static PERFORMANCE: Performance;
-}
-
-/// The most iterations between two readings of the clock: cheap iterations outweigh the reading, expensive ones do not stall.
-const LONGEST_SLICE: u64 = 64;
-
-impl RawPlanner {
-    pub(super) fn new(run: Box<dyn Run>) -> Self {
-        Self { run: RefCell::new(run), spent: Cell::default() }
+impl Stepped for Box<dyn Run> {
+    fn step(&mut self, n: u64) -> problem::Status {
+        (**self).step(n)
     }
 
-    /// Steps in slices; the time of a slice counts for the phase it began in. A slice doubles while twice its time fits a
-    /// quarter of the budget, halves when it took more than that, and starts from one iteration in each phase, since the costs
-    /// of phases differ by a factor of a hundred. So the budget, in milliseconds, is exceeded by less than a quarter.
-    fn advance(&self, iterations: u64, budget: f64) -> u8 {
-        let began = PERFORMANCE.with(Performance::now);
-        let (mut now, mut left, mut slice) = (began, iterations, 1);
-        let mut phase = self.run.borrow().phase();
-        while left > 0 {
-            let asked = slice.min(left);
-            let before = self.run.borrow().iterations();
-            self.run.borrow_mut().step(asked);
-            let made = self.run.borrow().iterations() - before;
-            let took = PERFORMANCE.with(Performance::now) - now;
-            now += took;
-            let mut spent = self.spent.get();
-            spent[usize::from(matches!(phase, Phase::Searching | Phase::Improving))] += took;
-            self.spent.set(spent);
-            left -= made;
-            let room = (budget / 4.0).min(budget - (now - began));
-            // A run that made fewer iterations than requested is over.
-            if made < asked || room <= 0.0 {
-                break;
-            }
-            let reached = self.run.borrow().phase();
-            if reached != phase {
-                slice = 1;
-            } else if took > room {
-                slice = (slice / 2).max(1);
-            } else if 2.0 * took <= room {
-                slice = (2 * slice).min(LONGEST_SLICE);
-            }
-            phase = reached;
-        }
-        self.status()
+    fn iterations(&self) -> u64 {
+        (**self).iterations()
+    }
+
+    fn phase(&self) -> problem::Phase {
+        (**self).phase()
+    }
+}
+
+impl Planner {
+    pub(super) fn new(run: Box<dyn Run>) -> Self {
+        Self(RefCell::new(Timed::new(run)))
+    }
+
+    fn read<T>(&self, read: impl FnOnce(&dyn Run) -> T) -> T {
+        read(&*self.0.borrow().run)
     }
 
     /// The counts with the time spent.
     fn timed(&self, stats: Stats) -> Stats {
-        let [build_seconds, search_seconds] = self.spent.get().map(|milliseconds| milliseconds / 1000.0);
+        let [build_seconds, search_seconds] = self.0.borrow().seconds();
         Stats { build_seconds, search_seconds, ..stats }
-    }
-
-    fn document(&self) -> Result<RoadmapDocument, Error> {
-        let sentence = "this planner builds no roadmap that could be saved";
-        self.run.borrow().roadmap().ok_or_else(|| Error::new(Code::Unsupported, "", sentence))
     }
 }
 
 #[wasm_bindgen]
-impl RawPlanner {
-    /// Makes at most `iterations` iterations; returns the status.
-    pub fn step(&self, iterations: f64) -> Result<u8, Error> {
-        Ok(self.advance(count(iterations, "n")?, f64::INFINITY))
-    }
-
-    /// Makes iterations for about `milliseconds`, one at least; returns the status.
-    pub fn step_for(&self, milliseconds: f64) -> u8 {
-        self.advance(u64::MAX, milliseconds)
-    }
-
-    /// Ends the improvement of the path.
-    pub fn finish(&self) {
-        self.run.borrow_mut().finish();
-    }
-
-    /// Queries a built roadmap for another path; returns a result document.
-    pub fn query(&self, start: &[f64], goal: &[f64], keep: bool) -> Result<JsValue, Error> {
-        self.run.borrow_mut().query(start, goal, keep).map(|result| record(&result))
-    }
-
-    /// The roadmap as JSON text.
-    pub fn roadmap_text(&self) -> Result<String, Error> {
-        Ok(self.document()?.to_json())
-    }
-
-    /// The roadmap in its binary form.
-    pub fn roadmap_bytes(&self) -> Result<Vec<u8>, Error> {
-        Ok(self.document()?.to_bytes())
-    }
-
-    /// The roadmap as GraphML.
-    pub fn roadmap_graphml(&self) -> Result<String, Error> {
-        Ok(self.document()?.to_graphml())
-    }
-
-    /// Records a row for every iteration from now on.
+impl Planner {
+    /// Records a row for every iteration, for `historySince`. Nothing else changes. Rows take 64 bytes each until the planner is
+    /// freed. A second call has no effect.
+    /// @throws {PlanariumError} `unsupported` once iterations were made that are not recorded
     pub fn record(&self) -> Result<(), Error> {
-        self.run.borrow_mut().record()
+        self.0.borrow_mut().run.record()
     }
 
-    /// The vertices from row `row` on, `dimension` numbers each.
-    pub fn vertices_since(&self, row: f64) -> Result<Vec<f64>, Error> {
-        Ok(self.run.borrow().vertices_since(cursor(row, self.vertex_count())?))
+    /// Queries the roadmap of `prm`, `prm-star` or `visibility-prm`, as far as it is built, for another path: start and goal are
+    /// connected to their neighbours by motions that are proven free, and the roadmap is searched. The path is not improved. The
+    /// roadmap does not change, unless the two are to stay in it (`keep`), which requires that the run is over. The query of the result
+    /// is named `asked`.
+    /// @throws {PlanariumError} `unsupported` if the planner builds no roadmap, or with `keep` before it is done;
+    /// `start-in-collision`, `goal-in-collision`, `wrong-dimension`, `not-finite`, `out-of-range`
+    pub fn query(
+        &self,
+        start: &JsConfiguration,
+        goal: &JsConfiguration,
+        options: Option<QueryOptions>,
+    ) -> Result<Ts<ResultDocument>, Error> {
+        let mut fields = fields(options)?;
+        let keep = fields.take("keep")?.unwrap_or(false);
+        fields.finish("keep")?;
+        let dimension = self.dimension();
+        let [start, goal] = [(start, "start"), (goal, "goal")].map(|(q, name)| row(q, dimension, name));
+        self.0.borrow_mut().run.query(&start?, &goal?, keep).map(|result| record(&result))
     }
 
-    /// The edges from row `row` on, two vertex numbers each.
-    pub fn edges_since(&self, row: f64) -> Result<Vec<u32>, Error> {
-        Ok(self.run.borrow().edges_since(cursor(row, self.edge_count())?))
+    /// The roadmap in a format.
+    #[wasm_bindgen(skip_typescript)]
+    pub fn roadmap(&self, format: &JsText) -> Result<JsValue, Error> {
+        let format = choice(format, "format", &["json", "binary", "graphml"])?;
+        let missing = || Error::new(Code::Unsupported, "", "this planner builds no roadmap that could be saved");
+        let document = self.read(|run| run.roadmap()).ok_or_else(missing)?;
+        Ok(match format {
+            0 => document.to_json().into(),
+            1 => js_sys::Uint8Array::from(document.to_bytes().as_slice()).into(),
+            _ => document.to_graphml().into(),
+        })
     }
 
-    /// The motions along the edges from row `row` on: edge, speed, steering angle, duration each.
-    pub fn motions_since(&self, row: f64) -> Result<Vec<f64>, Error> {
-        Ok(self.run.borrow().motions_since(cursor(row, self.edge_count())?))
-    }
-
-    /// The curves of the edges from row `row` on that are not straight: edge and configuration each.
-    pub fn traces_since(&self, row: f64) -> Result<Vec<f64>, Error> {
-        Ok(self.run.borrow().traces_since(cursor(row, self.edge_count())?))
-    }
-
-    /// The events from row `row` on, `event_width` numbers each.
-    pub fn events_since(&self, row: f64) -> Result<Vec<f64>, Error> {
-        Ok(self.run.borrow().events_since(cursor(row, self.event_count())?))
-    }
-
-    /// For rows of two configurations, from and to, the fraction at which the motion is first refused; 1 if it is free.
-    pub fn first_hits(&self, ends: &[f64]) -> Result<Vec<f64>, Error> {
-        self.run.borrow_mut().first_hits(ends)
+    /// The first refused points of motions, in the space, the metric and by the test of this run, proven or sampled: for each row of
+    /// `ends`, two configurations (2 `dimension` numbers), the fraction at which the first interval begins that is refused; 1 if all of
+    /// it is free. For the refused edges of `eventsSince`. It is not counted in `stats`.
+    /// @throws {PlanariumError} `wrong-dimension`, `wrong-type`, `not-finite`; `out-of-range` outside the limits
+    #[wasm_bindgen(js_name = firstHits)]
+    pub fn first_hits(&self, ends: &Rows) -> Result<Vec<f64>, Error> {
+        let ends = rows(ends, 2 * self.dimension(), "ends")?;
+        self.0.borrow_mut().run.first_hits(&ends)
     }
 }
 
-getters! { RawPlanner(self)
-    /// 0 while running, 1 if solved, 2 if exhausted.
-    status: u8 = self.run.borrow().status() as u8;
-    phase: u8 = self.run.borrow().phase() as u8;
-    /// The rows recorded since the last call, `history_width` numbers each.
-    take_history: Vec<f64> = self.run.borrow_mut().take_history();
-    /// Numbers per row of the history.
-    history_width: usize = HISTORY_WIDTH;
-    iterations: f64 = self.run.borrow().iterations() as f64;
-    /// Numbers per configuration.
-    dimension: usize = self.run.borrow().dimension();
-    /// Numbers per event row.
-    event_width: usize = EVENT_HEAD + self.dimension();
-    vertex_count: usize = self.run.borrow().vertex_count();
-    edge_count: usize = self.run.borrow().edge_count();
-    event_count: usize = self.run.borrow().event_count();
-    /// The configurations at which the run may end, in rows of `dimension`.
-    goals: Vec<f64> = self.run.borrow().goals().concat();
-    /// The path, `dimension` numbers per waypoint; empty until solved.
-    path: Vec<f64> = self.run.borrow().path().concat();
-    /// The path as the planner found it, in the same form.
-    raw_path: Vec<f64> = self.run.borrow().raw_path().concat();
-    stats: JsValue = record(&self.timed(self.run.borrow().stats()));
-    result: JsValue = {
-        let result = self.run.borrow().result();
+stepped!(Planner);
+
+members! { Planner(self): wasm_bindgen(getter);
+    /// The status of the run.
+    status: Status = self.read(|run| run.status()).into();
+    /// The phase of the run.
+    phase: Phase = self.read(|run| run.phase()).into();
+    /// The number of iterations made so far.
+    iterations: f64 = self.read(|run| run.iterations()) as f64;
+    /// The degrees of freedom: numbers per row of `verticesSince` and `path`.
+    dimension: usize = self.read(|run| run.dimension());
+    /// The number of vertices.
+    vertexCount: usize = self.read(|run| run.vertex_count());
+    /// The number of edges.
+    edgeCount: usize = self.read(|run| run.edge_count());
+    /// The number of events.
+    eventCount: usize = self.read(|run| run.event_count());
+    /// The number of rows of the history: that of iterations if `record` was called, else 0.
+    historyCount: usize = self.read(|run| run.history_count());
+    /// Numbers per row of `eventsSince`: 4 + `dimension`.
+    eventWidth: usize = EVENT_HEAD + self.dimension();
+    /// Numbers per row of `historySince`: one for each of `historyColumns`.
+    historyWidth: usize = HISTORY_WIDTH;
+}
+
+members! { Planner(self): wasm_bindgen;
+    /// Ends the run with the present path if that is being improved (phase `improving`); else does nothing.
+    finish: Status = self.0.borrow_mut().run.finish().into();
+    /// The configurations at which the run may end, in rows of `dimension` numbers, one at least: the goal of its query, or for a query
+    /// with a `target` the free ones that were found to reach it. A car may end near its goal.
+    goals: Vec<f64> = self.read(|run| run.goals()).concat();
+    /// The path in rows of `dimension` numbers; empty until solved. Between rows motion is linear, circles the short way round, and no
+    /// step turns a joint by more than 3 rad; a car drives the `motions` of `result()`, one from each row to the next.
+    path: Vec<f64> = self.read(|run| run.path()).concat();
+    /// The path as the planner found it, before it is reduced and shortened, in the same form; empty until it is found.
+    rawPath: Vec<f64> = self.read(|run| run.raw_path()).concat();
+    /// The counts of work, and the time spent in `step` and `stepFor`.
+    stats: Ts<Stats> = record(&self.timed(self.read(|run| run.stats())));
+    /// The result document, the one that the command line prints.
+    result: Ts<ResultDocument> = {
+        let result = self.read(|run| run.result());
         record(&ResultDocument { stats: self.timed(result.stats), ..result })
     };
-    /// 16 hexadecimal digits over every vertex, edge and event.
-    fingerprint: String = digits(self.run.borrow().fingerprint());
+    /// 16 hexadecimal digits over every vertex, edge and event in order: equal runs have equal fingerprints, on every platform.
+    fingerprint: String = digits(self.read(|run| run.fingerprint()));
+}
+
+tables! { Planner(self, row)
+    /// The vertices from vertex `row` (0 to `vertexCount`) on: configurations, in rows of `dimension` numbers. A copy.
+    verticesSince: Vec<f64> = self.read(|run| run.vertex_count()) => self.read(|run| run.vertices_since(row));
+    /// The edges from edge `row` (0 to `edgeCount`) on, in rows of two vertex numbers: parent and child in trees; if a car drives
+    /// forwards only (`steering: "dubins"`), in the direction of the drive. A copy.
+    edgesSince: Vec<u32> = self.read(|run| run.edge_count()) => self.read(|run| run.edges_since(row));
+    /// The motions of a car along the edges from edge `row` (0 to `edgeCount`) on, in rows of edge, speed, steering angle, seconds; an
+    /// edge of several motions has as many rows, in the order in which it is driven. Empty for other robots. A copy.
+    motionsSince: Vec<f64> = self.read(|run| run.edge_count()) => self.read(|run| run.motions_since(row));
+    /// The shapes of the curved edges from edge `row` (0 to `edgeCount`) on, in rows of 1 + `dimension` numbers: the edge and a
+    /// configuration on it, from its first vertex to its second, close enough to be connected by straight lines. A copy.
+    tracesSince: Vec<f64> = self.read(|run| run.edge_count()) => self.read(|run| run.traces_since(row));
+    /// The events from event `row` (0 to `eventCount`) on, in rows of `eventWidth` numbers: kind, iteration, vertex or -1, other
+    /// vertex or -1, configuration. A copy. The kind is an index into `eventKinds`:
+    ///
+    /// - 0, `rejected`: a sample was in collision; the configuration is the sample
+    /// - 1, `refused`: an edge was refused, from the vertex to the other vertex or, if that is -1, to the configuration
+    /// - 2, `expanded`: the search expanded the vertex
+    /// - 3, `solved`: a solution was found at the vertex
+    /// - 4, `discarded`: a free sample was discarded, as it connects to nothing, or to nothing new
+    /// - 5, `guard`: the vertex became a guard of a visibility roadmap
+    /// - 6, `removed`: the vertex and the edge that leads to it were removed from the tree (`sst`); its number is not used again
+    eventsSince: Vec<f64> = self.read(|run| run.event_count()) => self.read(|run| run.events_since(row));
+    /// The recorded rows from row `row` (0 to `historyCount`) on, in rows of `historyWidth` numbers; empty unless `record` was
+    /// called. A copy. Row i is the state after iteration i + 1, as `historyColumns` names it: vertices, edges, events, phase (its
+    /// index in `phases`), configuration checks, motion checks, clearance evaluations (as in `stats`), and the length of the best path
+    /// so far in the metric of the run, which only ever falls and is `Infinity` while there is none. `finish` is no iteration and
+    /// adds no row.
+    historySince: Vec<f64> = self.read(|run| run.history_count()) => self.read(|run| run.history_since(row));
 }

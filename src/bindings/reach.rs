@@ -1,73 +1,86 @@
 //! Inverse kinematics for JavaScript.
 
-use super::convert::{count, cursor, digits, record};
-use crate::Error;
-use crate::geometry::Point;
-use crate::ik::{Followed, Nearest, Solver, Target};
+use super::clock::{Stepped, Timed, stepped};
+use super::digits;
+use super::records::{object, record};
+use super::types::{JsVerdict, Status};
+use crate::ik::{Solver, SolverResult};
+use crate::problem;
+use std::cell::RefCell;
+use tsify::Ts;
 use wasm_bindgen::prelude::*;
 
-/// A run of inverse kinematics.
+/// A search for joint angles that bring the tip of an arm to a target; `scenario.reach` makes it. Each `step` makes some iterations (an
+/// update of the joints, or the draw of a new start); how they are divided into steps does not change the result. Iterates and solutions
+/// are only ever appended, and read by cursors.
 #[wasm_bindgen]
-pub struct RawReach(pub(super) Solver);
+pub struct Reach(RefCell<Timed<Solver>>);
 
-#[wasm_bindgen]
-impl RawReach {
-    /// Does at most `iterations` iterations; returns how many it did.
-    pub fn advance(&mut self, iterations: f64) -> Result<f64, Error> {
-        let before = self.0.stats().iterations;
-        self.0.step(count(iterations, "n")?);
-        Ok((self.0.stats().iterations - before) as f64)
+impl Stepped for Solver {
+    fn step(&mut self, n: u64) -> problem::Status {
+        self.step(n)
     }
 
-    /// The iterates from row `row` on: restart, error, configuration each.
-    pub fn iterates_since(&self, row: f64) -> Result<Vec<f64>, Error> {
-        let iterates = &self.0.iterates()[cursor(row, self.0.iterates().len())?..];
-        let mut numbers = Vec::with_capacity(iterates.len() * (2 + self.0.dimension()));
+    fn iterations(&self) -> u64 {
+        self.stats().iterations
+    }
+}
+
+impl Reach {
+    pub(super) fn new(solver: Solver) -> Self {
+        Self(RefCell::new(Timed::new(solver)))
+    }
+}
+
+stepped!(Reach);
+
+members! { Reach(self): wasm_bindgen(getter);
+    /// `solved` once as many distinct solutions are found as were requested, or any when the budget is spent.
+    status: Status = self.0.borrow().run.status().into();
+    /// The number of iterates.
+    iterateCount: usize = self.0.borrow().run.iterates().len();
+    /// The number of distinct solutions.
+    solutionCount: usize = self.0.borrow().run.solutions().len();
+    /// The number of configurations that reach the target in collision, with `freeOnly`; `result()` lists them.
+    rejectedCount: usize = self.0.borrow().run.rejected().len();
+    /// The number of iterations made so far.
+    iterations: f64 = self.0.borrow().run.stats().iterations as f64;
+    /// The number of starts drawn so far.
+    restarts: u32 = self.0.borrow().run.stats().restarts;
+    /// The error of the last iterate: metres of the point, or radians of the orientation, whichever is larger.
+    error: f64 = self.0.borrow().run.error();
+    /// Yoshikawa's manipulability at the last iterate, in square metres: 0 if the arm is singular.
+    manipulability: f64 = self.0.borrow().run.manipulability();
+}
+
+members! { Reach(self): wasm_bindgen;
+    /// The last iterate. A copy.
+    configuration: Vec<f64> = {
+        let solver = &self.0.borrow().run;
+        solver.configuration()[..solver.dimension()].to_vec()
+    };
+    /// The outcome so far. If nothing has been found, this computes how near the arm can come: up to some milliseconds for eight links
+    /// with limits.
+    verdict: JsVerdict = object(&self.0.borrow().run.explain()).unchecked_into();
+    /// The result document, the one that the command line prints.
+    result: Ts<SolverResult> = record(&self.0.borrow().run.result());
+    /// 16 hexadecimal digits over every iterate and solution.
+    fingerprint: String = digits(self.0.borrow().run.fingerprint());
+}
+
+tables! { Reach(self, row)
+    /// The iterates from row `row` (0 to `iterateCount`) on, the start and one after each iteration, in rows of restart (the number of
+    /// starts drawn before), error, and configuration. A copy.
+    iteratesSince: Vec<f64> = self.iterateCount() => {
+        let solver = &self.0.borrow().run;
+        let iterates = &solver.iterates()[row..];
+        let mut numbers = Vec::with_capacity(iterates.len() * (2 + solver.dimension()));
         for iterate in iterates {
             numbers.extend([f64::from(iterate.restart), iterate.error]);
-            numbers.extend(&iterate.configuration[..self.0.dimension()]);
+            numbers.extend(&iterate.configuration[..solver.dimension()]);
         }
-        Ok(numbers)
-    }
-
-    /// The solutions from row `row` on.
-    pub fn solutions_since(&self, row: f64) -> Result<Vec<f64>, Error> {
-        Ok(self.0.solutions()[cursor(row, self.0.solutions().len())?..].concat())
-    }
-}
-
-getters! { RawReach(self)
-    /// 0 while running, 1 if solved, 2 if exhausted.
-    status: u8 = self.0.status() as u8;
-    /// Error, manipulability, iterations, restarts, the number of iterates, of solutions and of rejected configurations.
-    state: Vec<f64> = {
-        let rows = [self.0.iterates().len(), self.0.solutions().len(), self.0.rejected().len()];
-        let stats = self.0.stats();
-        let counts = [stats.iterations, u64::from(stats.restarts)].into_iter().chain(rows.map(|rows| rows as u64));
-        [self.0.error(), self.0.manipulability()].into_iter().chain(counts.map(|count| count as f64)).collect()
+        numbers
     };
-    configuration: Vec<f64> = self.0.configuration()[..self.0.dimension()].to_vec();
-    verdict: JsValue = record(&self.0.explain());
-    result: JsValue = record(&self.0.result());
-    /// 16 hexadecimal digits over every iterate and solution.
-    fingerprint: String = digits(self.0.fingerprint());
-}
-
-/// A target from an array of x and y, and the orientation, if any.
-pub(super) fn target(point: &[f64], orientation: Option<f64>) -> Target {
-    let at = |i: usize| point.get(i).copied().unwrap_or(f64::NAN);
-    Target { point: Point::new(at(0), at(1)), orientation }
-}
-
-/// An arm that has followed a target: x, y, distance, turn, 1 if the target is reached, manipulability, configuration.
-pub(super) fn followed(arm: Followed) -> Vec<f64> {
-    let is_reached = f64::from(u8::from(arm.is_reached));
-    let numbers = [arm.point.x, arm.point.y, arm.distance, arm.turn, is_reached, arm.manipulability];
-    [&numbers[..], &arm.configuration].concat()
-}
-
-/// How near an arm can come: x, y, distance, turn, configuration.
-pub(super) fn near(nearest: Nearest) -> Vec<f64> {
-    let numbers = [nearest.point.x, nearest.point.y, nearest.distance, nearest.turn];
-    [&numbers[..], &nearest.configuration].concat()
+    /// The distinct solutions from row `row` (0 to `solutionCount`) on, in the order in which they were found: configurations. A copy.
+    solutionsSince: Vec<f64> = self.solutionCount() => self.0.borrow().run.solutions()[row..].concat();
 }

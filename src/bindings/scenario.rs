@@ -1,186 +1,295 @@
 //! A scenario for JavaScript.
 
-use super::convert::{count, fields, options, reach_options, record, size, split};
-use super::drive::obstruction;
-use super::reach::{followed, near, target};
-use super::{RawDrive, RawNeighbours, RawPlanner, RawReach};
+use super::arguments::{count, document, fields, finite, row, rows, text, text_or_bytes};
+use super::records::{Check, QueryCheck, Rollout, object, record, with_configuration};
+use super::types::{
+    Booleans, CspaceOptions, GenerateOptions, GeneratorName, JsBox, JsConfiguration, JsDocument, JsNumber, JsPair,
+    JsPoint, JsText, NeighboursOptions, PlannerOptions, ReachOptions, ResumeOptions, RoadmapFile, RobotType, Rows,
+    SampleOptions, ScenarioInput, TwoRanges,
+};
+use super::{drive, neighbours, planner, reach};
 use crate::Error;
-use crate::driving::{self, Drive};
-use crate::ik::{Solver, arm_of, follow, nearest_reachable};
-use crate::problem::{Control, Motion, Touched};
+use crate::driving;
+use crate::geometry::Point;
+use crate::ik::{self, Solver, SolverOptions, Target, arm_of};
+use crate::problem::{Control, Motion};
 use crate::robot::Part;
-use crate::run;
 use crate::run::inspect::{Clearance, Inspector};
-use crate::run::neighbours;
 use crate::run::storage::RoadmapDocument;
-use crate::scenario::Scenario;
+use crate::run::{self, Options};
+use crate::scenario;
 use crate::world::PlanningWorld;
+use tsify::Ts;
 use wasm_bindgen::prelude::*;
 
-/// A checked scenario and queries about it.
+/// A checked scenario: a world, a robot in it, and queries; `Scenario.parse` and `Scenario.generate` make it. It answers questions about
+/// configurations and motions, and starts planners. Lengths are in metres, angles in radians, counter-clockwise, y up.
 #[wasm_bindgen]
-pub struct RawScenario {
+pub struct Scenario {
     world: PlanningWorld,
     inspector: Inspector,
 }
 
-impl RawScenario {
-    fn new(scenario: Scenario) -> Self {
+impl Scenario {
+    fn new(scenario: scenario::Scenario) -> Self {
         let world = PlanningWorld::new(scenario);
         let inspector = Inspector::new(&world);
         Self { world, inspector }
     }
+
+    fn scenario(&self) -> &scenario::Scenario {
+        self.world.scenario()
+    }
+
+    fn configuration(&self, q: &JsConfiguration, name: &str) -> Result<Vec<f64>, Error> {
+        row(q, self.dimension(), name)
+    }
+}
+
+/// The options of a run.
+fn options(wanted: Option<impl AsRef<JsValue>>) -> Result<Options, Error> {
+    let mut fields = fields(wanted)?;
+    Ok(Options {
+        planner: fields.take("algorithm")?,
+        query: fields.take("query")?,
+        seed: fields.take("seed")?.unwrap_or(0),
+        parameters: fields.parameters(),
+    })
+}
+
+/// A target from its point and orientation.
+fn target(point: &JsPoint, orientation: Option<JsNumber>) -> Result<Target, Error> {
+    let point = row(point, 2, "target")?;
+    let orientation = orientation.map(|angle| finite(&angle, "orientation")).transpose()?;
+    Ok(Target { point: Point::new(point[0], point[1]), orientation })
 }
 
 #[wasm_bindgen]
-impl RawScenario {
-    /// Reads a scenario from JSON text.
-    pub fn parse(text: &str) -> Result<RawScenario, Error> {
-        Scenario::parse(text).map(Self::new)
+impl Scenario {
+    /// Reads a scenario document: JSON text, or the document as an object.
+    /// @throws {PlanariumError} with a JSON pointer: `invalid-json`, `unknown-field`, `missing-field`, `wrong-type`, `out-of-range`,
+    /// `degenerate-polygon`, `base-in-collision`, ...
+    pub fn parse(input: &ScenarioInput) -> Result<Scenario, Error> {
+        document(input).map(Self::new)
     }
 
-    /// Generates a scenario by the generator's id, with options.
-    pub fn generate(kind: &str, options: JsValue) -> Result<RawScenario, Error> {
-        crate::scenario::generate::generate(kind, &fields(options)?.into()).map(Self::new)
+    /// Generates a scenario from a seed; the same generator, options and seed give the same scenario. `generators()` lists the
+    /// generators and their options.
+    /// @throws {PlanariumError} `unknown-generator`, `unknown-field`, `out-of-range`, `wrong-type`, `unknown-type`, `not-finite`
+    pub fn generate(kind: &GeneratorName, options: Option<GenerateOptions>) -> Result<Scenario, Error> {
+        scenario::generate::generate(&text(kind, "kind")?, &fields(options)?.object()).map(Self::new)
     }
 
-    /// Each touching pair at `q`: the part, and the index of the obstacle or -1 for the bounds.
-    pub fn check(&self, q: &[f64]) -> Result<Vec<i32>, Error> {
-        let contacts = self.inspector.check(q)?;
-        let touched = |with| if let Touched::Obstacle(i) = with { i as i32 } else { -1 };
-        Ok(contacts.iter().flat_map(|contact| [contact.part as i32, touched(contact.with)]).collect())
+    /// Whether a configuration is free, and every pair that touches if it is not.
+    /// @throws {PlanariumError} `wrong-dimension`, `wrong-type`, `not-finite`, `out-of-range`
+    pub fn check(&self, q: &JsConfiguration) -> Result<Ts<Check>, Error> {
+        let contacts = self.inspector.check(&self.configuration(q, "q")?)?;
+        Ok(record(&Check::from(contacts)))
     }
 
-    /// The nearest pair of a part of the robot at `q` and an obstacle: distance, part, obstacle and both points; empty without one.
-    pub fn clearance(&self, q: &[f64]) -> Result<Vec<f64>, Error> {
-        let numbers = |near: Clearance| {
-            let [a, b] = near.points;
-            vec![near.distance, near.part as f64, near.obstacle as f64, a.x, a.y, b.x, b.y]
-        };
-        Ok(self.inspector.clearance(q)?.map_or_else(Vec::new, numbers))
+    /// Checks start and goal of a query, the first one by default, before a planner is started: `planner` refuses a query whose start or
+    /// goal is in collision.
+    /// @throws {PlanariumError} `unknown-query`
+    #[wasm_bindgen(js_name = checkQuery)]
+    pub fn check_query(&self, name: Option<JsText>) -> Result<Ts<QueryCheck>, Error> {
+        let name = name.map(|name| text(&name, "query")).transpose()?;
+        let (_, query) = Options { query: name, ..Options::default() }.find_query(self.scenario())?;
+        let check = |q: &[f64]| self.inspector.check(q).map(Check::from);
+        let goal = query.configuration().map(check).transpose()?;
+        Ok(record(&QueryCheck::new(query.name.clone(), check(&query.start)?, goal)))
     }
 
-    /// The parts of the robot at `q`: both ends and the radius of every link of an arm, centre and radius of a disc, the
-    /// corners of a body or a car.
-    pub fn footprint(&self, q: &[f64]) -> Result<Vec<f64>, Error> {
-        let mut numbers = Vec::new();
-        for part in self.inspector.footprint(q)? {
-            match part {
-                Part::Capsule { a, b, radius } => numbers.extend([a.x, a.y, b.x, b.y, radius]),
-                Part::Disc { center, radius } => numbers.extend([center.x, center.y, radius]),
-                Part::Polygon { vertices } => numbers.extend(vertices.iter().flat_map(|corner| [corner.x, corner.y])),
-            }
-        }
-        Ok(numbers)
+    /// The part of the robot and the obstacle that are nearest to each other, for viewers; null if the robot touches something, or if
+    /// there are no obstacles. The bounds do not count.
+    #[wasm_bindgen(unchecked_return_type = "Clearance | null")]
+    pub fn clearance(&self, q: &JsConfiguration) -> Result<JsValue, Error> {
+        let clearance: Option<Clearance> = self.inspector.clearance(&self.configuration(q, "q")?)?;
+        Ok(clearance.map_or(JsValue::NULL, |clearance| object(&clearance)))
     }
 
-    /// The tip of the arm or the centre of the disc at `q`: x, y.
-    pub fn end_effector(&self, q: &[f64]) -> Result<Vec<f64>, Error> {
-        self.inspector.end_effector(q).map(|tip| vec![tip.x, tip.y])
+    /// The parts of the robot at a configuration, to draw.
+    pub fn footprint(&self, q: &JsConfiguration) -> Result<Vec<Ts<Part>>, Error> {
+        let parts = self.inspector.footprint(&self.configuration(q, "q")?)?;
+        Ok(parts.iter().map(record).collect())
     }
 
-    /// The same for rows of configurations: rows of x, y.
-    pub fn end_effectors(&self, rows: &[f64]) -> Result<Vec<f64>, Error> {
-        let mut tips = Vec::with_capacity(rows.len() / self.dimension() * 2);
-        for row in rows.chunks(self.dimension()) {
+    /// The point of the workspace that represents a configuration: the tip of an arm, the centre of a disc, (x, y) of a body or a car.
+    #[wasm_bindgen(js_name = endEffector)]
+    pub fn end_effector(&self, q: &JsConfiguration) -> Result<JsPair, Error> {
+        let tip = self.inspector.end_effector(&self.configuration(q, "q")?)?;
+        Ok(js_sys::Array::of2(&tip.x.into(), &tip.y.into()).unchecked_into())
+    }
+
+    /// The same for rows of `dimension` numbers, in rows of x, y.
+    #[wasm_bindgen(js_name = endEffectors)]
+    pub fn end_effectors(&self, vertices: &Rows) -> Result<Vec<f64>, Error> {
+        let vertices = rows(vertices, self.dimension(), "vertices")?;
+        let mut tips = Vec::with_capacity(vertices.len() / self.dimension() * 2);
+        for row in vertices.chunks(self.dimension()) {
             let tip = self.inspector.end_effector(row)?;
             tips.extend([tip.x, tip.y]);
         }
         Ok(tips)
     }
 
-    /// The configuration a fraction `t` along the motion from `a` to `b`.
-    pub fn interpolate(&self, a: &[f64], b: &[f64], t: f64) -> Result<Vec<f64>, Error> {
-        self.inspector.interpolate(a, b, t)
+    /// The configuration at the fraction `t`, from 0 to 1, of the straight motion from `a` to `b`; circles the short way round.
+    pub fn interpolate(&self, a: &JsConfiguration, b: &JsConfiguration, t: &JsNumber) -> Result<Vec<f64>, Error> {
+        self.inspector.interpolate(&self.configuration(a, "a")?, &self.configuration(b, "b")?, finite(t, "t")?)
     }
 
-    /// The distance from `a` to `b` in the default metric.
-    pub fn distance(&self, a: &[f64], b: &[f64]) -> Result<f64, Error> {
-        self.inspector.distance(a, b)
+    /// The distance from `a` to `b` in the default metric of the scenario.
+    pub fn distance(&self, a: &JsConfiguration, b: &JsConfiguration) -> Result<f64, Error> {
+        self.inspector.distance(&self.configuration(a, "a")?, &self.configuration(b, "b")?)
     }
 
-    /// The fraction at which the motion from `a` to `b` first cannot be proven free; undefined if all of it is proven.
-    pub fn first_hit(&self, a: &[f64], b: &[f64]) -> Result<Option<f64>, Error> {
-        self.inspector.first_hit(a, b)
+    /// The fraction of the straight motion from `a` to `b` at which the first interval begins that could not be proven free; null if all
+    /// of it is proven. For the curves of a car see `rollout`.
+    #[wasm_bindgen(js_name = firstHit, unchecked_return_type = "number | null")]
+    pub fn first_hit(&self, a: &JsConfiguration, b: &JsConfiguration) -> Result<JsValue, Error> {
+        let hit = self.inspector.first_hit(&self.configuration(a, "a")?, &self.configuration(b, "b")?)?;
+        Ok(hit.map_or(JsValue::NULL, JsValue::from))
     }
 
-    /// The configuration space of an arm of two links, one byte per cell, 1 for collision.
-    pub fn cspace(&self, width: f64, height: f64) -> Result<Vec<u8>, Error> {
-        self.inspector.configuration_space(size(width, "width")?, size(height, "height")?)
+    /// A picture of the configuration space of an arm of two joints: one byte per cell, 1 for collision, checked at the centre of the
+    /// cell; row by row from the lowest angles.
+    /// @throws {PlanariumError} `unsupported` for any other robot; `out-of-range` for more than 4096 cells per side
+    pub fn cspace(&self, size: &CspaceOptions) -> Result<Vec<u8>, Error> {
+        let mut fields = fields(Some(size.clone()))?;
+        let [width, height] = ["width", "height"].map(|name| fields.required::<u64>(name, "a number of cells"));
+        let cells = |count: u64| usize::try_from(count).unwrap_or(usize::MAX);
+        self.inspector.configuration_space(cells(width?), cells(height?))
     }
 
-    /// The angles that it covers: low and high of the first joint, then of the second.
-    pub fn cspace_range(&self) -> Result<Vec<f64>, Error> {
-        self.inspector.configuration_space_range().map(|range| range.concat())
+    /// The angles that the picture of `cspace` spans: -pi to pi for a circle, else the limits of the joint.
+    /// @throws {PlanariumError} `unsupported` for any robot but an arm of two joints
+    #[wasm_bindgen(js_name = cspaceRange)]
+    pub fn cspace_range(&self) -> Result<TwoRanges, Error> {
+        self.inspector.configuration_space_range().map(|range| object(&range).unchecked_into())
     }
 
-    /// Starts a run; `wanted` holds `algorithm`, `query`, `seed` and the planner's parameters.
-    pub fn planner(&self, wanted: JsValue) -> Result<RawPlanner, Error> {
-        run::start(&self.world, &options(wanted)?).map(RawPlanner::new)
+    /// Starts a planner on one of the queries. The planner outlives the scenario.
+    /// @throws {PlanariumError} `unknown-planner`, `unknown-query`, `unknown-parameter`, `out-of-range`, `wrong-type`;
+    /// `start-in-collision`, `goal-in-collision` (the message names what touches what); `unsupported` if the planner is not for the
+    /// robot, or the car cannot follow the curves of `steering`; `missing-field` if a car driven by controls has no `goal_tolerance`
+    pub fn planner(&self, options: Option<PlannerOptions>) -> Result<planner::Planner, Error> {
+        run::start(&self.world, &self::options(options)?).map(planner::Planner::new)
     }
 
-    /// Starts a run that continues with a roadmap, in its JSON or its binary form; the same options, except that the planner is
-    /// the one that built it.
-    pub fn resume(&self, roadmap: &[u8], wanted: JsValue) -> Result<RawPlanner, Error> {
-        let document = RoadmapDocument::read(roadmap)?;
-        run::resume(&self.world, &options(wanted)?, &document).map(RawPlanner::new)
+    /// Continues with a roadmap from `planner.roadmap("json")` or `planner.roadmap("binary")`, of this world and robot: all of it is
+    /// proven again, start and goal of the query are connected to it, and it is searched. It does not grow. Options are those of the
+    /// search and of the path; `algorithm` is the planner that built it, and may be omitted.
+    /// @throws {PlanariumError} `other-scenario` if it belongs to another world or robot; `invalid-roadmap` if it is damaged or not free;
+    /// `out-of-range` and `unsupported` for options that contradict it; and those of `planner`
+    pub fn resume(&self, roadmap: &RoadmapFile, options: Option<ResumeOptions>) -> Result<planner::Planner, Error> {
+        let document = RoadmapDocument::read(&text_or_bytes(roadmap, "roadmap")?)?;
+        run::resume(&self.world, &self::options(options)?, &document).map(planner::Planner::new)
     }
 
-    /// Configurations drawn uniformly, all or only free ones: `dimension` numbers each.
-    pub fn sample_configurations(&self, n: f64, seed: f64, is_free: bool) -> Result<Vec<f64>, Error> {
-        self.inspector.samples(count(n, "n")?, count(seed, "seed")?, is_free)
+    /// Makes an empty index of configurations of the robot; `neighbourIndexes()` lists the indexes and their options. It outlives the
+    /// scenario.
+    /// @throws {PlanariumError} `out-of-range`, `unknown-parameter`, `wrong-type`, `not-finite`
+    pub fn neighbours(&self, options: Option<NeighboursOptions>) -> Result<neighbours::Neighbours, Error> {
+        let mut fields = fields(options)?;
+        let index: Option<String> = fields.take("index")?;
+        run::neighbours::index(&self.world, index.as_deref(), &fields.parameters()).map(neighbours::Neighbours)
     }
 
-    /// An empty index of configurations; `wanted` holds `index` and the parameters of that.
-    pub fn neighbours(&self, wanted: JsValue) -> Result<RawNeighbours, Error> {
-        let (id, parameters) = split::<String>(wanted, "index")?;
-        neighbours::index(&self.world, id.as_deref(), &parameters).map(RawNeighbours)
+    /// Draws `n` configurations uniformly, at most 1,000,000, in rows of `dimension` numbers: those that a planner of this seed draws with
+    /// its uniform sampler.
+    /// @throws {PlanariumError} `out-of-range`, `not-finite`, `wrong-type`; `unsupported` if 100,000 draws in a row are in collision
+    #[wasm_bindgen(js_name = sampleConfigurations)]
+    pub fn sample_configurations(&self, n: &JsNumber, options: Option<SampleOptions>) -> Result<Vec<f64>, Error> {
+        let n = count(n, "n")?;
+        let mut fields = fields(options)?;
+        let (seed, is_free) = (fields.take("seed")?.unwrap_or(0), fields.take("free")?.unwrap_or(false));
+        fields.finish("seed, free")?;
+        self.inspector.samples(n, seed, is_free)
     }
 
-    /// Starts a drive from `q`, or if it is empty from the start of the first query.
-    pub fn drive(&self, q: &[f64]) -> Result<RawDrive, Error> {
-        Drive::new(&self.world, (!q.is_empty()).then_some(q)).map(RawDrive)
+    /// Starts a drive of the scenario's car from `q`, by default from the start of the first query. The drive outlives the scenario.
+    /// @throws {PlanariumError} `unsupported` for any robot but a car, `start-in-collision`, `unknown-query` if there is neither
+    pub fn drive(&self, q: Option<JsConfiguration>) -> Result<drive::Drive, Error> {
+        let start = q.map(|q| self.configuration(&q, "q")).transpose()?;
+        driving::Drive::new(&self.world, start.as_deref()).map(drive::Drive)
     }
 
-    /// A control held for a duration: the obstruction (as in the state of a drive), the seconds that are free, and then the poses.
-    pub fn rollout(&self, q: &[f64], v: f64, phi: f64, duration: f64) -> Result<Vec<f64>, Error> {
-        let motion = Motion { control: Control { speed: v, steering: phi }, duration };
-        let rollout = driving::rollout(&self.world, q, motion)?;
-        Ok([&[obstruction(rollout.blocked), rollout.seconds], &rollout.poses.concat()[..]].concat())
+    /// The motion of the car from `q` under one control: speed `v` (metres per second) and steering angle `phi` (radians, to the left if
+    /// positive) within the car's limits, for a `duration` (seconds, at most a million steps), as far as it is proven free.
+    /// @throws {PlanariumError} `unsupported` for any robot but a car, `out-of-range`
+    pub fn rollout(
+        &self,
+        q: &JsConfiguration,
+        v: &JsNumber,
+        phi: &JsNumber,
+        duration: &JsNumber,
+    ) -> Result<Ts<Rollout>, Error> {
+        let control = Control { speed: finite(v, "v")?, steering: finite(phi, "phi")? };
+        let motion = Motion { control, duration: finite(duration, "duration")? };
+        let rollout = driving::rollout(&self.world, &self.configuration(q, "q")?, motion)?;
+        Ok(record(&Rollout::from(rollout)))
     }
 
-    /// Starts a run of inverse kinematics; `wanted` holds `target`, `orientation`, `method`, `start`, `seed` and the
-    /// method's parameters.
-    pub fn reach(&self, wanted: JsValue) -> Result<RawReach, Error> {
-        Solver::new(&self.world, &reach_options(wanted)?).map(RawReach)
+    /// Starts a search for joint angles that bring the arm's tip to a target; `reachMethods()` lists the methods and their options. The
+    /// run outlives the scenario.
+    /// @throws {PlanariumError} `unsupported` for any robot but an arm, for an orientation of an arm of one link, and if there is no
+    /// closed form; `missing-field` without a `target`; `out-of-range` for an unknown `method` and a `start` outside the limits;
+    /// `unknown-parameter`, `wrong-dimension`, `wrong-type`, `not-finite`
+    pub fn reach(&self, options: &ReachOptions) -> Result<reach::Reach, Error> {
+        let mut fields = fields(Some(options.clone()).filter(|options| !options.is_undefined()))?;
+        let [x, y] = fields.required::<[f64; 2]>("target", "[x, y]")?;
+        let options = SolverOptions {
+            target: Target { point: Point::new(x, y), orientation: fields.take("orientation")? },
+            method: fields.take("method")?,
+            start: fields.take("start")?,
+            seed: fields.take("seed")?.unwrap_or(0),
+            parameters: fields.parameters(),
+        };
+        Solver::new(&self.world, &options).map(reach::Reach::new)
     }
 
-    /// The arm after its tip has followed a point from `q`: see `followed`.
-    pub fn follow(&self, q: &[f64], point: &[f64], orientation: Option<f64>) -> Result<Vec<f64>, Error> {
-        follow(arm_of(self.world.scenario())?, q, target(point, orientation)).map(followed)
+    /// The arm after its tip has followed a target from `q`: smoothly, within its limits, as near as it gets from there; with an
+    /// `orientation`, the wanted absolute angle of the last link, in radians. For dragging: call it with the last configuration whenever
+    /// the target moves.
+    /// @throws {PlanariumError} `unsupported` for any robot but an arm, `out-of-range` for a `q` outside the limits
+    pub fn follow(
+        &self,
+        q: &JsConfiguration,
+        target: &JsPoint,
+        orientation: Option<JsNumber>,
+    ) -> Result<Ts<ik::Followed>, Error> {
+        let arm = arm_of(self.scenario())?;
+        let followed = ik::follow(arm, &self.configuration(q, "q")?, self::target(target, orientation)?)?;
+        Ok(with_configuration(&followed, &followed.configuration))
     }
 
-    /// How near the arm can come to a point: see `near`.
-    pub fn nearest_reachable(&self, point: &[f64], orientation: Option<f64>) -> Result<Vec<f64>, Error> {
-        nearest_reachable(arm_of(self.world.scenario())?, target(point, orientation)).map(near)
+    /// The point nearest to a target that the arm's tip can reach, exactly, within the limits; with an `orientation`, the nearest in that
+    /// orientation.
+    /// @throws {PlanariumError} `unsupported` for any robot but an arm
+    #[wasm_bindgen(js_name = nearestReachable)]
+    pub fn nearest_reachable(&self, target: &JsPoint, orientation: Option<JsNumber>) -> Result<Ts<ik::Nearest>, Error> {
+        let nearest = ik::nearest_reachable(arm_of(self.scenario())?, self::target(target, orientation)?)?;
+        Ok(with_configuration(&nearest, &nearest.configuration))
     }
 }
 
-getters! { RawScenario(self)
-    name: String = self.world.scenario().name().to_owned();
-    /// The title for people.
-    title: String = self.world.scenario().title().to_owned();
-    /// The type of the robot, as in documents.
-    robot: String = self.world.scenario().robot().kind().to_owned();
-    /// Numbers per configuration.
+members! { Scenario(self): wasm_bindgen(getter);
+    /// The name of the scenario.
+    name: String = self.scenario().name().to_owned();
+    /// The title for people; the name if the document has none.
+    title: String = self.scenario().title().to_owned();
+    /// The type of the robot.
+    robot: RobotType = JsValue::from_str(self.scenario().robot().kind()).unchecked_into();
+    /// The degrees of freedom: the length of a configuration.
     dimension: usize = self.inspector.dimension();
-    /// The scenario as a document, normalised.
-    document: JsValue = record(self.world.scenario());
-    /// The box to draw: min x, min y, max x, max y.
-    extent: Vec<f64> = {
-        let extent = self.inspector.extent();
-        vec![extent.min.x, extent.min.y, extent.max.x, extent.max.y]
-    };
-    /// For every coordinate 1 if it wraps, else 0.
-    circles: Vec<u8> = self.inspector.circles().into_iter().map(u8::from).collect();
+}
+
+members! { Scenario(self): wasm_bindgen;
+    /// The document, with its defaults written out.
+    document: JsDocument = object(self.scenario()).unchecked_into();
+    /// The same as `document()`, so that `JSON.stringify(scenario)` writes the document.
+    toJSON: JsDocument = self.document();
+    /// The box to draw: the bounds, or all obstacles and the reach of the arm.
+    extent: JsBox = object(&self.inspector.extent()).unchecked_into();
+    /// For each coordinate of a configuration, whether it is a circle: an angle that wraps.
+    circles: Booleans = object(&self.inspector.circles()).unchecked_into();
 }

@@ -2,8 +2,9 @@
 
 use crate::problem::Control;
 use crate::robot::Car;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
-use strum::FromRepr;
+use strum::{FromRepr, IntoStaticStr, VariantArray};
 
 /// The change of the speed by one press, in metres per second.
 pub const SPEED_PRESS: f64 = 0.1;
@@ -12,7 +13,10 @@ pub const SPEED_PRESS: f64 = 0.1;
 pub const STEERING_PRESS: f64 = PI / 12.0;
 
 /// A key; its number is that of the declaration, from 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, FromRepr)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, FromRepr, IntoStaticStr, VariantArray, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "DriveKey"))]
 #[repr(u8)]
 pub enum Key {
     /// v grows by 0.1.

@@ -12,13 +12,17 @@ use crate::problem::{Control, Touched};
 use crate::world::PlanningWorld;
 use key::Levels;
 use road::Road;
+use serde::{Deserialize, Serialize};
 
 /// A key pressed while driving.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "KeyPress"))]
 pub struct Press {
     /// The number of steps before it.
     pub step: u64,
     /// The key.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "DriveKey"))]
     pub key: Key,
 }
 

@@ -7,6 +7,7 @@ use super::task::{Task, configuration};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::robot::{Arm, MAX_LINKS, Target};
+use serde::Serialize;
 
 /// The most updates of one descent.
 const UPDATES: usize = 80;
@@ -24,19 +25,23 @@ const HELPS: f64 = 0.99;
 const BEND: f64 = 0.3;
 
 /// An arm that has followed a target.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Followed {
     /// The configuration, in radians.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Float64Array"))]
     pub configuration: Vec<f64>,
     /// The position of the tip, in metres.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Point"))]
     pub point: Point,
     /// Its distance from the target, in metres.
     pub distance: f64,
     /// The rotation from the last link to the wanted orientation, in radians.
     pub turn: f64,
     /// Whether both are within 1e-9 of the reach, or of a radian.
+    #[serde(rename = "reached")]
     pub is_reached: bool,
-    /// See [`manipulability`].
+    /// Yoshikawa's manipulability, in square metres: 0 if the arm is singular.
     pub manipulability: f64,
 }
 

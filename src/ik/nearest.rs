@@ -26,10 +26,13 @@ const SAME: [f64; 2] = [1e-11, 1e-6];
 
 /// How near an arm can come to a target.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "NearestPoint"))]
 pub struct Nearest {
     /// A configuration that comes that near, in radians.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Float64Array"))]
     pub configuration: Vec<f64>,
     /// The position of the tip there, in metres.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Point"))]
     pub point: Point,
     /// Its distance from the target, in metres.
     pub distance: f64,

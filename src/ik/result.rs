@@ -4,7 +4,6 @@ use super::nearest::Nearest;
 use super::task::Task;
 use crate::json;
 use crate::problem::{Contact, Status};
-use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 use strum::IntoStaticStr;
 
@@ -73,41 +72,67 @@ impl Verdict {
     }
 }
 
+/// The verdict as it is written in JSON.
+#[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "ReachVerdict", missing_as_null))]
+struct VerdictDocument<'a> {
+    /// `reached`; `in-collision` if the target is reached in collision only; `out-of-reach` if no configuration reaches it; `running`, or
+    /// `not-found` once the budget is spent, if one does that has not been found.
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = r#""reached" | "in-collision" | "out-of-reach" | "running" | "not-found""#)
+    )]
+    verdict: &'static str,
+    /// Why it is out of reach; null otherwise.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = r#""too-far" | "too-near" | "limits" | "orientation" | null"#))]
+    reason: Option<Reason>,
+    /// How near the arm can come to a target out of reach; null otherwise.
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "{ configuration: number[]; point: Point; distance: number; turn: number } | null")
+    )]
+    nearest: Option<&'a Nearest>,
+    /// What touches what at the first solution in collision; null unless that is the verdict.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Touching[] | null"))]
+    touching: Option<&'a [Contact]>,
+}
+
 impl Serialize for Verdict {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let (mut out_of_reach, mut touching) = (None, None);
+        let mut document = VerdictDocument { verdict: self.as_str(), reason: None, nearest: None, touching: None };
         match self {
-            Verdict::OutOfReach { reason, nearest } => out_of_reach = Some((reason, nearest)),
-            Verdict::InCollision { contacts } => touching = Some(contacts),
+            Verdict::OutOfReach { reason, nearest } => {
+                document = VerdictDocument { reason: Some(*reason), nearest: Some(nearest), ..document }
+            }
+            Verdict::InCollision { contacts } => document.touching = Some(contacts),
             Verdict::Reached | Verdict::Running | Verdict::NotFound => (),
         }
-        let mut document = serializer.serialize_struct("Verdict", 4)?;
-        document.serialize_field("verdict", self.as_str())?;
-        document.serialize_field("reason", &out_of_reach.map(|(reason, _)| reason))?;
-        document.serialize_field("nearest", &out_of_reach.map(|(_, nearest)| nearest))?;
-        document.serialize_field("touching", &touching)?;
-        document.end()
+        document.serialize(serializer)
     }
 }
 
 /// A configuration that reaches the target but is in collision.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Rejected {
     /// The joint angles, in radians.
     pub configuration: Vec<f64>,
     /// The links and the obstacles that they touch; in JSON `touching`.
     #[serde(rename = "touching")]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Touching[]"))]
     pub contacts: Vec<Contact>,
 }
 
 /// The result document of a run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "ReachResult", missing_as_null))]
 pub struct SolverResult {
     /// The name of the scenario.
     pub scenario: String,
     /// The id of the method.
     pub method: &'static str,
     /// The target of the tip, in metres.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Point"))]
     pub target: [f64; 2],
     /// The wanted angle of the last link, in radians, if any.
     pub orientation: Option<f64>,
@@ -120,6 +145,7 @@ pub struct SolverResult {
     /// Those in collision, if only free ones were wanted.
     pub rejected: Vec<Rejected>,
     /// The outcome.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "ReachVerdict"))]
     pub verdict: Verdict,
     /// How far from the target the tip may end, in metres.
     pub tolerance: f64,
@@ -127,11 +153,13 @@ pub struct SolverResult {
     pub stats: SolverStats,
     /// A hash over every iterate and solution.
     #[serde(with = "json::hex")]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "string"))]
     pub fingerprint: u64,
 }
 
 /// The work of a run.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct SolverStats {
     /// Iterations made.
     pub iterations: u64,

@@ -43,6 +43,11 @@ fn number_at<'a>(text: &'a str, error: &serde_json::Error) -> &'a str {
     number.get(..60).unwrap_or(number)
 }
 
+/// A number as JavaScript writes it, if it is not finite.
+pub(crate) fn in_javascript(value: f64) -> String {
+    value.to_string().replace("inf", "Infinity")
+}
+
 /// Reads a tree from any self-describing source. The second value is the pointer of the offending value if the first is an error.
 pub(crate) fn read_tree<'de, D: Deserializer<'de>>(source: D) -> (Result<Value, D::Error>, String) {
     let mut pointer = String::new();
@@ -101,7 +106,11 @@ impl<'de> Visitor<'de> for Tree<'_> {
     scalars!(visit_bool: bool, visit_i64: i64, visit_u64: u64, visit_str: &str);
 
     fn visit_f64<E: serde::de::Error>(self, value: f64) -> Result<Value, E> {
-        if value.is_finite() { Ok(value.into()) } else { Err(E::custom(format!("the number {value} is not finite"))) }
+        if value.is_finite() {
+            Ok(value.into())
+        } else {
+            Err(E::custom(format!("{} is not finite", in_javascript(value))))
+        }
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut source: A) -> Result<Value, A::Error> {

@@ -123,6 +123,7 @@ fn in_words(wanted: &str) -> String {
         "u32" => "a whole number from 0 to 4294967295",
         "u64" | "usize" => "a whole number from 0 to 2^53 - 1",
         "a boolean" => "true or false",
+        "a map with the field type" => "an object with the field type",
         _ if wanted.starts_with("struct") || wanted.contains("map") => "an object",
         _ if wanted.contains("sequence") || wanted.contains("tuple") || wanted.contains("array") => "an array",
         _ => "a string",
@@ -189,13 +190,13 @@ impl<'de> Deserializer<'de> for Tree<'de> {
     fn deserialize_struct<V: Visitor<'de>>(
         self,
         _: &'static str,
-        _: &'static [&'static str],
+        fields: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Fault> {
         if self.0.is_object() {
             self.deserialize_any(visitor)
         } else {
-            Err(Fault::Other(Code::WrongType, "an object".into()))
+            Err(Fault::Other(Code::WrongType, format!("an object with the fields {}", fields.join(", "))))
         }
     }
 
@@ -240,7 +241,7 @@ macro_rules! by_type {
                     type Value = $name;
 
                     fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-                        f.write_str("a map")
+                        f.write_str("a map with the field type")
                     }
 
                     fn visit_map<A: serde::de::MapAccess<'de>>(self, mut fields: A) -> Result<$name, A::Error> {

@@ -10,6 +10,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 /// that parse back to the same bits.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct ResultDocument {
     /// The name of the scenario.
     pub scenario: String,
@@ -28,6 +29,7 @@ pub struct ResultDocument {
     pub motions: Option<Vec<Motion>>,
     /// `euler` if motions were computed by Euler's steps: the path is an illustration, not proven. Absent if they are exact.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"euler\""))]
     pub integration: Option<String>,
     /// The sum of the space's distances along the path, of a car along its arcs; 0 without one.
     #[serde(deserialize_with = "json::not_negative")]
@@ -36,9 +38,11 @@ pub struct ResultDocument {
     pub stats: Stats,
     /// A hash over every vertex, edge and event; 16 lower-case hex digits in JSON.
     #[serde(with = "json::hex")]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "string"))]
     pub fingerprint: u64,
     /// `sampled` if edges were checked only at samples: the path is not proven. Absent if it is.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"sampled\""))]
     pub edge_check: Option<String>,
     /// The estimated share of the free space that a visibility roadmap covers; absent for other planners, and if a stored
     /// roadmap was continued.
@@ -52,6 +56,7 @@ pub struct ResultDocument {
 /// An approximate solution: the path to the vertex nearest to the goal. It does not reach the goal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Approximate {
     /// The waypoints from the start on.
     pub path: Vec<Vec<f64>>,

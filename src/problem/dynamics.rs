@@ -29,8 +29,10 @@ impl From<Control> for [f64; 2] {
 /// A control that is held for a duration.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Motion {
     /// The control.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "[number, number]"))]
     pub control: Control,
     /// The duration in seconds, at least 0.
     #[serde(deserialize_with = "not_negative")]

@@ -58,6 +58,7 @@ impl Phase {
 /// The work of one planning run. Counts are part of what a seed decides; seconds are not.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Stats {
     /// Iterations of the planner, and attempts at improving its path.
     pub iterations: u64,

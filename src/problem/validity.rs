@@ -37,11 +37,13 @@ pub trait Validity<S> {
 
 /// A part of the robot and what it touches; in JSON a `part` and an `obstacle`, an index or `bounds`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "Touching"))]
 pub struct Contact {
     /// The part, from 0: the link of an arm from its base outwards, 0 for a robot of one part.
     pub part: usize,
     /// What it touches.
     #[serde(rename = "obstacle")]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "number | \"bounds\""))]
     pub with: Touched,
 }
 

@@ -18,15 +18,20 @@ pub(crate) use range::check_range;
 pub use space::{joint_space, placements, plane};
 
 use crate::geometry::Point;
+use serde::Serialize;
 
 /// One part of a robot, placed in the workspace; lengths in metres.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "type", rename_all = "snake_case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub enum Part {
     /// All points within `radius` of the segment from `a` to `b`; a segment if the radius is 0.
     Capsule {
         /// The first end of the axis.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "Point"))]
         a: Point,
         /// The second end of the axis.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "Point"))]
         b: Point,
         /// Half the width, at least 0.
         radius: f64,
@@ -34,6 +39,7 @@ pub enum Part {
     /// A disc; a point if the radius is 0.
     Disc {
         /// The centre.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "Point"))]
         center: Point,
         /// The radius, at least 0.
         radius: f64,
@@ -41,6 +47,7 @@ pub enum Part {
     /// A simple polygon, filled.
     Polygon {
         /// The corners, counter-clockwise.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "Point[]"))]
         vertices: Vec<Point>,
     },
 }

@@ -4,69 +4,225 @@
 
 use crate::error::Code;
 use crate::ik::methods;
-use crate::options::{Kind, OptionInfo, Options, Value};
-use crate::planner::{ByControls, Preset, PseudocodeLine, planners};
-use crate::run::neighbours::indexes;
+use crate::options::{Info, Kind, OptionInfo, Options, Value, in_camel_case};
+use crate::planner::{self, ByControls, PlannerOptions, Preset, planners};
+use crate::run::neighbours::{self, indexes};
 use crate::scenario::generate::generators;
-use crate::trajectories::TrajectoryOptions;
-use serde_json::{Value as Json, json};
+use crate::trajectories::{ParticleOptions, TrajectoryOptions};
+use serde::Serialize;
+use serde_json::{Map, Value as Json, json};
+
+/// Declares records of the document, whose types the package derives from them.
+macro_rules! records {
+    ($($item:item)*) => {
+        $(
+            #[derive(Serialize)]
+            #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+            $item
+        )*
+    };
+}
+
+records! {
+    /// A planner, as a page would offer it.
+    struct PlannerInfo {
+        /// The value of `algorithm`.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "PlannerId"))]
+        id: &'static str,
+        /// The title for people.
+        title: &'static str,
+        /// A summary, in a sentence or two.
+        summary: &'static str,
+        /// What is known about its results, in a sentence.
+        guarantee: &'static str,
+        /// What it grows: a roadmap, a tree from the start, or one from the start and one from each goal.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = r#""roadmap" | "tree" | "trees""#))]
+        grows: &'static str,
+        /// Whether its edges are drives by controls, so that the goal is a region.
+        driven: bool,
+        /// The algorithm, line by line.
+        pseudocode: Vec<PseudocodeLine>,
+        /// The types of robots that it plans for.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = r#"Robot["type"][]"#))]
+        robots: Vec<&'static str>,
+        /// Named settings; may be empty.
+        presets: Vec<PresetInfo>,
+        /// Its options.
+        parameters: Vec<ParameterInfo>,
+    }
+
+    /// Settings of a planner that belong together.
+    struct PresetInfo {
+        /// Unique in its planner.
+        id: &'static str,
+        /// The title for people.
+        title: &'static str,
+        /// Options by name, in JavaScript by their names there; others keep their defaults.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, number | string | boolean>"))]
+        settings: Map<String, Json>,
+    }
+
+    /// One line of pseudo-code. An iteration with one of its marks highlights it; each iteration highlights at least one line.
+    struct PseudocodeLine {
+        /// The line, at most 46 characters.
+        text: &'static str,
+        /// The depth of its indentation, from 0.
+        indent: u8,
+        /// The marks that highlight it; none for a line that only encloses others.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "PseudocodeMark[]"))]
+        lit_by: Vec<&'static str>,
+    }
+
+    /// One option of a planner, a method, an index or a generator.
+    struct ParameterInfo {
+        /// The name in documents and on the command line, in snake_case.
+        name: &'static str,
+        /// The name in JavaScript, in camelCase.
+        option: String,
+        /// The title for people.
+        title: &'static str,
+        /// The kind of its values.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = r#""integer" | "number" | "boolean" | "choice""#))]
+        kind: &'static str,
+        /// The unit, or an empty string.
+        unit: &'static str,
+        /// The least value of a number; null if there is none.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "number | null"))]
+        min: Option<Json>,
+        /// The greatest value of a number; null if there is none.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "number | null"))]
+        max: Option<Json>,
+        /// The default; null if it depends on the scenario.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "number | boolean | string | null"))]
+        default: Option<Json>,
+        /// What the default depends on, in words; null if `default` is not.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "string | null"))]
+        default_meaning: Option<&'static str>,
+        /// The words of a choice.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "string[] | null"))]
+        choices: Option<&'static [&'static str]>,
+        /// What it does.
+        meaning: String,
+        /// The types of robots that it is for; it has no meaning for others.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = r#"Robot["type"][]"#))]
+        robots: &'static [&'static str],
+    }
+
+    /// A method of inverse kinematics, as a page would offer it.
+    struct ReachMethodInfo {
+        /// The value of `method`.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "ReachMethodId"))]
+        id: &'static str,
+        /// The title for people.
+        title: &'static str,
+        /// A summary, in a sentence.
+        summary: &'static str,
+        /// Its options.
+        parameters: Vec<ParameterInfo>,
+    }
+
+    /// An index of configurations, as a page would offer it.
+    struct IndexInfo {
+        /// The value of `index`.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "IndexId"))]
+        id: &'static str,
+        /// The title for people.
+        title: &'static str,
+        /// A summary, in a sentence.
+        summary: &'static str,
+        /// Whether it always finds the nearest.
+        exact: bool,
+        /// Its options.
+        parameters: Vec<ParameterInfo>,
+    }
+
+    /// A generator of scenarios, as a page would offer it.
+    struct GeneratorInfo {
+        /// The first argument of `Scenario.generate`.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "GeneratorId"))]
+        id: &'static str,
+        /// The title for people.
+        title: &'static str,
+        /// A summary, in a sentence.
+        summary: &'static str,
+        /// Its options, except `seed`.
+        options: Vec<ParameterInfo>,
+    }
+}
 
 /// The document.
 pub fn catalogue() -> Json {
+    let generator = |info: &Info| {
+        let &Info { id, title, summary, ref options } = info;
+        GeneratorInfo { id, title, summary, options: table(options) }
+    };
+    let method = |info: &Info| {
+        let &Info { id, title, summary, ref options } = info;
+        ReachMethodInfo { id, title, summary, parameters: table(options) }
+    };
+    let index = |info: &neighbours::IndexInfo| {
+        let &neighbours::IndexInfo { id, title, summary, is_exact: exact, ref parameters, .. } = info;
+        IndexInfo { id, title, summary, exact, parameters: table(parameters) }
+    };
     json!({
-        "planners": planners().iter().map(|planner| {
-            let info = planner.info();
-            let line = |line: &PseudocodeLine| {
-                let lit_by: Vec<&str> = line.lit_by.iter().map(|&mark| mark.into()).collect();
-                json!({ "text": line.text, "indent": line.indent, "lit_by": lit_by })
-            };
-            let preset = |preset: &Preset| {
-                let settings = preset.parameters().into_iter().map(|(name, setting)| (name, value(&setting)));
-                let settings: serde_json::Map<String, Json> = settings.collect();
-                json!({ "id": preset.id, "title": preset.title, "settings": settings })
-            };
-            let grows: &str = info.grows.into();
-            json!({
-                "id": info.id, "title": info.title, "summary": info.summary, "guarantee": info.guarantee,
-                "grows": grows, "driven": planner.group::<ByControls>().is_some(),
-                "pseudocode": info.pseudocode.iter().map(line).collect::<Vec<_>>(),
-                "robots": planner.robots(),
-                "presets": info.presets.iter().map(preset).collect::<Vec<_>>(),
-                "parameters": table(&planner.table()),
-            })
-        }).collect::<Vec<_>>(),
-        "reach_methods": methods().iter().map(|info| json!({
-            "id": info.id, "title": info.title, "summary": info.summary, "parameters": table(&info.options),
-        })).collect::<Vec<_>>(),
-        "indexes": indexes().iter().map(|info| json!({
-            "id": info.id, "title": info.title, "summary": info.summary, "exact": info.is_exact,
-            "parameters": table(&info.parameters),
-        })).collect::<Vec<_>>(),
-        "generators": generators().iter().map(|info| json!({
-            "id": info.id, "title": info.title, "summary": info.summary, "options": table(&info.options),
-        })).collect::<Vec<_>>(),
+        "planners": planners().iter().map(planner).collect::<Vec<_>>(),
+        "reach_methods": methods().iter().map(method).collect::<Vec<_>>(),
+        "indexes": indexes().iter().map(index).collect::<Vec<_>>(),
+        "generators": generators().iter().map(generator).collect::<Vec<_>>(),
         "trajectories": table(&TrajectoryOptions::table()),
+        "particle": table(&ParticleOptions::table()),
         "errors": Code::ALL.iter().map(|code| json!({ "code": code.as_str(), "meaning": code.meaning() })).collect::<Vec<_>>(),
     })
 }
 
+fn planner(planner: &PlannerOptions) -> PlannerInfo {
+    let info = planner.info();
+    let line = |line: &planner::PseudocodeLine| PseudocodeLine {
+        text: line.text,
+        indent: line.indent,
+        lit_by: line.lit_by.iter().map(|&mark| mark.into()).collect(),
+    };
+    let preset = |preset: &Preset| {
+        let settings = preset.parameters().into_iter().map(|(name, setting)| (name, value(&setting)));
+        PresetInfo { id: preset.id, title: preset.title, settings: settings.collect() }
+    };
+    PlannerInfo {
+        id: info.id,
+        title: info.title,
+        summary: info.summary,
+        guarantee: info.guarantee,
+        grows: info.grows.into(),
+        driven: planner.group::<ByControls>().is_some(),
+        pseudocode: info.pseudocode.iter().map(line).collect(),
+        robots: planner.robots().to_vec(),
+        presets: info.presets.iter().map(preset).collect(),
+        parameters: table(&planner.table()),
+    }
+}
+
 /// A table of options: a default that depends on the rest is null and described in words.
-fn table(options: &[OptionInfo]) -> Vec<Json> {
+fn table(options: &[OptionInfo]) -> Vec<ParameterInfo> {
     let row = |info: &OptionInfo| {
         let (kind, range, choices) = match &info.kind {
             Kind::Integer(range) => ("integer", Some(range), None),
             Kind::Number(range) => ("number", Some(range), None),
-            Kind::Choice(words) => ("choice", None, Some(words)),
+            Kind::Choice(words) => ("choice", None, Some(*words)),
             Kind::Switch => ("boolean", None, None),
         };
-        json!({
-            "name": info.name, "title": info.title, "kind": kind, "unit": info.unit,
-            "min": range.map(|range| number(*range.start())), "max": range.map(|range| number(*range.end())),
-            "choices": choices,
-            "default": info.default.as_ref().map(value),
-            "default_meaning": Some(info.computed).filter(|words| !words.is_empty()),
-            "meaning": info.meaning, "robots": info.robots,
-        })
+        ParameterInfo {
+            name: info.name,
+            option: in_camel_case(info.name),
+            title: info.title,
+            kind,
+            unit: info.unit,
+            min: range.map(|range| number(*range.start())),
+            max: range.map(|range| number(*range.end())),
+            default: info.default.as_ref().map(value),
+            default_meaning: Some(info.computed).filter(|words| !words.is_empty()),
+            choices,
+            meaning: info.meaning.clone(),
+            robots: info.robots,
+        }
     };
     options.iter().map(row).collect()
 }

@@ -53,7 +53,7 @@ use crate::run::storage::RoadmapDocument;
 /// Columns of an event row before its configuration: kind, iteration, vertex, other vertex.
 pub const EVENT_HEAD: usize = 4;
 
-/// Numbers of a row of [`Run::take_history`]: vertices, edges, events, phase (its number in [`Phase::ALL`]), configuration
+/// Numbers of a row of [`Run::history_since`]: vertices, edges, events, phase (its number in [`Phase::ALL`]), configuration
 /// checks, motion checks, clearance evaluations, and the length of the best path so far.
 pub const HISTORY_WIDTH: usize = 8;
 
@@ -71,18 +71,20 @@ pub trait Run {
     /// The phase of the run: a planner's, `Improving`, or `Done`.
     fn phase(&self) -> Phase;
 
-    /// Records a row for every iteration, for [`Run::take_history`]; this changes nothing else. Until they are
-    /// taken, rows are stored: 64 bytes per iteration. Calling it again has no effect.
+    /// Records a row for every iteration, for [`Run::history_since`]; this changes nothing else. Rows are stored until the run is
+    /// dropped: 64 bytes per iteration. Calling it again has no effect.
     ///
     /// # Errors
     /// `unsupported` after the first iteration, unless it was called before.
     fn record(&mut self) -> Result<(), Error>;
 
-    /// Returns the rows recorded since the last call and removes them; empty if nothing is recorded. Row i
-    /// of the run, from 0, is the state after iteration i + 1: [`HISTORY_WIDTH`] numbers each, the counts those of
+    /// How many rows are recorded: as many as there are iterations, or 0 if nothing is recorded.
+    fn history_count(&self) -> usize;
+
+    /// The rows recorded from row `row` on; empty if nothing is recorded. Row i of the run, from 0, is the state after iteration i + 1: [`HISTORY_WIDTH`] numbers each, the counts those of
     /// [`Run::stats`], the last one the length of the best path so far in the metric of the space, infinite while there is
     /// none; it only ever falls. [`Run::finish`] is not an iteration and adds no row.
-    fn take_history(&mut self) -> Vec<f64>;
+    fn history_since(&self, row: usize) -> Vec<f64>;
 
     /// Iterations made so far, attempts at improving the path included.
     fn iterations(&self) -> u64;

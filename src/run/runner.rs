@@ -210,8 +210,12 @@ impl<S: Space> Run for Runner<S> {
         Ok(())
     }
 
-    fn take_history(&mut self) -> Vec<f64> {
-        self.history.as_mut().map(std::mem::take).unwrap_or_default()
+    fn history_count(&self) -> usize {
+        self.history.as_ref().map_or(0, Vec::len) / HISTORY_WIDTH
+    }
+
+    fn history_since(&self, row: usize) -> Vec<f64> {
+        self.history.as_ref().map_or_else(Vec::new, |rows| rows[row * HISTORY_WIDTH..].to_vec())
     }
 
     fn iterations(&self) -> u64 {

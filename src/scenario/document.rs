@@ -14,6 +14,7 @@ macro_rules! objects {
         $(
             #[derive(Deserialize)]
             #[cfg_attr(feature = "schema", derive(JsonSchema))]
+            #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
             #[serde(deny_unknown_fields)]
             $item
         )*
@@ -24,13 +25,16 @@ objects! {
     /// A motion planning scenario: a world, a robot in it, and queries. Lengths in metres, angles in radians,
     /// counter-clockwise, y up.
     #[cfg_attr(feature = "schema", schemars(title = "Planarium scenario"))]
+    #[cfg_attr(target_arch = "wasm32", tsify(rename = "ScenarioDocument"))]
     pub(super) struct Document {
         /// The format of the document.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "\"planarium-scenario-1\""))]
         pub format: Format,
         /// The name, used in results.
         #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
         pub name: String,
         /// The title for people.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
         pub title: Option<String>,
         /// The bounds and obstacles.
         pub world: World,
@@ -43,6 +47,7 @@ objects! {
     /// Bounds and obstacles. Only an arm needs no bounds.
     pub(super) struct World {
         /// The closed box that the whole robot stays in; it may touch it. Required for all but an arm.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Box"))]
         pub bounds: Option<Bounds>,
         /// Closed, filled obstacles: touching one is collision. All polygons together have at most 100000 vertices.
         #[cfg_attr(feature = "schema", schemars(length(max = 10000)))]
@@ -50,6 +55,7 @@ objects! {
     }
 
     /// A box; min is less than max in both coordinates.
+    #[cfg_attr(target_arch = "wasm32", tsify(rename = "Box"))]
     pub(super) struct Bounds {
         /// The corner with the smallest coordinates.
         pub min: Point,
@@ -79,10 +85,12 @@ objects! {
         pub links: Vec<Positive>,
         /// Half the width of the links in metres; 0 makes them segments.
         #[serde(default)]
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
         pub radius: NonNegative,
         /// One pair (low, high) per link, low less than high, in radians: such a joint does not wrap. Without limits a joint is
         /// a circle.
         #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
+        #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Point[]"))]
         pub joint_limits: Option<Vec<[JointLimit; 2]>>,
     }
 
@@ -90,6 +98,7 @@ objects! {
         /// The shape in its own frame.
         pub shape: Shape,
         /// The metric of placements.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Weights"))]
         pub metric: Option<Metric>,
     }
 
@@ -103,8 +112,10 @@ objects! {
         /// The least and the greatest steering angle in radians, the first less than the second.
         pub steering: [SteeringAngle; 2],
         /// The step in which durations are counted, in seconds; 0.01 by default.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
         pub integration_step: Option<Step>,
         /// The metric of placements.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Weights"))]
         pub metric: Option<Metric>,
     }
 
@@ -115,6 +126,7 @@ objects! {
     }
 
     /// The weights of a metre and a radian in the distance between two placements; 0.7 and 0.3 by default.
+    #[cfg_attr(target_arch = "wasm32", tsify(rename = "Weights"))]
     pub(super) struct Metric {
         /// The weight of a metre.
         pub translation: Positive,
@@ -139,12 +151,15 @@ objects! {
         pub start: Vec<AngleOrCoordinate>,
         /// The configuration to reach: exactly, except for a body or a car with a tolerance.
         #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
         pub goal: Option<Vec<AngleOrCoordinate>>,
         /// The target of the end effector of an arm, instead of a goal.
         #[cfg_attr(feature = "schema", schemars(with = "Option<Target>"))]
+        #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Target"))]
         pub target: Option<Value>,
         /// The goal region; for bodies and cars only. Planners that grow by controls require it.
         #[cfg_attr(feature = "schema", schemars(with = "Option<GoalTolerance>"))]
+        #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "GoalTolerance"))]
         pub goal_tolerance: Option<Value>,
     }
 
@@ -153,6 +168,7 @@ objects! {
         /// The position of the tip.
         pub point: Point,
         /// The angle of the last link in the world, in radians; any angle if it is absent.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
         pub orientation: Option<AngleOrCoordinate>,
     }
 
@@ -180,6 +196,7 @@ pub(super) struct Point(pub Coordinate, pub Coordinate);
 
 /// A closed, filled obstacle.
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(tag = "type", rename_all = "snake_case"))]
 pub(super) enum Obstacle {
     /// A disc.
     Disc(Disc),
@@ -191,6 +208,7 @@ by_type!(Obstacle { "disc" => Disc, "polygon" => Polygon });
 
 /// The robot.
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(tag = "type", rename_all = "snake_case"))]
 pub(super) enum Robot {
     /// A planar arm of revolute joints. A configuration contains one angle per link, each relative to the link before.
     Arm(Arm),
@@ -207,6 +225,7 @@ by_type!(Robot { "arm" => Arm, "disc" => Disc, "rigid_body" => RigidBody, "car" 
 
 /// The shape of a body in its own frame.
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(tag = "type", rename_all = "snake_case"))]
 pub(super) enum Shape {
     /// A simple polygon, convex or concave, in either direction, open or closed.
     Polygon(Polygon),

@@ -22,8 +22,9 @@ fn read<'de, D: Deserializer<'de>>(
 
 macro_rules! number {
     ($name:ident, $what:literal, $low:literal, $high:literal, $is_open:literal) => {
-        #[doc = concat!("The number that is ", $what, ".")]
+        #[doc = $what]
         #[derive(Clone, Copy, Default)]
+        #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
         pub(super) struct $name(pub f64);
 
         impl<'de> Deserialize<'de> for $name {

@@ -27,13 +27,20 @@ impl Scenario {
     /// # Complexity
     /// O(n log n) in the length of the text.
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let tree = json::parse(text)?;
+        Self::read(&json::parse(text)?)
+    }
+
+    /// Reads a scenario from a tree of JSON values.
+    ///
+    /// # Errors
+    /// Those of [`Scenario::parse`], except about the text.
+    pub fn read(tree: &Value) -> Result<Self, Error> {
         // First, so that any other document is reported as such.
         if let Some(format) = tree.get("format").and_then(|format| format.as_str()).filter(|format| *format != FORMAT) {
             let sentence = format!("unsupported format {}; expected \"{FORMAT}\"", quoted(format));
             return Err(Error::new(Code::UnknownFormat, "/format", sentence));
         }
-        let Document { format: document::Format::One, name, title, world, robot, queries } = json::read(&tree)?;
+        let Document { format: document::Format::One, name, title, world, robot, queries } = json::read(tree)?;
         check_name(&name, "/name")?;
         let world = checked_world(world)?;
         let robot = checked_robot(robot)?;

@@ -175,8 +175,10 @@ impl Trajectories {
 
 /// The result of a run, as it is written in JSON.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct TrajectoriesResult {
     /// The rule of motion: `arc` or `spiral`.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "ParticleModel"))]
     pub model: &'static str,
     /// The seed.
     pub seed: u64,
@@ -191,11 +193,13 @@ pub struct TrajectoriesResult {
     pub tally: Tally,
     /// A hash over everything tried: [`Trajectories::fingerprint`].
     #[serde(with = "json::hex")]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "string"))]
     pub fingerprint: u64,
 }
 
 /// Counts of work, the same on every platform. All but the first depend on the index.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Tally {
     /// Trajectories tried.
     pub iterations: u64,

@@ -1,8 +1,9 @@
 /** What the package does, member by member. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import init, { Planner, Scenario, randomSeed, generators, initSync, phases, planners, version } from "planarium";
-import { arm, disc, finish, scenes } from "./scenes.mjs";
+import { inspect } from "node:util";
+import init, { Planner, Scenario, eventKinds, generators, historyColumns, initSync, phases, planners, randomSeed, solve, version } from "planarium";
+import { arm, disc, finish, options as asOptions, scenes } from "./scenes.mjs";
 
 const close = (/** @type {number} */ a, /** @type {number} */ b) => assert.ok(Math.abs(a - b) < 1e-12, `${a} is not ${b}`);
 
@@ -24,6 +25,7 @@ test("planners() lists every planner with complete parameters", () => {
     assert.ok(parameters.some(({ name }) => name === "max_iterations"));
     for (const parameter of parameters) {
       assert.match(parameter.name, /^[a-z][a-z_]*$/);
+      assert.equal(parameter.option, parameter.name.replace(/_(.)/g, (_, letter) => letter.toUpperCase()));
       assert.ok(parameter.title.length > 0 && parameter.meaning.length > 0, parameter.name);
       assert.ok(["integer", "number", "boolean", "choice"].includes(parameter.kind), parameter.kind);
       assert.equal(typeof parameter.unit, "string");
@@ -35,13 +37,12 @@ test("planners() lists every planner with complete parameters", () => {
 });
 
 test("each iteration of every planner lights lines of its pseudo-code", () => {
-  const kinds = ["rejected", "refused", "expanded", "solved", "discarded", "guard", "removed"];
   for (const { id, pseudocode, robots } of planners()) {
     assert.ok(pseudocode.length >= 6 && pseudocode.length <= 12, id);
     for (const { text, indent, lit_by } of pseudocode) {
       assert.ok(text.length > 0 && Number.isInteger(indent) && indent >= 0 && Array.isArray(lit_by), id);
     }
-    const planner = Scenario.parse(scenes[robots[0]]).planner({ algorithm: id, seed: 1, max_iterations: 800 });
+    const planner = Scenario.parse(scenes[robots[0]]).planner({ algorithm: id, seed: 1, maxIterations: 800 });
     while (planner.status === "running") {
       const { phase, vertexCount, edgeCount, eventCount } = planner;
       planner.step(1);
@@ -50,7 +51,7 @@ test("each iteration of every planner lights lines of its pseudo-code", () => {
       if (planner.vertexCount > vertexCount) marks.push("vertex");
       if (planner.edgeCount > edgeCount) marks.push("edge");
       const events = planner.eventsSince(eventCount);
-      for (let i = 0; i < events.length; i += planner.eventWidth) marks.push(kinds[events[i]]);
+      for (let i = 0; i < events.length; i += planner.eventWidth) marks.push(eventKinds[events[i]]);
       if (planner.status !== "running") marks.push("done");
       assert.ok(pseudocode.some(({ lit_by }) => lit_by.some((mark) => marks.includes(mark))), `${id}: ${marks}`);
     }
@@ -60,19 +61,19 @@ test("each iteration of every planner lights lines of its pseudo-code", () => {
 
 test("every parameter of every planner takes its default, its choices and its ends, unless the scenario narrows them", () => {
   for (const { id, parameters, robots } of planners()) {
-    for (const { name, min, max, default: value, choices, robots: fitting } of parameters) {
+    for (const { option: name, min, max, default: value, choices, robots: fitting } of parameters) {
       const scenario = Scenario.parse(scenes[fitting.filter((type) => robots.includes(type))[0]]);
       for (const setting of [value, ...(choices ?? [])]) {
         // Visibility is mutual, and these curves lead one way.
         if (id === "visibility-prm" && setting === "dubins") continue;
-        if (setting !== null) assert.equal(scenario.planner({ algorithm: id, [name]: setting }).iterations, 0, `${id} ${name} = ${setting}`);
+        if (setting !== null) assert.equal(scenario.planner(asOptions({ algorithm: id, [name]: setting })).iterations, 0, `${id} ${name} = ${setting}`);
       }
       for (const [inside, outside] of [[min, -1], [max, 1]]) {
         if (inside === null || outside === null) continue;
         const beyond = inside + outside * Math.max(1, Math.abs(inside));
-        assert.throws(() => scenario.planner({ algorithm: id, [name]: beyond }), { code: "out-of-range", pointer: `/${name}` }, `${id} ${name} = ${beyond}`);
+        assert.throws(() => scenario.planner(asOptions({ algorithm: id, [name]: beyond })), { code: "out-of-range", pointer: `/${name}` }, `${id} ${name} = ${beyond}`);
         // The scene narrows a step, another parameter the shortest durations.
-        if (name !== "step" && name !== "shortest_steps") assert.equal(scenario.planner({ algorithm: id, [name]: inside }).iterations, 0, `${id} ${name} = ${inside}`);
+        if (name !== "step" && name !== "shortestSteps") assert.equal(scenario.planner(asOptions({ algorithm: id, [name]: inside })).iterations, 0, `${id} ${name} = ${inside}`);
       }
     }
   }
@@ -218,7 +219,7 @@ for (const algorithm of ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connec
   test(`${algorithm}: slicing never changes the result`, () => {
     for (const scene of [arm, disc]) {
       const scenario = Scenario.parse(scene);
-      const start = () => scenario.planner({ algorithm, seed: 11, shortcut: 20 });
+      const start = () => scenario.planner(asOptions({ algorithm, seed: 11, shortcut: 20 }));
       const whole = finish(start(), 1_000_000);
       assert.equal(whole.status, "solved");
       for (const slice of [1, 7, 64, 65, 1000]) {
@@ -234,7 +235,7 @@ for (const algorithm of ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connec
   });
 
   test(`${algorithm}: cursors give every row once, in whole rows`, () => {
-    const planner = Scenario.parse(arm).planner({ algorithm, seed: 3 });
+    const planner = Scenario.parse(arm).planner(asOptions({ algorithm, seed: 3 }));
     /** @type {number[]} */ const vertices = [];
     /** @type {number[]} */ const edges = [];
     /** @type {number[]} */ const events = [];
@@ -258,7 +259,7 @@ for (const algorithm of ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connec
   });
 
   test(`${algorithm}: result, path and stats agree`, () => {
-    const planner = finish(Scenario.parse(arm).planner({ algorithm, seed: 8, query: "over" }));
+    const planner = finish(Scenario.parse(arm).planner(asOptions({ algorithm, seed: 8, query: "over" })));
     const result = planner.result();
     assert.deepEqual(
       [result.scenario, result.query, result.planner, result.seed, result.status, result.fingerprint],
@@ -284,18 +285,19 @@ test("a recorded run leaves a row for every iteration, whoever steps it, and is 
   planner.record();
   planner.record();
   const width = planner.historyWidth;
-  assert.equal(width, 8);
+  assert.deepEqual([width, historyColumns.length, planner.historyCount], [8, 8, 0]);
   /** @type {number[][]} */ const rows = [];
   for (let frame = 0; planner.status === "running"; frame += 1) {
     if (frame % 2 === 0) planner.step(13);
     else planner.stepFor(0.1);
-    const taken = planner.takeHistory();
-    for (let i = 0; i < taken.length; i += width) rows.push([...taken.subarray(i, i + width)]);
+    const added = planner.historySince(rows.length);
+    for (let i = 0; i < added.length; i += width) rows.push([...added.subarray(i, i + width)]);
     const { vertices, edges, configuration_checks, motion_checks, clearance_evaluations } = planner.stats();
     const [now] = rows.slice(-1);
-    assert.deepEqual(now.slice(0, 7), [
-      vertices, edges, planner.eventCount, phases.indexOf(planner.phase), configuration_checks, motion_checks, clearance_evaluations,
-    ]);
+    assert.deepEqual(Object.fromEntries(historyColumns.slice(0, 7).map((name, i) => [name, now[i]])), {
+      vertices, edges, events: planner.eventCount, phase: phases.indexOf(planner.phase), configurationChecks: configuration_checks,
+      motionChecks: motion_checks, clearanceEvaluations: clearance_evaluations,
+    });
   }
   assert.equal(rows.length, planner.iterations);
   assert.deepEqual([planner.fingerprint(), planner.iterations], [plain.fingerprint(), plain.iterations]);
@@ -306,8 +308,8 @@ test("a recorded run leaves a row for every iteration, whoever steps it, and is 
   assert.ok(costs.slice(0, first).every((cost) => cost === Infinity));
   assert.ok(costs.slice(first + 1).every((cost, i) => cost <= costs[first + i]) && costs[costs.length - 1] < costs[first]);
   close(costs[costs.length - 1], planner.result().length);
-  assert.equal(planner.takeHistory().length, 0);
-  assert.equal(plain.takeHistory().length, 0);
+  assert.deepEqual(planner.historySince(0), Float64Array.from(rows.flat()), "rows stay");
+  assert.deepEqual([planner.historySince(planner.historyCount).length, plain.historyCount, plain.historySince(0).length], [0, 0, 0]);
   assert.throws(() => plain.record(), { name: "PlanariumError", code: "unsupported", message: /before the first iteration/ });
 });
 
@@ -325,9 +327,9 @@ test("rawPath is the path as it was found", () => {
 });
 
 test("firstHits tells where each refused edge is refused, by the run's own test, and is not counted", () => {
-  for (const options of [{}, { edge_check: "sampled", edge_samples: 6 }]) {
+  for (const options of [{}, { edgeCheck: "sampled", edgeSamples: 6 }]) {
     for (const scene of [arm, disc]) {
-      const planner = finish(Scenario.parse(scene).planner({ algorithm: "prm", samples: 300, metric: scene === arm ? "euclidean" : undefined, ...options }));
+      const planner = finish(Scenario.parse(scene).planner(asOptions({ algorithm: "prm", samples: 300, metric: scene === arm ? "euclidean" : undefined, ...options })));
       const vertices = planner.verticesSince(0);
       const events = planner.eventsSince(0);
       /** @type {number[]} */ const ends = [];
@@ -367,14 +369,14 @@ test("step makes at most n iterations, and none at n = 0", () => {
 });
 
 test("a budget that runs out ends as exhausted, with an empty path", () => {
-  const planner = finish(Scenario.parse(disc).planner({ max_iterations: 3 }));
+  const planner = finish(Scenario.parse(disc).planner({ maxIterations: 3 }));
   assert.equal(planner.status, "exhausted");
   assert.equal(planner.path().length, 0);
   assert.deepEqual(planner.result().path, []);
 });
 
 test("stepFor overruns its budget by less than a quarter, whatever an iteration costs", (context) => {
-  const planner = Scenario.generate("forest", { seed: 2, links: 4 }).planner({ algorithm: "prm", samples: 3000, k: 5, max_iterations: 20_000 });
+  const planner = Scenario.generate("forest", { seed: 2, links: 4 }).planner({ algorithm: "prm", samples: 3000, k: 5, maxIterations: 20_000 });
   // A clock that runs by iterations made, at a price that changes with the phase.
   const price = (/** @type {string} */ phase) => (phase === "sampling" ? 0.001 : 0.11);
   let clock = 0;
@@ -427,7 +429,7 @@ test("Symbol.dispose frees", { skip: Symbol.dispose === undefined && "this engin
 test("a roadmap is kept as text and as bytes, and gone on with: the same path, and the same answers", () => {
   const scenario = Scenario.parse(arm);
   for (const algorithm of ["prm", "prm-star", "visibility-prm"]) {
-    const planner = finish(scenario.planner({ algorithm, seed: 3, max_iterations: 20_000 }));
+    const planner = finish(scenario.planner(asOptions({ algorithm, seed: 3, maxIterations: 20_000 })));
     const [text, bytes] = [planner.roadmap("json"), planner.roadmap("binary")];
     assert.equal(JSON.parse(text).format, "planarium-roadmap-2");
     assert.ok(bytes instanceof Uint8Array && bytes.length < text.length);
@@ -461,10 +463,85 @@ test("a roadmap that is damaged, belongs elsewhere or is contradicted is refused
   }
   assert.throws(() => scenario.resume(text.replace('"k":5', '"k":6')), { code: "invalid-roadmap", pointer: "/checksum" });
   assert.throws(() => Scenario.parse(disc).resume(bytes), { code: "other-scenario", pointer: "/fingerprint" });
-  assert.throws(() => scenario.resume(bytes, { algorithm: "rrt-connect" }), { code: "out-of-range", pointer: "/algorithm" });
+  assert.throws(() => scenario.resume(bytes, asOptions({ algorithm: "rrt-connect" })), { code: "out-of-range", pointer: "/algorithm" });
   assert.throws(() => scenario.resume(bytes, { metric: "euclidean" }), { code: "out-of-range", pointer: "/metric" });
   assert.throws(() => scenario.resume(bytes, { samples: 30 }), { code: "unsupported", pointer: "/samples" });
   assert.throws(() => scenario.resume(/** @type {any} */ ([1, 2])), { code: "wrong-type", pointer: "/roadmap" });
   assert.throws(() => planner.roadmap(/** @type {any} */ ("png")), { code: "out-of-range", pointer: "/format" });
   assert.throws(() => scenario.planner().roadmap("json"), { code: "unsupported" });
+});
+
+test("growth yields everything once, lets other tasks run in between, and is the same run", async () => {
+  const scenario = Scenario.parse(arm);
+  const plain = finish(scenario.planner({ algorithm: "prm", seed: 6 }));
+  const planner = scenario.planner({ algorithm: "prm", seed: 6 });
+  planner.step(5);
+  /** @type {number[]} */ const vertices = [];
+  /** @type {number[]} */ const edges = [];
+  /** @type {number[]} */ const events = [];
+  /** @type {string[]} */ const statuses = [];
+  let [ticks, isOver] = [0, false];
+  const tick = () => { ticks += 1; if (!isOver) setImmediate(tick); };
+  setImmediate(tick);
+  for await (const growth of planner.growth({ budget: 0.5 })) {
+    vertices.push(...growth.vertices);
+    edges.push(...growth.edges);
+    events.push(...growth.events);
+    statuses.push(growth.status);
+    assert.equal(growth.iterations, planner.iterations);
+  }
+  isOver = true;
+  assert.deepEqual([vertices, edges, events], [[...plain.verticesSince(0)], [...plain.edgesSince(0)], [...plain.eventsSince(0)]]);
+  assert.equal(planner.fingerprint(), plain.fingerprint());
+  assert.deepEqual([statuses[0], statuses.at(-1), statuses.indexOf("solved")], ["running", "solved", statuses.length - 1]);
+  assert.ok(ticks > 1, `${ticks} ticks`);
+});
+
+test("growth ends at break, and the run can be continued; a freed planner has none", async () => {
+  const planner = Scenario.parse(arm).planner({ algorithm: "prm", samples: 5000 });
+  for await (const { iterations } of planner.growth({ budget: 0 })) if (iterations >= 3) break;
+  assert.deepEqual([planner.iterations, planner.status], [3, "running"]);
+  for await (const { vertices } of planner.growth()) {
+    assert.equal(vertices.length, planner.vertexCount * planner.dimension, "a new loop begins with what there is");
+    break;
+  }
+  for (const [budget, code] of /** @type {const} */ ([[NaN, "not-finite"], [-1, "out-of-range"]])) {
+    const growth = planner.growth({ budget });
+    await growth.next();
+    await assert.rejects(growth.next(), { code, pointer: "/ms" });
+  }
+  assert.throws(() => planner.growth(/** @type {any} */ ({ buget: 4 })), { code: "unknown-field", pointer: "/buget" });
+  assert.throws(() => planner.growth(/** @type {any} */ (4)), { code: "wrong-type" });
+  planner.free();
+  assert.throws(() => planner.growth(), { code: "freed" });
+});
+
+test("solve plans in one call, of a document, a text or a scenario", () => {
+  const expected = finish(Scenario.parse(disc).planner({ seed: 4 })).result();
+  const scenario = Scenario.parse(disc);
+  for (const input of [disc, JSON.stringify(disc), scenario]) {
+    const { stats, ...result } = solve(input, { seed: 4 });
+    assert.deepEqual({ ...result, stats: { ...stats, build_seconds: 0, search_seconds: 0 } }, { ...expected, stats: { ...expected.stats, build_seconds: 0, search_seconds: 0 } });
+  }
+  assert.equal(scenario.name, disc.name, "a scenario of the caller is not freed");
+  assert.throws(() => solve(disc, { algorithm: "prm", k: -1 }), { code: "out-of-range", pointer: "/k" });
+});
+
+test("checkQuery tells of a blocked start or goal before planning", () => {
+  const blocked = { ...arm, queries: [{ ...arm.queries[0], start: [0.5, 0] }, { name: "free", start: [0, 0], goal: [2, 0.5] }, { name: "tip", start: [0, 0], target: { point: /** @type {[number, number]} */ ([1, 1]) } }] };
+  const scenario = Scenario.parse(blocked);
+  assert.deepEqual(scenario.checkQuery(), { query: "over", free: false, start: scenario.check([0.5, 0]), goal: { free: true, touching: [] } });
+  assert.deepEqual(scenario.checkQuery("free"), { query: "free", free: true, start: { free: true, touching: [] }, goal: { free: true, touching: [] } });
+  assert.deepEqual([scenario.checkQuery("tip").goal, scenario.checkQuery("tip").free], [null, true]);
+  assert.throws(() => scenario.checkQuery("none"), { code: "unknown-query", pointer: "/query" });
+  assert.throws(() => scenario.planner(), { code: "start-in-collision" });
+});
+
+test("console.log shows what an object is, also once it is freed", () => {
+  const scenario = Scenario.parse(disc);
+  assert.equal(inspect(scenario, { breakLength: Infinity }), "Scenario { dimension: 2, name: 'round-the-wall', robot: 'disc', title: 'Round the wall' }");
+  const planner = scenario.planner();
+  assert.match(inspect(planner), /^Planner \{[^]*iterations: 0,[^]*status: 'running',[^]*vertexCount: 2/);
+  planner.free();
+  assert.match(inspect(planner), /^Planner \(freed\)$/);
 });

@@ -56,7 +56,7 @@ for (const seed of [1, 2, 3]) {
         case 10: return { length: number(), 0: 1, 1: 1 };
         case 11: return new Proxy([0, 0], { get() { throw pick([new Error("trap"), "text", undefined, Object.create(null), revoked()]); } });
         case 12: return Object.fromEntries(Array.from({ length: below(5) }, () => [
-          pick(["algorithm", "query", "seed", "samples", "k", "step", "shortcut", "metric", "steering", "blossom", "duration_steps", "integration", "pruning_radius", "robot", "max_iterations", "tolerance", "width", "height", "links", "format", "__proto__", "toJSON", "a", "index", "trees", "leaf", "candidates", "free", "n"]),
+          pick(["algorithm", "query", "seed", "samples", "k", "step", "shortcut", "metric", "steering", "blossom", "durationSteps", "integration", "pruningRadius", "robot", "maxIterations", "max_iterations", "tolerance", "width", "height", "links", "format", "__proto__", "toJSON", "a", "index", "trees", "leaf", "candidates", "free", "n"]),
           anything(depth + 1),
         ]));
         default: return mutated();
@@ -79,14 +79,14 @@ for (const seed of [1, 2, 3]) {
     const scenario = Scenario.parse(arm);
     /** @type {any[]} */
     let handles = [scenario, Scenario.parse(disc), Scenario.parse(body), Scenario.parse(car), Scenario.parse(car).drive(), Scenario.parse(arm).neighbours(), Scenario.parse(body).neighbours({ index: "forest", trees: 2 }), Scenario.parse(disc).neighbours({ index: "linear" }), scenario.planner(), scenario.planner({ algorithm: "prm", samples: 20 }),
-      Scenario.parse(body).planner(), Scenario.parse(car).planner(), Scenario.parse(car).planner({ algorithm: "sst", improve_iterations: 100 }), Scenario.parse(car).planner({ algorithm: "prm", samples: 20, steering: "dubins" })];
+      Scenario.parse(body).planner(), Scenario.parse(car).planner(), Scenario.parse(car).planner({ algorithm: "sst", improveIterations: 100 }), Scenario.parse(car).planner({ algorithm: "prm", samples: 20, steering: "dubins" })];
     const standing = handles.length;
     /** @type {Map<string, number>} */
     const codes = new Map();
     let returned = 0;
     for (let call = 0; call < CALLS; call += 1) {
       const target = pick([Scenario, Scenario, ...handles]);
-      const names = target === Scenario ? ["parse", "generate"] : Object.getOwnPropertyNames(Object.getPrototypeOf(target)).filter((name) => name !== "constructor");
+      const names = target === Scenario ? ["parse", "generate"] : Object.getOwnPropertyNames(Object.getPrototypeOf(target)).filter((name) => name !== "constructor" && !name.startsWith("__"));
       const name = pick(names);
       // A handle that is gone teaches little more: few are freed, so that most calls reach the core.
       if (name === "free" && draw() < 0.99) continue;

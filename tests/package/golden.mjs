@@ -12,6 +12,16 @@
  */
 
 /**
+ * Options by their names in JavaScript: the golden files have those of documents.
+ * @template {object} O
+ * @param {O} options
+ * @returns {O}
+ */
+function inCamelCase(options) {
+  return /** @type {O} */ (Object.fromEntries(Object.entries(options).map(([name, value]) => [name.replace(/_(.)/g, (_, letter) => letter.toUpperCase()), value])));
+}
+
+/**
  * What each case comes to.
  * @param {Pick<typeof import("planarium"), "Scenario">} planarium
  * @param {Case[]} cases
@@ -20,7 +30,7 @@
 export function outcomes({ Scenario }, cases, scenes) {
   return cases.map(({ scene = "", generate, options, planner: algorithm, seed, parameters }) => {
     const scenario = generate === undefined ? Scenario.parse(scenes[scene]) : Scenario.generate(generate, options);
-    const planner = scenario.planner({ algorithm, seed, ...parameters });
+    const planner = scenario.planner(/** @type {import("planarium").PlannerOptions} */ ({ algorithm, seed, ...inCamelCase(parameters) }));
     while (planner.step(1000) === "running");
     const { status, fingerprint, length, path, stats } = planner.result();
     planner.free();
@@ -43,7 +53,7 @@ export function outcomes({ Scenario }, cases, scenes) {
  */
 export function trajectoryOutcomes({ Trajectories }, cases) {
   return cases.map(({ options, seed }) => {
-    const trajectories = new Trajectories({ ...options, seed });
+    const trajectories = new Trajectories({ ...inCamelCase(options), seed });
     while (trajectories.step(100) === "running");
     const result = trajectories.result();
     trajectories.free();
@@ -69,10 +79,10 @@ const MOVES = 20;
  * @param {ReachCase[]} cases
  */
 export function reachOutcomes({ Scenario }, cases) {
-  return cases.map(({ scenario: document = {}, generate, options, reach }) => {
-    const scenario = generate === undefined ? Scenario.parse(document) : Scenario.generate(generate, options);
+  return cases.map(({ scenario: document, generate, options, reach }) => {
+    const scenario = generate === undefined ? Scenario.parse(/** @type {import("planarium").ScenarioDocument} */ (document)) : Scenario.generate(generate, options);
     const { target: [x, y], orientation } = reach;
-    const run = scenario.reach(reach);
+    const run = scenario.reach(inCamelCase(reach));
     let q = run.configuration();
     while (run.step(100) === "running");
     const { status, verdict: { verdict }, stats: { iterations }, solutions, rejected, fingerprint } = run.result();

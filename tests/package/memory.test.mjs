@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { Scenario } from "planarium";
 import { root } from "../../scripts/run.mjs";
-import { arm, car, finish } from "./scenes.mjs";
+import { arm, car, finish, options as asOptions } from "./scenes.mjs";
 
 /** The memory of the instance that the package runs on. */
 const { initSync } = await import(pathToFileURL(join(root, "dist", "package", "planarium_glue.js")).href);
@@ -51,7 +51,7 @@ test("nor do cars that are driven, by a planner, along curves or by hand", () =>
   const cycle = (/** @type {number} */ seed) => {
     const scenario = Scenario.parse(car);
     for (const options of [{ algorithm: "sst" }, { algorithm: "rrt", steering: "reeds-shepp" }]) {
-      const planner = scenario.planner({ ...options, seed: seed % 10 });
+      const planner = scenario.planner(asOptions({ ...options, seed: seed % 10 }));
       planner.step(20);
       planner.motionsSince(0);
       planner.tracesSince(0);
@@ -93,7 +93,7 @@ test("errors leak nothing either", () => {
   const scenario = Scenario.parse(arm);
   const cycle = () => {
     assert.throws(() => Scenario.parse('{"format": "planarium-scenario-1", "nonsense": []}'));
-    assert.throws(() => scenario.planner({ algorithm: "magic" }));
+    assert.throws(() => scenario.planner(asOptions({ algorithm: "magic" })));
   };
   for (let i = 0; i < 500; i += 1) cycle();
   const before = pages();

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { PlanariumError, Scenario, planners } from "planarium";
-import { arm, body, car, finish, scenes } from "./scenes.mjs";
+import { arm, body, car, finish, options as asOptions, scenes } from "./scenes.mjs";
 
 /** @import { Configuration, Motion, Planner, PlannerOptions, ScenarioDocument } from "planarium" */
 
@@ -20,16 +20,16 @@ const square = {
 /** The planners of placements. */
 const PLACING = ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connect"];
 
-/** What plans for a car: by controls, and along curves. @type {PlannerOptions[]} */
+/** What plans for a car: by controls, and along curves. @type {(PlannerOptions & { steering?: string, samples?: number })[]} */
 const DRIVING = [
   { algorithm: "rrt-control" },
   { algorithm: "sst" },
-  ...PLACING.map((algorithm) => ({ algorithm, steering: "reeds-shepp", samples: /^prm/.test(algorithm) ? 300 : undefined })),
+  ...PLACING.map((algorithm) => asOptions({ algorithm, steering: "reeds-shepp", samples: /^prm/.test(algorithm) ? 300 : undefined })),
   ...PLACING.filter((algorithm) => algorithm !== "visibility-prm")
-    .map((algorithm) => ({ algorithm, steering: "dubins", samples: /^prm/.test(algorithm) ? 300 : undefined })),
+    .map((algorithm) => asOptions({ algorithm, steering: "dubins", samples: /^prm/.test(algorithm) ? 300 : undefined })),
 ];
 
-const named = (/** @type {PlannerOptions} */ { algorithm, steering }) => `${algorithm}${steering ? ` along ${steering} curves` : ""}`;
+const named = (/** @type {{ algorithm?: string, steering?: string }} */ { algorithm, steering }) => `${algorithm}${steering ? ` along ${steering} curves` : ""}`;
 
 /** @param {() => unknown} work @param {string} code @param {string} pointer @param {RegExp} [message] */
 function fails(work, code, pointer, message = /./) {
@@ -90,7 +90,7 @@ function motionsByEdge(planner) {
 for (const algorithm of PLACING) {
   test(`${algorithm} plans for a body: straight from waypoint to waypoint, free all along, the same in any slices`, () => {
     const scenario = Scenario.parse(body);
-    const start = () => scenario.planner({ algorithm, seed: 4, samples: /^prm/.test(algorithm) ? 500 : undefined, shortcut: 20 });
+    const start = () => scenario.planner(asOptions({ algorithm, seed: 4, samples: /^prm/.test(algorithm) ? 500 : undefined, shortcut: 20 }));
     const planner = finish(start());
     const { status, path, length, motions, integration } = planner.result();
     assert.deepEqual([status, motions, integration], ["solved", undefined, undefined]);
@@ -140,7 +140,7 @@ for (const options of DRIVING) {
   });
 
   test(`${named(options)}: cursors of motions and traces give every edge once, from its first vertex to its second`, () => {
-    const planner = Scenario.parse(square).planner({ ...options, seed: 2, samples: options.samples && 60, max_iterations: 1500 });
+    const planner = Scenario.parse(square).planner(asOptions({ ...options, seed: 2, samples: options.samples && 60, maxIterations: 1500 }));
     /** @type {number[]} */ const motions = [];
     /** @type {number[]} */ const traces = [];
     for (let done = false, seen = 0; !done; seen = planner.edgeCount) {
@@ -215,7 +215,7 @@ test("Euler's steps are named, and lead where exact arcs do not", () => {
 test("a car that starts in its goal region is there: one waypoint, no motion", () => {
   const document = { ...car, queries: [{ ...car.queries[0], goal: [0.55, 0.5, 0.2] }] };
   for (const algorithm of ["rrt-control", "sst"]) {
-    const { status, path, motions, length } = finish(Scenario.parse(document).planner({ algorithm })).result();
+    const { status, path, motions, length } = finish(Scenario.parse(document).planner(asOptions({ algorithm }))).result();
     assert.deepEqual([status, path, motions, length], ["solved", [[0.5, 0.5, 0]], [], 0]);
   }
 });
@@ -223,7 +223,7 @@ test("a car that starts in its goal region is there: one waypoint, no motion", (
 test("a tree that gives up tells how near it came, and how it got there", () => {
   const scenario = Scenario.parse(car);
   for (const options of [{ algorithm: "rrt-control" }, { algorithm: "sst" }, { algorithm: "rrt", step: 0.1 }]) {
-    const { status, path, motions, length, approximate } = finish(scenario.planner({ ...options, max_iterations: 20, seed: 1 })).result();
+    const { status, path, motions, length, approximate } = finish(scenario.planner(asOptions({ ...options, maxIterations: 20, seed: 1 }))).result();
     assert.deepEqual([status, path, motions, length], ["exhausted", [], [], 0]);
     assert.ok(approximate?.motions && approximate.path.length === approximate.motions.length + 1 && approximate.goal_distance > 0);
     approximate.motions.forEach((motion, i) => same(driven(approximate.path[i], motion), approximate.path[i + 1]));
@@ -232,11 +232,11 @@ test("a tree that gives up tells how near it came, and how it got there", () => 
 
 test("sst goes on to shorter paths where it may, tells what leaves the tree, and can be stopped", () => {
   const scenario = Scenario.parse(car);
-  const start = () => scenario.planner({ algorithm: "sst", seed: 3, improve_iterations: 4000 });
+  const start = () => scenario.planner({ algorithm: "sst", seed: 3, improveIterations: 4000 });
   const planner = start();
   planner.record();
   finish(planner);
-  const costs = rows(planner.takeHistory(), planner.historyWidth).map((row) => row[7]).filter(Number.isFinite);
+  const costs = rows(planner.historySince(0), planner.historyWidth).map((row) => row[7]).filter(Number.isFinite);
   assert.ok(costs.every((cost, i) => i === 0 || cost <= costs[i - 1]) && costs[costs.length - 1] < costs[0], `${costs[0]} to ${costs[costs.length - 1]}`);
   const { length, path, motions = [] } = planner.result();
   assert.ok(Math.abs(length - costs[costs.length - 1]) < 1e-9);
@@ -275,7 +275,7 @@ test("a roadmap of a body is kept and gone on with", () => {
 for (const steering of ["dubins", "reeds-shepp"]) {
   test(`a roadmap of a car along ${steering} curves is kept with them, and gone on with; GraphML tells their lengths and directions`, () => {
     const scenario = Scenario.parse(square);
-    const planner = finish(scenario.planner({ algorithm: "prm", samples: 300, seed: 1, steering }));
+    const planner = finish(scenario.planner(asOptions({ algorithm: "prm", samples: 300, seed: 1, steering })));
     assert.equal(planner.status, "solved");
     for (const kept of [planner.roadmap("json"), planner.roadmap("binary")]) {
       const resumed = finish(scenario.resume(kept));
@@ -310,9 +310,9 @@ test("presets are settings of their planner, and start", () => {
     assert.equal(new Set(presets.map((preset) => preset.id)).size, presets.length, id);
     for (const { id: name, title, settings } of presets) {
       assert.ok(/^[a-z0-9]+(-[a-z0-9]+)*$/.test(name) && title.length > 0 && Object.keys(settings).length > 0, `${id} ${name}`);
-      for (const key of Object.keys(settings)) assert.ok(parameters.some((parameter) => parameter.name === key), `${id} ${name} ${key}`);
+      for (const key of Object.keys(settings)) assert.ok(parameters.some((parameter) => parameter.option === key), `${id} ${name} ${key}`);
       for (const type of robots) {
-        const planner = Scenario.parse(scenes[type]).planner({ algorithm: id, ...settings });
+        const planner = Scenario.parse(scenes[type]).planner(asOptions({ algorithm: id, ...settings }));
         planner.step(20);
         assert.equal(planner.iterations > 0, true, `${id} ${name} ${type}`);
       }
@@ -327,19 +327,19 @@ test("presets are settings of their planner, and start", () => {
 
 test("what is not for a robot, or beyond a car, is refused where it stands", () => {
   /** @param {Partial<Extract<ScenarioDocument["robot"], { type: "car" }>>} fields */
-  const other = (fields) => Scenario.parse({ ...car, robot: { ...car.robot, ...fields } });
+  const other = (fields) => Scenario.parse(/** @type {ScenarioDocument} */ ({ ...car, robot: { ...car.robot, ...fields } }));
   const [bodies, cars] = [body, car].map((scene) => Scenario.parse(scene));
   for (const algorithm of ["rrt-control", "sst"]) {
     const { goal_tolerance: _, ...query } = car.queries[0];
     const exact = Scenario.parse({ ...car, queries: [car.queries[0], { ...query, name: "exact" }] });
-    fails(() => exact.planner({ algorithm, query: "exact" }), "missing-field", "/queries/1/goal_tolerance", /needs a goal_tolerance/);
-    fails(() => cars.planner({ algorithm, steering: "dubins" }), "unknown-parameter", "/steering");
-    fails(() => cars.planner({ algorithm, duration_steps: 10, shortest_steps: 11 }), "out-of-range", "/shortest_steps", /at most the longest duration, 10/);
-    fails(() => cars.planner({ algorithm, duration_steps: 0 }), "out-of-range", "/duration_steps");
-    fails(() => cars.planner({ algorithm, integration: "heun" }), "out-of-range", "/integration", /heun/);
+    fails(() => exact.planner(asOptions({ algorithm, query: "exact" })), "missing-field", "/queries/1/goal_tolerance", /needs a goal_tolerance/);
+    fails(() => cars.planner(asOptions({ algorithm, steering: "dubins" })), "unknown-parameter", "/steering");
+    fails(() => cars.planner(asOptions({ algorithm, durationSteps: 10, shortestSteps: 11 })), "out-of-range", "/shortestSteps", /at most the longest duration, 10/);
+    fails(() => cars.planner(asOptions({ algorithm, durationSteps: 0 })), "out-of-range", "/durationSteps");
+    fails(() => cars.planner(asOptions({ algorithm, integration: "heun" })), "out-of-range", "/integration", /heun/);
   }
   fails(() => bodies.planner({ steering: "dubins" }), "out-of-range", "/steering", /only a car is steered/);
-  fails(() => cars.planner({ algorithm: "rrt", steering: "straight" }), "out-of-range", "/steering", /straight/);
+  fails(() => cars.planner(asOptions({ algorithm: "rrt", steering: "straight" })), "out-of-range", "/steering", /straight/);
   for (const scenario of [bodies, cars]) fails(() => scenario.planner({ algorithm: "rrt", metric: "euclidean" }), "out-of-range", "/metric", /scenario's/);
   fails(() => cars.planner({ algorithm: "visibility-prm", steering: "dubins" }), "unsupported", "/steering", /use steering = reeds-shepp/);
   fails(() => other({ speed: [0, 0.5] }).planner({ algorithm: "rrt", steering: "reeds-shepp" }), "unsupported", "/steering", /speed range does not allow/);
@@ -363,8 +363,8 @@ test("scenarios of bodies and cars: what is wrong is refused, with code and poin
     [{ ...arm, queries: [{ ...arm.queries[0], goal_tolerance: { translation: 0.1, rotation: 1 } }] }, undefined, undefined],
   ]);
   for (const [document, code, pointer] of cases) {
-    if (code) fails(() => Scenario.parse(document), code, pointer);
-    else assert.throws(() => Scenario.parse(document), PlanariumError);
+    if (code) fails(() => Scenario.parse(/** @type {any} */ (document)), code, pointer);
+    else assert.throws(() => Scenario.parse(/** @type {any} */ (document)), PlanariumError);
   }
 });
 

@@ -13,7 +13,7 @@ function fails(work, code, pointer) {
   });
 }
 
-/** @param {number[]} links @param {[number, number][]} [limits] @param {object[]} [obstacles] */
+/** @param {number[]} links @param {[number, number][]} [limits] @param {import("planarium").Obstacle[]} [obstacles] */
 const armOf = (links, limits, obstacles = []) => Scenario.parse({
   format: "planarium-scenario-1", name: "arm", world: { obstacles }, queries: [],
   robot: { type: "arm", base: [0, 0], links, ...(limits ? { joint_limits: limits } : {}) },
@@ -59,6 +59,17 @@ test("each method reaches a target, and iterates and solutions come by cursors",
   }
 });
 
+test("stepFor makes one iteration at least, and leads to the same result", () => {
+  const start = () => armOf([1, 0.8, 0.5]).reach({ target: [1, 0.7], solutions: 2, seed: 1 });
+  const [one, other] = [start(), start()];
+  assert.equal(one.stepFor(0), "running");
+  assert.equal(one.iterations, 1);
+  while (one.stepFor(0.1) === "running");
+  other.step(1e6);
+  assert.deepEqual([one.status, one.fingerprint()], ["solved", other.fingerprint()]);
+  fails(() => one.stepFor(NaN), "not-finite", "/ms");
+});
+
 test("a target out of reach says why, and what is nearest", () => {
   const far = ended(armOf([1, 0.5]), { target: [3, 0] });
   assert.equal(far.status, "exhausted");
@@ -68,7 +79,7 @@ test("a target out of reach says why, and what is nearest", () => {
   assert.equal(ended(armOf([1, 1], [[-1, 1], [-1, 1]]), { target: [-1, 0] }).verdict().reason, "limits");
   assert.equal(ended(armOf([1, 1], [[-1, 1], [-1, 1]]), { target: [1, 0], orientation: 3 }).verdict().reason, "orientation");
   const blocked = armOf([1], undefined, [{ type: "disc", center: [0, 1], radius: 0.2 }]);
-  const touching = ended(blocked, { target: [0, 1], free_only: true }).verdict();
+  const touching = ended(blocked, { target: [0, 1], freeOnly: true }).verdict();
   assert.deepEqual([touching.verdict, touching.touching], ["in-collision", [{ part: 0, obstacle: 0 }]]);
   assert.equal(ended(blocked, { target: [0, 1] }).verdict().verdict, "reached");
 });

@@ -68,6 +68,13 @@ export const body = {
 export const scenes = { arm, disc, rigid_body: body, car };
 
 /**
+ * Options that are made at run time, which no type can tell.
+ * @param {object} made
+ * @returns {import("planarium").PlannerOptions & import("planarium").ResumeOptions}
+ */
+export function options(made) { return /** @type {any} */ (made); }
+
+/**
  * Runs a planner to its end.
  * @param {import("planarium").Planner} planner
  * @param {number} [slice]

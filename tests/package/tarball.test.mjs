@@ -20,8 +20,8 @@ before(() => {
 
 test("the tarball holds exactly the files of the package", () => {
   const names = [...files.keys()].map((name) => name.replace(/^package\//, "")).sort();
-  const modules = ["arguments", "catalogue", "drive", "error", "functions", "handle", "neighbours", "node", "planarium", "planarium_glue", "planner", "reach", "runtime", "scenario", "trajectories", "version"];
-  const declarations = ["drive", "error", "functions", "neighbours", "planarium", "planner", "reach", "scenario", "trajectories", "types", "version"];
+  const modules = ["catalogue", "core", "error", "functions", "growth", "guard", "node", "plain", "planarium", "planarium_glue", "runtime", "version"];
+  const declarations = ["core", "error", "functions", "planarium", "version"];
   assert.deepEqual(names, [
     "CHANGELOG.md",
     "LICENSE",
@@ -35,14 +35,14 @@ test("the tarball holds exactly the files of the package", () => {
   ].sort());
 });
 
-// The aim is 300 KB gzipped; the README says why it is missed. This holds what was reached, plus a twentieth.
-test("the tarball weighs at most 500 KB, its WebAssembly at most 1000 KB and 412 KB gzipped", () => {
+// The aim is 300 KB gzipped; docs/benchmarks.md says why it is missed. This holds what was reached, plus a twentieth.
+test("the tarball weighs at most 515 KB, its WebAssembly at most 1060 KB and 432 KB gzipped", () => {
   const wasm = files.get("package/dist/package/planarium_bg.wasm");
   assert.ok(wasm);
-  assert.ok(statSync(tarball).size <= 500_000, `${statSync(tarball).size} bytes`);
-  assert.ok(wasm.length <= 1_000_000, `${wasm.length} bytes`);
+  assert.ok(statSync(tarball).size <= 515_000, `${statSync(tarball).size} bytes`);
+  assert.ok(wasm.length <= 1_060_000, `${wasm.length} bytes`);
   const zipped = gzipSync(wasm, { level: 9 }).length;
-  assert.ok(zipped <= 412_000, `${zipped} bytes`);
+  assert.ok(zipped <= 432_000, `${zipped} bytes`);
 });
 
 test("the manifest asks nothing of its users: no dependencies, no scripts at their install", () => {

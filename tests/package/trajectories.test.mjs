@@ -44,6 +44,16 @@ test("trajectories are accepted one by one, and read by cursors", () => {
   refused(() => trajectories.result(), "freed");
 });
 
+test("stepFor tries some at least, and leads to the same result", () => {
+  const [one, other] = [new Trajectories({ seed: 3, count: 100 }), new Trajectories({ seed: 3, count: 100 })];
+  assert.equal(one.stepFor(0), "running");
+  assert.equal(one.iterations, 1);
+  while (one.stepFor(0.2) === "running");
+  other.step(1e6);
+  assert.deepEqual([one.status, one.fingerprint], ["solved", other.fingerprint]);
+  refused(() => one.stepFor(-1), "out-of-range", "/ms");
+});
+
 test("slices and the index change nothing, the seed does", () => {
   const fingerprint = (/** @type {object} */ options, /** @type {number} */ slice) => {
     const trajectories = new Trajectories({ count: 150, ...options });
@@ -86,11 +96,11 @@ test("bad options, cursors and counts are errors with code and pointer", () => {
 
 test("the table tells every option, and each default and end is taken", () => {
   const table = trajectoryOptions();
-  assert.deepEqual(table.map(({ name }) => name), ["model", "count", "half_side", "spread", "slowest", "fastest", "least_turn_rate", "greatest_turn_rate", "duration", "index", "max_iterations"]);
-  for (const { name, title, meaning, min, max, default: given, choices } of table) {
+  assert.deepEqual(table.map(({ option }) => option), ["model", "count", "halfSide", "spread", "slowest", "fastest", "leastTurnRate", "greatestTurnRate", "duration", "index", "maxIterations"]);
+  for (const { option: name, title, meaning, min, max, default: given, choices } of table) {
     assert.ok(title && meaning.endsWith("."), name);
     // Turns are bounded, so the ends of rates and durations do not go together with the rest.
-    const values = [given, ...(choices ?? []), ...(/turn_rate|duration/.test(name) ? [] : [min, max].filter((end) => end !== null))];
+    const values = [given, ...(choices ?? []), ...(/TurnRate|duration/.test(name) ? [] : [min, max].filter((end) => end !== null))];
     for (const value of values) {
       if (name === "slowest" && value === max) continue;
       const trajectories = new Trajectories({ [name]: value });

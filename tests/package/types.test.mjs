@@ -9,8 +9,8 @@ import { addFiles, install, pack } from "./packed.mjs";
 
 const consumer = `
 import init, {
-  initSync, planners, generators, phases, randomSeed, neighbourIndexes, version, Drive, Neighbours, PlanariumError, Planner, Scenario,
-  type Approximate, type Box, type Check, type Clearance, type Configuration, type CspaceOptions, type DriveKey, type DriveState, type GenerateOptions, type GeneratorInfo, type IndexInfo, type NeighboursFound, type NeighboursOptions, type SampleOptions, type InitInput, type InitSyncInput, type KeyPress, type Motion, type Obstacle, type Obstructed,
+  initSync, planners, generators, phases, eventKinds, historyColumns, randomSeed, neighbourIndexes, solve, version, Drive, Neighbours, PlanariumError, Planner, Scenario,
+  type Approximate, type Box, type Check, type Clearance, type Configuration, type CspaceOptions, type DriveKey, type DriveState, type EventKind, type GenerateOptions, type Growth, type PlannerId, type QueryCheck, type ResumeOptions, type GeneratorInfo, type IndexInfo, type NeighboursFound, type NeighboursOptions, type SampleOptions, type InitInput, type InitSyncInput, type KeyPress, type Motion, type Obstacle, type Obstructed,
   type OptionInfo, type ParameterInfo, type Part, type Phase, type PlannerInfo, type PlannerOptions, type Point, type PresetInfo, type PseudocodeLine,
   type PseudocodeMark, type Query, type ResultDocument, type Robot, type Rollout, type ScenarioDocument, type Shape, type Stats, type Status, type Touching, type Weights, type World,
 } from "planarium";
@@ -31,7 +31,7 @@ export type Proofs = [
   None<AnyMembers<Neighbours>>, None<AnyMembers<NeighboursFound>>, None<AnyMembers<NeighboursOptions>>, None<AnyMembers<SampleOptions>>, None<AnyMembers<IndexInfo>>,
   None<AnyMembers<GeneratorInfo>>, None<AnyMembers<OptionInfo>>, No<IsAny<(typeof phases)[number]>>,
   No<IsAny<Parameters<typeof init>[0]>>, No<IsAny<Parameters<typeof initSync>[0]>>, No<IsAny<InitInput>>, No<IsAny<InitSyncInput>>,
-  No<IsAny<ReturnType<typeof planners>>>, No<IsAny<Configuration>>, No<IsAny<PlannerOptions["whatever"]>>, No<IsAny<GenerateOptions["whatever"]>>,
+  No<IsAny<ReturnType<typeof planners>>>, No<IsAny<Configuration>>, None<AnyMembers<PlannerOptions>>, None<AnyMembers<GenerateOptions>>, None<AnyMembers<Growth>>, None<AnyMembers<QueryCheck>>,
 ];
 export type OfTrajectories = [None<AnyMembers<Trajectories>>, None<AnyMembers<TrajectoriesResult>>, None<AnyMembers<TrajectoryOptions>>, None<AnyMembers<ParticleMotion>>];
 // @ts-expect-error: the proof can fail
@@ -109,12 +109,12 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   const [[low]] = scenario.cspaceRange();
   const circles: boolean[] = scenario.circles();
   const kind: "arm" | "disc" | "rigid_body" | "car" = scenario.robot;
-  const moved: Motion[] = Scenario.parse(car).planner({ steering: "dubins", algorithm: "rrt" }).result().motions ?? [];
+  const moved: Motion[] = Scenario.parse(car).planner({ steering: "dubins", algorithm: "rrt", goalBias: 0.1 }).result().motions ?? [];
   const speeds: number[] = moved.map(({ control: [v, phi], duration }) => v + phi + duration);
   const miss: Approximate | undefined = Scenario.parse(body).planner().result().approximate;
   const far: number | undefined = miss?.goal_distance ?? miss?.motions?.[0]?.duration;
   const presets: PresetInfo[] = planners().flatMap((one) => one.presets);
-  const settled: Planner[] = presets.map(({ settings }) => scenario.planner({ algorithm: "prm", ...settings }));
+  const settled: Planner[] = presets.map(({ settings }) => scenario.planner({ algorithm: "prm", ...settings } as PlannerOptions));
   const fit: boolean = planners().every((one) => one.robots.includes(kind) && one.parameters.every((row) => row.robots.includes(kind)));
   const again: ScenarioDocument = scenario.toJSON();
   const obstacle: Obstacle | undefined = scenario.document().world.obstacles[0];
@@ -123,13 +123,19 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   const info: PlannerInfo[] = planners();
   const lines: PseudocodeLine[] = info[0]?.pseudocode ?? [];
   const marks: PseudocodeMark[] = lines.flatMap((line) => line.lit_by);
-  const options: PlannerOptions = { algorithm: info[0]?.id ?? "prm", query: "q", seed: 1, metric: "euclidean", k: 5, samples: 50 };
+  const ids: PlannerId[] = info.map(({ id }) => id);
+  const options: PlannerOptions = { algorithm: "prm", query: "q", seed: 1, metric: "euclidean", k: 5, samples: 50, maxIterations: 500 };
+  const going: ResumeOptions = { query: "q", shortcut: 10 };
+  const looked: QueryCheck = scenario.checkQuery("q");
   const kinds: GeneratorInfo[] = generators();
   const choices: (string[] | null)[] = kinds.flatMap(({ options: all }) => all.map((option: OptionInfo) => option.choices));
   const planner: Planner = scenario.planner(options);
   planner.record();
-  const history: Float64Array = planner.takeHistory().subarray(0, planner.historyWidth);
-  const reached: Phase | undefined = phases[history[3] ?? 0];
+  const history: Float64Array = planner.historySince(0).subarray(0, planner.historyWidth);
+  const reached: Phase | undefined = phases[history[historyColumns.indexOf("phase")] ?? 0];
+  const happened: EventKind | undefined = eventKinds[planner.eventsSince(0)[0] ?? 0];
+  const solved: ResultDocument = solve(document, { algorithm: "rrt", extend: "half" });
+  for await (const growth of planner.growth({ budget: 4 })) if (growth.vertices.length > 100) break;
   const raw: Float64Array = planner.rawPath();
   const hits: Float64Array = planner.firstHits([0, 0, 1, 1]);
   let status: Status = planner.step(10);
@@ -146,7 +152,7 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   const result: ResultDocument = planner.result();
   const text: string = planner.roadmap("json");
   const kept: Uint8Array = planner.roadmap("binary");
-  const resumed: Planner = scenario.resume(kept, { query: "q" });
+  const resumed: Planner = scenario.resume(kept, going);
   scenario.resume(text).free();
   resumed.free();
   planner[Symbol.dispose]();
@@ -160,6 +166,20 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   new Planner();
   // @ts-expect-error: not a kind
   Scenario.generate("jungle");
+  // @ts-expect-error: no such planner
+  scenario.planner({ algorithm: "prn" });
+  // @ts-expect-error: an option of another planner
+  scenario.planner({ algorithm: "rrt", samples: 10 });
+  // @ts-expect-error: options are in camelCase
+  scenario.planner({ algorithm: "rrt", goal_bias: 0.1 });
+  // @ts-expect-error: a typing error in an option
+  scenario.planner({ goalBais: 0.1 });
+  // @ts-expect-error: not a document
+  Scenario.parse({ format: "planarium-scenario-1" });
+  // @ts-expect-error: no such method
+  scenario.reach({ target: [0, 1], method: "magic" });
+  // @ts-expect-error: a roadmap is not resumed by a tree
+  scenario.resume(text, { algorithm: "rrt" });
   // @ts-expect-error: not a format
   planner.roadmap("png");
   // @ts-expect-error: a count is a number
@@ -168,7 +188,7 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   drive.press("jump");
   // @ts-expect-error: a car has a wheelbase
   Scenario.parse({ ...car, robot: { type: "car", shape } } satisfies ScenarioDocument);
-  return JSON.stringify([free, near, indexes, names, stopped, driven, rolled, radii, box, tip, tips, hit, cells, low, circles, kind, obstacle, robot, status, phase, counts, vertices, edges,
+  return JSON.stringify([ids, looked, happened, solved, free, near, indexes, names, stopped, driven, rolled, radii, box, tip, tips, hit, cells, low, circles, kind, obstacle, robot, status, phase, counts, vertices, edges,
     events, motions, traces, path, stats, result, speeds, far, settled.length, fit, marks, choices, reached, raw, hits, near, closest, version, scenario.name, scenario.title, scenario.distance(q, half), planner.fingerprint()]);
 }
 `;
@@ -200,6 +220,7 @@ test("no declaration says any, and every member is explained", () => {
     const text = readFileSync(join(place, name), "utf8");
     const code = text.replace(/\/\*[^]*?\*\/|"[^"]*"/g, "");
     assert.doesNotMatch(code, /\bany\b/, name);
+    assert.doesNotMatch(text, /\* r"/, name);
     const bare = text.split("\n").filter((line, i, lines) =>
       /^ {4}(?:static |get )?\[?\w[\w.]*\]?\??[(:]/.test(line) && !lines[i - 1].trimEnd().endsWith("*/"));
     assert.deepEqual(bare, [], `${name} has members without a comment`);

@@ -24,7 +24,7 @@ const ROAD = {
 
 /** A driving without a page: what it needs of a session, and no more. */
 function alone() {
-  const scenario = Scenario.parse(ROAD);
+  const scenario = Scenario.parse(/** @type {import("planarium").ScenarioDocument} */ (ROAD));
   const document = scenario.document();
   const { start: from, goal } = document.queries[0];
   const shown = { scenario, document, query: "home", start: from, goal, hand: null, check: null, driven: null, placed: { isNear: () => false } };
@@ -63,7 +63,7 @@ describe("time", () => {
 
   test("a pose of two seconds is that of exact arcs", () => {
     const { state } = driven(60);
-    const direct = Scenario.parse(ROAD).drive();
+    const direct = Scenario.parse(/** @type {import("planarium").ScenarioDocument} */ (ROAD)).drive();
     for (const { step, key } of recordOf()) {
       direct.tick(step - direct.state.steps);
       direct.press(key);
@@ -214,7 +214,7 @@ describe("driving", () => {
       const [download] = await Promise.all([page.waitForEvent("download"), page.click("#drive-save")]);
       const record = JSON.parse(readFileSync(await download.path(), "utf8"));
       assert.deepEqual([record.format, record.scenario, record.steps, record.pose], ["planarium-drive-1", "road", first.steps, first.pose]);
-      const direct = Scenario.parse(ROAD).drive();
+      const direct = Scenario.parse(/** @type {import("planarium").ScenarioDocument} */ (ROAD)).drive();
       assert.deepEqual(direct.replay(record.record, record.steps).pose, first.pose);
       await page.click("#drive-anew");
       await page.waitForSelector("#drive[data-keys='0']");

@@ -1,4 +1,5 @@
 /** The page's scenes and runs of them, for tests that need no browser. */
+import { withOptions } from "../../www/domain/option-names.js";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { Scenario } from "planarium";
@@ -32,7 +33,7 @@ export function open(entry, positions) {
  * @param {number} [iterations]
  */
 export function ran(scenario, algorithm, settings, iterations = Infinity) {
-  const planner = scenario.planner({ ...settings, algorithm });
+  const planner = withOptions({ ...settings, algorithm }, (options) => scenario.planner(options));
   while (planner.status === "running" && planner.iterations < iterations) planner.step(Math.min(500, iterations - planner.iterations));
   const rows = (/** @type {Float64Array | Uint32Array} */ all, /** @type {number} */ width) =>
     Array.from({ length: all.length / width }, (_, i) => [...all.subarray(i * width, (i + 1) * width)]);

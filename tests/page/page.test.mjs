@@ -1,4 +1,5 @@
 /** The page in a real browser: it opens, grows, obeys, refuses and is readable. */
+import { withOptions } from "../../www/domain/option-names.js";
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -126,7 +127,7 @@ describe("settings", () => {
         await chooseScene(page, id);
         const shown = await finish(page);
         const scenario = scenarioOf(entry);
-        const planner = scenario.planner({ ...settings, algorithm });
+        const planner = withOptions({ ...settings, algorithm }, (options) => scenario.planner(options));
         while (planner.step(1000) === "running");
         assert.deepEqual([shown.fingerprint, shown.iterations, shown.edges], [planner.fingerprint(), planner.iterations, planner.edgeCount], id);
         assert.equal(shown.status, id === "locked" ? "exhausted" : "solved", id);

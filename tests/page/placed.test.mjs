@@ -4,6 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { Scenario, planners } from "planarium";
+import { namesOfDocuments } from "../../www/domain/option-names.js";
 import { decodeLink } from "../../www/planner/link/codec.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { Placed } from "../../www/planner/stage/placed.js";
@@ -232,7 +233,7 @@ describe("on the stage", () => {
       const preset = planners().find(({ id }) => id === "rrt-control")?.presets.find(({ id }) => id === "six-controls");
       assert.ok(preset);
       await page.selectOption("#preset", "six-controls");
-      for (const [name, value] of Object.entries(preset.settings)) {
+      for (const [name, value] of Object.entries(namesOfDocuments(preset.settings))) {
         const field = page.locator(`#parameter-${name}`);
         assert.equal(await field.evaluate((control) => (control instanceof HTMLInputElement && control.type === "checkbox" ? control.checked : /** @type {HTMLInputElement} */ (control).value)), typeof value === "boolean" ? value : String(value), name);
       }

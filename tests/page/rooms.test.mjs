@@ -38,7 +38,7 @@ describe("the pages", () => {
   test("after its core was lost it says so, and goes on", async () => {
     await onReach(async (page) => {
       const before = await poseOf(page);
-      await page.evaluate(() => { /** @type {any} */ (window).trap = "rawscenario_follow"; });
+      await page.evaluate(() => { /** @type {any} */ (window).trap = "scenario_follow"; });
       await page.focus("#stage");
       await page.keyboard.press("ArrowUp");
       await page.waitForSelector("#notice[data-code=internal]");

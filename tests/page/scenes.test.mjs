@@ -28,7 +28,7 @@ test("the library has all kinds of scenes, each once", () => {
   const kinds = new Set(SCENES.flatMap(({ generate }) => generate?.kind ?? []));
   for (const kind of /** @type {const} */ (["gap", "bug-trap", "maze", "discs"])) assert.ok(kinds.has(kind), kind);
   for (const id of ["open", "pillar", "slot", "firs", "veil", "locked"]) assert.equal(sceneOf(id).id, id);
-  const known = new Set(planners().map(({ id }) => id));
+  const known = new Set(/** @type {string[]} */ (planners().map(({ id }) => id)));
   assert.ok(SCENES.every(({ algorithm }) => known.has(algorithm)));
   assert.ok(Math.max(...SCENES.map((entry) => open(entry).dimension)) >= 5);
 });

@@ -1,4 +1,5 @@
 /** The page in words: what is looked for, what the planner is at, options of scenes, lessons; and a stage that keeps its size. */
+import { withOptions } from "../../www/domain/option-names.js";
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { Scenario, phases, planners } from "planarium";
@@ -21,7 +22,7 @@ function marksAt(planner, iteration) {
   planner.record();
   planner.step(iteration);
   const { historyWidth, eventWidth } = planner;
-  const rows = planner.takeHistory();
+  const rows = planner.historySince(0);
   /** @param {number} column @param {number} row  counted from the end */
   const past = (column, row) => rows[rows.length - row * historyWidth + column];
   /** @type {Set<string>} */
@@ -47,7 +48,7 @@ describe("pseudo-code", () => {
         const scenario = open(entry);
         const last = await finish(page);
         for (const iteration of [2, 3, 30, 61, 120, last.iterations]) {
-          const planner = scenario.planner({ ...entry.settings, algorithm: entry.algorithm });
+          const planner = withOptions({ ...entry.settings, algorithm: entry.algorithm }, (options) => scenario.planner(options));
           const marks = marksAt(planner, iteration);
           planner.free();
           await page.fill("#time", String(iteration));
@@ -149,7 +150,7 @@ describe("options of a scene", () => {
       assert.equal(await page.locator("#option-difficulty-value").innerText(), "hard");
       const shown = await finish(page);
       const entry = sceneOf("maze");
-      const planner = open(entry, { seed: 30, difficulty: 2 }).planner({ ...entry.settings, algorithm: entry.algorithm });
+      const planner = withOptions({ ...entry.settings, algorithm: entry.algorithm }, (options) => open(entry, { seed: 30, difficulty: 2 }).planner(options));
       while (planner.step(1000) === "running");
       assert.equal(shown.fingerprint, planner.fingerprint());
     });

@@ -17,10 +17,10 @@
  * @typedef {import("planarium").Check} Check   which part touches what
  * @typedef {import("planarium").Box} Box
  * @typedef {import("planarium").PlannerInfo} PlannerInfo
- * @typedef {import("planarium").ParameterInfo} ParameterInfo
+ * @typedef {Omit<import("planarium").ParameterInfo, "option">} ParameterInfo
  * @typedef {import("planarium").GeneratorId} GeneratorId
  * @typedef {import("planarium").GeneratorInfo} GeneratorInfo
- * @typedef {import("planarium").OptionInfo} OptionInfo
+ * @typedef {ParameterInfo} OptionInfo
  * @typedef {typeof import("planarium")} Library  the package, handed to the modules that need it
  *
  * What is asked for:

@@ -48,10 +48,10 @@ export function watchCurves(page) {
     if (state.curves === known || isAsking) return;
     isAsking = true;
     setTimeout(() => {
-      asked = performance.now();
       curves = page.session.curves();
       known = curves.key;
       draw();
+      asked = performance.now();
       isAsking = false;
       ask();
     }, Math.max(0, asked + PAUSE - performance.now()));

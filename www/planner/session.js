@@ -105,7 +105,7 @@ export class Session {
   /** @param {Source} source */
   read(source) {
     const { Scenario } = this.library;
-    return "generate" in source ? Scenario.generate(source.generate.kind, source.generate.options) : Scenario.parse(source.document);
+    return "generate" in source ? Scenario.generate(source.generate.kind, source.generate.options) : Scenario.parse(/** @type {ScenarioDocument} */ (source.document));
   }
 
   /** What there is to know of the scenario on the stage. @returns {SceneFacts} */

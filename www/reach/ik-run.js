@@ -1,5 +1,7 @@
 /** A run of inverse kinematics with its iterates and solutions so far. */
 
+import { withOptions } from "../domain/option-names.js";
+
 /** @import { Arm } from "./arm.js" */
 /** @import { Point } from "./types.js" */
 /** @typedef {Record<string, number | string | boolean>} Settings */
@@ -17,7 +19,8 @@ export class IkRun {
    */
   constructor(arm, { target, orientation, start, method, settings }) {
     this.arm = arm;
-    this.run = arm.scenario.reach({ ...settings, method, target, start: Array.from(start), ...(orientation === null ? {} : { orientation }) });
+    const wish = { ...settings, method, target, start: Array.from(start), ...(orientation === null ? {} : { orientation }) };
+    this.run = withOptions(wish, (options) => arm.scenario.reach(options));
     /** @type {Iterate[]} */
     this.iterates = [];
     /** @type {Solution[]} */

@@ -1,4 +1,5 @@
 /** What the worker computes for this page: the experiment, with the time that each trajectory took. */
+import { withOptions } from "../domain/option-names.js";
 import { Trajectories, particlePoints } from "planarium";
 
 /** @import { TrajectoryOptions } from "planarium" */
@@ -31,7 +32,7 @@ let spent = 0;
 export const commands = {
   /** @param {TrajectoryOptions} options @throws {Error} they are refused */
   begin(options) {
-    const begun = new Trajectories(options);
+    const begun = withOptions(options, (named) => new Trajectories(named));
     trajectories?.free();
     trajectories = begun;
     model = options.model ?? "arc";

@@ -35,7 +35,7 @@ export class Plane {
   /** All accepted trajectories. @param {Brush} brush */
   ground(brush) {
     const { context, palette, width, height } = brush;
-    const { half_side: half = 3, fastest = 1, duration = 1 } = this.experiment.options;
+    const { half_side: half = 3, fastest = 1, duration = 1 } = /** @type {Record<string, number>} */ (this.experiment.options);
     const reach = half + Math.min(0.6 * fastest * duration, 3 * half);
     const view = this.view = new View({ min: [-reach, -reach], max: [reach, reach] }, width, height, MARGIN, false);
     context.strokeStyle = palette.line;

@@ -146,7 +146,7 @@ function control(info, value, id) {
  */
 export function withSeed(parameters, what = "run") {
   if (parameters.some(({ name }) => name === "seed")) return parameters;
-  /** @type {OptionInfo} */
+  /** @type {ParameterInfo} */
   const seed = {
     name: "seed", title: "Seed", kind: "integer", unit: "", min: 0, max: Number.MAX_SAFE_INTEGER, default: 0, choices: null, robots: [],
     meaning: `Decides every random draw: the same seed gives the same ${what}, bit for bit.`,

@@ -10,9 +10,11 @@ use parry2d_f64::math::{Pose, Vector};
 use parry2d_f64::query::ClosestPoints;
 use parry2d_f64::query::details::closest_points_segment_segment;
 use parry2d_f64::shape;
+use serde::Serialize;
 
 /// The part of a robot and the obstacle that are nearest to each other, lengths in metres.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Clearance {
     /// The distance between them, 0 or more.
     pub distance: f64,
@@ -21,6 +23,7 @@ pub struct Clearance {
     /// The obstacle, by its index in the document.
     pub obstacle: usize,
     /// The point of the part and the point of the obstacle.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "[Point, Point]"))]
     pub points: [Point; 2],
 }
 

@@ -73,7 +73,7 @@ impl Inspector {
     /// # Errors
     /// Of the configuration: see [`Inspector`].
     pub fn check(&self, q: &[f64]) -> Result<Vec<Contact>, Error> {
-        self.configurations.refuse(q, "")?;
+        self.configurations.refuse(q, "/q")?;
         Ok(self.validity.contacts(&self.space().state(q)))
     }
 
@@ -82,7 +82,7 @@ impl Inspector {
     /// # Errors
     /// Of the configuration: see [`Inspector`].
     pub fn footprint(&self, q: &[f64]) -> Result<Vec<Part>, Error> {
-        self.configurations.refuse(q, "")?;
+        self.configurations.refuse(q, "/q")?;
         Ok(self.world.robot().footprint(q))
     }
 
@@ -91,7 +91,7 @@ impl Inspector {
     /// # Errors
     /// Of the configuration: see [`Inspector`].
     pub fn end_effector(&self, q: &[f64]) -> Result<Point, Error> {
-        self.configurations.refuse(q, "")?;
+        self.configurations.refuse(q, "/q")?;
         Ok(match self.world.robot() {
             Robot::Arm(arm) => arm.end_effector(q),
             Robot::Disc(_) | Robot::RigidBody(_) | Robot::Car(_) => Point::new(q[0], q[1]),

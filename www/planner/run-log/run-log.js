@@ -3,6 +3,7 @@
  * The log is only ever added to, and each iteration has left a row of counts in it. So what an earlier iteration showed is
  * the beginning of the log up to its counts: going back costs no planning, and shows what a fresh run to there would.
  */
+import { withOptions } from "../../domain/option-names.js";
 import { Frontier } from "./frontier.js";
 import { Adjacency } from "./adjacency.js";
 import { componentsOf } from "./components.js";
@@ -35,7 +36,7 @@ export class Run {
     this.settings = settings;
     this.phases = phases;
     /** The same planner as the worker's, before its first iteration: it tells what no iteration changes. */
-    this.planner = scenario.planner({ ...settings, algorithm });
+    this.planner = withOptions({ ...settings, algorithm }, (options) => scenario.planner(options));
     const dimension = this.planner.dimension;
     this.dimension = dimension;
     this.vertices = new Rows((n) => new Float64Array(n), dimension);

@@ -2,6 +2,7 @@
  * The settings: which planner, its parameters, the seed, the query. Built from the planners' own tables, so a planner
  * that the core learns appears here by itself.
  */
+import { namesOfDocuments } from "../../domain/option-names.js";
 import { byId, make } from "../../app/dom.js";
 import { Field, withSeed } from "../../widgets/field.js";
 
@@ -72,7 +73,10 @@ export class Panel {
   }
 
   /** Settings of the planner that have a name. */
-  get presets() { return this.infos.find(({ id }) => id === this.planner.value)?.presets ?? []; }
+  get presets() {
+    const { presets = [] } = this.infos.find(({ id }) => id === this.planner.value) ?? {};
+    return presets.map((preset) => ({ ...preset, settings: namesOfDocuments(preset.settings) }));
+  }
 
   /** A choice of them, where there are some: what they do not say is at its default, but for the seed. */
   offerPresets() {

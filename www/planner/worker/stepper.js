@@ -2,6 +2,7 @@
  * A planner in the worker: it is stepped in slices, and what has grown since the last slice is handed over as typed arrays that
  * are transferred, not copied.
  */
+import { withOptions } from "../../domain/option-names.js";
 
 /** @import { Planner, ResultDocument, Scenario, Settings, Stats, Status } from "../../domain/types.js" */
 
@@ -31,24 +32,22 @@ const BURST = { vertices: 400, edges: 240 };
 export class Stepper {
   /** @param {Scenario} scenario @param {string} algorithm @param {Settings} settings  the query's name, the seed and the planner's parameters */
   constructor(scenario, algorithm, settings) {
-    this.planner = scenario.planner({ ...settings, algorithm });
+    this.planner = withOptions({ ...settings, algorithm }, (options) => scenario.planner(options));
     this.planner.record();
     this.ended = false;
     /** Rows that were handed over. Those before the first iteration the page has itself. */
     this.sent = this.counts;
-    /** Rows of history that were not handed over yet. @type {Float64Array[]} */
-    this.rows = [];
-    /** The newest row. @type {Float64Array | null} */
-    this.last = null;
-    this.made = 0;
   }
 
-  get counts() { return { vertices: this.planner.vertexCount, edges: this.planner.edgeCount, events: this.planner.eventCount }; }
+  /** Iterations made. */
+  get made() { return this.planner.iterations; }
+
+  get counts() { return { iterations: this.made, vertices: this.planner.vertexCount, edges: this.planner.edgeCount, events: this.planner.eventCount }; }
 
   /** What a clock of the history shows. Time 0 is before the first iteration. @param {number} column */
   clock(column) {
-    if (column < 0 || !this.last) return this.made;
-    return Math.max(1, this.last[column]);
+    const { planner, made } = this;
+    return column < 0 || made === 0 ? made : Math.max(1, planner.historySince(made - 1)[column]);
   }
 
   /**
@@ -74,24 +73,17 @@ export class Stepper {
    */
   advance(column, wanted, until, most = this.burst()) {
     const { planner } = this;
-    const width = planner.historyWidth;
     let slice = 1;
     while (!this.hasPassed(column, wanted)) {
       if (planner.vertexCount >= most.vertices || planner.edgeCount >= most.edges) return false;
       const began = performance.now();
       if (began >= until) return false;
       const left = column < 0 ? wanted - this.made : slice;
+      const { made } = this;
       const status = planner.step(Math.min(slice, Math.ceil(left)));
-      const rows = planner.takeHistory();
-      const count = rows.length / width;
-      if (count > 0) {
-        this.rows.push(rows);
-        this.last = rows.subarray(rows.length - width);
-        this.made += count;
-      }
       this.ended = status !== "running";
       const ended = performance.now();
-      const room = (until - ended) / (2 * Math.max((ended - began) / Math.max(1, count), 1e-4));
+      const room = (until - ended) / (2 * Math.max((ended - began) / Math.max(1, this.made - made), 1e-4));
       slice = Math.max(1, Math.min(2 * slice, LONGEST, Math.floor(room)));
     }
     return true;
@@ -99,17 +91,10 @@ export class Stepper {
 
   /** Hands over what has grown. @param {boolean} isResult   with the result as it is now @returns {Growth} */
   growth(isResult) {
-    const { planner, sent, rows, ended } = this;
-    const history = new Float64Array(rows.reduce((sum, { length }) => sum + length, 0));
-    rows.reduce((at, block) => {
-      history.set(block, at);
-      return at + block.length;
-    }, 0);
-    this.rows = [];
-    this.last &&= this.last.slice();
+    const { planner, sent, ended } = this;
     this.sent = this.counts;
     return {
-      history, ...grownSince(planner, sent), status: planner.status, phase: planner.phase, stats: planner.stats(),
+      history: planner.historySince(sent.iterations), ...grownSince(planner, sent), status: planner.status, phase: planner.phase, stats: planner.stats(),
       result: isResult || ended ? planner.result() : null,
       path: ended ? planner.path() : null, rawPath: ended ? planner.rawPath() : null,
     };

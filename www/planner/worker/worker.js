@@ -40,7 +40,7 @@ function begin({ document, plans }) {
 /** @template T @param {Source} source @param {(scenario: Scenario) => T} then @returns {T} */
 function within(source, then) {
   const { Scenario } = library;
-  const opened = "generate" in source ? Scenario.generate(source.generate.kind, source.generate.options) : Scenario.parse(source.document);
+  const opened = "generate" in source ? Scenario.generate(source.generate.kind, source.generate.options) : Scenario.parse(/** @type {ScenarioDocument} */ (source.document));
   try {
     return then(opened);
   } finally {

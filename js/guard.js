@@ -1,0 +1,142 @@
+/**
+ * The classes and functions of the core, each wrapped once: arguments are copied before the core is entered, and whatever is thrown is a
+ * `PlanariumError`.
+ */
+import { renamed } from "./catalogue.js";
+import { PlanariumError } from "./error.js";
+import { growth } from "./growth.js";
+import { plain } from "./plain.js";
+import { asOwn, currentInstance, isSound, requireCore } from "./runtime.js";
+
+/** What the core holds behind an object: a pointer, 0 once it is freed, and the number of its instance. @typedef {{ __wbg_ptr: number, __wbg_inst: number }} Held */
+/** @typedef {(this: unknown, ...given: any[]) => unknown} Callable */
+
+/** Where objects come from whose classes have no public constructor. @type {Record<string, string | undefined>} */
+const SOURCES = {
+  Scenario: "Scenario.parse or Scenario.generate",
+  Planner: "scenario.planner(options) or scenario.resume(roadmap, options)",
+  Reach: "scenario.reach(options)",
+  Neighbours: "scenario.neighbours(options)",
+  Drive: "scenario.drive(q)",
+};
+
+/**
+ * The exports of the glue, guarded. Its classes are changed in place, so that objects that the core makes are guarded too.
+ * @template {object} G
+ * @param {G} glue
+ * @returns {G}
+ */
+export function guarded(glue) {
+  const wrapped = Object.entries(glue)
+    .filter(([name, value]) => typeof value === "function" && !name.startsWith("__") && name !== "initSync" && name !== "default")
+    .map(([name, value]) => [name, SOURCES[name] || value.prototype?.free ? guardedClass(value, name) : guardedFunction(value)]);
+  return Object.fromEntries(wrapped);
+}
+
+/** @param {Function} Class @param {string} name */
+function guardedClass(Class, name) {
+  const { prototype } = Class;
+  // The glue is minified.
+  Object.defineProperty(Class, "name", { value: name });
+  for (const [key, { value, get }] of Object.entries(Object.getOwnPropertyDescriptors(prototype))) {
+    if (key === "constructor" || key === "free" || key.startsWith("__")) continue;
+    const guard = get ? { get() { return enter(get, this, [], name); } } : { value: guardedFunction(value, name), writable: true };
+    Object.defineProperty(prototype, key, { ...guard, configurable: true });
+  }
+  for (const key of ["parse", "generate"]) if (key in Class) Reflect.set(Class, key, guardedFunction(Reflect.get(Class, key)));
+  const { free } = prototype;
+  const release = /** @this {Held} */ function () {
+    if (!this.__wbg_ptr) return;
+    if (isSound() && this.__wbg_inst === currentInstance()) enter(free, this, [], name);
+    this.__wbg_ptr = 0;
+  };
+  const additions = {
+    free: release,
+    ...(Symbol.dispose ? { [Symbol.dispose]: release } : {}),
+    [Symbol.for("nodejs.util.inspect.custom")]: inspected,
+    ...(name === "Planner" ? { growth: guardedFunction(/** @type {Callable} */ (growth), name) } : {}),
+  };
+  for (const key of Reflect.ownKeys(additions)) {
+    Object.defineProperty(prototype, key, { value: Reflect.get(additions, key), configurable: true, writable: true });
+  }
+  const guard = new Proxy(Class, {
+    construct(target, given, made) {
+      const source = SOURCES[name];
+      if (source !== undefined) throw new PlanariumError("illegal-constructor", `A ${name} is made by ${source}, not by \`new\`.`);
+      return /** @type {object} */ (enter((...copies) => Reflect.construct(target, copies, made), undefined, given, undefined));
+    },
+  });
+  prototype.constructor = guard;
+  return guard;
+}
+
+/** A function, or a method of the class of that name. @param {Callable} operation @param {string} [name] @returns {Callable} */
+function guardedFunction(operation, name) {
+  return function (...given) {
+    return enter(operation, this, given, name);
+  };
+}
+
+/**
+ * Enters the core.
+ * @param {Callable} operation
+ * @param {unknown} self
+ * @param {unknown[]} given  replaced by copies
+ * @param {string | undefined} name  of the class that `self` must be a living object of
+ */
+function enter(operation, self, given, name) {
+  refuse(self, name);
+  for (let i = 0; i < given.length; i += 1) {
+    if (typeof given[i] !== "object" || given[i] === null) continue;
+    given[i] = plain(/** @type {object} */ (given[i]));
+    refuse(self, name);
+  }
+  try {
+    return operation.apply(self, given);
+  } catch (error) {
+    throw inCamelCase(asOwn(error), given);
+  }
+}
+
+/** Refuses a core that is not there, and an object that is gone. @param {unknown} self @param {string | undefined} name */
+function refuse(self, name) {
+  requireCore();
+  if (name === undefined) return;
+  const { __wbg_ptr, __wbg_inst } = /** @type {Held} */ (self);
+  if (!__wbg_ptr) throw new PlanariumError("freed", `This ${name} has been freed.`);
+  if (__wbg_inst !== currentInstance()) {
+    throw new PlanariumError("freed", `This ${name} was lost when Planarium's core stopped; make a new one.`);
+  }
+}
+
+/**
+ * An error of the core with options by their names in JavaScript.
+ * @param {PlanariumError} error
+ * @param {unknown[]} given
+ */
+function inCamelCase(error, given) {
+  const cause = given.find((copy) => copy instanceof Error)?.cause;
+  if (!`${error.message}${error.pointer}`.includes("_") && cause === undefined) return error;
+  const own = given.filter((copy) => typeof copy === "object" && copy !== null).flatMap(Object.keys);
+  const names = new Map([...renamed, ...own].map((name) => [name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`), name]));
+  const spelled = (/** @type {string} */ text) => text.replace(/[a-z]\w*_\w+/g, (word) => names.get(word) ?? word);
+  return new PlanariumError(error.code, spelled(error.message), spelled(error.pointer), { cause: cause ?? error.cause });
+}
+
+/**
+ * What `console.log` shows in Node: the class and the values of its getters.
+ * @this {object}
+ * @param {number} _depth
+ * @param {object} options
+ * @param {(value: object, options: object) => string} inspect
+ */
+function inspected(_depth, options, inspect) {
+  const prototype = Object.getPrototypeOf(this);
+  const getters = Object.entries(Object.getOwnPropertyDescriptors(prototype)).filter(([, { get }]) => get !== undefined);
+  const { name } = prototype.constructor;
+  try {
+    return `${name} ${inspect(Object.fromEntries(getters.map(([key, { get }]) => [key, get?.call(this)])), options)}`;
+  } catch (error) {
+    return `${name} (${asOwn(error).code})`;
+  }
+}

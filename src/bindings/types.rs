@@ -1,0 +1,159 @@
+//! The types of arguments and of results that TypeScript has no class or record for, each by its name there.
+
+use crate::problem;
+use wasm_bindgen::prelude::*;
+
+/// Declares types that are plain values in JavaScript.
+macro_rules! plain {
+    ($($Name:ident = $type:literal),* $(,)?) => {
+        #[wasm_bindgen]
+        extern "C" { $(
+            #[wasm_bindgen(typescript_type = $type)]
+            #[derive(Clone)]
+            pub type $Name;
+        )* }
+    };
+}
+
+plain! {
+    JsNumber = "number",
+    JsText = "string",
+    GeneratorName = "GeneratorId",
+    ScenarioInput = "string | ScenarioDocument | Scenario",
+    JsConfiguration = "Configuration",
+    JsPoint = "readonly [number, number] | Float64Array",
+    Rows = "Float64Array | readonly number[]",
+    Configurations = "Float64Array | readonly number[] | readonly Configuration[]",
+    RoadmapFile = "string | Uint8Array",
+    PlannerOptions = "PlannerOptions",
+    ResumeOptions = "ResumeOptions",
+    GenerateOptions = "GenerateOptions",
+    ReachOptions = "ReachOptions",
+    NeighboursOptions = "NeighboursOptions",
+    SampleOptions = "SampleOptions",
+    CspaceOptions = "CspaceOptions",
+    QueryOptions = "QueryOptions",
+    TrajectoryOptions = "TrajectoryOptions",
+    ParticleOptions = "ParticleMotion",
+    JsKey = "DriveKey",
+    KeyPresses = "readonly KeyPress[]",
+    RobotType = "Robot[\"type\"]",
+    JsDocument = "ScenarioDocument",
+    TwoRanges = "[Point, Point]",
+    JsPair = "Point",
+    Booleans = "boolean[]",
+    JsBox = "Box",
+    JsVerdict = "ReachVerdict",
+}
+
+/// The status of a run.
+#[wasm_bindgen]
+#[derive(Clone, Copy)]
+pub enum Status {
+    Running = "running",
+    Solved = "solved",
+    Exhausted = "exhausted",
+}
+
+impl From<problem::Status> for Status {
+    fn from(status: problem::Status) -> Self {
+        Self::from_str(status.as_str()).expect("the same words")
+    }
+}
+
+/// The phase of a planner. `prm` and `prm-star`: sampling, connecting, searching; `visibility-prm`: guarding, searching; `rrt`,
+/// `rrt-connect`, `rrt-control` and `sst`: growing; a roadmap that is resumed: connecting, searching. Then improving, if that is
+/// requested (`sst` by growing on), and done.
+#[wasm_bindgen]
+#[derive(Clone, Copy)]
+pub enum Phase {
+    Sampling = "sampling",
+    Connecting = "connecting",
+    Guarding = "guarding",
+    Searching = "searching",
+    Growing = "growing",
+    Improving = "improving",
+    Done = "done",
+}
+
+impl From<problem::Phase> for Phase {
+    fn from(phase: problem::Phase) -> Self {
+        Self::from_str(phase.as_str()).expect("the same words")
+    }
+}
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** A point of the plane: x, y, in metres. */
+export type Point = [number, number];
+
+/** A configuration: one number per degree of freedom (the joints of an arm; x and y of a disc; x, y and theta of a body or a car). */
+export type Configuration = readonly number[] | Float64Array;
+
+/** The format of a stored roadmap: JSON or bytes, which `scenario.resume` reads, or GraphML for other programs. */
+export type RoadmapFormat = "json" | "binary" | "graphml";
+
+/** What stops a car: the index of an obstacle, the bounds, or `"near"` if it would only come too near to something to be proven free. */
+export type Obstructed = number | "bounds" | "near";
+
+/** The motion of a particle: on a circular arc, or on the spiral v t (cos(theta + w t), sin(theta + w t)) about its start. */
+export type ParticleModel = "arc" | "spiral";
+
+/** Options of `planner.query`. */
+export interface QueryOptions {
+  /** Whether start and goal stay in the roadmap, with their edges, as its last two vertices; `false` by default. */
+  keep?: boolean;
+}
+
+/** Options of `scenario.sampleConfigurations`. */
+export interface SampleOptions {
+  /** A whole number from 0 (default) to 2^53 - 1. */
+  seed?: number;
+  /** Whether only free configurations are returned; `false` by default. */
+  free?: boolean;
+}
+
+/** The size of a picture of the configuration space, in cells. */
+export interface CspaceOptions {
+  /** Cells along the first joint, from 1 to 4096. */
+  width: number;
+  /** Cells along the second joint, from 1 to 4096. */
+  height: number;
+}
+
+/** Options of `planner.growth`. */
+export interface GrowthOptions {
+  /** The time of one slice, in milliseconds; 8 by default. */
+  budget?: number;
+}
+
+/** What a slice of a run has added. */
+export interface Growth {
+  /** The status after the slice. */
+  status: Status;
+  /** Iterations made so far. */
+  iterations: number;
+  /** The new vertices: see `planner.verticesSince`. */
+  vertices: Float64Array;
+  /** The new edges: see `planner.edgesSince`. */
+  edges: Uint32Array;
+  /** The new events: see `planner.eventsSince`. */
+  events: Float64Array;
+}
+
+export interface Planner {
+  /**
+   * The roadmap of `prm`, `prm-star` or `visibility-prm`, as far as it is built; `scenario.resume` continues with it.
+   * @throws {PlanariumError} `unsupported` if the planner builds no roadmap; `out-of-range` for another format
+   */
+  roadmap(format: "binary"): Uint8Array;
+  /** The roadmap as text: JSON for `scenario.resume`, GraphML for other programs. */
+  roadmap(format: "json" | "graphml"): string;
+  /**
+   * Steps the run to its end in slices, and yields what each has added. Between slices other tasks run, so that a page stays
+   * responsive; `break` stops the run where it is. The loop begins with what has grown before.
+   * @throws {PlanariumError} `not-finite`, `out-of-range`, `wrong-type` for the budget; `freed` once the planner is freed
+   */
+  growth(options?: GrowthOptions): AsyncGenerator<Growth, void, undefined>;
+}
+"#;

@@ -1,0 +1,30 @@
+/** Names of options: pages, links and documents write them in snake_case, the package takes them in camelCase. */
+
+/** @param {string} name */
+function inCamelCase(name) { return name.replace(/_(.)/g, (_, letter) => letter.toUpperCase()); }
+
+/** @param {string} name */
+function inSnakeCase(name) { return name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`); }
+
+/** @template T @param {Record<string, T>} fields @param {(name: string) => string} rename @returns {Record<string, T>} */
+function renamed(fields, rename) { return Object.fromEntries(Object.entries(fields).map(([name, value]) => [rename(name), value])); }
+
+/** Settings of the package by the names of documents. @template T @param {Record<string, T>} options */
+export function namesOfDocuments(options) { return renamed(options, inSnakeCase); }
+
+/**
+ * Calls the package with settings by its names for them; the pointer of an error has the page's name again.
+ * @template T
+ * @param {object} settings
+ * @param {(options: any) => T} use
+ * @returns {T}
+ */
+export function withOptions(settings, use) {
+  try {
+    return use(renamed(/** @type {Record<string, unknown>} */ (settings), inCamelCase));
+  } catch (error) {
+    const thrown = /** @type {{ pointer?: unknown }} */ (error);
+    if (typeof thrown.pointer === "string") thrown.pointer = inSnakeCase(thrown.pointer);
+    throw error;
+  }
+}

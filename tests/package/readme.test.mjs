@@ -24,6 +24,7 @@ function blocks(name, language) {
 const PRINTED = {
   "README.md": [/^solved \d+ vertices, \d+ edges \d\.\d+\n$/],
   "docs/javascript.md": [
+    /^\{[^]*free: true[^]*\}\nsolved\nsolved true\n$/,
     /^solved solved solved\n$/,
     /^(?:solved [1-9]\d* motions\n){2}3\n$/,
     /^the forest found \d+ of 10; the tree visited \d+ of 20000, up to \d\.\d\d\n$/,

@@ -2,7 +2,7 @@
  * The configuration space of two coordinates as a square. A circle is cut open at its ends; a faint strip of the same picture
  * continues beyond each cut, so that one sees how the angles wrap.
  */
-import { MARGIN, drawAxes } from "./angles.js";
+import { MARGIN, drawAxes, tick } from "./angles.js";
 import { paint, soften } from "./mask.js";
 import { folded } from "./trace.js";
 import { View } from "./view.js";

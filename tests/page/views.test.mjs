@@ -282,7 +282,7 @@ describe("axes", () => {
       const groups = allOf(readXml(context.toString()), "g").map(({ attributes }) => attributes.style).filter(Boolean);
       assert.ok(groups.length > 0 && groups.every((style) => style.includes(`${12 * scale}px`)), String(groups));
       const across = words.filter(({ attributes }) => attributes.y === words[0].attributes.y && attributes.x);
-      const spans = across.map(({ attributes, children }) => [Number(attributes.x) - 3.6 * scale * String(children[0]).length, Number(attributes.x) + 3.6 * scale * String(children[0]).length]).toSorted(([a], [b]) => a - b);
+      const spans = across.map(({ attributes, children }) => [Number(attributes.x) - 3.1 * scale * String(children[0]).length, Number(attributes.x) + 3.1 * scale * String(children[0]).length]).toSorted(([a], [b]) => a - b);
       assert.equal(spans.length, 4);
       spans.slice(1).forEach(([from], i) => assert.ok(from > spans[i][1] + 2, `${spans}`));
     }

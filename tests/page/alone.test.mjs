@@ -128,7 +128,14 @@ describe("inside another page", () => {
       };
       const loaded = await order({ planarium: "load", scene: "firs", algorithm: "rrt", settings: { seed: 5, step: 0.35 }, iteration: 40 });
       assert.ok(!loaded.fault, JSON.stringify(loaded));
+      assert.deepEqual([loaded.value.settled, loaded.value.iteration, loaded.value.lanes[0].algorithm, loaded.value.lanes[0].iteration], [true, 40, "rrt", 40]);
       assert.equal((await ask()).iteration, 40);
+      // The answer tells of the run that was loaded, not of the one before, whether it rests or plays.
+      const again = (await order({ planarium: "load", scene: "rings", iteration: 7 })).value;
+      assert.deepEqual([again.iteration, again.lanes[0].algorithm, again.lanes[0].unit], [7, "prm", "m"]);
+      const playing = (await order({ planarium: "load", scene: "stones", algorithm: "rrt-connect", play: true })).value;
+      assert.deepEqual([playing.playing, playing.lanes[0].algorithm, playing.lanes[0].unit], [true, "rrt-connect", "rad"]);
+      await order({ planarium: "load", scene: "firs", algorithm: "rrt", settings: { seed: 5, step: 0.35 }, iteration: 40 });
       await order({ planarium: "step", count: 10 });
       assert.equal((await ask()).iteration, 50);
       await order({ planarium: "step", count: -3 });

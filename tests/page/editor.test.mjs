@@ -295,21 +295,25 @@ describe("while it changes", () => {
 describe("undo", () => {
   test("sixty edits are undone and redone, one a gesture, and the scene is again the page's own", async () => {
     await onPausedPage(async (page) => {
+      const header = (/** @type {string} */ title) => page.waitForFunction((wanted) => document.getElementById("where")?.textContent === wanted, `${title} \u00b7 PRM`);
       await edit(page, null);
       await page.focus("#stage");
       await page.keyboard.press("]");
       await page.keyboard.press("]");
       await page.keyboard.press("]");
       await until(page, "title", "Obstacle 0, a polygon");
+      await header("Two links among stones");
       const before = (await saved(page)).text;
       await page.focus("#stage");
       for (let i = 0; i < 60; i++) await page.keyboard.press(i % 3 === 0 ? "ArrowUp" : "ArrowRight");
       await until(page, "undo", 60);
       const changed = (await saved(page)).text;
       assert.notEqual(changed, before);
+      await header("Two links among stones (edited)");
       await page.focus("#stage");
       for (let i = 0; i < 60; i++) await page.keyboard.press("Control+z");
       await until(page, "redo", 60);
+      await header("Two links among stones");
       await page.waitForSelector("body[data-scene=stones]");
       assert.ok(await page.isChecked("input[name=scene][value=stones]"));
       assert.equal((await saved(page)).text, before);
@@ -320,6 +324,7 @@ describe("undo", () => {
       assert.equal((await saved(page)).text, changed);
       await page.click("#editor >> text=Revert");
       await page.waitForSelector("body[data-scene=stones]");
+      await header("Two links among stones");
       assert.equal((await saved(page)).text, before);
       await page.click("#edit-tools >> text=Undo");
       await page.waitForSelector("body[data-scene=file]");
@@ -336,6 +341,7 @@ describe("undo", () => {
       await chooseScene(page, "firs");
       await until(page, "undo", 0);
       assert.equal((await saved(page)).name, "firs.json");
+      assert.equal(await page.innerText("#where"), "A clearing of firs \u00b7 RRT-Connect");
     });
   });
 });

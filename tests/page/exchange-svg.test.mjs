@@ -304,6 +304,7 @@ test("words are escaped, placed and turned", () => {
   const matrix = /^matrix\((.*)\)$/.exec(turned.attributes.transform)?.[1].split(" ").map(Number) ?? [];
   assert.deepEqual(matrix.map((value) => Math.round(value * 1e6) / 1e6 || 0), [0, -1, 1, 0, 55, 60]);
   assert.equal(turned.attributes.x, undefined);
+  assert.equal(turned.attributes["text-anchor"], undefined, "start is the default");
   const [title, ground] = root.children.filter((child) => typeof child !== "string");
   assert.deepEqual([title.name, title.children, ground.attributes.fill], ["title", ["<title> & \"more\""], '"><script>']);
 });

@@ -7,7 +7,7 @@ import { after, before, describe, test } from "node:test";
 import { gzipSync } from "node:zlib";
 import { Scenario } from "planarium";
 import {
-  atRest, chooseScene, counters, dropFile, finish, frames, growthHash, isDeep, onPage, onPausedPage, pickFile, pixelsOf, root, setParameter, start, stop, thumbnails,
+  PHONE, atRest, chooseScene, counters, dropFile, finish, frames, growthHash, isDeep, onPage, onPausedPage, pickFile, pixelsOf, root, setParameter, start, stop, thumbnails,
 } from "./browser.mjs";
 import { assertFits } from "./looks.mjs";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
@@ -32,6 +32,35 @@ describe("opening", () => {
       const { iterations } = await counters(page);
       await page.waitForFunction((before) => Number(document.getElementById("counters")?.dataset.iterations) > before, iterations);
     });
+  });
+
+  test("on paper are the scene, the planner, its settings and the iteration; nothing to press, and panes beside each other", async () => {
+    for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+      await onPausedPage(async (page) => {
+        const { iterations } = await finish(page);
+        assert.equal(await page.locator("#printed").isVisible(), false);
+        await page.pdf();
+        await page.emulateMedia({ media: "print" });
+        await page.setViewportSize({ width: 794, height: 1123 });
+        assert.equal(await page.innerText("#printed"), `Two links among stones \u00b7 PRM, k 9, samples 260, sampler uniform, seed 0 \u00b7 iteration ${iterations}`);
+        for (const button of await page.locator("button, input, select").all()) assert.equal(await button.isVisible(), false);
+        const sheets = await page.locator(".sheet, .sheet canvas").evaluateAll((all) => all.map((one) => one.getBoundingClientRect().toJSON()));
+        const [left, right] = [0, sheets.length / 2].map((first) => sheets.slice(first, first + sheets.length / 2));
+        assert.ok(Math.max(...left.map((box) => box.right)) <= Math.min(...right.map((box) => box.left)));
+        assert.ok(sheets.every(({ width, height }) => width > 300 && Math.abs(width - height) < 1));
+        await page.emulateMedia({ media: "screen" });
+      }, { colorScheme });
+    }
+  });
+
+  test("on a phone the transport leaves most of the screen to the stage, and all of it can be reached", async () => {
+    await onPausedPage(async (page) => {
+      const covered = () => page.locator("#transport").evaluate((bar) => innerHeight - bar.getBoundingClientRect().top);
+      assert.ok(await covered() <= 100, `${await covered()} px`);
+      assert.ok(await page.locator("#play").evaluate((button) => button.getBoundingClientRect().bottom <= innerHeight));
+      await page.locator("#numbers").scrollIntoViewIfNeeded();
+      assert.ok(await page.locator("#reset").evaluate((button) => button.getBoundingClientRect().bottom <= innerHeight));
+    }, PHONE);
   });
 
   test("whoever asks for less motion finds it paused, with one button to start it", async () => {
@@ -173,8 +202,16 @@ describe("settings", () => {
       const old = await page.inputValue("#parameter-seed");
       await page.click("#new-seed");
       await page.waitForFunction((before) => /** @type {HTMLInputElement} */ (document.getElementById("parameter-seed")).value !== before, old);
-      assert.notEqual(await page.inputValue("#parameter-seed"), old);
+      for (let i = 0; i < 4; i++) {
+        assert.match(await page.inputValue("#parameter-seed"), /^\d{1,6}$/);
+        await page.click("#new-seed");
+      }
       assert.notEqual((await finish(page)).fingerprint, fingerprint);
+      const largest = String(Number.MAX_SAFE_INTEGER);
+      await setParameter(page, "seed", largest);
+      await finish(page);
+      assert.equal(await page.inputValue("#parameter-seed"), largest);
+      assert.equal(await page.locator("#parameter-seed-reason").isHidden(), true);
     });
   });
 
@@ -341,6 +378,31 @@ describe("planners", () => {
 });
 
 describe("scenes and files", () => {
+  test("the header has the name of the gallery, of drawn and of generated scenes alike", async () => {
+    await onPausedPage(async (page) => {
+      for (const { id, title } of SCENES.filter((entry) => ["stones", "blossom", "museum"].includes(entry.id))) {
+        await chooseScene(page, id);
+        assert.ok((await page.innerText("#where")).startsWith(`${title} \u00b7 `), title);
+      }
+    });
+  });
+
+  test("the gallery says how many of its scenes are in view, and shows all of them", async () => {
+    await onPausedPage(async (page) => {
+      const inView = () => page.locator(".card").evaluateAll((cards) => {
+        const strip = /** @type {HTMLElement} */ (cards[0].parentElement).getBoundingClientRect();
+        return cards.filter((card) => card.getBoundingClientRect().right <= strip.right + 1).length;
+      });
+      const few = await inView();
+      assert.ok(few < SCENES.length);
+      assert.equal(await page.innerText(".gallery-size .hint"), `${few} of ${SCENES.length} scenes`);
+      await page.click("#all-scenes");
+      assert.deepEqual([await inView(), await page.innerText(".gallery-size .hint"), await page.getAttribute("#all-scenes", "aria-expanded")], [SCENES.length, `${SCENES.length} scenes`, "true"]);
+      await page.click("#all-scenes");
+      assert.equal(await inView(), few);
+    });
+  });
+
   test("a bad file is refused with code and place, and the scene stays", async () => {
     await onPausedPage(async (page) => {
       await page.click("#step-100");

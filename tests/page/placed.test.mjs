@@ -8,6 +8,9 @@ import { namesOfDocuments } from "../../www/domain/option-names.js";
 import { decodeLink } from "../../www/planner/link/codec.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { Placed } from "../../www/planner/stage/placed.js";
+import { SvgContext } from "../../www/formats/svg.js";
+import { View } from "../../www/draw/view.js";
+import { allOf, readXml } from "./xml.mjs";
 import { playbackOf } from "../../www/domain/path-playback.js";
 import { ending } from "../../www/planner/story.js";
 import { atRest, chooseScene, finish, growthHash, onPausedPage, pickFile, pixelsOf, root, seek, start, stop } from "./browser.mjs";
@@ -97,6 +100,30 @@ describe("edges and ways of cars", () => {
       });
       assert.match(ending(run, playback), /: a path of length \d+\.\d\d, proven free/);
       run.free();
+    }
+  });
+
+  test("a car's wheels are drawn within its body, the front ones turned so that they roll without slipping", () => {
+    const wheelbase = 0.2;
+    const view = new View({ min: [-1, -1], max: [1, 1] }, 1000, 1000, { left: 0, right: 0, top: 0, bottom: 0 }, true);
+    for (const front of [0.1, 0.17, 0.3]) {
+      /** @type {[number, number][]} */
+      const vertices = [[-0.1, -0.05], [front, -0.05], [front, 0.05], [-0.1, 0.05]];
+      const placed = new Placed({ type: "car", shape: { type: "polygon", vertices }, wheelbase, speed: [-1, 1], steering: [-1, 1] });
+      for (const steering of [0, 0.7]) {
+        const context = new SvgContext(1000, 1000);
+        placed.drawMarks(/** @type {any} */ (context), view, [0, 0, 0], steering, "black");
+        const wheels = allOf(readXml(context.toString()), "path").flatMap(({ attributes }) => (attributes.fill === "none" ? [] : attributes.d.split("Z").filter(Boolean)))
+          .map((d) => (d.match(/-?[\d.]+ -?[\d.]+/g) ?? []).map((pair) => view.toPlane(.../** @type {[number, number]} */ (pair.split(" ").map(Number)))));
+        assert.equal(wheels.length, 4);
+        for (const [x] of wheels.flat()) assert.ok(x <= front + 0.003, `a wheel at ${x}, before ${front}`);
+        const [[a, b]] = wheels.slice(2);
+        const centre = wheels[2].reduce((sum, [x]) => sum + x / 4, 0);
+        // Every wheel of a turning car is at a right angle to the line to the centre of the turn.
+        const turn = Math.atan2(b[1] - a[1], b[0] - a[0]);
+        assert.ok(Math.abs(Math.tan(turn) - (centre / wheelbase) * Math.tan(steering)) < 0.1, `${front}: ${turn}`);
+        if (front === 0.3) assert.ok(Math.abs(centre - wheelbase) < 0.003, "where there is room, at the wheelbase");
+      }
     }
   });
 

@@ -283,7 +283,8 @@ describe("rivals", () => {
       await race(page, "rrt-connect", "rrt");
       await give(page, "C", "metric", "naive");
       await page.waitForSelector("#notice:not([hidden])");
-      assert.match(await page.innerText("#notice"), /^C, RRT, cannot be planned\. .*naive/);
+      assert.match(await page.innerText("#notice"), /^C, RRT, cannot be planned\. .*naive.*\. Change its settings or remove C to start the race\./);
+      assert.deepEqual((await table(page)).map(({ found }) => found), ["not started", "not started", "not started"]);
       assert.equal(await page.locator("#notice").getAttribute("data-pointer"), "/metric");
       assert.match(await page.innerText("#rival-C-metric-reason"), /naive/);
       assert.equal(await page.locator("#rival-B-metric-reason").isHidden(), true);
@@ -320,6 +321,48 @@ describe("rivals", () => {
     });
   });
 
+  test("only planners that serve the robot are offered; a rival that does not serve the next scene is removed, and the race goes on", async () => {
+    const { planners } = await import("planarium");
+    const idsFor = (/** @type {string} */ robot) => planners().flatMap(({ id, robots }) => (robots.some((one) => one === robot) ? [id] : []));
+    await onPausedPage(async (page) => {
+      const offered = (/** @type {string} */ id) => page.locator(`#${id} option`).evaluateAll((options) => options.map((option) => /** @type {HTMLOptionElement} */ (option).value));
+      await race(page, "rrt");
+      assert.deepEqual(await offered("rival"), idsFor("arm"));
+      await chooseScene(page, "blossom");
+      assert.deepEqual([await offered("rival"), await offered("rival-B-planner")], [idsFor("car"), idsFor("car")]);
+      await page.selectOption("#rival-B-planner", "rrt-control");
+      await race(page, "sst", "rrt");
+      await chooseScene(page, "rings");
+      assert.equal(await page.innerText("#notice strong"), "RRT by controls needs a car, so rival B was removed. SST needs a car, so rival C was removed.");
+      assert.deepEqual((await table(page)).map(({ name, found }) => [name, found]), [["A PRM", "sampling"], ["B RRT", "growing"]]);
+      assert.deepEqual([await offered("rival"), await offered("rival-B-planner")], [idsFor("disc"), idsFor("disc")]);
+      await page.click("#play");
+      await page.waitForFunction(() => Number(/** @type {HTMLInputElement} */ (document.getElementById("time")).value) > 0);
+      await finish(page);
+      assert.ok((await table(page)).every(({ fingerprint }) => fingerprint));
+    });
+  });
+
+  test("a rival has the presets of its planner; by hand it is the reader's own again", async () => {
+    const { planners } = await import("planarium");
+    const preset = planners().find(({ id }) => id === "prm")?.presets[0];
+    assert.ok(preset);
+    await onPausedPage(async (page) => {
+      await race(page, "prm");
+      await page.locator("fieldset.rival details > summary").first().click();
+      assert.equal(await page.inputValue("#rival-B-preset"), "own");
+      await page.selectOption("#rival-B-preset", preset.id);
+      await atRest(page);
+      for (const [name, value] of Object.entries(preset.settings)) assert.equal(await page.inputValue(`#rival-B-${name}`), String(value), name);
+      await finish(page);
+      assert.equal((await table(page))[1].fingerprint, (await alone("stones", { algorithm: "prm", settings: { seed: 0, ...preset.settings } })).fingerprint);
+      await give(page, "B", "k", "6");
+      assert.equal(await page.inputValue("#rival-B-preset"), "own");
+      await page.selectOption("#rival-B-planner", "rrt-connect");
+      assert.equal(await page.locator("#rival-B-preset").isVisible(), false);
+    });
+  });
+
   test("one switch for all sheets: workspace or configuration space", async () => {
     await onPausedPage(async (page) => {
       await race(page, "rrt");
@@ -346,6 +389,7 @@ describe("winners, in words", () => {
       assert.equal(b.cost, "9.19 rad");
       assert.equal(await page.innerText("#story"), "B found a path first, after 190 clearance evaluations; A has the shortest, 8.93 rad.");
       await page.waitForFunction(() => document.getElementById("announcer")?.textContent?.endsWith("A has the shortest, 8.93 rad."));
+      assert.match(await page.innerText("#standings"), /Standings at equal cost \(one seed\): over many seeds the winner may differ\./);
     });
   });
 

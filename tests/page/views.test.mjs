@@ -4,7 +4,10 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { Scenario } from "planarium";
+import { drawAxes } from "../../www/draw/angles.js";
 import { View } from "../../www/draw/view.js";
+import { SvgContext } from "../../www/formats/svg.js";
+import { allOf, readXml } from "./xml.mjs";
 import { PHONE, atRest, chooseScene, finish, frames, onPausedPage, pixelsOf, root, seek, setParameter, start, stop, unfold } from "./browser.mjs";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 
@@ -263,6 +266,26 @@ describe("the path", () => {
       const both = await pixelsOf(page, "cspace", "top", "path");
       assert.ok(both > alone + 20, `${alone}, then ${both} pixels`);
     });
+  });
+});
+
+describe("axes", () => {
+  test("names stand clear of the numbers in small squares, and grow with the words of the projector", () => {
+    const arm = (/** @type {number} */ joint) => ({ name: `joint ${joint}`, unit: /** @type {const} */ ("rad"), low: -Math.PI, high: Math.PI, isCircle: true });
+    for (const scale of [1, 1.7]) {
+      const side = 180 * scale;
+      const margin = { left: 34 * scale, right: 12 * scale, top: 12 * scale, bottom: 32 * scale };
+      const view = new View({ min: [-Math.PI, -Math.PI], max: [Math.PI, Math.PI] }, side, side, margin, true);
+      const context = new SvgContext(side, side);
+      drawAxes(/** @type {any} */ (context), view, { x: margin.left, y: margin.top, width: side - margin.left - margin.right, height: side - margin.top - margin.bottom }, [arm(0), arm(1)], scale);
+      const words = allOf(readXml(context.toString()), "text");
+      const groups = allOf(readXml(context.toString()), "g").map(({ attributes }) => attributes.style).filter(Boolean);
+      assert.ok(groups.length > 0 && groups.every((style) => style.includes(`${12 * scale}px`)), String(groups));
+      const across = words.filter(({ attributes }) => attributes.y === words[0].attributes.y && attributes.x);
+      const spans = across.map(({ attributes, children }) => [Number(attributes.x) - 3.1 * scale * String(children[0]).length, Number(attributes.x) + 3.1 * scale * String(children[0]).length]).toSorted(([a], [b]) => a - b);
+      assert.equal(spans.length, 4);
+      spans.slice(1).forEach(([from], i) => assert.ok(from > spans[i][1] + 2, `${spans}`));
+    }
   });
 });
 

@@ -148,6 +148,7 @@
  * @property {string} curves   differs where the curves do
  * @property {Fault & { lane: number } | null} refusal   which lane the core would not plan
  * @property {EditState | null} edit   while the editor is on
+ * @property {boolean} isEdited        the scenario was edited since it was opened
  * @property {DriveReport | null} drive   while the reader drives
  *
  * @typedef {import("planarium").DriveState & { paused: boolean, byKeys: boolean, replaying: boolean, said: string, arrived: boolean,

@@ -2,7 +2,7 @@
  * The configuration space of two coordinates as a square. A circle is cut open at its ends; a faint strip of the same picture
  * continues beyond each cut, so that one sees how the angles wrap.
  */
-import { tick, ticks, titleOf } from "./angles.js";
+import { MARGIN, drawAxes, tick } from "./angles.js";
 import { paint, soften } from "./mask.js";
 import { folded } from "./trace.js";
 import { View } from "./view.js";
@@ -11,7 +11,6 @@ import { View } from "./view.js";
 /** @import { Palette } from "../app/palette.js" */
 /** @import { Brush } from "./figure.js" */
 
-const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };
 /** Width of the strips, radians. */
 const STRIP = 0.5;
 /** Pixels of the picture a cell, at most. */
@@ -112,29 +111,8 @@ export class AngleSquare {
   /** @param {CanvasRenderingContext2D} context @param {Palette} palette */
   drawAxes(context, palette) {
     const view = /** @type {View} */ (this.view);
-    const { coordinates: [across, up], outer: { x, y, width, height } } = this;
-    const bottom = y + height;
     context.fillStyle = palette.quiet;
-    context.lineWidth = 1;
-    context.font = "12px system-ui, sans-serif";
-    context.textBaseline = "top";
-    context.textAlign = "center";
-    for (const { value, text } of ticks(across)) {
-      tick(context, view.x(value), bottom, view.x(value), bottom + 4);
-      context.fillText(text, view.x(value), bottom + 7);
-    }
-    context.fillText(titleOf(across), x + width * 0.34, bottom + 7);
-    context.save();
-    context.translate(x - 22, y + height * 0.34);
-    context.rotate(-Math.PI / 2);
-    context.fillText(titleOf(up), 0, 0);
-    context.restore();
-    context.textBaseline = "middle";
-    context.textAlign = "right";
-    for (const { value, text } of ticks(up)) {
-      tick(context, x - 4, view.y(value), x, view.y(value));
-      context.fillText(text, x - 8, view.y(value));
-    }
+    drawAxes(context, view, this.outer, this.coordinates);
   }
 
   /** A configuration in the square, CSS pixels. @param {ArrayLike<number>} q @returns {[number, number]} */

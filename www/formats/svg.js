@@ -12,7 +12,7 @@ const TURN = 2 * Math.PI;
 /** From the line named to the baseline, in sizes of the font, as most fonts have it. @type {Record<string, number>} */
 const DROP = { top: 0.78, middle: 0.28, bottom: -0.22 };
 /** @type {Record<string, string>} */
-const ANCHOR = { center: "middle", right: "end" };
+const ANCHOR = { left: "start", center: "middle", right: "end" };
 
 /** @param {number} value */
 const round = (value) => Math.round(value * 100) / 100 || 0;

@@ -31,6 +31,7 @@ import { Pose } from "./pose/controls.js";
 import { Projector } from "../app/projector.js";
 import { showPseudocode } from "./pseudocode.js";
 import { watchTheme } from "../app/theme.js";
+import { watchPrint } from "./print.js";
 import { watchReadout } from "./pose/readout.js";
 import { Transport } from "./timeline/transport.js";
 import { keepForLater } from "../app/keep-offline.js";
@@ -49,6 +50,8 @@ import { Session, placed } from "./session.js";
 const THUMBNAILS = 250;
 /** And after them what scenes need besides: the page has opened by then. */
 const PROVISIONS = 3000;
+/** How many seeds "New seed" chooses from: six digits can be said aloud. */
+const SEEDS = 1_000_000;
 
 const counters = new Counters();
 const notice = new Notice();
@@ -74,7 +77,7 @@ async function start() {
   const where = byId("where", HTMLElement);
   const turn = byId("your-turn", HTMLButtonElement);
   const stage = byId("stage", HTMLElement);
-  const panel = new Panel(library.planners(), () => library.randomSeed(), () => page.plan(), () => page.ask());
+  const panel = new Panel(library.planners(), () => library.randomSeed() % SEEDS, () => page.plan(), () => page.ask());
   const page = new Page(session, panel, notice);
   const sheets = new Sheets(page);
   const pose = new Pose((at) => page.act(({ byHand }) => byHand.hold(Float64Array.from(at))));
@@ -95,6 +98,7 @@ async function start() {
   const options = new Part(notice, async () => (await import("./scenes/options.js")).showSceneOptions(page, generators)).inFold("make-fold");
   page.onOpen((_, entry) => { if (entry?.sliders) options.use(); });
   watchReadout(page);
+  watchPrint(page);
   const projector = new Projector(() => page.setTheme());
 
   const race = new Part(notice, async () => new (await import("./race/race.js")).Race(page, sheets)).inFold("race-fold");
@@ -123,7 +127,7 @@ async function start() {
     write(story, state.sentence);
     story.dataset.tone = state.isBad ? "bad" : "";
     turn.textContent = state.inHand ? "Watch again" : page.facts?.robot === "car" ? "Drive" : "Your turn";
-    write(where, `${page.facts?.title ?? ""} \u00b7 ${page.names.join(" against ")}`);
+    write(where, `${page.title} \u00b7 ${page.names.join(" against ")}`);
     stage.classList.toggle("in-hand", state.inHand);
     pose.reflect(state);
     sheets.look(state, page.facts);

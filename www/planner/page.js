@@ -9,6 +9,7 @@ import { faultOf } from "../app/fault.js";
 import { loadScene } from "../app/resources.js";
 import { readPalette } from "../app/palette.js";
 import { letter } from "./race/standings.js";
+import { robotName } from "../domain/names.js";
 
 /** @import { Notice } from "../app/notice.js" */
 /** @import { Panel } from "./settings/panel.js" */
@@ -35,6 +36,8 @@ export class Page {
     this.source = null;
     /** The page's own scene, if it is one. @type {SceneEntry | null} */
     this.entry = null;
+    /** What it is called: as in the gallery, where it is there. */
+    this.name = "";
     /** Iterations a second that it was opened with, if it did not keep those of before. @type {number | undefined} */
     this.pace = undefined;
     /** Planners that race with the one of the panel. @type {Plan[]} */
@@ -128,8 +131,6 @@ export class Page {
     // A scene that is put on the stage anew keeps the speed that it is watched at.
     const pace = entry && entry === this.entry ? undefined : entry?.pace ?? PACE;
     const given = plans?.[0] ?? entry;
-    const plan = given ? panel.reads(given.algorithm, given.settings) : panel.plan ?? { algorithm: panel.algorithm, settings: {} };
-    const rivals = plans?.slice(1) ?? this.race?.beside(plan) ?? this.rivals;
     const mine = this.wish;
     const scenario = this.run(() => this.session.read(source));
     const placed = await this.session.placedOf(scenario);
@@ -137,6 +138,13 @@ export class Page {
       scenario.free();
       return;
     }
+    // Planners and parameters that do not serve this robot would be refused.
+    panel.offer(scenario.robot);
+    const plan = given ? panel.reads(given.algorithm, given.settings) : panel.plan ?? { algorithm: panel.algorithm, settings: {} };
+    const dropped = this.race?.offer() ?? [];
+    const wanted = plans?.slice(1) ?? this.race?.beside(plan) ?? this.rivals;
+    const rivals = wanted.filter(({ algorithm }) => panel.serves(algorithm));
+    const removed = plans ? wanted.map(({ algorithm }, i) => ({ algorithm, lane: i + 1 })).filter(({ algorithm }) => !panel.serves(algorithm)) : dropped;
     const facts = this.run((session) => session.open(scenario, {
       plans: [plan, ...rivals], query, iteration, play, pace,
       story: { sentence: entry?.story ?? "", algorithm: entry?.algorithm ?? "", isProven: entry?.settings.edge_check !== "sampled" },
@@ -147,13 +155,19 @@ export class Page {
     this.rivals = rivals;
     this.asked = [plan, ...rivals];
     this.pace = pace;
+    this.name = entry?.title ?? facts.title;
     this.told = false;
     if (plans) this.race?.adopt(this.asked);
-    const isOther = panel.offer(facts.robot);
     if (given) panel.suggest(given.algorithm, given.settings, entry?.settings);
     this.show(facts);
-    // What was chosen for another robot would be refused.
-    if (!given && isOther) this.plan(play);
+    if (removed.length > 0) this.notice.show(removed.map((one) => this.removal(one)).join(" "), "");
+  }
+
+  /** Why a rival was removed, in a sentence. @param {{ lane: number, algorithm: string }} rival */
+  removal({ lane, algorithm }) {
+    const info = this.panel.infos.find(({ id }) => id === algorithm);
+    const robots = info?.robots.map((robot) => `${robot === "arm" ? "an" : "a"} ${robotName(robot)}`).join(" or ");
+    return `${info ? `${info.title} needs ${robots}` : `There is no planner "${algorithm}"`}, so rival ${letter(lane)} was removed.`;
   }
 
   /** The scenario on the stage is this now. @param {SceneFacts} facts */
@@ -206,6 +220,9 @@ export class Page {
     return rivals && [plan, ...rivals];
   }
 
+  /** The name of the scene, and whether it was edited. */
+  get title() { return this.state?.isEdited ? `${this.name} (edited)` : this.name; }
+
   /** What the planners on the stage are called. */
   get names() { return nameAll(this.asked, (algorithm) => this.panel.titleOf(algorithm)); }
 
@@ -256,6 +273,7 @@ export class Page {
     const { lane, pointer, message } = refusal;
     if (lane === 0 ? this.panel.refuse(pointer, message) : this.race?.refuse(lane, pointer, message)) return;
     const who = state.clock.isRace ? `${letter(lane)}, ${this.panel.titleOf(state.lanes[lane].algorithm)},` : "This";
-    this.notice.show(`${who} cannot be planned.`, Object.assign(new Error(message), refusal));
+    const told = lane > 0 ? `${message.replace(/\.?$/, ".")} Change its settings or remove ${letter(lane)} to start the race.` : message;
+    this.notice.show(`${who} cannot be planned.`, Object.assign(new Error(told), { code: refusal.code, pointer }));
   }
 }

@@ -32,6 +32,7 @@ export function report(session) {
     summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),
     curves: session.curvesKey,
     edit: session.editor?.state ?? null,
+    isEdited: session.editor?.isChanged ?? false,
     drive: session.driving?.report ?? null,
     refusal: session.refusal && { ...faultOf(session.refusal.error), lane: session.refusal.lane },
   };

@@ -20,6 +20,30 @@ export class Gallery {
       this.cards.set(entry.id, { input, canvas });
       this.element.append(make("label", { className: "card" }, input, canvas, make("span", {}, entry.title)));
     }
+    this.count = make("span", { className: "hint" });
+    this.more = make("button", { type: "button", id: "all-scenes" });
+    this.more.addEventListener("click", () => this.show(!this.element.classList.contains("all")));
+    this.size = make("p", { className: "gallery-size" }, this.count, this.more);
+    this.element.after(this.size);
+    this.show(false);
+    new ResizeObserver(() => this.measure()).observe(this.element);
+  }
+
+  /** Shows all scenes one below the other, or a strip that scrolls. @param {boolean} all */
+  show(all) {
+    this.element.classList.toggle("all", all);
+    this.more.textContent = all ? "Show fewer" : "Show all";
+    this.more.setAttribute("aria-expanded", String(all));
+    this.measure();
+  }
+
+  /** Says how many of the scenes are in view, where not all are. */
+  measure() {
+    const { element, cards } = this;
+    const isAll = element.classList.contains("all");
+    const inView = [...cards.values()].filter(({ input: { parentElement: card } }) => card && card.offsetLeft + card.offsetWidth <= element.clientWidth + 1).length;
+    this.size.hidden = !isAll && inView === cards.size;
+    this.count.textContent = isAll ? `${cards.size} scenes` : `${inView} of ${cards.size} scenes`;
   }
 
   /** Marks the scene that is on the stage; none for a file of the reader's own. @param {string | null} id */

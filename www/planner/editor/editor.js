@@ -90,6 +90,9 @@ export class Editor {
   get obstacle() { return obstacleOf(this.document, this.selected); }
   get history() { return /** @type {History} */ (this.edits); }
 
+  /** Is the scenario another one than was opened? */
+  get isChanged() { return this.edits !== null && this.edits.now !== this.edits.first; }
+
   /** Does the stage show what is not in the history yet? */
   get isDifferent() { return this.document !== this.history.now; }
 
@@ -404,7 +407,7 @@ export class Editor {
       kind: obstacle ? obstacle.type : this.selected ? "end" : "",
       goal: this.selected?.kind !== "goal" || this.shown.scenario.robot !== "arm" ? "" : this.target ? "target" : "pose",
       code: this.refusal?.code ?? "",
-      undoable: history.undoable, redoable: history.redoable, isChanged: history.now !== history.first,
+      undoable: history.undoable, redoable: history.redoable, isChanged: this.isChanged,
       isBusy: this.hand.isBusy,
     };
   }

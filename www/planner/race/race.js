@@ -28,9 +28,7 @@ export class Race {
     this.table = new Table(byId("standings", HTMLElement));
     this.numbers = byId("numbers", HTMLElement);
     this.list = make("div", {});
-    this.choice = make("select", { id: "rival" }, ...page.panel.infos.map(({ id, title }) => make("option", { value: id }, title)));
-    // Two trees are the liveliest rival.
-    this.choice.value = page.panel.infos.find(({ grows }) => grows === "trees")?.id ?? this.choice.value;
+    this.choice = make("select", { id: "rival" });
     this.button = make("button", { type: "button", id: "add-rival" }, "Add");
     this.button.addEventListener("click", () => this.add());
     this.hint = make("p", { className: "hint" });
@@ -38,6 +36,7 @@ export class Race {
       this.list,
       make("div", { className: "row" }, make("label", { htmlFor: "rival" }, "Against"), this.choice, this.button), this.hint,
     );
+    this.offer();
     this.lens = this.makeLens();
     sheets.element.before(this.lens);
     this.number();
@@ -54,6 +53,27 @@ export class Race {
       lens.append(make("label", {}, input, words));
     }
     return lens;
+  }
+
+  /** The planners that serve the robot on the stage. */
+  get infos() { return this.page.panel.infos.filter(({ id }) => this.page.panel.serves(id)); }
+
+  /** Offers the planners that serve the robot on the stage; rivals that do not are removed. @returns {{ lane: number, algorithm: string }[]} those */
+  offer() {
+    const { choice, infos, page: { panel } } = this;
+    const before = choice.value;
+    choice.replaceChildren(...infos.map(({ id, title }) => make("option", { value: id }, title)));
+    // Two trees are the liveliest rival.
+    choice.value = infos.find(({ id, grows }) => (panel.serves(before) ? id === before : grows === "trees"))?.id ?? infos[0].id;
+    const dropped = this.rivals.filter(({ planner }) => !panel.serves(planner.value)).map(({ lane, planner }) => ({ lane, algorithm: planner.value }));
+    this.rivals = this.rivals.filter((rival) => {
+      const isServed = panel.serves(rival.planner.value);
+      if (isServed) rival.offer(infos);
+      else rival.element.remove();
+      return isServed;
+    });
+    this.number();
+    return dropped;
   }
 
   /** What the rivals are asked beside planner A, or null while a field holds a value that is refused. @param {Plan} plan @returns {Plan[] | null} */
@@ -76,7 +96,7 @@ export class Race {
   enter(plan) {
     const { panel } = this.page;
     const fits = (/** @type {object} */ info) => panel.fits(info);
-    const rival = new Rival(panel.infos.filter(fits), fits, plan, { change: () => this.page.plan(), remove: () => this.drop(rival) });
+    const rival = new Rival(this.infos, fits, plan, { change: () => this.page.plan(), remove: () => this.drop(rival) });
     this.rivals.push(rival);
     this.list.append(rival.element);
   }

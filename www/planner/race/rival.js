@@ -3,6 +3,7 @@ import { letter } from "./standings.js";
 import { make } from "../../app/dom.js";
 import { Field, withSeed } from "../../widgets/field.js";
 import { FIRST, groupsOf } from "../settings/panel.js";
+import { Presets } from "../settings/presets.js";
 
 /** @import { Plan, PlannerInfo, Settings } from "../../domain/types.js" */
 
@@ -22,6 +23,12 @@ export class Rival {
     /** @type {Field[]} */
     this.fields = [];
     this.lane = 0;
+    this.presets = new Presets((settings) => {
+      const { seed } = this.given;
+      this.given = { ...(seed === undefined ? {} : { seed }), ...settings };
+      this.build();
+      this.change();
+    });
     this.name = make("legend", {});
     this.planner = make("select", {}, ...infos.map(({ id, title }) => make("option", { value: id }, title)));
     this.planner.value = algorithm;
@@ -38,6 +45,15 @@ export class Rival {
     this.element = make("fieldset", { className: "rival" }, this.name, make("div", { className: "row" }, this.planner, this.remove), this.settings);
   }
 
+  /** Another robot is on the stage, which these planners serve, its own among them. @param {PlannerInfo[]} infos */
+  offer(infos) {
+    const { value } = this.planner;
+    this.infos = infos;
+    this.planner.replaceChildren(...infos.map(({ id, title }) => make("option", { value: id }, title)));
+    this.planner.value = value;
+    this.build();
+  }
+
   /** It races in this lane. @param {number} lane  1 to 3 */
   place(lane) {
     if (lane === this.lane) return;
@@ -46,22 +62,25 @@ export class Rival {
     this.planner.id = `rival-${letter(lane)}-planner`;
     this.planner.setAttribute("aria-label", `Planner of ${letter(lane)}`);
     this.remove.setAttribute("aria-label", `Remove ${letter(lane)}`);
+    this.presets.identify(`rival-${letter(lane)}-preset`, `Settings of ${letter(lane)}`);
     this.build();
   }
 
   build() {
     const info = this.infos.find(({ id }) => id === this.planner.value) ?? this.infos[0];
+    this.presets.offer(info.presets, this.given);
     this.fields = withSeed(info.parameters).filter(this.fits).map((parameter) => {
       const one = parameter.name === "seed" ? { ...parameter, default: null, default_meaning: "the seed of A", robots: [] } : parameter;
       const field = new Field(one, this.given[one.name] ?? one.default, () => {
         const { value } = field;
         if (value === undefined) delete this.given[one.name];
         else this.given[one.name] = value;
+        this.presets.mark(this.given);
         this.change();
       }, `rival-${letter(this.lane)}`);
       return field;
     });
-    this.first.replaceChildren(...this.fields.filter(({ info: { name } }) => FIRST.has(name)).map(({ element }) => element));
+    this.first.replaceChildren(this.presets.element, ...this.fields.filter(({ info: { name } }) => FIRST.has(name)).map(({ element }) => element));
     this.more.replaceChildren(...groupsOf(this.fields));
   }
 

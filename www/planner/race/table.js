@@ -17,6 +17,7 @@ export class Table {
     /** @type {{ row: HTMLTableRowElement, cells: HTMLElement[] }[]} */
     this.rows = [];
     this.remark = make("p", { className: "hint" });
+    this.caution = make("p", { className: "hint" }, "Standings at equal cost (one seed): over many seeds the winner may differ.");
     this.written = -Infinity;
   }
 
@@ -36,7 +37,7 @@ export class Table {
     const scroll = make("div", { className: "scroll", tabIndex: 0 }, table);
     scroll.setAttribute("role", "region");
     scroll.setAttribute("aria-label", "How the planners stand");
-    this.room.append(scroll, this.remark);
+    this.room.append(scroll, this.remark, this.caution);
   }
 
   /** @param {State} state @param {Sheets} sheets */
@@ -64,4 +65,4 @@ export class Table {
 function lengthOf({ cost, unit, isProven }) { return `${cost.toFixed(2)} ${unit}${isProven ? "" : ", not proven"}`; }
 
 /** What is said where there is no path. @param {LaneState} lane */
-function nothing({ status, phase }) { return status === "running" ? phase : "no path"; }
+function nothing({ status, phase }) { return status === "running" ? phase : status === "none" ? "not started" : "no path"; }

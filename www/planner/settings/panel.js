@@ -2,9 +2,9 @@
  * The settings: which planner, its parameters, the seed, the query. Built from the planners' own tables, so a planner
  * that the core learns appears here by itself.
  */
-import { namesOfDocuments } from "../../domain/option-names.js";
 import { byId, make } from "../../app/dom.js";
 import { Field, withSeed } from "../../widgets/field.js";
+import { Presets } from "./presets.js";
 
 /** @import { Plan, PlannerInfo, Settings } from "../../domain/types.js" */
 
@@ -49,14 +49,12 @@ export class Panel {
     this.lead = new Set();
     /** The robot on the stage: planners and parameters that are not for it are not offered. */
     this.robot = "arm";
-    this.preset = make("select", { id: "preset" });
-    this.presetRow = make("label", { className: "row", htmlFor: "preset" }, make("span", { className: "name" }, "Settings"), this.preset);
-    this.preset.addEventListener("change", () => {
+    this.presets = new Presets((settings) => {
       const { seed } = this.given;
-      this.given = { ...(seed === undefined ? {} : { seed }), ...this.presets.find(({ id }) => id === this.preset.value)?.settings };
+      this.given = { ...(seed === undefined ? {} : { seed }), ...settings };
       this.build();
       onChange();
-    });
+    }).identify("preset");
     this.planner.addEventListener("change", () => {
       this.build();
       onChange();
@@ -72,30 +70,10 @@ export class Panel {
     return !robots?.length || robots.includes(this.robot);
   }
 
-  /** Settings of the planner that have a name. */
-  get presets() {
-    const { presets = [] } = this.infos.find(({ id }) => id === this.planner.value) ?? {};
-    return presets.map((preset) => ({ ...preset, settings: namesOfDocuments(preset.settings) }));
-  }
+  /** Does a planner serve the robot on the stage? @param {string} algorithm */
+  serves(algorithm) { return this.infos.some((info) => info.id === algorithm && this.fits(info)); }
 
-  /** A choice of them, where there are some: what they do not say is at its default, but for the seed. */
-  offerPresets() {
-    const { presets, preset } = this;
-    if (presets.length === 0) return;
-    const option = (/** @type {string} */ value, /** @type {string} */ title) => make("option", { value, disabled: value === "own" }, title);
-    preset.replaceChildren(option("own", "your own"), option("", "the defaults"), ...presets.map(({ id, title }) => option(id, title)));
-    this.first.prepend(this.presetRow);
-    this.markPreset();
-  }
-
-  /** Says which of them is taken. */
-  markPreset() {
-    const { given } = this;
-    const isTaken = (/** @type {Settings} */ settings) => Object.keys({ ...given, ...settings }).every((name) => name === "seed" || given[name] === settings[name]);
-    this.preset.value = this.presets.find(({ settings }) => isTaken(settings))?.id ?? (isTaken({}) ? "" : "own");
-  }
-
-  /** Offers what is for a robot. @param {string} [robot] @returns {boolean} whether another planner had to be chosen */
+  /** Offers what is for a robot. @param {string} [robot] */
   offer(robot = this.robot) {
     const { planner } = this;
     const before = planner.value;
@@ -104,7 +82,6 @@ export class Panel {
     planner.value = before;
     if (planner.selectedIndex < 0) planner.selectedIndex = 0;
     this.build();
-    return before !== "" && planner.value !== before;
   }
 
   /** A planner and some of its parameters, the rest at their defaults. @param {string} algorithm @param {Settings} settings @param {Settings} [scene]  what the scene itself sets */
@@ -180,7 +157,8 @@ export class Panel {
   build() {
     const info = this.infos.find(({ id }) => id === this.planner.value) ?? this.infos[0];
     this.summary.textContent = info.summary;
-    this.first.replaceChildren();
+    this.presets.offer(info.presets, this.given);
+    this.first.replaceChildren(this.presets.element);
     this.rest.replaceChildren();
     // What a scene sets by itself is there to be seen.
     const isFirst = (/** @type {string} */ name) => FIRST.has(name) || this.lead.has(name);
@@ -193,7 +171,6 @@ export class Panel {
       if (isFirst(parameter.name)) this.first.append(field.element);
       return field;
     });
-    this.offerPresets();
     this.rest.append(...groupsOf(this.fields.filter(({ info: { name } }) => !isFirst(name))));
     this.more.hidden = this.rest.childElementCount === 0;
   }
@@ -210,7 +187,7 @@ export class Panel {
     const value = field.value;
     if (value === undefined) delete this.given[field.info.name];
     else this.given[field.info.name] = value;
-    this.markPreset();
+    this.presets.mark(this.given);
   }
 }
 

@@ -4,7 +4,7 @@
  * comes back on the other.
  */
 import { coordinatesOf } from "../../domain/coordinates.js";
-import { tick, ticks, titleOf } from "../../draw/angles.js";
+import { MARGIN, drawAxes } from "../../draw/angles.js";
 import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
 import { folded, unrolled } from "../../draw/trace.js";
@@ -17,7 +17,6 @@ import { View } from "../../draw/view.js";
 /** @import { Coordinate } from "../../domain/types.js" */
 /** @typedef {(painting: Painting) => Promise<ImageBitmap | null>} Painter   paints obstacles, in the worker; null: it could not */
 
-const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };
 /** Cells a side of the picture of obstacles: while the world changes and at first, and as many as the screen is worth, within reason. */
 const CELLS = { rough: 64, least: 256, most: 512, pixels: 2 };
 /** The same of a slice, of which each cell is a configuration that is checked. */
@@ -54,8 +53,9 @@ export class CSpace extends Pane {
     this.axes = a < n && b < n && a !== b ? [a, b] : [0, 1];
     this.named = this.axes.map((axis) => coordinatesOf(lane.shown)[axis]);
     const [x, y] = this.named;
+    const margin = /** @type {typeof MARGIN} */ (Object.fromEntries(Object.entries(MARGIN).map(([side, room]) => [side, room * this.bold])));
     // What is metres both ways has one scale.
-    return new View({ min: [x.low, y.low], max: [x.high, y.high] }, width, height, MARGIN, x.unit !== "m" || y.unit !== "m");
+    return new View({ min: [x.low, y.low], max: [x.high, y.high] }, width, height, margin, x.unit !== "m" || y.unit !== "m");
   }
 
   /** @param {Lane} lane @override */
@@ -189,33 +189,9 @@ export class CSpace extends Pane {
   drawTicks(context) {
     const { palette, view } = this;
     if (!palette || !view) return;
-    const { x, y, width, height } = this.frame();
     context.fillStyle = palette.quiet;
     context.strokeStyle = palette["obstacle-edge"];
-    context.font = "12px system-ui, sans-serif";
-    context.textBaseline = "top";
-    const [across, up] = this.named;
-    for (const { value, text } of ticks(across)) {
-      const at = view.x(value);
-      tick(context, at, y + height, at, y + height + 4);
-      context.textAlign = "center";
-      context.fillText(text, at, y + height + 7);
-    }
-    context.textBaseline = "middle";
-    context.textAlign = "right";
-    for (const { value, text } of ticks(up)) {
-      const at = view.y(value);
-      tick(context, x - 4, at, x, at);
-      context.fillText(text, x - 8, at);
-    }
-    context.textBaseline = "top";
-    context.textAlign = "center";
-    context.fillText(titleOf(across), x + width * 0.375, y + height + 7);
-    context.save();
-    context.translate(x - 22, y + height * 0.375);
-    context.rotate(-Math.PI / 2);
-    context.fillText(titleOf(up), 0, 0);
-    context.restore();
+    drawAxes(context, view, this.frame(), this.named, this.bold);
   }
 
   /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */

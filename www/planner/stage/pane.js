@@ -87,9 +87,9 @@ export class Pane {
     this.view = null;
     if (width < 1 || height < 1 || !this.fits(lane)) return;
     for (const name of LAYERS) layers[name].fit(width, height, ratio);
+    this.bold = bold;
     this.view = this.makeView(lane, width, height);
     this.fineness = Math.min(1.5, Math.max(0.72, Math.min(width, height) / 460)) * bold;
-    this.bold = bold;
     this.hatchOnPart = hatch(layers.top.context, palette.stage, ratio);
     this.hatchOnObstacle = hatch(layers.top.context, palette.collision, ratio);
     this.forget();

@@ -31,7 +31,13 @@ export class Placed {
     this.robot = robot;
     const { vertices } = robot.shape;
     /** How far the shape reaches before and beside its origin, metres. */
-    this.front = Math.max(...vertices.map(([x]) => x), robot.type === "car" ? robot.wheelbase * (1 + WHEEL.length / 2) : -Infinity);
+    this.front = Math.max(...vertices.map(([x]) => x));
+    /**
+     * Where the front axle is drawn, metres before the rear one: at the wheelbase, or within a body that ends before it. There the
+     * wheels turn by less, so that they roll without slipping along the same arcs.
+     */
+    this.axle = robot.type === "car" ? Math.min(robot.wheelbase, this.front > 0 ? this.front / (1 + WHEEL.length / 2) : Infinity) : 0;
+    this.front = Math.max(this.front, this.axle * (1 + WHEEL.length / 2));
     this.half = Math.max(...vertices.map(([, y]) => Math.abs(y)));
     this.reach = Math.max(...vertices.map(([x, y]) => Math.hypot(x, y)));
     /** By how much the pointer was off when it took hold; a turn where it is one number. @type {number | [number, number] | null} */
@@ -65,7 +71,8 @@ export class Placed {
       context.arc(0, 0, 2.2, 0, 2 * Math.PI);
       context.fill();
     } else {
-      const base = robot.wheelbase * scale;
+      const base = this.axle * scale;
+      const turned = Math.atan((this.axle / robot.wheelbase) * Math.tan(steering));
       const track = Math.max(0.62 * this.half * scale, 2);
       context.lineWidth = 1.2;
       context.strokeStyle = outline;
@@ -79,7 +86,7 @@ export class Placed {
       }
       context.stroke();
       context.globalAlpha = 1;
-      for (const [x, turn] of [[0, 0], [base, steering]]) {
+      for (const [x, turn] of [[0, 0], [base, turned]]) {
         for (const y of [-track, track]) {
           context.save();
           context.translate(x, y);

@@ -1,0 +1,31 @@
+/** The line on paper that says what is printed: scene, planners with their settings, and the time that is shown. */
+import { byId, grouped, make } from "../app/dom.js";
+import { letter } from "./race/standings.js";
+import { FIRST } from "./settings/panel.js";
+
+/** @import { Page } from "./page.js" */
+
+/** @param {Page} page */
+export function watchPrint(page) {
+  const line = make("p", { id: "printed" });
+  const stage = byId("stage", HTMLElement);
+  byId("story", HTMLElement).before(line);
+  addEventListener("beforeprint", () => {
+    line.textContent = lineOf(page);
+    // Paper is light, but the canvases stay as they were drawn.
+    const { dataset: { theme } } = document.documentElement;
+    stage.style.colorScheme = theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+  });
+  addEventListener("afterprint", () => stage.style.removeProperty("color-scheme"));
+}
+
+/** @param {Page} page */
+function lineOf({ title, asked, panel, state }) {
+  const plans = asked.map(({ algorithm, settings }, lane) => {
+    const name = asked.length > 1 ? `${letter(lane)} ${panel.titleOf(algorithm)}` : panel.titleOf(algorithm);
+    const values = [...FIRST].filter((one) => settings[one] !== undefined).map((one) => `${one.replaceAll("_", " ")} ${settings[one]}`);
+    return [name, ...values].join(", ");
+  });
+  const now = grouped(state?.clock.now ?? 0);
+  return [title, ...plans, state?.clock.isRace ? `${now} clearance evaluations` : `iteration ${now}`].join(" \u00b7 ");
+}

@@ -1,0 +1,38 @@
+/** A select of a planner's presets: settings that have a name. What a preset does not set is at its default, but for the seed. */
+import { namesOfDocuments } from "../../domain/option-names.js";
+import { make } from "../../app/dom.js";
+
+/** @import { PlannerInfo, Settings } from "../../domain/types.js" */
+
+export class Presets {
+  /** @param {(settings: Settings) => void} onChoose */
+  constructor(onChoose) {
+    /** @type {PlannerInfo["presets"]} */
+    this.presets = [];
+    this.select = make("select", {});
+    this.element = make("label", { className: "row" }, make("span", { className: "name" }, "Settings"), this.select);
+    this.select.addEventListener("change", () => onChoose(this.presets.find((preset) => preset.id === this.select.value)?.settings ?? {}));
+  }
+
+  /** @param {string} id  of the select @param {string} [label]  where "Settings" does not say whose */
+  identify(id, label) {
+    this.select.id = this.element.htmlFor = id;
+    if (label) this.select.setAttribute("aria-label", label);
+    return this;
+  }
+
+  /** Offers a planner's presets; without any the row is hidden. @param {PlannerInfo["presets"]} presets @param {Settings} given */
+  offer(presets, given) {
+    this.presets = presets.map((preset) => ({ ...preset, settings: namesOfDocuments(preset.settings) }));
+    this.element.hidden = presets.length === 0;
+    const option = (/** @type {string} */ value, /** @type {string} */ title) => make("option", { value, disabled: value === "own" }, title);
+    this.select.replaceChildren(option("own", "your own"), option("", "the defaults"), ...this.presets.map(({ id, title }) => option(id, title)));
+    this.mark(given);
+  }
+
+  /** Selects the preset that equals the settings, if any. @param {Settings} given */
+  mark(given) {
+    const isTaken = (/** @type {Settings} */ settings) => Object.keys({ ...given, ...settings }).every((name) => name === "seed" || given[name] === settings[name]);
+    this.select.value = this.presets.find(({ settings }) => isTaken(settings))?.id ?? (isTaken({}) ? "" : "own");
+  }
+}

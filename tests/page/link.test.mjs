@@ -213,7 +213,7 @@ describe("the button", () => {
       await field.waitFor();
       const link = await field.inputValue();
       assert.equal(await page.evaluate(() => getSelection()?.toString()), link);
-      assert.match(await page.innerText("#link-told"), /^Copy this link: this scene, these settings, iteration 10\./);
+      assert.match(await page.innerText("#link-told"), /^Copy this link\. It stores the scene, the settings and iteration 10\./);
       const { experiment } = await decodeLink(new URL(link).hash);
       assert.deepEqual([experiment?.scene, experiment?.iteration], ["stones", 10]);
       const box = await page.locator("#link-told").boundingBox();

@@ -283,7 +283,7 @@ describe("arrays of NumPy's come in", () => {
     const before = await obstacles(page);
     await pickArray(page, "squares.npy", writeNpy(Float64Array.from(SQUARES), [2, 4, 2]));
     await page.waitForSelector("#notice.question");
-    assert.match(await page.innerText("#notice"), /squares\.npy holds 2 polygons of 8 vertices/);
+    assert.match(await page.innerText("#notice"), /squares\.npy holds 2 polygons with 8 vertices/);
     assert.equal(await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).dataset.choice), "add", "the keyboard is at the choices");
     await page.keyboard.press("Enter");
     await page.waitForSelector("body[data-scene=file]");
@@ -302,7 +302,7 @@ describe("arrays of NumPy's come in", () => {
     for (const name of ["numpy1-ragged", "numpy2-ragged"]) {
       await pickArray(page, "ragged.npy", fixture(name));
       await page.waitForSelector("#notice.question");
-      assert.match(await page.innerText("#notice"), /3 polygons of 10 vertices/);
+      assert.match(await page.innerText("#notice"), /3 polygons with 10 vertices/);
       await page.keyboard.press("Escape");
       assert.equal(await page.locator("#notice").isVisible(), false);
     }

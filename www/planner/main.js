@@ -58,7 +58,7 @@ try {
   keepForLater();
 } catch (error) {
   counters.none("failed");
-  notice.show("Planarium could not start: it needs a browser with WebAssembly, and its own files beside this page.", error);
+  notice.show("Planarium could not start. It needs a browser with WebAssembly and the other files of this site.", error);
 }
 
 async function start() {
@@ -123,7 +123,7 @@ async function start() {
     write(story, state.sentence);
     story.dataset.tone = state.isBad ? "bad" : "";
     turn.textContent = state.inHand ? "Watch again" : page.facts?.robot === "car" ? "Drive" : "Your turn";
-    write(where, `${page.facts?.title ?? ""} \u00b7 ${page.names.join(" against ")}`);
+    write(where, `${page.title} \u00b7 ${page.names.join(" against ")}`);
     stage.classList.toggle("in-hand", state.inHand);
     pose.reflect(state);
     sheets.look(state, page.facts);
@@ -161,7 +161,7 @@ async function start() {
       if (isArray(name, bytes)) await (await import("./export/arrays.js")).openArray(page, name, bytes);
       else await page.open({ document: new TextDecoder().decode(bytes) });
     } catch (error) {
-      notice.show(isArray(name, bytes) ? `${name} cannot be shown.` : `${name} is not a scenario that can be shown.`, error);
+      notice.show(`${name} could not be opened.`, error);
     }
   }
 

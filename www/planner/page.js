@@ -35,6 +35,8 @@ export class Page {
     this.source = null;
     /** The page's own scene, if it is one. @type {SceneEntry | null} */
     this.entry = null;
+    /** The title of an edited scenario; empty while nothing is edited. */
+    this.editedTitle = "";
     /** Iterations a second that it was opened with, if it did not keep those of before. @type {number | undefined} */
     this.pace = undefined;
     /** PlannerWorker that race with the one of the panel. @type {Plan[]} */
@@ -144,6 +146,7 @@ export class Page {
     this.notice.hide();
     this.source = source;
     this.entry = entry ?? null;
+    this.editedTitle = "";
     this.rivals = rivals;
     this.asked = [plan, ...rivals];
     this.pace = pace;
@@ -205,6 +208,9 @@ export class Page {
     const rivals = plan && (this.race ? this.race.beside(plan) : []);
     return rivals && [plan, ...rivals];
   }
+
+  /** The title of what is on the stage. */
+  get title() { return this.editedTitle || (this.entry?.title ?? this.facts?.title ?? ""); }
 
   /** What the planners on the stage are called. */
   get names() { return nameAll(this.asked, (algorithm) => this.panel.titleOf(algorithm)); }

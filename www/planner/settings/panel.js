@@ -15,10 +15,10 @@ const GROUPS = [
   ["Samples", ["insertion", "discard", "spread", "goal_every"]],
   ["Controls", ["controls", "duration_steps", "shortest_steps", "near_goal_steps", "blocked", "integration"]],
   ["Tree", ["nearest", "once", "goal_test", "selection_radius", "pruning_radius", "improve_iterations"]],
-  ["Later on", ["late_duration_steps", "late_goal_every"]],
+  ["Last quarter", ["late_duration_steps", "late_goal_every"]],
   ["Edges", ["radius", "extend", "metric", "steering", "edge_check", "edge_samples", "tolerance"]],
   ["Search", ["search", "cost", "heuristic"]],
-  ["Path, once found", ["reduce", "shortcut", "partial_shortcut"]],
+  ["Path shortening", ["reduce", "shortcut", "partial_shortcut"]],
 ];
 const REST = "Limits";
 
@@ -79,7 +79,7 @@ export class Panel {
     const { presets, preset } = this;
     if (presets.length === 0) return;
     const option = (/** @type {string} */ value, /** @type {string} */ title) => make("option", { value, disabled: value === "own" }, title);
-    preset.replaceChildren(option("own", "your own"), option("", "the defaults"), ...presets.map(({ id, title }) => option(id, title)));
+    preset.replaceChildren(option("own", "custom"), option("", "defaults"), ...presets.map(({ id, title }) => option(id, title)));
     this.first.prepend(this.presetRow);
     this.markPreset();
   }

@@ -28,7 +28,7 @@ function alone() {
   const document = scenario.document();
   const { start: from, goal } = document.queries[0];
   const shown = { scenario, document, query: "home", start: from, goal, hand: null, check: null, driven: null, placed: { isNear: () => false } };
-  const session = { shown, wake() {}, timeline: { pause() {} }, turn: { release() {}, game: {} } };
+  const session = { shown, wake() {}, timeline: { pause() {} }, byHand: { release() {}, game: {} } };
   return new Driving(/** @type {Session} */ (/** @type {unknown} */ (session)));
 }
 

@@ -583,7 +583,7 @@ describe("keyboard and ears", () => {
   test("milestones are announced and the pictures described", async () => {
     await onPausedPage(async (page) => {
       await finish(page);
-      await page.waitForFunction(() => document.getElementById("announcer")?.textContent?.startsWith("Found"));
+      await page.waitForFunction(() => document.getElementById("announcer")?.textContent?.startsWith("Path found"));
       const label = await page.locator("#workspace canvas[role=img]").getAttribute("aria-label");
       assert.match(label ?? "", /262 vertices.*solved/);
     });

@@ -225,7 +225,7 @@ describe("on the stage", () => {
       assert.deepEqual(await page.locator("#planner option").evaluateAll((options) => options.map((option) => /** @type {HTMLOptionElement} */ (option).value)),
         ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connect"], "an arm has no controls");
       await chooseScene(page, "blossom");
-      assert.equal(await page.inputValue("#preset"), "own");
+      assert.equal(await page.inputValue("#preset"), "blossom-3");
       await page.selectOption("#preset", "blossom-5");
       await page.waitForFunction(() => /** @type {HTMLInputElement} */ (document.getElementById("parameter-blossom")).value === "5");
       assert.equal(await page.inputValue("#parameter-seed"), "1", "the seed stays");

@@ -22,12 +22,13 @@ export function going(run, scene) {
   const { phase, settings } = run;
   const checked = run.isProven ? "proven to be collision-free" : "checked at sampled points only";
   const sought = `Looking for a path from start to ${run.goals.length > 1 ? "any configuration at the crosshair" : "goal"}`;
+  const own = `the ${robotName(run.scenario.robot)}\u2019s configurations`;
   const begins = run.shown < OPENING;
   if (phase === "improving") return `A path is found; it is now being shortened by motions ${checked}.`;
   if (phase === "sampling") return `${sought}. Each dot is a collision-free configuration of the ${robotName(run.scenario.robot)}.`;
   if (phase === "searching") return `Searching the roadmap from ${settings.search === "bidirectional" ? "both ends" : "the start"}. Vertices already expanded are bold.`;
   if (begins && phase === "guarding") return `${sought}. Guards are configurations that no other guard sees.`;
-  if (begins && phase === "growing") return `${sought}. ${run.kind === "trees" ? "Two trees grow towards each other" : `A tree of the ${robotName(run.scenario.robot)}\u2019s configurations grows from the start`}.`;
+  if (begins && phase === "growing") return `${sought}. ${run.kind === "trees" ? `Two trees of ${own} grow towards each other` : `A tree of ${own} grows from the start`}.`;
   if (run.algorithm === scene.algorithm && run.isProven === scene.isProven) return scene.sentence.replace("{controls}", controls(run));
   switch (phase) {
     case "connecting": return `Nearby configurations are now connected. Each line is a motion ${checked}.`;
@@ -73,10 +74,10 @@ function collision({ scenario }, check) {
 
 /** What to do with the robot in the hand. @param {Scenario} scenario @param {boolean} square  is there a configuration square beside the workspace */
 export function invitation({ robot }, square) {
-  const task = `Your turn: move the ${robotName(robot)} from start to goal without touching an obstacle.`;
+  const task = `Your turn: move the ${robotName(robot)} to the goal without a collision.`;
   if (isPlaced(robot)) return `${task} Drag it, or turn it by the handle in front of it.`;
   if (robot === "disc") return `${task} Drag it.`;
-  return `${task} Drag a link${square ? ", the tip, or the dot in the configuration space" : " or the tip"}.`;
+  return `${task} Drag a link${square ? ", the tip, or the dot in configuration space" : " or the tip"}.`;
 }
 
 /** The configuration in the hand, in words. @param {Scenario} scenario @param {Check} check */

@@ -118,18 +118,17 @@ export class Lessons {
 
   /** Runs the planner of the step to where it rests; before those who ask for less motion it is there at once. */
   async play() {
-    const { lesson, page } = this;
+    const { lesson, page, at } = this;
     if (!lesson) return;
-    const { lesson: asked, at } = this;
     try {
       const { entry, plans } = this.stage;
       // Something else may have been put on the stage since the question.
       if (!this.isThere(entry, plans) && !await page.openScene(entry, { plans, iteration: 0, play: false })) return;
-      if (this.lesson !== asked || this.at !== at) return;
+      if (this.lesson !== lesson || this.at !== at) return;
       this.show("run");
       const rest = this.rest ?? (page.calm ? Infinity : undefined);
       page.act(({ timeline }) => {
-        timeline.seek(beginningOf(asked, at));
+        timeline.seek(beginningOf(lesson, at));
         if (rest === undefined) timeline.play();
         else timeline.seek(rest);
       });

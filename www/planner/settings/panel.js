@@ -84,10 +84,12 @@ export class Panel {
     this.markPreset();
   }
 
-  /** Says which of them is taken. */
+  /** Says which of them is taken; a setting at its default may be given or not. */
   markPreset() {
     const { given } = this;
-    const isTaken = (/** @type {Settings} */ settings) => Object.keys({ ...given, ...settings }).every((name) => name === "seed" || given[name] === settings[name]);
+    const usual = new Map(this.parametersOf(this.algorithm).map(({ name, default: value }) => [name, value ?? undefined]));
+    const isTaken = (/** @type {Settings} */ settings) => Object.keys({ ...given, ...settings })
+      .every((name) => name === "seed" || (given[name] ?? usual.get(name)) === (settings[name] ?? usual.get(name)));
     this.preset.value = this.presets.find(({ settings }) => isTaken(settings))?.id ?? (isTaken({}) ? "" : "own");
   }
 

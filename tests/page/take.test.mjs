@@ -351,7 +351,7 @@ describe("arrays of NumPy's come in", () => {
       ["nan.npy", writeNpy(Float64Array.of(0, 0, 1, NaN, 2, 2), [1, 3, 2]), /Vertex 1 of polygon 0 must be two finite numbers/],
       ["pair.npy", writeNpy(Float64Array.of(0, 0, 1, NaN), [2, 2]), /Number 1 of configuration 1 is not finite/],
       ["many.npy", writeNpy(new Float64Array(5001 * 2 * 3), [5001, 3, 2]), /5000 vertices|list of polygons/],
-      ["huge.npy", new Uint8Array(11 * 2 ** 20).fill(0x93), /11\.0 MB; at most 10 MB/],
+      ["huge.npy", new Uint8Array(11 * 2 ** 20).fill(0x93), /11\.0 MB; the limit is 10 MB/],
     ];
     for (const [name, bytes, sentence] of files) {
       await pickArray(page, name, bytes);

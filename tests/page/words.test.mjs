@@ -269,7 +269,7 @@ describe("first words", () => {
     await onPausedPage(async (page) => {
       assert.match(await page.innerText("#story"), /^Looking for a path from start to goal\. Each dot is a collision-free configuration of the arm\.$/);
       assert.match(await page.innerText("#workspace figcaption"), /^Workspace\s+dots mark the arm.s tip$/);
-      assert.match(await page.innerText("#cspace figcaption"), /^Configuration space\s+each dot is a configuration: two joint angles$/);
+      assert.match(await page.innerText("#cspace figcaption"), /^Configuration space\s+each dot: two joint angles$/);
       while ((await atRest(page)).phase === "sampling") await page.click("#step-100");
       assert.equal((await atRest(page)).phase, "connecting");
       assert.equal(await page.innerText("#story"), SCENES[0].story);

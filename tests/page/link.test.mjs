@@ -279,7 +279,7 @@ describe("what is broken", () => {
       [{ lanes: [{ algorithm: "crystal-ball", settings: {} }] }, /There is no planner "crystal-ball"/, { scene: "firs", planner: "rrt-connect", "parameter-seed": "7" }],
       [{ lanes: [{ algorithm: "prm", settings: { k: -3, samples: 70 } }] }, /neighbours.*-3 is below 1/i, { scene: "firs", planner: "prm", "parameter-samples": "70", "parameter-k": "" }],
       [{ lanes: [{ algorithm: "prm", settings: { k: "ten", wings: 2, samples: 71 } }] }, /Enter a number.*wings: There is no such option/, { planner: "prm", "parameter-samples": "71" }],
-      [{ lanes: [{ algorithm: "rrt", settings: {} }], query: "home" }, /There is no query "home"/, { scene: "firs", planner: "rrt" }],
+      [{ lanes: [{ algorithm: "rrt", settings: {} }], query: "home" }, /This scene has no query "home"/, { scene: "firs", planner: "rrt" }],
       [{ lanes: [{ algorithm: "rrt", settings: {} }], view: { axes: [0, 9] } }, /no coordinates 0 and 9/, { planner: "rrt" }],
       [{ lanes: [{ algorithm: "prm", settings: { samples: 20 } }], iteration: 987654 }, /The run ends at iteration \d+, before 987,654/, { planner: "prm", "parameter-samples": "20" }],
       [{ scene: "passage", options: { width: 99, thickness: 0.2 } }, /99 is above/, { scene: "passage", "option-width": "0.2" }],

@@ -255,7 +255,7 @@ describe("the path", () => {
       assert.ok(found > length + 0.1);
       await unfold(page, "view");
       assert.equal(await page.textContent("#view-lengths"), `${found.toFixed(2)} rad before shortcutting, ${length.toFixed(2)} rad after.`);
-      assert.match(await page.innerText("#story"), new RegExp(`a path of ${length.toFixed(2)} rad, cut from ${found.toFixed(2)} rad`));
+      assert.match(await page.innerText("#story"), new RegExp(`length ${length.toFixed(2)} rad, shortened from ${found.toFixed(2)} rad`));
       assert.equal(await page.isVisible("#legend-raw"), false);
       const alone = await pixelsOf(page, "cspace", "top", "path");
       await see(page, "view-raw", true);

@@ -76,7 +76,7 @@ describe("what is pointed at", () => {
       await page.hover("#cspace .sheet", { position: at(hit[0], hit[1]) });
       const bad = await readout(page, "[data-vertex='-1'][data-free=false]");
       const { part, obstacle } = scenario.check(hit).touching[0];
-      assert.match(bad.text, new RegExp(`^Pose .* rad: link ${part} touches obstacle ${obstacle}\\.$`));
+      assert.match(bad.text, new RegExp(`^Configuration .* rad: link ${part} touches obstacle ${obstacle}\\.$`));
       assert.ok(await pixelsOf(page, "workspace", "top", "collision") > ends.collision + 60);
       assert.ok(await page.isVisible("#legend-touching"));
       await page.hover("#cspace .sheet", { position: at(way[0], way[1]) });

@@ -41,7 +41,7 @@ export const samples = (links) => 300 * links - 200;
  * @returns {Row}
  */
 function row(planner, generator, options, place, links) {
-  const name = { prm: "k-PRM", "rrt-connect": "RRT-Connect", "rrt-control": "RRT by controls", sst: "SST" }[planner];
+  const name = { prm: "k-PRM", "rrt-connect": "RRT-Connect", "rrt-control": "Kinodynamic RRT", sst: "SST" }[planner];
   return { name: `${name}, ${place}`, planner, generator, options, links };
 }
 

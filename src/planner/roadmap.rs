@@ -255,6 +255,6 @@ pub(super) const BEGIN: PseudocodeLine = line(0, "G ← {start, goal}; until it 
 pub(super) const SAMPLE: PseudocodeLine = line(1, "q ← a random configuration", &[Mark::Sampling]);
 pub(super) const KEEP: PseudocodeLine = line(1, "add q to G", &[Mark::Vertex]);
 pub(super) const JOIN: PseudocodeLine = line(1, "if the motion q – p is free: add that edge", &[Mark::Edge]);
-pub(super) const REFUSE: PseudocodeLine = line(1, "else: refuse it", &[Mark::Refused]);
+pub(super) const REFUSE: PseudocodeLine = line(1, "else: reject it", &[Mark::Refused]);
 pub(super) const SEARCH: PseudocodeLine = line(0, "search G from start to goal:", &[Mark::Searching]);
 pub(super) const EXPAND: PseudocodeLine = line(1, "expand the next open vertex", &[Mark::Expanded, Mark::Solved]);

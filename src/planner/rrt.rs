@@ -74,7 +74,7 @@ impl PlannerKind for RrtOptions {
             line(1, "if near – new is free: add both to T", &[Mark::Vertex, Mark::Edge]),
             line(1, "within a step of the goal, try new – goal:", &[]),
             line(2, "if that is free: solved", &[Mark::Solved]),
-            line(1, "a motion that is not free is refused", &[Mark::Refused]),
+            line(1, "a motion that is not free is rejected", &[Mark::Refused]),
             IMPROVE,
             END_NEAR,
         ],

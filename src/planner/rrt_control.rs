@@ -1,4 +1,4 @@
-//! RRT by controls: a tree of controlled motions.
+//! Kinodynamic RRT: a tree of controlled motions.
 //!
 //! LaValle and Kuffner 2001, "Randomized kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 14.4.3. No
 //! control leads exactly to a given state, so several are tried, and the one that ends closest becomes an edge; the goal is a region.
@@ -43,12 +43,12 @@ crate::choice! {
 }
 
 crate::options! {
-    /// Options of RRT by controls.
+    /// Options of the kinodynamic RRT.
     pub struct RrtControlOptions for CAR;
-    /// Random ones, of which the best is kept, or full speed ahead and back, straight, left and right, all kept.
+    /// Random controls, of which the best is kept, or full speed ahead and back, straight, left and right, all kept.
     controls: Controls = Controls::Random, "Controls";
     /// Number of random controls tried per extension: more aim better, but a greedy tree gets stuck.
-    blossom: u32 = 1, in 1.0..=100.0, "Controls tried";
+    blossom: u32 = 1, in 1.0..=100.0, "Controls per extension";
     /// Longest time a control is held: short motions follow bends, long ones cross open space quickly.
     duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Longest duration", unit "steps of integration",
         else "as many as the fastest straight motion of 0.3 times the largest distance takes";
@@ -63,7 +63,7 @@ crate::options! {
     /// Extends the vertex nearest to the sample, or the nearest from which the straight motion to it is free.
     nearest: Origin = Origin::Nearest, "Extended vertex";
     /// Extends each vertex only once; when all were extended, the planner gives up.
-    once: bool = false, "Only once";
+    once: bool = false, "Extend only once";
     /// When the tree grows towards the goal.
     reaching: GoalBias;
     /// The longest duration in the last quarter of the iterations: short motions hit a small goal region better.
@@ -78,29 +78,29 @@ crate::options! {
 impl PlannerKind for RrtControlOptions {
     const INFO: PlannerInfo = PlannerInfo {
         id: "rrt-control",
-        title: "RRT by controls",
-        summary: "Kinodynamic RRT: tries controls from the vertex nearest to a sample and keeps the one that ends closest to it.",
+        title: "Kinodynamic RRT",
+        summary: "From the vertex nearest to a sample, tries several controls and keeps the one that ends closest to the sample.",
         guarantee: "None: a tree that always keeps the best of several controls may get stuck.",
         grows: Grows::Tree,
         presets: &[
             Preset {
                 id: "blossom-1",
-                title: "Blossom of 1",
+                title: "1 control per extension",
                 settings: "blossom=1 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
             },
             Preset {
                 id: "blossom-3",
-                title: "Blossom of 3",
+                title: "3 controls per extension",
                 settings: "blossom=3 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
             },
             Preset {
                 id: "blossom-5",
-                title: "Blossom of 5",
+                title: "5 controls per extension",
                 settings: "blossom=5 duration_steps=250 goal_bias=0.05 goal_test=ends max_iterations=10000",
             },
             Preset {
                 id: "schedule",
-                title: "Finer in the end",
+                title: "Shorter motions at the end",
                 settings: "blossom=30 duration_steps=200 late_duration_steps=100 goal_every=10 late_goal_every=5 blocked=refused goal_test=ends max_iterations=4000",
             },
             Preset {
@@ -111,7 +111,7 @@ impl PlannerKind for RrtControlOptions {
         ],
         pseudocode: &[
             line(0, "T ← {start}; repeat:", &[]),
-            line(1, "q ← a random placement, or the goal", &[Mark::Growing]),
+            line(1, "q ← a random configuration, or the goal", &[Mark::Growing]),
             NONE_FOUND,
             line(1, "near ← the vertex of T nearest to q", &[Mark::Edge, Mark::Refused]),
             line(1, "if no vertex sees q: try again", &[Mark::Discarded]),
@@ -119,7 +119,7 @@ impl PlannerKind for RrtControlOptions {
             line(2, "drive u from near, up to an obstacle", &[Mark::Edge, Mark::Refused]),
             line(1, "add the end nearest to q, with its u, to T", &[Mark::Vertex, Mark::Edge]),
             line(2, "within the goal region: solved", &[Mark::Solved]),
-            line(1, "if none is free: refuse them", &[Mark::Refused]),
+            line(1, "if none is free: reject them", &[Mark::Refused]),
             END_NEAR,
         ],
     };

@@ -206,7 +206,7 @@ describe("after the core was lost", () => {
         await (place === "page" ? page.evaluate(set, call) : worker(page).evaluate(set, call));
         await page.click(button);
         await page.waitForSelector("#notice[data-code=internal]");
-        assert.match(await page.innerText("#notice"), /fault of its own/);
+        assert.match(await page.innerText("#notice"), /internal error/);
         await atRest(page);
         await page.click("#notice button");
         assert.equal((await finish(page)).status, "solved", call);

@@ -198,7 +198,7 @@ describe("driving", () => {
       while ((await dash(page)).pose[0] < 0.84) await press(page, "c");
       await press(page, "s", "s");
       await page.waitForSelector("#drive[data-arrived=true]");
-      assert.match(await page.innerText("#story"), /You are at the goal, after \d+\.\d s and \d+ keys\./);
+      assert.match(await page.innerText("#story"), /You reached the goal after \d+\.\d s and \d+ keys\./);
     });
   });
 
@@ -208,7 +208,7 @@ describe("driving", () => {
       await press(page, "w", "w", "ArrowLeft", "c", "ArrowRight", "c");
       const first = await dash(page);
       await page.click("#drive-replay");
-      await page.waitForFunction(() => /driven again/.test(document.getElementById("announcer")?.textContent ?? ""));
+      await page.waitForFunction(() => /^Replaying|was replayed/.test(document.getElementById("announcer")?.textContent ?? ""));
       assert.deepEqual(await dash(page), first);
       await page.click("#drive .more summary");
       const [download] = await Promise.all([page.waitForEvent("download"), page.click("#drive-save")]);
@@ -225,7 +225,7 @@ describe("driving", () => {
       await file({ ...record, record: [{ step: 0, key: "jump" }] });
       await page.waitForSelector("#notice[data-pointer='/record/0/key']");
       await file({ ...record, scenario: "elsewhere" });
-      await page.waitForFunction(() => /driven in the scene "elsewhere"/.test(document.getElementById("notice")?.textContent ?? ""));
+      await page.waitForFunction(() => /recorded in the scene "elsewhere"/.test(document.getElementById("notice")?.textContent ?? ""));
     });
   });
 

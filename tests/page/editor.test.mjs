@@ -453,6 +453,7 @@ describe("saved", () => {
       await until(page, "undo", 1);
       await page.waitForSelector("body[data-scene=file]");
       const ended = await finish(page);
+      assert.equal(await page.textContent("#where"), "Two links among stones (edited) \u00b7 PRM");
       const { text, name } = await saved(page);
       assert.equal(name, "stones.json");
       assert.match(text, /"vertices": \[\[-?\d/);
@@ -462,6 +463,7 @@ describe("saved", () => {
       const again = await finish(page);
       assert.equal(again.fingerprint, ended.fingerprint);
       assert.equal(again.length, ended.length);
+      assert.equal(await page.textContent("#where"), "Two links among stones \u00b7 PRM");
     });
   });
 });

@@ -1,8 +1,8 @@
 /** The guided lessons: every step plays, and what it says is so. */
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
-import { Scenario } from "planarium";
-import { LESSONS, stageAt } from "../../www/planner/lessons/script.js";
+import { Scenario, planners } from "planarium";
+import { LESSONS, beginningOf, stageAt } from "../../www/planner/lessons/script.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { isFree, open, pieces, ran, sceneOf } from "./library.mjs";
 
@@ -36,7 +36,10 @@ test("eight lessons of up to five short steps, each of which plays", () => {
   for (const lesson of LESSONS) {
     assert.ok(lesson.title.length > 0 && lesson.title.length <= 30 && lesson.steps.length >= 3 && lesson.steps.length <= 5, lesson.id);
     assert.ok(lesson.steps[0].scene, lesson.id);
-    lesson.steps.forEach(({ text, scene, iteration }, i) => {
+    lesson.steps.forEach(({ text, question, choices, answer, scene, iteration }, i) => {
+      assert.ok(/[?]$/.test(question) && question.length <= 110, `${question.length}: ${question}`);
+      assert.ok(choices.length >= 2 && choices.length <= 4 && new Set(choices).size === choices.length && choices[answer], question);
+      assert.notEqual(question, text);
       assert.ok(text.length > 0 && text.length <= 160, `${lesson.id} ${i + 1}: ${text.length}`);
       assert.ok((text.match(/[.:?!](?= |$)/g) ?? []).length <= 3 && /[.]$/.test(text), text);
       assert.ok(scene === undefined || SCENES.some(({ id }) => id === scene), scene);
@@ -46,6 +49,23 @@ test("eight lessons of up to five short steps, each of which plays", () => {
       assert.ok(iteration !== undefined || run.iterations / sceneOf(stageAt(lesson, i).scene).pace <= 30, `${lesson.id} ${i + 1} takes too long`);
     });
   }
+});
+
+test("numbers of iterations in a text are those of its run", () => {
+  for (const lesson of LESSONS) {
+    lesson.steps.forEach(({ text }, i) => {
+      const told = /\b([\d,]+) iterations/.exec(text)?.[1].replace(",", "");
+      if (!told) return;
+      const { iterations } = shown(lesson.id, i + 1);
+      if (text.includes(`more than ${Number(told).toLocaleString("en")}`)) assert.ok(iterations > Number(told), text);
+      else assert.equal(iterations, Number(told), text);
+    });
+  }
+});
+
+test("a step asks where the step before rests, if the run is the same, else at its beginning", () => {
+  const pull = LESSONS.find(({ id }) => id === "pull") ?? assert.fail();
+  assert.deepEqual(pull.steps.map((_, i) => beginningOf(pull, i)), [0, 40, 120, 0, 0]);
 });
 
 describe("sampling", () => {
@@ -230,9 +250,14 @@ describe("wheels", () => {
     }
   });
 
-  test("a blossom of three needs the fewest iterations, one of five the shorter path of the two", () => {
+  test("three controls per extension need the fewest iterations, five give the shorter path of the two; the settings are those of the presets", () => {
     const [one, three, five] = [3, 4, 5].map((at) => shown("wheels", at));
-    assert.deepEqual([one, three, five].map(({ status, iterations }) => [status, iterations]), [["solved", 1857], ["solved", 296], ["solved", 1073]]);
+    assert.deepEqual([one, three, five].map(({ status, iterations }) => [status, iterations]), [["solved", 1916], ["solved", 354], ["solved", 1073]]);
     assert.ok(five.result.length < three.result.length && three.result.length < one.result.length);
+    const lesson = LESSONS.find(({ id }) => id === "wheels") ?? assert.fail();
+    const { presets } = planners().find(({ id }) => id === "rrt-control") ?? assert.fail();
+    for (const [at, id] of /** @type {[number, string][]} */ ([[2, "blossom-1"], [3, "blossom-3"], [4, "blossom-5"]])) {
+      assert.deepEqual(stageAt(lesson, at).settings, { ...presets.find((preset) => preset.id === id)?.settings, seed: 1 });
+    }
   });
 });

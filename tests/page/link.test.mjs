@@ -197,7 +197,7 @@ describe("the button", () => {
       await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
       await seek(page, 137);
       await page.click("#link");
-      await page.getByText("Link copied: this scene, these settings, iteration 137.", { exact: true }).waitFor();
+      await page.getByText("Link copied. It stores the scene, the settings and iteration 137.", { exact: true }).waitFor();
       assert.equal(await page.evaluate(() => navigator.clipboard.readText()), page.url());
       assert.match(page.url(), /#1[\w-]+$/);
     });
@@ -213,7 +213,7 @@ describe("the button", () => {
       await field.waitFor();
       const link = await field.inputValue();
       assert.equal(await page.evaluate(() => getSelection()?.toString()), link);
-      assert.match(await page.innerText("#link-told"), /^Copy this link: this scene, these settings, iteration 10\./);
+      assert.match(await page.innerText("#link-told"), /^Copy this link\. It stores the scene, the settings and iteration 10\./);
       const { experiment } = await decodeLink(new URL(link).hash);
       assert.deepEqual([experiment?.scene, experiment?.iteration], ["stones", 10]);
       const box = await page.locator("#link-told").boundingBox();
@@ -275,11 +275,11 @@ describe("what is broken", () => {
   test("what the page does not have is said, the rest is restored", async () => {
     /** @type {[Partial<Experiment>, RegExp, Record<string, string>][]} */
     const cases = [
-      [{ scene: "atlantis", lanes: [{ algorithm: "rrt", settings: { seed: 5 } }] }, /There is no scene "atlantis"; this is the first one/, { scene: "stones", planner: "rrt", "parameter-seed": "5" }],
+      [{ scene: "atlantis", lanes: [{ algorithm: "rrt", settings: { seed: 5 } }] }, /There is no scene "atlantis"; the first scene is shown instead/, { scene: "stones", planner: "rrt", "parameter-seed": "5" }],
       [{ lanes: [{ algorithm: "crystal-ball", settings: {} }] }, /There is no planner "crystal-ball"/, { scene: "firs", planner: "rrt-connect", "parameter-seed": "7" }],
       [{ lanes: [{ algorithm: "prm", settings: { k: -3, samples: 70 } }] }, /neighbours.*-3 is below 1/i, { scene: "firs", planner: "prm", "parameter-samples": "70", "parameter-k": "" }],
-      [{ lanes: [{ algorithm: "prm", settings: { k: "ten", wings: 2, samples: 71 } }] }, /This is not a number.*wings: There is no such setting/, { planner: "prm", "parameter-samples": "71" }],
-      [{ lanes: [{ algorithm: "rrt", settings: {} }], query: "home" }, /There is no query "home"/, { scene: "firs", planner: "rrt" }],
+      [{ lanes: [{ algorithm: "prm", settings: { k: "ten", wings: 2, samples: 71 } }] }, /Enter a number.*wings: There is no such option/, { planner: "prm", "parameter-samples": "71" }],
+      [{ lanes: [{ algorithm: "rrt", settings: {} }], query: "home" }, /This scene has no query "home"/, { scene: "firs", planner: "rrt" }],
       [{ lanes: [{ algorithm: "rrt", settings: {} }], view: { axes: [0, 9] } }, /no coordinates 0 and 9/, { planner: "rrt" }],
       [{ lanes: [{ algorithm: "prm", settings: { samples: 20 } }], iteration: 987654 }, /The run ends at iteration \d+, before 987,654/, { planner: "prm", "parameter-samples": "20" }],
       [{ scene: "passage", options: { width: 99, thickness: 0.2 } }, /99 is above/, { scene: "passage", "option-width": "0.2" }],

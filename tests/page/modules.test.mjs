@@ -152,14 +152,14 @@ test("a sampled path is followed to where it collides; a proven one has no such 
   assert.equal(sampled.scenario.check(pose).free, false);
   assert.ok(sampled.scenario.distance(playback.configuration(at), pose) < 1e-9);
   for (let part = 0; part < at - 0.002; part += 0.001) assert.ok(sampled.scenario.check(playback.configuration(part)).free, `${part}`);
-  assert.equal(ending(sampled.run, playback), `Found, not proven. It collides: ${touchingSentence(sampled.scenario, check)}. To mend it, set “Collision checking” to proven.`);
+  assert.equal(ending(sampled.run, playback), `Path found, but not verified: ${touchingSentence(sampled.scenario, check).replaceAll("touches", "hits")} on the way. To fix it, set “Collision checking” to proven.`);
   const careful = ended("stones", "prm", { samples: 260, k: 9, edge_check: "sampled", edge_samples: 400 });
   const free = playbackOf(careful.scenario, careful.run);
   assert.ok(free && free.flaw === null && !free.isProven);
-  assert.match(ending(careful.run, free), /not proven. Checked afterwards, it touches nothing.$/);
+  assert.match(ending(careful.run, free), /not proven. A check afterwards found no collision.$/);
   const proven = ended("stones", "prm", { samples: 260, k: 9 });
   assert.ok(playbackOf(proven.scenario, proven.run)?.isProven);
-  assert.match(ending(proven.run, playbackOf(proven.scenario, proven.run)), /proven free from end to end/);
+  assert.match(ending(proven.run, playbackOf(proven.scenario, proven.run)), /proven to be collision-free/);
 });
 
 test("a tree that gave up shows its nearest miss; others have none to show", () => {
@@ -170,11 +170,11 @@ test("a tree that gave up shows its nearest miss; others have none to show", () 
   assert.ok(scenario.distance(playback.configuration(0), start) < 1e-12);
   const short = scenario.distance(playback.configuration(1), goal);
   assert.ok(short > 0.1);
-  assert.equal(ending(run, playback), `No path after 300 iterations. The nearest miss, dashed, ends ${short.toFixed(2)} rad from the goal.`);
+  assert.equal(ending(run, playback), `No path after 300 iterations. The closest approach, dashed, ends ${short.toFixed(2)} rad from the goal.`);
   for (const algorithm of ["prm", "rrt-connect"]) {
     const other = ended("firs", algorithm, { max_iterations: 3 });
     assert.equal(playbackOf(other.scenario, other.run), null);
-    assert.match(ending(other.run, null), algorithm === "prm" ? /3 iterations were too few to search/ : /two trees never met/);
+    assert.match(ending(other.run, null), algorithm === "prm" ? /after 3 iterations, before the roadmap was searched/ : /two trees never met/);
   }
 });
 
@@ -203,7 +203,7 @@ test("each phase has its sentence; the scene's own is told of its own planner on
   /** @param {import("../../www/domain/types.js").Settings} settings */
   const connecting = (settings) => {
     const run = new LocalRun(load("stones"), "prm", { samples: 30, ...settings });
-    assert.match(going(run, scene), /^The arm seeks a way from start to goal: each point/, "what is looked for comes first");
+    assert.match(going(run, scene), /^Looking for a path from start to goal\. Each dot/, "what is looked for comes first");
     while (run.phase === "sampling") toward(run, run.made + 1);
     return run;
   };

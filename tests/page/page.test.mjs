@@ -160,7 +160,7 @@ describe("settings", () => {
         while (planner.step(1000) === "running");
         assert.deepEqual([shown.fingerprint, shown.iterations, shown.edges], [planner.fingerprint(), planner.iterations, planner.edgeCount], id);
         assert.equal(shown.status, id === "locked" ? "exhausted" : "solved", id);
-        assert.match(await page.innerText("#story"), shown.status === "solved" ? /^Found/ : /^No path/);
+        assert.match(await page.innerText("#story"), shown.status === "solved" ? /^Path found/ : /^No path/);
         assert.equal(await page.locator("#notice").isVisible(), false);
         assert.equal(await page.locator("#cspace").isVisible(), scenario.robot !== "disc");
         const inked = (await growthHash(page, "workspace")).split(",").map((layer) => Number(layer.split(" ")[2]));
@@ -305,7 +305,7 @@ describe("planners", () => {
       await atRest(page);
       assert.equal(await pixelsOf(page, "workspace", "top", "collision"), 0);
       await finish(page);
-      assert.match(await page.innerText("#story"), /not proven. It collides: link \d touches obstacle \d\. To mend it, set “Collision checking” to proven\.$/);
+      assert.match(await page.innerText("#story"), /not verified: link \d hits obstacle \d on the way\. To fix it, set “Collision checking” to proven\.$/);
       assert.equal(await page.locator("#story").getAttribute("data-tone"), "bad");
       assert.equal(await page.innerText("#legend-path"), "path, not proven");
       for (const pane of /** @type {const} */ (["workspace", "cspace"])) {
@@ -316,7 +316,7 @@ describe("planners", () => {
       await page.selectOption("#parameter-edge_check", "proven");
       await finish(page);
       assert.equal(await page.locator("#story").getAttribute("data-tone"), "");
-      assert.match(await page.innerText("#story"), /proven free/);
+      assert.match(await page.innerText("#story"), /proven to be collision-free/);
       assert.equal(await page.innerText("#legend-path"), "path");
       assert.equal(await pixelsOf(page, "workspace", "top", "unproven"), 0);
     });
@@ -329,8 +329,8 @@ describe("planners", () => {
       await page.click("#more summary");
       await setParameter(page, "max_iterations", "300");
       assert.equal((await finish(page)).status, "exhausted");
-      assert.match(await page.innerText("#story"), /^No path after 300 iterations. The nearest miss, dashed, ends 0.84 rad from the goal.$/);
-      assert.equal(await page.innerText("#legend-path"), "nearest miss");
+      assert.match(await page.innerText("#story"), /^No path after 300 iterations. The closest approach, dashed, ends 0.84 rad from the goal.$/);
+      assert.equal(await page.innerText("#legend-path"), "closest approach");
       await page.locator("#along").fill("0.5");
       await atRest(page);
       const dashed = await pixelsOf(page, "cspace", "top", "path");
@@ -352,7 +352,7 @@ describe("planners", () => {
       await setParameter(page, "shortcut", "4000");
       for (let i = 0; i < 2; i++) await page.click("#step-100");
       await page.waitForSelector("#counters[data-phase=improving]", { state: "attached" });
-      assert.match(await page.innerText("#story"), /made shorter/);
+      assert.match(await page.innerText("#story"), /being shortened/);
       const improved = await finish(page);
       assert.equal(improved.fingerprint, plain.fingerprint, "the same trees");
       assert.ok(improved.length < plain.length - 0.01, `${improved.length} after ${plain.length}`);
@@ -646,7 +646,7 @@ describe("keyboard and ears", () => {
   test("milestones are announced and the pictures described", async () => {
     await onPausedPage(async (page) => {
       await finish(page);
-      await page.waitForFunction(() => document.getElementById("announcer")?.textContent?.startsWith("Found"));
+      await page.waitForFunction(() => document.getElementById("announcer")?.textContent?.startsWith("Path found"));
       const label = await page.locator("#workspace canvas[role=img]").getAttribute("aria-label");
       assert.match(label ?? "", /262 vertices.*solved/);
     });

@@ -98,7 +98,7 @@ describe("edges and ways of cars", () => {
         playback.seek((playback.reached[i] + playback.reached[i + 1]) / 2 / playback.length);
         assert.equal(playback.steering, phi);
       });
-      assert.match(ending(run, playback), /: a path of length \d+\.\d\d, proven free/);
+      assert.match(ending(run, playback), /: cost \d+\.\d\d \(0\.7 × metres \+ 0\.3 × radians\), proven to be collision-free/);
       run.free();
     }
   });
@@ -169,16 +169,16 @@ describe("on the stage", () => {
   test("words speak of the body and of the car", async () => {
     await onPausedPage(async (page) => {
       await chooseScene(page, "corner");
-      assert.match(await page.innerText("#story"), /^The body seeks a way/);
-      assert.equal(await page.innerText("#workspace figcaption small"), "the body\u2019s world; points mark its origin");
+      assert.match(await page.innerText("#story"), /^Looking for a path from start to goal\. .*body/);
+      assert.equal(await page.innerText("#workspace figcaption small"), "dots mark the body\u2019s origin");
       assert.deepEqual(await page.locator("#pose .name").allInnerTexts(), ["x", "y", "theta"]);
       await page.fill("#pose-0-number", "1.2");
       await page.press("#pose-0-number", "Tab");
       await page.waitForSelector("#touching[data-free=false]");
       assert.match(await page.innerText("#touching"), /^Body touches obstacle \d/);
       await chooseScene(page, "parking");
-      assert.match(await page.innerText("#story"), /^The car seeks a way/);
-      assert.equal(await page.innerText("#workspace figcaption small"), "the car\u2019s world; points mark its rear axle");
+      assert.match(await page.innerText("#story"), /^Looking for a path from start to goal\. .*car/);
+      assert.equal(await page.innerText("#workspace figcaption small"), "dots mark the car\u2019s rear axle");
       assert.equal(await page.innerText("#your-turn"), "Drive");
     });
   });
@@ -253,7 +253,7 @@ describe("on the stage", () => {
       assert.deepEqual(await page.locator("#planner option").evaluateAll((options) => options.map((option) => /** @type {HTMLOptionElement} */ (option).value)),
         ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connect"], "an arm has no controls");
       await chooseScene(page, "blossom");
-      assert.equal(await page.inputValue("#preset"), "own");
+      assert.equal(await page.inputValue("#preset"), "blossom-3");
       await page.selectOption("#preset", "blossom-5");
       await page.waitForFunction(() => /** @type {HTMLInputElement} */ (document.getElementById("parameter-blossom")).value === "5");
       assert.equal(await page.inputValue("#parameter-seed"), "1", "the seed stays");
@@ -291,7 +291,7 @@ describe("the hand", () => {
       await page.waitForSelector("#touching[data-free=false]");
       assert.equal(await page.innerText("#touching"), "Body touches obstacle 0.");
       await drag(page, [at(0, 0.3), at(0.5, -0.4)]);
-      await page.waitForFunction(() => /You reached the goal, touching something once/.test(document.getElementById("story")?.textContent ?? ""));
+      await page.waitForFunction(() => /You reached the goal, with one collision on the way/.test(document.getElementById("story")?.textContent ?? ""));
     });
   });
 

@@ -12,7 +12,7 @@ import { compete } from "../../www/planner/worker/compete.js";
 import { thinned } from "../../www/planner/run-log/curve.js";
 import { ticks } from "../../www/widgets/chart.js";
 import { nameAll } from "../../www/planner/race/names.js";
-import { leaders } from "../../www/planner/race/standings.js";
+import { leaders, letters } from "../../www/planner/race/standings.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("../../www/domain/types.js").Plan} Plan */
@@ -122,7 +122,7 @@ describe("fairness", () => {
       const [a, b] = await table(page);
       assert.deepEqual([a.counts[3], b.counts[3]], [0, 0]);
       assert.ok(a.fingerprint && b.fingerprint && a.counts[4] > 0 && b.counts[4] > 0);
-      assert.match(await page.innerText("#story"), /nothing to keep clear of/);
+      assert.match(await page.innerText("#story"), /nothing to avoid/);
       await page.click("#back");
       await atRest(page);
       assert.deepEqual((await table(page)).map(({ counts }) => counts[4]), [0, 0]);
@@ -201,7 +201,7 @@ describe("one transport", () => {
           assert.deepEqual(counts, [...[PAST.vertices, PAST.edges, PAST.motions, PAST.evaluations].map((column) => last[column]), history.length - 1]);
           const first = history.find((row) => row[PAST.cost] < Infinity);
           assert.equal(found.split(",").slice(0, 2).join("").match(/^\d+/)?.[0] ?? found, first ? String(first[PAST.evaluations]) : "no path");
-          if (first) assert.equal(cost.split(",")[0], `${planner.result().length.toFixed(2)} rad`);
+          if (first) assert.equal(cost.split(" (")[0], `${planner.result().length.toFixed(2)} rad`);
         });
       }
       assert.equal(await page.locator("#add-rival").isDisabled(), true, "four race at most");
@@ -227,7 +227,8 @@ describe("rivals", () => {
       const [a, b] = await table(page);
       assert.equal(a.fingerprint, b.fingerprint);
       assert.deepEqual([a.name, b.name], ["A PRM", "B PRM"]);
-      assert.match(a.found, /, first, level$/);
+      assert.match(a.found, / \(tied for first\)$/);
+      assert.match(await page.innerText("#story"), /^A and B tied: both found a path after [\d,]+ clearance evaluations, of length \d+\.\d\d rad\.$/);
       await give(page, "B", "k", "4");
       await finish(page);
       const rows = await table(page);
@@ -333,7 +334,7 @@ describe("rivals", () => {
       await page.selectOption("#rival-B-planner", "rrt-control");
       await race(page, "sst", "rrt");
       await chooseScene(page, "rings");
-      assert.equal(await page.innerText("#notice strong"), "RRT by controls needs a car, so rival B was removed. SST needs a car, so rival C was removed.");
+      assert.equal(await page.innerText("#notice strong"), "Kinodynamic RRT needs a car, so rival B was removed. SST needs a car, so rival C was removed.");
       assert.deepEqual((await table(page)).map(({ name, found }) => [name, found]), [["A PRM", "sampling"], ["B RRT", "growing"]]);
       assert.deepEqual([await offered("rival"), await offered("rival-B-planner")], [idsFor("disc"), idsFor("disc")]);
       await page.click("#play");
@@ -381,11 +382,11 @@ describe("winners, in words", () => {
     await onPausedPage(async (page) => {
       await race(page, "rrt-connect");
       await seek(page, 190);
-      assert.deepEqual((await table(page)).map(({ found }) => found), ["sampling", "190, first"]);
+      assert.deepEqual((await table(page)).map(({ found }) => found), ["sampling", "190 (first)"]);
       await page.waitForFunction(() => document.getElementById("announcer")?.textContent === "B found a path.");
       await finish(page);
       const [a, b] = await table(page);
-      assert.equal(a.cost, "8.93 rad, shortest");
+      assert.equal(a.cost, "8.93 rad (shortest)");
       assert.equal(b.cost, "9.19 rad");
       assert.equal(await page.innerText("#story"), "B found a path first, after 190 clearance evaluations; A has the shortest, 8.93 rad.");
       await page.waitForFunction(() => document.getElementById("announcer")?.textContent?.endsWith("A has the shortest, 8.93 rad."));
@@ -394,6 +395,7 @@ describe("winners, in words", () => {
   });
 
   test("lengths in different metrics are not compared; a tie is one; a path alone is not the shortest", () => {
+    assert.deepEqual([[0], [0, 2], [0, 1, 2]].map(letters), ["A", "A and C", "A, B and C"]);
     const one = { isOver: true, found: 10, cost: 5, metric: "sum" };
     assert.deepEqual(leaders([one, { ...one, cost: 4, metric: "euclidean" }]), { first: [0, 1], shortest: [], isOver: true, isAlike: false });
     assert.deepEqual(leaders([one, { ...one, found: 9, cost: 6 }, { ...one, isOver: false, found: null, cost: Infinity }]), { first: [1], shortest: [0], isOver: false, isAlike: true });
@@ -444,7 +446,7 @@ describe("curves", () => {
       assert.deepEqual(await page.locator("svg.cost .end").allTextContents().then((labels) => labels.toSorted()), ["A", "B"]);
       const label = await page.locator("svg.vertices").getAttribute("aria-label") ?? "";
       assert.match(label, /^Vertices against clearance evaluations.*A PRM.*262.*B RRT-Connect/);
-      await page.getByText("In numbers").click();
+      await page.getByText("As a table").click();
       await page.waitForSelector("#curves tbody tr");
       const rows = await page.locator("#curves tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map(({ textContent }) => textContent?.replaceAll(",", ""))));
       assert.ok(rows.length >= 8 && rows.length <= 16, `${rows.length} rows`);
@@ -527,7 +529,7 @@ describe("every screen", () => {
       await finish(page);
       await page.waitForSelector("svg.cost .end");
       await page.locator(".rival summary").first().click();
-      await page.getByText("In numbers").click();
+      await page.getByText("As a table").click();
       await assertFaultless(page, "a race of four");
       for (const [viewport, columns] of /** @type {const} */ ([[PHONE.viewport, 1], [{ width: 1280, height: 860 }, 2]])) {
         await page.setViewportSize(viewport);

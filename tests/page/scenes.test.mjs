@@ -52,7 +52,7 @@ for (const entry of SCENES) {
     const known = new Set([...parameters.map(({ name }) => name), "seed", "query"]);
     for (const name of Object.keys(entry.settings)) assert.ok(known.has(name), name);
     assert.ok(Number.isSafeInteger(entry.settings.seed), "a scene has its seed");
-    assert.ok(entry.story.length <= 90 && /^[A-Z][^.]*\.$/.test(entry.story), entry.story);
+    assert.ok(entry.story.length <= 96 && /^[A-Z][^.]*(\. [A-Z][^.]*)?\.$/.test(entry.story), entry.story);
     assert.ok(entry.title.length <= 24, entry.title);
   });
 

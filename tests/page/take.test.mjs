@@ -283,7 +283,7 @@ describe("arrays of NumPy's come in", () => {
     const before = await obstacles(page);
     await pickArray(page, "squares.npy", writeNpy(Float64Array.from(SQUARES), [2, 4, 2]));
     await page.waitForSelector("#notice.question");
-    assert.match(await page.innerText("#notice"), /squares\.npy holds 2 polygons of 8 vertices/);
+    assert.match(await page.innerText("#notice"), /squares\.npy holds 2 polygons with 8 vertices/);
     assert.equal(await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).dataset.choice), "add", "the keyboard is at the choices");
     await page.keyboard.press("Enter");
     await page.waitForSelector("body[data-scene=file]");
@@ -302,7 +302,7 @@ describe("arrays of NumPy's come in", () => {
     for (const name of ["numpy1-ragged", "numpy2-ragged"]) {
       await pickArray(page, "ragged.npy", fixture(name));
       await page.waitForSelector("#notice.question");
-      assert.match(await page.innerText("#notice"), /3 polygons of 10 vertices/);
+      assert.match(await page.innerText("#notice"), /3 polygons with 10 vertices/);
       await page.keyboard.press("Escape");
       assert.equal(await page.locator("#notice").isVisible(), false);
     }
@@ -351,7 +351,7 @@ describe("arrays of NumPy's come in", () => {
       ["nan.npy", writeNpy(Float64Array.of(0, 0, 1, NaN, 2, 2), [1, 3, 2]), /Vertex 1 of polygon 0 must be two finite numbers/],
       ["pair.npy", writeNpy(Float64Array.of(0, 0, 1, NaN), [2, 2]), /Number 1 of configuration 1 is not finite/],
       ["many.npy", writeNpy(new Float64Array(5001 * 2 * 3), [5001, 3, 2]), /5000 vertices|list of polygons/],
-      ["huge.npy", new Uint8Array(11 * 2 ** 20).fill(0x93), /11\.0 MB; at most 10 MB/],
+      ["huge.npy", new Uint8Array(11 * 2 ** 20).fill(0x93), /11\.0 MB; the limit is 10 MB/],
     ];
     for (const [name, bytes, sentence] of files) {
       await pickArray(page, name, bytes);

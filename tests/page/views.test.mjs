@@ -79,12 +79,12 @@ describe("what is pointed at", () => {
       await page.hover("#cspace .sheet", { position: at(hit[0], hit[1]) });
       const bad = await readout(page, "[data-vertex='-1'][data-free=false]");
       const { part, obstacle } = scenario.check(hit).touching[0];
-      assert.match(bad.text, new RegExp(`^Pose .* rad: link ${part} touches obstacle ${obstacle}\\.$`));
+      assert.match(bad.text, new RegExp(`^Configuration .* rad: link ${part} touches obstacle ${obstacle}\\.$`));
       assert.ok(await pixelsOf(page, "workspace", "top", "collision") > ends.collision + 60);
       assert.ok(await page.isVisible("#legend-touching"));
       await page.hover("#cspace .sheet", { position: at(way[0], way[1]) });
       const good = await readout(page, "[data-vertex='-1'][data-free=true]");
-      assert.match(good.text, /^Pose .* rad: free, \d+\.\d{3} m from obstacle \d+\.$/);
+      assert.match(good.text, /^Configuration .* rad: free, \d+\.\d{3} m from obstacle \d+\.$/);
       assert.ok(await pixelsOf(page, "workspace", "top", "ink") > 60, "the arm is drawn");
       assert.ok(await pixelsOf(page, "cspace", "top", "ink") > ends.ink + 20, "the point is in a ring");
       assert.equal(await pixelsOf(page, "workspace", "top", "collision"), ends.collision);
@@ -257,8 +257,8 @@ describe("the path", () => {
       const { length } = planner.result();
       assert.ok(found > length + 0.1);
       await unfold(page, "view");
-      assert.equal(await page.textContent("#view-lengths"), `${found.toFixed(2)} rad as found, ${length.toFixed(2)} rad shortened.`);
-      assert.match(await page.innerText("#story"), new RegExp(`a path of ${length.toFixed(2)} rad, cut from ${found.toFixed(2)} rad`));
+      assert.equal(await page.textContent("#view-lengths"), `${found.toFixed(2)} rad before shortcutting, ${length.toFixed(2)} rad after.`);
+      assert.match(await page.innerText("#story"), new RegExp(`length ${length.toFixed(2)} rad, shortened from ${found.toFixed(2)} rad`));
       assert.equal(await page.isVisible("#legend-raw"), false);
       const alone = await pixelsOf(page, "cspace", "top", "path");
       await see(page, "view-raw", true);
@@ -321,7 +321,7 @@ describe("planes of more than two joints", () => {
       await chooseScene(page, "thicket");
       assert.ok(await pixelsOf(page, "cspace", "ground", "obstacle") < 50);
       await see(page, "view-slice", true);
-      assert.match(await page.innerText("#cspace figcaption"), /slice at the robot’s pose/);
+      assert.match(await page.innerText("#cspace figcaption"), /slice at the robot’s configuration/);
       const { start: pose } = scenario.document().queries[0];
       const at = await square(page);
       const grid = Array.from({ length: 900 }, (_, i) => [-3.05 + (6.1 * (i % 30)) / 29, -3.05 + (6.1 * Math.floor(i / 30)) / 29]);

@@ -3,7 +3,7 @@ import { withOptions } from "../../www/domain/option-names.js";
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { Scenario, phases, planners } from "planarium";
-import { LESSONS, stageAt } from "../../www/planner/lessons/script.js";
+import { LESSONS, beginningOf, stageAt } from "../../www/planner/lessons/script.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { atRest, chooseScene, finish, growthHash, onPage, onPausedPage, setParameter, start, stop } from "./browser.mjs";
 import { open, sceneOf } from "./library.mjs";
@@ -180,7 +180,7 @@ describe("options of a scene", () => {
       await page.fill("#make-links", "5");
       await page.click("#make button");
       await page.waitForSelector("#notice:not([hidden])");
-      assert.match(await page.innerText("#notice"), /^Such a scene cannot be made\..*links/s);
+      assert.match(await page.innerText("#notice"), /^This scene cannot be generated\..*links/s);
     });
   });
 });
@@ -194,7 +194,15 @@ describe("lessons", () => {
       const lesson = LESSONS[0];
       await page.click("#lessons button >> nth=0");
       for (const [i, step] of lesson.steps.entries()) {
-        await page.waitForFunction((text) => document.querySelector("#lesson p:not(.head)")?.textContent === text, step.text);
+        await page.waitForFunction((question) => document.querySelector("#lesson legend")?.textContent === question, step.question);
+        await page.waitForSelector(`#counters[data-settled=true][data-iterations="${beginningOf(lesson, i)}"]`, { state: "attached" });
+        assert.equal(await page.locator("#lesson .outcome").isVisible(), false, "the result is not told before the run");
+        const wrong = i % 2 === 1;
+        await page.check(`#lesson input >> nth=${wrong ? (step.answer + 1) % step.choices.length : step.answer}`);
+        await page.click("#lesson-run");
+        await page.waitForSelector("#lesson[data-shown=answer]");
+        const verdict = wrong ? `Answer: ${step.choices[step.answer].toLowerCase()}.` : "Correct.";
+        assert.equal(await page.innerText("#lesson .outcome"), `${verdict} ${step.text}`);
         assert.match(await page.innerText("#lesson .head"), new RegExp(`${i + 1} of ${lesson.steps.length}`));
         assert.equal(page.url(), `${url}#lesson=${lesson.id}.${i + 1}`);
         await page.waitForFunction((ends) => {
@@ -219,12 +227,18 @@ describe("lessons", () => {
         await fresh.goto("about:blank");
         await fresh.goto(`${url}#lesson=pull.2`);
         const { steps } = LESSONS.find(({ id }) => id === "pull") ?? assert.fail();
-        await fresh.waitForSelector(`#counters[data-settled=true][data-iterations="${steps[1].iteration}"]`, { state: "attached" });
+        const arrived = () => fresh.waitForSelector(`#counters[data-settled=true][data-iterations="${steps[1].iteration}"]`, { state: "attached" });
+        await fresh.locator("#lesson-run").click();
+        await arrived();
+        await fresh.waitForSelector("#lesson[data-shown=answer]");
         const there = await growthHash(fresh, "workspace");
-        assert.equal(await fresh.innerText("#lesson p:not(.head)"), steps[1].text);
+        assert.ok((await fresh.innerText("#lesson .outcome")).endsWith(steps[1].text), "without a choice, too");
         await fresh.click("#lesson-next");
+        await fresh.click("#lesson-run");
         await fresh.waitForSelector("#counters[data-settled=true]:not([data-status=running])", { state: "attached" });
         await fresh.click("#lesson-previous");
+        await fresh.waitForSelector("#lesson[data-shown=question]");
+        await fresh.click("#lesson-run");
         await fresh.waitForSelector(`#counters[data-settled=true][data-iterations="${steps[1].iteration}"]`, { state: "attached" });
         assert.equal(await growthHash(fresh, "workspace"), there);
         const [band, stage] = await Promise.all(["#lesson", "#stage"].map((name) => fresh.locator(name).boundingBox()));
@@ -239,7 +253,7 @@ describe("lessons", () => {
   test("an address without a lesson is said, and the page opens", async () => {
     await onPausedPage(async (fresh, url) => {
       /** @type {[string, RegExp][]} */
-      const wrong = [["#lesson=alchemy.1", /no lesson "alchemy"/], ["#lesson=trees.77", /5 steps, and none of number 77/], ["#lesson=", /There is no lesson/], ["#lesson=<b>x</b>", /There is no lesson/]];
+      const wrong = [["#lesson=alchemy.1", /no lesson "alchemy"/], ["#lesson=trees.77", /5 steps; there is no step 77/], ["#lesson=", /There is no lesson/], ["#lesson=<b>x</b>", /There is no lesson/]];
       for (const [fragment, sentence] of wrong) {
         await fresh.goto("about:blank");
         await fresh.goto(url + fragment);
@@ -254,14 +268,14 @@ describe("lessons", () => {
 describe("first words", () => {
   test("what is looked for is said first, then what grows, then what came of it", async () => {
     await onPausedPage(async (page) => {
-      assert.match(await page.innerText("#story"), /seeks a way from start to goal: each point is a pose/);
-      assert.match(await page.innerText("#workspace figcaption"), /^Workspace\s+the arm.s world; points mark its tip$/);
-      assert.match(await page.innerText("#cspace figcaption"), /^Configuration space\s+each point is a pose: two angles$/);
+      assert.match(await page.innerText("#story"), /^Looking for a path from start to goal\. Each dot is a collision-free configuration of the arm\.$/);
+      assert.match(await page.innerText("#workspace figcaption"), /^Workspace\s+dots mark the arm.s tip$/);
+      assert.match(await page.innerText("#cspace figcaption"), /^Configuration space\s+each dot: two joint angles$/);
       while ((await atRest(page)).phase === "sampling") await page.click("#step-100");
       assert.equal((await atRest(page)).phase, "connecting");
       assert.equal(await page.innerText("#story"), SCENES[0].story);
       await finish(page);
-      assert.match(await page.innerText("#story"), /^Found after/);
+      assert.match(await page.innerText("#story"), /^Path found after/);
     });
   });
 

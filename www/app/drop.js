@@ -37,7 +37,7 @@ export function watchFiles(onFile, onError) {
   async function read(file) {
     try {
       if (file.size > MOST) {
-        throw Object.assign(new Error(`It has ${(file.size / 1048576).toFixed(1)} MB; at most 10 MB are read.`), { code: "too-large" });
+        throw Object.assign(new Error(`The file is ${(file.size / 1048576).toFixed(1)} MB; the limit is 10 MB.`), { code: "too-large" });
       }
       onFile(file.name, new Uint8Array(await file.arrayBuffer()));
     } catch (error) {

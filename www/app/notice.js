@@ -52,7 +52,7 @@ export class Notice {
     const where = make("p", { className: "where" });
     if (code) where.append("code ", make("code", {}, code));
     if (pointer) where.append(" at ", make("code", {}, pointer));
-    this.element.replaceChildren(make("div", {}, make("strong", {}, title), " ", make("span", {}, message), code || pointer ? where : ""), close);
+    this.element.replaceChildren(make("div", {}, make("strong", {}, title), " ", make("span", {}, capitalized(message)), code || pointer ? where : ""), close);
     this.element.hidden = false;
   }
 
@@ -66,3 +66,6 @@ export class Notice {
     delete this.element.dataset.pointer;
   }
 }
+
+/** Starts a sentence with a capital; a name that comes first stays as it is. @param {string} message */
+function capitalized(message) { return message.replace(/^(?:this|the|there|an?|it|no) /, (word) => word[0].toUpperCase() + word.slice(1)); }

@@ -11,7 +11,7 @@ export class Projector {
   constructor(onChange) {
     this.onChange = onChange;
     this.button = make("button", { type: "button", id: "projector", className: "quiet", ariaPressed: "false" }, "Projector");
-    this.button.title = "Large words and bold lines for a class; Escape leaves";
+    this.button.title = "Large text and bold lines for a lecture; Escape exits";
     byId("tools", HTMLElement).append(this.button);
     this.button.addEventListener("click", () => this.turn(!isProjected()));
     addEventListener("keydown", (event) => {

@@ -18,7 +18,7 @@ export async function loadCore() {
   const packed = inline("core");
   if (packed !== null) return WebAssembly.compile(await unpacked(packed));
   const response = await fetch("planarium/planarium_bg.wasm");
-  if (!response.ok) throw new Error(`${response.url} answered ${response.status} ${response.statusText}`.trimEnd());
+  if (!response.ok) throw new Error(`${response.url} returned ${response.status} ${response.statusText}`.trimEnd());
   // Streaming wants the right type; a server that sends another still serves the right bytes.
   if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
   return WebAssembly.compile(await response.arrayBuffer());

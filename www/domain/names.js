@@ -11,11 +11,27 @@ export function isPlaced(robot) { return robot === "rigid_body" || robot === "ca
 /** Which coordinates a square shows unless others are wanted: of a body x and theta say more than x and y, which the workspace shows as well. @param {Scenario["robot"]} robot @returns {[number, number]} */
 export function axesOf(robot) { return [0, isPlaced(robot) ? 2 : 1]; }
 
-/** What lengths of paths are measured in; nothing where metres and radians are weighed together. @param {Scenario["robot"]} robot */
+/** What lengths of paths are measured in; nothing where metres and radians are weighted together. @param {Scenario["robot"]} robot */
 export function unitOf(robot) { return robot === "arm" ? "rad" : robot === "disc" ? "m" : ""; }
 
 /** A length of a path, in words. @param {number} length @param {Scenario["robot"]} robot */
 export function lengthText(length, robot) { return `${length.toFixed(2)} ${unitOf(robot)}`.trim(); }
+
+/** What the metres and radians of a placed robot's paths are weighted with, as text, by scenario. @type {WeakMap<Scenario, string>} */
+const weights = new WeakMap();
+
+/** A path's length with its name and unit; where metres and radians are weighted together, it is a cost. @param {number} length @param {Scenario} scenario */
+export function costText(length, scenario) {
+  if (!isPlaced(scenario.robot)) return `length ${lengthText(length, scenario.robot)}`;
+  let sum = weights.get(scenario);
+  if (sum === undefined) {
+    const { robot } = scenario.document();
+    const { translation = 0.7, rotation = 0.3 } = ("metric" in robot && robot.metric) || {};
+    sum = `${translation} \u00d7 metres + ${rotation} \u00d7 radians`;
+    weights.set(scenario, sum);
+  }
+  return `cost ${length.toFixed(2)} (${sum})`;
+}
 
 /** @param {Scenario} scenario @param {number} part */
 export function partName(scenario, part) {

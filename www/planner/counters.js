@@ -35,7 +35,7 @@ export class Counters {
     if (!settled && now - this.written < READABLE) return;
     this.written = now;
     this.tell({
-      phase: lane.status === "running" ? lane.phase : lane.status === "none" ? "no plan" : lane.status,
+      phase: lane.status === "running" ? lane.phase : lane.status === "none" ? "not started" : lane.status === "exhausted" ? "no path" : lane.status,
       iterations: grouped(lane.iteration), vertices: grouped(lane.vertices), edges: grouped(lane.edges),
       length: lane.length === null ? "" : `${lane.length.toFixed(2)} ${lane.unit}`,
       segments: lane.segments === null ? "" : grouped(lane.segments),

@@ -26,8 +26,8 @@ export function watchCurves(page) {
   const table = make("table", { className: "standings" });
   const scroll = make("div", { className: "scroll", tabIndex: 0 }, table);
   scroll.setAttribute("role", "region");
-  scroll.setAttribute("aria-label", "The curves in numbers");
-  const numbers = make("details", {}, make("summary", {}, "In numbers"), scroll);
+  scroll.setAttribute("aria-label", "Curves as a table");
+  const numbers = make("details", {}, make("summary", {}, "As a table"), scroll);
   byId("curves", HTMLElement).append(make("div", { className: "charts" }, vertices.element, cost.element), numbers);
 
   /** @type {Curves | null} */
@@ -67,7 +67,7 @@ export function watchCurves(page) {
     const time = isRace ? "clearance evaluations" : "iterations";
     const unit = state.lanes[0].unit;
     const [grown, costs] = [1, 2].map((which) => lanes.map((rows, i) => ({ label: isRace ? letter(i) : "", points: column(rows, which) })));
-    cost.title.textContent = `Path length, ${unit}`;
+    cost.title.textContent = unit ? `Path length, ${unit}` : "Path cost";
     const across = { title: time, low: 0, high: Math.max(1, head) };
     vertices.draw(grown, across, { title: "vertices", low: 0 }, `Vertices against ${time}, up to ${words(head)}. ${summaryOf(grown, names, time)}`);
     cost.draw(costs, across, { title: "path length" }, `Length of the best path against ${time}, up to ${words(head)}. ${summaryOf(costs, names, time)}`);
@@ -83,7 +83,7 @@ export function watchCurves(page) {
     const times = all.filter((at, i) => i % each === 0 || i === all.length - 1 || firsts.has(at));
     const heads = names.flatMap((name) => [`${name}: vertices`, `${name}: path length`]);
     table.replaceChildren(
-      make("caption", {}, "How vertices and path lengths went on"),
+      make("caption", {}, "Vertices and path length"),
       make("thead", {}, make("tr", {}, ...[time, ...heads].map((title) => make("th", { scope: "col" }, title)))),
       make("tbody", {}, ...times.map((at) => make("tr", {}, make("th", { scope: "row" }, words(at)),
         ...grown.flatMap((line, i) => [make("td", {}, valueAt(line, at)), make("td", {}, valueAt(costs[i], at))])))),

@@ -29,9 +29,9 @@ export function showLegend({ calm }, { lanes, view, growing, playing, clock, hov
   path.dataset.proven = String(isProven);
   path.dataset.miss = String(isMiss);
   const also = [
-    !isMiss && lanes.some((lane) => lane.isMiss) ? "broken: nearest miss" : "",
+    !isMiss && lanes.some((lane) => lane.isMiss) ? "dashed: closest approach" : "",
     lanes.every((lane) => lane.isProven) ? "" : isProven ? "hollow: not proven" : "not proven",
   ];
   const words = path.querySelector("span");
-  if (words) write(words, [isMiss ? "nearest miss" : "path", ...also].filter(Boolean).join(", "));
+  if (words) write(words, [isMiss ? "closest approach" : "path", ...also].filter(Boolean).join(", "));
 }

@@ -62,7 +62,7 @@ try {
   keepForLater();
 } catch (error) {
   counters.none("failed");
-  notice.show("Planarium could not start: it needs a browser with WebAssembly, and its own files beside this page.", error);
+  notice.show("Planarium could not start. It needs a browser with WebAssembly and the other files of this site.", error);
 }
 
 async function start() {
@@ -165,7 +165,7 @@ async function start() {
       if (isArray(name, bytes)) await (await import("./export/arrays.js")).openArray(page, name, bytes);
       else await page.open({ document: new TextDecoder().decode(bytes) });
     } catch (error) {
-      notice.show(isArray(name, bytes) ? `${name} cannot be shown.` : `${name} is not a scenario that can be shown.`, error);
+      notice.show(`${name} could not be opened.`, error);
     }
   }
 

@@ -12,7 +12,7 @@ const READABLE = 200;
 /** @param {Page} page */
 export function showPseudocode(page) {
   const list = make("ol", {});
-  const details = make("details", { open: matchMedia("(min-width: 64rem)").matches }, make("summary", {}, "Pseudo-code"), list);
+  const details = make("details", { open: matchMedia("(min-width: 64rem)").matches }, make("summary", {}, "Pseudocode"), list);
   byId("pseudocode", HTMLElement).append(details);
   let shown = "";
   let written = -Infinity;

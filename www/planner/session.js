@@ -290,7 +290,7 @@ export class Session {
     this.shown = { ...shown, scenario: this.library.Scenario.parse(shown.document), hand: null, check: null, hover: null };
     this.lanes = [];
     this.plan(plans, false);
-    const error = Object.assign(new Error("Planarium's core stopped on a fault of its own. A fresh one has taken its place, and the run begins again."), { code: "internal" });
+    const error = Object.assign(new Error("Planarium's core stopped because of an internal error. It was restarted, and the run starts again."), { code: "internal" });
     this.refusal ??= { error, lane: 0 };
   }
 

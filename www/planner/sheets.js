@@ -29,8 +29,8 @@ export class Sheets {
     const square = robot !== "disc" && dimension >= 2;
     const marked = { arm: "tip", disc: "centre", rigid_body: "origin", car: "rear axle" }[robot];
     this.show([
-      { id: "workspace", kind: "workspace", lane: 0, caption: "Workspace", note: `the ${robotName(robot)}\u2019s world; points mark its ${marked}` },
-      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space", note: `each point is a pose: two ${dimension > 2 ? "of its " : ""}${robot === "arm" ? "angles" : "coordinates"}` }] : []),
+      { id: "workspace", kind: "workspace", lane: 0, caption: "Workspace", note: `dots mark the ${robotName(robot)}\u2019s ${marked}` },
+      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space", note: `each dot: two ${dimension > 2 ? "of its " : ""}${robot === "arm" ? "joint angles" : "coordinates"}` }] : []),
     ]);
   }
 
@@ -76,7 +76,7 @@ export class Sheets {
   look({ view: { axes: [across, up], slice } }, facts) {
     const { dimension = 0, coordinates = [] } = facts ?? {};
     const text = dimension > 2 && across < dimension && up < dimension
-      ? `${coordinates[across].name} across, ${coordinates[up].name} up${slice ? "; slice at the robot\u2019s pose" : ""}` : undefined;
+      ? `${coordinates[across].name} across, ${coordinates[up].name} up${slice ? "; slice at the robot\u2019s configuration" : ""}` : undefined;
     this.annotate("cspace", text);
   }
 

@@ -1,6 +1,6 @@
 /** The page's sentences: what is to be seen just now. */
 import { leaders, letters } from "./race/standings.js";
-import { isPlaced, lengthText, robotName, touchingSentence } from "../domain/names.js";
+import { costText, isPlaced, lengthText, robotName, touchingSentence } from "../domain/names.js";
 import { PAST } from "./run-log/run-log.js";
 
 /** @typedef {{ algorithm: string, isProven: boolean, sentence: string }} Story   what a scene says of its own planner, and whether it is to prove its edges */
@@ -9,91 +9,95 @@ import { PAST } from "./run-log/run-log.js";
 /** @import { Run } from "./run-log/run-log.js" */
 /** @import { Check, Scenario } from "../domain/types.js" */
 
-/** Iterations of a tree, or of guards, for which the page says what is looked for before the scene has its say. */
+/** Iterations of a tree, or of guards, in which the page says what is searched for, before the scene's own sentence. */
 const OPENING = 60;
 
 /**
- * A run that goes on: first what is looked for and what it is made of, then the scene's own sentence, if this is what its own
- * planner was asked, else what the planner is at.
+ * A run in progress: first what is searched for and what it is made of, then the scene's own sentence, if this is what its own
+ * planner was asked, else what the planner is doing.
  * @param {Run} run
  * @param {Story} scene
  */
 export function going(run, scene) {
-  const { phase } = run;
-  const free = run.isProven ? "proven free" : "free in the places looked at";
-  const sought = `The ${robotName(run.scenario.robot)} seeks a way from start to ${run.goals.length > 1 ? "any pose at the crosshair" : "goal"}`;
+  const { phase, settings } = run;
+  const checked = run.isProven ? "proven to be collision-free" : "checked at sampled points only";
+  const sought = `Looking for a path from start to ${run.goals.length > 1 ? "any configuration at the crosshair" : "goal"}`;
+  const own = `the ${robotName(run.scenario.robot)}\u2019s configurations`;
   const begins = run.shown < OPENING;
-  if (phase === "improving") return `A path is found; now it is made shorter, by motions ${free}.`;
-  if (phase === "sampling") return `${sought}: each point is a pose that touches nothing.`;
-  if (phase === "searching") return "The search goes out from the start; the bold vertices are those it has been to.";
-  if (begins && phase === "guarding") return `${sought}: a few poses stand guard, each seeing what no other sees.`;
-  if (begins && phase === "growing") return `${sought}: ${run.kind === "trees" ? "two trees of poses reach for each other" : "a tree of poses grows from the start"}.`;
-  if (run.algorithm === scene.algorithm && run.isProven === scene.isProven) return scene.sentence;
+  if (phase === "improving") return `A path is found; it is now being shortened by motions ${checked}.`;
+  if (phase === "sampling") return `${sought}. Each dot is a collision-free configuration of the ${robotName(run.scenario.robot)}.`;
+  if (phase === "searching") return `Searching the roadmap from ${settings.search === "bidirectional" ? "both ends" : "the start"}. Vertices already expanded are bold.`;
+  if (begins && phase === "guarding") return `${sought}. Guards are configurations that no other guard sees.`;
+  if (begins && phase === "growing") return `${sought}. ${run.kind === "trees" ? `Two trees of ${own} grow towards each other` : `A tree of ${own} grows from the start`}.`;
+  if (run.algorithm === scene.algorithm && run.isProven === scene.isProven) return scene.sentence.replace("{controls}", controls(run));
   switch (phase) {
-    case "connecting": return `Each pose is joined to its neighbours, where the motion is ${free}.`;
-    case "guarding": return "A pose that no guard sees becomes a guard, in a ring; one that sees several links them.";
+    case "connecting": return `Nearby configurations are now connected. Each line is a motion ${checked}.`;
+    case "guarding": return "A sample that no guard sees becomes a guard; one that sees guards of several components connects them.";
     default: return run.kind === "trees"
-      ? "Two trees, rooted at the start and at the goal, reach for each other until they meet."
+      ? "Two trees, rooted at start and goal, grow towards each other until they meet."
       : "A tree grows from the start, step by step towards samples, until it reaches the goal.";
   }
 }
 
+/** How an extension chooses its control. @param {Run} run */
+function controls({ settings: { blossom = 1 } }) {
+  return blossom === 1 ? "one random control is tried" : `${blossom} random controls are tried; the one that ends closest to the sample is kept`;
+}
+
 /** A run that has ended. @param {Run} run @param {PathPlayback | null} playback */
 export function ending(run, playback) {
-  const iterations = run.made.toLocaleString("en");
+  const iterations = `${run.made.toLocaleString("en")} iteration${run.made === 1 ? "" : "s"}`;
   const { robot } = run.scenario;
   const { length, approximate } = run.result;
   if (run.status === "solved") {
-    const shorter = playback?.raw ? `, cut from ${lengthText(run.rawLength, robot)}` : "";
-    const found = `Found after ${iterations} iterations: a path of ${isPlaced(robot) ? "length " : ""}${lengthText(length, robot)}${shorter}`;
-    if (run.isProven) return `${found}, proven free from end to end.`;
-    if (playback?.flaw) return `Found, not proven. ${collision(run, playback.flaw.check)}`;
-    return `${found}, not proven. Checked afterwards, it touches nothing.`;
+    const shorter = playback?.raw ? `, shortened from ${lengthText(run.rawLength, robot)}` : "";
+    if (playback?.flaw) return `Path found, but not verified: ${collision(run, playback.flaw.check)}`;
+    const found = `Path found after ${iterations}: ${costText(length, run.scenario)}${shorter}`;
+    if (run.isProven) return `${found}, proven to be collision-free.`;
+    return `${found}, not proven. A check afterwards found no collision.`;
   }
-  if (!run.isTree && run.expanded === 0) return `No path: ${iterations} iterations were too few to search the roadmap.`;
-  if (run.pieces) return `No path: ${asked(run)}the map is in ${run.pieces.count.toLocaleString("en")} pieces. Start and goal lie in different ones, in their colours.`;
-  if (!approximate || !playback) return `No path after ${iterations} iterations: ${run.kind === "trees" ? "the two trees never met" : "the tree never came nearer to the goal"}.`;
-  const miss = `No path after ${iterations} iterations. The nearest miss, dashed, ends ${lengthText(approximate.goal_distance, robot)} from the goal`;
-  return `${miss}${run.isProven ? "." : `, not proven. ${playback.flaw ? collision(run, playback.flaw.check) : ""}`}`.trim();
-}
-
-/** How many neighbours each vertex was to have, if that was said. @param {Run} run */
-function asked({ settings: { k } }) {
-  return typeof k === "number" ? `with ${k} neighbour${k === 1 ? "" : "s"} each, ` : "";
+  if (!run.isTree && run.expanded === 0) return `No path: the run ended after ${iterations}, before the roadmap was searched.`;
+  if (run.pieces) {
+    const { k } = run.settings;
+    return `No path. ${typeof k === "number" ? `With k = ${k} the` : "The"} roadmap has ${run.pieces.count.toLocaleString("en")} connected components; start and goal are in different ones, each in its colour.`;
+  }
+  if (!approximate || !playback) return `No path after ${iterations}: ${run.kind === "trees" ? "the two trees never met" : "the tree never got closer to the goal than its root"}.`;
+  const miss = `No path after ${iterations}. The closest approach, dashed, ends ${lengthText(approximate.goal_distance, robot)} from the goal`;
+  if (run.isProven) return `${miss}.`;
+  return `${miss}, not proven${playback.flaw ? `: ${collision(run, playback.flaw.check)}` : "."}`;
 }
 
 /** @param {Run} run @param {Check} check */
 function collision({ scenario }, check) {
-  return `It collides: ${touchingSentence(scenario, check)}. To mend it, set \u201cCollision checking\u201d to proven.`;
+  return `${touchingSentence(scenario, check).replaceAll(" touches ", " hits ")} on the way. To fix it, set \u201cCollision checking\u201d to proven.`;
 }
 
 /** What to do with the robot in the hand. @param {Scenario} scenario @param {boolean} square  is there a configuration square beside the workspace */
-export function invitation(scenario, square) {
-  if (isPlaced(scenario.robot)) return `Your turn: drag the ${robotName(scenario.robot)} from its start to its goal, touching nothing; the handle before it turns it.`;
-  if (scenario.robot === "disc") return "Your turn: drag the disc from its start to its goal without touching anything.";
-  return square
-    ? "Your turn: drag a link, the arm\u2019s end, or the point in the square, from the start to the goal without touching anything."
-    : "Your turn: drag the links, or the arm\u2019s end, from the start to the goal without touching anything.";
+export function invitation({ robot }, square) {
+  const task = `Your turn: move the ${robotName(robot)} to the goal without a collision.`;
+  if (isPlaced(robot)) return `${task} Drag it, or turn it by the handle in front of it.`;
+  if (robot === "disc") return `${task} Drag it.`;
+  return `${task} Drag a link${square ? ", the tip, or the dot in configuration space" : " or the tip"}.`;
 }
 
-/** The pose in the hand, in words. @param {Scenario} scenario @param {Check} check */
+/** The configuration in the hand, in words. @param {Scenario} scenario @param {Check} check */
 export function poseSentence(scenario, check) {
-  if (check.free) return "Free: nothing touches.";
+  if (check.free) return "Collision-free.";
   const sentence = touchingSentence(scenario, check);
   return `${sentence[0].toUpperCase()}${sentence.slice(1)}.`;
 }
 
 /** @param {number} touches */
 export function arrival(touches) {
-  if (touches === 0) return "You reached the goal and touched nothing.";
-  return `You reached the goal, touching something ${touches === 1 ? "once" : `${touches} times`} on the way.`;
+  if (touches === 0) return "You reached the goal without a collision.";
+  return `You reached the goal, with ${touches === 1 ? "one collision" : `${touches} collisions`} on the way.`;
 }
 
 /** The picture in words, for those who do not see it. @param {string} title @param {Run | null} run */
 export function summary(title, run) {
-  if (!run) return `${title}. Nothing is planned.`;
+  if (!run) return `${title}. No planner has run.`;
   const kind = run.kind === "trees" ? "Two trees" : `A ${run.kind}`;
-  const state = run.status === "running" ? run.phase : run.status;
+  const state = run.status === "running" ? run.phase : run.status === "exhausted" ? "no path found" : run.status;
   const { past } = run;
   return `${title}. ${kind} with ${past[PAST.vertices].toLocaleString("en")} vertices and ${past[PAST.edges].toLocaleString("en")} edges; ${state}.`;
 }
@@ -102,11 +106,15 @@ export function summary(title, run) {
 export function race(lanes) {
   const standings = lanes.map(({ standing }) => standing);
   const { first, shortest, isOver } = leaders(standings);
-  if (first.length === 0) return isOver ? "None found a path." : "All get the same number of clearance evaluations, the work that proofs are made of.";
+  if (first.length === 0) return isOver ? "No planner found a path." : "All planners get the same budget, measured in clearance evaluations (distance computations).";
   const { found } = standings[first[0]];
-  if (isOver && lanes.every(({ run }) => run?.past[PAST.evaluations] === 0)) return "There is nothing to keep clear of here: no clearance is ever evaluated, so all are done at once.";
+  if (isOver && lanes.every(({ run }) => run?.past[PAST.evaluations] === 0)) return "There is nothing to avoid here: no clearance is ever evaluated, so all planners finish at once.";
   const [best] = shortest;
-  const winner = `${letters(first)} found a path first, after ${found?.toLocaleString("en")} clearance evaluations`;
+  const length = best === undefined ? "" : lengthText(standings[best].cost, lanes[best].scenario.robot);
+  const effort = `after ${found?.toLocaleString("en")} clearance evaluations`;
+  const isTied = first.length > 1;
+  const winner = isTied ? `${letters(first)} tied: ${first.length === 2 ? "both" : "all"} found a path ${effort}` : `${letters(first)} found a path first, ${effort}`;
   if (best === undefined) return `${winner}.`;
-  return `${winner}; ${letters(shortest)} ${isOver ? "has" : "so far has"} the shortest, ${lengthText(standings[best].cost, lanes[best].scenario.robot)}.`;
+  if (isTied && String(first) === String(shortest)) return `${winner}, of length ${length}.`;
+  return `${winner}; ${letters(shortest)} ${shortest.length > 1 ? "have" : "has"} the shortest${isOver ? "" : " so far"}, ${length}.`;
 }

@@ -1,4 +1,4 @@
-/** What is to be seen on the stage: what was refused, poses along the path, the path as it was found, which coordinates a plane shows. */
+/** What the stage shows: rejected samples and motions, configurations along the path, the path before shortcutting, the axes of a plane. */
 import { byId, make, write } from "../app/dom.js";
 
 /** @import { Page } from "./page.js" */
@@ -31,15 +31,15 @@ export function watchView(page) {
   const switches = {
     refused: toggle("refused"), strobe: toggle("strobe"), raw: toggle("raw"), slice: toggle("slice"),
   };
-  const plane = make("div", { id: "view-plane" }, row("Across", selects[0]), row("Up", selects[1]),
-    row("Slice of the obstacles", switches.slice, "What would collide on this plane, with all else as the robot has it."));
-  const raw = row("Path as found", switches.raw);
+  const plane = make("div", { id: "view-plane" }, row("Horizontal axis", selects[0]), row("Vertical axis", selects[1]),
+    row("Obstacle slice", switches.slice, "Configurations of this plane that collide, with the other coordinates as they are now."));
+  const raw = row("Path before shortcutting", switches.raw);
   raw.append(lengths);
   const number = inspector();
   byId("view", HTMLElement).append(
-    row("What was refused", switches.refused, "Samples that collide as crosses; motions as broken lines, up to where they hit."),
-    row("Poses along the path", switches.strobe), row("How many poses", poses), raw, plane,
-    row("Vertex to read", number, "Its number, or point at it: both panes show where it is, the line beneath the stage what it is."),
+    row("Show rejected", switches.refused, "Colliding samples as crosses, blocked motions as dashed lines up to the collision."),
+    row("Configurations along the path", switches.strobe), row("Number of configurations", poses), raw, plane,
+    row("Vertex", number, "Type a vertex number or point at a vertex; both panes highlight it."),
   );
 
   page.onOpen(build);
@@ -61,8 +61,8 @@ export function watchView(page) {
     if (document.activeElement !== poses) poses.value = String(view.poses);
     if (!plane.hidden) selects.forEach((select, i) => { select.value = String(view.axes[i]); });
     write(lengths, found !== null && length !== null
-      ? `${found.toFixed(2)} ${unit} as found, ${length.toFixed(2)} ${unit} shortened.`.replaceAll("  ", " ")
-      : "A second line where the path was shortened: see the planner\u2019s parameters.");
+      ? `${found.toFixed(2)} ${unit} before shortcutting, ${length.toFixed(2)} ${unit} after.`.replace(/ (?=[ ,.])/g, "")
+      : "Shows the path before shortcutting, as a second line.");
   }
 
   /** The vertex to be read by its number, for those without a pointer. */

@@ -88,7 +88,7 @@ export class Field {
     if (info.kind === "choice" || info.kind === "boolean") return "";
     const text = control.value.trim();
     const badInput = control.validity.badInput;
-    if (text === "" && !badInput) return isMissing(info.default) ? "" : `Give ${info.kind === "integer" ? "a whole number" : "a number"}.`;
+    if (text === "" && !badInput) return isMissing(info.default) ? "" : `Enter ${info.kind === "integer" ? "a whole number" : "a number"}.`;
     const number = Number(text);
     return reasonAgainst(info, badInput ? NaN : number);
   }
@@ -97,8 +97,8 @@ export class Field {
 /** What is wrong with a value, or nothing. @param {ParameterInfo | OptionInfo} info @param {unknown} value @returns {string} */
 export function reasonAgainst({ kind, min, max, choices }, value) {
   if (kind === "boolean") return typeof value === "boolean" ? "" : `${value} is neither true nor false.`;
-  if (kind === "choice") return choices?.includes(String(value)) ? "" : `${value} is not one of its choices.`;
-  if (typeof value !== "number" || !Number.isFinite(value)) return "This is not a number.";
+  if (kind === "choice") return choices?.includes(String(value)) ? "" : `${value} is not an option.`;
+  if (typeof value !== "number" || !Number.isFinite(value)) return "Enter a number.";
   if (kind === "integer" && !Number.isInteger(value)) return `${value} is not a whole number.`;
   if (min !== null && value < min) return `${value} is below ${min}.`;
   if (max !== null && value > max) return `${value} is above ${max}.`;
@@ -149,7 +149,7 @@ export function withSeed(parameters, what = "run") {
   /** @type {ParameterInfo} */
   const seed = {
     name: "seed", title: "Seed", kind: "integer", unit: "", min: 0, max: Number.MAX_SAFE_INTEGER, default: 0, choices: null, robots: [],
-    meaning: `Decides every random draw: the same seed gives the same ${what}, bit for bit.`,
+    meaning: `Seed of the random numbers: the same seed gives the same ${what}, bit for bit.`,
   };
   return [...parameters, seed];
 }

@@ -16,7 +16,7 @@ use crate::scenario::{Obstacle, Parts, Robot, Scenario, World};
 crate::options! {
     /// What forest to grow.
     pub struct ForestOptions for &[];
-    /// How many links of length 1 the arm has; four triangles per link.
+    /// Number of links of the arm, each of length 1; there are four triangles per link.
     links: usize = 2, in 1.0..=8.0, "Links";
     /// The seed: 0 (default) to 2^53 - 1.
     seed: u64 = 0, in SEEDS;

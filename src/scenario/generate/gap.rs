@@ -27,9 +27,9 @@ const PLAY: f64 = 0.01;
 crate::options! {
     /// Which gap to make.
     pub struct GapOptions for &[];
-    /// What moves.
+    /// The kind of robot.
     robot: RobotChoice = RobotChoice::Disc, "Robot";
-    /// How many links the arm has; for an arm only.
+    /// Number of links; arms only.
     links: usize = 4, in 2.0..=8.0, "Links";
     /// The radius of the disc, or half the width of the arm's links; not for a body or a car.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";

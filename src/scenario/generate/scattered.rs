@@ -29,13 +29,13 @@ crate::choice! {
 crate::options! {
     /// What clutter to make.
     pub struct ClutterOptions for &[];
-    /// What moves.
+    /// The kind of robot.
     robot: RobotChoice = RobotChoice::Disc, "Robot";
-    /// How many links the arm has; for an arm only.
+    /// Number of links; arms only.
     links: usize = 2, in 1.0..=8.0, "Links";
     /// The radius of the disc, or half the width of the arm's links; not for a body or a car.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
-    /// How many polygons.
+    /// Number of polygons.
     count: usize = 14, in 0.0..=60.0, "Obstacles";
     /// The radius of the smallest circle that a polygon may fill, at most `largest`.
     smallest: f64 = 0.08, in 0.02..=0.5, "Smallest", unit "m";
@@ -50,21 +50,21 @@ crate::options! {
 crate::options! {
     /// Which discs to scatter.
     pub struct DiscsOptions for &[];
-    /// What moves.
+    /// The kind of robot.
     robot: RobotChoice = RobotChoice::Disc, "Robot";
-    /// How many links the arm has; for an arm only.
+    /// Number of links; arms only.
     links: usize = 2, in 1.0..=8.0, "Links";
     /// The radius of the disc, or half the width of the arm's links; not for a body or a car.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
-    /// How many discs.
+    /// Number of discs.
     count: usize = 24, in 0.0..=200.0, "Obstacles";
-    /// The least radius of a disc, at most `largest`.
+    /// The smallest radius of a disc, at most `largest`.
     smallest: f64 = 0.05, in 0.01..=0.5, "Smallest", unit "m";
-    /// The greatest radius of a disc.
+    /// The largest radius of a disc.
     largest: f64 = 0.18, in 0.01..=0.5, "Largest", unit "m";
     /// Discs are farther than this from the robot at its start and its goal and, if they are apart, from each other.
     gap: f64 = 0.07, in 0.0..=0.2, "Gap", unit "m";
-    /// Whether discs are apart or may overlap.
+    /// Whether discs are disjoint or may overlap.
     placement: Placement = Placement::Apart, "Placement";
     /// The seed: 0 (default) to 2^53 - 1.
     seed: u64 = 0, in SEEDS;

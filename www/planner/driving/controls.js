@@ -18,13 +18,13 @@ const KEYS = {
 };
 /** @type {[DriveKey, string, string, string][]} */
 const PAD = [
-  ["faster", "Faster", "M10 3 4 12h12z", "ArrowUp"], ["left", "Wheels left", "M4 10l9-6v12z", "ArrowLeft"],
-  ["slower", "Slower", "M10 17 4 8h12z", "ArrowDown"], ["right", "Wheels right", "M16 10 7 4v12z", "ArrowRight"],
+  ["faster", "Accelerate", "M10 3 4 12h12z", "ArrowUp"], ["left", "Steer left", "M4 10l9-6v12z", "ArrowLeft"],
+  ["slower", "Brake or reverse", "M10 17 4 8h12z", "ArrowDown"], ["right", "Steer right", "M16 10 7 4v12z", "ArrowRight"],
 ];
 const NUMBERS = /** @type {const} */ ([["v", "v"], ["phi", "\u03c6"], ["x", "x"], ["y", "y"], ["theta", "\u03b8"], ["time", "time"]]);
 /** The name of a format of records. */
 const FORMAT = "planarium-drive-1";
-const LABEL = "Stage. Arrow keys or W, A, S and D drive; C keeps the control; P pauses; R starts anew; Escape leaves.";
+const LABEL = "Stage. The arrow keys or W, A, S and D drive; C holds the controls; P pauses; R restarts; Escape exits.";
 
 export class DriveControls {
   /** @param {Page} page */
@@ -43,11 +43,11 @@ export class DriveControls {
       button.addEventListener("click", (event) => this.press(key, event));
       return button;
     }));
-    const keep = this.button("keep", "Keep on", "C", (event) => this.press("keep", event));
+    const keep = this.button("keep", "Hold controls", "C", (event) => this.press("keep", event));
     this.pause = this.button("pause", "Pause", "P", () => this.order("pause", moment()));
-    const anew = this.button("anew", "Anew", "R", () => this.order("anew", moment()));
+    const anew = this.button("anew", "Restart", "R", () => this.order("anew", moment()));
     this.replay = this.button("replay", "Replay", "", () => this.order("replay", null, 0, moment()));
-    const leave = this.button("leave", "Leave", "Escape", () => this.leave());
+    const leave = this.button("leave", "Exit", "Escape", () => this.leave());
     this.cells = Object.fromEntries(NUMBERS.map(([name]) => [name, make("dd", {})]));
     const numbers = make("dl", { className: "counters" }, ...NUMBERS.map(([name, title]) => make("div", {}, make("dt", {}, title), this.cells[name])));
     this.byKeys = make("input", { type: "checkbox", role: "switch", id: "drive-by-keys" });
@@ -56,7 +56,7 @@ export class DriveControls {
     this.bar = make("div", { id: "drive", className: "drive", hidden: true, role: "group", ariaLabel: "Driving" }, pad,
       make("div", { className: "dash" }, numbers, make("div", { className: "buttons" }, keep, this.pause, anew, this.replay, leave)),
       make("details", { className: "more" }, make("summary", {}, "More"),
-        make("label", { className: "row" }, make("span", { className: "name" }, "Time goes by with each key alone"), this.byKeys),
+        make("label", { className: "row" }, make("span", { className: "name" }, "Advance time only when a key is pressed"), this.byKeys),
         this.makeRollout(), this.makeRecord()));
     this.stage.after(this.bar);
     // Before the page's own keys, of which some are the same.
@@ -78,9 +78,9 @@ export class DriveControls {
       const input = make("input", { type: "number", id: `roll-${id}`, step: "any", value, autocomplete: "off", inputMode: "decimal" });
       return { input, row: make("label", { className: "row" }, make("span", { className: "name" }, name, make("span", { className: "unit" }, ` ${unit}`)), input) };
     };
-    const fields = [field("v", "v", "m/s", "0.3"), field("phi", "\u03c6", "rad", "0.4"), field("duration", "for", "s", "3")];
-    const form = make("form", { noValidate: true, className: "roll" }, ...fields.map(({ row }) => row), make("button", { type: "submit" }, "Show where it leads"), this.rolled);
-    form.setAttribute("aria-label", "One control from here");
+    const fields = [field("v", "v", "m/s", "0.3"), field("phi", "\u03c6", "rad", "0.4"), field("duration", "duration", "s", "3")];
+    const form = make("form", { noValidate: true, className: "roll" }, ...fields.map(({ row }) => row), make("button", { type: "submit" }, "Show the motion"), this.rolled);
+    form.setAttribute("aria-label", "Preview of one control");
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       const [v, phi, duration] = fields.map(({ input }) => (input.value.trim() === "" ? NaN : Number(input.value)));
@@ -98,13 +98,13 @@ export class DriveControls {
 
   /** To keep the record, and to drive one that was kept. */
   makeRecord() {
-    const keep = make("button", { type: "button", id: "drive-save" }, "Save record");
+    const keep = make("button", { type: "button", id: "drive-save" }, "Save recording");
     keep.addEventListener("click", () => {
       const record = this.page.session.driving?.record();
       if (record) save(json(record), `${this.page.facts?.name ?? "car"}-drive.json`);
     });
-    const file = make("input", { type: "file", id: "drive-file", accept: ".json,application/json", className: "visually-hidden", tabIndex: -1, ariaLabel: "Record of a drive" });
-    const open = make("button", { type: "button", id: "drive-open" }, "Open record\u2026");
+    const file = make("input", { type: "file", id: "drive-file", accept: ".json,application/json", className: "visually-hidden", tabIndex: -1, ariaLabel: "Recording of a drive" });
+    const open = make("button", { type: "button", id: "drive-open" }, "Open recording\u2026");
     open.addEventListener("click", () => file.click());
     file.addEventListener("change", async () => {
       const [picked] = file.files ?? [];
@@ -119,14 +119,14 @@ export class DriveControls {
     const { page } = this;
     try {
       const record = JSON.parse(await file.text());
-      const fault = record?.format !== FORMAT ? `It is no record of a drive: its format is not ${FORMAT}.`
-        : record.scenario !== page.facts?.name ? `It was driven in the scene "${record.scenario}".` : "";
+      const fault = record?.format !== FORMAT ? `This is not a recording of a drive: its format is not ${FORMAT}.`
+        : record.scenario !== page.facts?.name ? `It was recorded in the scene "${record.scenario}".` : "";
       if (fault) throw new Error(fault);
       page.notice.hide();
       page.run((session) => drivingOf(session).replay(record.record, record.steps, moment()));
       this.stage.focus();
     } catch (error) {
-      page.notice.show(`${file.name} cannot be driven.`, error);
+      page.notice.show(`${file.name} cannot be replayed.`, error);
     }
   }
 
@@ -151,7 +151,7 @@ export class DriveControls {
       this.stage.focus({ preventScroll: true });
       this.theatre.scrollIntoView({ block: "start", behavior: page.calm ? "auto" : "smooth" });
     } catch (error) {
-      page.notice.show("Nobody can drive here.", error);
+      page.notice.show("This scene cannot be driven.", error);
     }
   }
 
@@ -200,7 +200,7 @@ export class DriveControls {
     const degrees = (/** @type {number} */ angle, /** @type {number} */ digits) => `${number((angle * 180) / Math.PI, digits)}\u00b0`;
     const words = { v: `${number(v, 2)} m/s`, phi: degrees(phi, 0), x: `${number(x, 3)} m`, y: `${number(y, 3)} m`, theta: degrees(theta, 1), time: `${number(seconds, 2)} s` };
     for (const [name, word] of Object.entries(words)) write(this.cells[name], word);
-    write(this.pause, paused ? "Go on" : "Pause");
+    write(this.pause, paused ? "Resume" : "Pause");
     this.pause.disabled = byKeys;
     this.replay.disabled = keyCount === 0 && !replaying;
     if (this.byKeys !== document.activeElement || isNew) this.byKeys.checked = byKeys;

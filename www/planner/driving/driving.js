@@ -119,7 +119,7 @@ export class Driving {
     if (this.paused) this.goOn(now);
     else if (!this.byKeys) this.advance(now - BEHIND);
     this.paused = !this.paused;
-    this.said = this.paused ? "Paused; C goes on." : "It goes on.";
+    this.said = this.paused ? "Paused; press C to resume." : "Resumed.";
     this.show();
   }
 
@@ -153,7 +153,7 @@ export class Driving {
       if (due < tape.steps) return;
       this.tape = null;
       this.paused = true;
-      this.said = "The record ends here; C goes on.";
+      this.said = "End of the recording; press C to drive on.";
     } else if (due > state.steps) this.state = drive.tick(Math.min(due - state.steps, 1e6));
   }
 
@@ -175,7 +175,7 @@ export class Driving {
     const until = given ? steps : state.steps;
     this.begin(record, this.byKeys ? until : 0, now);
     if (!this.byKeys) this.tape = { record, steps: until, next: 0 };
-    this.said = this.byKeys ? "The record was driven again." : "The record is driven again.";
+    this.said = this.byKeys ? "The recording was replayed." : "Replaying the recording.";
     this.show();
   }
 
@@ -203,7 +203,7 @@ export class Driving {
   /** What is in the way. @param {NonNullable<DriveState["blocked"]>} blocked */
   name(blocked) {
     if (blocked === "bounds") return "the bounds are in the way";
-    return blocked === "near" ? "it would come too near to something" : `obstacle ${blocked} is in the way`;
+    return blocked === "near" ? "the next motion would come too close to an obstacle" : `obstacle ${blocked} is in the way`;
   }
 
   /** Says what has happened since. @param {DriveState} before */
@@ -254,9 +254,9 @@ export class Driving {
   get sentence() {
     const { state } = this;
     if (!state) return "";
-    if (this.arrived) return `You are at the goal, after ${state.seconds.toFixed(1)} s and ${state.keyCount} ${state.keyCount === 1 ? "key" : "keys"}.`;
-    if (state.blocked !== null) return `Stopped: ${this.name(state.blocked)}. Back off, or steer another way.`;
-    return "You drive: up is faster, down slower, then backward; left and right turn the wheels.";
+    if (this.arrived) return `You reached the goal after ${state.seconds.toFixed(1)} s and ${state.keyCount} ${state.keyCount === 1 ? "key" : "keys"}.`;
+    if (state.blocked !== null) return `Stopped: ${this.name(state.blocked)}. Reverse, or steer another way.`;
+    return "You are driving. Up: accelerate. Down: brake, then reverse. Left and right: steer.";
   }
 
   /** @returns {DriveReport | null} */

@@ -64,11 +64,11 @@ export class EditorControls {
     const save = make("button", { type: "button", id: "edit-save" }, "Save JSON");
     save.addEventListener("click", () => this.save());
     this.revert = this.button("Revert", ["revert"]);
-    this.revert.title = "Brings the scene back as it was opened; Undo brings your edits back.";
+    this.revert.title = "Restores the scene as opened; Undo restores your edits.";
     const keys = make("details", {}, make("summary", {}, "Editing keys"), make("p", { className: "hint" },
-      "On the stage: [ and ] select, Page Up and Page Down pick a vertex, a joint or the end of an arm, arrows move (Shift: ten times as far), "
-      + "Insert adds a vertex, Delete deletes, D duplicates, Enter puts what the tool draws or closes a polygon, Escape cancels, "
-      + "Ctrl+Z undoes, Ctrl+Shift+Z redoes. While dragging, Shift snaps to a grid and to 15 degrees."));
+      "On the stage: [ and ] select an object; Page Up and Page Down select a vertex, a joint or the tip of an arm; arrows move it (with Shift ten times as far); "
+      + "Insert adds a vertex; Delete deletes; D duplicates; Enter places the shape or closes the polygon; Escape cancels; "
+      + "Ctrl+Z undoes; Ctrl+Shift+Z redoes. Dragging with Shift snaps to a grid and to multiples of 15 degrees."));
     this.host.append(this.bar, this.title, this.parts, this.fields, this.reason, make("div", { className: "parts" }, save, this.revert), keys);
     this.fold.addEventListener("toggle", () => this.turn());
     this.narrow.addEventListener("change", () => this.place());
@@ -144,7 +144,7 @@ export class EditorControls {
     this.parts.hidden = parts === 0 && edit.goal === "";
     this.previous.hidden = this.next.hidden = parts === 0;
     this.retarget.hidden = edit.goal === "";
-    write(this.retarget, edit.goal === "target" ? "Reach it in one pose" : "Reach it in any pose");
+    write(this.retarget, edit.goal === "target" ? "Fix the configuration" : "Allow any configuration");
     this.insert.hidden = kind !== "polygon";
     write(this.reason, reason || touching);
     this.reason.hidden = reason === "" && touching === "";

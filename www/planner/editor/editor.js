@@ -31,10 +31,10 @@ import { fieldsOf, obstacleOf, place, poseOf, rounded, same, targetOf, objectsOf
 
 /** What to do with a tool. @type {Record<EditTool, string>} */
 const HINTS = {
-  select: "Drag the start, the goal, an obstacle or its handles. Then Play plans anew.",
-  disc: "Drag from the middle of the disc outwards.",
-  rectangle: "Drag from corner to corner; Shift makes a square.",
-  polygon: "Click the corners; click the first again, double-click or press Enter to close the polygon.",
+  select: "Drag the start, goal or any obstacle; press Play to plan again.",
+  disc: "Drag from the centre of the disc outwards.",
+  rectangle: "Drag from corner to corner; hold Shift for a square.",
+  polygon: "Click the corners; click the first one again, double-click or press Enter to close the polygon.",
 };
 
 /** The editor of a session: made when it is first asked for. @param {Session} session */
@@ -185,7 +185,7 @@ export class Editor {
     this.hand.loose = null;
     if (this.hand.draft.pop() || !selected) return;
     if (!obstacle) {
-      this.refusal = { message: "a start and a goal can be moved, not deleted", code: "not-deletable", pointer: "" };
+      this.refusal = { message: "the start and the goal can be moved but not deleted", code: "not-deletable", pointer: "" };
       return;
     }
     const left = obstacle.type === "polygon" && part !== null ? withVertex(obstacle, part, null) : null;
@@ -200,7 +200,7 @@ export class Editor {
     const document = selected && otherGoal(shown, selected);
     if (!document || !this.change(document)) return;
     this.choose(selected, null);
-    this.said = this.target ? "Any pose that reaches the point will do." : "The goal is this one pose.";
+    this.said = this.target ? "The goal is any configuration that reaches this point." : "The goal is this one configuration.";
   }
 
   duplicate() {
@@ -229,7 +229,7 @@ export class Editor {
     if (history.now === history.first) return;
     history.commit(history.first);
     this.settle();
-    this.said = "The scene is as it was.";
+    this.said = "The scene is restored.";
   }
 
   // Changes.
@@ -395,7 +395,7 @@ export class Editor {
     if (this.reason) return this.reason;
     if (clock.now > 0 || clock.playing) return "";
     if (touching && this.shown.target) return touching;
-    return touching ? `${touching} Move it free to plan.` : HINTS[this.tool];
+    return touching ? `${touching} Move it out of collision to plan.` : HINTS[this.tool];
   }
 
   /** @returns {EditState | null} */

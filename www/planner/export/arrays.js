@@ -22,13 +22,13 @@ let line;
  */
 export async function openArray(page, name, bytes) {
   const { facts } = page;
-  if (!facts) throw Object.assign(new Error("There is no scene yet to put it in."), { code: "no-scene" });
+  if (!facts) throw Object.assign(new Error("No scene is open."), { code: "no-scene" });
   const { dimension } = facts;
   const shape = numericShape(bytes);
   const isRows = shape?.length === 2 && shape[1] === dimension && shape[0] > 0;
   const isPolygons = !shape || ((shape.length === 2 || shape.length === 3) && shape.at(-1) === 2);
   if (!isRows && !isPolygons) {
-    throw new NpyError(`Its shape is (${shape.join(", ")}): polygons are (n, m, 2) or (m, 2), configurations of this robot (n, ${dimension}).`);
+    throw new NpyError(`Its shape is (${shape.join(", ")}); it must be (n, m, 2) or (m, 2) for polygons, or (n, ${dimension}) for configurations of this robot.`);
   }
   /** @type {[string, string][]} */
   const choices = [];
@@ -37,7 +37,7 @@ export async function openArray(page, name, bytes) {
   if (isPolygons) polygons = isRows ? maybePolygons(bytes) : readNpyPolygons(bytes);
   if (polygons.length > 0) {
     const vertices = polygons.reduce((sum, polygon) => sum + polygon.length, 0);
-    what = `${name} holds ${count(polygons.length, "polygon")} of ${grouped(vertices)} vertices`;
+    what = `${name} holds ${count(polygons.length, "polygon")} with ${grouped(vertices)} vertices`;
     choices.push(["add", "Add to the scene"], ["replace", "Replace its obstacles"]);
   }
   if (isRows) {

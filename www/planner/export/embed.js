@@ -23,8 +23,8 @@ const KINDS = {
 
 /** @param {Page} page @param {HTMLElement} host */
 export function showSnippets(page, host) {
-  const kind = make("select", { id: "embed-kind", ariaLabel: "Where it is to stand" }, ...Object.entries(KINDS).map(([value, { title }]) => make("option", { value }, title)));
-  const text = make("textarea", { id: "embed-text", readOnly: true, rows: 5, ariaLabel: "To be copied", spellcheck: false });
+  const kind = make("select", { id: "embed-kind", ariaLabel: "Embed as" }, ...Object.entries(KINDS).map(([value, { title }]) => make("option", { value }, title)));
+  const text = make("textarea", { id: "embed-text", readOnly: true, rows: 5, ariaLabel: "Embed code", spellcheck: false });
   const copy = make("button", { type: "button", id: "embed-copy" }, "Copy");
   const told = make("p", { className: "hint", role: "status" });
   const details = make("details", { id: "embed-fold" }, make("summary", {}, "Embed"), make("div", { className: "parts" }, kind, copy), text, told);
@@ -36,7 +36,7 @@ export function showSnippets(page, host) {
       told.textContent = "Copied.";
     } catch {
       text.select();
-      told.textContent = "It is selected: copy it from here.";
+      told.textContent = "The code is selected; copy it from the field.";
     }
   });
   for (const [element, type] of /** @type {[HTMLElement, string][]} */ ([[kind, "change"], [details, "toggle"]])) {
@@ -50,10 +50,10 @@ export function showSnippets(page, host) {
       const { origin, pathname, protocol } = location;
       const fragment = await encodeLink(experimentOf(page));
       text.value = KINDS[kind.value].text(`${protocol === "file:" ? `file://${pathname}` : origin + pathname}?embed=1#${fragment}`);
-      told.textContent = protocol === "file:" ? "This page is a file: put it where yours can reach it, and change the address." : "";
+      told.textContent = protocol === "file:" ? "This page was opened from a file: publish it, and change the address in the code." : "";
     } catch (error) {
       text.value = "";
-      page.notice.show("There is no link to this.", error);
+      page.notice.show("No link can be made.", error);
     }
   }
 }

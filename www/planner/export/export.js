@@ -15,7 +15,7 @@ import { layoutOfStage } from "./layout.js";
 /** @typedef {{ button: HTMLButtonElement, hint: HTMLElement, meaning: string, lack: (state: State) => string }} Offer   `lack`: why it is not to be had, or empty */
 
 /** @param {State} state */
-const noRun = ({ lanes }) => (lanes.some(({ status }) => status === "none") ? "Nothing is planned." : "");
+const noRun = ({ lanes }) => (lanes.some(({ status }) => status === "none") ? "No planner has run." : "");
 
 /** @param {Page} page */
 export function showTake(page) {
@@ -29,21 +29,21 @@ export function showTake(page) {
   const scale = select("take-scale", "Size", [["1", "1\u00d7"], ["2", "2\u00d7"], ["4", "4\u00d7"]], "2");
   const frames = select("take-frames", "Frames", [["24", "24 frames"], ["48", "48 frames"], ["96", "96 frames"]], "48");
   const width = select("take-width", "Width", [["480", "480 px"], ["800", "800 px"]], "800");
-  const lane = select("take-lane", "Of planner", [], "");
-  const which = make("label", { className: "row", hidden: true }, make("span", { className: "name" }, "Of planner"), lane);
-  const bar = make("progress", { max: 1, value: 0, ariaLabel: "How far it is drawn" });
+  const lane = select("take-lane", "Planner", [], "");
+  const which = make("label", { className: "row", hidden: true }, make("span", { className: "name" }, "Planner"), lane);
+  const bar = make("progress", { max: 1, value: 0, ariaLabel: "Progress" });
   const cancel = make("button", { type: "button", id: "take-cancel" }, "Cancel");
   const progress = make("div", { className: "row", id: "take-progress", hidden: true }, bar, cancel);
   const told = make("p", { className: "hint", id: "take-told", role: "status" });
   cancel.addEventListener("click", () => { turn++; });
 
   host.append(
-    offer("png", "Picture", "PNG", "The stage as it is now.", () => draw("png"), () => "", scale),
-    offer("svg", "Drawing", "SVG", "Lines that stay sharp at any size.", () => draw("svg"), () => ""),
-    offer("gif", "Moving picture", "GIF", "The run up to here, in equal steps.", () => draw("gif"),
+    offer("png", "Image", "PNG", "The stage as shown.", () => draw("png"), () => "", scale),
+    offer("svg", "Vector graphic", "SVG", "The stage as shown, sharp at any size.", () => draw("svg"), () => ""),
+    offer("gif", "Animation", "GIF", "The run up to here, in equal steps.", () => draw("gif"),
       (state) => noRun(state) || (state.clock.now === 0 ? "Nothing has happened yet." : ""), frames, width),
     progress, told,
-    offer("scenario", "Scene", "JSON", "To be opened here again, or planned elsewhere.", async () => {
+    offer("scenario", "Scenario", "JSON", "For this page, the package and the command line.", async () => {
       const { facts } = page;
       if (facts) save(json(facts.document), `${facts.name.replace(/[^\w.-]+/g, "-")}.json`);
     }, () => ""),
@@ -52,15 +52,15 @@ export function showTake(page) {
       const { result } = await log();
       save(json(result), `${label(page.state?.lanes[Number(lane.value)].made)}-result.json`);
     }, noRun),
-    offer("path", "Path", "NPY", "For NumPy: a row for each waypoint.", async () => {
+    offer("path", "Path", "NPY", "For NumPy: one row per waypoint.", async () => {
       const { path, dimension } = await log();
       if (path) save(npy(path, dimension), `${label()}-path.npy`);
-    }, (state) => (state.lanes[Number(lane.value)]?.status === "solved" ? "" : "No path is found at this point.")),
-    offer("vertices", "Vertices", "NPY", "For NumPy: those that are shown, a row each.", async () => {
+    }, (state) => (state.lanes[Number(lane.value)]?.status === "solved" ? "" : "No path found yet.")),
+    offer("vertices", "Vertices", "NPY", "For NumPy: one row per vertex shown.", async () => {
       const { vertices, dimension } = await log();
       save(npy(vertices, dimension), `${label()}-vertices.npy`);
     }, noRun),
-    offer("counters", "Counters", "CSV", "For a spreadsheet: a row for each iteration.", async () => {
+    offer("counters", "Counters", "CSV", "For a spreadsheet: one row per iteration.", async () => {
       const logs = await Promise.all(page.asked.map((_, i) => exporter.log(i)));
       save(countersCsv(logs, page.asked), `${name(page.state?.lanes[0].made)}.csv`);
     }, noRun),
@@ -84,7 +84,7 @@ export function showTake(page) {
       try {
         await give();
       } catch (error) {
-        page.notice.show(`The ${title.toLowerCase()} could not be made.`, error);
+        page.notice.show(`The ${title.toLowerCase()} could not be created.`, error);
       }
     });
     offers.push({ button, hint, meaning, lack });

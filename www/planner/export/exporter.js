@@ -43,7 +43,7 @@ export class Exporter {
     const { layout: { width, height } } = request;
     const ratio = request.kind === "gif" ? request.width / width : request.ratio;
     if (width * height * ratio * ratio > MOST_PIXELS) {
-      throw fault("too-large", `A picture of ${Math.round(width * ratio)} x ${Math.round(height * ratio)} pixels is too large; choose a smaller one.`);
+      throw fault("too-large", `A picture of ${Math.round(width * ratio)} x ${Math.round(height * ratio)} pixels is too large; choose a smaller size.`);
     }
     this.drop();
     this.plannings = this.session.plannings;
@@ -54,10 +54,10 @@ export class Exporter {
   async step() {
     await new Promise((resolve) => setTimeout(resolve));
     const { making } = this;
-    if (!making) throw fault("nothing-made", "Nothing is being made.");
+    if (!making) throw fault("nothing-made", "No export is in progress.");
     if (this.plannings !== this.session.plannings) {
       this.drop();
-      throw fault("run-replaced", "Another run began while this one was being drawn.");
+      throw fault("run-replaced", "Another run started during the export.");
     }
     const until = performance.now() + TURN;
     for (;;) {
@@ -75,7 +75,7 @@ export class Exporter {
   /** What was made. @returns {Promise<Blob>} */
   async end() {
     const { made } = this;
-    if (!made) throw fault("nothing-made", "Nothing has been made.");
+    if (!made) throw fault("nothing-made", "No export is complete.");
     this.drop();
     return made();
   }
@@ -183,6 +183,6 @@ export class Exporter {
 /** @param {OffscreenCanvas} canvas @param {boolean} [willReadFrequently] @returns {OffscreenCanvasRenderingContext2D} */
 function contextOf(canvas, willReadFrequently = false) {
   const context = canvas.getContext("2d", { willReadFrequently });
-  if (!context) throw fault("no-canvas", "This browser gives no more canvases.");
+  if (!context) throw fault("no-canvas", "The browser cannot create another canvas.");
   return context;
 }

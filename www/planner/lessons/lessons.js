@@ -1,13 +1,15 @@
 /**
- * Lessons: a few sentences each, one at a time above the stage, and what they speak of on it. Every step has an address,
- * `#lesson=ID.STEP`, counted from 1.
+ * Lessons: each step asks a question above the stage; "Run" runs the planner, and once the run rests, the step says whether the
+ * choice was right and why. Every step has an address, `#lesson=ID.STEP`, counted from 1.
+ *
+ * For tests: `#lesson` carries `data-shown`, "question", "run" or "answer".
  */
-import { LESSONS, stageAt } from "./script.js";
+import { LESSONS, beginningOf, stageAt } from "./script.js";
 import { byId, make } from "../../app/dom.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { Lesson } from "./script.js" */
-/** @import { Plan, SceneEntry } from "../../domain/types.js" */
+/** @import { Plan, SceneEntry, State } from "../../domain/types.js" */
 
 const ADDRESS = /^#?lesson=([\w-]+)(?:\.(\d{1,4}))?$/;
 
@@ -20,27 +22,39 @@ export class Lessons {
     /** @type {Lesson | null} */
     this.lesson = null;
     this.at = 0;
+    /** @type {"question" | "run" | "answer"} */
+    this.shown = "question";
     this.title = make("strong", {});
     this.count = make("span", { className: "hint" });
-    this.text = make("p", {});
+    this.legend = make("legend", {});
+    this.choices = make("div", { className: "choices" });
+    this.question = make("fieldset", {}, this.legend, this.choices);
+    this.verdict = make("strong", {});
+    this.text = make("span", {});
+    this.outcome = make("p", { className: "outcome" }, this.verdict, " ", this.text);
+    this.run = button("Run", () => this.play());
+    this.run.id = "lesson-run";
+    this.run.className = "primary";
     this.back = button("Previous", () => this.go(this.at - 1));
     this.next = button("Next", () => this.go(this.at + 1));
-    const leave = button("Leave", () => this.leave());
+    const leave = button("Exit", () => this.leave());
     this.back.id = "lesson-previous";
     this.next.id = "lesson-next";
-    this.next.className = "primary";
     leave.className = "quiet";
     leave.id = "lesson-leave";
     const head = make("p", { className: "head" }, this.title, " ", this.count);
-    const words = make("div", { role: "status" }, head, this.text);
+    const words = make("div", {}, head, this.question, make("div", { role: "status" }, this.outcome));
     this.band = make("section", { id: "lesson", className: "lesson", ariaLabel: "Lesson", hidden: true },
-      words, make("div", { className: "buttons" }, this.back, this.next, leave));
+      words, make("div", { className: "buttons" }, this.run, this.back, this.next, leave));
     byId("story", HTMLElement).before(this.band);
     const list = make("ul", {}, ...lessons.map((lesson) => make("li", {}, button(lesson.title, () => {
       this.begin(lesson);
-      this.next.focus();
+      this.run.focus();
     }))));
     byId("lessons", HTMLElement).append(list);
+    page.onState((state) => {
+      if (this.shown === "run" && this.isOver(state)) this.show("answer");
+    });
   }
 
   /** Opens the step that an address names; where there is none, says so. @param {string} fragment */
@@ -54,7 +68,7 @@ export class Lessons {
       return;
     }
     if (!page.facts) await page.openScene(this.scenes[0]);
-    page.notice.show(lesson ? `The lesson "${lesson.title}" has ${lesson.steps.length} steps, and none of number ${step}.` : `There is no lesson "${id ?? fragment.slice(0, 64)}".`, "");
+    page.notice.show(lesson ? `The lesson "${lesson.title}" has ${lesson.steps.length} steps; there is no step ${step}.` : `There is no lesson "${id ?? fragment.slice(0, 64)}".`, "");
   }
 
   /** @param {Lesson} lesson */
@@ -76,39 +90,90 @@ export class Lessons {
     byId("stage", HTMLElement).focus();
   }
 
-  /** Shows a step, and puts what it speaks of on the stage. @param {number} step */
+  /** Asks the question of a step, and puts its planner on the stage before it runs. @param {number} step */
   async put(step) {
     const { lesson, page, scenes } = this;
     if (!lesson) return;
     this.at = step;
+    const { question, choices } = lesson.steps[step];
     this.title.textContent = lesson.title;
     this.count.textContent = `${step + 1} of ${lesson.steps.length}`;
-    this.text.textContent = lesson.steps[step].text;
+    this.legend.textContent = question;
+    this.choices.replaceChildren(...choices.map((choice, i) => make("label", {}, make("input", { type: "radio", name: "lesson-choice", value: String(i) }), " ", choice)));
     this.back.disabled = step === 0;
     this.next.textContent = step + 1 === lesson.steps.length ? "Finish" : "Next";
     this.band.hidden = false;
+    this.show("question");
     address(`#lesson=${lesson.id}.${step + 1}`);
-    const { iteration } = lesson.steps[step];
-    const { scene, algorithm, settings } = stageAt(lesson, step);
+    const iteration = beginningOf(lesson, step);
     try {
-      const entry = scenes.find(({ id }) => id === scene);
-      if (!entry) throw new Error(`There is no scene "${scene}".`);
-      const plans = [page.panel.reads(algorithm, settings)];
-      // Where it does not rest it runs to its end, at once before those who ask for less motion.
-      const rest = iteration ?? (page.calm ? Infinity : undefined);
-      const isThere = this.isThere(entry, plans);
-      // Whoever goes on meanwhile wants another step: this one moves nothing any more.
-      if (!isThere && !await page.openScene(entry, { plans, iteration: rest, play: rest === undefined })) return;
-      // Beside an open editor a scene would wait.
-      if (rest === undefined) page.act(({ timeline }) => timeline.play());
-      else if (isThere) page.act(({ timeline }) => timeline.seek(rest));
+      const { entry, plans } = this.stage;
+      if (this.isThere(entry, plans)) page.act(({ timeline }) => timeline.seek(iteration));
+      else await page.openScene(entry, { plans, iteration, play: false });
     } catch (error) {
       if (!page.facts) await page.openScene(scenes[0]);
-      page.notice.show("What this step speaks of cannot be shown.", error);
+      page.notice.show("This step could not be shown.", error);
     }
   }
 
-  /** Is this on the stage already, to be gone on with? @param {SceneEntry} entry @param {Plan[]} plans */
+  /** Runs the planner of the step to where it rests; before those who ask for less motion it is there at once. */
+  async play() {
+    const { lesson, page, at } = this;
+    if (!lesson) return;
+    try {
+      const { entry, plans } = this.stage;
+      // Something else may have been put on the stage since the question.
+      if (!this.isThere(entry, plans) && !await page.openScene(entry, { plans, iteration: 0, play: false })) return;
+      if (this.lesson !== lesson || this.at !== at) return;
+      this.show("run");
+      const rest = this.rest ?? (page.calm ? Infinity : undefined);
+      page.act(({ timeline }) => {
+        timeline.seek(beginningOf(lesson, at));
+        if (rest === undefined) timeline.play();
+        else timeline.seek(rest);
+      });
+    } catch (error) {
+      page.notice.show("This step could not be run.", error);
+    }
+  }
+
+  /** Where the run of the step rests, if not at its end. */
+  get rest() { return this.lesson?.steps[this.at].iteration; }
+
+  /** The scene and the plans of the step. @throws {Error} there is no such scene */
+  get stage() {
+    const { scene, algorithm, settings } = stageAt(/** @type {Lesson} */ (this.lesson), this.at);
+    const entry = this.scenes.find(({ id }) => id === scene);
+    if (!entry) throw new Error(`There is no scene "${scene}".`);
+    return { entry, plans: [this.page.panel.reads(algorithm, settings)] };
+  }
+
+  /** Is the step's run at its end, or where it rests? @param {State} state */
+  isOver({ clock, lanes: [{ status }] }) {
+    if (status === "running" && clock.now < (this.rest ?? Infinity)) return false;
+    const { entry, plans } = this.stage;
+    return this.isThere(entry, plans);
+  }
+
+  /** Shows the question, or with it the outcome. @param {"question" | "run" | "answer"} shown */
+  show(shown) {
+    const { lesson } = this;
+    if (!lesson) return;
+    this.shown = this.band.dataset.shown = shown;
+    const isAnswered = shown === "answer";
+    const { choices, answer, text } = lesson.steps[this.at];
+    this.question.disabled = shown !== "question";
+    this.run.disabled = shown === "run";
+    this.run.textContent = isAnswered ? "Run again" : "Run";
+    this.run.className = isAnswered ? "" : "primary";
+    this.next.className = isAnswered ? "primary" : "";
+    const chosen = /** @type {HTMLInputElement | null} */ (this.choices.querySelector("input:checked"));
+    this.verdict.textContent = !isAnswered ? "" : chosen?.value === String(answer) ? "Correct." : `Answer: ${choices[answer].toLowerCase()}.`;
+    this.text.textContent = isAnswered ? text : "";
+    this.outcome.hidden = !isAnswered;
+  }
+
+  /** Is this on the stage already? @param {SceneEntry} entry @param {Plan[]} plans */
   isThere(entry, plans) {
     const { source, facts, asked, panel } = this.page;
     return this.page.entry === entry && (!source || !("generate" in source) || source.generate === entry.generate)

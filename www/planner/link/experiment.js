@@ -23,7 +23,7 @@ const MADE = "make-";
  * @returns {Experiment}
  */
 export function experimentOf({ entry, source, facts, state, asked, panel, race }) {
-  if (!source || !facts || !state) throw new Error("Nothing is on the stage yet.");
+  if (!source || !facts || !state) throw new Error("No scene is open.");
   const query = panel.query.value;
   const { axes, refused, strobe, poses, raw, slice } = state.view;
   /** @type {Experiment} */
@@ -76,7 +76,7 @@ export function find({ scene = "", document, lanes, options = {} }, { scenes, ge
   const made = generators.find(({ id }) => MADE + id === scene);
   if (made) return { ...found, source: generated(made.id), entry: undefined };
   const entry = scenes.find(({ id }) => id === scene);
-  if (!entry) faults.push(`There is no scene "${scene}"; this is the first one.`);
+  if (!entry) faults.push(`There is no scene "${scene}"; the first scene is shown instead.`);
   return { ...found, source: entry?.generate ? generated(entry.generate.kind, entry.generate.options) : null, entry: entry ?? scenes[0] };
 }
 
@@ -84,7 +84,7 @@ export function find({ scene = "", document, lanes, options = {} }, { scenes, ge
 function sift(settings, table, faults) {
   return Object.fromEntries(Object.entries(settings).filter(([name, value]) => {
     const info = table.find((one) => one.name === name);
-    const reason = info ? reasonAgainst(info, value) : "There is no such setting.";
+    const reason = info ? reasonAgainst(info, value) : "There is no such option.";
     if (reason) faults.push(`${info?.title || name}: ${reason}`);
     return reason === "";
   }));

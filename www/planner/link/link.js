@@ -79,11 +79,11 @@ export class Link {
     else if (!entry || !(await page.openScene(entry, opening))) return;
     const { facts } = page;
     if (!facts) return;
-    if (query && facts.query !== query) faults.push(`There is no query "${query}" in this scene.`);
+    if (query && facts.query !== query) faults.push(`This scene has no query "${query}".`);
     const usual = axesOf(facts.robot);
     const [across, up] = view.axes ?? usual;
     const areThere = Math.max(across, up) < facts.dimension && across !== up;
-    if (view.axes && !areThere) faults.push(`There are no coordinates ${across} and ${up} to draw.`);
+    if (view.axes && !areThere) faults.push(`This robot has no coordinates ${across} and ${up}.`);
     const { refused = false, strobe = false, poses = POSES, raw = false, slice = false, projector = false, lens = "workspace" } = view;
     page.see({ axes: areThere ? [across, up] : usual, refused, strobe, poses, raw, slice });
     this.projector.turn(projector);
@@ -95,7 +95,7 @@ export class Link {
   /** @param {...string} faults */
   complain(...faults) {
     this.faults.push(...faults);
-    this.page.notice.show("Not all that the link asks for is here.", this.faults.join(" "));
+    this.page.notice.show("Parts of the link could not be restored.", this.faults.join(" "));
   }
 
   /** Gives the link: to the clipboard and the address bar where they are open to this page, else to be copied by hand. */
@@ -113,15 +113,15 @@ export class Link {
         // a frame whose address is not its own: the link is told all the same
       }
       const link = location.href.split("#")[0] + fragment;
-      const what = `this scene, these settings, ${time(state.clock.now, state.clock.isRace)}`;
+      const what = `the scene, the settings and ${time(state.clock.now, state.clock.isRace)}`;
       try {
         await navigator.clipboard.writeText(link);
-        this.say(`Link copied: ${what}.`);
+        this.say(`Link copied. It stores ${what}.`);
       } catch {
-        this.say(`Copy this link: ${what}.`, link);
+        this.say(`Copy this link. It stores ${what}.`, link);
       }
     } catch (error) {
-      page.notice.show("There is no link to this.", error);
+      page.notice.show("No link can be made.", error);
     }
   }
 

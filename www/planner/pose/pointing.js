@@ -93,7 +93,7 @@ function hoverSentence({ lane: { run, scenario, shown: { placed } }, vertex, pos
     const [from, to] = run.edges.row(edge);
     return `Edge ${edge}, from vertex ${from} to ${to}.${control}`;
   }
-  if (vertex < 0 || !run) return `Pose ${numbers}: ${check.free ? freeText(scenario, pose) : touchingSentence(scenario, check)}.`;
+  if (vertex < 0 || !run) return `Configuration ${numbers}: ${check.free ? freeText(scenario, pose) : touchingSentence(scenario, check)}.`;
   const { adjacency, past } = run;
   const edges = past[PAST.edges];
   adjacency.follow();
@@ -104,7 +104,7 @@ function hoverSentence({ lane: { run, scenario, shown: { placed } }, vertex, pos
     return `${name}: ${degree} ${degree === 1 ? "edge" : "edges"}.`;
   }
   const parent = adjacency.parent(vertex, edges);
-  if (parent < 0) return `${name}: ${vertex === 0 || run.kind === "trees" ? "the root of its tree" : "not reached yet"}.`;
+  if (parent < 0) return `${name}: ${vertex === 0 || run.kind === "trees" ? "the root of its tree" : "not connected yet"}.`;
   const way = run.lengthOf(adjacency.upward[vertex]);
   return `${name}. Parent ${parent}, ${lengthText(way, robot)} away; ${lengthText(adjacency.costs[vertex], robot)} from the root.${control}`;
 }

@@ -6,7 +6,7 @@ import { byId, write } from "../../app/dom.js";
 /** @param {Page} page */
 export function watchReadout(page) {
   const readout = byId("readout", HTMLOutputElement);
-  const hint = matchMedia("(hover: hover)").matches ? "Point at a vertex to read what it is." : "";
+  const hint = matchMedia("(hover: hover)").matches ? "Point at a vertex to see its details." : "";
   page.onState(({ hover }) => {
     write(readout, hover ? hover.text : hint);
     if (hover) Object.assign(readout.dataset, { vertex: String(hover.vertex), free: String(hover.free) });

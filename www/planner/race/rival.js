@@ -68,7 +68,7 @@ export class Rival {
 
   build() {
     const info = this.infos.find(({ id }) => id === this.planner.value) ?? this.infos[0];
-    this.presets.offer(info.presets, this.given);
+    this.presets.offer(info, this.given);
     this.fields = withSeed(info.parameters).filter(this.fits).map((parameter) => {
       const one = parameter.name === "seed" ? { ...parameter, default: null, default_meaning: "the seed of A", robots: [] } : parameter;
       const field = new Field(one, this.given[one.name] ?? one.default, () => {

@@ -12,7 +12,10 @@
 export const letter = (lane) => "ABCD"[lane];
 
 /** @param {number[]} lanes */
-export const letters = (lanes) => lanes.map(letter).join(" and ");
+export function letters(lanes) {
+  const names = lanes.map(letter);
+  return names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} and ${names[names.length - 1]}`;
+}
 
 /**
  * Since all get the same number of evaluations, whoever is first at one time stays first. The shortest path is only told of

@@ -8,7 +8,7 @@ import { grouped, make, write } from "../../app/dom.js";
 /** Milliseconds between two changes of the text. */
 const READABLE = 80;
 
-const COLUMNS = ["Planner", "Vertices", "Edges", "Motions", "Clearance evaluations", "Iterations", "First path at", "Path length"];
+const COLUMNS = ["Planner", "Vertices", "Edges", "Motions", "Clearance evaluations", "Iterations", "First path after", "Path length"];
 
 export class Table {
   /** @param {HTMLElement} room */
@@ -31,12 +31,12 @@ export class Table {
     this.room.replaceChildren();
     if (names.length === 0) return;
     const table = make("table", { className: "standings" },
-      make("caption", {}, "How they stand, after the same clearance evaluations"),
+      make("caption", {}, "Standings at equal cost (one seed)"),
       make("thead", {}, make("tr", {}, ...COLUMNS.map((title) => make("th", { scope: "col" }, title)))),
       make("tbody", {}, ...this.rows.map(({ row }) => row)));
     const scroll = make("div", { className: "scroll", tabIndex: 0 }, table);
     scroll.setAttribute("role", "region");
-    scroll.setAttribute("aria-label", "How the planners stand");
+    scroll.setAttribute("aria-label", "Standings");
     this.room.append(scroll, this.remark, this.caution);
   }
 
@@ -51,18 +51,21 @@ export class Table {
       const { found } = lane.standing;
       const texts = [
         ...[lane.vertices, lane.edges, lane.motions, lane.evaluations, lane.iteration].map(grouped),
-        found === null ? nothing(lane) : `${grouped(found)}${first.includes(i) ? `, first${first.length > 1 ? ", level" : ""}` : ""}`,
-        found === null ? "\u2013" : `${lengthOf(lane)}${shortest.includes(i) ? `, shortest${isOver ? "" : " so far"}` : ""}`,
+        found === null ? nothing(lane) : noted(grouped(found), first.includes(i) && (first.length > 1 ? "tied for first" : "first")),
+        found === null ? "\u2013" : noted(`${lane.cost.toFixed(2)} ${lane.unit}`.trim(), !lane.isProven && "not proven", shortest.includes(i) && `shortest${isOver ? "" : " so far"}`),
       ];
       sheets.rank(i, found === null ? `${nothing(lane)}, ${texts[0]} vertices` : texts[6]);
       texts.forEach((text, k) => write(this.rows[i].cells[k], text));
     });
-    write(this.remark, isAlike ? "" : "Lengths are measured in different metrics here, so none is called the shortest.");
+    write(this.remark, isAlike ? "" : "The planners use different metrics, so their path lengths cannot be compared.");
   }
 }
 
-/** @param {LaneState} lane */
-function lengthOf({ cost, unit, isProven }) { return `${cost.toFixed(2)} ${unit}${isProven ? "" : ", not proven"}`; }
+/** A text with notes in parentheses. @param {string} text @param {...(string | false)} notes */
+function noted(text, ...notes) {
+  const told = notes.filter(Boolean).join(", ");
+  return told ? `${text} (${told})` : text;
+}
 
 /** What is said where there is no path. @param {LaneState} lane */
 function nothing({ status, phase }) { return status === "running" ? phase : status === "none" ? "not started" : "no path"; }

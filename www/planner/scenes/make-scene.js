@@ -19,7 +19,7 @@ export function makeForm(generators, onMake) {
   };
   kind.addEventListener("change", build);
   build();
-  const form = make("form", { id: "make", noValidate: true }, make("label", { className: "row", htmlFor: "make-kind" }, make("span", { className: "name" }, "Kind"), kind), summary, rows, make("button", { type: "submit" }, "Make it"));
+  const form = make("form", { id: "make", noValidate: true }, make("label", { className: "row", htmlFor: "make-kind" }, make("span", { className: "name" }, "Kind"), kind), summary, rows, make("button", { type: "submit" }, "Generate"));
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     const good = fields.map((field) => field.validate()).every(Boolean);

@@ -82,7 +82,7 @@ export function showSceneOptions(page, generators) {
       try {
         await page.open(source, { entry, plans: page.plans ?? undefined, query: page.panel.query.value, play: page.goesOn });
       } catch (error) {
-        page.notice.show("Such a scene cannot be made.", error);
+        page.notice.show("This scene cannot be generated.", error);
       }
     }
     busy = false;

@@ -16,10 +16,10 @@ const GROUPS = [
   ["Samples", ["insertion", "discard", "spread", "goal_every"]],
   ["Controls", ["controls", "duration_steps", "shortest_steps", "near_goal_steps", "blocked", "integration"]],
   ["Tree", ["nearest", "once", "goal_test", "selection_radius", "pruning_radius", "improve_iterations"]],
-  ["Later on", ["late_duration_steps", "late_goal_every"]],
+  ["Last quarter", ["late_duration_steps", "late_goal_every"]],
   ["Edges", ["radius", "extend", "metric", "steering", "edge_check", "edge_samples", "tolerance"]],
   ["Search", ["search", "cost", "heuristic"]],
-  ["Path, once found", ["reduce", "shortcut", "partial_shortcut"]],
+  ["Path shortening", ["reduce", "shortcut", "partial_shortcut"]],
 ];
 const REST = "Limits";
 
@@ -157,7 +157,7 @@ export class Panel {
   build() {
     const info = this.infos.find(({ id }) => id === this.planner.value) ?? this.infos[0];
     this.summary.textContent = info.summary;
-    this.presets.offer(info.presets, this.given);
+    this.presets.offer(info, this.given);
     this.first.replaceChildren(this.presets.element);
     this.rest.replaceChildren();
     // What a scene sets by itself is there to be seen.

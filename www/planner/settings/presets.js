@@ -9,6 +9,8 @@ export class Presets {
   constructor(onChoose) {
     /** @type {PlannerInfo["presets"]} */
     this.presets = [];
+    /** @type {Map<string, unknown>} */
+    this.defaults = new Map();
     this.select = make("select", {});
     this.element = make("label", { className: "row" }, make("span", { className: "name" }, "Settings"), this.select);
     this.select.addEventListener("change", () => onChoose(this.presets.find((preset) => preset.id === this.select.value)?.settings ?? {}));
@@ -21,18 +23,21 @@ export class Presets {
     return this;
   }
 
-  /** Offers a planner's presets; without any the row is hidden. @param {PlannerInfo["presets"]} presets @param {Settings} given */
-  offer(presets, given) {
+  /** Offers a planner's presets; without any the row is hidden. @param {PlannerInfo} info @param {Settings} given */
+  offer({ presets, parameters }, given) {
+    this.defaults = new Map(parameters.map(({ name, default: value }) => [name, value ?? undefined]));
     this.presets = presets.map((preset) => ({ ...preset, settings: namesOfDocuments(preset.settings) }));
     this.element.hidden = presets.length === 0;
     const option = (/** @type {string} */ value, /** @type {string} */ title) => make("option", { value, disabled: value === "own" }, title);
-    this.select.replaceChildren(option("own", "your own"), option("", "the defaults"), ...this.presets.map(({ id, title }) => option(id, title)));
+    this.select.replaceChildren(option("own", "custom"), option("", "defaults"), ...this.presets.map(({ id, title }) => option(id, title)));
     this.mark(given);
   }
 
-  /** Selects the preset that equals the settings, if any. @param {Settings} given */
+  /** Selects the preset that equals the settings, if any; a setting at its default may be given or not. @param {Settings} given */
   mark(given) {
-    const isTaken = (/** @type {Settings} */ settings) => Object.keys({ ...given, ...settings }).every((name) => name === "seed" || given[name] === settings[name]);
+    const { defaults } = this;
+    const isTaken = (/** @type {Settings} */ settings) => Object.keys({ ...given, ...settings })
+      .every((name) => name === "seed" || (given[name] ?? defaults.get(name)) === (settings[name] ?? defaults.get(name)));
     this.select.value = this.presets.find(({ settings }) => isTaken(settings))?.id ?? (isTaken({}) ? "" : "own");
   }
 }

@@ -84,7 +84,7 @@ export class Transport {
     const speed = pace * this.unit;
     const text = pace === Infinity ? "max" : `${speed < 10 ? speed.toFixed(1) : Math.round(speed).toLocaleString("en")}/s`;
     this.speedValue.textContent = text;
-    this.speed.setAttribute("aria-valuetext", pace === Infinity ? "as fast as it goes" : `${text.replace("/s", "")} ${this.name} a second`);
+    this.speed.setAttribute("aria-valuetext", pace === Infinity ? "as fast as possible" : `${text.replace("/s", "")} ${this.name} a second`);
   }
 
   /** What time is counted in. */
@@ -94,9 +94,9 @@ export class Transport {
   count({ unit }) {
     this.unit = unit;
     const { name } = this;
-    this.timeline.setAttribute("aria-label", unit > 1 ? "Timeline: the clearance evaluations until which all are shown" : "Timeline: the iteration that is shown");
+    this.timeline.setAttribute("aria-label", unit > 1 ? "Timeline: clearance evaluations shown" : "Timeline: iteration shown");
     this.timeName.textContent = unit > 1 ? "Clearance evaluations" : "Iteration";
-    this.back.setAttribute("aria-label", unit > 1 ? `Back ${unit} ${name}` : "Back 1");
+    this.back.setAttribute("aria-label", unit > 1 ? `Back ${unit} ${name}` : "Step back");
     this.steps.forEach((button, i) => {
       const count = grouped(unit * 10 ** i);
       button.textContent = count;
@@ -119,7 +119,7 @@ export class Transport {
     this.speedRow.hidden = travelling;
     this.alongRow.hidden = !travelling;
     if (!this.along.matches(":active")) this.along.value = String(along);
-    this.along.setAttribute("aria-valuetext", `${Math.round(100 * along)} percent of the way`);
+    this.along.setAttribute("aria-valuetext", `${Math.round(100 * along)} percent of the path`);
     this.timeline.disabled = this.time.disabled = !ready;
     const head = String(clock.head);
     if (this.timeline.max !== head) this.timeline.max = head;

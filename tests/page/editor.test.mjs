@@ -341,7 +341,7 @@ describe("undo", () => {
       await chooseScene(page, "firs");
       await until(page, "undo", 0);
       assert.equal((await saved(page)).name, "firs.json");
-      assert.equal(await page.innerText("#where"), "A clearing of firs \u00b7 RRT-Connect");
+      assert.equal(await page.innerText("#where"), "A forest of triangles \u00b7 RRT-Connect");
     });
   });
 });

@@ -1,5 +1,6 @@
 /** The guided lessons: every step plays, and what it says is so. */
 import assert from "node:assert/strict";
+import { namesOfDocuments } from "../../www/domain/option-names.js";
 import { describe, test } from "node:test";
 import { Scenario, planners } from "planarium";
 import { LESSONS, beginningOf, stageAt } from "../../www/planner/lessons/script.js";
@@ -257,7 +258,7 @@ describe("wheels", () => {
     const lesson = LESSONS.find(({ id }) => id === "wheels") ?? assert.fail();
     const { presets } = planners().find(({ id }) => id === "rrt-control") ?? assert.fail();
     for (const [at, id] of /** @type {[number, string][]} */ ([[2, "blossom-1"], [3, "blossom-3"], [4, "blossom-5"]])) {
-      assert.deepEqual(stageAt(lesson, at).settings, { ...presets.find((preset) => preset.id === id)?.settings, seed: 1 });
+      assert.deepEqual(stageAt(lesson, at).settings, { ...namesOfDocuments(presets.find((preset) => preset.id === id)?.settings ?? {}), seed: 1 });
     }
   });
 });

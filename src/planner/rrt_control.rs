@@ -48,7 +48,7 @@ crate::options! {
     /// Random controls, of which the best is kept, or full speed ahead and back, straight, left and right, all kept.
     controls: Controls = Controls::Random, "Controls";
     /// Number of random controls tried per extension: more aim better, but a greedy tree gets stuck.
-    blossom: u32 = 1, in 1.0..=100.0, "Controls per extension";
+    blossom: u32 = 1, in 1.0..=100.0, "Controls tried";
     /// Longest time a control is held: short motions follow bends, long ones cross open space quickly.
     duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Longest duration", unit "steps of integration",
         else "as many as the fastest straight motion of 0.3 times the largest distance takes";

@@ -14,7 +14,7 @@ async function settled(page) {
   await page.waitForSelector("#counters[data-settled=true], body[data-settled=true]", { state: "attached" });
 }
 
-/** Axe finds nothing, and nothing hangs over, in light and dark, on a exporter and on the narrowest phone. @param {Page} page @param {string} state  that the page is in */
+/** Axe finds nothing, and nothing hangs over, in light and dark, on a desktop and on the narrowest phone. @param {Page} page @param {string} state  that the page is in */
 export async function assertFaultless(page, state) {
   for (const [colorScheme, width] of LOOKS) {
     await page.setViewportSize({ width, height: 860 });

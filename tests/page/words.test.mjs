@@ -89,7 +89,7 @@ describe("pseudo-code", () => {
     });
   });
 
-  test("it is open on a exporter, closed on a phone, and follows the planner that is chosen", async () => {
+  test("it is open on a desktop, closed on a phone, and follows the planner that is chosen", async () => {
     await onPausedPage(async (page) => {
       assert.equal(await page.locator("#pseudocode details").getAttribute("open"), "");
       for (const { id, pseudocode } of planners().filter(({ robots }) => robots.includes("arm"))) {

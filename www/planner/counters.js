@@ -12,11 +12,11 @@ export class Counters {
     this.element = byId("counters", HTMLElement);
     this.cells = Object.fromEntries(NUMBERS.map((name) => [name, byId(`count-${name}`, HTMLElement)]));
     this.written = -Infinity;
-    // On a exporter all numbers stand in one line; on a phone the rest is folded away.
+    // On a desktop all numbers stand in one line; on a phone the rest is folded away.
     const more = byId("more-counters", HTMLDetailsElement);
-    const exporter = matchMedia("(min-width: 77.5rem)");
-    const unfold = () => { more.open = exporter.matches; };
-    exporter.addEventListener("change", unfold);
+    const desktop = matchMedia("(min-width: 77.5rem)");
+    const unfold = () => { more.open = desktop.matches; };
+    desktop.addEventListener("change", unfold);
     unfold();
   }
 

@@ -198,7 +198,7 @@ describe("after the core was lost", () => {
 
   test("a trap while it plans, draws or is asked is said, and the page stays usable", async () => {
     await onPausedPage(async (page) => {
-      for (const [call, button, place] of /** @type {const} */ ([["planner_step", "#step-100", "worker"], ["scenario_endEffectors", "#step-100", "page"], ["scenario_check", "#your-turn", "page"]])) {
+      for (const [call, button, place] of /** @type {const} */ ([["planner_step", "#step-100", "worker"], ["scenario_endEffectors", "#step-100", "page"], ["scenario_check", "#your-turn", "page"], ["scenario_extent", "#theme", "worker"]])) {
         await page.click("#reset");
         await page.click("#step-10");
         await atRest(page);

@@ -20,6 +20,7 @@
 import { watchAnnouncements } from "./announce.js";
 import * as library from "planarium";
 import { Counters } from "./counters.js";
+import { faultOf } from "../app/fault.js";
 import { byId, write } from "../app/dom.js";
 import { isArray, watchFiles } from "../app/drop.js";
 import { Gallery, SIDE } from "../widgets/gallery.js";
@@ -170,9 +171,12 @@ async function start() {
   }
 
   async function drawThumbnails() {
-    for (const entry of SCENES) {
-      const picture = await workers.thumbnail(await page.sourceOf(entry), SIDE, page.look);
-      gallery.draw(entry.id, picture);
+    try {
+      for (const entry of SCENES) gallery.draw(entry.id, await workers.thumbnail(await page.sourceOf(entry), SIDE, page.look));
+    } catch (error) {
+      if (faultOf(error).code !== "internal") throw error;
+      // The planners in the worker were lost with the core.
+      session.fail(error);
     }
     setTimeout(() => void provide(), PROVISIONS);
   }

@@ -22,7 +22,7 @@ export function plain(value) {
   }
 }
 
-/** Errors of this module: what callers throw may be anything, also a proxy that throws when it is looked at. @type {WeakSet<object>} */
+/** Errors of this module: callers may throw any value, also a proxy that throws when it is inspected. @type {WeakSet<object>} */
 const own = new WeakSet();
 
 /** @param {number} length */

@@ -211,12 +211,12 @@ export class Session {
     this.wake();
   }
 
-  /** A pointer on a pane: the editor's while it is on. @param {Pointer} pointer @returns {Promise<boolean>} whether it holds something */
+  /** A pointer on a pane: the editor's while it is on. @param {Pointer} pointer */
   async pointer(pointer) {
     await this.byHand.ready();
-    const isHeld = this.editor?.on ? this.editor.pointer(pointer) : this.byHand.point(pointer);
+    if (this.editor?.on) this.editor.hand.obey(pointer);
+    else this.byHand.point(pointer);
     this.wake();
-    return isHeld;
   }
 
   /** Does any planner go on? */
@@ -241,7 +241,6 @@ export class Session {
     this.markDirty();
     // Poses and the path as found are on the top, which is drawn anew each frame.
     if ("axes" in view || "refused" in view) this.stage.invalidate();
-    this.wake();
   }
 
   // One frame at a time.

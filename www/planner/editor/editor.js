@@ -13,7 +13,7 @@ import { touchingSentence } from "../../domain/names.js";
 import { isTip, leads, otherGoal, tipOf } from "./end-effector.js";
 import { fieldsOf, obstacleOf, place, poseOf, rounded, same, targetOf, objectsOf, withField, withObstacle, withVertex } from "./objects.js";
 
-/** @import { Check, EditOrder, EditState, EditTool, Fault, Obstacle, Pointer, Scenario, ScenarioDocument } from "../../domain/types.js" */
+/** @import { Check, EditOrder, EditState, EditTool, Fault, Obstacle, Scenario, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { Lane, Shown } from "../lane.js" */
 /** @import { Session } from "../session.js" */
@@ -109,12 +109,6 @@ export class Editor {
 
   /** @param {EditOrder} order */
   obey([verb, ...args]) { /** @type {(...args: unknown[]) => unknown} */ (this[verb]).apply(this, args); }
-
-  /** @param {Pointer} pointer @returns {boolean} whether something is held */
-  pointer(pointer) {
-    this.hand.obey(pointer);
-    return this.hand.drag !== null;
-  }
 
   /** @param {boolean} on */
   turn(on) {

@@ -1,6 +1,6 @@
 /**
- * What can be taken away of what is on the stage: pictures, drawn anew at the size that is asked for, and the
- * numbers behind them. Each says what it is, or why it is not to be had.
+ * The exports of what is on the stage: pictures, drawn at the requested size, and the numbers behind them. Each says what it
+ * is, or why it is not available.
  */
 import { json, save } from "../../app/files.js";
 import { byId, make, write } from "../../app/dom.js";

@@ -1,6 +1,5 @@
 /**
- * What can be taken away, made a slice at a time, so that whoever plans, plays or cancels meanwhile has a turn in between.
- * One thing is made at a time.
+ * Exports, made in slices, so that planning, playing and cancelling go on in between. One export is made at a time.
  */
 import { GifWriter, paletteOf } from "../../formats/gif.js";
 import { SvgContext } from "../../formats/svg.js";

@@ -79,18 +79,16 @@ export class PoseByHand {
     shown.check = null;
   }
 
-  /** A pointer on a pane, pixels of the pane. @param {Pointer} pointer @returns {boolean} whether it holds something */
+  /** A pointer on a pane, pixels of the pane. @param {Pointer} pointer */
   point({ pane: id, type, x, y }) {
     const { session, pointing } = this;
     const place = session.stage.at(id);
     const { shown } = session;
-    if (!place || !shown || !pointing) return false;
-    if (shown.driven) return false;
+    if (!place || !shown || !pointing || shown.driven) return;
     pointing.at = type === "hover" ? { place, x, y } : null;
-    if (type !== "down" && type !== "move") return false;
+    if (type !== "down" && type !== "move") return;
     const pose = pointing.hold(place, type, x, y);
     if (pose) this.hold(pose);
-    return pose !== null;
   }
 
   /** What is pointed at, unless the hand has something to do. @param {Shown} shown */

@@ -60,7 +60,6 @@ export class Timeline {
     clock.seek(time);
     if (clock.wanted < clock.now) this.show(clock.wanted);
     session.markDirty();
-    session.wake();
   }
 
   /** Runs on as fast as it goes. */
@@ -71,7 +70,6 @@ export class Timeline {
     clock.rushing = true;
     clock.playing = true;
     session.markDirty();
-    session.wake();
   }
 
   /** Puts the robot somewhere along its way. @param {number} part  0 to 1 */

@@ -7,7 +7,7 @@ import { documentOf } from "../../www/reach/session.js";
 import { ellipseOf } from "../../www/reach/jacobian.js";
 import { SCENES } from "../../www/reach/scenes.js";
 import { Motion } from "../../www/reach/motion.js";
-import { DESK, PHONE, pixelsOf, start, stop } from "./browser.mjs";
+import { DESK, PHONE, frames, pixelsOf, start, stop } from "./browser.mjs";
 import { choose, entryOf, onReach, poseOf, put, rest, scenarioOf, windowOf } from "./reach.mjs";
 
 /** @import { Options } from "./browser.mjs" */
@@ -290,9 +290,13 @@ describe("the pose as a point", () => {
       await put(page, "joint-1-number", "-2");
       const { free } = scenarioOf("islands").check([3.1, -2]);
       assert.ok(free);
-      const covered = await page.locator("#cspace canvas[data-layer=top]").evaluate((canvas) => {
-        const { width, height } = /** @type {HTMLCanvasElement} */ (canvas);
-        const { data } = /** @type {HTMLCanvasElement} */ (canvas).getContext("2d")?.getImageData(0, 0, width, height) ?? assert.fail();
+      await frames(page);
+      const covered = await page.locator("#cspace canvas[data-layer=top]").evaluate((element) => {
+        const canvas = /** @type {HTMLCanvasElement} */ (element);
+        const { width, height } = canvas;
+        const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(width, height).getContext("2d"));
+        context.drawImage(canvas, 0, 0);
+        const { data } = context.getImageData(0, 0, width, height);
         const sides = [0, 0];
         for (let i = 3; i < data.length; i += 4) if (data[i] > 40) sides[((i - 3) / 4) % width < width / 2 ? 0 : 1]++;
         return sides;

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
 import * as planarium from "planarium";
-import { onPage, start, stop, violations } from "./browser.mjs";
+import { onPage, pictureOf, start, stop, violations } from "./browser.mjs";
 import { assertFaultless, assertFits, assertForced } from "./looks.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -37,13 +37,7 @@ async function onEmpty(act, options = CALM) {
 }
 
 /** How many pixels of the lower canvas are inked. @param {Page} page */
-const inked = (page) => page.locator("#plane canvas[data-layer=ground]").evaluate((element) => {
-  const canvas = /** @type {HTMLCanvasElement} */ (element);
-  const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")).getImageData(0, 0, canvas.width, canvas.height);
-  let count = 0;
-  for (let i = 3; i < data.length; i += 4) if (data[i] > 0) count++;
-  return count;
-});
+const inked = async (page) => Number((await pictureOf(page, "#plane canvas[data-layer=ground]"))[0].split(" ")[2]);
 
 /** What the package says of the same experiment. @param {import("planarium").TrajectoryOptions} options @param {number} [tried] */
 function expected(options, tried = 1e6) {

@@ -10,10 +10,11 @@ export const LAYERS = /** @type {const} */ (["ground", "edges", "vertices", "mar
 /** @typedef {typeof LAYERS[number]} LayerName */
 
 export class Layer {
-  /** @param {OffscreenCanvas | HTMLCanvasElement} canvas */
+  /** @param {OffscreenCanvas | HTMLCanvasElement} canvas  an element is drawn on through an offscreen canvas from then on */
   constructor(canvas) {
-    this.canvas = canvas;
-    const context = canvas.getContext("2d");
+    // A browser that rasterizes in software copies every canvas element in each frame, but offscreen canvases only when they changed.
+    this.canvas = "transferControlToOffscreen" in canvas ? canvas.transferControlToOffscreen() : canvas;
+    const context = this.canvas.getContext("2d");
     if (!context) throw new Error("This browser gives no 2d canvas.");
     // The page draws with what both kinds of context can do, and names one of them.
     this.context = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (context));

@@ -18,12 +18,15 @@ export class Snapshots {
     /** @type {{ count: number, canvas: OffscreenCanvas }[]} */
     this.copies = [];
     this.spacing = SPACING;
+    /** Canvases of copies that were dropped: new ones of this size would have the browser collect garbage often. @type {OffscreenCanvas[]} */
+    this.spare = [];
   }
 
   /** Forgets all copies. */
   clear() {
     this.spacing = SPACING;
     this.copies = [];
+    this.spare = [];
   }
 
   /** Is it time for a copy, when the layer holds so many marks? @param {number} count */
@@ -33,12 +36,16 @@ export class Snapshots {
   copy(count) {
     const { copies, layer } = this;
     const { width, height } = layer.canvas;
-    const canvas = new OffscreenCanvas(width, height);
-    canvas.getContext("2d")?.drawImage(layer.canvas, 0, 0);
+    const canvas = this.spare.pop() ?? new OffscreenCanvas(width, height);
+    const context = canvas.getContext("2d");
+    if (!context) return;
+    context.globalCompositeOperation = "copy";
+    context.drawImage(layer.canvas, 0, 0);
     copies.push({ count, canvas });
     const most = Math.max(COPIES.least, Math.min(COPIES.most, Math.floor(BYTES / (4 * width * height))));
     if (copies.length <= most) return;
     this.copies = copies.filter((_, i) => i % 2 === 1);
+    this.spare = copies.filter((_, i) => i % 2 === 0).map((copy) => copy.canvas);
     this.spacing *= 2;
   }
 

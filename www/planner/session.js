@@ -27,6 +27,8 @@ import { PoseByHand } from "./pose/pose-by-hand.js";
 const FRAME = 6;
 /** When inking stops where nothing plays and the reader waits for another time. */
 const REDRAW = 24;
+/** Milliseconds between two reports of the state while it plays. */
+const REPORT = 50;
 /** Measures kept in the browser's timeline before it is emptied. */
 const MEASURES = 20000;
 
@@ -67,6 +69,8 @@ export class Session {
     this.settled = false;
     /** Something was asked for that no frame has shown yet. */
     this.isStale = false;
+    /** When the state was last reported, on the clock of frames. */
+    this.reported = -Infinity;
     /** Once it was asked for. @type {Editor | null} */
     this.editor = null;
     /** Once it was asked for. @type {Driving | null} */
@@ -327,8 +331,12 @@ export class Session {
     if (resting) this.timeline.conclude();
     this.settled = !this.timeline.isAsking && resting && !this.driving?.moves && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isRefined);
     if (working) this.measure(began);
-    this.isStale = false;
-    this.tell(report(this));
+    // Style, layout and paint of the document take longer than the drawing: while it plays, texts change less often than pictures.
+    if (!clock.playing || this.isStale || this.settled || now - this.reported >= REPORT) {
+      this.isStale = false;
+      this.reported = now;
+      this.tell(report(this));
+    }
     if (clock.playing || clock.owes || stage.busy || this.driving?.moves) this.wake();
   }
 

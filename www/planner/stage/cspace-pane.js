@@ -65,7 +65,9 @@ export class CSpace extends Pane {
     const { document } = shown;
     if (this.world.document !== document.world) this.world = { document: document.world, count: this.world.count + 1 };
     // Of the scene that was there before nothing stays.
-    if (this.cells?.name !== document.name || scenario.dimension > 2 !== this.cells.key.includes(" ")) this.cells = null;
+    if (!this.cells || (this.cells.name === document.name && scenario.dimension > 2 === this.cells.key.includes(" "))) return;
+    this.cells.image?.close();
+    this.cells = null;
   }
 
   /** Has the obstacles painted: of two coordinates all, of more those of a slice that follows the robot, where that is wanted. @param {Lane} lane @override */
@@ -114,6 +116,7 @@ export class CSpace extends Pane {
 
   /** The ground with other obstacles. @param {CSpace["cells"]} cells */
   repaint(cells) {
+    this.cells?.image?.close();
     this.cells = cells;
     this.layers.ground.clear();
     this.drawGround(this.layers.ground.context, /** @type {Lane} */ (this.lane));

@@ -25,8 +25,8 @@ export class Snapshots {
   /** Forgets all copies. */
   clear() {
     this.spacing = SPACING;
+    this.spare.push(...this.copies.map(({ canvas }) => canvas));
     this.copies = [];
-    this.spare = [];
   }
 
   /** Is it time for a copy, when the layer holds so many marks? @param {number} count */
@@ -37,6 +37,7 @@ export class Snapshots {
     const { copies, layer } = this;
     const { width, height } = layer.canvas;
     const canvas = this.spare.pop() ?? new OffscreenCanvas(width, height);
+    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
     const context = canvas.getContext("2d");
     if (!context) return;
     context.globalCompositeOperation = "copy";
@@ -45,7 +46,7 @@ export class Snapshots {
     const most = Math.max(COPIES.least, Math.min(COPIES.most, Math.floor(BYTES / (4 * width * height))));
     if (copies.length <= most) return;
     this.copies = copies.filter((_, i) => i % 2 === 1);
-    this.spare = copies.filter((_, i) => i % 2 === 0).map((copy) => copy.canvas);
+    this.spare.push(...copies.filter((_, i) => i % 2 === 0).map((copy) => copy.canvas));
     this.spacing *= 2;
   }
 

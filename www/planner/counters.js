@@ -67,10 +67,10 @@ export class Counters {
   }
 }
 
-const compact = new Intl.NumberFormat("en", { notation: "compact", maximumSignificantDigits: 3 });
-
 /** A number in at most five characters where it is large. @param {number} count */
-function short(count) { return count < 100_000 ? grouped(Math.round(count)) : compact.format(count); }
+function short(count) {
+  return count < 100_000 ? grouped(Math.round(count)) : count.toLocaleString("en", { notation: "compact", maximumSignificantDigits: 3 });
+}
 
 /** @param {number} seconds */
 function duration(seconds) { return seconds < 1 ? `${Math.round(1000 * seconds)} ms` : `${seconds.toFixed(seconds < 10 ? 2 : 1)} s`; }

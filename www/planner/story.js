@@ -1,4 +1,5 @@
 /** The page's sentences: what is to be seen just now. */
+import { grouped } from "../app/dom.js";
 import { leaders, letters } from "./race/standings.js";
 import { costText, isPlaced, lengthText, robotName, touchingSentence } from "../domain/names.js";
 import { PAST } from "./run-log/run-log.js";
@@ -46,7 +47,7 @@ function controls({ settings: { blossom = 1 } }) {
 
 /** A run that has ended. @param {Run} run @param {PathPlayback | null} playback */
 export function ending(run, playback) {
-  const iterations = `${run.made.toLocaleString("en")} iteration${run.made === 1 ? "" : "s"}`;
+  const iterations = `${grouped(run.made)} iteration${run.made === 1 ? "" : "s"}`;
   const { robot } = run.scenario;
   const { length, approximate } = run.result;
   if (run.status === "solved") {
@@ -59,7 +60,7 @@ export function ending(run, playback) {
   if (!run.isTree && run.expanded === 0) return `No path: the run ended after ${iterations}, before the roadmap was searched.`;
   if (run.pieces) {
     const { k } = run.settings;
-    return `No path. ${typeof k === "number" ? `With k = ${k} the` : "The"} roadmap has ${run.pieces.count.toLocaleString("en")} connected components; start and goal are in different ones, each in its colour.`;
+    return `No path. ${typeof k === "number" ? `With k = ${k} the` : "The"} roadmap has ${grouped(run.pieces.count)} connected components; start and goal are in different ones, each in its colour.`;
   }
   if (!approximate || !playback) return `No path after ${iterations}: ${run.kind === "trees" ? "the two trees never met" : "the tree never got closer to the goal than its root"}.`;
   const miss = `No path after ${iterations}. The closest approach, dashed, ends ${lengthText(approximate.goal_distance, robot)} from the goal`;
@@ -99,7 +100,7 @@ export function summary(title, run) {
   const kind = run.kind === "trees" ? "Two trees" : `A ${run.kind}`;
   const state = run.status === "running" ? run.phase : run.status === "exhausted" ? "no path found" : run.status;
   const { past } = run;
-  return `${title}. ${kind} with ${past[PAST.vertices].toLocaleString("en")} vertices and ${past[PAST.edges].toLocaleString("en")} edges; ${state}.`;
+  return `${title}. ${kind} with ${grouped(past[PAST.vertices])} vertices and ${grouped(past[PAST.edges])} edges; ${state}.`;
 }
 
 /** Several planners on one scenario. @param {Lane[]} lanes */
@@ -111,7 +112,7 @@ export function race(lanes) {
   if (isOver && lanes.every(({ run }) => run?.past[PAST.evaluations] === 0)) return "There is nothing to avoid here: no clearance is ever evaluated, so all planners finish at once.";
   const [best] = shortest;
   const length = best === undefined ? "" : lengthText(standings[best].cost, lanes[best].scenario.robot);
-  const effort = `after ${found?.toLocaleString("en")} clearance evaluations`;
+  const effort = `after ${grouped(found ?? 0)} clearance evaluations`;
   const isTied = first.length > 1;
   const winner = isTied ? `${letters(first)} tied: ${first.length === 2 ? "both" : "all"} found a path ${effort}` : `${letters(first)} found a path first, ${effort}`;
   if (best === undefined) return `${winner}.`;

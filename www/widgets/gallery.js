@@ -34,7 +34,6 @@ export class Gallery {
     this.element.classList.toggle("all", all);
     this.more.textContent = all ? "Show fewer" : "Show all";
     this.more.setAttribute("aria-expanded", String(all));
-    this.measure();
   }
 
   /** Says how many of the scenes are in view, where not all are. */
@@ -51,8 +50,9 @@ export class Gallery {
     for (const [name, { input }] of this.cards) {
       input.checked = name === id;
       const card = input.parentElement;
-      // Only the strip moves, not the page.
-      if (name === id && card) this.element.scrollTo({ left: card.offsetLeft - (this.element.clientWidth - card.offsetWidth) / 2 });
+      if (name !== id || !card) continue;
+      // Only the strip moves, not the page; in the next frame, as it would force a layout.
+      requestAnimationFrame(() => this.element.scrollTo({ left: card.offsetLeft - (this.element.clientWidth - card.offsetWidth) / 2 }));
     }
   }
 

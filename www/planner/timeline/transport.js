@@ -82,7 +82,7 @@ export class Transport {
   tellSpeed() {
     const pace = this.pace;
     const speed = pace * this.unit;
-    const text = pace === Infinity ? "max" : `${speed < 10 ? speed.toFixed(1) : Math.round(speed).toLocaleString("en")}/s`;
+    const text = pace === Infinity ? "max" : `${speed < 10 ? speed.toFixed(1) : grouped(Math.round(speed))}/s`;
     this.speedValue.textContent = text;
     this.speed.setAttribute("aria-valuetext", pace === Infinity ? "as fast as possible" : `${text.replace("/s", "")} ${this.name} a second`);
   }

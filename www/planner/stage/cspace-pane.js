@@ -1,7 +1,6 @@
 /**
- * The configuration space of an arm or a body as a square of two of its coordinates. Where there are only two, obstacles are the poses that
- * touch something, computed by the core; of more, one looks along the others. A motion that leaves the square on one side
- * comes back on the other.
+ * The configuration space of an arm or a body: a square of two of its coordinates. With two coordinates the obstacles are the
+ * configurations in collision; with more, those of a slice. A motion that leaves the square on one side enters on the other.
  */
 import { coordinatesOf } from "../../domain/coordinates.js";
 import { MARGIN, drawAxes } from "../../draw/angles.js";
@@ -15,11 +14,11 @@ import { View } from "../../draw/view.js";
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { Painting } from "../worker/obstacles.js" */
 /** @import { Coordinate } from "../../domain/types.js" */
-/** @typedef {(painting: Painting) => Promise<ImageBitmap | null>} Painter   paints obstacles, in the worker; null: it could not */
+/** @typedef {(painting: Painting) => Promise<ImageBitmap | null>} Painter   paints obstacles in the worker; null after an error */
 
-/** Cells a side of the picture of obstacles: while the world changes and at first, and as many as the screen is worth, within reason. */
+/** Cells a side of the picture of obstacles: `rough` at first and while the world is edited, then one for so many device pixels. */
 const CELLS = { rough: 64, least: 256, most: 512, pixels: 2 };
-/** The same of a slice, of which each cell is a configuration that is checked. */
+/** Cells a side of a slice: each is a configuration to check. */
 const SLICE = { rough: 24, fine: 96 };
 
 export class CSpace extends Pane {
@@ -28,22 +27,22 @@ export class CSpace extends Pane {
     super(canvases);
     /** The coordinates across and up. @type {[number, number]} */
     this.axes = [0, 1];
-    /** What they are. @type {Coordinate[]} */
+    /** Their names, units and ranges. @type {Coordinate[]} */
     this.named = [];
-    /** Are they circles? @type {boolean[]} */
+    /** Whether they wrap around. @type {boolean[]} */
     this.circles = [];
     /** Paints obstacles. @type {Painter | null} */
     this.painter = null;
-    /** The obstacles: a picture of this, with so many cells a side. @type {{ key: string, name: string, side: number, image: ImageBitmap | null } | null} */
+    /** The picture of the obstacles, and its cells a side. @type {{ key: string, name: string, side: number, image: ImageBitmap | null } | null} */
     this.cells = null;
-    /** What is painted of them is of this, where something is. @type {{ key: string, sides: number[] } | null} */
+    /** The picture to be painted, and its resolutions from rough to fine. @type {{ key: string, sides: number[] } | null} */
     this.wanted = null;
     this.isPainting = false;
-    /** Counts the worlds that were shown. */
+    /** The world shown, and how many there have been. */
     this.world = { document: /** @type {object | null} */ (null), count: 0 };
   }
 
-  /** Has a scenario such a square? @param {Lane} lane @override */
+  /** @param {Lane} lane @override */
   fits({ scenario }) { return scenario.robot !== "disc" && scenario.dimension >= 2; }
 
   /** @param {Lane} lane @param {number} width @param {number} height @override */
@@ -54,7 +53,7 @@ export class CSpace extends Pane {
     this.named = this.axes.map((axis) => coordinatesOf(lane.shown)[axis]);
     const [x, y] = this.named;
     const margin = /** @type {typeof MARGIN} */ (Object.fromEntries(Object.entries(MARGIN).map(([side, room]) => [side, room * this.bold])));
-    // What is metres both ways has one scale.
+    // Two coordinates in metres have the same scale.
     return new View({ min: [x.low, y.low], max: [x.high, y.high] }, width, height, margin, x.unit !== "m" || y.unit !== "m");
   }
 
@@ -64,13 +63,13 @@ export class CSpace extends Pane {
     this.circles = this.axes.map((axis) => circles[axis]);
     const { document } = shown;
     if (this.world.document !== document.world) this.world = { document: document.world, count: this.world.count + 1 };
-    // Of the scene that was there before nothing stays.
+    // Pictures of the previous scenario are dropped.
     if (!this.cells || (this.cells.name === document.name && scenario.dimension > 2 === this.cells.key.includes(" "))) return;
     this.cells.image?.close();
     this.cells = null;
   }
 
-  /** Has the obstacles painted: of two coordinates all, of more those of a slice that follows the robot, where that is wanted. @param {Lane} lane @override */
+  /** Requests a picture of the obstacles: all of two coordinates; of more, a slice through the current configuration if the view shows it. @param {Lane} lane @override */
   refine(lane) {
     const { view, painter } = this;
     if (!view || !painter) return;
@@ -92,12 +91,12 @@ export class CSpace extends Pane {
       document: shown.document, side, slice: pose && { pose: Array.from(pose), axes: this.axes, box: view.box },
       width: Math.round(width * ratio), height: Math.round(height * ratio), palette: /** @type {Palette} */ (this.palette),
     }).then((image) => {
-      // What could not be painted is not asked for again.
+      // After an error it is not requested again.
       if (this.view && this.lane?.shown.document.name === name) this.repaint({ key, name, side: image ? side : Infinity, image });
     }).finally(() => { this.isPainting = false; });
   }
 
-  /** What the picture of the obstacles depends on, and how fine it is to be: at once, and then. @param {Shown} shown @param {ArrayLike<number> | null} pose */
+  /** A key of all that the picture depends on, and its resolutions. @param {Shown} shown @param {ArrayLike<number> | null} pose */
   picture({ rough }, pose) {
     const { width, height } = this.frame();
     const { ratio } = this.layers.ground;
@@ -108,13 +107,13 @@ export class CSpace extends Pane {
     return { key: look, sides: rough ? [CELLS.rough] : [CELLS.rough, fine] };
   }
 
-  /** Is the picture of the obstacles the one that is wanted, and as fine? @override */
+  /** Whether the picture of the obstacles is current and at full resolution. @override */
   get isRefined() {
     const { painter, wanted, cells } = this;
     return !painter || !wanted || (cells?.key === wanted.key && cells.side >= Math.max(...wanted.sides));
   }
 
-  /** The ground with other obstacles. @param {CSpace["cells"]} cells */
+  /** Redraws the ground with a new picture of the obstacles. @param {CSpace["cells"]} cells */
   repaint(cells) {
     this.cells?.image?.close();
     this.cells = cells;

@@ -1,4 +1,4 @@
-/** What a drive adds to the picture: where the car has been, what stopped it, where a control would lead. */
+/** The drawing of driving: the trace of the car, what stopped it, the rollout of a control. */
 import { obstacleName } from "../../domain/names.js";
 import { tracePen } from "../../draw/pen.js";
 import { drawGhost, drawHit, drawLabel, obstacleMiddle } from "../../draw/shapes.js";
@@ -10,7 +10,7 @@ import { Workspace } from "./workspace-pane.js";
 /** @import { View } from "../../draw/view.js" */
 /** @import { Obstacle, Part, ScenarioDocument } from "../../domain/types.js" */
 
-/** Ghosts of a rollout, about. */
+/** Ghosts of a rollout. */
 const GHOSTS = 9;
 
 /** Beneath the robot. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */

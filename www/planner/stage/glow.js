@@ -1,13 +1,13 @@
 /**
- * What was born in the last half second: new vertices and edges glow and settle, refused ones flash and go.
- * Only the newest few are kept, so a burst of growth costs no more than a trickle.
+ * The glow of the last half second: new vertices and edges glow and fade, rejected ones flash. Only the newest few are
+ * stored, so the cost of a frame is bounded.
  */
 
 import { cross, disc } from "../../draw/marks.js";
 
 /** @import { Palette } from "../../app/palette.js" */
 
-/** Milliseconds until a glow has settled. */
+/** Milliseconds until a glow has faded. */
 const LIFE = 520;
 const MOST = { vertex: 140, edge: 70, rejected: 40, discarded: 40, refused: 30 };
 
@@ -21,7 +21,7 @@ export class Glow {
     this.enabled = true;
   }
 
-  /** How many of a kind are worth adding at once. @param {GlowKind} kind */
+  /** Sparks of a kind that may be added at once. @param {GlowKind} kind */
   room(kind) { return this.enabled ? MOST[kind] : 0; }
 
   /** @param {GlowKind} kind @param {number} born @param {Float64Array} points */
@@ -35,7 +35,7 @@ export class Glow {
     for (const list of Object.values(this.sparks)) list.length = 0;
   }
 
-  /** Is anything still glowing? */
+  /** Whether anything still glows. */
   get alive() { return Object.values(this.sparks).some((list) => list.length > 0); }
 
   /** @param {CanvasRenderingContext2D} context @param {Palette} palette @param {number} now */
@@ -88,7 +88,7 @@ export class Glow {
   }
 }
 
-/** 1 when just born, 0 when settled. @param {Spark} spark @param {number} now */
+/** From 1 at birth to 0 when faded. @param {Spark} spark @param {number} now */
 function remaining(spark, now) {
   const age = Math.min(1, Math.max(0, (now - spark.born) / LIFE));
   return (1 - age) * (1 - age);

@@ -1,7 +1,7 @@
 /**
- * Inks the log of a run on a pane's layers, up to the iteration that is shown. Going forward it only adds what is new;
- * going far it begins at the nearest copy that was kept. Each layer is drawn in the order of the log, one mark at a time, so that the picture of an
- * iteration is the same to the pixel, whichever way one came to it.
+ * Draws the log of a run on the layers of a pane, up to the iteration that is shown. Forward it adds what is new; after a
+ * jump it starts from the nearest snapshot. Each layer is drawn in the order of the log, one mark at a time, so that the
+ * picture of an iteration is the same to the pixel however it was reached.
  */
 import { EVENT, PAST } from "../run-log/run-log.js";
 import { Snapshots } from "./snapshots.js";
@@ -12,13 +12,13 @@ import { way } from "../../draw/trace.js";
 /** @import { Pane } from "./pane.js" */
 /** @import { Run } from "../run-log/run-log.js" */
 
-/** Rows inked between two readings of the clock. */
+/** Rows drawn between two readings of the clock. */
 const BATCH = { edges: 16, vertices: 64, events: 64 };
 
-/** Of the newest events so many flash. */
+/** Number of the newest events that flash. */
 const FLASHES = 128;
 
-/** Which layer holds what. */
+/** The layer of each kind of row. */
 const LAYER = /** @type {const} */ ({ edges: "edges", vertices: "vertices", events: "marks" });
 const KINDS = /** @type {(keyof typeof LAYER)[]} */ (Object.keys(LAYER));
 
@@ -28,18 +28,18 @@ export class Growth {
   /** @param {Pane} pane */
   constructor(pane) {
     this.pane = pane;
-    /** What is inked. @type {Counts} */
+    /** Rows drawn. @type {Counts} */
     this.drawn = { vertices: 0, edges: 0, events: 0 };
-    /** What was there before these counts does not glow: it is being redrawn. @type {Counts} */
+    /** Rows below these counts do not glow: they are redrawn. @type {Counts} */
     this.old = { vertices: 0, edges: 0, events: 0 };
-    /** How many removed vertices are left out. */
+    /** Removed vertices that are left out. */
     this.removed = 0;
     this.snapshots = {
       edges: new Snapshots(pane.layers.edges), vertices: new Snapshots(pane.layers.vertices), events: new Snapshots(pane.layers.marks),
     };
   }
 
-  /** Begins anew. @param {Counts} old  what does not glow */
+  /** Starts from empty layers. @param {Counts} old  rows that do not glow */
   restart(old = { vertices: 0, edges: 0, events: 0 }) {
     for (const kind of KINDS) {
       this.snapshots[kind].clear();
@@ -50,7 +50,7 @@ export class Growth {
     this.removed = 0;
   }
 
-  /** How much there is to ink. @returns {Counts} */
+  /** Rows to be drawn. @returns {Counts} */
   get target() { return countsOf(this.pane.lane?.run ?? null); }
 
   get caughtUp() {
@@ -59,11 +59,11 @@ export class Growth {
   }
 
   /**
-   * Inks what is new, until the clock passes `until`; at least one batch of each. A copy of a layer takes a frame of its own, since
-   * the browser draws what it has put off before it copies.
+   * Draws what is new until the clock passes `until`, and at least one batch of each kind. A snapshot takes a frame of its own,
+   * as the browser rasterizes all pending drawing before it copies.
    * @param {number} now @param {number} until @param {number} most  rows at most
    */
-  ink(now, until, most) {
+  draw(now, until, most) {
     const run = this.pane.lane?.run;
     if (!run) return;
     const { target } = this;
@@ -73,16 +73,16 @@ export class Growth {
       this.snapshots[due].copy(this.drawn[due]);
       return;
     }
-    // What is drawn anew without what was removed is drawn at once: half of it would flicker.
+    // A redraw without removed vertices is done in one frame, as half of it would flicker.
     const limit = this.shed(run, target) ? Infinity : until;
     const { edges, vertices } = this.drawn;
     const isRoom = () => limit === Infinity || (performance.now() < until && this.drawn.edges - edges + this.drawn.vertices - vertices < most);
-    do { this.inkEdges(run, target.edges, now); } while (this.drawn.edges < target.edges && isRoom());
-    do { this.inkVertices(run, target.vertices, now); } while (this.drawn.vertices < target.vertices && isRoom());
-    do { this.inkEvents(run, target.events, now); } while (this.drawn.events < target.events && performance.now() < until);
+    do { this.drawEdges(run, target.edges, now); } while (this.drawn.edges < target.edges && isRoom());
+    do { this.drawVertices(run, target.vertices, now); } while (this.drawn.vertices < target.vertices && isRoom());
+    do { this.drawEvents(run, target.events, now); } while (this.drawn.events < target.events && performance.now() < until);
   }
 
-  /** Begins anew where other vertices are removed than those that are left out. @param {Run} run @param {Counts} target @returns {boolean} whether it does */
+  /** Empties the layers if other vertices are removed now. @param {Run} run @param {Counts} target @returns {boolean} whether it did */
   shed(run, target) {
     const removed = run.removedBy(target.events);
     if (removed === this.removed) return false;
@@ -96,21 +96,21 @@ export class Growth {
     return true;
   }
 
-  /** Where more is inked than is to be shown, or a copy is nearer, begins at the copy. @param {Counts} target */
+  /** Restores a snapshot if more is drawn than is shown, or if the snapshot is nearer. @param {Counts} target */
   leap(target) {
-    const { drawn, snapshots: copies } = this;
+    const { drawn, snapshots } = this;
     if (KINDS.some((kind) => drawn[kind] > target[kind])) {
       this.pane.glow.clear();
       this.old = target;
     }
     for (const kind of KINDS) {
-      const count = copies[kind].best(target[kind])?.count ?? 0;
-      if (drawn[kind] > target[kind] || count > drawn[kind]) drawn[kind] = copies[kind].restore(target[kind]);
+      const count = snapshots[kind].best(target[kind])?.count ?? 0;
+      if (drawn[kind] > target[kind] || count > drawn[kind]) drawn[kind] = snapshots[kind].restore(target[kind]);
     }
   }
 
   /** @param {Run} run @param {number} target @param {number} now */
-  inkEdges(run, target, now) {
+  drawEdges(run, target, now) {
     const first = this.drawn.edges;
     const end = Math.min(target, first + BATCH.edges);
     if (end === first) return;
@@ -135,7 +135,7 @@ export class Growth {
     for (let e = glowing; e < end; e++) pane.glow.add("edge", now, points.slice(2 * firsts[e - first], 2 * firsts[e - first + 1]));
   }
 
-  /** Edges as lines on the pane, those that are not straight piece by piece. @param {Run} run @param {number} first @param {number} end @returns {import("./pane.js").Lines} */
+  /** Edges as lines in pixels; curved edges as several segments. @param {Run} run @param {number} first @param {number} end @returns {import("./pane.js").Lines} */
   linesOf(run, first, end) {
     const n = run.dimension;
     if (run.traces.count === 0) {
@@ -159,7 +159,7 @@ export class Growth {
   }
 
   /** @param {Run} run @param {number} target @param {number} now */
-  inkVertices(run, target, now) {
+  drawVertices(run, target, now) {
     const first = this.drawn.vertices;
     const end = Math.min(target, first + BATCH.vertices);
     if (end === first) return;
@@ -168,7 +168,7 @@ export class Growth {
     const { context } = pane.layers.vertices;
     const radius = (run.isTree ? 1.8 : 1.5) * pane.fineness;
     const { events } = this.target;
-    // The marks of start and goal stand for the roots.
+    // The roots have the marks of start and goal.
     for (let v = Math.max(first, run.roots); v < end; v++) {
       if (this.removed > 0 && !run.isThere(v, events)) continue;
       context.fillStyle = pane.sideColour(run.sides.data[v]);
@@ -180,11 +180,11 @@ export class Growth {
   }
 
   /**
-   * Vertices that the search has expanded stand out, guards stand in a ring; samples that were refused are crosses, motions
-   * that were refused broken lines up to where they hit: these stay where the reader wants them to, and flash anyway.
+   * Vertices expanded by the search are dots, guards are rings, rejected samples are crosses, rejected motions are dashed lines
+   * up to the collision. Rejected ones flash, and stay if the view shows them.
    * @param {Run} run @param {number} target @param {number} now
    */
-  inkEvents(run, target, now) {
+  drawEvents(run, target, now) {
     const first = this.drawn.events;
     const end = Math.min(target, first + BATCH.events);
     if (end === first) return;
@@ -234,8 +234,8 @@ export class Growth {
     this.drawn.events = end;
   }
 
-  /** What the shown iteration did, above all else: so it can be looked at as long as the run waits. @param {CanvasRenderingContext2D} context */
-  inkLatest(context) {
+  /** Draws what the shown iteration did, while the run is paused. @param {CanvasRenderingContext2D} context */
+  drawLatest(context) {
     const { pane } = this;
     const run = pane.lane?.run;
     const { palette } = pane;
@@ -269,7 +269,7 @@ export class Growth {
     context.restore();
   }
 
-  /** Where events are: their vertex, or the configuration that they are about. @param {Run} run @param {number} first @param {number} end */
+  /** The configurations of events: their vertex, or the configuration of the event itself. @param {Run} run @param {number} first @param {number} end */
   placesOf(run, first, end) {
     const n = run.dimension;
     const { data, width } = run.events;
@@ -285,7 +285,7 @@ export class Growth {
     return rows;
   }
 
-  /** Lines of refused motions, from their vertex to where they hit, by the event's number. @param {Run} run @param {number} first @param {number} end @param {number} least  older events are left out */
+  /** Lines of rejected motions, from their vertex to the collision, by the number of the event. @param {Run} run @param {number} first @param {number} end @param {number} least  older events are left out */
   refusedLines(run, first, end, least) {
     const n = run.dimension;
     const { data, width } = run.events;
@@ -308,14 +308,14 @@ export class Growth {
   }
 }
 
-/** What a run shows at its iteration. @param {Run | null} run @returns {Counts} */
+/** The counts of a run at the iteration shown. @param {Run | null} run @returns {Counts} */
 export function countsOf(run) {
   if (!run) return { vertices: 0, edges: 0, events: 0 };
   const { past } = run;
   return { vertices: past[PAST.vertices], edges: past[PAST.edges], events: past[PAST.events] };
 }
 
-/** Motions cut off at fractions of themselves, in place. @param {Float64Array} ends @param {number} n @param {Float64Array} parts @param {boolean[]} circles */
+/** Shortens motions to fractions of themselves, in place. @param {Float64Array} ends @param {number} n @param {Float64Array} parts @param {boolean[]} circles */
 function shortened(ends, n, parts, circles) {
   for (let m = 0; m < parts.length; m++) {
     for (let j = 0; j < n; j++) {

@@ -1,4 +1,4 @@
-/** Configurations of the reader's own, on the ground: a disc where the robot is free, a cross where it touches something. */
+/** Configurations from a file, on the ground: discs where they are free, crosses in collision. */
 import { cross, disc } from "../../draw/marks.js";
 
 /** @import { Lane } from "../lane.js" */
@@ -7,7 +7,7 @@ import { cross, disc } from "../../draw/marks.js";
 
 /** @typedef {{ rows: Float64Array, free: Uint8Array }} Marked   rows of configurations; 1 for each that is free */
 
-/** Radius of a disc and half the width of a cross on a middling sheet, CSS pixels. */
+/** Radius of a disc and half the width of a cross on a pane of medium size, CSS pixels. */
 const RADIUS = 2.4;
 
 /** @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */

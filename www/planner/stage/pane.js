@@ -1,6 +1,6 @@
 /**
- * A pane draws one picture of a lane on its layers. Workspace and configuration space differ in their ground and in how a
- * configuration and a motion become pixels.
+ * A pane draws a lane on its layers. Workspace and configuration space differ in their ground and in how configurations and
+ * motions become pixels.
  */
 import { SIDE } from "../run-log/run-log.js";
 import { Glow } from "./glow.js";
@@ -35,12 +35,12 @@ export class Pane {
     this.palette = null;
     /** @type {View | null} */
     this.view = null;
-    /** Of the sheet, CSS pixels. */
+    /** Size, CSS pixels. */
     this.width = 0;
     this.height = 0;
-    /** How fine dots and lines are: 1 on a middling sheet, less on a small one. */
+    /** Scale of dots and lines: 1 on a pane of medium size, less on a small one. */
     this.fineness = 1;
-    /** How much thicker the strong lines are than usual. */
+    /** Scale of strong lines, for projectors. */
     this.bold = 1;
     /** @type {CanvasPattern | null} */
     this.hatchOnPart = null;
@@ -56,9 +56,9 @@ export class Pane {
     this.found = null;
   }
 
-  // What a kind of pane must say of itself.
+  // To be overridden by each kind of pane.
 
-  /** Can it show this? @param {Lane} _lane */
+  /** Whether it can show a lane. @param {Lane} _lane */
   fits(_lane) { return true; }
   /** @param {Lane} _lane @param {number} _width @param {number} _height @returns {View} */
   makeView(_lane, _width, _height) { throw new Error("a pane must make its view"); }
@@ -66,20 +66,20 @@ export class Pane {
   drawGround(_context, _lane) {}
   /** Configurations to pixels. @param {Float64Array} _rows @returns {Float64Array} */
   pixels(_rows) { throw new Error("a pane must place configurations"); }
-  /** Motions to lines in pixels. @param {Float64Array} _ends  rows of from, to @param {boolean[]} [_circles]  coordinates whose motions go the short way round @returns {Lines} */
+  /** Motions to lines in pixels. @param {Float64Array} _ends  rows of from, to @param {boolean[]} [_circles]  coordinates whose motions take the shorter way round @returns {Lines} */
   lines(_ends, _circles) { throw new Error("a pane must trace motions"); }
-  /** Called before anything is drawn of another scenario. @param {Lane} _lane */
+  /** Prepares for another scenario. @param {Lane} _lane */
   survey(_lane) {}
   /** The robot, above everything else. @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
   drawRobot(_context, _lane) {}
-  /** Sees to what the ground still lacks. @param {Lane} _lane */
+  /** Requests what the ground still lacks. @param {Lane} _lane */
   refine(_lane) {}
-  /** Is the ground complete? */
+  /** Whether the ground is complete. */
   get isRefined() { return true; }
-  /** Snapshots what crosses the border of the picture inside. @param {CanvasRenderingContext2D} _context */
+  /** Clips to the border of the picture. @param {CanvasRenderingContext2D} _context */
   clip(_context) {}
 
-  /** Fits the layers to the sheet and draws all anew. @param {Lane} lane @param {Look} look */
+  /** Fits the layers to the size of the pane and redraws everything. @param {Lane} lane @param {Look} look */
   layout(lane, { palette, ratio, bold }) {
     this.lane = lane;
     this.palette = palette;
@@ -99,7 +99,7 @@ export class Pane {
     this.growth.restart(countsOf(lane.run));
   }
 
-  /** The world changes beneath the reader's hand: another ground, on the same view. @param {Lane} lane */
+  /** Redraws the ground with the same view while the world is edited. @param {Lane} lane */
   refresh(lane) {
     this.lane = lane;
     this.layers.ground.clear();
@@ -114,13 +114,13 @@ export class Pane {
     this.growth.restart();
   }
 
-  /** What was made for another layout or run. */
+  /** Drops what was computed for another layout or run. */
   forget() {
     this.glow.clear();
     this.pathLines = this.rawLines = this.flashes = this.found = null;
   }
 
-  /** Where vertices are; none while there is no run or no room. @returns {VertexIndex | null} */
+  /** The index of vertices in pixels; null without a run or a view. @returns {VertexIndex | null} */
   get places() {
     const run = this.lane?.run;
     if (!run || !this.view) return null;
@@ -128,12 +128,12 @@ export class Pane {
     return this.found;
   }
 
-  /** Has everything that is shown been inked? */
+  /** Whether everything that is shown has been drawn. */
   get caughtUp() { return !this.view || this.growth.caughtUp; }
 
   /** @param {number} now @param {number} until @param {number} [most]  rows at most */
   grow(now, until, most = Infinity) {
-    if (this.view && this.palette) this.growth.ink(now, until, most);
+    if (this.view && this.palette) this.growth.draw(now, until, most);
   }
 
   /** @param {number} side */
@@ -154,7 +154,7 @@ export class Pane {
     this.drawWaiting(context, lane, palette);
     this.glow.draw(context, palette, now);
     if (lane.run?.pieces) this.drawPieces(context, lane.run, palette);
-    if (lane.still) this.growth.inkLatest(context);
+    if (lane.still) this.growth.drawLatest(context);
     if (lane.playback) this.drawPath(context, lane.playback, palette);
     context.restore();
     this.drawEnds(context, lane, palette);
@@ -166,7 +166,7 @@ export class Pane {
     lane.shown.overlay?.draw(this, context, lane);
   }
 
-  /** Of a roadmap without a path: what hangs together with the start, and with the goal. @param {CanvasRenderingContext2D} context @param {Run} run @param {Palette} palette */
+  /** In a roadmap without a path: the connected components of start and goal. @param {CanvasRenderingContext2D} context @param {Run} run @param {Palette} palette */
   drawPieces(context, { pieces }, palette) {
     const { places } = this;
     if (!pieces || !places) return;
@@ -177,7 +177,7 @@ export class Pane {
     }
   }
 
-  /** The vertices that wait for the search, each in a small ring. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette */
+  /** The vertices in the open list of the search, as small rings. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette */
   drawWaiting(context, { run }, palette) {
     const { places } = this;
     if (!run || !places || run.frontier.count === 0) return;
@@ -194,7 +194,7 @@ export class Pane {
     context.stroke();
   }
 
-  /** What is pointed at: a ring about it. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette */
+  /** A ring around the configuration under the pointer. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette */
   drawHover(context, { pose, check }, palette) {
     const [x, y] = this.pixels(pose);
     for (const [width, colour] of /** @type {[number, string][]} */ ([[4.6, palette.stage], [1.8, check.free ? palette.ink : palette.collision]])) {
@@ -204,7 +204,7 @@ export class Pane {
     }
   }
 
-  /** The robot's poses along the path, where they are to be seen. @param {PathPlayback} playback @returns {Strobe | null} */
+  /** Configurations along the path, if the view shows them. @param {PathPlayback} playback @returns {Strobe | null} */
   strobe(playback) {
     const { strobe, poses } = /** @type {Lane} */ (this.lane).shown.view;
     if (!strobe) return null;
@@ -212,7 +212,7 @@ export class Pane {
     return this.flashes;
   }
 
-  /** The path as it was found, a thin line. @param {CanvasRenderingContext2D} context @param {PathPlayback} playback */
+  /** The path before shortcutting, a thin line. @param {CanvasRenderingContext2D} context @param {PathPlayback} playback */
   drawRaw(context, { raw, scenario }) {
     if (!raw) return;
     if (this.rawLines?.raw !== raw) {
@@ -249,7 +249,7 @@ export class Pane {
     context.save();
     context.lineCap = "round";
     context.lineJoin = "round";
-    // Without a proof the line is hollow, and broken where it misses the goal: colour is not all that tells.
+    // A path that is not proven is hollow, and dashed if it misses the goal: colour is not the only sign.
     const colour = this.pathColour(playback);
     /** @type {[number, string, number][]} */
     const strokes = [[8 * this.bold, palette.stage, 0.75], [(playback.isProven ? 3.4 : 5) * this.bold, colour, 1]];

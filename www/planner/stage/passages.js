@@ -1,13 +1,13 @@
-/** Where edges pass that are no straight lines: points along them, as close as a pointer needs them. */
+/** An index of curved edges: points along them, close enough for a pointer. */
 import { NEAR, VertexIndex } from "./vertex-index.js";
 
-/** Points a pointer's reach. */
+/** Points within the reach of a pointer. */
 const CLOSE = 3;
 
 export class Passages extends VertexIndex {
-  /** Rows of traces that are taken in. */
+  /** Rows of traces in the index. */
   rows = 0;
-  /** Of each point the row that it lies before, and how far on the way to it from the one before. @type {{ row: number, part: number }[]} */
+  /** For each point the row after it, and its fraction of the way from the row before. @type {{ row: number, part: number }[]} */
   places = [];
 
   /** @override */
@@ -16,7 +16,7 @@ export class Passages extends VertexIndex {
     if (rows === traces.count) return;
     const { data, width, count } = traces;
     const fresh = pane.pixels(traces.slice(rows, count).filter((_, i) => i % width >= width - dimension));
-    // Edges come whole: the row before a new one, if it is of the same edge, is new too.
+    // Edges arrive whole: if the row before is of the same edge, it is new too.
     for (let row = rows; row < count; row++) {
       const at = 2 * (row - rows);
       const [x, y] = [fresh[at], fresh[at + 1]];
@@ -32,7 +32,7 @@ export class Passages extends VertexIndex {
     this.rows = count;
   }
 
-  /** The edge nearest to a point, of the first ones, and the configuration there; null where none is near. @param {number} x @param {number} y @param {number} edges @param {(edge: number) => boolean} counts */
+  /** The nearest edge within reach, of the first `edges`, and the configuration there; null: none. @param {number} x @param {number} y @param {number} edges @param {(edge: number) => boolean} counts */
   find(x, y, edges, counts) {
     const { run: { traces, scenario }, places } = this;
     const { data, width } = traces;

@@ -1,6 +1,6 @@
 /**
- * What a body or a car has and other robots have not: which way it looks, wheels, a region about its goal, a way to be taken
- * and turned by hand, and motions that are arcs. Loaded when the first of them comes on the stage.
+ * Bodies and cars: orientation marks, wheels, goal regions, dragging and turning by hand, and motions that are arcs. Loaded with
+ * the first of them.
  */
 import { distanceToSegment } from "../../draw/trace.js";
 import { contained, coordinatesOf, wrap } from "../../domain/coordinates.js";
@@ -16,13 +16,13 @@ import { contains, obstaclePath } from "../../draw/shapes.js";
 /** @typedef {number[] | Float64Array} Motion   speed, steering angle, seconds */
 /** @typedef {Extract<ScenarioDocument["robot"], { type: "rigid_body" | "car" }>} PlacedRobot */
 
-/** Of a wheel, in parts of the wheelbase. */
+/** Size of a wheel, in parts of the wheelbase. */
 const WHEEL = { length: 0.3, width: 0.1 };
-/** How far before the body its handle stands, and how near a pointer must come to it, CSS pixels. */
+/** Distance of the handle from the body, and the reach of a pointer to it, CSS pixels. */
 const HANDLE = { beyond: 14, reach: 16 };
-/** How near to a body a pointer must be to hold it, CSS pixels. */
+/** Reach of a pointer to a body, CSS pixels. */
 const REACH = 18;
-/** Outlines that a swept area is made of at most. */
+/** Most outlines of a swept area. */
 const OUTLINES = 160;
 
 export class Placed {
@@ -30,7 +30,7 @@ export class Placed {
   constructor(robot) {
     this.robot = robot;
     const { vertices } = robot.shape;
-    /** How far the shape reaches before and beside its origin, metres. */
+    /** How far the shape extends in front of its origin, metres. */
     this.front = Math.max(...vertices.map(([x]) => x));
     /**
      * Where the front axle is drawn, metres before the rear one: at the wheelbase, or within a body that ends before it. There the
@@ -40,15 +40,15 @@ export class Placed {
     this.front = Math.max(this.front, this.axle * (1 + WHEEL.length / 2));
     this.half = Math.max(...vertices.map(([, y]) => Math.abs(y)));
     this.reach = Math.max(...vertices.map(([x, y]) => Math.hypot(x, y)));
-    /** By how much the pointer was off when it took hold; a turn where it is one number. @type {number | [number, number] | null} */
+    /** Offset of the pointer when it took hold; a rotation if it is one number. @type {number | [number, number] | null} */
     this.held = null;
-    /** The swept area that was drawn last. @type {{ edge: number, run: Run, parts: Part[][] } | null} */
+    /** The last swept area. @type {{ edge: number, run: Run, parts: Part[][] } | null} */
     this.swept = null;
   }
 
-  // What is drawn.
+  // Drawing.
 
-  /** Which way a body looks; of a car the axles and its wheels, the front ones turned. @param {CanvasRenderingContext2D} context @param {View} view @param {ArrayLike<number>} pose @param {number} steering  radians @param {string} colour @param {string} [outline]  of what stands out of the body */
+  /** An arrow for the orientation of a body; axles and wheels of a car. @param {CanvasRenderingContext2D} context @param {View} view @param {ArrayLike<number>} pose @param {number} steering  radians @param {string} colour @param {string} [outline]  of what extends beyond the body */
   drawMarks(context, view, pose, steering, colour, outline = colour) {
     const { robot } = this;
     context.save();
@@ -101,7 +101,7 @@ export class Placed {
     context.restore();
   }
 
-  /** Where a goal is near enough: a circle, and the directions between which it may look. @param {CanvasRenderingContext2D} context @param {View} view @param {Configuration} goal @param {Shown} shown @param {string} colour */
+  /** The goal region: a circle of positions, and the range of orientations. @param {CanvasRenderingContext2D} context @param {View} view @param {Configuration} goal @param {Shown} shown @param {string} colour */
   drawRegion(context, view, goal, { document, query }, colour) {
     const tolerance = document.queries.find(({ name }) => name === query)?.goal_tolerance;
     if (!tolerance) return;
@@ -130,7 +130,7 @@ export class Placed {
     context.restore();
   }
 
-  /** All that the robot passes over along an edge. @param {Workspace} pane @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette */
+  /** The area that the robot sweeps along an edge. @param {Workspace} pane @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette */
   drawSwept(pane, context, { lane: { run, scenario }, edge = -1 }, palette) {
     const view = /** @type {View} */ (pane.view);
     if (!run || edge < 0) return;
@@ -138,7 +138,7 @@ export class Placed {
       const rows = run.along(edge);
       const n = run.dimension;
       const count = rows.length / n;
-      // Between the rows it is a straight step: poses as close as the outline needs them.
+      // Poses between two rows are interpolated, as close as the outline needs them.
       const pieces = Math.max(1, Math.floor(OUTLINES / Math.max(1, count - 1)));
       /** @type {Part[][]} */
       const parts = [];
@@ -218,7 +218,7 @@ export class Placed {
     context.restore();
   }
 
-  /** Takes hold of the robot: before it to turn it, else to move it. @param {Pane} pane @param {number} px @param {number} py @returns {Float64Array | null} */
+  /** Takes hold of the robot: by its handle to turn it, else to move it. @param {Pane} pane @param {number} px @param {number} py @returns {Float64Array | null} */
   take(pane, px, py) {
     const { lane, view } = pane;
     this.held = null;
@@ -254,7 +254,7 @@ export class Placed {
 
   // Motions.
 
-  /** Where a motion leads: exact arcs, as the core has them. @param {ArrayLike<number>} from @param {Motion} motion @param {number} part  of its time @returns {Float64Array} */
+  /** The pose after part of a motion: an exact arc, as in the core. @param {ArrayLike<number>} from @param {Motion} motion @param {number} part  of its time @returns {Float64Array} */
   after(from, [v, phi, seconds], part) {
     const length = this.robot.type === "car" ? this.robot.wheelbase : 1;
     const time = seconds * part;
@@ -264,7 +264,7 @@ export class Placed {
     return Float64Array.of(from[0] + chord * Math.cos(from[2] + half), from[1] + chord * Math.sin(from[2] + half), wrap(from[2] + turn));
   }
 
-  /** What a driver does along an edge, in words. @param {Float64Array} motions  rows of speed, steering angle, seconds */
+  /** The controls along an edge, in words. @param {Float64Array} motions  rows of speed, steering angle, seconds */
   motionsText(motions) {
     const number = (/** @type {number} */ value, /** @type {number} */ digits) => value.toFixed(digits).replace("-", "\u2212");
     /** @type {string[]} */
@@ -276,7 +276,7 @@ export class Placed {
     return `${words.length > 1 ? "Controls" : "Control"}: ${words.join("; then ")}.`;
   }
 
-  /** How long a motion is in the metric. @param {Motion} motion */
+  /** Length of a motion in the metric. @param {Motion} motion */
   lengthOf([v, phi, seconds]) {
     const { translation, rotation } = this.robot.metric ?? { translation: 0.7, rotation: 0.3 };
     const length = this.robot.type === "car" ? this.robot.wheelbase : 1;

@@ -1,13 +1,13 @@
 /**
- * Copies of a growing layer, taken now and then, so that going to another time inks from the nearest copy and not from
- * nothing. Few are kept, by their bytes; when there are too many every other one goes and they are taken half as often.
+ * Copies of a growing layer, so that a jump in time starts from the nearest copy and not from an empty layer. Their number is
+ * limited by their bytes: when there are too many, every other one is dropped and they are taken half as often.
  */
 
 /** @import { Layer } from "../../draw/layer.js" */
 
 /** Marks between two copies at first. */
 const SPACING = 512;
-/** Bytes of one layer's copies, and how many there may be. */
+/** Bytes of the copies of one layer, and their number. */
 const BYTES = 8e6;
 const COPIES = { least: 2, most: 8 };
 
@@ -18,21 +18,21 @@ export class Snapshots {
     /** @type {{ count: number, canvas: OffscreenCanvas }[]} */
     this.copies = [];
     this.spacing = SPACING;
-    /** Canvases of copies that were dropped: new ones of this size would have the browser collect garbage often. @type {OffscreenCanvas[]} */
+    /** Canvases of dropped copies, to be used again: garbage of this size makes the browser collect it often. @type {OffscreenCanvas[]} */
     this.spare = [];
   }
 
-  /** Forgets all copies. */
+  /** Drops all copies. */
   clear() {
     this.spacing = SPACING;
     this.spare.push(...this.copies.map(({ canvas }) => canvas));
     this.copies = [];
   }
 
-  /** Is it time for a copy, when the layer holds so many marks? @param {number} count */
+  /** Whether to copy a layer of so many marks. @param {number} count */
   isDue(count) { return count >= (this.copies.at(-1)?.count ?? 0) + this.spacing; }
 
-  /** Copies the layer, which holds its first `count` marks. @param {number} count */
+  /** Copies the layer. @param {number} count   marks that it holds */
   copy(count) {
     const { copies, layer } = this;
     const { width, height } = layer.canvas;
@@ -50,10 +50,10 @@ export class Snapshots {
     this.spacing *= 2;
   }
 
-  /** The copy nearest to a time, of those with at most `count` marks. @param {number} count */
+  /** The latest copy with at most `count` marks. @param {number} count */
   best(count) { return this.copies.findLast((copy) => copy.count <= count); }
 
-  /** Puts that copy back, or nothing. @param {number} count @returns {number} how many marks the layer holds now */
+  /** Restores that copy, or an empty layer. @param {number} count @returns {number} marks that the layer holds now */
   restore(count) {
     const copy = this.best(count);
     this.layer.paste(copy?.canvas ?? null);

@@ -1,6 +1,6 @@
 /**
- * The stage holds the panes: which there are, whose lane each shows, how large it is, in which colours. It draws a frame at a
- * time, a bounded slice of growth and the light top.
+ * The panes of the planner's page: the lane of each, its size and colours. It draws one frame at a time: a bounded slice of
+ * growth, and the top.
  */
 import { CSpace } from "./cspace-pane.js";
 import { Workspace } from "./workspace-pane.js";
@@ -12,7 +12,7 @@ import { Workspace } from "./workspace-pane.js";
 /** @import { Pane } from "./pane.js" */
 /** @typedef {{ id: string, kind: PaneKind, lane: number, pane: Pane }} Place */
 
-/** Rows inked in a frame that plays: at first, at least and at most. */
+/** Rows drawn in a frame while it plays: at first, at least and at most. */
 const RATION = { first: 240, least: 48, most: 960 };
 /** A frame is short below so many milliseconds, and long above. */
 const GAP = { short: 20, long: 34 };
@@ -20,7 +20,7 @@ const GAP = { short: 20, long: 34 };
 export const KINDS = { workspace: Workspace, cspace: CSpace };
 
 export class Stage {
-  /** @param {Painter} painter @param {() => void} wake   has a frame drawn */
+  /** @param {Painter} painter @param {() => void} wake   requests a frame */
   constructor(painter, wake) {
     this.painter = painter;
     this.wake = wake;
@@ -28,11 +28,11 @@ export class Stage {
     this.places = new Map();
     /** @type {Look | null} */
     this.look = null;
-    /** Panes that are to be drawn anew before the next frame. @type {Set<string>} */
+    /** Panes to be laid out in the next frame. @type {Set<string>} */
     this.stale = new Set();
-    /** Rows that may be inked in a frame; did the last one ink any, and when was it? */
+    /** Rows that may be drawn in a frame; whether the last one drew any, and its time. */
     this.ration = RATION.first;
-    this.isInking = false;
+    this.isBehind = false;
     this.last = 0;
     this.turn = 0;
   }
@@ -61,14 +61,14 @@ export class Stage {
     this.wake();
   }
 
-  /** Colours and pixels. @param {Look} look */
+  /** Sets colours and pixel ratio. @param {Look} look */
   setTheme(look) {
     this.look = look;
     for (const { pane } of this.places.values()) pane.glow.enabled = !look.calm;
     this.invalidate();
   }
 
-  /** Everything is to be drawn anew before the next frame. */
+  /** Lays out all panes in the next frame. */
   invalidate() {
     for (const id of this.places.keys()) this.stale.add(id);
   }
@@ -81,12 +81,12 @@ export class Stage {
     }
   }
 
-  /** How many rows this frame may ink: fewer after a long frame, more after a short one. @param {number} now */
+  /** Rows that this frame may draw: fewer after a long frame, more after a short one. @param {number} now */
   share(now) {
     const gap = now - this.last;
     this.last = now;
-    if (this.isInking && gap > GAP.long) this.ration = Math.max(RATION.least, 0.75 * this.ration);
-    else if (this.isInking && gap < GAP.short) this.ration = Math.min(RATION.most, 1.1 * this.ration);
+    if (this.isBehind && gap > GAP.long) this.ration = Math.max(RATION.least, 0.75 * this.ration);
+    else if (this.isBehind && gap < GAP.short) this.ration = Math.min(RATION.most, 1.1 * this.ration);
     return this.ration;
   }
 
@@ -95,19 +95,19 @@ export class Stage {
 
   get panes() { return [...this.places.values()].map(({ pane }) => pane); }
 
-  /** Is there something that is not inked yet, or a glow that has not settled? */
+  /** Whether something remains to be drawn, or still glows. */
   get busy() { return this.stale.size > 0 || this.panes.some((pane) => !pane.caughtUp || !pane.isRefined || pane.glow.alive); }
 
-  /** Has everything that is shown been inked? */
+  /** Whether everything that is shown has been drawn. */
   get caughtUp() { return this.stale.size === 0 && this.panes.every((pane) => pane.caughtUp); }
 
-  /** Are all grounds complete? */
+  /** Whether all grounds are complete. */
   get isRefined() { return this.panes.every((pane) => pane.isRefined); }
 
   /**
-   * Draws one frame. While it plays the rows inked in a frame are rationed by how long frames take: scripts only record what the
-   * browser draws afterwards.
-   * @param {Lane[]} lanes @param {number} now @param {number} until  when to stop inking, on the clock of performance.now()
+   * Draws one frame. While it plays, the rows drawn are limited by the time that frames take: a script only records drawing
+   * that the browser rasterizes later.
+   * @param {Lane[]} lanes @param {number} now @param {number} until  end of drawing growth, on the clock of performance.now()
    * @param {boolean} isPlaying
    */
   frame(lanes, now, until, isPlaying) {
@@ -123,8 +123,8 @@ export class Stage {
     for (const pane of panes) if (pane.lane) pane.refine(pane.lane);
     const most = isPlaying ? this.share(now) : Infinity;
     const behind = panes.filter((pane) => !pane.caughtUp);
-    this.isInking = behind.length > 0;
-    // Where frames are long, the panes take turns.
+    this.isBehind = behind.length > 0;
+    // When frames are long, panes are drawn in turn.
     const drawn = most < RATION.first && behind.length > 1 ? [behind[this.turn++ % behind.length]] : panes;
     drawn.forEach((pane, i) => pane.grow(now, began + ((until - began) * (i + 1)) / drawn.length, most / drawn.length));
     for (const pane of drawn) pane.drawTop(now);

@@ -1,6 +1,6 @@
 /**
- * The stroboscope: the robot at equal distances along its path. Time shows in the colour, from that of the start to that of
- * the goal, and in the weight of the line, from thin to bold, so that colour does not speak alone.
+ * Configurations at equal distances along the path. Time shows in the colour, from start to goal, and in the width of the
+ * line, so that colour is not the only sign.
  */
 import { disc } from "../../draw/marks.js";
 
@@ -24,10 +24,10 @@ export class Strobe {
     });
   }
 
-  /** Those that the path has come to. */
+  /** Those on the part of the path that is drawn. */
   get seen() { return this.flashes.filter(({ part }) => part <= this.playback.drawn); }
 
-  /** A dot for each pose, small ones first. @param {CanvasRenderingContext2D} context @param {string} ground */
+  /** A dot for each configuration, growing along the path. @param {CanvasRenderingContext2D} context @param {string} ground */
   draw(context, ground) {
     for (const { part, x, y, colour } of this.seen) {
       context.fillStyle = ground;

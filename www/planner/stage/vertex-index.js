@@ -1,13 +1,12 @@
 /**
- * Where the vertices of a run are on a pane, in CSS pixels, and which of them is nearest to a point: a grid of cells as wide
- * as the reach of a pointer, so that nine cells are looked through. Made when it is first asked for, then only added to; a
- * new layout or a new run makes it anew.
+ * The vertices of a run in CSS pixels of a pane, and the nearest of them to a point: a grid with cells as wide as the reach of
+ * a pointer, so that a query visits nine cells. Vertices are only added; a new layout or run makes a new index.
  */
 
 /** @import { Pane } from "./pane.js" */
 /** @import { Run } from "../run-log/run-log.js" */
 
-/** How near to a vertex a pointer must be, CSS pixels. */
+/** Reach of a pointer, CSS pixels. */
 export const NEAR = 12;
 
 export class VertexIndex {
@@ -21,7 +20,7 @@ export class VertexIndex {
     this.cells = new Map();
   }
 
-  /** Takes in the vertices that are new. */
+  /** Adds new vertices. */
   follow() {
     const { points, run } = this;
     const first = points.length / 2;
@@ -30,7 +29,7 @@ export class VertexIndex {
     for (let i = 0; i < fresh.length; i += 2) this.put(fresh[i], fresh[i + 1]);
   }
 
-  /** One more point. @param {number} x @param {number} y */
+  /** Adds a point. @param {number} x @param {number} y */
   put(x, y) {
     const { points, cells } = this;
     const key = keyOf(x, y);
@@ -40,7 +39,7 @@ export class VertexIndex {
     points.push(x, y);
   }
 
-  /** The point nearest to another of the pane, of the first `count`; the older one of two at the same place; -1 where none is near. @param {number} x @param {number} y @param {number} count @param {(point: number) => boolean} [counts]  those that count */
+  /** The nearest of the first `count` points within reach, the older of two at the same distance; -1: none. @param {number} x @param {number} y @param {number} count @param {(point: number) => boolean} [counts]  filter */
   nearest(x, y, count, counts = () => true) {
     this.follow();
     let best = -1;

@@ -1,4 +1,4 @@
-/** The workspace: the world as it is, the robot in it, and the end-effector's image of every vertex and edge. */
+/** The workspace: obstacles, the robot, and the positions of its end effector at every vertex and along every edge. */
 import { drawBase, drawBounds, drawReach, drawScale } from "../../draw/ground.js";
 import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
@@ -43,7 +43,7 @@ export class Workspace extends Pane {
     return { points: this.place(points), firsts };
   }
 
-  /** Points of the plane to pixels, in place. @param {Float64Array} points */
+  /** Converts points of the plane to pixels, in place. @param {Float64Array} points */
   place(points) {
     const view = /** @type {View} */ (this.view);
     for (let i = 0; i < points.length; i += 2) {
@@ -107,7 +107,7 @@ export class Workspace extends Pane {
     lane.shown.placed?.drawMarks(context, view, pose, lane.steering, palette["robot-edge"], palette.robot);
   }
 
-  /** The robot at what is pointed at, fine. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette @override */
+  /** The robot at the configuration under the pointer, in thin lines. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette @override */
   drawHover(context, hover, palette) {
     const { view } = this;
     if (!view) return;
@@ -120,7 +120,7 @@ export class Workspace extends Pane {
     super.drawHover(context, hover, palette);
   }
 
-  /** A robot and what it touches. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Part[]} parts @param {Check["touching"]} touching @param {() => void} draw  the robot */
+  /** Draws a robot and the obstacles that it touches. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Part[]} parts @param {Check["touching"]} touching @param {() => void} draw  the robot */
   drawTouching(context, { shown: { scenario, document: { world } } }, parts, touching, draw) {
     const brush = this.brush(context);
     if (brush) drawTouching(brush, { scenario, world, parts, touching }, draw);

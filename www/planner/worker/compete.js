@@ -1,20 +1,20 @@
 /**
- * Several planners side by side, each given as much of the same work as the others: whoever has done least goes next. So a
- * frame that is too short for all stops with all of them nearly level, whatever their iterations cost.
+ * Steps several planners with equal work: the one that has done least is stepped next. So a block that ends early leaves them
+ * nearly level, whatever their iterations cost.
  */
 
 /** @import { Stepper } from "./stepper.js" */
 
-/** How far ahead of the next one a planner may plan before it is that one's turn; what is ahead is not shown. */
+/** How far a planner may get ahead of the next one; what is ahead is not shown. */
 const LEAD = 1000;
 
 /**
- * Plans until every run has passed a time or ended, or the frame is full.
+ * Plans until every run has passed a time or ended, or the block is full.
  * @param {Stepper[]} runs
- * @param {number} column  of the history: the clock that all go by
+ * @param {number} column  of the history: the clock of all runs
  * @param {number} wanted  may be Infinity
  * @param {number} until   on the clock of performance.now(), milliseconds
- * @returns {boolean} whether all have come that far
+ * @returns {boolean} whether all have reached that time or ended
  */
 export function compete(runs, column, wanted, until) {
   const bursts = new Map(runs.map((run) => [run, run.burst()]));

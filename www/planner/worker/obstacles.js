@@ -1,4 +1,4 @@
-/** A picture of the obstacles in a square of two coordinates, made in the worker. */
+/** A picture of the obstacles of a configuration space, made in the worker. */
 import { paint, soften } from "../../draw/mask.js";
 
 /** @import { Box, Scenario, ScenarioDocument } from "../../domain/types.js" */
@@ -8,7 +8,7 @@ import { paint, soften } from "../../draw/mask.js";
  * @typedef {object} Painting
  * @property {ScenarioDocument} document
  * @property {number} side      cells a side
- * @property {{ pose: number[], axes: [number, number], box: Box } | null} slice   of more than two coordinates: the others are held as in the pose
+ * @property {{ pose: number[], axes: [number, number], box: Box } | null} slice   with more than two coordinates: the others are those of the pose
  * @property {number} width     device pixels
  * @property {number} height
  * @property {Palette} palette

@@ -1,13 +1,13 @@
 /**
- * A planner in the worker: it is stepped in slices, and what has grown since the last slice is handed over as typed arrays that
- * are transferred, not copied.
+ * A planner in the worker: it is stepped in slices, and what has grown is sent as typed arrays that are transferred, not
+ * copied.
  */
 import { withOptions } from "../../domain/option-names.js";
 
 /** @import { Planner, ResultDocument, Scenario, Settings, Stats, Status } from "../../domain/types.js" */
 
 /**
- * @typedef {object} Growth   what a run has grown since the last one, rows as of the package
+ * @typedef {object} Growth   what a run has grown since the last block; rows as in the package
  * @property {Float64Array} history    a row for each iteration
  * @property {Float64Array} vertices
  * @property {Uint32Array} edges
@@ -17,7 +17,7 @@ import { withOptions } from "../../domain/option-names.js";
  * @property {Status} status
  * @property {string} phase
  * @property {Stats} stats
- * @property {ResultDocument | null} result   where it was asked for, and once the run has ended
+ * @property {ResultDocument | null} result   on request, and once the run has ended
  * @property {Float64Array | null} path       once the run has ended
  * @property {Float64Array | null} rawPath
  */
@@ -25,17 +25,17 @@ import { withOptions } from "../../domain/option-names.js";
 /** Iterations in one slice at most. */
 const LONGEST = 64;
 
-/** What one call of `advance` may grow at most, so that it can be drawn within the frame. */
+/** Most vertices and edges of one block: as many as a frame can draw. */
 const BURST = { vertices: 400, edges: 240 };
 
-/** The column of the history that counts clearance evaluations is a clock; -1 counts iterations. */
+/** Time is a column of the history, such as clearance evaluations, or -1 for iterations. */
 export class Stepper {
   /** @param {Scenario} scenario @param {string} algorithm @param {Settings} settings  the query's name, the seed and the planner's parameters */
   constructor(scenario, algorithm, settings) {
     this.planner = withOptions({ ...settings, algorithm }, (options) => scenario.planner(options));
     this.planner.record();
     this.ended = false;
-    /** Rows that were handed over. Those before the first iteration the page has itself. */
+    /** Rows that were sent. The page makes those before the first iteration itself. */
     this.sent = this.counts;
   }
 
@@ -44,32 +44,32 @@ export class Stepper {
 
   get counts() { return { iterations: this.made, vertices: this.planner.vertexCount, edges: this.planner.edgeCount, events: this.planner.eventCount }; }
 
-  /** What a clock of the history shows. Time 0 is before the first iteration. @param {number} column */
+  /** The time of the last iteration; 0 before the first. @param {number} column */
   clock(column) {
     const { planner, made } = this;
     return column < 0 || made === 0 ? made : Math.max(1, planner.historySince(made - 1)[column]);
   }
 
   /**
-   * Is all made that belongs to a time? Iterations are counted; of another clock several may share a time, so that only the
-   * first one past it tells.
+   * Whether every iteration of a time is made. Several may share a time that does not count iterations: then only the first
+   * one past it tells.
    * @param {number} column @param {number} wanted
    */
   hasPassed(column, wanted) {
     return this.ended || (column < 0 ? this.made >= wanted : this.clock(column) > wanted);
   }
 
-  /** How far it may grow before it is drawn. */
+  /** The counts at which a block is full. */
   burst() { return { vertices: this.planner.vertexCount + BURST.vertices, edges: this.planner.edgeCount + BURST.edges }; }
 
   /**
-   * Plans until a clock has passed `wanted`, the run ends, the time passes `until`, or as much has grown as a frame can draw.
-   * Slices are small at first and grow as long as they prove cheap, so that one slice is never long.
+   * Plans until it has passed the time `wanted`, the run ends, the clock passes `until`, or the block is full. Slices are short
+   * at first and grow while they are cheap, so that no slice is long.
    * @param {number} column  of the history, -1 for iterations
    * @param {number} wanted  may be Infinity
    * @param {number} until   on the clock of performance.now(), milliseconds
-   * @param {{ vertices: number, edges: number }} [most]  how far it may grow
-   * @returns {boolean} whether it has come that far, or ended
+   * @param {{ vertices: number, edges: number }} [most]  counts at which to stop
+   * @returns {boolean} whether it has passed that time, or ended
    */
   advance(column, wanted, until, most = this.burst()) {
     const { planner } = this;
@@ -89,7 +89,7 @@ export class Stepper {
     return true;
   }
 
-  /** Hands over what has grown. @param {boolean} isResult   with the result as it is now @returns {Growth} */
+  /** What has grown since the last block. @param {boolean} isResult   with the current result @returns {Growth} */
   growth(isResult) {
     const { planner, sent, ended } = this;
     this.sent = this.counts;
@@ -103,7 +103,7 @@ export class Stepper {
   free() { this.planner.free(); }
 }
 
-/** What a planner has grown since these counts. @param {Planner} planner @param {{ vertices: number, edges: number, events: number }} counts */
+/** The rows of a planner since these counts. @param {Planner} planner @param {{ vertices: number, edges: number, events: number }} counts */
 export function grownSince(planner, { vertices, edges, events }) {
   return {
     vertices: planner.verticesSince(vertices), edges: planner.edgesSince(edges), events: planner.eventsSince(events),

@@ -1,6 +1,6 @@
 /**
- * The worker: planners are stepped here, and pictures are made that take longer than a frame, so that the page never waits for
- * either.
+ * The worker of the planner's page: it steps planners and makes pictures that take longer than a frame, so that the page waits
+ * for neither.
  */
 import * as library from "planarium";
 import { serve } from "../../app/worker-server.js";
@@ -14,14 +14,14 @@ import { drawThumbnail } from "../../draw/thumbnail.js";
 /** @import { Growth } from "./stepper.js" */
 
 /**
- * @typedef {object} Advance   what is to be planned
+ * @typedef {object} Advance   a block to be planned
  * @property {{ document: ScenarioDocument, plans: Plan[] } | null} fresh   new planners in place of those before
  * @property {number} column     the column of their history that is the clock, -1 for iterations
- * @property {number} wanted     the time to come to, as far as one block goes; below 0: none
- * @property {boolean} isResult  once it has come there, with the results
+ * @property {number} wanted     the time to reach, as far as one block goes; below 0: none
+ * @property {boolean} isResult  with the results, once it has reached that time
  */
 
-/** Milliseconds of planning before what has grown is handed over. */
+/** Milliseconds of planning in a block. */
 const BLOCK = 12;
 
 /** @type {Scenario | null} */
@@ -63,5 +63,5 @@ const commands = {
 
 /** @typedef {import("../../app/worker-client.js").Remote<typeof commands>} PlannerWorker */
 
-// After a panic of the core nothing that it made is left.
+// After a panic of the core all its objects are lost.
 serve({ planner: { commands, reset: () => { [scenario, steppers] = [null, []]; } } });

@@ -7,7 +7,7 @@ export function coordinatesOf({ scenario, document: { robot } }) {
   if (robot.type === "arm") {
     return robot.links.map((_, i) => {
       const [low, high] = robot.joint_limits?.[i] ?? [-Math.PI, Math.PI];
-      return { name: `joint ${i}`, low, high, unit: "rad", isCircle: !robot.joint_limits };
+      return { name: `joint ${i + 1}`, low, high, unit: "rad", isCircle: !robot.joint_limits };
     });
   }
   const { min, max } = scenario.extent();

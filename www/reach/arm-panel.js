@@ -73,18 +73,18 @@ export class ArmPanel {
     const { session } = this;
     const { arm: { joints, q, robot } } = session;
     this.angles = joints.map(({ name, low, high }, i) => new Slider({ name: `joint-${i}`, title: name, unit: "rad", min: low, max: high }, q[i], (angle) => session.turnJoint(i, angle)));
-    this.lengths = robot.links.map((length, i) => new Slider({ name: `link-${i}`, title: `link ${i}`, unit: "m", min: 0.05, max: Math.max(1, length), step: 0.005 }, length, (value) => {
+    this.lengths = robot.links.map((length, i) => new Slider({ name: `link-${i}`, title: `link ${i + 1}`, unit: "m", min: 0.05, max: Math.max(1, length), step: 0.005 }, length, (value) => {
       this.change({ links: session.arm.robot.links.map((link, j) => (j === i ? value : link)) });
     }));
     this.limits = (robot.joint_limits ?? []).flatMap((_, i) => ["minimum", "maximum"].map((word, end) => {
-      const input = make("input", { type: "number", id: `stop-${i}-${end}`, step: "any", min: String(-WIDEST), max: String(WIDEST), autocomplete: "off", ariaLabel: `joint ${i}, ${word} angle, radians` });
+      const input = make("input", { type: "number", id: `stop-${i}-${end}`, step: "any", min: String(-WIDEST), max: String(WIDEST), autocomplete: "off", ariaLabel: `joint ${i + 1}, ${word} angle, radians` });
       input.addEventListener("change", () => this.setLimit(i, end, input));
       return input;
     }));
     byId("joints", HTMLElement).replaceChildren(...this.angles.map(({ element }) => element));
     byId("lengths", HTMLElement).replaceChildren(...this.lengths.map(({ element }) => element));
     byId("intervals", HTMLElement).replaceChildren(...(robot.joint_limits ?? []).map((_, i) => make("div", { className: "interval" },
-      make("span", { className: "name" }, `joint ${i}`), this.limits[2 * i], make("span", {}, "to"), this.limits[2 * i + 1], make("span", { className: "unit" }, "rad"))));
+      make("span", { className: "name" }, `joint ${i + 1}`), this.limits[2 * i], make("span", {}, "to"), this.limits[2 * i + 1], make("span", { className: "unit" }, "rad"))));
   }
 
   /** @param {number} count */
@@ -100,7 +100,7 @@ export class ArmPanel {
     limits[joint][end] = input.value.trim() === "" ? NaN : Number(input.value);
     const [low, high] = limits[joint];
     if (Math.abs(low) <= WIDEST && Math.abs(high) <= WIDEST && low < high) this.change({ joint_limits: limits }, input);
-    else this.refuse(`The limits of joint ${joint} must be two numbers from \u22126.28 to 6.28, the lower first.`, input);
+    else this.refuse(`The limits of joint ${joint + 1} must be two numbers from \u22126.28 to 6.28, the lower first.`, input);
   }
 
   /** Changes the arm; what the core refuses is explained. @param {Partial<ArmRobot>} changes @param {HTMLInputElement} [input]  where it was asked for */

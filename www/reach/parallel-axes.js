@@ -71,7 +71,7 @@ export class ParallelAxes {
       }
       context.textAlign = "center";
       context.textBaseline = "alphabetic";
-      context.fillText(isNarrow ? String(i) : joint.name, x, height - 10);
+      context.fillText(isNarrow ? String(i + 1) : joint.name, x, height - 10);
       if (!joint.isCircle) {
         context.fillText(num(joint.high, 1), x, top - 5);
         context.textBaseline = "top";

@@ -24,6 +24,9 @@ export function contained(pose, coordinates) {
   return pose;
 }
 
+/** A configuration from one with more or fewer numbers, brought into its coordinates' ranges. @param {ArrayLike<number>} q @param {Coordinate[]} coordinates */
+export function fitted(q, coordinates) { return contained(Float64Array.from(coordinates, (_, i) => q[i] ?? 0), coordinates); }
+
 /** An angle brought between -pi (without it) and pi. @param {number} angle */
 export function wrap(angle) {
   const turn = angle % (2 * Math.PI);

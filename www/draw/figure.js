@@ -25,35 +25,30 @@ import { Layer } from "./layer.js";
 
 const LAYERS = /** @type {const} */ (["ground", "top"]);
 
+/** @template {Drawing} [D=Drawing] */
 export class Figure {
   /**
    * @param {App} app
    * @param {HTMLElement} host   the figure is appended
    * @param {{ id: string, kind: string, caption: string, note?: string }} names   `kind`: a class of the figure, such as "workspace"
-   * @param {Drawing} drawing
+   * @param {D} drawing
    */
   constructor(app, host, { id, kind, caption, note = "" }, drawing) {
     this.app = app;
     this.drawing = drawing;
     this.caption = make("span", {}, caption);
     this.note = make("small", {}, note);
-    const [ground, top] = LAYERS.map((name) => {
-      const canvas = make("canvas", { ariaHidden: "true" });
-      canvas.dataset.layer = name;
-      return canvas;
-    });
+    const [ground, top] = [make("canvas", { ariaHidden: "true" }), make("canvas", { role: "img", ariaLabel: caption })];
+    ground.dataset.layer = "ground";
+    top.dataset.layer = "top";
     this.box = make("div", { className: "sheet" }, ground, top);
     this.element = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, this.caption, " ", this.note), this.box);
     this.layers = { ground: new Layer(ground), top: new Layer(top) };
     /** Receives pointer events. */
     this.canvas = top;
-    top.removeAttribute("aria-hidden");
-    top.setAttribute("role", "img");
-    top.setAttribute("aria-label", caption);
     this.width = 0;
     this.height = 0;
-    /** @type {Palette | null} */
-    this.palette = null;
+    this.palette = app.look.palette;
     /** Layers to be redrawn. @type {Set<"ground" | "top">} */
     this.dirty = new Set();
     host.append(this.element);
@@ -74,7 +69,7 @@ export class Figure {
   }
 
   /** Sets the description for screen readers. @param {string} text */
-  describe(text) { if (this.canvas.getAttribute("aria-label") !== text) this.canvas.setAttribute("aria-label", text); }
+  describe(text) { if (this.canvas.ariaLabel !== text) this.canvas.ariaLabel = text; }
 
   /** Fits the canvases to their place, in whole pixels: a canvas stretched by a fraction of one is blurred. */
   measure() {
@@ -89,7 +84,6 @@ export class Figure {
 
   /** Takes on the colours, the pixel ratio and the size. */
   fit() {
-    if (this.width < 1) return;
     const { palette, ratio } = this.app.look;
     this.palette = palette;
     for (const name of LAYERS) {
@@ -100,10 +94,9 @@ export class Figure {
 
   /** Draws the layers that are dirty. */
   draw() {
-    const { dirty } = this;
-    if (!this.palette || this.element.hidden) return;
+    if (this.width === 0 || this.element.hidden) return;
     for (const name of LAYERS) {
-      if (!dirty.delete(name)) continue;
+      if (!this.dirty.delete(name)) continue;
       const { context, ratio } = this.layers[name];
       this.layers[name].clear();
       this.drawWith(context, ratio, (colour) => hatch(context, colour, ratio), [name]);
@@ -116,7 +109,6 @@ export class Figure {
    */
   drawWith(context, ratio, hatchOf, layers = LAYERS) {
     const { palette, width, height } = this;
-    if (!palette) return;
     for (const name of layers) {
       context.save();
       this.drawing[name]({ context, palette, width, height, ratio, hatch: /** @type {Brush["hatch"]} */ (hatchOf) });

@@ -4,20 +4,17 @@
 
 /** Rounds the stairs of a mask of cells: each becomes the weighted mean of its neighbourhood. @param {Uint8Array} bytes @param {number} side */
 export function soften(bytes, side) {
-  const pass = new Float32Array(side * side);
-  const mask = new Float32Array(side * side);
-  const clamp = (/** @type {number} */ i) => Math.min(side - 1, Math.max(0, i));
-  for (let r = 0; r < side; r++) {
-    for (let c = 0; c < side; c++) {
-      pass[r * side + c] = (bytes[r * side + clamp(c - 1)] + 2 * bytes[r * side + c] + bytes[r * side + clamp(c + 1)]) / 4;
+  // Each pass averages along the rows and transposes; two make a square neighbourhood.
+  const pass = (/** @type {ArrayLike<number>} */ cells) => {
+    const means = new Float32Array(side * side);
+    for (let i = 0; i < means.length; i++) {
+      const at = Math.floor(i / side);
+      const row = side * (i % side);
+      means[i] = (cells[row + Math.max(0, at - 1)] + 2 * cells[row + at] + cells[row + Math.min(side - 1, at + 1)]) / 4;
     }
-  }
-  for (let r = 0; r < side; r++) {
-    for (let c = 0; c < side; c++) {
-      mask[r * side + c] = (pass[clamp(r - 1) * side + c] + 2 * pass[r * side + c] + pass[clamp(r + 1) * side + c]) / 4;
-    }
-  }
-  return mask;
+    return means;
+  };
+  return pass(pass(bytes));
 }
 
 /**

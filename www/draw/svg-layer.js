@@ -3,6 +3,7 @@
  * would and gives its own context; coordinates are CSS pixels whatever the ratio, which is left to the images in it.
  */
 import { SvgContext } from "../formats/svg.js";
+import { bytesOf } from "./mask.js";
 
 /** @import { Stripes } from "../formats/svg.js" */
 
@@ -40,13 +41,13 @@ export class Figure extends SvgContext {
     return this.toString()
       .replaceAll(/(\bid="|url\(#)/g, `$1${name}-`)
       .replaceAll(new RegExp(`${LATER}(\\d+);`, "g"), (_, index) => urls[Number(index)])
-      .replaceAll(/color-mix\([^"]*\)/g, plain)
+      .replaceAll(/color-mix\([^"]*\)/g, (colour) => `rgb(${bytesOf(colour).join(", ")})`)
       .replace("<svg ", `<svg x="${x}" y="${y}" `);
   }
 }
 
-/** Stripes of a colour, as wide and as far apart as the stage has them. @param {string} colour @returns {Stripes} */
-export function stripes(colour) { return { colour, size: 5, width: 1.5 }; }
+/** A colour as stripes. @param {string} colour @returns {Stripes} */
+export function stripes(colour) { return { colour }; }
 
 /** @param {OffscreenCanvas | ImageBitmap} image @returns {Promise<string>} */
 async function dataUrl(image) {
@@ -58,11 +59,3 @@ async function dataUrl(image) {
   return `data:image/png;base64,${btoa(text)}`;
 }
 
-/** A mixed colour as one that every program knows. @param {string} colour */
-function plain(colour) {
-  const context = new OffscreenCanvas(1, 1).getContext("2d");
-  if (!context) return colour;
-  context.fillStyle = colour;
-  context.fillRect(0, 0, 1, 1);
-  return `rgb(${context.getImageData(0, 0, 1, 1).data.slice(0, 3).join(", ")})`;
-}

@@ -1,6 +1,6 @@
 /** A robot in collision: what it touches, and with which parts, red, hatched and by name. */
 import { obstacleName, partName } from "../domain/names.js";
-import { contains, drawLabel, drawTouchingParts, obstacleMiddle, obstaclePath } from "./shapes.js";
+import { contains, drawLabel, drawTouchingParts, fillWith, obstacleMiddle, obstaclePath } from "./shapes.js";
 
 /** @import { Check, Obstacle, Part, Scenario, ScenarioDocument } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
@@ -45,12 +45,7 @@ export function drawTouched({ context, view, palette, onObstacle }, { bounds, ob
     }
   } else {
     obstaclePath(context, view, obstacles[obstacle]);
-    if (onObstacle) {
-      context.fillStyle = onObstacle;
-      context.globalAlpha = 0.55;
-      context.fill();
-      context.globalAlpha = 1;
-    }
+    fillWith(context, onObstacle, 0.55);
     context.stroke();
   }
   context.restore();

@@ -40,3 +40,6 @@ export class View {
   /** CSS pixels to the plane. @param {number} px @param {number} py @returns {[number, number]} */
   toPlane(px, py) { return [(px - this.originX) / this.scaleX, (this.originY - py) / this.scaleY]; }
 }
+
+/** The view of a sheet that is not drawn yet. */
+export const NO_VIEW = new View({ min: [0, 0], max: [1, 1] }, 1, 1, { left: 0, right: 0, top: 0, bottom: 0 }, false);

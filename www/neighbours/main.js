@@ -36,10 +36,9 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
   const stage = byId("stage", HTMLElement);
   const indexes = neighbourIndexes();
   const session = new NeighbourSession(app, worker, ROBOTS[0]);
-  const drawings = { workspace: new Workspace(session), square: new Square(session) };
   const figures = {
-    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace" }, drawings.workspace),
-    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "one dot per configuration; borders wrap" }, drawings.square),
+    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace" }, new Workspace(session)),
+    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "one dot per configuration; borders wrap" }, new Square(session)),
   };
   const all = Object.values(figures);
   const gallery = new SceneGallery(app, ROBOTS, ({ document, q }) => ({ ...document, queries: [{ name: "q", start: q, goal: q }] }), (entry) => void session.open(entry));
@@ -50,7 +49,7 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
     { id: "csv", title: "Neighbours", format: "CSV", meaning: "Rank, index, distance and configuration.", content: () => csv(neighboursCsv()) },
     { id: "timings", title: "Timings", format: "CSV", meaning: "All measurements.", content: () => csv(timing.csv()), name: () => `timings-${session.entry.id}` },
   ]);
-  watchHandles(session, stage, figures, drawings);
+  watchHandles(session, stage, figures);
   watchFiles((name, bytes) => {
     app.notice.hide();
     void session.read(name, bytes);
@@ -67,14 +66,13 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
 
   /** @param {Change} change */
   function show(change) {
-    const { entry, count, q, k, index, given, found, missed, file, isArm, dimension } = session;
+    const { entry, count, q, k, index, given, found, missed, file, isArm, isPlanar } = session;
     const { dataset } = document.body;
     Object.assign(dataset, { robot: entry.id, n: count, source: file === null ? "drawn" : "file", q: [...q].join(), k, index, metric: given.metric ?? "" });
     if (change === "result") Object.assign(dataset, { found: [...found.indices].join(), missed: missed.length, visited: found.visited });
     else delete dataset.found;
-    const isSquare = isArm && dimension === 2;
-    figures.square.element.hidden = !isSquare;
-    stage.classList.toggle("single", !isSquare);
+    figures.square.element.hidden = !isPlanar;
+    stage.classList.toggle("single", !isPlanar);
     for (const figure of all) {
       if (change === "robot" || change === "list") figure.redraw();
       else figure.redrawTop();

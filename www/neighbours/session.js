@@ -1,9 +1,10 @@
 /**
- * The state of the page: a robot, a list of its configurations, a target and a query. Listeners learn what changed. Lists and
- * results come from the worker; only the newest query counts.
+ * The state of the page: a robot, a list of its configurations, a target and a query. Lists and results come from the worker; only
+ * the newest query counts.
  */
 import { Scenario } from "planarium";
-import { contained, coordinatesOf, wrap } from "../domain/coordinates.js";
+import { Observable } from "../app/observable.js";
+import { coordinatesOf, fitted, wrap } from "../domain/coordinates.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { Remote } from "../app/worker-client.js" */
@@ -19,10 +20,11 @@ export const DRAWN = 400;
 /** @type {Found} */
 const NOTHING = { indices: new Uint32Array(), distances: new Float64Array(), visited: 0 };
 
-export class NeighbourSession {
+/** @extends {Observable<Change>} */
+export class NeighbourSession extends Observable {
   /** @param {App} app @param {Remote<Commands>} worker @param {RobotEntry} entry */
   constructor(app, worker, entry) {
-    this.app = app;
+    super(app);
     this.worker = worker;
     this.entry = entry;
     this.scenario = Scenario.parse(entry.document);
@@ -51,14 +53,13 @@ export class NeighbourSession {
     this.isStale = false;
     /** Lists asked for. */
     this.requests = 0;
-    /** @type {((change: Change) => void)[]} */
-    this.listeners = [];
   }
 
   get document() { return this.entry.document; }
   get dimension() { return this.coordinates.length; }
   get count() { return this.dimension === 0 ? 0 : this.list.rows.length / this.dimension; }
   get isArm() { return this.document.robot.type === "arm"; }
+  get isPlanar() { return this.isArm && this.dimension === 2; }
   get isNaive() { return this.given.metric === "naive"; }
 
   /** A configuration of the list. @param {number} i */
@@ -68,15 +69,6 @@ export class NeighbourSession {
   get missed() {
     const found = new Set(this.found.indices);
     return [...this.exact].filter((i) => !found.has(i));
-  }
-
-  /** @param {(change: Change) => void} listener */
-  onChange(listener) { this.listeners.push(listener); }
-
-  /** @param {Change} change */
-  update(change) {
-    for (const listener of this.listeners) listener(change);
-    this.app.requestFrame();
   }
 
   /** @param {RobotEntry} entry @param {{ q?: ArrayLike<number>, k?: number }} [query] @returns {Promise<void>} */
@@ -128,7 +120,7 @@ export class NeighbourSession {
   }
 
   /** @param {ArrayLike<number>} q */
-  fitted(q) { return contained(Float64Array.from({ length: this.dimension }, (_, i) => q[i] ?? 0), this.coordinates); }
+  fitted(q) { return fitted(q, this.coordinates); }
 
   /** Moves the target. @param {ArrayLike<number>} q */
   moveTo(q) { this.setQuery({ q: this.fitted(q) }); }

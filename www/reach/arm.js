@@ -1,6 +1,6 @@
 /** An arm: its document, the core's scenario of it, its configuration and what follows from that. */
 import { Scenario } from "planarium";
-import { contained, coordinatesOf, wrap } from "../domain/coordinates.js";
+import { coordinatesOf, fitted, wrap } from "../domain/coordinates.js";
 import { ellipseOf, tipOf } from "./jacobian.js";
 
 /** @import { Check, Coordinate, Part } from "../domain/types.js" */
@@ -45,7 +45,7 @@ export class Arm {
   get orientation() { return wrap(this.q.reduce((sum, angle) => sum + angle, 0)); }
 
   /** A configuration of this arm from one with more or fewer joints. @param {ArrayLike<number>} q */
-  fitted(q) { return contained(Float64Array.from({ length: this.dimension }, (_, i) => q[i] ?? 0), this.joints); }
+  fitted(q) { return fitted(q, this.joints); }
 
   /** @param {ArrayLike<number>} q */
   moveTo(q) {

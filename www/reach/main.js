@@ -50,11 +50,10 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
   const stage = byId("stage", HTMLElement);
   const session = new ArmSession(app);
   const ik = new IkPanel(session);
-  const drawings = { workspace: new Workspace(session, ik), square: new Square(session, ik), axes: new ParallelAxes(session, ik) };
   const figures = {
-    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace", note: "the arm and its obstacles" }, drawings.workspace),
-    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "each point: two joint angles" }, drawings.square),
-    axes: new Figure(app, stage, { id: "axes", kind: "axes", caption: "Configuration", note: "one axis per joint" }, drawings.axes),
+    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace", note: "the arm and its obstacles" }, new Workspace(session, ik)),
+    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "each point: two joint angles" }, new Square(session, ik)),
+    axes: new Figure(app, stage, { id: "axes", kind: "axes", caption: "Configuration", note: "one axis per joint" }, new ParallelAxes(session, ik)),
   };
   const all = Object.values(figures);
   new ArmPanel(session, () => {
@@ -62,7 +61,7 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
     else session.moveTip(session.arm.tip);
   });
   new MotionPanel(session, stage);
-  watchHandles(session, stage, figures, drawings, (target) => {
+  watchHandles(session, stage, figures, (target) => {
     session.target = target;
     ik.begin();
   });
@@ -84,12 +83,10 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
   ]);
   session.onChange(show);
   app.rebuild = () => session.changeArm(session.arm.document);
+  session.openScene(SCENES[0]);
   await useLink(app, stateRule, {
     save: () => stateOf(session, ik), contents: "the arm, its configuration and the current mode",
-    open: (/** @type {State | null} */ state) => {
-      if (state) openState(session, ik, state);
-      else if (!session.current) session.openScene(SCENES[0]);
-    },
+    open: (/** @type {State | null} */ state) => { if (state) openState(session, ik, state); },
   });
 
   /** @param {Change} change */
@@ -124,9 +121,9 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
   /** Shows the obstacles of the configuration space, roughly at once and finely once the worker has computed them. */
   function showObstacles() {
     const { arm } = session;
-    const { square } = drawings;
+    const { square } = figures;
     stage.dataset.cells = "false";
-    square.setCells(arm.scenario.cspace({ width: CELLS.rough, height: CELLS.rough }), CELLS.rough);
+    square.drawing.setCells(arm.scenario.cspace({ width: CELLS.rough, height: CELLS.rough }), CELLS.rough);
     // While an arm is being changed, only its last state is computed.
     if (isComputing) return;
     isComputing = true;
@@ -137,9 +134,9 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
         return;
       }
       if (!cells) return;
-      square.setCells(cells, CELLS.fine);
+      square.drawing.setCells(cells, CELLS.fine);
       stage.dataset.cells = "true";
-      figures.square.redraw();
+      square.redraw();
     });
   }
 });

@@ -101,10 +101,9 @@ export class NeighbourSession extends Observable {
 
   /** @param {Promise<List | undefined>} promise @param {string | null} file */
   async receive(promise, file) {
-    this.requests += 1;
-    const { requests, entry } = this;
+    const request = ++this.requests;
     const list = await this.app.track(promise);
-    if (!list || requests !== this.requests || entry !== this.entry) return;
+    if (!list || request !== this.requests) return;
     this.file = file;
     this.setList(list);
     this.update("list");

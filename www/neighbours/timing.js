@@ -35,7 +35,7 @@ export class Timing {
     this.table = table;
     /** @type {Measured[]} */
     this.measured = [];
-    /** What was measured. */
+    /** The settings that were measured. */
     this.key = "";
     /** Was it stopped before its end? */
     this.isCut = false;
@@ -55,7 +55,7 @@ export class Timing {
     this.explain();
   }
 
-  /** What would be measured. */
+  /** The settings that would be measured. */
   get wanted() { return JSON.stringify([this.session.entry.id, this.session.k, this.session.given]); }
 
   /** Can the measurement be continued? */

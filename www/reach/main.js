@@ -112,7 +112,7 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
       "fact-manipulability": `${num(manipulability, 3)} m\u00b2`, "fact-isotropy": num(major > 0 ? minor / major : 0), "fact-collision": collision || "none",
     });
     byId("fact-collision", HTMLElement).dataset.free = String(arm.check.free);
-    const { text, isBad } = (mode === "solve" && ik.sentence) || sentenceOf(session);
+    const { text, isBad } = sentenceOf(session, ik);
     app.say(text, { isBad, isSilent: ik.transport.isPlaying });
     const description = descriptionOf(session);
     for (const figure of all) figure.describe(`${figure.caption.textContent}: ${description}`);

@@ -48,7 +48,7 @@ export function stateOf(session, ik) {
     free: Boolean(entry?.robot.joint_limits && !robot.joint_limits),
     q: Array.from(mode === "solve" ? ik.start : q), mode, a: Array.from(a), b: Array.from(b),
     long: directions.flatMap((direction, i) => (direction === "long" ? [i] : [])), along: mode === "between" ? progress : 0,
-    lock: orientation ?? undefined, target, solve: ik.state.settings, steps: mode === "solve" ? ik.state.steps : 0,
+    lock: orientation ?? undefined, target, solve: { method: ik.method.id, ...ik.given }, steps: mode === "solve" ? ik.run?.run.iterations ?? 0 : 0,
   };
 }
 

@@ -26,8 +26,6 @@ export class AngleSquare {
     this.inner = this.outer = { x: 0, y: 0, width: 0, height: 0 };
     /** 1 is collision; rows from the lowest angles. @type {{ side: number, mask: Float32Array } | null} */
     this.cells = null;
-    /** The cells as an image. @type {{ key: string, cells: object, canvas: OffscreenCanvas } | null} */
-    this.image = null;
   }
 
   /** Stores the obstacles as the core gives them. @param {Uint8Array} bytes @param {number} side  cells */
@@ -42,7 +40,7 @@ export class AngleSquare {
     const box = (/** @type {number[]} */ [x0, y0], /** @type {number[]} */ [x1, y1]) => ({ x: view.x(x0), y: view.y(y1), width: (x1 - x0) * view.scaleX, height: (y1 - y0) * view.scaleY });
     const inner = this.inner = box(low, high);
     const outer = this.outer = box(view.box.min, view.box.max);
-    const image = this.paint(inner.width * ratio, inner.height * ratio, palette);
+    const image = this.paint(inner, ratio, palette);
     this.repeat(context, (isCopy) => {
       context.globalAlpha = isCopy ? 0.4 : 1;
       if (image) context.drawImage(image, inner.x, inner.y, inner.width, inner.height);
@@ -63,15 +61,12 @@ export class AngleSquare {
     drawAxes(context, view, outer, coordinates);
   }
 
-  /** The obstacles as an image, no finer than its cells. @param {number} width  device pixels @param {number} height @param {Palette} palette */
-  paint(width, height, palette) {
-    const { cells } = this;
-    if (!cells) return null;
-    const scale = Math.min(1, (PIXELS * cells.side) / Math.max(width, height));
-    const [w, h] = [Math.round(width * scale), Math.round(height * scale)];
-    const key = [w, h, palette.obstacle, palette["obstacle-edge"]].join();
-    if (this.image?.key !== key || this.image.cells !== cells) this.image = { key, cells, canvas: paint(cells.mask, cells.side, w, h, palette) };
-    return this.image.canvas;
+  /** The obstacles as an image, no finer than its cells. @param {{ width: number, height: number }} size  CSS pixels @param {number} ratio @param {Palette} palette */
+  paint({ width, height }, ratio, palette) {
+    if (!this.cells) return null;
+    const { mask, side } = this.cells;
+    const scale = Math.min(ratio, (PIXELS * side) / Math.max(width, height));
+    return paint(mask, side, Math.round(width * scale), Math.round(height * scale), palette);
   }
 
   /** Draws the same in the square and, a turn further, in the strips. @param {CanvasRenderingContext2D} context @param {(isCopy: boolean) => void} draw */

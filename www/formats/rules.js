@@ -1,6 +1,6 @@
 /**
- * What may stand in the fragment of an address, entry by entry: whoever opens a link need not be the one who made it. Nothing is
- * ever evaluated; what breaks a rule is refused by its place.
+ * Rules for the state in the fragment of an address, which may come from anyone. Nothing is evaluated; an entry that breaks its rule
+ * is refused by its place.
  */
 
 /** @typedef {(value: unknown, at: string) => void} Rule  throws a fault that names `at` */
@@ -18,7 +18,7 @@ export const rule = (holds) => (value, at) => must(holds(value), `${at} is wrong
 /** @param {number} most @returns {Rule} */
 export const whole = (most) => rule((value) => Number.isInteger(value) && Number(value) >= 0 && Number(value) <= most);
 
-/** By such a name nothing is found that was not put there. */
+/** A name that no object inherits. */
 export const name = rule((value) => typeof value === "string" && /^[\w-]{1,64}$/.test(value) && value !== "prototype" && !(value in Object.prototype));
 export const text = rule((value) => typeof value === "string" && value.length <= 256);
 export const flag = rule((value) => typeof value === "boolean");
@@ -49,7 +49,7 @@ export const withDefaults = (rules, defaults) => Object.assign(record(rules), { 
 
 export const settings = record({}, (value, at) => (typeof value === "string" ? text : typeof value === "number" ? number : flag)(value, at));
 
-/** Any JSON; what it means is for the package to judge. @param {number} depth  how deep it may be nested @returns {Rule} */
+/** Any JSON; the package checks its meaning. @param {number} depth  of nesting, at most @returns {Rule} */
 export const json = (depth) => (value, at) => {
   must(depth, `${at} is wrong`);
   if (Array.isArray(value)) list(json(depth - 1), 0, Infinity)(value, at);

@@ -4,8 +4,6 @@
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Commands, Progress } from "./commands.js" */
 
-/** @typedef {{ line: Float32Array, other: number, place: [number, number] }} Rejected   the number of the one it crosses, and where */
-
 /** The moving averages are taken over so many. */
 export const WINDOW = 20;
 
@@ -29,9 +27,8 @@ export class Experiment {
     this.tries = [];
     /** @type {number[]} */
     this.milliseconds = [];
-    /** The last one rejected, and when it was received. @type {Rejected | null} */
+    /** The last one rejected: the number of the one it crosses, where, and when it was received. @type {{ line: Float32Array, other: number, place: [number, number], born: number } | null} */
     this.rejected = null;
-    this.rejectedAt = -Infinity;
     this.isLastRejected = false;
   }
 
@@ -42,38 +39,33 @@ export class Experiment {
     const epoch = ++this.epoch;
     const result = await this.worker.begin(options);
     if (epoch !== this.epoch) return false;
-    Object.assign(this, { options, result, rows: [], lines: [], born: [], tries: [], milliseconds: [], rejected: null, rejectedAt: -Infinity, isLastRejected: false });
+    Object.assign(this, { options, result, rows: [], lines: [], born: [], tries: [], milliseconds: [], rejected: null, isLastRejected: false });
     return true;
   }
 
   /** @param {number} count  tries @param {() => void} onProgress @returns {Promise<boolean>} whether more tries can be made */
   async advance(count, onProgress) {
     const { epoch } = this;
-    for (let left = count; left > 0 && this.isRunning && epoch === this.epoch;) {
+    for (let left = count; left > 0 && this.isRunning;) {
       const progress = await this.worker.advance(left);
       if (epoch !== this.epoch) return false;
       left -= progress.done;
       this.add(progress);
       onProgress();
     }
-    return this.isRunning && epoch === this.epoch;
+    return this.isRunning;
   }
 
   /** @param {Progress} progress */
   add({ accepted, rejected, milliseconds, tries, lines, isLastRejected, result }) {
-    const now = performance.now();
-    const count = tries.length;
+    const born = performance.now();
     this.rows.push(...accepted);
-    this.lines.push(...lines.slice(0, count));
-    this.born.push(...tries.map(() => now));
+    this.lines.push(...lines.slice(0, tries.length));
+    this.born.push(...milliseconds.map(() => born));
     this.tries.push(...tries);
     this.milliseconds.push(...milliseconds);
-    if (rejected.length > 0) {
-      this.rejected = { line: lines[count], other: rejected[6], place: [rejected[7], rejected[8]] };
-      this.rejectedAt = now;
-    }
-    this.isLastRejected = isLastRejected;
-    this.result = result;
+    if (rejected.length > 0) this.rejected = { line: lines[tries.length], other: rejected[6], place: [rejected[7], rejected[8]], born };
+    Object.assign(this, { isLastRejected, result });
   }
 }
 

@@ -89,7 +89,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
   app.onDraw(() => {
     // New trajectories are drawn on top of the others, unless all are redrawn.
     const { palette, layers: { ground } } = figure;
-    if (palette && !figure.dirty.has("ground")) plane.append({ context: ground.context, palette });
+    if (!figure.dirty.has("ground")) plane.append({ context: ground.context, palette });
     charts.draw(performance.now(), !transport.isPlaying && app.pending === 0);
     show();
     performance.measure("trajectories-frame", { start: frameStart });
@@ -176,8 +176,10 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     const { result, rejected, tries, lines } = experiment;
     if (stage.dataset.status === "refused") return "These settings are not valid; see the message in the panel.";
     const total = grouped(result?.iterations ?? 0);
-    const recent = tries.slice(-WINDOW);
-    if (result?.status === "solved") return `${grouped(lines.length)} trajectories, no two of which cross, after ${total} tries. The last ${recent.length} took ${grouped(recent.reduce((sum, count) => sum + count, 0))} tries.`;
+    if (result?.status === "solved") {
+      const recent = tries.slice(-WINDOW);
+      return `${grouped(lines.length)} trajectories, no two of which cross, after ${total} tries. The last ${recent.length} took ${grouped(recent.reduce((sum, count) => sum + count, 0))} tries.`;
+    }
     if (result?.status === "exhausted") return `Stopped after ${total} tries with ${grouped(lines.length)} accepted: hardly anything fits between them.`;
     if (!transport.isPlaying && last === "refused" && rejected) return `The last trajectory was rejected: it crosses number ${grouped(rejected.other + 1)}.`;
     return "Random trajectories are added one by one; those that cross an earlier one are rejected.";

@@ -6,7 +6,7 @@ import { Figure as SvgLayer, stripes } from "./svg-layer.js";
 /** @import { Figure } from "./figure.js" */
 /** @typedef {CanvasRenderingContext2D} Context */
 
-/** Space about and between the figures, and for a caption, CSS pixels. */
+/** Space around and between the figures, and for a caption, CSS pixels. */
 const GAP = 16;
 const CAPTION = 22;
 /** Pixels of a PNG at most: some browsers allow no more. */

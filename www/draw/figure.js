@@ -1,6 +1,6 @@
 /**
- * A figure: a caption, and two canvases as sharp as the screen. The ground is drawn when the picture changes, the top whenever
- * something moves, each once a frame. The same drawing can be exported as PNG or SVG.
+ * A figure: a caption and two canvases in the resolution of the screen. The ground is drawn when the scene changes, the top when
+ * something moves, each at most once a frame. The same drawing can be exported as PNG or SVG.
  */
 import { make } from "../app/dom.js";
 import { hatch } from "./hatch.js";
@@ -71,7 +71,7 @@ export class Figure {
   /** Sets the description for screen readers. @param {string} text */
   describe(text) { if (this.canvas.ariaLabel !== text) this.canvas.ariaLabel = text; }
 
-  /** Fits the canvases to their place, in whole pixels: a canvas stretched by a fraction of one is blurred. */
+  /** Measures the canvases, in whole pixels: a canvas stretched by a fraction of one is blurred. */
   measure() {
     const box = this.box.getBoundingClientRect();
     const [width, height] = [box.width, box.height].map((side) => Math.round(side * devicePixelRatio) / devicePixelRatio);
@@ -82,7 +82,7 @@ export class Figure {
     this.app.requestFrame();
   }
 
-  /** Takes on the colours, the pixel ratio and the size. */
+  /** Applies the colours, the pixel ratio and the size. */
   fit() {
     const { palette, ratio } = this.app.look;
     this.palette = palette;

@@ -62,8 +62,8 @@ export class Tracer {
 }
 
 /**
- * The straight lines that show one motion of two joints on the square: one line, and where it leaves the square its copies,
- * a whole turn away, that come in on the opposite side. Whoever draws them clips to the square.
+ * A motion of two joints on the square: a straight line, and if it leaves the square copies of it, a whole turn away, that enter on
+ * the opposite side. The caller clips them to the square.
  * @param {ArrayLike<number>} ends  from (2), to (2), starting at `at`
  * @param {number} at
  * @param {boolean[]} circles  the sides of the square that are circles

@@ -6,7 +6,7 @@ export class View {
    * @param {Box} box
    * @param {number} width   of the sheet, CSS pixels
    * @param {number} height
-   * @param {{ left: number, right: number, top: number, bottom: number }} margin  kept clear, CSS pixels
+   * @param {{ left: number, right: number, top: number, bottom: number }} margin  CSS pixels
    * @param {boolean} stretched  true: fills the sheet, each axis by itself; false: one scale, centred
    */
   constructor(box, width, height, margin, stretched) {
@@ -24,7 +24,7 @@ export class View {
     this.originY = margin.top + innerHeight / 2 + (scaleY * (box.min[1] + box.max[1])) / 2;
   }
 
-  /** Distance of the dots of the grid, in the plane: the nearest of 1, 2, 5 times a power of ten that is not below 46 pixels. */
+  /** Distance of the dots of the grid, in the plane: the least of 1, 2, 5 times a power of ten that is at least 46 pixels. */
   get grid() {
     const least = 46 / this.scaleX;
     const power = 10 ** Math.floor(Math.log10(least));

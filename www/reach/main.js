@@ -102,7 +102,7 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
     if (change === "arm") {
       for (const figure of all) figure.redraw();
       gallery.mark(entry?.id ?? null);
-      if (isSquare) showObstacles();
+      if (isSquare) void showObstacles();
     } else for (const figure of all) figure.redrawTop();
     for (const [one] of MODES) press(byId(`mode-${one}`, HTMLElement), one === mode);
     for (const element of document.querySelectorAll("main [data-mode]")) if (element instanceof HTMLElement) element.hidden = element.dataset.mode !== mode;
@@ -119,7 +119,7 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
   }
 
   /** Shows the obstacles of the configuration space, roughly at once and finely once the worker has computed them. */
-  function showObstacles() {
+  async function showObstacles() {
     const { arm } = session;
     const { square } = figures;
     stage.dataset.cells = "false";
@@ -127,16 +127,12 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
     // While an arm is being changed, only its last state is computed.
     if (isComputing) return;
     isComputing = true;
-    void app.track(worker.cspace(arm.document, CELLS.fine)).then((cells) => {
-      isComputing = false;
-      if (session.arm !== arm) {
-        if (session.arm.dimension === 2) showObstacles();
-        return;
-      }
-      if (!cells) return;
+    const cells = await app.track(worker.cspace(arm.document, CELLS.fine));
+    isComputing = false;
+    if (session.arm === arm && cells) {
       square.drawing.setCells(cells, CELLS.fine);
       stage.dataset.cells = "true";
       square.redraw();
-    });
+    } else if (session.arm !== arm && session.arm.dimension === 2) void showObstacles();
   }
 });

@@ -29,9 +29,10 @@ import { Plane } from "./plane.js";
 /** @import { Commands } from "./commands.js" */
 /** @import { Movement } from "./particle.js" */
 
-/** What a link stores: the settings that differ from the defaults, the tries made, and the single particle. @typedef {{ given: Settings, tried: number, one: Movement }} State */
-
-const stateRule = withDefaults({ given: settings, tried: whole(1_000_000), one: list(number, 3, 3) }, { given: {}, tried: 0, one: FIRST });
+/** What a link stores: the settings that differ from the defaults, the tries made, and the single particle. */
+const stateRule = withDefaults({
+  given: settings, tried: whole(1_000_000), one: /** @type {import("../formats/rules.js").Rule<Movement>} */ (list(number, 3, 3)),
+}, { given: {}, tried: 0, one: FIRST });
 /** Settings that are not folded away. */
 const SHOWN = ["seed", "model", "count", "fastest", "greatest_turn_rate", "least_turn_rate"];
 /** Tries of each call on the way to the end. */
@@ -138,9 +139,9 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     return false;
   }
 
-  /** @param {State | null} state */
+  /** @param {import("../formats/rules.js").Allowed<typeof stateRule> | null} state */
   async function open(state) {
-    const { given, tried, one } = state ?? { given: {}, tried: 0, one: FIRST };
+    const { given, tried, one } = state ?? stateRule.defaults;
     options = form(given);
     const unknown = Object.keys(given).find((name) => !options.field(name));
     if (unknown) throw new Error(`There is no setting "${unknown}".`);

@@ -31,8 +31,8 @@ export class AngleSquare {
   /** Stores the obstacles as the core gives them. @param {Uint8Array} bytes @param {number} side  cells */
   setCells(bytes, side) { this.cells = { side, mask: soften(bytes, side) }; }
 
-  /** Draws obstacles, borders and axes. @param {Brush} brush @param {Coordinate[]} coordinates @param {() => void} [drawMore]  on top of the obstacles, repeated in the strips as they are */
-  drawGround({ context, palette, width, height, ratio }, coordinates, drawMore = () => {}) {
+  /** Draws obstacles, borders and axes. @param {Brush} brush @param {Coordinate[]} coordinates @param {() => OffscreenCanvas | null} [imageOf]  fills the square on top of the obstacles */
+  drawGround({ context, palette, width, height, ratio }, coordinates, imageOf = () => null) {
     this.coordinates = coordinates;
     const [low, high] = /** @type {const} */ (["low", "high"]).map((end) => coordinates.map((one) => one[end]));
     const strips = coordinates.map(({ isCircle }) => (isCircle ? STRIP : 0));
@@ -40,11 +40,10 @@ export class AngleSquare {
     const box = (/** @type {number[]} */ [x0, y0], /** @type {number[]} */ [x1, y1]) => ({ x: view.x(x0), y: view.y(y1), width: (x1 - x0) * view.scaleX, height: (y1 - y0) * view.scaleY });
     const inner = this.inner = box(low, high);
     const outer = this.outer = box(view.box.min, view.box.max);
-    const image = this.paint(inner, ratio, palette);
+    const images = [this.paint(inner, ratio, palette), imageOf()];
     this.repeat(context, (isCopy) => {
       context.globalAlpha = isCopy ? 0.4 : 1;
-      if (image) context.drawImage(image, inner.x, inner.y, inner.width, inner.height);
-      drawMore();
+      for (const image of images) if (image) context.drawImage(image, inner.x, inner.y, inner.width, inner.height);
     });
     // Borders that can be crossed are dashed, joint limits solid.
     context.strokeStyle = palette["obstacle-edge"];
@@ -90,8 +89,7 @@ export class AngleSquare {
 
   /** A configuration in the square, CSS pixels. @param {ArrayLike<number>} q @returns {[number, number]} */
   place(q) {
-    const [x, y] = this.coordinates.map(({ isCircle }, i) => (isCircle ? folded(q[i]) : q[i]));
-    return [this.view.x(x), this.view.y(y)];
+    return this.view.place(this.coordinates.map(({ isCircle }, i) => (isCircle ? folded(q[i]) : q[i])));
   }
 
   /** A straight motion from a configuration, by the difference of each coordinate. @param {CanvasRenderingContext2D} context @param {ArrayLike<number>} from @param {ArrayLike<number>} difference */

@@ -31,7 +31,7 @@ export function drawReach(context, view, { base, links, radius = 0 }, palette) {
   const reach = links.reduce((sum, link) => sum + link, radius);
   context.strokeStyle = palette.line;
   context.setLineDash([2, 5]);
-  ring(context, view.x(base[0]), view.y(base[1]), reach * view.scaleX);
+  ring(context, ...view.place(base), reach * view.scaleX);
   context.setLineDash([]);
 }
 
@@ -39,6 +39,6 @@ export function drawReach(context, view, { base, links, radius = 0 }, palette) {
 export function drawBase(context, view, base, palette) {
   context.fillStyle = context.strokeStyle = palette.ink;
   context.lineWidth = 1;
-  disc(context, view.x(base[0]), view.y(base[1]), 4.5);
-  ring(context, view.x(base[0]), view.y(base[1]), 8.5);
+  disc(context, ...view.place(base), 4.5);
+  ring(context, ...view.place(base), 8.5);
 }

@@ -13,9 +13,9 @@ const THIN = 1.6;
 export function obstaclePath(context, view, obstacle) {
   if (obstacle.type === "disc") {
     context.beginPath();
-    context.arc(view.x(obstacle.center[0]), view.y(obstacle.center[1]), obstacle.radius * view.scaleX, 0, 2 * Math.PI);
+    context.arc(...view.place(obstacle.center), obstacle.radius * view.scaleX, 0, 2 * Math.PI);
   } else {
-    tracePolygon(context, obstacle.vertices.map(([x, y]) => [view.x(x), view.y(y)]));
+    tracePolygon(context, obstacle.vertices.map((vertex) => view.place(vertex)));
   }
 }
 
@@ -68,10 +68,10 @@ export function partPath(context, view, part) {
   const radius = part.radius * view.scaleX;
   context.beginPath();
   if (part.type === "disc") {
-    context.arc(view.x(part.center[0]), view.y(part.center[1]), Math.max(radius, 4), 0, 2 * Math.PI);
+    context.arc(...view.place(part.center), Math.max(radius, 4), 0, 2 * Math.PI);
     return;
   }
-  const [ax, ay, bx, by] = [view.x(part.a[0]), view.y(part.a[1]), view.x(part.b[0]), view.y(part.b[1])];
+  const [ax, ay, bx, by] = [...view.place(part.a), ...view.place(part.b)];
   if (isThin(view, part)) {
     addLine(context, ax, ay, bx, by);
     return;
@@ -120,7 +120,7 @@ export function drawRobot(context, view, parts, palette) {
   for (const part of parts) {
     if (part.type !== "capsule") continue;
     const radius = isLine ? 3.6 : Math.max(1.6, 0.34 * part.radius * view.scaleX);
-    for (const [x, y] of [part.a, part.b]) disc(context, view.x(x), view.y(y), radius);
+    for (const end of [part.a, part.b]) disc(context, ...view.place(end), radius);
   }
   context.restore();
 }

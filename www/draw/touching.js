@@ -54,7 +54,7 @@ export function drawTouched({ context, view, palette, onObstacle }, { bounds, ob
 /** The place of an obstacle's name: its middle, or if that is outside, below its vertex nearest to the part. @param {View} view @param {Obstacle} obstacle @param {Part} part @returns {[number, number]} */
 function obstaclePlace(view, obstacle, part) {
   const [x, y] = obstacleMiddle(obstacle);
-  if (obstacle.type === "disc" || contains(obstacle.vertices, x, y)) return [view.x(x), view.y(y)];
+  if (obstacle.type === "disc" || contains(obstacle.vertices, x, y)) return view.place([x, y]);
   const [px, py] = part.type === "capsule" ? part.b : obstacleMiddle(part);
   const distance = (/** @type {[number, number]} */ vertex) => Math.hypot(vertex[0] - px, vertex[1] - py);
   const nearest = obstacle.vertices.reduce((best, vertex) => (distance(vertex) < distance(best) ? vertex : best));

@@ -37,6 +37,9 @@ export class View {
   /** @param {number} y */
   y(y) { return this.originY - this.scaleY * y; }
 
+  /** A point of the plane in CSS pixels. @param {ArrayLike<number>} point @returns {[number, number]} */
+  place(point) { return [this.x(point[0]), this.y(point[1])]; }
+
   /** CSS pixels to the plane. @param {number} px @param {number} py @returns {[number, number]} */
   toPlane(px, py) { return [(px - this.originX) / this.scaleX, (this.originY - py) / this.scaleY]; }
 }

@@ -11,7 +11,7 @@ import { useLink } from "../app/link.js";
 import { byId, grouped } from "../app/dom.js";
 import { watchFiles } from "../app/drop.js";
 import { Figure } from "../draw/figure.js";
-import { toCsv } from "../formats/csv.js";
+import { csvFile } from "../formats/csv.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { num, tuple } from "../widgets/format.js";
 import { SceneGallery } from "../widgets/scene-gallery.js";
@@ -44,10 +44,9 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
   const gallery = new SceneGallery(app, ROBOTS, ({ document, q }) => ({ ...document, queries: [{ name: "q", start: q, goal: q }] }), (entry) => void session.open(entry));
   new Panel(session, indexes);
   const timing = new Timing(session, indexes);
-  const csv = (/** @type {string} */ text) => new Blob([text], { type: "text/csv" });
   showDownloads(app, all, { name: () => `neighbours-${session.entry.id}-${session.count}-k${session.k}`, title: () => session.entry.title }, [
-    { id: "csv", title: "Neighbours", format: "CSV", meaning: "Rank, index, distance and configuration.", content: () => csv(neighboursCsv()) },
-    { id: "timings", title: "Timings", format: "CSV", meaning: "All measurements.", content: () => csv(timing.csv()), name: () => `timings-${session.entry.id}` },
+    { id: "csv", title: "Neighbours", format: "CSV", meaning: "Rank, index, distance and configuration.", content: neighboursCsv },
+    { id: "timings", title: "Timings", format: "CSV", meaning: "All measurements.", content: () => timing.csv(), name: () => `timings-${session.entry.id}` },
   ]);
   watchHandles(session, stage, figures);
   watchFiles((name, bytes) => {
@@ -98,6 +97,6 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
 
   function neighboursCsv() {
     const { found: { indices, distances }, coordinates } = session;
-    return toCsv(["rank", "number", "distance", ...coordinates.map(({ name }) => name)], Array.from(indices, (i, rank) => [rank + 1, i, distances[rank], ...session.row(i)]));
+    return csvFile(["rank", "number", "distance", ...coordinates.map(({ name }) => name)], Array.from(indices, (i, rank) => [rank + 1, i, distances[rank], ...session.row(i)]));
   }
 });

@@ -26,20 +26,14 @@ export class Square extends AngleSquare {
   ground(brush) {
     const { isPlanar, coordinates, list: { rows } } = this.session;
     if (!isPlanar) return;
-    const { context, ratio, palette } = brush;
-    /** @type {OffscreenCanvas | null} */
-    let dots = null;
     this.drawGround(brush, coordinates, () => {
       const { x, y, width, height } = this.inner;
-      if (!dots) {
-        const places = new Float64Array(rows.length);
-        for (let i = 0; i < rows.length; i += 2) {
-          const [px, py] = this.place([rows[i], rows[i + 1]]);
-          places.set([px - x, py - y], i);
-        }
-        dots = dotsImage(places, { width, height, ratio, colour: palette.growth, size: 2.4 });
+      const places = new Float64Array(rows.length);
+      for (let i = 0; i < rows.length; i += 2) {
+        const [px, py] = this.place([rows[i], rows[i + 1]]);
+        places.set([px - x, py - y], i);
       }
-      context.drawImage(dots, x, y, width, height);
+      return dotsImage(places, { width, height, ratio: brush.ratio, colour: brush.palette.growth, size: 2.4 });
     });
   }
 

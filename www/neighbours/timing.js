@@ -6,7 +6,7 @@
  */
 import { Chart } from "../widgets/chart.js";
 import { byId, grouped, make } from "../app/dom.js";
-import { toCsv } from "../formats/csv.js";
+import { csvFile } from "../formats/csv.js";
 
 /** @import { IndexInfo } from "planarium" */
 /** @import { NeighbourSession } from "./session.js" */
@@ -124,7 +124,7 @@ export class Timing {
 
   csv() {
     const rows = this.measured.map(({ n, index, build, query, visited, recall }) => [n, index, build, query, visited, recall]);
-    return toCsv(["n", "index", "build_seconds", "query_seconds", "visited", "recall"], rows);
+    return csvFile(["n", "index", "build_seconds", "query_seconds", "visited", "recall"], rows);
   }
 }
 

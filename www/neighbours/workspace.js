@@ -44,7 +44,7 @@ export class Workspace {
     for (const parts of footprints) {
       context.beginPath();
       for (const part of parts) {
-        if (part.type === "capsule") addLine(context, view.x(part.a[0]), view.y(part.a[1]), view.x(part.b[0]), view.y(part.b[1]));
+        if (part.type === "capsule") addLine(context, ...view.place(part.a), ...view.place(part.b));
         else if (part.type === "polygon") partPath(context, view, part);
       }
       context.stroke();
@@ -62,7 +62,7 @@ export class Workspace {
     const { scenario, missed, q, list: { tips }, found: { indices }, document: { robot } } = session;
     const isDot = robot.type === "disc";
     const colourOf = (/** @type {number} */ i) => (session.exact.has(i) ? palette.start : palette.rejected);
-    const tipOf = (/** @type {number} */ i) => /** @type {Point} */ ([view.x(tips[2 * i]), view.y(tips[2 * i + 1])]);
+    const tipOf = (/** @type {number} */ i) => view.place(tips.subarray(2 * i));
     const footprintOf = (/** @type {number} */ i) => scenario.footprint(session.row(i));
     // The nearest is drawn last, on top.
     const ranked = [...indices.entries()].reverse();
@@ -83,6 +83,6 @@ export class Workspace {
       const [x, y] = tipOf(i);
       drawLabel(context, String(rank + 1), x, y - 11, colourOf(i), palette);
     }
-    for (const [x, y] of this.handles) drawHandle(context, view.x(x), view.y(y), palette.robot, palette);
+    for (const handle of this.handles) drawHandle(context, ...view.place(handle), palette.robot, palette);
   }
 }

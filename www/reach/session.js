@@ -9,13 +9,8 @@ import { SCENES } from "./scenes.js";
 /** @import { Direction } from "./motion.js" */
 
 /**
- * The outcome of moving the tip to a point.
- * @typedef {object} TipGoal
- * @property {Point} wanted
- * @property {Point} point      the nearest point
- * @property {number} distance  between them, metres
- * @property {boolean} reached
- * @property {boolean} isStuck   another configuration would come nearer
+ * The outcome of moving the tip to a point: the nearest point, its distance in metres, and whether another configuration would come nearer.
+ * @typedef {{ wanted: Point, point: Point, distance: number, reached: boolean, isStuck: boolean }} TipGoal
  */
 
 /** The arm itself; its configuration, by the user or by inverse kinematics; or anything else. @typedef {"arm" | "pose" | "iterate" | "rest"} Change */
@@ -106,11 +101,7 @@ export class ArmSession extends Observable {
   }
 
   /** @param {number} joint @param {number} angle */
-  turnJoint(joint, angle) {
-    const q = Float64Array.from(this.arm.q);
-    q[joint] = angle;
-    this.moveTo(q);
-  }
+  turnJoint(joint, angle) { this.moveTo(this.arm.q.with(joint, angle)); }
 
   /** Moves the tip to a point, or as near as it gets. @param {Point} wanted */
   moveTip(wanted) {

@@ -23,9 +23,6 @@ export class Workspace {
     this.view = NO_VIEW;
   }
 
-  /** @param {ArrayLike<number>} point @returns {Point} */
-  place(point) { return [this.view.x(point[0]), this.view.y(point[1])]; }
-
   /** @param {Brush} brush */
   ground(brush) {
     const { arm } = this.session;
@@ -43,11 +40,11 @@ export class Workspace {
     drawTouching({ context, view, palette, onPart: hatch(palette.stage), onObstacle: hatch(palette.collision) }, shown, () => drawRobot(context, view, arm.parts, palette));
     context.save();
     if (tipGoal && !tipGoal.reached) {
-      const wanted = this.place(tipGoal.wanted);
+      const wanted = this.view.place(tipGoal.wanted);
       context.strokeStyle = palette.quiet;
       context.lineWidth = 1.4;
       context.setLineDash([4, 4]);
-      drawLine(context, ...this.place(tipGoal.point), ...wanted);
+      drawLine(context, ...this.view.place(tipGoal.point), ...wanted);
       context.setLineDash([]);
       drawCross(context, ...wanted, palette.quiet, palette, 7);
     }
@@ -66,7 +63,7 @@ export class Workspace {
     context.beginPath();
     for (let i = 0; i < 64; i++) {
       const [u, v] = [ELLIPSE * major * Math.cos((i * Math.PI) / 32), ELLIPSE * minor * Math.sin((i * Math.PI) / 32)];
-      context.lineTo(...this.place([x + c * u - s * v, y + s * u + c * v]));
+      context.lineTo(...this.view.place([x + c * u - s * v, y + s * u + c * v]));
     }
     context.closePath();
     context.globalAlpha = 0.14;
@@ -80,7 +77,7 @@ export class Workspace {
   /** The tip as a handle, with an arrow if its orientation is fixed. @param {Brush} brush */
   drawTip({ context, palette }) {
     const { arm, orientation } = this.session;
-    const [x, y] = this.place(arm.tip);
+    const [x, y] = this.view.place(arm.tip);
     if (orientation !== null) {
       const [dx, dy] = [Math.cos(orientation), -Math.sin(orientation)];
       const at = (/** @type {number} */ along, /** @type {number} */ aside) => /** @type {Point} */ ([x + along * dx - aside * dy, y + along * dy + aside * dx]);
@@ -117,7 +114,7 @@ export class Workspace {
       }
     }
     context.restore();
-    const tipAt = (/** @type {Float64Array} */ q) => this.place(arm.scenario.endEffector(arm.fitted(q)));
+    const tipAt = (/** @type {Float64Array} */ q) => this.view.place(arm.scenario.endEffector(arm.fitted(q)));
     drawStart(context, ...tipAt(a), palette);
     drawGoal(context, ...tipAt(b), palette);
     if (hit !== null) drawHit(context, ...tipAt(motion.at(hit)), palette);
@@ -135,7 +132,7 @@ export class Workspace {
     context.lineJoin = "round";
     for (const { q, strength } of run.recent(FAINT)) {
       context.globalAlpha = 0.12 + 0.5 * strength ** 2;
-      const joints = [base, ...scenario.footprint(q).flatMap((part) => (part.type === "capsule" ? [part.b] : []))].map((point) => this.place(point));
+      const joints = [base, ...scenario.footprint(q).flatMap((part) => (part.type === "capsule" ? [part.b] : []))].map((point) => this.view.place(point));
       context.beginPath();
       for (const joint of joints) context.lineTo(...joint);
       context.stroke();
@@ -153,7 +150,7 @@ export class Workspace {
   /** The target of inverse kinematics, and the nearest point if it is out of reach. @param {Brush} brush */
   drawTarget({ context, palette }) {
     const { session: { target, orientation }, ik: { nearest } } = this;
-    const [x, y] = this.place(target);
+    const [x, y] = this.view.place(target);
     context.save();
     drawCross(context, x, y, palette.goal, palette, 13);
     if (orientation !== null) {
@@ -162,7 +159,7 @@ export class Workspace {
     }
     context.restore();
     if (!nearest) return;
-    const [nearX, nearY] = this.place(nearest.point);
+    const [nearX, nearY] = this.view.place(nearest.point);
     drawLabel(context, "nearest", nearX, nearY - 18, palette.quiet, palette);
   }
 }

@@ -12,7 +12,7 @@ import { App } from "../app/app.js";
 import { useLink } from "../app/link.js";
 import { byId, grouped } from "../app/dom.js";
 import { Figure } from "../draw/figure.js";
-import { toCsv } from "../formats/csv.js";
+import { csvFile } from "../formats/csv.js";
 import { list, number, settings, whole, withDefaults } from "../formats/rules.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { button, press } from "../widgets/elements.js";
@@ -190,6 +190,6 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     const { rows, tries, milliseconds } = experiment;
     const average = new Map(movingAverage(milliseconds));
     const cells = tries.map((count, i) => [...rows.slice(6 * i, 6 * i + 6), count, milliseconds[i], average.get(i + 1) ?? null]);
-    return new Blob([toCsv(COLUMNS, cells)], { type: "text/csv" });
+    return csvFile(COLUMNS, cells);
   }
 });

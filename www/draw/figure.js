@@ -21,7 +21,7 @@ import { Layer } from "./layer.js";
  * @property {(colour: string) => CanvasPattern | null} hatch   diagonal lines
  */
 
-/** What is drawn. @typedef {{ ground: (brush: Brush) => void, top: (brush: Brush) => void }} Drawing */
+/** The contents of a figure. @typedef {{ ground: (brush: Brush) => void, top: (brush: Brush) => void }} Drawing */
 
 const LAYERS = /** @type {const} */ (["ground", "top"]);
 

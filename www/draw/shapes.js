@@ -39,7 +39,7 @@ export function drawObstacles(context, view, obstacles, palette) {
   }
 }
 
-/** Is a point inside a polygon? @param {[number, number][]} vertices @param {number} x @param {number} y */
+/** Whether a point is inside a polygon. @param {[number, number][]} vertices @param {number} x @param {number} y */
 export function contains(vertices, x, y) {
   let inside = false;
   vertices.forEach(([ax, ay], i) => {

@@ -95,7 +95,7 @@ export function readPickle(bytes) {
     return memo.get(key);
   };
 
-  /** What each instruction pushes, if anything. @type {Record<string, () => unknown>} */
+  /** The instructions; what one returns is pushed. @type {Record<string, () => unknown>} */
   const instructions = {
     "\x80": () => must(uint(1) < 6), // PROTO
     "\x95": () => { raw(8); }, // FRAME

@@ -41,7 +41,7 @@ export class SvgContext {
   dash = [];
   /** Cosine and sine of the turn, times the scale, and the shift. */
   turn = [1, 0, 0, 0];
-  /** The attribute of the clip in force. */
+  /** The attribute of the current clip. */
   clipping = "";
 
   #width;

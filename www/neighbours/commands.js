@@ -1,4 +1,4 @@
-/** What the worker computes for this page: the newest list of configurations, indexes on it, and their times. */
+/** The commands of this page, which its worker runs: the newest list of configurations, indexes on it, and their times. */
 import { Scenario } from "planarium";
 import { Measurement } from "./measurement.js";
 import { readList } from "./read-list.js";

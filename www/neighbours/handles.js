@@ -6,7 +6,7 @@ import { watchArrows, watchDrag } from "../draw/drag.js";
 /** @import { Square } from "./square.js" */
 /** @import { Workspace } from "./workspace.js" */
 
-/** What an arrow key changes a coordinate by, as part of its range. */
+/** The step of an arrow key, as a part of the coordinate's range. */
 const STEP = 0.005;
 
 /** @param {NeighbourSession} session @param {HTMLElement} stage   receives keys @param {{ workspace: Figure<Workspace>, square: Figure<Square> }} figures */

@@ -48,7 +48,7 @@ export class NeighbourSession extends Observable {
     this.found = NOTHING;
     /** The true neighbours. @type {Set<number>} */
     this.exact = new Set();
-    /** Is a result awaited, and has the query changed since? */
+    /** Whether a result is awaited, and whether the query has changed since. */
     this.isBusy = false;
     this.isStale = false;
     /** Lists asked for. */

@@ -37,7 +37,7 @@ export class Timing {
     this.measured = [];
     /** The settings that were measured. */
     this.key = "";
-    /** Was it stopped before its end? */
+    /** Whether it was stopped before its end. */
     this.isCut = false;
     this.element = byId("timing", HTMLElement);
     this.button = byId("measure", HTMLButtonElement);
@@ -58,7 +58,7 @@ export class Timing {
   /** The settings that would be measured. */
   get wanted() { return JSON.stringify([this.session.entry.id, this.session.k, this.session.given]); }
 
-  /** Can the measurement be continued? */
+  /** Whether the measurement can be continued. */
   get isPaused() { return this.isCut && this.key === this.wanted; }
 
   explain() {

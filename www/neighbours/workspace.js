@@ -21,7 +21,7 @@ export class Workspace {
     this.view = NO_VIEW;
   }
 
-  /** Where the target can be dragged: the ends of the links of an arm; otherwise the middle, and the front of a body. @returns {Point[]} */
+  /** The handles of the target: the ends of the links of an arm; otherwise the middle, and the front of a body. @returns {Point[]} */
   get handles() {
     const { scenario, q, isArm, dimension } = this.session;
     const parts = scenario.footprint(q);

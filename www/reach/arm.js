@@ -1,4 +1,4 @@
-/** An arm: its document, the core's scenario of it, its configuration and what follows from that. */
+/** An arm: its document, the core's scenario of it, its configuration and what the core computes of it. */
 import { Scenario } from "planarium";
 import { coordinatesOf, fitted, wrap } from "../domain/coordinates.js";
 import { ellipseOf, tipOf } from "./jacobian.js";

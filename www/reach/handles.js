@@ -1,4 +1,4 @@
-/** What can be dragged: the tip, a link, the target, a configuration in the square, a joint on its axis. */
+/** Handles to drag: the tip, a link, the target, a configuration in the square, a joint on its axis. */
 import { distanceToSegment } from "../draw/trace.js";
 import { watchArrows, watchDrag } from "../draw/drag.js";
 import { wrap } from "../domain/coordinates.js";
@@ -11,7 +11,7 @@ import { wrap } from "../domain/coordinates.js";
 /** @import { Point } from "./types.js" */
 /** @import { Workspace } from "./workspace.js" */
 
-/** What an arrow key moves the tip by, as part of the arm's reach. */
+/** The step of an arrow key, as a part of the arm's reach. */
 const STEP = 0.01;
 
 /**
@@ -58,7 +58,7 @@ export function watchHandles(session, stage, { workspace, square, axes }, setTar
     const distances = arm.parts.map((part) => (part.type === "capsule" ? distanceToSegment(px, py, part.a, part.b) - part.radius : Infinity));
     const least = Math.min(...distances);
     if (least * view.scaleX <= near) return turnLink(distances.indexOf(least), px, py, pointOf);
-    // A finger elsewhere scrolls the page; a click with the mouse calls the tip or the target.
+    // A finger elsewhere scrolls the page; a click with the mouse moves the tip or the target there.
     return isTouch ? null : (place) => moveEnd(pointOf(place));
   }
 

@@ -33,11 +33,11 @@ export class IkPanel {
     this.host = byId("solve", HTMLElement);
     /** @type {IkRun | null} */
     this.run = null;
-    /** Where the run starts. */
+    /** The configuration at which the run starts. */
     this.start = session.arm.q;
-    /** Was a run begun, or refused, since the mode was chosen? */
+    /** Whether a run has begun, or was refused, since the mode was chosen. */
     this.isBegun = false;
-    /** What differs from the defaults. @type {Settings} */
+    /** The settings that differ from the defaults. @type {Settings} */
     this.given = {};
     /** The index of the solution that the arm shows, or -1. */
     this.chosen = -1;

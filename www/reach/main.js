@@ -43,7 +43,7 @@ const CELLS = { rough: 64, fine: 360 };
 const MODES = [["hand", "By hand"], ["between", "From A to B"], ["solve", "Inverse kinematics"]];
 
 const app = new App();
-/** Does the worker compute the obstacles of a configuration space? */
+/** Whether the worker computes the obstacles of a configuration space. */
 let isComputing = false;
 
 await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {

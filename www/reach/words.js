@@ -87,7 +87,7 @@ function ikSentence({ session: { target, orientation, arm: { scenario } }, metho
 /** A method within a sentence: names of people stay capital. @param {string} title */
 function inSentence(title) { return title.replace(/^(?!Newton)./, (letter) => letter.toLowerCase()); }
 
-/** How many of some solutions are free. @param {number} count @param {number} free */
+/** The number of solutions that are free, in words. @param {number} count @param {number} free */
 function freeText(count, free) {
   if (count === 1) return free === 1 ? "it does not collide" : "it collides";
   if (free === count) return count === 2 ? "neither collides" : "none collides";

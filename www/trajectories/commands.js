@@ -1,4 +1,4 @@
-/** What the worker computes for this page: the experiment, with the time that each trajectory took. */
+/** The commands of this page, which its worker runs: the experiment, with the time of each trajectory. */
 import { withOptions } from "../domain/option-names.js";
 import { Trajectories, particlePoints } from "planarium";
 
@@ -47,7 +47,7 @@ export const commands = {
 };
 
 /** @typedef {typeof commands} Commands */
-/** What some tries added. @typedef {ReturnType<Commands["advance"]>} Progress */
+/** The outcome of some tries. @typedef {ReturnType<Commands["advance"]>} Progress */
 
 export function reset() { trajectories = null; }
 

@@ -1,10 +1,10 @@
-/** The experiment as far as the page knows it. Replies for an abandoned experiment are dropped. */
+/** The experiment as the page has received it. Replies for an abandoned experiment are dropped. */
 
 /** @import { TrajectoriesResult, TrajectoryOptions } from "planarium" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Commands, Progress } from "./commands.js" */
 
-/** The moving averages are taken over so many. */
+/** Values in a moving average. */
 export const WINDOW = 20;
 
 export class Experiment {
@@ -34,7 +34,7 @@ export class Experiment {
 
   get isRunning() { return this.result?.status === "running"; }
 
-  /** @param {TrajectoryOptions} options @returns {Promise<boolean>}  false: another one was begun meanwhile @throws {Error} they are refused */
+  /** @param {TrajectoryOptions} options @returns {Promise<boolean>}  false: another one has begun since @throws {Error} they are refused */
   async begin(options) {
     const epoch = ++this.epoch;
     const result = await this.worker.begin(options);

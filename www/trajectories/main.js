@@ -29,7 +29,7 @@ import { Plane } from "./plane.js";
 /** @import { Commands } from "./commands.js" */
 /** @import { Movement } from "./particle.js" */
 
-/** What a link stores: the settings that differ from the defaults, the tries made, and the single particle. */
+/** The state that a link stores: the settings that differ from the defaults, the tries made, and the single particle. */
 const stateRule = withDefaults({
   given: settings, tried: whole(1_000_000), one: /** @type {import("../formats/rules.js").Rule<Movement>} */ (list(number, 3, 3)),
 }, { given: {}, tried: 0, one: FIRST });
@@ -131,7 +131,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     return true;
   }
 
-  /** The settings are not valid: what is shown stays but does not go on. */
+  /** The settings are not valid: the experiment stays on the page but stops. */
   function refuse() {
     experiment.epoch++;
     transport.enable(false);

@@ -31,7 +31,7 @@ export class Plane {
     this.drawn = 0;
   }
 
-  /** All accepted trajectories. @param {Brush} brush */
+  /** Draws all accepted trajectories. @param {Brush} brush */
   ground(brush) {
     const { context, palette, width, height } = brush;
     const { half_side: half = 3, fastest = 1, duration = 1 } = /** @type {Record<string, number>} */ (this.experiment.options);
@@ -44,7 +44,7 @@ export class Plane {
     this.append(brush);
   }
 
-  /** Those not drawn yet. @param {Pick<Brush, "context" | "palette">} brush */
+  /** Draws the trajectories that are not drawn yet. @param {Pick<Brush, "context" | "palette">} brush */
   append({ context, palette }) {
     const { experiment: { lines }, drawn } = this;
     if (drawn === lines.length) return;
@@ -53,7 +53,7 @@ export class Plane {
     this.drawn = lines.length;
   }
 
-  /** Does anything glow or move? @param {number} now */
+  /** Whether anything glows or moves. @param {number} now */
   isMoving(now) {
     const { born, rejected } = this.experiment;
     return this.moment !== null || (!this.isStill && Math.max(born[born.length - 1] ?? -Infinity, rejected?.born ?? -Infinity) + GLOWING > now);

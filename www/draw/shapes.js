@@ -161,14 +161,33 @@ export function fillWith(context, style, alpha = 1) {
 
 /** The start, a ring. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
 export function drawStart(context, x, y, palette) {
+  drawEnd(context, palette.start, palette, (isInner) => {
+    context.beginPath();
+    context.arc(x, y, isInner ? 2.3 : 6.5, 0, 2 * Math.PI);
+  });
+}
+
+/** The goal, a diamond. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
+export function drawGoal(context, x, y, palette) {
+  drawEnd(context, palette.goal, palette, (isInner) => {
+    const radius = isInner ? 3 : 8.2;
+    tracePolygon(context, [[x, y - radius], [x + radius, y], [x, y + radius], [x - radius, y]]);
+  });
+}
+
+/** An outline with a dot of the same shape in it. @param {Context} context @param {string} colour @param {Palette} palette @param {(isInner: boolean) => void} trace */
+function drawEnd(context, colour, palette, trace) {
   context.save();
+  context.lineJoin = "round";
   context.lineWidth = 2.4;
   context.fillStyle = palette.stage;
-  context.strokeStyle = palette.start;
-  disc(context, x, y, 6.5);
+  context.strokeStyle = colour;
+  trace(false);
+  context.fill();
   context.stroke();
-  context.fillStyle = palette.start;
-  disc(context, x, y, 2.3);
+  context.fillStyle = colour;
+  trace(true);
+  context.fill();
   context.restore();
 }
 
@@ -179,22 +198,6 @@ export function drawHit(context, x, y, palette) {
     context.arc(x, y, 9, 0, 2 * Math.PI);
     addCross(context, x, y, 4);
   });
-  context.restore();
-}
-
-/** The goal, a diamond. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
-export function drawGoal(context, x, y, palette) {
-  context.save();
-  context.lineJoin = "round";
-  context.lineWidth = 2.4;
-  context.fillStyle = palette.stage;
-  context.strokeStyle = palette.goal;
-  tracePolygon(context, [[x, y - 8.2], [x + 8.2, y], [x, y + 8.2], [x - 8.2, y]]);
-  context.fill();
-  context.stroke();
-  context.fillStyle = palette.goal;
-  tracePolygon(context, [[x, y - 3], [x + 3, y], [x, y + 3], [x - 3, y]]);
-  context.fill();
   context.restore();
 }
 

@@ -59,7 +59,7 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
     save: () => stateOf(session), contents: "the robot, the sampling, the target and the query. Your own list is not included",
     open: async (/** @type {State | null} */ state) => {
       if (state) await openState(session, state);
-      else if (session.dimension === 0) await session.open(ROBOTS[0]);
+      else if (session.list.version === 0) await session.open(ROBOTS[0]);
     },
   });
 

@@ -8,7 +8,7 @@ import { coordinatesOf, fitted, wrap } from "../domain/coordinates.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { Remote } from "../app/worker-client.js" */
-/** @import { Coordinate, Part } from "../domain/types.js" */
+/** @import { Part } from "../domain/types.js" */
 /** @import { Commands } from "./commands.js" */
 /** @import { Found, IndexId, List, RobotEntry, Sampling, Settings } from "./types.js" */
 
@@ -28,8 +28,7 @@ export class NeighbourSession extends Observable {
     this.worker = worker;
     this.entry = entry;
     this.scenario = Scenario.parse(entry.document);
-    /** @type {Coordinate[]} */
-    this.coordinates = [];
+    this.coordinates = coordinatesOf(this);
     /** @type {Sampling} */
     this.sampling = { n: 500, seed: 0, free: true };
     /** The name of the file, if the list was not sampled. @type {string | null} */
@@ -38,8 +37,7 @@ export class NeighbourSession extends Observable {
     this.list = { version: 0, rows: new Float64Array(), tips: new Float64Array() };
     /** The parts of the first robots of the list. @type {Part[][]} */
     this.footprints = [];
-    /** @type {Float64Array} */
-    this.q = new Float64Array();
+    this.q = this.fitted(entry.q);
     this.k = entry.k;
     /** @type {IndexId} */
     this.index = "kd-tree";
@@ -57,7 +55,7 @@ export class NeighbourSession extends Observable {
 
   get document() { return this.entry.document; }
   get dimension() { return this.coordinates.length; }
-  get count() { return this.dimension === 0 ? 0 : this.list.rows.length / this.dimension; }
+  get count() { return this.list.rows.length / this.dimension; }
   get isArm() { return this.document.robot.type === "arm"; }
   get isPlanar() { return this.isArm && this.dimension === 2; }
   get isNaive() { return this.given.metric === "naive"; }

@@ -58,7 +58,6 @@ export class Workspace {
   /** @param {Brush} brush */
   top({ context, palette }) {
     const { session, view } = this;
-    if (session.dimension === 0) return;
     const { scenario, missed, q, list: { tips }, found: { indices }, document: { robot } } = session;
     const isDot = robot.type === "disc";
     const colourOf = (/** @type {number} */ i) => (session.exact.has(i) ? palette.start : palette.rejected);

@@ -201,7 +201,10 @@ export function drawHit(context, x, y, palette) {
   context.restore();
 }
 
-/** The target of an end effector, a ring with four strokes and a line in the direction of the last link. @param {Context} context @param {number} x @param {number} y @param {number | undefined} orientation @param {Palette} palette */
+/**
+ * The target of an end effector, a ring with four strokes and a line in the direction of the last link.
+ * @param {Context} context @param {number} x @param {number} y @param {number | undefined} orientation @param {Palette} palette
+ */
 export function drawTarget(context, x, y, orientation, palette) {
   context.save();
   strokeWithHalo(context, [5, 2], palette.goal, palette, () => {

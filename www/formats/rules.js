@@ -37,7 +37,12 @@ export const list = (item, least, most) => (value, at) => {
   value.forEach((entry, i) => item(entry, `${at}.${i}`));
 };
 
-/** At most 64 entries; what is undefined is absent. @template {Record<string, Rule>} R @param {R} rules @param {Rule} [others]  of entries without a rule; else there are none @returns {Rule<{ [K in keyof R]?: Allowed<R[K]> }>} */
+/**
+ * A record of at most 64 entries; an undefined one is absent.
+ * @template {Record<string, Rule>} R
+ * @param {R} rules @param {Rule} [others]  of entries without a rule; else there are none
+ * @returns {Rule<{ [K in keyof R]?: Allowed<R[K]> }>}
+ */
 export const record = (rules, others) => (value, at) => {
   must(typeof value === "object" && value && !Array.isArray(value), `${at} is wrong`);
   const entries = Object.entries(value).filter(([, entry]) => entry !== undefined);

@@ -1,32 +1,31 @@
 /** Builds the pages around the package: as files for a web server, and as one file. */
 import { createHash } from "node:crypto";
-import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { basename, join, relative, sep } from "node:path";
 import { gzipSync } from "node:zlib";
-import { requireFile, root } from "./run.mjs";
+import { root } from "./run.mjs";
 
 const dist = join(root, "dist");
 
-/** The pages, in the order of the links between them; one that has no file yet is left out. The first is the planner's. */
+/** The pages, in the order of the links between them. The first is the planner's, the others are rooms. */
 const PAGES = [["index", "Plan"], ["reach", "Reach"], ["neighbours", "Neighbours"], ["trajectories", "Trajectories"]];
+const ROOMS = PAGES.slice(1).map(([name]) => name);
 
 /**
- * Assembles the page around the package: a script for the page and one for its worker, each with the parts that are loaded when
- * they are asked for; the package stays a file of its own, the published one. The maps beside them lead back to the sources.
+ * Assembles the pages around the package: for each a script, with parts that are loaded on demand, and for the planner's page and for
+ * the rooms a worker. The package is a separate file, the same as published. Source maps lie beside the scripts.
  *
- * Each of the other pages has `www/NAME.html`, `www/NAME/main.js` and `www/NAME/style.css`; their worker is `www/rooms/worker.js`. They
- * share their parts with each other, and none with the planner's page.
+ * A page is `www/NAME.html`, the contents of the slots of `www/app/shell.html`. A room also has `www/NAME/main.js` and
+ * `www/NAME/style.css`; the worker of the rooms is `www/rooms/worker.js`. The rooms share parts, none of them with the planner's page.
  */
 export function assemblePage() {
   const page = join(root, "www");
   const out = join(dist, "page");
-  requireFile(join(page, "index.html"));
   rmSync(out, { recursive: true, force: true });
   mkdirSync(join(out, "planarium"), { recursive: true });
   for (const part of ["icon.svg", "scenes"]) cpSync(join(page, part), join(out, part), { recursive: true });
-  const pages = PAGES.filter(([name]) => existsSync(join(page, `${name}.html`)));
-  for (const [name] of pages) writeFileSync(join(out, `${name}.html`), linked(name, pages));
+  for (const [name] of PAGES) writeFileSync(join(out, `${name}.html`), documentOf(name));
   cpSync(join(dist, "package", "planarium_bg.wasm"), join(out, "planarium", "planarium_bg.wasm"));
   const inParts = { outfile: undefined, outdir: out, splitting: true, chunkNames: "parts/[name]-[hash]" };
   joinModules(join(page, "style", "style.css"), join(out, "style.css"));
@@ -35,7 +34,7 @@ export function assemblePage() {
   joinModules(join(page, "planner", "main.js"), "", beside);
   joinModules(join(page, "planner", "worker", "worker.js"), "", beside);
   joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
-  assembleRooms(pages.slice(1).map(([name]) => name), inParts);
+  assembleRooms(inParts);
   const files = readdirSync(out, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile() && !entry.name.endsWith(".map"))
     .map((entry) => relative(out, join(entry.parentPath, entry.name)).split(sep).join("/"))
@@ -49,26 +48,29 @@ export function assemblePage() {
 /**
  * The scripts and styles of the rooms and their worker, with one set of parts. An entry and a part lie equally deep, so that the package
  * has the same address for both.
- * @param {string[]} rooms
  * @param {import("esbuild").BuildOptions} inParts
  */
-function assembleRooms(rooms, inParts) {
-  if (rooms.length === 0) return;
+function assembleRooms(inParts) {
   const page = join(root, "www");
-  const entries = [join(page, "rooms", "worker.js"), ...rooms.map((name) => join(page, name, "main.js"))];
+  const entries = [join(page, "rooms", "worker.js"), ...ROOMS.map((name) => join(page, name, "main.js"))];
   joinModules("", "", { ...inParts, entryPoints: entries, outbase: page, alias: { planarium: "../planarium/planarium.js" }, external: ["../planarium/planarium.js"] });
-  for (const name of rooms) joinModules(join(page, name, "style.css"), join(dist, "page", name, "style.css"));
+  for (const name of ROOMS) joinModules(join(page, name, "style.css"), join(dist, "page", name, "style.css"));
 }
 
-/** A page with what all rooms begin with and with the links to the others. @param {string} name @param {string[][]} pages  those that there are */
-function linked(name, pages) {
-  const page = join(root, "www");
-  const links = pages.map(([other, title]) => `<a href="${other === "index" ? "./" : `${other}.html`}"${other === name ? " aria-current=\"page\"" : ""}>${title}</a>`);
-  // Spaces between them: the planner's page is one of them only where there are others.
-  const nav = pages.length > 1 ? `<nav class="rooms" aria-label="Pages">${links.join(" ")}</nav>` : "";
-  return readFileSync(join(page, `${name}.html`), "utf8")
-    .replace("<!-- masthead -->", () => readFileSync(join(page, "rooms", "masthead.html"), "utf8").trim())
-    .replace("<!-- rooms -->", () => nav);
+/** The HTML of a page: the shell with the page's contents in its slots. A single file has no links to other pages. @param {string} name @param {boolean} [isSingle] */
+function documentOf(name, isSingle = false) {
+  const links = PAGES.map(([other, title]) => `<a href="${other === "index" ? "./" : `${other}.html`}"${other === name ? " aria-current=\"page\"" : ""}>${title}</a>`);
+  const isRoom = ROOMS.includes(name);
+  // A page lists its slots: the name of each in a comment at the start of a line, then its content.
+  const own = readFileSync(join(root, "www", `${name}.html`), "utf8").split(/^<!-- (\w+) -->/m).slice(1);
+  /** @type {Record<string, string>} */
+  const slots = {
+    folder: isRoom ? `${name}/` : "",
+    product: isRoom ? "<p class=\"product\"><a href=\"./\">Planarium</a></p>" : "<h1>Planarium</h1>",
+    pages: isSingle ? "" : `<nav class="rooms" aria-label="Pages">${links.join(" ")}</nav>`,
+  };
+  for (let i = 0; i < own.length; i += 2) slots[own[i]] = own[i + 1].trim();
+  return readFileSync(join(root, "www", "app", "shell.html"), "utf8").replace(/<!-- (\w+) -->/g, (_, slot) => slots[slot] ?? "");
 }
 
 /**
@@ -94,12 +96,10 @@ export function assembleOneFile() {
   const scenes = readdirSync(join(page, "scenes")).filter((name) => name.endsWith(".json"));
   const parts = [["core", packed(join(dist, "package", "planarium_bg.wasm"))], ["main", packed(join(made, "main.js"))], ["worker", packed(join(made, "worker.js"))],
     ...scenes.map((name) => [`scene-${basename(name, ".json")}`, JSON.stringify(JSON.parse(text(join(page, "scenes", name))))])];
-  const html = text(join(page, "index.html"))
+  const html = documentOf("index", true)
     .replace(/<meta http-equiv="Content-Security-Policy"[^>]*>/, () => `<meta http-equiv="Content-Security-Policy" content="${policy}">`)
     .replace(/href="icon.svg"/, () => `href="${icon}"`)
     .replace(/ *<link rel="(preload|modulepreload)"[^>]*>\n/g, "")
-    // A single file has no other pages to link to.
-    .replace(/ *<!-- rooms -->\n/, "")
     .replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${style}</style>`)
     .replace(/ *<script type="module"[^>]*><\/script>\n/, "")
     .replace("</body>", () => `${parts.map(([name, part]) => `<script type="text/plain" id="inline-${name}">${part}</script>`).join("\n")}

@@ -159,7 +159,7 @@ describe("with the mouse", () => {
       const on = (/** @type {number} */ angle) => at(elbow[0] + 0.4 * Math.cos(angle), elbow[1] + 0.4 * Math.sin(angle));
       await drag(page, [on(pose[0] + pose[1]), on(pose[0] + pose[1] + 0.2)]);
       await until(page, "undo", 1);
-      assert.equal((await told(page)).title, "Start, joint 1");
+      assert.equal((await told(page)).title, "Start, joint 2");
       let { document } = await saved(page);
       assert.equal(document.queries[0].start[0], pose[0]);
       near(document.queries[0].start[1], pose[1] + 0.2, 0.02);
@@ -167,7 +167,7 @@ describe("with the mouse", () => {
       await drag(page, [on(pose[0] + pose[1] + 0.2), on(pose[0] - 0.3)]);
       await page.keyboard.up("Shift");
       await until(page, "undo", 2);
-      near(Number(await page.inputValue("#edit-joint-1")), -Math.PI / 12, 1e-4);
+      near(Number(await page.inputValue("#edit-joint-2")), -Math.PI / 12, 1e-4);
       const square = await page.locator("#cspace canvas[data-layer=top]").boundingBox();
       assert.ok(square);
       const point = (/** @type {number} */ a, /** @type {number} */ b) => /** @type {[number, number]} */ ([
@@ -422,14 +422,14 @@ describe("by keyboard alone", () => {
       await page.keyboard.press("PageUp");
       await until(page, "title", "Start, end effector");
       await page.keyboard.press("PageUp");
-      await until(page, "title", "Start, joint 1");
-      const before = Number(await page.inputValue("#edit-joint-1"));
+      await until(page, "title", "Start, joint 2");
+      const before = Number(await page.inputValue("#edit-joint-2"));
       await page.keyboard.press("Shift+ArrowUp");
       await until(page, "undo", 1);
-      near(Number(await page.inputValue("#edit-joint-1")) - before, Math.PI / 18, 1e-4);
-      await page.fill("#edit-joint-0", "9");
+      near(Number(await page.inputValue("#edit-joint-2")) - before, Math.PI / 18, 1e-4);
+      await page.fill("#edit-joint-1", "9");
       await page.keyboard.press("Enter");
-      assert.equal(await page.getAttribute("#edit-joint-0", "aria-invalid"), "true");
+      assert.equal(await page.getAttribute("#edit-joint-1", "aria-invalid"), "true");
       assert.equal((await told(page)).undo, "1");
     });
   });

@@ -269,7 +269,7 @@ test("a view maps the plane to pixels and back", () => {
 
 test("a collision is told as who touches what", () => {
   const scenario = load("stones");
-  assert.equal(touchingSentence(scenario, { free: false, touching: [{ part: 1, obstacle: 3 }, { part: 0, obstacle: "bounds" }] }), "link 1 touches obstacle 3, link 0 leaves the bounds");
+  assert.equal(touchingSentence(scenario, { free: false, touching: [{ part: 1, obstacle: 3 }, { part: 0, obstacle: "bounds" }] }), "link 2 touches obstacle 3, link 1 leaves the bounds");
 });
 
 test("what is fetched once is fetched once; those who wait go on in their order; what failed is fetched again", async () => {

@@ -412,7 +412,7 @@ describe("links and files", () => {
       const state = await stateOf(page);
       const { indices, distances } = foundBy(state);
       const lines = (await taken("#take-csv")).toString().trim().split("\r\n");
-      assert.equal(lines[0], "rank,number,distance,\"joint 0\",\"joint 1\"");
+      assert.equal(lines[0], "rank,number,distance,\"joint 1\",\"joint 2\"");
       assert.deepEqual(lines.slice(1).map((line) => line.split(",").slice(0, 3).map(Number)), [...indices].map((one, i) => [i + 1, one, distances[i]]));
     });
   });

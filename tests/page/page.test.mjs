@@ -484,7 +484,7 @@ describe("the robot in the hand", () => {
       await page.locator("#pose-1-number").fill("0");
       await page.locator("#pose-1-number").blur();
       await page.waitForSelector("#touching[data-free=false]");
-      assert.match(await page.innerText("#touching"), /link 1 touches obstacle 0/i);
+      assert.match(await page.innerText("#touching"), /link 2 touches obstacle 0/i);
       assert.ok(await pixelsOf(page, "workspace", "top", "collision") > 100);
       await page.click("#your-turn");
       await atRest(page);

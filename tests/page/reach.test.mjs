@@ -82,7 +82,7 @@ for (const [name, options] of /** @type {[string, Options][]} */ ([["on a desk",
         await put(page, "joint-1-number", "0");
         assert.equal(await page.getAttribute("#stage", "data-free"), "false");
         const { touching } = scenarioOf("islands").check([0.78, 0]);
-        for (const { part, obstacle } of touching) assert.match(await page.innerText("#fact-collision"), new RegExp(`link ${part} touches obstacle ${obstacle}`, "i"));
+        for (const { part, obstacle } of touching) assert.match(await page.innerText("#fact-collision"), new RegExp(`link ${part + 1} touches obstacle ${obstacle}`, "i"));
         assert.ok(await pixelsOf(page, "workspace", "top", "collision") > 200);
         assert.equal(await page.getAttribute("#stage", "data-singular"), "true");
         assert.equal(await page.innerText("#fact-isotropy"), "0.00");
@@ -346,7 +346,7 @@ describe("the arm is made", () => {
       await put(page, "stop-0-0", "0.5");
       assert.ok((await poseOf(page))[0] >= 0.5, "what was beyond a stop is at it");
       await put(page, "stop-0-1", "0.1");
-      assert.match(await page.innerText("#arm-reason"), /limits of joint 0/);
+      assert.match(await page.innerText("#arm-reason"), /limits of joint 1/);
       await put(page, "stop-0-1", "2");
       assert.equal(await page.isHidden("#arm-reason"), true);
       await page.click("label[for=stops]");

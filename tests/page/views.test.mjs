@@ -79,7 +79,7 @@ describe("what is pointed at", () => {
       await page.hover("#cspace .sheet", { position: at(hit[0], hit[1]) });
       const bad = await readout(page, "[data-vertex='-1'][data-free=false]");
       const { part, obstacle } = scenario.check(hit).touching[0];
-      assert.match(bad.text, new RegExp(`^Configuration .* rad: link ${part} touches obstacle ${obstacle}\\.$`));
+      assert.match(bad.text, new RegExp(`^Configuration .* rad: link ${part + 1} touches obstacle ${obstacle}\\.$`));
       assert.ok(await pixelsOf(page, "workspace", "top", "collision") > ends.collision + 60);
       assert.ok(await page.isVisible("#legend-touching"));
       await page.hover("#cspace .sheet", { position: at(way[0], way[1]) });
@@ -299,7 +299,7 @@ describe("planes of more than two joints", () => {
       await finish(page);
       await see(page, "view-across", "2");
       await see(page, "view-up", "3");
-      assert.match(await page.innerText("#cspace figcaption"), /joint 2 across, joint 3 up/);
+      assert.match(await page.innerText("#cspace figcaption"), /joint 3 across, joint 4 up/);
       const rows = planner.verticesSince(0);
       const at = await square(page);
       const [x, y] = [rows[4 * 30 + 2], rows[4 * 30 + 3]];
@@ -308,7 +308,7 @@ describe("planes of more than two joints", () => {
       const there = at(rows[4 * vertex + 2], rows[4 * vertex + 3]);
       assert.ok(Math.hypot(there.x - at(x, y).x, there.y - at(x, y).y) < 2, `vertex ${vertex} is in another place`);
       await see(page, "view-across", "3");
-      assert.match(await page.innerText("#cspace figcaption"), /joint 3 across, joint 2 up/);
+      assert.match(await page.innerText("#cspace figcaption"), /joint 4 across, joint 3 up/);
       assert.equal(await page.inputValue("#view-up"), "2");
       await chooseScene(page, "stones");
       assert.doesNotMatch(await page.innerText("#cspace figcaption"), /across/);

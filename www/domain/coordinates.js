@@ -7,7 +7,7 @@ export function coordinatesOf({ scenario, document: { robot } }) {
   if (robot.type === "arm") {
     return robot.links.map((_, i) => {
       const [low, high] = robot.joint_limits?.[i] ?? [-Math.PI, Math.PI];
-      return { name: `joint ${i}`, low, high, unit: "rad", isCircle: !robot.joint_limits };
+      return { name: `joint ${i + 1}`, low, high, unit: "rad", isCircle: !robot.joint_limits };
     });
   }
   const { min, max } = scenario.extent();
@@ -23,6 +23,9 @@ export function contained(pose, coordinates) {
   });
   return pose;
 }
+
+/** A configuration from one with more or fewer numbers, brought into its coordinates' ranges. @param {ArrayLike<number>} q @param {Coordinate[]} coordinates */
+export function fitted(q, coordinates) { return contained(Float64Array.from(coordinates, (_, i) => q[i] ?? 0), coordinates); }
 
 /** An angle brought between -pi (without it) and pi. @param {number} angle */
 export function wrap(angle) {

@@ -1,4 +1,4 @@
-/** What the page calls the things that can touch, counted from 0 as in the scenario document. */
+/** What the page calls the things that can touch, links counted from 1, and obstacles from 0 as in the scenario document. */
 
 /** @import { Check, Scenario } from "./types.js" */
 
@@ -35,7 +35,7 @@ export function costText(length, scenario) {
 
 /** @param {Scenario} scenario @param {number} part */
 export function partName(scenario, part) {
-  return scenario.robot === "arm" ? `link ${part}` : robotName(scenario.robot);
+  return scenario.robot === "arm" ? `link ${part + 1}` : robotName(scenario.robot);
 }
 
 /** @param {number} obstacle */

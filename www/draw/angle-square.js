@@ -1,11 +1,12 @@
 /**
  * The configuration space of two coordinates as a square. A circle is cut open at its ends; a faint strip of the same picture
- * continues beyond each cut, so that one sees how the angles wrap.
+ * continues beyond each cut and shows how the angles wrap.
  */
-import { MARGIN, drawAxes, tick } from "./angles.js";
+import { MARGIN, drawAxes } from "./angles.js";
+import { drawLine } from "./marks.js";
 import { paint, soften } from "./mask.js";
 import { folded } from "./trace.js";
-import { View } from "./view.js";
+import { NO_VIEW, View } from "./view.js";
 
 /** @import { Coordinate } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
@@ -20,71 +21,63 @@ export class AngleSquare {
   constructor() {
     /** @type {Coordinate[]} */
     this.coordinates = [];
-    /** @type {View | null} */
-    this.view = null;
-    /** The square, and all that is shown. */
-    this.inner = { x: 0, y: 0, width: 0, height: 0 };
-    this.outer = { x: 0, y: 0, width: 0, height: 0 };
+    this.view = NO_VIEW;
+    /** The square, and the square with its strips. */
+    this.inner = this.outer = { x: 0, y: 0, width: 0, height: 0 };
     /** 1 is collision; rows from the lowest angles. @type {{ side: number, mask: Float32Array } | null} */
     this.cells = null;
-    /** The cells as an image. @type {{ key: string, cells: object, canvas: OffscreenCanvas } | null} */
-    this.image = null;
   }
 
   /** Stores the obstacles as the core gives them. @param {Uint8Array} bytes @param {number} side  cells */
   setCells(bytes, side) { this.cells = { side, mask: soften(bytes, side) }; }
 
-  /** Draws obstacles, borders and axes. @param {Brush} brush @param {Coordinate[]} coordinates @param {() => void} [drawMore]  on top of the obstacles, and like them continued in the strips */
-  drawGround({ context, palette, width, height, ratio }, coordinates, drawMore = () => {}) {
+  /** Draws obstacles, borders and axes. @param {Brush} brush @param {Coordinate[]} coordinates @param {() => OffscreenCanvas | null} [imageOf]  fills the square on top of the obstacles */
+  drawGround({ context, palette, width, height, ratio }, coordinates, imageOf = () => null) {
     this.coordinates = coordinates;
     const [low, high] = /** @type {const} */ (["low", "high"]).map((end) => coordinates.map((one) => one[end]));
     const strips = coordinates.map(({ isCircle }) => (isCircle ? STRIP : 0));
-    const view = new View({ min: [low[0] - strips[0], low[1] - strips[1]], max: [high[0] + strips[0], high[1] + strips[1]] }, width, height, MARGIN, true);
-    this.view = view;
+    const view = this.view = new View({ min: [low[0] - strips[0], low[1] - strips[1]], max: [high[0] + strips[0], high[1] + strips[1]] }, width, height, MARGIN, true);
     const box = (/** @type {number[]} */ [x0, y0], /** @type {number[]} */ [x1, y1]) => ({ x: view.x(x0), y: view.y(y1), width: (x1 - x0) * view.scaleX, height: (y1 - y0) * view.scaleY });
     const inner = this.inner = box(low, high);
     const outer = this.outer = box(view.box.min, view.box.max);
-    const image = this.paint(inner.width * ratio, inner.height * ratio, palette);
-    this.repeat(context, () => {
-      if (image) context.drawImage(image, inner.x, inner.y, inner.width, inner.height);
-      drawMore();
+    const images = [this.paint(inner, ratio, palette), imageOf()];
+    this.repeat(context, (isCopy) => {
+      context.globalAlpha = isCopy ? 0.4 : 1;
+      for (const image of images) if (image) context.drawImage(image, inner.x, inner.y, inner.width, inner.height);
     });
-    this.dimStrips(context, palette.stage);
     // Borders that can be crossed are dashed, joint limits solid.
     context.strokeStyle = palette["obstacle-edge"];
     for (const [i, { low: from, high: to, isCircle }] of coordinates.entries()) {
       context.lineWidth = isCircle ? 1 : 2;
       context.setLineDash(isCircle ? [3, 3] : []);
       for (const value of [from, to]) {
-        if (i === 0) tick(context, view.x(value), outer.y, view.x(value), outer.y + outer.height);
-        else tick(context, outer.x, view.y(value), outer.x + outer.width, view.y(value));
+        if (i === 0) drawLine(context, view.x(value), outer.y, view.x(value), outer.y + outer.height);
+        else drawLine(context, outer.x, view.y(value), outer.x + outer.width, view.y(value));
       }
     }
     context.setLineDash([]);
-    this.drawAxes(context, palette);
+    context.fillStyle = palette.quiet;
+    drawAxes(context, view, outer, coordinates);
   }
 
-  /** The obstacles as an image, no finer than its cells. @param {number} width  device pixels @param {number} height @param {Palette} palette */
-  paint(width, height, palette) {
-    const { cells } = this;
-    if (!cells) return null;
-    const scale = Math.min(1, (PIXELS * cells.side) / Math.max(width, height));
-    const [w, h] = [Math.round(width * scale), Math.round(height * scale)];
-    const key = [w, h, palette.obstacle, palette["obstacle-edge"]].join();
-    if (this.image?.key !== key || this.image.cells !== cells) this.image = { key, cells, canvas: paint(cells.mask, cells.side, w, h, palette) };
-    return this.image.canvas;
+  /** The obstacles as an image, no finer than its cells. @param {{ width: number, height: number }} size  CSS pixels @param {number} ratio @param {Palette} palette */
+  paint({ width, height }, ratio, palette) {
+    if (!this.cells) return null;
+    const { mask, side } = this.cells;
+    const scale = Math.min(ratio, (PIXELS * side) / Math.max(width, height));
+    return paint(mask, side, Math.round(width * scale), Math.round(height * scale), palette);
   }
 
   /** Draws the same in the square and, a turn further, in the strips. @param {CanvasRenderingContext2D} context @param {(isCopy: boolean) => void} draw */
   repeat(context, draw) {
-    const { coordinates: [across, up], inner, outer } = this;
-    const turns = (/** @type {Coordinate} */ { isCircle }) => (isCircle ? [-1, 0, 1] : [0]);
+    const { inner, outer } = this;
+    const [across, up] = this.coordinates.map(({ isCircle }) => (isCircle ? [-1, 0, 1] : [0]));
     context.save();
     context.beginPath();
     context.rect(outer.x, outer.y, outer.width, outer.height);
     context.clip();
-    for (const i of turns(across)) {
-      for (const j of turns(up)) {
+    for (const i of across) {
+      for (const j of up) {
         context.save();
         context.translate(i * inner.width, j * inner.height);
         draw(i !== 0 || j !== 0);
@@ -94,41 +87,14 @@ export class AngleSquare {
     context.restore();
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {string} colour */
-  dimStrips(context, colour) {
-    const { inner, outer } = this;
-    const [right, bottom] = [inner.x + inner.width, inner.y + inner.height];
-    context.save();
-    context.globalAlpha = 0.6;
-    context.fillStyle = colour;
-    context.fillRect(outer.x, outer.y, inner.x - outer.x, outer.height);
-    context.fillRect(right, outer.y, outer.x + outer.width - right, outer.height);
-    context.fillRect(inner.x, outer.y, inner.width, inner.y - outer.y);
-    context.fillRect(inner.x, bottom, inner.width, outer.y + outer.height - bottom);
-    context.restore();
-  }
-
-  /** @param {CanvasRenderingContext2D} context @param {Palette} palette */
-  drawAxes(context, palette) {
-    const view = /** @type {View} */ (this.view);
-    context.fillStyle = palette.quiet;
-    drawAxes(context, view, this.outer, this.coordinates);
-  }
-
   /** A configuration in the square, CSS pixels. @param {ArrayLike<number>} q @returns {[number, number]} */
   place(q) {
-    const view = /** @type {View} */ (this.view);
-    const [x, y] = this.coordinates.map(({ isCircle }, i) => (isCircle ? folded(q[i]) : q[i]));
-    return [view.x(x), view.y(y)];
+    return this.view.place(this.coordinates.map(({ isCircle }, i) => (isCircle ? folded(q[i]) : q[i])));
   }
 
   /** A straight motion from a configuration, by the difference of each coordinate. @param {CanvasRenderingContext2D} context @param {ArrayLike<number>} from @param {ArrayLike<number>} difference */
-  traceMotion(context, from, difference) {
-    const { scaleX, scaleY } = /** @type {View} */ (this.view);
+  strokeMotion(context, from, difference) {
     const [x, y] = this.place(from);
-    context.beginPath();
-    context.moveTo(x, y);
-    context.lineTo(x + scaleX * difference[0], y - scaleY * difference[1]);
-    context.stroke();
+    drawLine(context, x, y, x + this.view.scaleX * difference[0], y - this.view.scaleY * difference[1]);
   }
 }

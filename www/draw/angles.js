@@ -1,18 +1,11 @@
-/** The marks along the sides of a square of coordinates, and what the coordinates are called. */
+/** The marks along the sides of a square of coordinates, and the names of the coordinates. */
+import { drawLine } from "./marks.js";
 
 /** @import { Coordinate } from "../domain/types.js" */
 /** @import { View } from "./view.js" */
 
 /** The room that marks and names need around the square, CSS pixels. */
 export const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };
-
-/** @param {CanvasRenderingContext2D} context @param {number} x0 @param {number} y0 @param {number} x1 @param {number} y1 */
-export function tick(context, x0, y0, x1, y1) {
-  context.beginPath();
-  context.moveTo(x0, y0);
-  context.lineTo(x1, y1);
-  context.stroke();
-}
 
 /** @param {Coordinate} coordinate */
 export function titleOf({ name, unit }) { return unit === "m" ? `${name} (m)` : name; }
@@ -26,7 +19,7 @@ export function drawAxes(context, view, { x, y, height }, [across, up], scale = 
   context.textAlign = "center";
   for (const { value, text } of ticks(across)) {
     const at = view.x(value);
-    tick(context, at, bottom, at, bottom + 4);
+    drawLine(context, at, bottom, at, bottom + 4);
     context.fillText(text, at, bottom + 7);
   }
   context.fillText(titleOf(across), view.x(roomiest(across)), bottom + 7);
@@ -39,7 +32,7 @@ export function drawAxes(context, view, { x, y, height }, [across, up], scale = 
   context.textAlign = "right";
   for (const { value, text } of ticks(up)) {
     const at = view.y(value);
-    tick(context, x - 4, at, x, at);
+    drawLine(context, x - 4, at, x, at);
     context.fillText(text, x - 8, at);
   }
 }
@@ -56,11 +49,10 @@ function roomiest(coordinate) {
 export function ticks({ low, high, unit: measure }) {
   if (measure === "m") return [low, (low + high) / 2, high].map((value) => ({ value, text: Number(value.toPrecision(3)).toString().replace("-", "\u2212") }));
   const unit = high - low > 4 * Math.PI + 0.01 ? 2 * Math.PI : Math.PI;
-  const marks = [];
-  for (let i = Math.ceil(low / unit - 1e-9); i * unit <= high + 1e-9; i++) {
-    const turns = (i * unit) / Math.PI;
-    const text = turns === 0 ? "0" : `${turns < 0 ? "\u2212" : ""}${Math.abs(turns) === 1 ? "" : Math.abs(turns)}\u03c0`;
-    marks.push({ value: i * unit, text });
-  }
-  return marks;
+  const first = Math.ceil(low / unit - 1e-9);
+  return Array.from({ length: Math.floor(high / unit + 1e-9) - first + 1 }, (_, i) => {
+    const value = (first + i) * unit;
+    const turns = value / Math.PI;
+    return { value, text: turns === 0 ? "0" : `${turns < 0 ? "\u2212" : ""}${Math.abs(turns) === 1 ? "" : Math.abs(turns)}\u03c0` };
+  });
 }

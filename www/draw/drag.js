@@ -1,35 +1,30 @@
-/** Dragging with mouse and finger, at most once a frame, and with arrow keys. A finger that holds nothing scrolls the page. */
+/** Dragging with mouse and finger, at most once a frame, and with arrow keys. A finger that grabs nothing scrolls the page. */
 
 /** @import { App } from "../app/app.js" */
 
-/** A place of the pointer, CSS pixels of a canvas. @typedef {{ x: number, y: number, near: number, isTouch: boolean }} Place   `near`: how near to a thing is at it */
-/** Moves what is held to a place. @typedef {(place: Place) => void} Grip */
+/** A place of the pointer, CSS pixels of a canvas. @typedef {{ x: number, y: number, near: number, isTouch: boolean }} Place   `near`: the distance within which it grabs something */
+/** Moves what was grabbed to a place. @typedef {(place: Place) => void} Grip */
 
 const NEAR = { mouse: 16, touch: 28 };
 
 /** Each key's coordinate and direction. @type {Record<string, [number, number]>} */
 const KEYS = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowDown: [1, -1], ArrowUp: [1, 1], PageDown: [2, -1], PageUp: [2, 1] };
 
-/** @param {App} app @param {HTMLCanvasElement} canvas @param {(place: Place) => Grip | null} grab  what is held at a place */
+/** @param {App} app @param {HTMLCanvasElement} canvas @param {(place: Place) => Grip | null} grab  what there is at a place */
 export function watchDrag(app, canvas, grab) {
   /** @type {Grip | null} */
   let grip = null;
-  /** The newest place. @type {Place | null} */
+  /** The newest place, until the next frame. @type {Place | null} */
   let next = null;
-  const placeAt = (/** @type {number} */ x, /** @type {number} */ y, isTouch = false) => ({ x, y, isTouch, near: isTouch ? NEAR.touch : NEAR.mouse });
+  const placeAt = (/** @type {number} */ x, /** @type {number} */ y, /** @type {boolean} */ isTouch) => ({ x, y, isTouch, near: isTouch ? NEAR.touch : NEAR.mouse });
   const placeOf = (/** @type {PointerEvent} */ { offsetX, offsetY, pointerType }) => placeAt(offsetX, offsetY, pointerType === "touch");
-  const moveTo = (/** @type {Place} */ place) => {
-    next = place;
+  const drag = (/** @type {PointerEvent} */ event) => {
+    next = placeOf(event);
     app.requestFrame();
   };
   const move = () => {
     if (next) grip?.(next);
     next = null;
-  };
-  const release = () => {
-    // A press may end before the next frame.
-    move();
-    grip = null;
   };
   app.onFrame(move);
   canvas.addEventListener("pointerdown", (event) => {
@@ -37,15 +32,20 @@ export function watchDrag(app, canvas, grab) {
     grip = grab(placeOf(event));
     if (!grip) return;
     canvas.setPointerCapture(event.pointerId);
-    moveTo(placeOf(event));
+    drag(event);
   });
   canvas.addEventListener("pointermove", (event) => {
     if (!event.isPrimary) return;
-    if (grip) moveTo(placeOf(event));
+    if (grip) drag(event);
     else if (event.pointerType !== "touch") canvas.dataset.over = String(grab(placeOf(event)) !== null);
   });
-  canvas.addEventListener("pointerup", release);
-  canvas.addEventListener("pointercancel", release);
+  for (const type of ["pointerup", "pointercancel"]) {
+    canvas.addEventListener(type, () => {
+      // The last place may be newer than the last frame.
+      move();
+      grip = null;
+    });
+  }
   canvas.addEventListener("touchstart", (event) => {
     const [{ clientX, clientY }] = event.touches;
     const { left, top } = canvas.getBoundingClientRect();

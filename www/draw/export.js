@@ -6,7 +6,7 @@ import { Figure as SvgLayer, stripes } from "./svg-layer.js";
 /** @import { Figure } from "./figure.js" */
 /** @typedef {CanvasRenderingContext2D} Context */
 
-/** Space about and between the figures, and for a caption, CSS pixels. */
+/** Space around and between the figures, and for a caption, CSS pixels. */
 const GAP = 16;
 const CAPTION = 22;
 /** Pixels of a PNG at most: some browsers allow no more. */
@@ -16,7 +16,7 @@ const IMAGES = 2;
 
 /** The places of the figures that are shown. @param {Figure[]} figures */
 function layoutOf(figures) {
-  const shown = figures.filter(({ element, palette }) => !element.hidden && palette);
+  const shown = figures.filter(({ element }) => !element.hidden);
   let width = GAP;
   const places = shown.map((figure) => {
     const x = width;
@@ -24,7 +24,7 @@ function layoutOf(figures) {
     return { figure, x, y: GAP + CAPTION };
   });
   const height = Math.max(...shown.map((figure) => figure.height)) + 2 * GAP + CAPTION;
-  return { places, width: Math.ceil(width), height: Math.ceil(height), ground: shown[0]?.palette?.stage ?? "" };
+  return { places, width: Math.ceil(width), height: Math.ceil(height), ground: shown[0].palette.stage };
 }
 
 /** @param {Context} context @param {ReturnType<typeof layoutOf>["places"][number]} place */
@@ -32,7 +32,7 @@ function writeCaption(context, { figure, x, y }) {
   context.font = "13px system-ui, sans-serif";
   context.textBaseline = "alphabetic";
   context.textAlign = "left";
-  context.fillStyle = figure.palette?.ink ?? "";
+  context.fillStyle = figure.palette.ink;
   context.fillText(figure.caption.textContent ?? "", x, y - 8);
 }
 

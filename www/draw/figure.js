@@ -1,6 +1,6 @@
 /**
- * A figure: a caption, and two canvases as sharp as the screen. The ground is drawn when the picture changes, the top whenever
- * something moves, each once a frame. The same drawing can be exported as PNG or SVG.
+ * A figure: a caption and two canvases in the resolution of the screen. The ground is drawn when the scene changes, the top when
+ * something moves, each at most once a frame. The same drawing can be exported as PNG or SVG.
  */
 import { make } from "../app/dom.js";
 import { hatch } from "./hatch.js";
@@ -21,39 +21,34 @@ import { Layer } from "./layer.js";
  * @property {(colour: string) => CanvasPattern | null} hatch   diagonal lines
  */
 
-/** What is drawn. @typedef {{ ground: (brush: Brush) => void, top: (brush: Brush) => void }} Drawing */
+/** The contents of a figure. @typedef {{ ground: (brush: Brush) => void, top: (brush: Brush) => void }} Drawing */
 
 const LAYERS = /** @type {const} */ (["ground", "top"]);
 
+/** @template {Drawing} [D=Drawing] */
 export class Figure {
   /**
    * @param {App} app
    * @param {HTMLElement} host   the figure is appended
    * @param {{ id: string, kind: string, caption: string, note?: string }} names   `kind`: a class of the figure, such as "workspace"
-   * @param {Drawing} drawing
+   * @param {D} drawing
    */
   constructor(app, host, { id, kind, caption, note = "" }, drawing) {
     this.app = app;
     this.drawing = drawing;
     this.caption = make("span", {}, caption);
     this.note = make("small", {}, note);
-    const [ground, top] = LAYERS.map((name) => {
-      const canvas = make("canvas", { ariaHidden: "true" });
-      canvas.dataset.layer = name;
-      return canvas;
-    });
+    const [ground, top] = [make("canvas", { ariaHidden: "true" }), make("canvas", { role: "img", ariaLabel: caption })];
+    ground.dataset.layer = "ground";
+    top.dataset.layer = "top";
     this.box = make("div", { className: "sheet" }, ground, top);
     this.element = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, this.caption, " ", this.note), this.box);
     this.layers = { ground: new Layer(ground), top: new Layer(top) };
     /** Receives pointer events. */
     this.canvas = top;
-    top.removeAttribute("aria-hidden");
-    top.setAttribute("role", "img");
-    top.setAttribute("aria-label", caption);
     this.width = 0;
     this.height = 0;
-    /** @type {Palette | null} */
-    this.palette = null;
+    this.palette = app.look.palette;
     /** Layers to be redrawn. @type {Set<"ground" | "top">} */
     this.dirty = new Set();
     host.append(this.element);
@@ -74,9 +69,9 @@ export class Figure {
   }
 
   /** Sets the description for screen readers. @param {string} text */
-  describe(text) { if (this.canvas.getAttribute("aria-label") !== text) this.canvas.setAttribute("aria-label", text); }
+  describe(text) { if (this.canvas.ariaLabel !== text) this.canvas.ariaLabel = text; }
 
-  /** Fits the canvases to their place, in whole pixels: a canvas stretched by a fraction of one is blurred. */
+  /** Measures the canvases, in whole pixels: a canvas stretched by a fraction of one is blurred. */
   measure() {
     const box = this.box.getBoundingClientRect();
     const [width, height] = [box.width, box.height].map((side) => Math.round(side * devicePixelRatio) / devicePixelRatio);
@@ -87,9 +82,8 @@ export class Figure {
     this.app.requestFrame();
   }
 
-  /** Takes on the colours, the pixel ratio and the size. */
+  /** Applies the colours, the pixel ratio and the size. */
   fit() {
-    if (this.width < 1) return;
     const { palette, ratio } = this.app.look;
     this.palette = palette;
     for (const name of LAYERS) {
@@ -100,10 +94,9 @@ export class Figure {
 
   /** Draws the layers that are dirty. */
   draw() {
-    const { dirty } = this;
-    if (!this.palette || this.element.hidden) return;
+    if (this.width === 0 || this.element.hidden) return;
     for (const name of LAYERS) {
-      if (!dirty.delete(name)) continue;
+      if (!this.dirty.delete(name)) continue;
       const { context, ratio } = this.layers[name];
       this.layers[name].clear();
       this.drawWith(context, ratio, (colour) => hatch(context, colour, ratio), [name]);
@@ -116,7 +109,6 @@ export class Figure {
    */
   drawWith(context, ratio, hatchOf, layers = LAYERS) {
     const { palette, width, height } = this;
-    if (!palette) return;
     for (const name of layers) {
       context.save();
       this.drawing[name]({ context, palette, width, height, ratio, hatch: /** @type {Brush["hatch"]} */ (hatchOf) });

@@ -1,4 +1,5 @@
-/** What lies beneath everything in the workspace: a grid, the bounds, how far an arm reaches, its base. */
+/** The ground of the workspace: a grid, the bounds, the reach of an arm, its base. */
+import { disc, ring } from "./marks.js";
 
 /** @import { Box } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
@@ -25,26 +26,19 @@ export function drawBounds(context, view, { min, max }, palette) {
   context.strokeRect(view.x(min[0]), view.y(max[1]), (max[0] - min[0]) * view.scaleX, (max[1] - min[1]) * view.scaleY);
 }
 
-/** The circle that an arm never leaves. @param {Context} context @param {View} view @param {{ base: ArrayLike<number>, links: number[], radius?: number }} arm @param {Palette} palette */
+/** The circle that contains an arm in every configuration. @param {Context} context @param {View} view @param {{ base: ArrayLike<number>, links: number[], radius?: number }} arm @param {Palette} palette */
 export function drawReach(context, view, { base, links, radius = 0 }, palette) {
   const reach = links.reduce((sum, link) => sum + link, radius);
   context.strokeStyle = palette.line;
   context.setLineDash([2, 5]);
-  context.beginPath();
-  context.arc(view.x(base[0]), view.y(base[1]), reach * view.scaleX, 0, 2 * Math.PI);
-  context.stroke();
+  ring(context, ...view.place(base), reach * view.scaleX);
   context.setLineDash([]);
 }
 
-/** Where an arm stands. @param {Context} context @param {View} view @param {ArrayLike<number>} base @param {Palette} palette */
+/** The base of an arm. @param {Context} context @param {View} view @param {ArrayLike<number>} base @param {Palette} palette */
 export function drawBase(context, view, base, palette) {
-  context.beginPath();
-  context.arc(view.x(base[0]), view.y(base[1]), 4.5, 0, 2 * Math.PI);
-  context.fillStyle = palette.ink;
-  context.fill();
-  context.beginPath();
-  context.arc(view.x(base[0]), view.y(base[1]), 8.5, 0, 2 * Math.PI);
-  context.strokeStyle = palette.ink;
+  context.fillStyle = context.strokeStyle = palette.ink;
   context.lineWidth = 1;
-  context.stroke();
+  disc(context, ...view.place(base), 4.5);
+  ring(context, ...view.place(base), 8.5);
 }

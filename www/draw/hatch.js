@@ -1,5 +1,5 @@
 /**
- * Diagonal lines to fill a shape with, so that a collision does not speak by its colour alone.
+ * Diagonal lines to fill a shape with, so that a collision does not differ by its colour alone.
  * @param {CanvasRenderingContext2D} context @param {string} colour @param {number} ratio  device pixels a CSS pixel
  * @returns {CanvasPattern | null}
  */

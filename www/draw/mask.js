@@ -1,27 +1,24 @@
-/** A mask of cells, 1 for collision, as an image with round edges: the obstacles of a square of coordinates. */
+/** A mask of cells, 1 for collision, as an image with round edges: the obstacles in the configuration space. */
 
 /** @import { Palette } from "../app/palette.js" */
 
-/** Rounds the stairs of a mask of cells: each becomes the weighted mean of its neighbourhood. @param {Uint8Array} bytes @param {number} side */
+/** Smooths a mask of cells: each becomes the weighted mean of its neighbourhood. @param {Uint8Array} bytes @param {number} side */
 export function soften(bytes, side) {
-  const pass = new Float32Array(side * side);
-  const mask = new Float32Array(side * side);
-  const clamp = (/** @type {number} */ i) => Math.min(side - 1, Math.max(0, i));
-  for (let r = 0; r < side; r++) {
-    for (let c = 0; c < side; c++) {
-      pass[r * side + c] = (bytes[r * side + clamp(c - 1)] + 2 * bytes[r * side + c] + bytes[r * side + clamp(c + 1)]) / 4;
+  // Each pass averages along the rows and transposes; two make a square neighbourhood.
+  const pass = (/** @type {ArrayLike<number>} */ cells) => {
+    const means = new Float32Array(side * side);
+    for (let i = 0; i < means.length; i++) {
+      const at = Math.floor(i / side);
+      const row = side * (i % side);
+      means[i] = (cells[row + Math.max(0, at - 1)] + 2 * cells[row + at] + cells[row + Math.min(side - 1, at + 1)]) / 4;
     }
-  }
-  for (let r = 0; r < side; r++) {
-    for (let c = 0; c < side; c++) {
-      mask[r * side + c] = (pass[clamp(r - 1) * side + c] + 2 * pass[r * side + c] + pass[clamp(r + 1) * side + c]) / 4;
-    }
-  }
-  return mask;
+    return means;
+  };
+  return pass(pass(bytes));
 }
 
 /**
- * The mask as an image of the screen's own pixels: filled where more than half is collision, with a fine edge.
+ * The mask as an image in device pixels: filled where more than half is collision, with a fine edge.
  * @param {Float32Array} mask  rows from the lowest angles
  * @param {number} side @param {number} width @param {number} height  device pixels
  * @param {Palette} palette
@@ -33,7 +30,7 @@ export function paint(mask, side, width, height, palette) {
   const image = context.createImageData(canvas.width, canvas.height);
   const inner = bytesOf(palette.obstacle);
   const edge = bytesOf(palette["obstacle-edge"]);
-  // However small the picture, what is deep inside has the colour of obstacles.
+  // Also in a small image the inside of an obstacle has its colour.
   const cell = Math.max(1.4, Math.min(width, height) / side);
   const pixels = image.data;
   for (let py = 0; py < canvas.height; py++) {

@@ -1,4 +1,4 @@
-/** Lines of many pieces on a canvas. */
+/** Lines of many segments on a canvas. */
 
 /** @param {CanvasRenderingContext2D} context @param {Float64Array} points @param {number} first @param {number} end */
 export function strokeLine(context, points, first, end) {
@@ -7,7 +7,7 @@ export function strokeLine(context, points, first, end) {
   context.stroke();
 }
 
-/** Adds the points to the path; the pen lifts at NaN and between pieces that do not meet but for rounding, so that dashes run on. @param {CanvasRenderingContext2D} context @param {Float64Array} points @param {number} first @param {number} end */
+/** Adds the points to the path. The line breaks at NaN, unless it continues, but for rounding, where it stopped; dashes then run on. @param {CanvasRenderingContext2D} context @param {Float64Array} points @param {number} first @param {number} end */
 export function tracePen(context, points, first, end) {
   let penX = NaN;
   let penY = NaN;

@@ -1,4 +1,5 @@
-/** Paths of obstacles, robot parts and marks in CSS pixels, and how they are inked. */
+/** Obstacles, parts of robots and marks, in CSS pixels. */
+import { addCross, addLine, disc, strokeWithHalo } from "./marks.js";
 
 /** @import { View } from "./view.js" */
 /** @import { Obstacle, Part } from "../domain/types.js" */
@@ -10,13 +11,19 @@ const THIN = 1.6;
 
 /** @param {Context} context @param {View} view @param {Obstacle} obstacle */
 export function obstaclePath(context, view, obstacle) {
-  context.beginPath();
   if (obstacle.type === "disc") {
-    context.arc(view.x(obstacle.center[0]), view.y(obstacle.center[1]), obstacle.radius * view.scaleX, 0, 2 * Math.PI);
+    context.beginPath();
+    context.arc(...view.place(obstacle.center), obstacle.radius * view.scaleX, 0, 2 * Math.PI);
   } else {
-    for (const [x, y] of obstacle.vertices) context.lineTo(view.x(x), view.y(y));
-    context.closePath();
+    tracePolygon(context, obstacle.vertices.map((vertex) => view.place(vertex)));
   }
+}
+
+/** @param {Context} context @param {number[][]} vertices  CSS pixels */
+function tracePolygon(context, vertices) {
+  context.beginPath();
+  for (const [x, y] of vertices) context.lineTo(x, y);
+  context.closePath();
 }
 
 /** @param {Context} context @param {View} view @param {Obstacle[]} obstacles @param {Palette} palette */
@@ -32,7 +39,7 @@ export function drawObstacles(context, view, obstacles, palette) {
   }
 }
 
-/** Is a point inside a polygon? @param {[number, number][]} vertices @param {number} x @param {number} y */
+/** Whether a point is inside a polygon. @param {[number, number][]} vertices @param {number} x @param {number} y */
 export function contains(vertices, x, y) {
   let inside = false;
   vertices.forEach(([ax, ay], i) => {
@@ -45,9 +52,8 @@ export function contains(vertices, x, y) {
 /** The middle of an obstacle's box, in the plane. @param {Obstacle} obstacle @returns {[number, number]} */
 export function obstacleMiddle(obstacle) {
   if (obstacle.type === "disc") return [obstacle.center[0], obstacle.center[1]];
-  const xs = obstacle.vertices.map((v) => v[0]);
-  const ys = obstacle.vertices.map((v) => v[1]);
-  return [(Math.min(...xs) + Math.max(...xs)) / 2, (Math.min(...ys) + Math.max(...ys)) / 2];
+  const middle = (/** @type {number[]} */ values) => (Math.min(...values) + Math.max(...values)) / 2;
+  return [middle(obstacle.vertices.map(([x]) => x)), middle(obstacle.vertices.map(([, y]) => y))];
 }
 
 /** @param {View} view @param {Part} part */
@@ -62,16 +68,12 @@ export function partPath(context, view, part) {
   const radius = part.radius * view.scaleX;
   context.beginPath();
   if (part.type === "disc") {
-    context.arc(view.x(part.center[0]), view.y(part.center[1]), Math.max(radius, 4), 0, 2 * Math.PI);
+    context.arc(...view.place(part.center), Math.max(radius, 4), 0, 2 * Math.PI);
     return;
   }
-  const ax = view.x(part.a[0]);
-  const ay = view.y(part.a[1]);
-  const bx = view.x(part.b[0]);
-  const by = view.y(part.b[1]);
+  const [ax, ay, bx, by] = [...view.place(part.a), ...view.place(part.b)];
   if (isThin(view, part)) {
-    context.moveTo(ax, ay);
-    context.lineTo(bx, by);
+    addLine(context, ax, ay, bx, by);
     return;
   }
   const angle = Math.atan2(by - ay, bx - ax);
@@ -80,64 +82,50 @@ export function partPath(context, view, part) {
   context.closePath();
 }
 
-/** A pose as an outline: where the robot starts, where it should go, where it will pass. @param {Context} context @param {View} view @param {Part[]} parts @param {{ colour: string, fill: number, stroke: number, dash: number[], width: number }} style */
-export function drawGhost(context, view, parts, style) {
+/** A configuration as an outline. @param {Context} context @param {View} view @param {Part[]} parts @param {{ colour: string, fill: number, stroke: number, dash: number[], width: number }} style */
+export function drawGhost(context, view, parts, { colour, fill, stroke, dash, width }) {
   context.save();
-  context.strokeStyle = context.fillStyle = style.colour;
-  context.lineWidth = style.width;
+  context.strokeStyle = context.fillStyle = colour;
+  context.lineWidth = width;
   context.lineCap = "round";
-  context.setLineDash(style.dash);
+  context.setLineDash(dash);
   for (const part of parts) {
     partPath(context, view, part);
     if (!isThin(view, part) || part.type === "disc") {
-      context.globalAlpha = style.fill;
+      context.globalAlpha = fill;
       context.fill();
     }
-    context.globalAlpha = style.stroke;
+    context.globalAlpha = stroke;
     context.stroke();
   }
   context.restore();
 }
 
-/** The robot itself. Parts in `touching` are left to `drawTouchingParts`. @param {Context} context @param {View} view @param {Part[]} parts @param {Palette} palette */
+/** The robot itself. @param {Context} context @param {View} view @param {Part[]} parts @param {Palette} palette */
 export function drawRobot(context, view, parts, palette) {
+  const isLine = parts[0]?.type === "capsule" && isThin(view, parts[0]);
   context.save();
-  context.lineCap = "round";
-  context.lineJoin = "round";
-  const thin = parts.length > 0 && isThin(view, parts[0]) && parts[0].type === "capsule";
-  if (thin) {
-    for (const [width, colour] of /** @type {[number, string][]} */ ([[7, palette.stage], [3.4, palette.robot]])) {
-      context.lineWidth = width;
-      context.strokeStyle = colour;
-      for (const part of parts) {
-        partPath(context, view, part);
-        context.stroke();
-      }
-    }
-  } else {
+  context.lineCap = context.lineJoin = "round";
+  for (const [width, colour] of /** @type {[number, string][]} */ (isLine ? [[7, palette.stage], [3.4, palette.robot]] : [[1.2, palette["robot-edge"]]])) {
+    context.lineWidth = width;
+    context.strokeStyle = colour;
     context.fillStyle = palette.robot;
-    context.strokeStyle = palette["robot-edge"];
-    context.lineWidth = 1.2;
     for (const part of parts) {
       partPath(context, view, part);
-      context.fill();
+      if (!isLine) context.fill();
       context.stroke();
     }
   }
+  context.fillStyle = isLine ? palette.robot : palette["robot-edge"];
   for (const part of parts) {
     if (part.type !== "capsule") continue;
-    const radius = thin ? 3.6 : Math.max(1.6, 0.34 * part.radius * view.scaleX);
-    for (const [x, y] of [part.a, part.b]) {
-      context.beginPath();
-      context.arc(view.x(x), view.y(y), radius, 0, 2 * Math.PI);
-      context.fillStyle = thin ? palette.robot : palette["robot-edge"];
-      context.fill();
-    }
+    const radius = isLine ? 3.6 : Math.max(1.6, 0.34 * part.radius * view.scaleX);
+    for (const end of [part.a, part.b]) disc(context, ...view.place(end), radius);
   }
   context.restore();
 }
 
-/** Parts that touch something: red and hatched. @param {Context} context @param {View} view @param {Part[]} parts @param {Palette} palette @param {CanvasPattern | null} hatch */
+/** Parts in collision, red and hatched. @param {Context} context @param {View} view @param {Part[]} parts @param {Palette} palette @param {CanvasPattern | null} hatch */
 export function drawTouchingParts(context, view, parts, palette, hatch) {
   context.save();
   context.lineCap = "round";
@@ -154,101 +142,80 @@ export function drawTouchingParts(context, view, parts, palette, hatch) {
       context.setLineDash([]);
       continue;
     }
-    context.fillStyle = palette.collision;
-    context.fill();
-    if (hatch) {
-      context.fillStyle = hatch;
-      context.fill();
-    }
+    fillWith(context, palette.collision);
+    fillWith(context, hatch);
     context.lineWidth = 1.6;
     context.stroke();
   }
   context.restore();
 }
 
-/** A ring: the start. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
-export function drawStart(context, x, y, palette) {
-  context.save();
-  context.beginPath();
-  context.arc(x, y, 6.5, 0, 2 * Math.PI);
-  context.fillStyle = palette.stage;
+/** Fills the path with a colour, or with a pattern where the browser has made one. @param {Context} context @param {string | CanvasPattern | null} style @param {number} [alpha] */
+export function fillWith(context, style, alpha = 1) {
+  if (!style) return;
+  context.globalAlpha = alpha;
+  context.fillStyle = style;
   context.fill();
-  context.strokeStyle = context.fillStyle = palette.start;
+  context.globalAlpha = 1;
+}
+
+/** The start, a ring. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
+export function drawStart(context, x, y, palette) {
+  drawEnd(context, palette.start, palette, (isInner) => {
+    context.beginPath();
+    context.arc(x, y, isInner ? 2.3 : 6.5, 0, 2 * Math.PI);
+  });
+}
+
+/** The goal, a diamond. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
+export function drawGoal(context, x, y, palette) {
+  drawEnd(context, palette.goal, palette, (isInner) => {
+    const radius = isInner ? 3 : 8.2;
+    tracePolygon(context, [[x, y - radius], [x + radius, y], [x, y + radius], [x - radius, y]]);
+  });
+}
+
+/** An outline with a dot of the same shape in it. @param {Context} context @param {string} colour @param {Palette} palette @param {(isInner: boolean) => void} trace */
+function drawEnd(context, colour, palette, trace) {
+  context.save();
+  context.lineJoin = "round";
   context.lineWidth = 2.4;
+  context.fillStyle = palette.stage;
+  context.strokeStyle = colour;
+  trace(false);
+  context.fill();
   context.stroke();
-  context.beginPath();
-  context.arc(x, y, 2.3, 0, 2 * Math.PI);
+  context.fillStyle = colour;
+  trace(true);
   context.fill();
   context.restore();
 }
 
-/** A ringed cross: here a path collides. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
+/** The first collision of a motion, a cross in a ring. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
 export function drawHit(context, x, y, palette) {
   context.save();
-  context.lineCap = "round";
-  for (const [width, colour] of /** @type {[number, string][]} */ ([[6, palette.stage], [2.4, palette.collision]])) {
-    context.strokeStyle = colour;
-    context.lineWidth = width;
-    context.beginPath();
+  strokeWithHalo(context, [6, 2.4], palette.collision, palette, () => {
     context.arc(x, y, 9, 0, 2 * Math.PI);
-    context.moveTo(x - 4, y - 4);
-    context.lineTo(x + 4, y + 4);
-    context.moveTo(x - 4, y + 4);
-    context.lineTo(x + 4, y - 4);
-    context.stroke();
-  }
+    addCross(context, x, y, 4);
+  });
   context.restore();
 }
 
-/** A diamond: the goal. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
-export function drawGoal(context, x, y, palette) {
-  context.save();
-  diamond(context, x, y, 8.2);
-  context.fillStyle = palette.stage;
-  context.fill();
-  context.strokeStyle = context.fillStyle = palette.goal;
-  context.lineWidth = 2.4;
-  context.lineJoin = "round";
-  context.stroke();
-  diamond(context, x, y, 3);
-  context.fill();
-  context.restore();
-}
-
-/** A ring with four strokes: where the end effector is to be, and which way the last link is to point there. @param {Context} context @param {number} x @param {number} y @param {number | undefined} orientation @param {Palette} palette */
+/**
+ * The target of an end effector, a ring with four strokes and a line in the direction of the last link.
+ * @param {Context} context @param {number} x @param {number} y @param {number | undefined} orientation @param {Palette} palette
+ */
 export function drawTarget(context, x, y, orientation, palette) {
   context.save();
-  context.lineCap = "round";
-  for (const [colour, width] of /** @type {[string, number][]} */ ([[palette.stage, 5], [palette.goal, 2]])) {
-    context.strokeStyle = colour;
-    context.lineWidth = width;
-    context.beginPath();
+  strokeWithHalo(context, [5, 2], palette.goal, palette, () => {
     context.arc(x, y, 12, 0, 2 * Math.PI);
-    for (let i = 0; i < 4; i++) {
-      const [dx, dy] = [Math.cos((i * Math.PI) / 2), Math.sin((i * Math.PI) / 2)];
-      context.moveTo(x + 9 * dx, y + 9 * dy);
-      context.lineTo(x + 17 * dx, y + 17 * dy);
-    }
-    if (orientation !== undefined) {
-      context.moveTo(x, y);
-      context.lineTo(x + 32 * Math.cos(orientation), y - 32 * Math.sin(orientation));
-    }
-    context.stroke();
-  }
+    for (const [dx, dy] of [[1, 0], [0, 1], [-1, 0], [0, -1]]) addLine(context, x + 9 * dx, y + 9 * dy, x + 17 * dx, y + 17 * dy);
+    if (orientation !== undefined) addLine(context, x, y, x + 32 * Math.cos(orientation), y - 32 * Math.sin(orientation));
+  });
   context.restore();
 }
 
-/** @param {Context} context @param {number} x @param {number} y @param {number} radius */
-function diamond(context, x, y, radius) {
-  context.beginPath();
-  context.moveTo(x, y - radius);
-  context.lineTo(x + radius, y);
-  context.lineTo(x, y + radius);
-  context.lineTo(x - radius, y);
-  context.closePath();
-}
-
-/** A word on the stage, with a halo so that it reads on anything. @param {Context} context @param {string} text @param {number} x @param {number} y @param {string} colour @param {Palette} palette */
+/** A word with a halo. @param {Context} context @param {string} text @param {number} x @param {number} y @param {string} colour @param {Palette} palette */
 export function drawLabel(context, text, x, y, colour, palette) {
   context.save();
   context.font = "600 13px system-ui, sans-serif";

@@ -1,12 +1,13 @@
 /**
- * A sheet's layer that writes SVG in place of pixels: what panes draw on a canvas becomes lines. It stands where a canvas
- * would and gives its own context; coordinates are CSS pixels whatever the ratio, which is left to the images in it.
+ * A layer of a sheet that writes SVG in place of pixels. It takes the place of a canvas and is its own context; coordinates are CSS
+ * pixels at any pixel ratio, which only its images have.
  */
 import { SvgContext } from "../formats/svg.js";
+import { bytesOf } from "./mask.js";
 
 /** @import { Stripes } from "../formats/svg.js" */
 
-/** Stands in an image's place until its bytes are known. */
+/** The address of an image until its bytes are known. */
 const LATER = "image:";
 
 export class Figure extends SvgContext {
@@ -22,10 +23,10 @@ export class Figure extends SvgContext {
   /** It is its own canvas. */
   getContext() { return this; }
 
-  /** Pixels are not told: there are none. @override */
+  /** Without effect: there are no device pixels. @override */
   setTransform() {}
 
-  /** A pattern of pixels is of no use; stripes are given in its place. */
+  /** None: stripes take the place of a pattern. */
   createPattern() { return null; }
 
   /** @param {OffscreenCanvas | ImageBitmap | { toDataURL(): string }} image @param {number} x @param {number} y @param {number} width @param {number} height @override */
@@ -34,19 +35,19 @@ export class Figure extends SvgContext {
     super.drawImage({ toDataURL: () => `${LATER}${this.images.length - 1};` }, x, y, width, height);
   }
 
-  /** The figure as an element to be put into another one. @param {string} name  sets its own names apart from others' @param {number} x @param {number} y @returns {Promise<string>} */
+  /** The figure as an element of another one. @param {string} name  begins its ids @param {number} x @param {number} y @returns {Promise<string>} */
   async element(name, x, y) {
     const urls = await Promise.all(this.images.map(dataUrl));
     return this.toString()
       .replaceAll(/(\bid="|url\(#)/g, `$1${name}-`)
       .replaceAll(new RegExp(`${LATER}(\\d+);`, "g"), (_, index) => urls[Number(index)])
-      .replaceAll(/color-mix\([^"]*\)/g, plain)
+      .replaceAll(/color-mix\([^"]*\)/g, (colour) => `rgb(${bytesOf(colour).join(", ")})`)
       .replace("<svg ", `<svg x="${x}" y="${y}" `);
   }
 }
 
-/** Stripes of a colour, as wide and as far apart as the stage has them. @param {string} colour @returns {Stripes} */
-export function stripes(colour) { return { colour, size: 5, width: 1.5 }; }
+/** A colour as stripes. @param {string} colour @returns {Stripes} */
+export function stripes(colour) { return { colour }; }
 
 /** @param {OffscreenCanvas | ImageBitmap} image @returns {Promise<string>} */
 async function dataUrl(image) {
@@ -58,11 +59,3 @@ async function dataUrl(image) {
   return `data:image/png;base64,${btoa(text)}`;
 }
 
-/** A mixed colour as one that every program knows. @param {string} colour */
-function plain(colour) {
-  const context = new OffscreenCanvas(1, 1).getContext("2d");
-  if (!context) return colour;
-  context.fillStyle = colour;
-  context.fillRect(0, 0, 1, 1);
-  return `rgb(${context.getImageData(0, 0, 1, 1).data.slice(0, 3).join(", ")})`;
-}

@@ -1,4 +1,4 @@
-/** A small picture of a scenario: its obstacles, where the robot starts and where it should go. */
+/** A small picture of a scenario: its obstacles, start and goal. */
 import { drawGhost, drawObstacles, drawTarget } from "./shapes.js";
 import { View } from "./view.js";
 
@@ -16,13 +16,10 @@ export function drawThumbnail(scenario, side, { palette, ratio }) {
   const { world, queries } = scenario.document();
   drawObstacles(context, view, world.obstacles, { ...palette, "obstacle-edge": palette.obstacle });
   const target = queries[0]?.target;
-  if (target) drawTarget(context, view.x(target.point[0]), view.y(target.point[1]), target.orientation, palette);
-  if (queries.length > 0) {
-    const style = { fill: 0.9, stroke: 1, dash: [], width: 1.6 };
-    for (const end of /** @type {const} */ (["goal", "start"])) {
-      const pose = queries[0][end];
-      if (pose) drawGhost(context, view, scenario.footprint(pose), { ...style, colour: palette[end] });
-    }
+  if (target) drawTarget(context, ...view.place(target.point), target.orientation, palette);
+  for (const end of /** @type {const} */ (["goal", "start"])) {
+    const pose = queries[0]?.[end];
+    if (pose) drawGhost(context, view, scenario.footprint(pose), { colour: palette[end], fill: 0.9, stroke: 1, dash: [], width: 1.6 });
   }
   return canvas.transferToImageBitmap();
 }

@@ -1,6 +1,6 @@
-/** A robot in collision: what it touches, and with which parts, red, hatched and by name. */
+/** A robot in collision: its parts and what they touch, red, hatched and with their names. */
 import { obstacleName, partName } from "../domain/names.js";
-import { contains, drawLabel, drawTouchingParts, obstacleMiddle, obstaclePath } from "./shapes.js";
+import { contains, drawLabel, drawTouchingParts, fillWith, obstacleMiddle, obstaclePath } from "./shapes.js";
 
 /** @import { Check, Obstacle, Part, Scenario, ScenarioDocument } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
@@ -18,7 +18,7 @@ export function drawTouching(brush, { scenario, world, parts, touching }, draw) 
   draw();
   const hit = new Set(touching.map(({ part }) => part));
   drawTouchingParts(context, view, parts.filter((_, i) => hit.has(i)), palette, onPart);
-  // Many links in a row would be named on top of each other: the first and the last stand for those between.
+  // Names of many links would overlap: only the first and the last are named.
   for (const index of hit.size > MOST_NAMES ? [Math.min(...hit), Math.max(...hit)] : hit) {
     const [x, y] = labelPlace(view, parts[index]);
     drawLabel(context, partName(scenario, index), x, y, palette.collision, palette);
@@ -45,28 +45,23 @@ export function drawTouched({ context, view, palette, onObstacle }, { bounds, ob
     }
   } else {
     obstaclePath(context, view, obstacles[obstacle]);
-    if (onObstacle) {
-      context.fillStyle = onObstacle;
-      context.globalAlpha = 0.55;
-      context.fill();
-      context.globalAlpha = 1;
-    }
+    fillWith(context, onObstacle, 0.55);
     context.stroke();
   }
   context.restore();
 }
 
-/** Where to name an obstacle: in its middle, or where that is not inside of it, below its vertex nearest to the part. @param {View} view @param {Obstacle} obstacle @param {Part} part @returns {[number, number]} */
+/** The place of an obstacle's name: its middle, or if that is outside, below its vertex nearest to the part. @param {View} view @param {Obstacle} obstacle @param {Part} part @returns {[number, number]} */
 function obstaclePlace(view, obstacle, part) {
   const [x, y] = obstacleMiddle(obstacle);
-  if (obstacle.type === "disc" || contains(obstacle.vertices, x, y)) return [view.x(x), view.y(y)];
+  if (obstacle.type === "disc" || contains(obstacle.vertices, x, y)) return view.place([x, y]);
   const [px, py] = part.type === "capsule" ? part.b : obstacleMiddle(part);
   const distance = (/** @type {[number, number]} */ vertex) => Math.hypot(vertex[0] - px, vertex[1] - py);
   const nearest = obstacle.vertices.reduce((best, vertex) => (distance(vertex) < distance(best) ? vertex : best));
   return [view.x(nearest[0]), view.y(nearest[1]) + 26];
 }
 
-/** Beside the middle of a part, CSS pixels. @param {View} view @param {Part} part @returns {[number, number]} */
+/** The place of a part's name: beside its middle, CSS pixels. @param {View} view @param {Part} part @returns {[number, number]} */
 function labelPlace(view, part) {
   if (part.type === "polygon") return [view.x(obstacleMiddle(part)[0]), view.y(Math.max(...part.vertices.map(([, y]) => y))) - 14];
   const clear = part.radius * view.scaleX + 16;

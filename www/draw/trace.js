@@ -1,7 +1,8 @@
 /**
- * How a straight motion between two configurations looks in a picture: the curve of the end-effector in the workspace,
- * and straight lines, one for each sheet of the unrolled torus, in configuration space.
+ * A straight motion between two configurations as a curve of the end effector in the workspace, and as straight lines, one for each
+ * copy of the unrolled torus, in configuration space.
  */
+import { wrap } from "../domain/coordinates.js";
 
 /** @import { Scenario } from "../domain/types.js" */
 
@@ -9,21 +10,13 @@ const TURN = 2 * Math.PI;
 /** Longest turn of one joint in one straight piece of a drawn curve, radians. */
 const PIECE = 0.14;
 
-/** The signed way from one coordinate to another: the short way round on a circle. @param {number} from @param {number} to @param {boolean} circle */
+/** The signed difference of two coordinates, the short way round on a circle. @param {number} from @param {number} to @param {boolean} circle */
 export function way(from, to, circle) {
-  let turn = to - from;
-  if (circle) {
-    turn %= TURN;
-    if (turn > Math.PI) turn -= TURN;
-    else if (turn <= -Math.PI) turn += TURN;
-  }
-  return turn;
+  return circle ? wrap(to - from) : to - from;
 }
 
 /** The same angle between -pi (without it) and pi. @param {number} angle */
-export function folded(angle) {
-  return Math.abs(angle) > Math.PI ? way(0, angle, true) : angle;
-}
+export function folded(angle) { return Math.abs(angle) > Math.PI ? way(0, angle, true) : angle; }
 
 /** Curves of the end-effector along motions. */
 export class Tracer {
@@ -69,8 +62,8 @@ export class Tracer {
 }
 
 /**
- * The straight lines that show one motion of two joints on the square: one line, and where it leaves the square its copies,
- * a whole turn away, that come in on the opposite side. Whoever draws them clips to the square.
+ * A motion of two joints on the square: a straight line, and if it leaves the square copies of it, a whole turn away, that enter on
+ * the opposite side. The caller clips them to the square.
  * @param {ArrayLike<number>} ends  from (2), to (2), starting at `at`
  * @param {number} at
  * @param {boolean[]} circles  the sides of the square that are circles
@@ -82,20 +75,13 @@ export function unrolled(ends, at, circles, short, draw) {
   const y0 = circles[1] ? folded(ends[at + 1]) : ends[at + 1];
   const x1 = x0 + way(ends[at], ends[at + 2], short[0]);
   const y1 = y0 + way(ends[at + 1], ends[at + 3], short[1]);
-  const shiftX = circles[0] ? leaves(x1) : 0;
-  const shiftY = circles[1] ? leaves(y1) : 0;
-  draw(x0, y0, x1, y1);
-  if (shiftX !== 0) draw(x0 + shiftX, y0, x1 + shiftX, y1);
-  if (shiftY !== 0) draw(x0, y0 + shiftY, x1, y1 + shiftY);
-  if (shiftX !== 0 && shiftY !== 0) draw(x0 + shiftX, y0 + shiftY, x1 + shiftX, y1 + shiftY);
+  for (const dx of circles[0] ? shifts(x1) : [0]) {
+    for (const dy of circles[1] ? shifts(y1) : [0]) draw(x0 + dx, y0 + dy, x1 + dx, y1 + dy);
+  }
 }
 
-/** The turn that brings an angle back between -pi and pi. @param {number} angle */
-function leaves(angle) {
-  if (angle > Math.PI) return -TURN;
-  if (angle < -Math.PI) return TURN;
-  return 0;
-}
+/** None, and the turn that brings an angle back between -pi and pi. @param {number} angle */
+function shifts(angle) { return Math.abs(angle) > Math.PI ? [0, -Math.sign(angle) * TURN] : [0]; }
 
 /** The distance of a point to a segment. @param {number} x @param {number} y @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
 export function distanceToSegment(x, y, a, b) {

@@ -6,7 +6,7 @@ export class View {
    * @param {Box} box
    * @param {number} width   of the sheet, CSS pixels
    * @param {number} height
-   * @param {{ left: number, right: number, top: number, bottom: number }} margin  kept clear, CSS pixels
+   * @param {{ left: number, right: number, top: number, bottom: number }} margin  CSS pixels
    * @param {boolean} stretched  true: fills the sheet, each axis by itself; false: one scale, centred
    */
   constructor(box, width, height, margin, stretched) {
@@ -24,7 +24,7 @@ export class View {
     this.originY = margin.top + innerHeight / 2 + (scaleY * (box.min[1] + box.max[1])) / 2;
   }
 
-  /** Distance of the dots of the grid, in the plane: the nearest of 1, 2, 5 times a power of ten that is not below 46 pixels. */
+  /** Distance of the dots of the grid, in the plane: the least of 1, 2, 5 times a power of ten that is at least 46 pixels. */
   get grid() {
     const least = 46 / this.scaleX;
     const power = 10 ** Math.floor(Math.log10(least));
@@ -37,6 +37,12 @@ export class View {
   /** @param {number} y */
   y(y) { return this.originY - this.scaleY * y; }
 
+  /** A point of the plane in CSS pixels. @param {ArrayLike<number>} point @returns {[number, number]} */
+  place(point) { return [this.x(point[0]), this.y(point[1])]; }
+
   /** CSS pixels to the plane. @param {number} px @param {number} py @returns {[number, number]} */
   toPlane(px, py) { return [(px - this.originX) / this.scaleX, (this.originY - py) / this.scaleY]; }
 }
+
+/** The view of a sheet that is not drawn yet. */
+export const NO_VIEW = new View({ min: [0, 0], max: [1, 1] }, 1, 1, { left: 0, right: 0, top: 0, bottom: 0 }, false);

@@ -1,6 +1,6 @@
-/** What every drawing of a workspace begins with, and handles to drag. */
+/** The world of a scenario, and handles to drag. */
 import { drawBase, drawBounds, drawReach, drawScale } from "./ground.js";
-import { disc, ring } from "./marks.js";
+import { addLine, disc, ring, strokeWithHalo } from "./marks.js";
 import { drawObstacles } from "./shapes.js";
 import { View } from "./view.js";
 
@@ -33,15 +33,8 @@ export function drawHandle(context, x, y, colour, palette) {
 
 /** An upright cross with a halo. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {string} colour @param {Palette} palette @param {number} size */
 export function drawCross(context, x, y, colour, palette, size) {
-  context.lineCap = "round";
-  for (const [width, stroke] of /** @type {[number, string][]} */ ([[5.5, palette.stage], [2.2, colour]])) {
-    context.lineWidth = width;
-    context.strokeStyle = stroke;
-    context.beginPath();
-    context.moveTo(x - size, y);
-    context.lineTo(x + size, y);
-    context.moveTo(x, y - size);
-    context.lineTo(x, y + size);
-    context.stroke();
-  }
+  strokeWithHalo(context, [5.5, 2.2], colour, palette, () => {
+    addLine(context, x - size, y, x + size, y);
+    addLine(context, x, y - size, x, y + size);
+  });
 }

@@ -1,14 +1,13 @@
-/** A palette for pictures of many colours: those that cover most pixels as they are, the others cut where they differ most. */
+/** A palette for images of many colours: the most frequent ones exactly, the others by splitting groups where they differ most. */
 
-/** Different colours counted at most; pictures drawn by lines have far fewer. */
+/** Different colours counted, at most; line drawings have far fewer. */
 const COUNTED = 1 << 18;
 
 /** @typedef {[red: number, green: number, blue: number, pixels: number]} Colour */
 
-/** Colours that are to become their mean. @param {Colour[]} colours  one or more */
+/** A group of colours, replaced by its mean. @param {Colour[]} colours  one or more */
 function groupOf(colours) {
-  /** @param {(colour: Colour) => number} value */
-  const sum = (value) => colours.reduce((total, colour) => total + value(colour) * colour[3], 0);
+  const sum = (/** @type {(colour: Colour) => number} */ value) => colours.reduce((total, colour) => total + value(colour) * colour[3], 0);
   const mean = [0, 1, 2].map((axis) => sum((colour) => colour[axis]) / sum(() => 1));
   const errors = mean.map((middle, axis) => sum((colour) => (colour[axis] - middle) ** 2));
   const error = Math.max(...errors);
@@ -44,7 +43,7 @@ export function paletteOf(frames, most = 255) {
 
 /**
  * @param {Uint8Array} palette
- * @returns {(pixel: number, rgba: Uint8ClampedArray, at: number) => number}  the number of the colour nearest to the one at a place; `pixel` is its four bytes
+ * @returns {(pixel: number, rgba: Uint8ClampedArray, at: number) => number}  the index of the colour nearest to the one at a place; `pixel` is its four bytes
  */
 export function nearestIn(palette) {
   /** @type {Map<number, number>} */

@@ -20,8 +20,11 @@ export function toCsv(columns, rows) {
   }).join("");
 }
 
+/** A table as a file. @param {readonly string[]} columns @param {readonly (readonly Cell[])[]} rows */
+export function csvFile(columns, rows) { return new Blob([toCsv(columns, rows)], { type: "text/csv" }); }
+
 /**
- * How a run went, iteration by iteration, counted from 1 in the first column.
+ * The history of a run, with the iteration, counted from 1, in the first column.
  * @param {ArrayLike<number>} history  rows of one number a column, one after the other; not finite where there is none yet
  * @param {readonly string[]} columns  without the iteration
  * @returns {string}

@@ -1,19 +1,16 @@
-/** NumPy's arrays as they stand in files: bytes, and what they mean. */
+/** NumPy arrays as stored in files: bytes with a shape and a type. */
 
-/** Of all polygons of a file. */
+/** Vertices of all polygons of a file, at most. */
 export const MOST_VERTICES = 5000;
 
-/** What is wrong with a file of arrays. */
-export class NpyError extends Error {
-  code = "invalid-npy";
-}
+export class NpyError extends Error { code = "invalid-npy"; }
 
 /** @param {unknown} holds @param {string} [sentence] @returns {asserts holds} */
 export function must(holds, sentence = "The file is damaged.") {
   if (!holds) throw new NpyError(sentence);
 }
 
-/** How many numbers there are. @param {readonly number[]} shape */
+/** The number of elements. @param {readonly number[]} shape */
 export const countOf = (shape) => shape.reduce((product, n) => product * n, 1);
 
 /** The types, as a `DataView` calls them. */
@@ -21,7 +18,7 @@ const NAMES = /** @type {const} */ ({
   b1: "Uint8", i1: "Int8", i2: "Int16", i4: "Int32", i8: "BigInt64", u1: "Uint8", u2: "Uint16", u4: "Uint32", u8: "BigUint64", f4: "Float32", f8: "Float64",
 });
 
-/** An array in a file; it is read when it is asked for. */
+/** An array in a file; its numbers are read on demand. */
 export class NdArray {
   /**
    * @param {number[]} shape
@@ -46,22 +43,22 @@ export class NdArray {
     const bytes = typeof this.bytes === "string" ? Uint8Array.from(this.bytes, (c) => c.charCodeAt(0)) : this.bytes;
     must(bytes instanceof Uint8Array && bytes.length === count * size, `Shape (${shape}) needs ${count * size} bytes.`);
     const view = new DataView(bytes.buffer, bytes.byteOffset);
-    const data = Float64Array.from({ length: count }, (_, i) => {
-      const value = view[`get${NAMES[key]}`](i * size, type[0] === "<");
+    return Float64Array.from({ length: count }, (_, i) => {
+      const value = view[`get${NAMES[key]}`](size * (this.fortran ? this.fortranIndex(i) : i), type[0] === "<");
       const number = Number(value);
       must(typeof value === "number" || Number.isSafeInteger(number), "A whole number is too large.");
       return number;
     });
-    return this.fortran ? data.map((_, i) => {
-      let at = 0;
-      let stride = count;
-      for (const n of shape.toReversed()) {
-        stride /= n;
-        at += (i % n) * stride;
-        i = Math.floor(i / n);
-      }
-      return data[at];
-    }) : data;
+  }
+
+  /** The place in Fortran order of an element in C order. @param {number} i */
+  fortranIndex(i) {
+    let stride = countOf(this.shape);
+    return this.shape.reduceRight((at, n) => {
+      const digit = i % n;
+      i = (i - digit) / n;
+      return at + digit * (stride /= n);
+    }, 0);
   }
 
   /** The values as nested lists, at most two a vertex; a single one where there is no dimension. @returns {unknown} */

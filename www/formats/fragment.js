@@ -1,11 +1,9 @@
-/**
- * Plain data as the fragment of an address: a version digit and base64url of raw deflate (RFC 1951, RFC 4648) of JSON.
- */
+/** Plain data as the fragment of an address: a version digit and base64url of raw deflate (RFC 1951, RFC 4648) of JSON. */
 import { Fault, must } from "./rules.js";
 
 /** @typedef {{ characters: number, bytes: number }} Limits   the fragment's characters without `#`, and the bytes of its JSON */
 
-/** @param {unknown} value  plain data @param {Limits} limits @returns {Promise<string>}  without `#` @throws {Error} in words, if it is too long */
+/** @param {unknown} value  plain data @param {Limits} limits @returns {Promise<string>}  without `#` @throws {Fault} it is too long */
 export async function encodeFragment(value, { characters, bytes }) {
   const json = new TextEncoder().encode(JSON.stringify(value));
   must(json.length <= bytes, "it is too long");
@@ -35,10 +33,7 @@ export async function decodeFragment(fragment, { characters, bytes }, check) {
   }
 }
 
-/**
- * Sends bytes through a transform, and stops reading beyond the limit.
- * @param {Uint8Array<ArrayBuffer>} bytes @param {CompressionStream | DecompressionStream} transform @param {number} most
- */
+/** Sends bytes through a transform, and stops reading beyond the limit. @param {Uint8Array<ArrayBuffer>} bytes @param {CompressionStream | DecompressionStream} transform @param {number} most */
 async function pump(bytes, transform, most) {
   const reader = new Blob([bytes]).stream().pipeThrough(transform).getReader();
   const parts = [];

@@ -1,6 +1,6 @@
 /**
- * Moving pictures as GIF89a, looped forever. Of each frame only the rectangle that changed is kept, and in it what has not
- * changed is transparent.
+ * Animations as GIF89a, looped forever. Each frame stores only the rectangle that changed, in which pixels that did not change are
+ * transparent.
  */
 import { nearestIn, paletteOf } from "./colours.js";
 import { packCodes } from "./lzw.js";
@@ -17,13 +17,13 @@ export class GifWriter {
   #width;
   #height;
   #palette;
-  /** Bits of a colour's number. */
+  /** Bits of the index of a colour. */
   #bits = 2;
   /** @type {Uint8Array[]} */
   #parts = [];
   /** The last frame, four bytes a pixel. @type {Uint32Array | undefined} */
   #pixels;
-  /** The same, by colours' numbers. */
+  /** The last frame, by indices of colours. */
   #shown;
   /** Hundredths of a second that the frames so far should have lasted longer. */
   #owed = 0;
@@ -42,7 +42,7 @@ export class GifWriter {
   }
 
   /**
-   * Adds a frame; one that changes nothing is one too.
+   * Adds a frame, even if nothing changed.
    * @param {Uint8ClampedArray} rgba  width * height * 4, from the top left; opaque, alpha is ignored
    * @param {number} delayMs  how long it is shown; up to 655 s; rounded to 10 ms and at least 20, so that the sum stays right
    */
@@ -80,7 +80,7 @@ export class GifWriter {
         bottom = Math.max(bottom, y + 1);
       }
     }
-    // A frame has a pixel, even where nothing has changed.
+    // A frame has at least one pixel.
     if (!right) left = top = 0, right = bottom = 1;
     this.#owed += delayMs / 10;
     const delay = Math.max(2, Math.round(this.#owed));

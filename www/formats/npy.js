@@ -1,7 +1,6 @@
 /**
- * NumPy's array files, `.npy`: a magic string, a header (a literal of a Python dictionary), and the numbers.
- * Versions 1.0, 2.0 and 3.0 are read, 1.0 is written. Polygons may also come as an array of objects, which NumPy pickles; that is
- * read by a reader that runs nothing (`pickle.js`).
+ * NumPy array files, `.npy`: a magic string, a header (a literal of a Python dictionary), and the numbers. Versions 1.0, 2.0 and 3.0
+ * are read, 1.0 is written. Polygons may also be an array of objects, which NumPy pickles; `pickle.js` reads it without running code.
  */
 import { countOf, MOST_VERTICES, must, NdArray } from "./dtype.js";
 import { readPickle } from "./pickle.js";
@@ -11,10 +10,10 @@ const MAGIC = "\x93NUMPY";
 
 /**
  * Reads real numbers: f4, f8, i1 to i8, u1 to u8 and b1 (as 0 and 1), of either byte order, in C or Fortran order.
- * NaN and infinities are handed on.
+ * NaN and infinities are returned.
  * @param {Uint8Array} bytes  at most 10 MB
  * @returns {{ shape: number[], data: Float64Array }}  in C order: the last index runs fastest
- * @throws {NpyError} code `invalid-npy`, where it is no such file
+ * @throws {NpyError} code `invalid-npy`
  */
 export function readNpy(bytes) {
   const array = open(bytes);

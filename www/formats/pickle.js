@@ -1,8 +1,7 @@
 /**
- * Reads what NumPy pickles when it saves an array of objects: arrays, lists, tuples and numbers, in protocols 2 to 5.
- *
- * A pickle is a program for a small stack machine that may call any function of Python. This machine knows the few that arrays
- * are made with by name, and has its own in their place; any other function or instruction is refused.
+ * Reads what NumPy pickles when it saves an array of objects: arrays, lists, tuples and numbers, in protocols 2 to 5. A pickle is a
+ * program for a stack machine that may call any Python function. This machine replaces the few functions that make arrays by its
+ * own; any other function or instruction is refused.
  */
 import { must, NdArray } from "./dtype.js";
 
@@ -32,7 +31,7 @@ const FUNCTIONS = {
   "_codecs.encode": ([text]) => text,
 };
 
-/** By module and name. @param {...unknown} path */
+/** A function by its module and name. @param {...unknown} path */
 function find(...path) {
   const full = path.map(textOf).join(".");
   const known = FUNCTIONS[full.replace("numpy._core", "numpy.core")];
@@ -54,29 +53,23 @@ export function readPickle(bytes) {
   /** @type {Map<number, unknown>} */
   const memo = new Map();
 
-  /** @param {number} length */
-  const raw = (length) => {
+  const raw = (/** @type {number} */ length) => {
     must(length >= 0 && at + length <= bytes.length);
     return bytes.subarray(at, at += length);
   };
-  /** The lowest byte comes first. @param {number} size  bytes */
-  const uint = (size) => raw(size).reduceRight((value, byte) => 256 * value + byte, 0);
+  const uint = (/** @type {number} */ size) => raw(size).reduceRight((value, byte) => 256 * value + byte, 0);
   /** In two's complement. @param {number} size  bytes, at most 6 to be exact */
   const int = (size) => {
     const value = uint(size);
     return value < 2 ** (8 * size - 1) ? value : value - 2 ** (8 * size);
   };
-  /** @param {number} size  of the length before the bytes */
+  /** Bytes after their length. @param {number} size  of the length */
   const sized = (size) => raw(uint(size));
-  /** @param {number} size  of the length before the text */
+  /** Text after its length. @param {number} size  of the length */
   const text = (size) => new TextDecoder().decode(sized(size));
-  const line = () => {
-    const from = raw(bytes.indexOf(10, at) - at);
-    at++;
-    return new TextDecoder().decode(from);
-  };
-  /** @param {number} count */
-  const pop = (count) => {
+  /** Text up to the end of its line. */
+  const line = () => new TextDecoder().decode(raw(bytes.indexOf(10, at) + 1 - at).subarray(0, -1));
+  const pop = (/** @type {number} */ count) => {
     must(stack.length >= count);
     return stack.splice(stack.length - count);
   };
@@ -91,21 +84,18 @@ export function readPickle(bytes) {
     must(stack.length);
     return stack[stack.length - 1];
   };
-  /** @param {unknown[]} items */
-  const append = (items) => {
+  const append = (/** @type {unknown[]} */ items) => {
     const list = top();
     must(Array.isArray(list));
     for (const item of items) list.push(item);
   };
-  /** @param {number} key */
-  const put = (key) => { memo.set(key, top()); };
-  /** @param {number} key */
-  const get = (key) => {
+  const put = (/** @type {number} */ key) => { memo.set(key, top()); };
+  const get = (/** @type {number} */ key) => {
     must(memo.has(key));
     return memo.get(key);
   };
 
-  /** What each instruction pushes, if anything. @type {Record<string, () => unknown>} */
+  /** The instructions; what one returns is pushed. @type {Record<string, () => unknown>} */
   const instructions = {
     "\x80": () => must(uint(1) < 6), // PROTO
     "\x95": () => { raw(8); }, // FRAME

@@ -1,9 +1,10 @@
 /**
- * What may stand in the fragment of an address, entry by entry: whoever opens a link need not be the one who made it. Nothing is
- * ever evaluated; what breaks a rule is refused by its place.
+ * Rules for the state in the fragment of an address, which may come from anyone. Nothing is evaluated; an entry that breaks its rule
+ * is refused by its place.
  */
 
-/** @typedef {(value: unknown, at: string) => void} Rule  throws a fault that names `at` */
+/** @template [T=any] @typedef {{ (value: unknown, at: string): void, type?: T }} Rule  throws a fault that names `at`; `type` exists only for the compiler */
+/** The type of what a rule allows. @template {Rule} R @typedef {NonNullable<R["type"]>} Allowed */
 
 export class Fault extends Error {}
 
@@ -12,25 +13,36 @@ export function must(holds, fault) {
   if (!holds) throw new Fault(`This link does not work: ${fault}.`);
 }
 
-/** @param {(value: unknown) => unknown} holds @returns {Rule} */
+/** @template [T=any] @param {(value: unknown) => unknown} holds @returns {Rule<T>} */
 export const rule = (holds) => (value, at) => must(holds(value), `${at} is wrong`);
 
-/** @param {number} most @returns {Rule} */
-export const whole = (most) => rule((value) => Number.isInteger(value) && Number(value) >= 0 && Number(value) <= most);
+/** A whole number in a range. @param {number} most @param {number} [least] @returns {Rule<number>} */
+export const whole = (most, least = 0) => rule((value) => Number.isInteger(value) && Number(value) >= least && Number(value) <= most);
 
-/** By such a name nothing is found that was not put there. */
+/** @template {string} T @param {readonly T[]} choices @returns {Rule<T>} */
+export const oneOf = (choices) => rule((value) => choices.some((choice) => choice === value));
+
+/** A name that no object inherits. @type {Rule<string>} */
 export const name = rule((value) => typeof value === "string" && /^[\w-]{1,64}$/.test(value) && value !== "prototype" && !(value in Object.prototype));
+/** @type {Rule<string>} */
 export const text = rule((value) => typeof value === "string" && value.length <= 256);
+/** @type {Rule<boolean>} */
 export const flag = rule((value) => typeof value === "boolean");
+/** @type {Rule<number>} */
 export const number = rule(Number.isFinite);
 
-/** @param {Rule} item @param {number} least @param {number} most @returns {Rule} */
+/** @template T @param {Rule<T>} item @param {number} least @param {number} most @returns {Rule<T[]>} */
 export const list = (item, least, most) => (value, at) => {
   must(Array.isArray(value) && value.length >= least && value.length <= most, `${at} is wrong`);
   value.forEach((entry, i) => item(entry, `${at}.${i}`));
 };
 
-/** At most 64 entries; what is undefined is absent. @param {Record<string, Rule>} rules @param {Rule} [others]  of entries without a rule; else there are none @returns {Rule} */
+/**
+ * A record of at most 64 entries; an undefined one is absent.
+ * @template {Record<string, Rule>} R
+ * @param {R} rules @param {Rule} [others]  of entries without a rule; else there are none
+ * @returns {Rule<{ [K in keyof R]?: Allowed<R[K]> }>}
+ */
 export const record = (rules, others) => (value, at) => {
   must(typeof value === "object" && value && !Array.isArray(value), `${at} is wrong`);
   const entries = Object.entries(value).filter(([, entry]) => entry !== undefined);
@@ -44,12 +56,18 @@ export const record = (rules, others) => (value, at) => {
   }
 };
 
-/** A record, and the values of the entries that it leaves out. @param {Record<string, Rule>} rules @param {Record<string, unknown>} defaults @returns {Rule & { defaults: Record<string, unknown> }} */
-export const withDefaults = (rules, defaults) => Object.assign(record(rules), { defaults });
+/**
+ * A record, and the values of the entries that it leaves out.
+ * @template {Record<string, Rule>} R @template {Record<string, unknown>} D
+ * @param {R} rules @param {D} defaults
+ * @returns {Rule<{ [K in keyof R]?: Allowed<R[K]> } & { [K in keyof D & keyof R]: Allowed<R[K]> }> & { defaults: D }}
+ */
+export const withDefaults = (rules, defaults) => Object.assign(/** @type {Rule} */ (record(rules)), { defaults });
 
+/** @type {Rule<Record<string, number | string | boolean>>} */
 export const settings = record({}, (value, at) => (typeof value === "string" ? text : typeof value === "number" ? number : flag)(value, at));
 
-/** Any JSON; what it means is for the package to judge. @param {number} depth  how deep it may be nested @returns {Rule} */
+/** Any JSON; the package checks its meaning. @param {number} depth  of nesting, at most @returns {Rule} */
 export const json = (depth) => (value, at) => {
   must(depth, `${at} is wrong`);
   if (Array.isArray(value)) list(json(depth - 1), 0, Infinity)(value, at);

@@ -1,15 +1,12 @@
 /**
- * A stand-in for the 2d context of a canvas that writes a figure as SVG.
- *
- * It takes what the stage draws with: paths of lines, arcs and rectangles, dashes, clips, words, images, and stripes in place
- * of a pattern. Transforms may turn, shift and scale, both directions alike. As on a canvas, coordinates that are not finite
- * are ignored.
+ * A 2d context that writes SVG in place of pixels: paths of lines, arcs and rectangles, dashes, clips, words, images, and stripes in
+ * place of a pattern. Transforms may turn, shift and scale uniformly. As on a canvas, coordinates that are not finite are ignored.
  *
  * @typedef {{ colour: string, size?: number, width?: number }} Stripes  diagonal lines to fill with: `size` apart, `width` wide, pixels
  */
 
 const TURN = 2 * Math.PI;
-/** From the line named to the baseline, in sizes of the font, as most fonts have it. @type {Record<string, number>} */
+/** From a line of the text to its baseline, in sizes of the font, in most fonts. @type {Record<string, number>} */
 const DROP = { top: 0.78, middle: 0.28, bottom: -0.22 };
 /** @type {Record<string, string>} */
 const ANCHOR = { left: "start", center: "middle", right: "end" };
@@ -22,14 +19,14 @@ const escaped = (text) => text
   .replace(/[^\t\n\r -\ufffd]/g, "")
   .replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 
-/** The name of an entry by its place; it is added where it is new. @param {string} name @param {string[]} list @param {string} entry */
+/** The reference of an entry, which is added if it is new. @param {string} name @param {string[]} list @param {string} entry */
 function reference(name, list, entry) {
   if (!list.includes(entry)) list.push(entry);
   return `url(#${name}${list.indexOf(entry)})`;
 }
 
 export class SvgContext {
-  // What is public is kept by `save`.
+  // `save` stores the public fields.
   /** @type {string | Stripes} */
   fillStyle = "#000";
   strokeStyle = "#000";
@@ -44,7 +41,7 @@ export class SvgContext {
   dash = [];
   /** Cosine and sine of the turn, times the scale, and the shift. */
   turn = [1, 0, 0, 0];
-  /** The attribute of the clip in force. */
+  /** The attribute of the current clip. */
   clipping = "";
 
   #width;
@@ -106,9 +103,7 @@ export class SvgContext {
   rect(x, y, width, height) {
     if (!Number.isFinite(x + y + width + height)) return;
     this.moveTo(x, y);
-    this.lineTo(x + width, y);
-    this.lineTo(x + width, y + height);
-    this.lineTo(x, y + height);
+    for (const [px, py] of [[x + width, y], [x + width, y + height], [x, y + height]]) this.lineTo(px, py);
     this.closePath();
   }
 
@@ -120,7 +115,7 @@ export class SvgContext {
     sweep = sign * Math.min(sweep, TURN);
     const size = round(radius * Math.hypot(this.turn[0], this.turn[1]));
     this.lineTo(x + radius * Math.cos(from), y + radius * Math.sin(from));
-    // In three pieces: one of half a turn would stand on its rounded ends too loosely, one of a whole turn not at all.
+    // In three pieces: the rounded ends of half a turn leave its shape uncertain, those of a whole turn coincide.
     for (const third of [1, 2, 3]) {
       const angle = from + (sweep * third) / 3;
       this.#go(`A${size} ${size} 0 0 ${back ? 0 : 1} `, x + radius * Math.cos(angle), y + radius * Math.sin(angle));
@@ -134,7 +129,7 @@ export class SvgContext {
 
   stroke() { this.#put(this.#strokeStyle(), "", this.#path); }
 
-  // Paths to fill are not joined: where one winds against another, they would leave a hole.
+  // Paths to fill stay apart: where one winds against another, one path of both would have a hole.
   fill() { this.#put(this.#fillStyle(), `<path d="${this.#path}"/>`); }
 
   /** @param {number} x @param {number} y @param {number} width @param {number} height */
@@ -143,7 +138,7 @@ export class SvgContext {
   /** @param {number} x @param {number} y @param {number} width @param {number} height */
   fillRect(x, y, width, height) { this.#aside("fill", x, y, width, height); }
 
-  /** Takes away all; what lies under a part of a figure cannot be. @param {number} x @param {number} y @param {number} width @param {number} height */
+  /** Removes everything; a part of a figure cannot be removed. @param {number} x @param {number} y @param {number} width @param {number} height */
   clearRect(x, y, width, height) {
     if (x > 0 || y > 0 || x + width < this.#width || y + height < this.#height) throw new RangeError("A figure can only be cleared whole.");
     this.#elements = [];
@@ -171,7 +166,7 @@ export class SvgContext {
     if (Number.isFinite(x + y)) this.#path += command + this.#placed(x, y).map(round).join(" ");
   }
 
-  /** Where an element without a path stands. @param {number} x @param {number} y */
+  /** The place of an element without a path, as attributes. @param {number} x @param {number} y */
   #place(x, y) {
     const [a, b] = this.turn;
     const [px, py] = this.#placed(x, y).map(round);
@@ -192,7 +187,7 @@ export class SvgContext {
     this.#put(`${style} style="font:${escaped(this.font)}" text-anchor="${ANCHOR[this.textAlign] ?? this.textAlign}"`, `<text${this.#place(x, y)} dy="${DROP[this.textBaseline] ?? 0}em">${escaped(text)}</text>`);
   }
 
-  /** A colour, its alpha apart. @param {string} name  fill or stroke @param {string} colour */
+  /** A colour, with its alpha as opacity. @param {string} name  fill or stroke @param {string} colour */
   #paint(name, colour) {
     const [, rgb, alpha = 1] = /^rgba\((.+),(.+)\)$/.exec(colour) ?? [];
     return ` ${name}="${rgb ? `rgb(${rgb})` : escaped(colour)}" ${name}-opacity="${Math.round(1e4 * this.globalAlpha * Number(alpha)) / 1e4}"`;
@@ -211,9 +206,9 @@ export class SvgContext {
     return ` fill="none"${this.#paint("stroke", this.strokeStyle)} stroke-width="${round(this.lineWidth * scale)}" stroke-linecap="${this.lineCap}" stroke-linejoin="${this.lineJoin}" stroke-dasharray="${dash}"`;
   }
 
-  /** Adds an element; a path to join is added to that of the one before, where nothing shows through. @param {string} style @param {string} text @param {string} [path]  to join */
+  /** Adds an element; a path continues the path before it if both have the same opaque style. @param {string} style @param {string} text @param {string} [path] */
   #put(style, text, path = "") {
-    // What goes without saying is not said.
+    // Defaults are left out.
     style = style.replace(/ [a-z-]+="(1|butt|miter|start)?"/g, "");
     const { clipping } = this;
     const last = this.#elements.at(-1);

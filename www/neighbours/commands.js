@@ -1,4 +1,4 @@
-/** What the worker computes for this page: the newest list of configurations, indexes on it, and their times. */
+/** The commands of this page, which its worker runs: the newest list of configurations, indexes on it, and their times. */
 import { Scenario } from "planarium";
 import { Measurement } from "./measurement.js";
 import { readList } from "./read-list.js";
@@ -16,12 +16,6 @@ const indexes = new Map();
 /** @type {Measurement | null} */
 let measurement = null;
 
-/** @returns {Scenario} */
-function robot() {
-  if (!scenario) throw new Error("No robot is open.");
-  return scenario;
-}
-
 /** @param {Scenario} opened @param {Float64Array} list @returns {List} */
 function store(opened, list) {
   scenario?.free();
@@ -33,11 +27,13 @@ function store(opened, list) {
   return { version, rows: rows.slice(), tips: opened.endEffectors(rows) };
 }
 
-/** @param {Settings} options */
-function indexOf(options) {
+/** @param {Scenario} robot @param {Settings} options */
+function indexOf(robot, options) {
   const key = JSON.stringify(options);
-  const index = indexes.get(key) ?? robot().neighbours(/** @type {NeighboursOptions} */ (options));
-  if (!indexes.has(key)) index.add(rows);
+  const known = indexes.get(key);
+  if (known) return known;
+  const index = robot.neighbours(/** @type {NeighboursOptions} */ (options));
+  index.add(rows);
   indexes.set(key, index);
   return index;
 }
@@ -68,11 +64,10 @@ export const commands = {
 
   /** @param {Query} query @returns {Result | null}  null: the list is another by now */
   search({ version: asked, q, k, index, given }) {
-    if (asked !== version) return null;
+    if (!scenario || asked !== version) return null;
     const { metric } = given;
-    /** @type {Settings} */
-    const meant = metric === undefined || metric === "naive" ? {} : { metric };
-    return { found: indexOf({ index, ...given }).nearest(q, k), exact: indexOf({ index: "kd-tree", ...meant }).nearest(q, k) };
+    const exact = indexOf(scenario, { index: "kd-tree", ...(metric === undefined || metric === "naive" ? {} : { metric }) });
+    return { found: indexOf(scenario, { index, ...given }).nearest(q, k), exact: exact.nearest(q, k) };
   },
 
   /** Begins to measure. @param {ScenarioDocument} document @param {number} k @param {Settings} given  options of the indexes */

@@ -6,26 +6,18 @@ import { watchArrows, watchDrag } from "../draw/drag.js";
 /** @import { Square } from "./square.js" */
 /** @import { Workspace } from "./workspace.js" */
 
-/** What an arrow key changes a coordinate by, as part of its range. */
+/** The step of an arrow key, as a part of the coordinate's range. */
 const STEP = 0.005;
 
-/**
- * @param {NeighbourSession} session @param {HTMLElement} stage   receives keys
- * @param {{ workspace: Figure, square: Figure }} figures @param {{ workspace: Workspace, square: Square }} drawings
- */
-export function watchHandles(session, stage, figures, { workspace, square }) {
-  const { app } = session;
-  watchDrag(app, figures.workspace.canvas, ({ x, y, near }) => {
-    const { view } = workspace;
-    if (!view) return null;
-    const distances = workspace.handles.map((handle) => Math.hypot(view.x(handle[0]) - x, view.y(handle[1]) - y));
+/** @param {NeighbourSession} session @param {HTMLElement} stage   receives keys @param {{ workspace: Figure<Workspace>, square: Figure<Square> }} figures */
+export function watchHandles(session, stage, { workspace, square }) {
+  watchDrag(session.app, workspace.canvas, ({ x, y, near }) => {
+    const { view, handles } = workspace.drawing;
+    const distances = handles.map((handle) => Math.hypot(view.x(handle[0]) - x, view.y(handle[1]) - y));
     const least = Math.min(...distances);
     return least > near ? null : (place) => moveHandle(distances.indexOf(least), ...view.toPlane(place.x, place.y));
   });
-  watchDrag(app, figures.square.canvas, () => {
-    const { view } = square;
-    return view && ((place) => session.moveTo(view.toPlane(place.x, place.y)));
-  });
+  watchDrag(session.app, square.canvas, () => (place) => session.moveTo(square.drawing.view.toPlane(place.x, place.y)));
   watchArrows(stage, (coordinate, direction, factor) => {
     if (coordinate >= session.dimension) return false;
     const { low, high } = session.coordinates[coordinate];

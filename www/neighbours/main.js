@@ -11,7 +11,7 @@ import { useLink } from "../app/link.js";
 import { byId, grouped } from "../app/dom.js";
 import { watchFiles } from "../app/drop.js";
 import { Figure } from "../draw/figure.js";
-import { toCsv } from "../formats/csv.js";
+import { csvFile } from "../formats/csv.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { num, tuple } from "../widgets/format.js";
 import { SceneGallery } from "../widgets/scene-gallery.js";
@@ -36,21 +36,19 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
   const stage = byId("stage", HTMLElement);
   const indexes = neighbourIndexes();
   const session = new NeighbourSession(app, worker, ROBOTS[0]);
-  const drawings = { workspace: new Workspace(session), square: new Square(session) };
   const figures = {
-    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace" }, drawings.workspace),
-    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "one dot per configuration; borders wrap" }, drawings.square),
+    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace" }, new Workspace(session)),
+    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "one dot per configuration; borders wrap" }, new Square(session)),
   };
   const all = Object.values(figures);
   const gallery = new SceneGallery(app, ROBOTS, ({ document, q }) => ({ ...document, queries: [{ name: "q", start: q, goal: q }] }), (entry) => void session.open(entry));
   new Panel(session, indexes);
   const timing = new Timing(session, indexes);
-  const csv = (/** @type {string} */ text) => new Blob([text], { type: "text/csv" });
   showDownloads(app, all, { name: () => `neighbours-${session.entry.id}-${session.count}-k${session.k}`, title: () => session.entry.title }, [
-    { id: "csv", title: "Neighbours", format: "CSV", meaning: "Rank, index, distance and configuration.", content: () => csv(neighboursCsv()) },
-    { id: "timings", title: "Timings", format: "CSV", meaning: "All measurements.", content: () => csv(timing.csv()), name: () => `timings-${session.entry.id}` },
+    { id: "csv", title: "Neighbours", format: "CSV", meaning: "Rank, index, distance and configuration.", content: neighboursCsv },
+    { id: "timings", title: "Timings", format: "CSV", meaning: "All measurements.", content: () => timing.csv(), name: () => `timings-${session.entry.id}` },
   ]);
-  watchHandles(session, stage, figures, drawings);
+  watchHandles(session, stage, figures);
   watchFiles((name, bytes) => {
     app.notice.hide();
     void session.read(name, bytes);
@@ -61,20 +59,19 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
     save: () => stateOf(session), contents: "the robot, the sampling, the target and the query. Your own list is not included",
     open: async (/** @type {State | null} */ state) => {
       if (state) await openState(session, state);
-      else if (session.dimension === 0) await session.open(ROBOTS[0]);
+      else if (session.list.version === 0) await session.open(ROBOTS[0]);
     },
   });
 
   /** @param {Change} change */
   function show(change) {
-    const { entry, count, q, k, index, given, found, missed, file, isArm, dimension } = session;
+    const { entry, count, q, k, index, given, found, missed, file, isArm, isPlanar } = session;
     const { dataset } = document.body;
     Object.assign(dataset, { robot: entry.id, n: count, source: file === null ? "drawn" : "file", q: [...q].join(), k, index, metric: given.metric ?? "" });
     if (change === "result") Object.assign(dataset, { found: [...found.indices].join(), missed: missed.length, visited: found.visited });
     else delete dataset.found;
-    const isSquare = isArm && dimension === 2;
-    figures.square.element.hidden = !isSquare;
-    stage.classList.toggle("single", !isSquare);
+    figures.square.element.hidden = !isPlanar;
+    stage.classList.toggle("single", !isPlanar);
     for (const figure of all) {
       if (change === "robot" || change === "list") figure.redraw();
       else figure.redrawTop();
@@ -100,6 +97,6 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
 
   function neighboursCsv() {
     const { found: { indices, distances }, coordinates } = session;
-    return toCsv(["rank", "number", "distance", ...coordinates.map(({ name }) => name)], Array.from(indices, (i, rank) => [rank + 1, i, distances[rank], ...session.row(i)]));
+    return csvFile(["rank", "number", "distance", ...coordinates.map(({ name }) => name)], Array.from(indices, (i, rank) => [rank + 1, i, distances[rank], ...session.row(i)]));
   }
 });

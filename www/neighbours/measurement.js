@@ -45,13 +45,10 @@ export class Measurement {
     const measured = [];
     /** The true neighbours of each target. @type {Set<number>[]} */
     let truth = [];
-    for (const candidate of [...this.candidates]) {
+    for (const candidate of this.candidates) {
       const { kind, index } = candidate;
-      if (!this.grow(candidate, n, end) || performance.now() > end) {
-        // An index that could not be built has no part in larger measurements.
-        if (index.size < n) this.drop(candidate);
-        continue;
-      }
+      this.grow(candidate, n, end);
+      if (performance.now() > end) break;
       const results = this.targets.map((q) => index.nearest(q, this.k));
       if (kind === "kd-tree") truth = results.map(({ indices }) => new Set(indices));
       const recalls = results.map(({ indices }, i) => (truth[i]?.size ? indices.filter((one) => truth[i].has(one)).length / truth[i].size : 1));
@@ -63,44 +60,33 @@ export class Measurement {
     return measured;
   }
 
-  /** Adds configurations until there are n. @param {Candidate} candidate @param {number} n @param {number} end @returns {boolean} whether there was time */
+  /** Adds configurations until there are n, or no time is left. @param {Candidate} candidate @param {number} n @param {number} end */
   grow(candidate, n, end) {
     const { scenario: { dimension }, rows } = this;
     const { index } = candidate;
-    while (index.size < n) {
-      const began = performance.now();
-      if (began > end) return false;
+    for (let began = performance.now(); index.size < n && began < end; began = performance.now()) {
       index.add(rows.subarray(index.size * dimension, Math.min(n, index.size + CHUNK) * dimension));
       candidate.build += performance.now() - began;
     }
-    return true;
   }
 
   /** Milliseconds of a query. @param {Neighbours} index */
   time(index) {
     let i = 0;
     const batches = Array.from({ length: BATCHES }, () => {
-      const began = performance.now();
-      let count = 0;
-      let now = began;
-      while (now - began < BATCH) {
+      const [began, first] = [performance.now(), i];
+      let spent = 0;
+      while (spent < BATCH) {
         for (let one = 0; one < 8; one++) index.nearest(this.targets[i++ % TARGETS], this.k);
-        count += 8;
-        now = performance.now();
+        spent = performance.now() - began;
       }
-      return (now - began) / count;
+      return spent / (i - first);
     });
     return batches.sort((a, b) => a - b)[BATCHES >> 1];
   }
 
-  /** @param {Candidate} candidate */
-  drop(candidate) {
-    candidate.index.free();
-    this.candidates = this.candidates.filter((one) => one !== candidate);
-  }
-
   free() {
-    for (const candidate of this.candidates) this.drop(candidate);
+    for (const { index } of this.candidates) index.free();
     this.scenario.free();
   }
 }

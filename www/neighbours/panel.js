@@ -6,7 +6,7 @@ import { Slider } from "../widgets/slider.js";
 
 /** @import { IndexInfo } from "planarium" */
 /** @import { NeighbourSession, Change } from "./session.js" */
-/** @import { IndexId, Preset } from "./types.js" */
+/** @import { IndexId } from "./types.js" */
 
 export class Panel {
   /** @param {NeighbourSession} session @param {IndexInfo[]} table */
@@ -65,13 +65,7 @@ export class Panel {
     this.sliders.forEach((slider, i) => slider.show(q[i]));
     this.k.show(k);
     this.index.value = index;
-    const preset = presets.findIndex((one) => this.isShown(one));
+    const preset = presets.findIndex((one) => one.k === k && session.scenario.distance(session.fitted(one.q), q) < 1e-9);
     this.preset.value = preset < 0 ? "" : String(preset);
-  }
-
-  /** @param {Preset} preset */
-  isShown({ q, k }) {
-    const { session } = this;
-    return k === session.k && session.scenario.distance(session.fitted(q), session.q) < 1e-9;
   }
 }

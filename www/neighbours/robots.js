@@ -1,15 +1,8 @@
 /** The built-in robots: small worlds, each with a target and the queries of the course reports. */
+import { box, disc } from "../domain/obstacles.js";
 
 /** @import { Obstacle } from "../domain/types.js" */
 /** @import { Preset, RobotEntry, ScenarioDocument } from "./types.js" */
-
-/** @param {number} x @param {number} y @param {number} width @param {number} height @returns {Obstacle} */
-function box(x, y, width, height) {
-  return { type: "polygon", vertices: [[x, y], [x + width, y], [x + width, y + height], [x, y + height]] };
-}
-
-/** @param {number} x @param {number} y @param {number} radius @returns {Obstacle} */
-function disc(x, y, radius) { return { type: "disc", center: [x, y], radius }; }
 
 /** @param {[number[], number][]} queries @returns {Preset[]} */
 function presets(queries) { return queries.map(([q, k]) => ({ q, k })); }

@@ -1,13 +1,14 @@
 /**
- * The state of the page: a robot, a list of its configurations, a target and a query. Listeners learn what changed. Lists and
- * results come from the worker; only the newest query counts.
+ * The state of the page: a robot, a list of its configurations, a target and a query. Lists and results come from the worker; only
+ * the newest query counts.
  */
 import { Scenario } from "planarium";
-import { contained, coordinatesOf, wrap } from "../domain/coordinates.js";
+import { Observable } from "../app/observable.js";
+import { coordinatesOf, fitted, wrap } from "../domain/coordinates.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { Remote } from "../app/worker-client.js" */
-/** @import { Coordinate, Part } from "../domain/types.js" */
+/** @import { Part } from "../domain/types.js" */
 /** @import { Commands } from "./commands.js" */
 /** @import { Found, IndexId, List, RobotEntry, Sampling, Settings } from "./types.js" */
 
@@ -19,15 +20,15 @@ export const DRAWN = 400;
 /** @type {Found} */
 const NOTHING = { indices: new Uint32Array(), distances: new Float64Array(), visited: 0 };
 
-export class NeighbourSession {
+/** @extends {Observable<Change>} */
+export class NeighbourSession extends Observable {
   /** @param {App} app @param {Remote<Commands>} worker @param {RobotEntry} entry */
   constructor(app, worker, entry) {
-    this.app = app;
+    super(app);
     this.worker = worker;
     this.entry = entry;
     this.scenario = Scenario.parse(entry.document);
-    /** @type {Coordinate[]} */
-    this.coordinates = [];
+    this.coordinates = coordinatesOf(this);
     /** @type {Sampling} */
     this.sampling = { n: 500, seed: 0, free: true };
     /** The name of the file, if the list was not sampled. @type {string | null} */
@@ -36,8 +37,7 @@ export class NeighbourSession {
     this.list = { version: 0, rows: new Float64Array(), tips: new Float64Array() };
     /** The parts of the first robots of the list. @type {Part[][]} */
     this.footprints = [];
-    /** @type {Float64Array} */
-    this.q = new Float64Array();
+    this.q = this.fitted(entry.q);
     this.k = entry.k;
     /** @type {IndexId} */
     this.index = "kd-tree";
@@ -46,19 +46,18 @@ export class NeighbourSession {
     this.found = NOTHING;
     /** The true neighbours. @type {Set<number>} */
     this.exact = new Set();
-    /** Is a result awaited, and has the query changed since? */
+    /** Whether a result is awaited, and whether the query has changed since. */
     this.isBusy = false;
     this.isStale = false;
     /** Lists asked for. */
     this.requests = 0;
-    /** @type {((change: Change) => void)[]} */
-    this.listeners = [];
   }
 
   get document() { return this.entry.document; }
   get dimension() { return this.coordinates.length; }
-  get count() { return this.dimension === 0 ? 0 : this.list.rows.length / this.dimension; }
+  get count() { return this.list.rows.length / this.dimension; }
   get isArm() { return this.document.robot.type === "arm"; }
+  get isPlanar() { return this.isArm && this.dimension === 2; }
   get isNaive() { return this.given.metric === "naive"; }
 
   /** A configuration of the list. @param {number} i */
@@ -68,15 +67,6 @@ export class NeighbourSession {
   get missed() {
     const found = new Set(this.found.indices);
     return [...this.exact].filter((i) => !found.has(i));
-  }
-
-  /** @param {(change: Change) => void} listener */
-  onChange(listener) { this.listeners.push(listener); }
-
-  /** @param {Change} change */
-  update(change) {
-    for (const listener of this.listeners) listener(change);
-    this.app.requestFrame();
   }
 
   /** @param {RobotEntry} entry @param {{ q?: ArrayLike<number>, k?: number }} [query] @returns {Promise<void>} */
@@ -109,10 +99,9 @@ export class NeighbourSession {
 
   /** @param {Promise<List | undefined>} promise @param {string | null} file */
   async receive(promise, file) {
-    this.requests += 1;
-    const { requests, entry } = this;
+    const request = ++this.requests;
     const list = await this.app.track(promise);
-    if (!list || requests !== this.requests || entry !== this.entry) return;
+    if (!list || request !== this.requests) return;
     this.file = file;
     this.setList(list);
     this.update("list");
@@ -128,7 +117,7 @@ export class NeighbourSession {
   }
 
   /** @param {ArrayLike<number>} q */
-  fitted(q) { return contained(Float64Array.from({ length: this.dimension }, (_, i) => q[i] ?? 0), this.coordinates); }
+  fitted(q) { return fitted(q, this.coordinates); }
 
   /** Moves the target. @param {ArrayLike<number>} q */
   moveTo(q) { this.setQuery({ q: this.fitted(q) }); }

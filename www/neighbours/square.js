@@ -4,8 +4,7 @@
  */
 import { AngleSquare } from "../draw/angle-square.js";
 import { dotsImage } from "../draw/dots.js";
-import { tick } from "../draw/angles.js";
-import { disc, ring } from "../draw/marks.js";
+import { disc, drawDot, drawLine, ring } from "../draw/marks.js";
 import { way } from "../draw/trace.js";
 
 /** @import { Brush } from "../draw/figure.js" */
@@ -20,47 +19,38 @@ export class Square extends AngleSquare {
   constructor(session) {
     super();
     this.session = session;
-    session.onChange((change) => { if (change === "robot" && this.isShown) this.setCells(session.scenario.cspace({ width: CELLS, height: CELLS }), CELLS); });
+    session.onChange((change) => { if (change === "robot" && session.isPlanar) this.setCells(session.scenario.cspace({ width: CELLS, height: CELLS }), CELLS); });
   }
-
-  get isShown() { return this.session.isArm && this.session.dimension === 2; }
 
   /** @param {Brush} brush */
   ground(brush) {
-    if (!this.isShown) return;
-    const { session: { coordinates, list: { rows } } } = this;
-    const { context, ratio, palette } = brush;
-    /** @type {OffscreenCanvas | null} */
-    let dots = null;
+    const { isPlanar, coordinates, list: { rows } } = this.session;
+    if (!isPlanar) return;
     this.drawGround(brush, coordinates, () => {
       const { x, y, width, height } = this.inner;
-      if (!dots) {
-        const places = new Float64Array(rows.length);
-        for (let i = 0; i < rows.length; i += 2) {
-          const [px, py] = this.place([rows[i], rows[i + 1]]);
-          places.set([px - x, py - y], i);
-        }
-        dots = dotsImage(places, { width, height, ratio, colour: palette.growth, size: 2.4 });
+      const places = new Float64Array(rows.length);
+      for (let i = 0; i < rows.length; i += 2) {
+        const [px, py] = this.place([rows[i], rows[i + 1]]);
+        places.set([px - x, py - y], i);
       }
-      context.drawImage(dots, x, y, width, height);
+      return dotsImage(places, { width, height, ratio: brush.ratio, colour: brush.palette.growth, size: 2.4 });
     });
   }
 
   /** @param {Brush} brush */
   top({ context, palette }) {
     const { session, view, inner } = this;
-    if (!view || !this.isShown) return;
+    if (!session.isPlanar) return;
     const { found: { indices }, missed, isNaive, q } = session;
     const colourOf = (/** @type {number} */ i) => (session.exact.has(i) ? palette.start : palette.rejected);
     this.repeat(context, () => {
+      context.strokeStyle = palette.rejected;
       if (isNaive) {
-        context.strokeStyle = palette.rejected;
         context.lineWidth = 1.4;
         context.setLineDash([7, 5]);
-        tick(context, view.x(0), inner.y, view.x(0), inner.y + inner.height);
-        tick(context, inner.x, view.y(0), inner.x + inner.width, view.y(0));
+        drawLine(context, view.x(0), inner.y, view.x(0), inner.y + inner.height);
+        drawLine(context, inner.x, view.y(0), inner.x + inner.width, view.y(0));
       }
-      context.strokeStyle = palette.rejected;
       context.setLineDash([3, 4]);
       context.lineWidth = 1.2;
       for (const i of missed) this.drawMotion(context, i, false);
@@ -77,11 +67,7 @@ export class Square extends AngleSquare {
         context.fillStyle = colourOf(i);
         disc(context, ...this.place(session.row(i)), 3.6);
       }
-      context.fillStyle = palette.robot;
-      context.strokeStyle = palette.stage;
-      context.lineWidth = 2;
-      disc(context, ...this.place(q), 6.5);
-      context.stroke();
+      drawDot(context, ...this.place(q), palette.robot, palette);
     });
   }
 
@@ -89,7 +75,7 @@ export class Square extends AngleSquare {
   drawMotion(context, i, isNaive) {
     const { session: { q }, session } = this;
     const row = session.row(i);
-    this.traceMotion(context, q, [0, 1].map((axis) => (isNaive ? positive(row[axis]) - positive(q[axis]) : way(q[axis], row[axis], true))));
+    this.strokeMotion(context, q, [0, 1].map((axis) => (isNaive ? positive(row[axis]) - positive(q[axis]) : way(q[axis], row[axis], true))));
   }
 }
 

@@ -1,21 +1,19 @@
 /** The state that a link stores; a list from a file is not in it. */
 import { Scenario } from "planarium";
-import { flag, list, name, number, record, rule, settings, whole, withDefaults } from "../formats/rules.js";
+import { flag, list, name, number, oneOf, record, settings, whole, withDefaults } from "../formats/rules.js";
 import { ROBOTS } from "./robots.js";
 
 /** @import { NeighboursOptions } from "planarium" */
 /** @import { NeighbourSession } from "./session.js" */
-/** @import { IndexId, Sampling, Settings } from "./types.js" */
-
-/** @typedef {{ robot: string, draw: Sampling, q?: number[], k?: number, index: IndexId, given: Settings }} State */
-
-/** A whole number in a range. @param {number} least @param {number} most */
-const between = (least, most) => rule((value) => Number.isInteger(value) && Number(value) >= least && Number(value) <= most);
+/** @import { Rule } from "../formats/rules.js" */
+/** @import { IndexId } from "./types.js" */
 
 export const stateRule = withDefaults({
-  robot: rule((value) => ROBOTS.some(({ id }) => id === value)), draw: record({ n: between(100, 100_000), seed: whole(999), free: flag }),
-  q: list(number, 1, 8), k: between(1, 500), index: name, given: settings,
+  robot: oneOf(ROBOTS.map(({ id }) => id)), draw: record({ n: whole(100_000, 100), seed: whole(999), free: flag }),
+  q: list(number, 1, 8), k: whole(500, 1), index: /** @type {Rule<IndexId>} */ (name), given: settings,
 }, { robot: ROBOTS[0].id, draw: {}, index: "kd-tree", given: {} });
+
+/** @typedef {import("../formats/rules.js").Allowed<typeof stateRule>} State */
 
 /** @param {NeighbourSession} session @returns {State} */
 export function stateOf({ entry, sampling, q, k, index, given }) {

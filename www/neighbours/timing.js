@@ -6,7 +6,7 @@
  */
 import { Chart } from "../widgets/chart.js";
 import { byId, grouped, make } from "../app/dom.js";
-import { toCsv } from "../formats/csv.js";
+import { csvFile } from "../formats/csv.js";
 
 /** @import { IndexInfo } from "planarium" */
 /** @import { NeighbourSession } from "./session.js" */
@@ -35,9 +35,9 @@ export class Timing {
     this.table = table;
     /** @type {Measured[]} */
     this.measured = [];
-    /** What was measured. */
+    /** The settings that were measured. */
     this.key = "";
-    /** Was it stopped before its end? */
+    /** Whether it was stopped before its end. */
     this.isCut = false;
     this.element = byId("timing", HTMLElement);
     this.button = byId("measure", HTMLButtonElement);
@@ -55,10 +55,10 @@ export class Timing {
     this.explain();
   }
 
-  /** What would be measured. */
+  /** The settings that would be measured. */
   get wanted() { return JSON.stringify([this.session.entry.id, this.session.k, this.session.given]); }
 
-  /** Can the measurement be continued? */
+  /** Whether the measurement can be continued. */
   get isPaused() { return this.isCut && this.key === this.wanted; }
 
   explain() {
@@ -124,7 +124,7 @@ export class Timing {
 
   csv() {
     const rows = this.measured.map(({ n, index, build, query, visited, recall }) => [n, index, build, query, visited, recall]);
-    return toCsv(["n", "index", "build_seconds", "query_seconds", "visited", "recall"], rows);
+    return csvFile(["n", "index", "build_seconds", "query_seconds", "visited", "recall"], rows);
   }
 }
 

@@ -1,10 +1,10 @@
 /**
  * Types that this page's modules share.
  *
- * @typedef {import("planarium").ScenarioDocument} ScenarioDocument
+ * @typedef {import("../domain/types.js").ScenarioDocument} ScenarioDocument
  * @typedef {import("planarium").IndexInfo["id"]} IndexId
  * @typedef {import("planarium").NeighboursFound} Found
- * @typedef {Record<string, number | string | boolean>} Settings
+ * @typedef {import("../domain/types.js").Settings} Settings
  * @typedef {[number, number]} Point
  * @typedef {{ q: number[], k: number }} Preset   a query
  *
@@ -23,16 +23,8 @@
  * @property {Float64Array} rows
  * @property {Float64Array} tips   for each the end effector, or the middle of a body, x and y
  *
- * @typedef {object} Query
- * @property {number} version   of the list
- * @property {Float64Array} q
- * @property {number} k
- * @property {IndexId} index
- * @property {Settings} given   the options of the index
- *
- * @typedef {object} Result
- * @property {Found} found
- * @property {Found} exact   by exact search, with angles that wrap
+ * @typedef {{ version: number, q: Float64Array, k: number, index: IndexId, given: Settings }} Query   `version`: of the list; `given`: options of the index
+ * @typedef {{ found: Found, exact: Found }} Result   `exact`: by exact search, with angles that wrap
  *
  * @typedef {object} Measured   an index on n configurations
  * @property {IndexId} index

@@ -1,12 +1,11 @@
 /** The robot in its world: the list faint, the neighbours by rank, and the target. */
 import { dotsImage } from "../draw/dots.js";
 import { drawHandle, drawWorld } from "../draw/workspace.js";
-import { disc, ring } from "../draw/marks.js";
-import { drawGhost, drawLabel, drawRobot } from "../draw/shapes.js";
+import { addLine, disc, ring } from "../draw/marks.js";
+import { drawGhost, drawLabel, drawRobot, partPath } from "../draw/shapes.js";
+import { NO_VIEW } from "../draw/view.js";
 
 /** @import { Brush } from "../draw/figure.js" */
-/** @import { Part } from "../domain/types.js" */
-/** @import { View } from "../draw/view.js" */
 /** @import { NeighbourSession } from "./session.js" */
 /** @import { Point } from "./types.js" */
 
@@ -19,13 +18,12 @@ export class Workspace {
   /** @param {NeighbourSession} session */
   constructor(session) {
     this.session = session;
-    /** @type {View | null} */
-    this.view = null;
+    this.view = NO_VIEW;
   }
 
-  /** Where the target can be dragged: the ends of the links of an arm; otherwise the middle, and the front of a body. @returns {Point[]} */
+  /** The handles of the target: the ends of the links of an arm; otherwise the middle, and the front of a body. @returns {Point[]} */
   get handles() {
-    const { session: { scenario, q, isArm, dimension } } = this;
+    const { scenario, q, isArm, dimension } = this.session;
     const parts = scenario.footprint(q);
     if (isArm) return parts.map((part) => /** @type {Point} */ (part.type === "capsule" ? part.b : [0, 0]));
     const [x, y, theta] = q;
@@ -35,7 +33,7 @@ export class Workspace {
 
   /** @param {Brush} brush */
   ground(brush) {
-    const { session: { document, scenario, footprints, list: { tips } } } = this;
+    const { document, scenario, footprints, list: { tips } } = this.session;
     const { context, palette, width, height, ratio } = brush;
     const view = this.view = drawWorld(brush, scenario, document);
     context.save();
@@ -45,7 +43,10 @@ export class Workspace {
     context.globalAlpha = footprints.length > 100 ? 0.12 : 0.25;
     for (const parts of footprints) {
       context.beginPath();
-      for (const part of parts) tracePart(context, view, part);
+      for (const part of parts) {
+        if (part.type === "capsule") addLine(context, ...view.place(part.a), ...view.place(part.b));
+        else if (part.type === "polygon") partPath(context, view, part);
+      }
       context.stroke();
     }
     context.restore();
@@ -57,40 +58,30 @@ export class Workspace {
   /** @param {Brush} brush */
   top({ context, palette }) {
     const { session, view } = this;
-    if (!view || session.dimension === 0) return;
     const { scenario, missed, q, list: { tips }, found: { indices }, document: { robot } } = session;
     const isDot = robot.type === "disc";
     const colourOf = (/** @type {number} */ i) => (session.exact.has(i) ? palette.start : palette.rejected);
-    const tipOf = (/** @type {number} */ i) => /** @type {Point} */ ([view.x(tips[2 * i]), view.y(tips[2 * i + 1])]);
+    const tipOf = (/** @type {number} */ i) => view.place(tips.subarray(2 * i));
     const footprintOf = (/** @type {number} */ i) => scenario.footprint(session.row(i));
+    // The nearest is drawn last, on top.
+    const ranked = [...indices.entries()].reverse();
     context.lineWidth = 1.6;
     context.strokeStyle = palette.rejected;
     for (const i of missed) {
       if (missed.length > MOST || isDot) ring(context, ...tipOf(i), 4.4);
       else drawGhost(context, view, footprintOf(i), { colour: palette.rejected, fill: 0, stroke: 0.9, dash: [4, 4], width: 1.4 });
     }
-    // The nearest is drawn last, on top.
-    for (let rank = indices.length - 1; rank >= 0; rank--) {
-      const i = indices[rank];
+    for (const [rank, i] of ranked) {
       const near = 1 - rank / Math.max(1, indices.length - 1);
       context.fillStyle = colourOf(i);
       if (rank >= MOST || isDot) disc(context, ...tipOf(i), 3.6);
       else drawGhost(context, view, footprintOf(i), { colour: colourOf(i), fill: 0.05 + 0.08 * near, stroke: 0.55 + 0.4 * near, dash: [], width: 1 + 1.2 * near });
     }
     drawRobot(context, view, scenario.footprint(q), palette);
-    if (indices.length <= RANKED) {
-      for (let rank = indices.length - 1; rank >= 0; rank--) {
-        const [x, y] = tipOf(indices[rank]);
-        drawLabel(context, String(rank + 1), x, y - 11, colourOf(indices[rank]), palette);
-      }
+    for (const [rank, i] of indices.length <= RANKED ? ranked : []) {
+      const [x, y] = tipOf(i);
+      drawLabel(context, String(rank + 1), x, y - 11, colourOf(i), palette);
     }
-    for (const [x, y] of this.handles) drawHandle(context, view.x(x), view.y(y), palette.robot, palette);
+    for (const handle of this.handles) drawHandle(context, ...view.place(handle), palette.robot, palette);
   }
-}
-
-/** A part as thin lines. @param {CanvasRenderingContext2D} context @param {View} view @param {Part} part */
-function tracePart(context, view, part) {
-  if (part.type === "disc") return;
-  const points = part.type === "capsule" ? [part.a, part.b] : [...part.vertices, part.vertices[0]];
-  points.forEach(([x, y], i) => context[i === 0 ? "moveTo" : "lineTo"](view.x(x), view.y(y)));
 }

@@ -23,7 +23,6 @@ export class ArmPanel {
     this.lengths = [];
     /** The fields of the joint limits, two for each joint. @type {HTMLInputElement[]} */
     this.limits = [];
-    this.built = "";
     const setOrientation = (/** @type {number | null} */ angle) => {
       session.orientation = angle;
       onOrientation();
@@ -45,46 +44,46 @@ export class ArmPanel {
   /** @param {Change} change */
   show(change) {
     const { session: { arm, orientation } } = this;
-    const { robot, hasLimits } = arm;
+    const { robot, hasLimits, dimension } = arm;
     // Controls are rebuilt only if their number differs, so that a slider can be held meanwhile.
-    const key = `${arm.dimension} ${hasLimits}`;
-    if (key !== this.built) this.build();
-    this.built = key;
+    if (dimension !== this.angles.length || this.limits.length !== (hasLimits ? 2 * dimension : 0)) this.build();
     this.angles.forEach((slider, i) => slider.show(arm.q[i]));
-    this.isOriented.disabled = arm.dimension < ORIENTED;
+    this.isOriented.disabled = dimension < ORIENTED;
     this.isOriented.checked = orientation !== null;
-    this.orientationHint.hidden = arm.dimension >= ORIENTED;
+    this.orientationHint.hidden = dimension >= ORIENTED;
     this.orientation.element.hidden = orientation === null;
     if (orientation !== null) this.orientation.show(orientation);
     if (change !== "arm") return;
     this.refuse("");
     this.angles.forEach((slider, i) => slider.setLimits(arm.joints[i].low, arm.joints[i].high));
-    this.count.show(arm.dimension);
+    this.count.show(dimension);
     this.radius.show(robot.radius ?? 0);
     this.hasLimits.checked = hasLimits;
     this.lengths.forEach((slider, i) => {
+      slider.setLimits(slider.info.min, Math.max(slider.info.max, robot.links[i]));
       slider.show(robot.links[i]);
-      if (slider.info.max < robot.links[i]) slider.setLimits(slider.info.min, robot.links[i]);
     });
-    this.limits.forEach((input, k) => { if (document.activeElement !== input) input.value = (robot.joint_limits ?? [])[k >> 1][k % 2].toFixed(2); });
+    const limits = (robot.joint_limits ?? []).flat();
+    this.limits.forEach((input, k) => { if (document.activeElement !== input) input.value = limits[k].toFixed(2); });
   }
 
   build() {
     const { session } = this;
-    const { arm: { joints, q, robot } } = session;
+    const { joints, q, robot: { links, joint_limits: limits = [] } } = session.arm;
     this.angles = joints.map(({ name, low, high }, i) => new Slider({ name: `joint-${i}`, title: name, unit: "rad", min: low, max: high }, q[i], (angle) => session.turnJoint(i, angle)));
-    this.lengths = robot.links.map((length, i) => new Slider({ name: `link-${i}`, title: `link ${i}`, unit: "m", min: 0.05, max: Math.max(1, length), step: 0.005 }, length, (value) => {
-      this.change({ links: session.arm.robot.links.map((link, j) => (j === i ? value : link)) });
+    this.lengths = links.map((length, i) => new Slider({ name: `link-${i}`, title: `link ${i + 1}`, unit: "m", min: 0.05, max: Math.max(1, length), step: 0.005 }, length, (value) => {
+      this.change({ links: session.arm.robot.links.with(i, value) });
     }));
-    this.limits = (robot.joint_limits ?? []).flatMap((_, i) => ["minimum", "maximum"].map((word, end) => {
-      const input = make("input", { type: "number", id: `stop-${i}-${end}`, step: "any", min: String(-WIDEST), max: String(WIDEST), autocomplete: "off", ariaLabel: `joint ${i}, ${word} angle, radians` });
+    this.limits = limits.flatMap((_, i) => ["minimum", "maximum"].map((word, end) => {
+      const ariaLabel = `${joints[i].name}, ${word} angle, radians`;
+      const input = make("input", { type: "number", id: `stop-${i}-${end}`, step: "any", min: String(-WIDEST), max: String(WIDEST), autocomplete: "off", ariaLabel });
       input.addEventListener("change", () => this.setLimit(i, end, input));
       return input;
     }));
     byId("joints", HTMLElement).replaceChildren(...this.angles.map(({ element }) => element));
     byId("lengths", HTMLElement).replaceChildren(...this.lengths.map(({ element }) => element));
-    byId("intervals", HTMLElement).replaceChildren(...(robot.joint_limits ?? []).map((_, i) => make("div", { className: "interval" },
-      make("span", { className: "name" }, `joint ${i}`), this.limits[2 * i], make("span", {}, "to"), this.limits[2 * i + 1], make("span", { className: "unit" }, "rad"))));
+    byId("intervals", HTMLElement).replaceChildren(...limits.map((_, i) => make("div", { className: "interval" },
+      make("span", { className: "name" }, joints[i].name), this.limits[2 * i], make("span", {}, "to"), this.limits[2 * i + 1], make("span", { className: "unit" }, "rad"))));
   }
 
   /** @param {number} count */
@@ -96,11 +95,10 @@ export class ArmPanel {
 
   /** @param {number} joint @param {number} end  0 or 1 @param {HTMLInputElement} input */
   setLimit(joint, end, input) {
-    const limits = (this.session.arm.robot.joint_limits ?? []).map((pair) => /** @type {Point} */ ([...pair]));
-    limits[joint][end] = input.value.trim() === "" ? NaN : Number(input.value);
-    const [low, high] = limits[joint];
-    if (Math.abs(low) <= WIDEST && Math.abs(high) <= WIDEST && low < high) this.change({ joint_limits: limits }, input);
-    else this.refuse(`The limits of joint ${joint} must be two numbers from \u22126.28 to 6.28, the lower first.`, input);
+    const { arm: { joints, robot: { joint_limits: limits = [] } } } = this.session;
+    const [low, high] = limits[joint].with(end, input.value.trim() === "" ? NaN : Number(input.value));
+    if (Math.abs(low) <= WIDEST && Math.abs(high) <= WIDEST && low < high) this.change({ joint_limits: limits.with(joint, [low, high]) }, input);
+    else this.refuse(`The limits of ${joints[joint].name} must be two numbers from \u22126.28 to 6.28, the lower first.`, input);
   }
 
   /** Changes the arm; what the core refuses is explained. @param {Partial<ArmRobot>} changes @param {HTMLInputElement} [input]  where it was asked for */

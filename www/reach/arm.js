@@ -1,10 +1,9 @@
-/** An arm: its document, the core's scenario of it, its configuration and what follows from that. */
+/** An arm: its document, the core's scenario of it, its configuration and what the core computes of it. */
 import { Scenario } from "planarium";
-import { contained, coordinatesOf, wrap } from "../domain/coordinates.js";
+import { coordinatesOf, fitted, wrap } from "../domain/coordinates.js";
 import { ellipseOf, tipOf } from "./jacobian.js";
 
-/** @import { Check, Coordinate, Part } from "../domain/types.js" */
-/** @import { Ellipse } from "./jacobian.js" */
+/** @import { Coordinate } from "../domain/types.js" */
 /** @import { ArmRobot, Point, ScenarioDocument } from "./types.js" */
 
 export class Arm {
@@ -19,17 +18,13 @@ export class Arm {
     this.document = this.scenario.document();
     /** @type {Coordinate[]} */
     this.joints = coordinatesOf({ scenario: this.scenario, document: this.document });
-    /** @type {Float64Array} */
-    this.q = new Float64Array(this.dimension);
-    /** @type {Part[]} */
-    this.parts = [];
-    /** @type {Check} */
-    this.check = { free: true, touching: [] };
-    /** @type {Ellipse} */
-    this.ellipse = { major: 0, minor: 0, angle: 0, manipulability: 0 };
-    this.moveTo(q);
+    this.pose = this.poseAt(q);
   }
 
+  get q() { return this.pose.q; }
+  get parts() { return this.pose.parts; }
+  get check() { return this.pose.check; }
+  get ellipse() { return this.pose.ellipse; }
   get robot() { return /** @type {ArmRobot} */ (this.document.robot); }
   get dimension() { return this.robot.links.length; }
   get base() { return this.robot.base; }
@@ -45,15 +40,17 @@ export class Arm {
   get orientation() { return wrap(this.q.reduce((sum, angle) => sum + angle, 0)); }
 
   /** A configuration of this arm from one with more or fewer joints. @param {ArrayLike<number>} q */
-  fitted(q) { return contained(Float64Array.from({ length: this.dimension }, (_, i) => q[i] ?? 0), this.joints); }
+  fitted(q) { return fitted(q, this.joints); }
+
+  /** @param {ArrayLike<number>} values */
+  poseAt(values) {
+    const q = this.fitted(values);
+    const parts = this.scenario.footprint(q);
+    return { q, parts, check: this.scenario.check(q), ellipse: ellipseOf(parts) };
+  }
 
   /** @param {ArrayLike<number>} q */
-  moveTo(q) {
-    this.q = this.fitted(q);
-    this.parts = this.scenario.footprint(this.q);
-    this.check = this.scenario.check(this.q);
-    this.ellipse = ellipseOf(this.parts);
-  }
+  moveTo(q) { this.pose = this.poseAt(q); }
 
   /** @param {ArrayLike<number>} q */
   isFree(q) { return this.scenario.check(Float64Array.from(q)).free; }

@@ -1,4 +1,4 @@
-/** What the worker computes for this page. */
+/** The commands of this page, which its worker runs. */
 import { Scenario } from "planarium";
 
 /** @import { ScenarioDocument } from "./types.js" */

@@ -1,4 +1,4 @@
-/** What can be dragged: the tip, a link, the target, a configuration in the square, a joint on its axis. */
+/** Handles to drag: the tip, a link, the target, a configuration in the square, a joint on its axis. */
 import { distanceToSegment } from "../draw/trace.js";
 import { watchArrows, watchDrag } from "../draw/drag.js";
 import { wrap } from "../domain/coordinates.js";
@@ -11,34 +11,32 @@ import { wrap } from "../domain/coordinates.js";
 /** @import { Point } from "./types.js" */
 /** @import { Workspace } from "./workspace.js" */
 
-/** What an arrow key moves the tip by, as part of the arm's reach. */
+/** The step of an arrow key, as a part of the arm's reach. */
 const STEP = 0.01;
 
 /**
  * @param {ArmSession} session @param {HTMLElement} stage   receives arrow keys
- * @param {{ workspace: Figure, square: Figure, axes: Figure }} figures @param {{ workspace: Workspace, square: Square, axes: ParallelAxes }} drawings
+ * @param {{ workspace: Figure<Workspace>, square: Figure<Square>, axes: Figure<ParallelAxes> }} figures
  * @param {(target: Point) => void} setTarget
  */
-export function watchHandles(session, stage, figures, { workspace, square, axes }, setTarget) {
+export function watchHandles(session, stage, { workspace, square, axes }, setTarget) {
   const { app } = session;
-  watchDrag(app, figures.workspace.canvas, grabInWorkspace);
-  watchDrag(app, figures.square.canvas, ({ x, y, isTouch, near }) => {
-    if (!square.view || session.arm.dimension !== 2) return null;
-    const [px, py] = square.place(session.arm.q);
+  watchDrag(app, workspace.canvas, grabInWorkspace);
+  watchDrag(app, square.canvas, ({ x, y, isTouch, near }) => {
+    const [px, py] = square.drawing.place(session.arm.q);
     if (isTouch && Math.hypot(px - x, py - y) > near) return null;
-    return (place) => { if (square.view) session.moveTo(square.view.toPlane(place.x, place.y)); };
+    return (place) => session.moveTo(square.drawing.view.toPlane(place.x, place.y));
   });
-  watchDrag(app, figures.axes.canvas, ({ x, near }) => {
-    const joint = axes.jointAt(x, near);
-    return joint < 0 ? null : (place) => session.turnJoint(joint, axes.valueAt(joint, place.y));
+  watchDrag(app, axes.canvas, ({ x, near }) => {
+    const joint = axes.drawing.jointAt(x, near);
+    return joint < 0 ? null : (place) => session.turnJoint(joint, axes.drawing.valueAt(joint, place.y));
   });
   watchArrows(stage, (coordinate, direction, factor) => {
     if (coordinate > 1) return false;
     const { arm, mode, target, tipGoal } = session;
-    const from = mode === "solve" ? target : tipGoal && !tipGoal.reached ? tipGoal.wanted : arm.tip;
-    const to = /** @type {Point} */ ([...from]);
-    to[coordinate] += direction * factor * STEP * arm.reach;
-    moveEnd(to);
+    const [...point] = mode === "solve" ? target : tipGoal && !tipGoal.reached ? tipGoal.wanted : arm.tip;
+    point[coordinate] += direction * factor * STEP * arm.reach;
+    moveEnd(point);
     return true;
   });
 
@@ -51,8 +49,7 @@ export function watchHandles(session, stage, figures, { workspace, square, axes 
   /** @param {Place} place @returns {Grip | null} */
   function grabInWorkspace({ x, y, near, isTouch }) {
     const { arm, mode, target } = session;
-    const { view } = workspace;
-    if (!view) return null;
+    const { view } = workspace.drawing;
     const isNear = (/** @type {Point} */ point) => Math.hypot(view.x(point[0]) - x, view.y(point[1]) - y) <= near;
     const pointOf = (/** @type {Place} */ place) => view.toPlane(place.x, place.y);
     if (mode === "solve" && isNear(target)) return (place) => setTarget(pointOf(place));
@@ -61,7 +58,7 @@ export function watchHandles(session, stage, figures, { workspace, square, axes 
     const distances = arm.parts.map((part) => (part.type === "capsule" ? distanceToSegment(px, py, part.a, part.b) - part.radius : Infinity));
     const least = Math.min(...distances);
     if (least * view.scaleX <= near) return turnLink(distances.indexOf(least), px, py, pointOf);
-    // A finger elsewhere scrolls the page; a click with the mouse calls the tip or the target.
+    // A finger elsewhere scrolls the page; a click with the mouse moves the tip or the target there.
     return isTouch ? null : (place) => moveEnd(pointOf(place));
   }
 

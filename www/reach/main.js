@@ -43,18 +43,17 @@ const CELLS = { rough: 64, fine: 360 };
 const MODES = [["hand", "By hand"], ["between", "From A to B"], ["solve", "Inverse kinematics"]];
 
 const app = new App();
-/** Does the worker compute the obstacles of a configuration space? */
+/** Whether the worker computes the obstacles of a configuration space. */
 let isComputing = false;
 
 await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
   const stage = byId("stage", HTMLElement);
   const session = new ArmSession(app);
   const ik = new IkPanel(session);
-  const drawings = { workspace: new Workspace(session, ik), square: new Square(session, ik), axes: new ParallelAxes(session, ik) };
   const figures = {
-    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace", note: "the arm and its obstacles" }, drawings.workspace),
-    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "each point: two joint angles" }, drawings.square),
-    axes: new Figure(app, stage, { id: "axes", kind: "axes", caption: "Configuration", note: "one axis per joint" }, drawings.axes),
+    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace", note: "the arm and its obstacles" }, new Workspace(session, ik)),
+    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "each point: two joint angles" }, new Square(session, ik)),
+    axes: new Figure(app, stage, { id: "axes", kind: "axes", caption: "Configuration", note: "one axis per joint" }, new ParallelAxes(session, ik)),
   };
   const all = Object.values(figures);
   new ArmPanel(session, () => {
@@ -62,7 +61,7 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
     else session.moveTip(session.arm.tip);
   });
   new MotionPanel(session, stage);
-  watchHandles(session, stage, figures, drawings, (target) => {
+  watchHandles(session, stage, figures, (target) => {
     session.target = target;
     ik.begin();
   });
@@ -84,12 +83,10 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
   ]);
   session.onChange(show);
   app.rebuild = () => session.changeArm(session.arm.document);
+  session.openScene(SCENES[0]);
   await useLink(app, stateRule, {
     save: () => stateOf(session, ik), contents: "the arm, its configuration and the current mode",
-    open: (/** @type {State | null} */ state) => {
-      if (state) openState(session, ik, state);
-      else if (!session.current) session.openScene(SCENES[0]);
-    },
+    open: (/** @type {State | null} */ state) => { if (state) openState(session, ik, state); },
   });
 
   /** @param {Change} change */
@@ -105,7 +102,7 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
     if (change === "arm") {
       for (const figure of all) figure.redraw();
       gallery.mark(entry?.id ?? null);
-      if (isSquare) showObstacles();
+      if (isSquare) void showObstacles();
     } else for (const figure of all) figure.redrawTop();
     for (const [one] of MODES) press(byId(`mode-${one}`, HTMLElement), one === mode);
     for (const element of document.querySelectorAll("main [data-mode]")) if (element instanceof HTMLElement) element.hidden = element.dataset.mode !== mode;
@@ -115,31 +112,27 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
       "fact-manipulability": `${num(manipulability, 3)} m\u00b2`, "fact-isotropy": num(major > 0 ? minor / major : 0), "fact-collision": collision || "none",
     });
     byId("fact-collision", HTMLElement).dataset.free = String(arm.check.free);
-    const { text, isBad } = (mode === "solve" && ik.sentence) || sentenceOf(session);
+    const { text, isBad } = sentenceOf(session, ik);
     app.say(text, { isBad, isSilent: ik.transport.isPlaying });
     const description = descriptionOf(session);
     for (const figure of all) figure.describe(`${figure.caption.textContent}: ${description}`);
   }
 
   /** Shows the obstacles of the configuration space, roughly at once and finely once the worker has computed them. */
-  function showObstacles() {
+  async function showObstacles() {
     const { arm } = session;
-    const { square } = drawings;
+    const { square } = figures;
     stage.dataset.cells = "false";
-    square.setCells(arm.scenario.cspace({ width: CELLS.rough, height: CELLS.rough }), CELLS.rough);
+    square.drawing.setCells(arm.scenario.cspace({ width: CELLS.rough, height: CELLS.rough }), CELLS.rough);
     // While an arm is being changed, only its last state is computed.
     if (isComputing) return;
     isComputing = true;
-    void app.track(worker.cspace(arm.document, CELLS.fine)).then((cells) => {
-      isComputing = false;
-      if (session.arm !== arm) {
-        if (session.arm.dimension === 2) showObstacles();
-        return;
-      }
-      if (!cells) return;
-      square.setCells(cells, CELLS.fine);
+    const cells = await app.track(worker.cspace(arm.document, CELLS.fine));
+    isComputing = false;
+    if (session.arm === arm && cells) {
+      square.drawing.setCells(cells, CELLS.fine);
       stage.dataset.cells = "true";
-      figures.square.redraw();
-    });
+      square.redraw();
+    } else if (session.arm !== arm && session.arm.dimension === 2) void showObstacles();
   }
 });

@@ -1,6 +1,6 @@
 /** The motion from A to B: setting its ends, the way round of each joint, and playing it. */
 import { byId, make } from "../app/dom.js";
-import { press } from "../widgets/elements.js";
+import { button, press } from "../widgets/elements.js";
 import { Transport } from "../widgets/transport.js";
 
 /** @import { ArmSession, Change } from "./session.js" */
@@ -8,6 +8,8 @@ import { Transport } from "../widgets/transport.js";
 
 /** The part of the motion in a step. */
 const STEP = 0.01;
+/** @type {Direction[]} */
+const DIRECTIONS = ["short", "long"];
 
 export class MotionPanel {
   /** @param {ArmSession} session @param {HTMLElement} stage   on which Space plays too */
@@ -36,28 +38,24 @@ export class MotionPanel {
       this.transport.play.click();
     });
     this.directions = byId("rounds", HTMLElement);
-    const onClick = (/** @type {string} */ id, /** @type {() => Partial<ArmSession>} */ change) => this.onClick(byId(id, HTMLButtonElement), change);
+    const onClick = (/** @type {string} */ id, /** @type {() => Partial<ArmSession>} */ changes) => byId(id, HTMLButtonElement).addEventListener("click", () => this.change(changes()));
     onClick("set-a", () => ({ a: Float64Array.from(session.arm.q), progress: 0 }));
     onClick("set-b", () => ({ b: Float64Array.from(session.arm.q), progress: 1 }));
     onClick("swap", () => ({ a: session.b, b: session.a, progress: 0 }));
-    onClick("all-short", () => this.all("short"));
-    onClick("all-long", () => this.all("long"));
+    for (const direction of DIRECTIONS) {
+      onClick(`all-${direction}`, () => ({ directions: session.arm.joints.map(({ isCircle }) => (isCircle ? direction : "short")), progress: 0 }));
+    }
     session.onChange((change) => this.show(change));
   }
 
-  /** @param {HTMLButtonElement} button @param {() => Partial<ArmSession>} change  what it changes in the session */
-  onClick(button, change) {
-    button.addEventListener("click", () => {
-      const { session } = this;
-      this.transport.pause();
-      Object.assign(session, change());
-      if (session.mode === "between") session.setProgress(session.progress);
-      session.update("rest");
-    });
+  /** @param {Partial<ArmSession>} changes */
+  change(changes) {
+    const { session } = this;
+    this.transport.pause();
+    Object.assign(session, changes);
+    if (session.mode === "between") session.setProgress(session.progress);
+    session.update("rest");
   }
-
-  /** @param {Direction} direction */
-  all(direction) { return { directions: this.session.arm.joints.map(({ isCircle }) => (isCircle ? direction : "short")), progress: 0 }; }
 
   /** @param {Change} change */
   show(change) {
@@ -70,18 +68,17 @@ export class MotionPanel {
     [...this.directions.children].forEach((row, i) => {
       for (const element of row.querySelectorAll("button")) press(element, element.dataset.direction === directions[i]);
     });
-    for (const id of ["all-short", "all-long"]) byId(id, HTMLButtonElement).disabled = arm.hasLimits;
+    for (const direction of DIRECTIONS) byId(`all-${direction}`, HTMLButtonElement).disabled = arm.hasLimits;
   }
 
   /** A row for each joint. */
   build() {
     const { session } = this;
     this.directions.replaceChildren(...session.arm.joints.map(({ name, isCircle }, i) => {
-      const choices = /** @type {Direction[]} */ (["short", "long"]).map((direction) => {
-        const element = make("button", { type: "button" }, direction);
-        this.onClick(element, () => ({ directions: session.directions.map((one, j) => (j === i ? direction : one)) }));
+      const choices = DIRECTIONS.map((direction) => {
+        const element = button("", direction, () => this.change({ directions: session.directions.with(i, direction) }));
         element.dataset.direction = direction;
-        element.setAttribute("aria-label", `${name}: the ${direction} way round`);
+        element.ariaLabel = `${name}: the ${direction} way round`;
         return element;
       });
       const way = isCircle ? make("div", { className: "segments" }, ...choices) : make("span", { className: "hint" }, "limited: one way only");

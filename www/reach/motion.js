@@ -8,7 +8,7 @@ import { way } from "../draw/trace.js";
 /** @typedef {"short" | "long"} Direction   of a joint */
 
 const TURN = 2 * Math.PI;
-/** Longest turn of a joint in a piece of the proof, radians: below half a turn, so that the short way of each piece is the way that is meant. */
+/** Longest turn of a joint in a piece of the proof, radians: below half a turn, so that each piece turns the short way round. */
 const PIECE = 2;
 /** Points of the tip's curve. */
 const POINTS = 160;
@@ -17,7 +17,7 @@ export class Motion {
   /** @param {Arm} arm @param {ArrayLike<number>} a @param {ArrayLike<number>} b @param {Direction[]} directions  without effect on joints with limits */
   constructor(arm, a, b, directions) {
     this.a = Float64Array.from(a);
-    /** How far each joint turns, radians. */
+    /** The turn of each joint, radians. */
     this.turns = arm.joints.map(({ isCircle }, i) => turnOf(a[i], b[i], isCircle, directions[i]));
     const rows = new Float64Array((POINTS + 1) * arm.dimension);
     for (let i = 0; i <= POINTS; i++) rows.set(this.at(i / POINTS), i * arm.dimension);

@@ -2,15 +2,15 @@
  * A configuration in parallel coordinates (Inselberg 1985): an upright axis for each joint, and a line through their values. Red
  * stretches of an axis are where that joint, turned alone, would collide.
  */
-import { tick, ticks } from "../draw/angles.js";
-import { disc } from "../draw/marks.js";
+import { ticks } from "../draw/angles.js";
+import { drawDot, drawLine } from "../draw/marks.js";
+import { fillWith } from "../draw/shapes.js";
 import { folded } from "../draw/trace.js";
 import { num } from "../widgets/format.js";
 
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { IkPanel } from "./ik-panel.js" */
 /** @import { ArmSession } from "./session.js" */
-/** @typedef {CanvasRenderingContext2D} Context */
 
 const MARGIN = { left: 34, right: 24, top: 26, bottom: 44 };
 /** Configurations tested along each axis. */
@@ -30,8 +30,7 @@ export class ParallelAxes {
   /** @param {number} joint */
   x(joint) {
     const { dimension } = this.session.arm;
-    const inner = this.width - MARGIN.left - MARGIN.right;
-    return MARGIN.left + inner * (dimension === 1 ? 0.5 : joint / (dimension - 1));
+    return MARGIN.left + (this.width - MARGIN.left - MARGIN.right) * (dimension === 1 ? 0.5 : joint / (dimension - 1));
   }
 
   /** @param {number} joint @param {number} value */
@@ -63,15 +62,15 @@ export class ParallelAxes {
     joints.forEach((joint, i) => {
       const x = this.x(i);
       const [top, bottom] = [this.y(i, joint.high), this.y(i, joint.low)];
-      tick(context, x, top, x, bottom);
+      drawLine(context, x, top, x, bottom);
       // A limit is a bar; an axis that wraps ends in arrowheads.
       for (const [y, away] of [[top, 5], [bottom, -5]]) {
-        if (!joint.isCircle) tick(context, x - 7, y, x + 7, y);
-        else for (const side of [-5, 5]) tick(context, x + side, y + away, x, y);
+        if (!joint.isCircle) drawLine(context, x - 7, y, x + 7, y);
+        else for (const side of [-5, 5]) drawLine(context, x + side, y + away, x, y);
       }
       context.textAlign = "center";
       context.textBaseline = "alphabetic";
-      context.fillText(isNarrow ? String(i) : joint.name, x, height - 10);
+      context.fillText(isNarrow ? String(i + 1) : joint.name, x, height - 10);
       if (!joint.isCircle) {
         context.fillText(num(joint.high, 1), x, top - 5);
         context.textBaseline = "top";
@@ -88,23 +87,16 @@ export class ParallelAxes {
   top(brush) {
     const { context, palette } = brush;
     const { arm, mode, a, b } = this.session;
-    if (this.width === 0) return;
+    const colour = arm.check.free ? palette.robot : palette.collision;
     this.drawCollisions(brush);
     if (mode === "between") {
-      this.drawLine(context, b, palette.goal, 2, [6, 4]);
-      this.drawLine(context, a, palette.start, 2);
+      this.drawPose(context, b, palette.goal, 2, [6, 4]);
+      this.drawPose(context, a, palette.start, 2);
     }
     if (mode === "solve") this.drawRun(brush);
-    const colour = arm.check.free ? palette.robot : palette.collision;
-    this.drawLine(context, arm.q, palette.stage, 5);
-    this.drawLine(context, arm.q, colour, 2.6);
-    context.fillStyle = colour;
-    context.strokeStyle = palette.stage;
-    context.lineWidth = 2;
-    arm.q.forEach((value, i) => {
-      disc(context, this.x(i), this.y(i, value), 6.5);
-      context.stroke();
-    });
+    this.drawPose(context, arm.q, palette.stage, 5);
+    this.drawPose(context, arm.q, colour, 2.6);
+    arm.q.forEach((value, i) => drawDot(context, this.x(i), this.y(i, value), colour, palette));
   }
 
   /** @param {Brush} brush */
@@ -112,25 +104,17 @@ export class ParallelAxes {
     const { arm } = this.session;
     const pattern = hatch(palette.collision);
     arm.joints.forEach(({ low, high }, joint) => {
-      const q = Float64Array.from(arm.q);
       const valueAt = (/** @type {number} */ test) => low + ((high - low) * test) / TESTS;
       let from = -1;
       for (let i = 0; i <= TESTS; i++) {
-        q[joint] = valueAt(i + 0.5);
-        const collides = i < TESTS && !arm.isFree(q);
+        const collides = i < TESTS && !arm.isFree(arm.q.with(joint, valueAt(i + 0.5)));
         if (collides && from < 0) from = i;
         if (collides || from < 0) continue;
         const [bottom, top] = [this.y(joint, valueAt(from)), this.y(joint, valueAt(i))];
         context.beginPath();
         context.rect(this.x(joint) - HALF, top, 2 * HALF, bottom - top);
-        context.globalAlpha = 0.35;
-        context.fillStyle = palette.collision;
-        context.fill();
-        context.globalAlpha = 1;
-        if (pattern) {
-          context.fillStyle = pattern;
-          context.fill();
-        }
+        fillWith(context, palette.collision, 0.35);
+        fillWith(context, pattern);
         from = -1;
       }
     });
@@ -142,15 +126,15 @@ export class ParallelAxes {
     if (!run) return;
     for (const { q, strength } of run.recent(40)) {
       context.globalAlpha = 0.1 + 0.4 * strength ** 2;
-      this.drawLine(context, q, palette.growth, 1);
+      this.drawPose(context, q, palette.growth, 1);
     }
     context.globalAlpha = 0.9;
-    for (const { q, isFree } of run.shown) this.drawLine(context, q, isFree ? palette.path : palette.collision, 1.8, isFree ? [] : [2, 4]);
+    for (const { q, isFree } of run.shown) this.drawPose(context, q, isFree ? palette.path : palette.collision, 1.8, isFree ? [] : [2, 4]);
     context.globalAlpha = 1;
   }
 
-  /** A configuration as a line. @param {Context} context @param {ArrayLike<number>} q @param {string} colour @param {number} width @param {number[]} [dash] */
-  drawLine(context, q, colour, width, dash = []) {
+  /** A configuration as a line. @param {CanvasRenderingContext2D} context @param {ArrayLike<number>} q @param {string} colour @param {number} width @param {number[]} [dash] */
+  drawPose(context, q, colour, width, dash = []) {
     context.strokeStyle = colour;
     context.lineWidth = width;
     context.lineJoin = "round";

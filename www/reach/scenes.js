@@ -1,14 +1,7 @@
 /** The built-in scenes: small worlds, each with an arm, its configuration at first, the ends A and B of a motion, and a target. */
+import { box, disc } from "../domain/obstacles.js";
 
 /** @import { Point, SceneEntry } from "./types.js" */
-
-/** @param {number} x @param {number} y @param {number} width @param {number} height @returns {import("planarium").Obstacle} */
-function box(x, y, width, height) {
-  return { type: "polygon", vertices: [[x, y], [x + width, y], [x + width, y + height], [x, y + height]] };
-}
-
-/** @param {number} x @param {number} y @param {number} radius @returns {import("planarium").Obstacle} */
-function disc(x, y, radius) { return { type: "disc", center: [x, y], radius }; }
 
 /** @type {Point} */
 const ORIGIN = [0, 0];

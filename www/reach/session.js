@@ -1,22 +1,16 @@
-/**
- * The state of the page: the arm, the mode, the configurations A and B, and the target. Listeners learn what changed; nothing
- * here uses the DOM.
- */
+/** The state of the page: the arm, the mode, the configurations A and B, and the target. */
+import { Observable } from "../app/observable.js";
 import { Arm } from "./arm.js";
 import { Motion } from "./motion.js";
+import { SCENES } from "./scenes.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { Mode, Point, SceneEntry, ScenarioDocument } from "./types.js" */
 /** @import { Direction } from "./motion.js" */
 
 /**
- * The outcome of moving the tip to a point.
- * @typedef {object} TipGoal
- * @property {Point} wanted
- * @property {Point} point      the nearest point
- * @property {number} distance  between them, metres
- * @property {boolean} reached
- * @property {boolean} isStuck   another configuration would come nearer
+ * The outcome of moving the tip to a point: the nearest point, its distance in metres, and whether another configuration would come nearer.
+ * @typedef {{ wanted: Point, point: Point, distance: number, reached: boolean, isStuck: boolean }} TipGoal
  */
 
 /** The arm itself; its configuration, by the user or by inverse kinematics; or anything else. @typedef {"arm" | "pose" | "iterate" | "rest"} Change */
@@ -24,49 +18,32 @@ import { Motion } from "./motion.js";
 /** The part of its reach by which another configuration must come nearer for the arm to be stuck. */
 const STUCK = 1e-3;
 
-export class ArmSession {
+/** @extends {Observable<Change>} */
+export class ArmSession extends Observable {
   /** @param {App} app */
   constructor(app) {
-    this.app = app;
-    /** @type {Arm | null} */
-    this.current = null;
+    super(app);
+    const [entry] = SCENES;
+    this.arm = new Arm(documentOf(entry), entry.q);
     /** The built-in scene, if it is one. @type {SceneEntry | null} */
-    this.entry = null;
+    this.entry = entry;
     /** @type {Mode} */
     this.mode = "hand";
     /** @type {Float64Array} */
-    this.a = new Float64Array();
+    this.a = Float64Array.from(entry.a);
     /** @type {Float64Array} */
-    this.b = new Float64Array();
+    this.b = Float64Array.from(entry.b);
     /** The way round of each joint from A to B. @type {Direction[]} */
     this.directions = [];
     /** The part of the motion that is done, 0 to 1. */
     this.progress = 0;
     /** The orientation of the last link, radians; null: any. @type {number | null} */
     this.orientation = null;
-    /** @type {Point} */
-    this.target = [0, 0];
+    this.target = entry.target;
     /** @type {TipGoal | null} */
     this.tipGoal = null;
     /** The motion, and what it was computed for. @type {{ key: string, arm: Arm, motion: Motion } | null} */
     this.computed = null;
-    /** @type {((change: Change) => void)[]} */
-    this.listeners = [];
-  }
-
-  /** @returns {Arm} */
-  get arm() {
-    if (!this.current) throw new Error("No arm is open yet.");
-    return this.current;
-  }
-
-  /** @param {(change: Change) => void} listener */
-  onChange(listener) { this.listeners.push(listener); }
-
-  /** @param {Change} change */
-  update(change) {
-    for (const listener of this.listeners) listener(change);
-    this.app.requestFrame();
   }
 
   /** @param {SceneEntry} entry */
@@ -110,8 +87,8 @@ export class ArmSession {
   /** @param {ScenarioDocument | string} document @param {ArrayLike<number>} q @param {SceneEntry | null} entry */
   setArm(document, q, entry) {
     const arm = new Arm(document, q);
-    this.current?.free();
-    this.current = arm;
+    this.arm.free();
+    this.arm = arm;
     this.entry = entry;
     if (arm.dimension < 3) this.orientation = null;
   }
@@ -124,11 +101,7 @@ export class ArmSession {
   }
 
   /** @param {number} joint @param {number} angle */
-  turnJoint(joint, angle) {
-    const q = Float64Array.from(this.arm.q);
-    q[joint] = angle;
-    this.moveTo(q);
-  }
+  turnJoint(joint, angle) { this.moveTo(this.arm.q.with(joint, angle)); }
 
   /** Moves the tip to a point, or as near as it gets. @param {Point} wanted */
   moveTip(wanted) {

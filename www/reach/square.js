@@ -1,6 +1,6 @@
 /** The configuration space of an arm of two joints: its configuration, the motion from A to B, and a run of inverse kinematics. */
 import { AngleSquare } from "../draw/angle-square.js";
-import { cross, disc, ring } from "../draw/marks.js";
+import { cross, disc, drawDot, ring } from "../draw/marks.js";
 import { drawGoal, drawHit, drawStart } from "../draw/shapes.js";
 
 /** @import { Brush } from "../draw/figure.js" */
@@ -16,27 +16,21 @@ export class Square extends AngleSquare {
   }
 
   /** @param {Brush} brush */
-  ground(brush) {
-    const { arm: { joints, dimension } } = this.session;
-    if (dimension === 2) this.drawGround(brush, joints);
-  }
+  ground(brush) { if (this.session.arm.dimension === 2) this.drawGround(brush, this.session.arm.joints); }
 
   /** @param {Brush} brush */
   top(brush) {
     const { arm, mode } = this.session;
-    if (!this.view || arm.dimension !== 2) return;
+    if (arm.dimension !== 2) return;
     const { context, palette } = brush;
+    const isFree = arm.check.free;
     this.repeat(context, (isCopy) => {
       if (mode === "between") this.drawMotion(brush);
       if (mode === "solve") this.drawRun(brush);
       const [x, y] = this.place(arm.q);
       context.globalAlpha = isCopy ? 0.35 : 1;
-      context.fillStyle = arm.check.free ? palette.robot : palette.collision;
-      context.strokeStyle = palette.stage;
-      context.lineWidth = 2;
-      disc(context, x, y, 6.5);
-      context.stroke();
-      if (!arm.check.free) cross(context, x, y, 2.6);
+      drawDot(context, x, y, isFree ? palette.robot : palette.collision, palette);
+      if (!isFree) cross(context, x, y, 2.6);
     });
   }
 
@@ -45,7 +39,7 @@ export class Square extends AngleSquare {
     const { a, b, motion } = this.session;
     context.strokeStyle = palette.path;
     context.lineWidth = 3;
-    this.traceMotion(context, a, motion.turns);
+    this.strokeMotion(context, a, motion.turns);
     drawStart(context, ...this.place(a), palette);
     drawGoal(context, ...this.place(b), palette);
     if (motion.hit !== null) drawHit(context, ...this.place(motion.at(motion.hit)), palette);

@@ -1,42 +1,31 @@
 /** The state that a link stores; numbers are stored in full, so that a run is the same to the last bit. */
-import { withDefaults, flag, json, list, name, number, record, rule, settings, whole } from "../formats/rules.js";
+import { flag, json, list, name, number, oneOf, record, rule, settings, whole, withDefaults } from "../formats/rules.js";
 import { SCENES } from "./scenes.js";
 import { documentOf } from "./session.js";
 
 /** @import { ArmSession } from "./session.js" */
 /** @import { IkPanel } from "./ik-panel.js" */
+/** @import { Rule } from "../formats/rules.js" */
 /** @import { ArmRobot, Mode, Point, ScenarioDocument } from "./types.js" */
-
-/**
- * @typedef {object} State
- * @property {string} [scene]    a built-in scene; without it `world` is given
- * @property {object} [world]
- * @property {Partial<ArmRobot>} robot   what differs from the scene
- * @property {boolean} free      without the joint limits of the scene
- * @property {number[]} q        the configuration; in inverse kinematics where the run starts
- * @property {Mode} mode
- * @property {number[]} [a]
- * @property {number[]} [b]
- * @property {number[]} long     joints that turn the long way round
- * @property {number} along      progress from A to B
- * @property {number} [lock]     the fixed orientation
- * @property {Point} [target]
- * @property {Record<string, number | string | boolean>} solve   settings of inverse kinematics
- * @property {number} steps      its iterations
- */
 
 /** Iterations at most, as in the core. */
 const MOST_STEPS = 200_000;
 const angles = list(number, 1, 8);
-const pair = list(number, 2, 2);
+const pair = /** @type {Rule<Point>} */ (list(number, 2, 2));
 
 export const stateRule = withDefaults({
-  scene: name, world: record({}, json(8)),
-  robot: record({ type: name, base: pair, links: list(number, 1, 8), radius: number, joint_limits: list(pair, 1, 8) }),
-  free: flag, q: angles, mode: rule((value) => ["hand", "between", "solve"].includes(String(value))),
-  a: angles, b: angles, long: list(whole(7), 0, 8), along: rule((value) => typeof value === "number" && value >= 0 && value <= 1),
+  // A built-in scene or a world, and what differs from the scene: the arm, and whether its joint limits are off.
+  scene: name, world: /** @type {Rule<ScenarioDocument["world"]>} */ (record({}, json(8))),
+  robot: record({ type: name, base: pair, links: list(number, 1, 8), radius: number, joint_limits: list(pair, 1, 8) }), free: flag,
+  // The configuration, in inverse kinematics that of the start.
+  q: angles, mode: oneOf(/** @type {Mode[]} */ (["hand", "between", "solve"])),
+  // The motion from A to B: joints that turn the long way round, and the progress.
+  a: angles, b: angles, long: list(whole(7), 0, 8), along: /** @type {Rule<number>} */ (rule((value) => typeof value === "number" && value >= 0 && value <= 1)),
+  // The fixed orientation, and inverse kinematics: its settings and iterations.
   lock: number, target: pair, solve: settings, steps: whole(MOST_STEPS),
-}, { robot: {}, free: false, mode: "hand", long: [], along: 0, solve: {}, steps: 0 });
+}, { q: [], robot: {}, free: false, mode: "hand", long: [], along: 0, solve: {}, steps: 0 });
+
+/** @typedef {import("../formats/rules.js").Allowed<typeof stateRule>} State */
 
 /** @param {ArmSession} session @param {IkPanel} ik @returns {State} */
 export function stateOf(session, ik) {
@@ -48,7 +37,7 @@ export function stateOf(session, ik) {
     free: Boolean(entry?.robot.joint_limits && !robot.joint_limits),
     q: Array.from(mode === "solve" ? ik.start : q), mode, a: Array.from(a), b: Array.from(b),
     long: directions.flatMap((direction, i) => (direction === "long" ? [i] : [])), along: mode === "between" ? progress : 0,
-    lock: orientation ?? undefined, target, solve: ik.state.settings, steps: mode === "solve" ? ik.state.steps : 0,
+    lock: orientation ?? undefined, target, solve: { method: ik.method.id, ...ik.given }, steps: mode === "solve" ? ik.run?.run.iterations ?? 0 : 0,
   };
 }
 

@@ -3,9 +3,9 @@ import { capital, num, small, tuple } from "../widgets/format.js";
 import { touchingSentence } from "../domain/names.js";
 import { isNearlySingular } from "./jacobian.js";
 
+/** @import { IkPanel } from "./ik-panel.js" */
 /** @import { IkRun } from "./ik-run.js" */
 /** @import { ArmSession } from "./session.js" */
-/** @typedef {import("planarium").ReachVerdict} Verdict */
 /** @typedef {{ text: string, isBad: boolean }} Sentence */
 
 /** Why a target is out of reach. */
@@ -26,10 +26,11 @@ export function descriptionOf(session) {
 /** @param {number} count */
 export function linksText(count) { return `${count} ${count === 1 ? "link" : "links"}`; }
 
-/** Dragging, and the motion from A to B. @param {ArmSession} session @returns {Sentence} */
-export function sentenceOf(session) {
+/** @param {ArmSession} session @param {IkPanel} ik @returns {Sentence} */
+export function sentenceOf(session, ik) {
   const { mode, tipGoal, arm: { dimension, ellipse }, orientation } = session;
   if (mode === "between") return motionSentence(session);
+  if (mode === "solve" && ik.run) return ikSentence(ik, ik.run);
   const collision = collisionText(session);
   const isBad = collision !== "";
   if (tipGoal?.isStuck) return { text: `Local minimum: from this configuration the tip gets no closer to ${tuple(tipGoal.wanted)} than ${num(tipGoal.distance)} m, although another configuration would.`, isBad };
@@ -54,15 +55,9 @@ function motionSentence(session) {
   return { text: `${begin} ${where} ${collision}`.trimEnd(), isBad: collision !== "" || !arm.isFree(motion.a) };
 }
 
-/**
- * Inverse kinematics.
- * @param {ArmSession} session @param {IkRun} run @param {Verdict | null} verdict   null while nothing is found
- * @param {{ id: string, title: string }} method
- * @returns {Sentence}
- */
-export function ikSentence(session, run, verdict, method) {
-  const { target, orientation, arm: { scenario } } = session;
-  const count = run.solutions.length;
+/** @param {IkPanel} panel @param {IkRun} run @returns {Sentence} */
+function ikSentence({ session: { target, orientation, arm: { scenario } }, method }, run) {
+  const { verdict, solutions: { length: count } } = run;
   if (run.isRunning) {
     const { run: { iterations, restarts }, last: { error } } = run;
     const text = iterations === 0 ? `Drag the target, then press Play: ${inSentence(method.title)} moves the tip there step by step.`
@@ -92,7 +87,7 @@ export function ikSentence(session, run, verdict, method) {
 /** A method within a sentence: names of people stay capital. @param {string} title */
 function inSentence(title) { return title.replace(/^(?!Newton)./, (letter) => letter.toLowerCase()); }
 
-/** How many of some solutions are free. @param {number} count @param {number} free */
+/** The number of solutions that are free, in words. @param {number} count @param {number} free */
 function freeText(count, free) {
   if (count === 1) return free === 1 ? "it does not collide" : "it collides";
   if (free === count) return count === 2 ? "neither collides" : "none collides";

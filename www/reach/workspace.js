@@ -1,25 +1,26 @@
-/** The workspace: the world, the arm, its manipulability ellipse, and what the mode adds. */
-import { drawCross, drawHandle, drawWorld } from "../draw/workspace.js";
-import { drawGhost, drawGoal, drawHit, drawRobot, drawStart } from "../draw/shapes.js";
+/** The workspace: the world, the arm with its manipulability ellipse, the motion from A to B, and a run of inverse kinematics. */
+import { addLine, disc, drawLine, strokeWithHalo } from "../draw/marks.js";
+import { drawGhost, drawGoal, drawHit, drawLabel, drawRobot, drawStart, isThin } from "../draw/shapes.js";
 import { drawTouching } from "../draw/touching.js";
-import { drawIkTarget, drawRun } from "./ik-drawing.js";
+import { NO_VIEW } from "../draw/view.js";
+import { drawCross, drawHandle, drawWorld } from "../draw/workspace.js";
 
 /** @import { Brush } from "../draw/figure.js" */
-/** @import { View } from "../draw/view.js" */
 /** @import { IkPanel } from "./ik-panel.js" */
 /** @import { ArmSession } from "./session.js" */
 /** @import { Point } from "./types.js" */
 
 /** Scale of the ellipse: at full size it would hide the arm. */
 const ELLIPSE = 0.3;
+/** Iterates drawn, at most. */
+const FAINT = 40;
 
 export class Workspace {
   /** @param {ArmSession} session @param {IkPanel} ik */
   constructor(session, ik) {
     this.session = session;
     this.ik = ik;
-    /** @type {View | null} */
-    this.view = null;
+    this.view = NO_VIEW;
   }
 
   /** @param {Brush} brush */
@@ -31,42 +32,38 @@ export class Workspace {
   /** @param {Brush} brush */
   top(brush) {
     const { context, palette, hatch } = brush;
-    const { session: { arm, mode, tipGoal }, ik, view } = this;
-    if (!view) return;
-    if (mode === "between") this.drawMotion(brush, view);
-    if (mode === "solve") drawRun(brush, view, ik);
-    this.drawEllipse(brush, view);
+    const { session: { arm, mode, tipGoal }, view } = this;
+    if (mode === "between") this.drawMotion(brush);
+    if (mode === "solve") this.drawRun(brush);
+    this.drawEllipse(brush);
     const shown = { scenario: arm.scenario, world: arm.document.world, parts: arm.parts, touching: arm.check.touching };
     drawTouching({ context, view, palette, onPart: hatch(palette.stage), onObstacle: hatch(palette.collision) }, shown, () => drawRobot(context, view, arm.parts, palette));
     context.save();
     if (tipGoal && !tipGoal.reached) {
-      const [from, to] = [tipGoal.point, tipGoal.wanted].map(([x, y]) => /** @type {Point} */ ([view.x(x), view.y(y)]));
+      const wanted = this.view.place(tipGoal.wanted);
       context.strokeStyle = palette.quiet;
       context.lineWidth = 1.4;
       context.setLineDash([4, 4]);
-      context.beginPath();
-      context.moveTo(...from);
-      context.lineTo(...to);
-      context.stroke();
+      drawLine(context, ...this.view.place(tipGoal.point), ...wanted);
       context.setLineDash([]);
-      drawCross(context, ...to, palette.quiet, palette, 7);
+      drawCross(context, ...wanted, palette.quiet, palette, 7);
     }
-    this.drawTip(brush, view);
+    this.drawTip(brush);
     context.restore();
-    if (mode === "solve") drawIkTarget(brush, view, ik);
+    if (mode === "solve") this.drawTarget(brush);
   }
 
-  /** @param {Brush} brush @param {View} view */
-  drawEllipse({ context, palette }, view) {
+  /** @param {Brush} brush */
+  drawEllipse({ context, palette }) {
     const { ellipse: { major, minor, angle }, tip: [x, y] } = this.session.arm;
+    const [c, s] = [Math.cos(angle), Math.sin(angle)];
     context.save();
     context.strokeStyle = context.fillStyle = palette.newest;
     context.lineWidth = 1.6;
     context.beginPath();
-    const [c, s] = [Math.cos(angle), Math.sin(angle)];
     for (let i = 0; i < 64; i++) {
       const [u, v] = [ELLIPSE * major * Math.cos((i * Math.PI) / 32), ELLIPSE * minor * Math.sin((i * Math.PI) / 32)];
-      context.lineTo(view.x(x + c * u - s * v), view.y(y + s * u + c * v));
+      context.lineTo(...this.view.place([x + c * u - s * v, y + s * u + c * v]));
     }
     context.closePath();
     context.globalAlpha = 0.14;
@@ -77,36 +74,29 @@ export class Workspace {
     context.restore();
   }
 
-  /** The tip as a handle, with an arrow if its orientation is fixed. @param {Brush} brush @param {View} view */
-  drawTip({ context, palette }, view) {
+  /** The tip as a handle, with an arrow if its orientation is fixed. @param {Brush} brush */
+  drawTip({ context, palette }) {
     const { arm, orientation } = this.session;
-    const [x, y] = [view.x(arm.tip[0]), view.y(arm.tip[1])];
+    const [x, y] = this.view.place(arm.tip);
     if (orientation !== null) {
       const [dx, dy] = [Math.cos(orientation), -Math.sin(orientation)];
       const at = (/** @type {number} */ along, /** @type {number} */ aside) => /** @type {Point} */ ([x + along * dx - aside * dy, y + along * dy + aside * dx]);
-      context.lineCap = "round";
-      for (const [width, colour] of /** @type {[number, string][]} */ ([[5, palette.stage], [2, palette.path]])) {
-        context.lineWidth = width;
-        context.strokeStyle = colour;
-        context.beginPath();
-        context.moveTo(...at(12, 0));
-        context.lineTo(...at(38, 0));
-        context.moveTo(...at(30, 5));
-        context.lineTo(...at(38, 0));
+      strokeWithHalo(context, [5, 2], palette.path, palette, () => {
+        addLine(context, ...at(12, 0), ...at(38, 0));
+        addLine(context, ...at(30, 5), ...at(38, 0));
         context.lineTo(...at(30, -5));
-        context.stroke();
-      }
+      });
     }
     drawHandle(context, x, y, arm.check.free ? palette.robot : palette.collision, palette);
   }
 
-  /** A and B, the curve of the tip between them, and where it collides. @param {Brush} brush @param {View} view */
-  drawMotion({ context, palette }, view) {
-    const { arm, a, b, motion, progress } = this.session;
+  /** A and B, the curve of the tip between them, and where it collides. @param {Brush} brush */
+  drawMotion({ context, palette }) {
+    const { view, session: { arm, a, b, motion, progress } } = this;
+    const { curve, collides, hit } = motion;
+    const done = Math.floor(progress * (collides.length - 1) + 1e-9);
     drawGhost(context, view, arm.scenario.footprint(b), { colour: palette.goal, fill: 0.14, stroke: 0.95, dash: [5, 4], width: 1.5 });
     drawGhost(context, view, arm.scenario.footprint(a), { colour: palette.start, fill: 0.14, stroke: 0.95, dash: [], width: 1.5 });
-    const { curve, collides } = motion;
-    const done = Math.floor(progress * (collides.length - 1) + 1e-9);
     context.save();
     context.lineCap = "round";
     // What is done is bold; what collides is red and dashed.
@@ -116,21 +106,60 @@ export class Workspace {
         context.lineWidth = isDone ? 3.4 : 1.4;
         context.setLineDash(isCollision ? [2, 5] : []);
         context.beginPath();
-        context.moveTo(view.x(curve[0]), view.y(curve[1]));
-        collides.slice(1).forEach((end, i) => {
-          const isPart = (i < done) === isDone && (collides[i] || end) === isCollision;
-          context[isPart ? "lineTo" : "moveTo"](view.x(curve[2 * i + 2]), view.y(curve[2 * i + 3]));
+        collides.forEach((end, i) => {
+          const isPart = i > 0 && (i <= done) === isDone && (collides[i - 1] || end) === isCollision;
+          context[isPart ? "lineTo" : "moveTo"](view.x(curve[2 * i]), view.y(curve[2 * i + 1]));
         });
         context.stroke();
       }
     }
     context.restore();
-    const tipAt = (/** @type {Float64Array} */ q) => {
-      const [x, y] = arm.scenario.endEffector(arm.fitted(q));
-      return /** @type {Point} */ ([view.x(x), view.y(y)]);
-    };
+    const tipAt = (/** @type {Float64Array} */ q) => this.view.place(arm.scenario.endEffector(arm.fitted(q)));
     drawStart(context, ...tipAt(a), palette);
     drawGoal(context, ...tipAt(b), palette);
-    if (motion.hit !== null) drawHit(context, ...tipAt(motion.at(motion.hit)), palette);
+    if (hit !== null) drawHit(context, ...tipAt(motion.at(hit)), palette);
+  }
+
+  /** Inverse kinematics: iterates that fade with age, and solutions as outlines. @param {Brush} brush */
+  drawRun({ context, palette }) {
+    const { view, ik: { run, nearest, chosen } } = this;
+    if (!run) return;
+    const { scenario, base } = run.arm;
+    if (nearest) drawGhost(context, view, scenario.footprint(nearest.configuration), { colour: palette.quiet, fill: 0.08, stroke: 0.8, dash: [3, 4], width: 1.2 });
+    context.save();
+    context.strokeStyle = context.fillStyle = palette.growth;
+    context.lineWidth = 1.2;
+    context.lineJoin = "round";
+    for (const { q, strength } of run.recent(FAINT)) {
+      context.globalAlpha = 0.12 + 0.5 * strength ** 2;
+      const joints = [base, ...scenario.footprint(q).flatMap((part) => (part.type === "capsule" ? [part.b] : []))].map((point) => this.view.place(point));
+      context.beginPath();
+      for (const joint of joints) context.lineTo(...joint);
+      context.stroke();
+      disc(context, ...joints[joints.length - 1], 2);
+    }
+    context.restore();
+    run.shown.forEach(({ q, isFree }, i) => {
+      if (i === chosen) return;
+      const parts = scenario.footprint(q);
+      const style = isFree ? { colour: palette.path, fill: 0.16, stroke: 0.85, dash: [] } : { colour: palette.collision, fill: 0.05, stroke: 0.6, dash: [2, 4] };
+      drawGhost(context, view, parts, { ...style, width: isThin(view, parts[0]) ? 2 : 1.5 });
+    });
+  }
+
+  /** The target of inverse kinematics, and the nearest point if it is out of reach. @param {Brush} brush */
+  drawTarget({ context, palette }) {
+    const { session: { target, orientation }, ik: { nearest } } = this;
+    const [x, y] = this.view.place(target);
+    context.save();
+    drawCross(context, x, y, palette.goal, palette, 13);
+    if (orientation !== null) {
+      context.setLineDash([4, 3]);
+      drawLine(context, x - 46 * Math.cos(orientation), y + 46 * Math.sin(orientation), x, y);
+    }
+    context.restore();
+    if (!nearest) return;
+    const [nearX, nearY] = this.view.place(nearest.point);
+    drawLabel(context, "nearest", nearX, nearY - 18, palette.quiet, palette);
   }
 }

@@ -1,6 +1,6 @@
 /**
- * How hard it gets: tries and time for each accepted trajectory, with their moving averages. The seed decides the tries, the
- * machine the time.
+ * Charts of tries and time for each accepted trajectory, with their moving averages. The tries depend on the seed, the time on the
+ * machine.
  */
 import { Chart } from "../widgets/chart.js";
 import { byId } from "../app/dom.js";
@@ -19,7 +19,7 @@ export class Charts {
     this.time = new Chart("time", "Time per accepted trajectory, microseconds on this machine");
     byId("charts", HTMLElement).append(this.tries.element, this.time.element);
     this.drawnAt = -Infinity;
-    /** What was drawn. */
+    /** Identifies what was drawn. */
     this.key = "";
   }
 

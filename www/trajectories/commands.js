@@ -1,4 +1,4 @@
-/** What the worker computes for this page: the experiment, with the time that each trajectory took. */
+/** The commands of this page, which its worker runs: the experiment, with the time of each trajectory. */
 import { withOptions } from "../domain/option-names.js";
 import { Trajectories, particlePoints } from "planarium";
 
@@ -17,18 +17,6 @@ let model = "arc";
 /** Milliseconds spent since the last trajectory was accepted. */
 let spent = 0;
 
-/**
- * @typedef {object} Progress   what some tries added
- * @property {number} done       tries made
- * @property {Float64Array} accepted   rows of x, y, theta, v, w, duration
- * @property {Float64Array} rejected   the last one, if any: the same, the number of the one it crosses, and where
- * @property {number[]} milliseconds   for each accepted one, with the tries rejected before it
- * @property {Uint32Array} tries   for each accepted one
- * @property {Float32Array[]} lines   points of each accepted one at equal times; then of the rejected one
- * @property {boolean} isLastRejected   of all tries
- * @property {import("planarium").TrajectoriesResult} result
- */
-
 export const commands = {
   /** @param {TrajectoryOptions} options @throws {Error} they are refused */
   begin(options) {
@@ -40,29 +28,30 @@ export const commands = {
     return begun.result();
   },
 
-  /** Makes at most so many tries, fewer where they take long. @param {number} count @returns {Progress} */
+  /** Makes at most so many tries, fewer where they take long. @param {number} count */
   advance(count) {
     if (!trajectories) throw new Error("No experiment has begun.");
     const { acceptedCount, refusedCount } = trajectories;
     const { milliseconds, done } = makeTries(trajectories, count);
+    /** Rows of x, y, theta, v, w, duration. */
     const accepted = trajectories.acceptedSince(acceptedCount);
+    /** The last one, if any: the same, the number of the one it crosses, and where. */
     const rejected = trajectories.refusedSince(Math.max(refusedCount, trajectories.refusedCount - 1));
-    const rows = [...rowsOf(accepted), ...rowsOf(rejected.slice(0, 6))];
+    /** Points of each accepted one at equal times, then of the rejected one. */
+    const lines = [...rowsOf(accepted), ...rowsOf(rejected.slice(0, 6))].map(lineOf);
     const tries = trajectories.tries();
     const result = trajectories.result();
-    const lastAccepted = tries.reduce((sum, one) => sum + one, 0);
-    return {
-      done, accepted, rejected, milliseconds, tries: tries.slice(acceptedCount), lines: rows.map(lineOf), result,
-      isLastRejected: result.iterations > lastAccepted,
-    };
+    const isLastRejected = result.iterations > tries.reduce((sum, one) => sum + one, 0);
+    return { done, accepted, rejected, milliseconds, tries: tries.slice(acceptedCount), lines, result, isLastRejected };
   },
 };
 
 /** @typedef {typeof commands} Commands */
+/** The outcome of some tries. @typedef {ReturnType<Commands["advance"]>} Progress */
 
 export function reset() { trajectories = null; }
 
-/** Tries one by one, for the time of each. @param {Trajectories} all @param {number} count */
+/** Tries one by one, with the milliseconds for each accepted one and the tries rejected before it. @param {Trajectories} all @param {number} count */
 function makeTries(all, count) {
   const end = performance.now() + LONGEST;
   /** @type {number[]} */

@@ -1,12 +1,10 @@
-/** The experiment as far as the page knows it. Replies for an abandoned experiment are dropped. */
+/** The experiment as the page has received it. Replies for an abandoned experiment are dropped. */
 
 /** @import { TrajectoriesResult, TrajectoryOptions } from "planarium" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Commands, Progress } from "./commands.js" */
 
-/** @typedef {{ line: Float32Array, other: number, place: [number, number] }} Rejected   the number of the one it crosses, and where */
-
-/** The moving averages are taken over so many. */
+/** Values in a moving average. */
 export const WINDOW = 20;
 
 export class Experiment {
@@ -29,51 +27,45 @@ export class Experiment {
     this.tries = [];
     /** @type {number[]} */
     this.milliseconds = [];
-    /** The last one rejected, and when it was received. @type {Rejected | null} */
+    /** The last one rejected: the number of the one it crosses, where, and when it was received. @type {{ line: Float32Array, other: number, place: [number, number], born: number } | null} */
     this.rejected = null;
-    this.rejectedAt = -Infinity;
     this.isLastRejected = false;
   }
 
   get isRunning() { return this.result?.status === "running"; }
 
-  /** @param {TrajectoryOptions} options @returns {Promise<boolean>}  false: another one was begun meanwhile @throws {Error} they are refused */
+  /** @param {TrajectoryOptions} options @returns {Promise<boolean>}  false: another one has begun since @throws {Error} they are refused */
   async begin(options) {
     const epoch = ++this.epoch;
     const result = await this.worker.begin(options);
     if (epoch !== this.epoch) return false;
-    Object.assign(this, { options, result, rows: [], lines: [], born: [], tries: [], milliseconds: [], rejected: null, rejectedAt: -Infinity, isLastRejected: false });
+    Object.assign(this, { options, result, rows: [], lines: [], born: [], tries: [], milliseconds: [], rejected: null, isLastRejected: false });
     return true;
   }
 
   /** @param {number} count  tries @param {() => void} onProgress @returns {Promise<boolean>} whether more tries can be made */
   async advance(count, onProgress) {
     const { epoch } = this;
-    for (let left = count; left > 0 && this.isRunning && epoch === this.epoch;) {
+    for (let left = count; left > 0 && this.isRunning;) {
       const progress = await this.worker.advance(left);
       if (epoch !== this.epoch) return false;
       left -= progress.done;
       this.add(progress);
       onProgress();
     }
-    return this.isRunning && epoch === this.epoch;
+    return this.isRunning;
   }
 
   /** @param {Progress} progress */
   add({ accepted, rejected, milliseconds, tries, lines, isLastRejected, result }) {
-    const now = performance.now();
-    const count = tries.length;
+    const born = performance.now();
     this.rows.push(...accepted);
-    this.lines.push(...lines.slice(0, count));
-    this.born.push(...tries.map(() => now));
+    this.lines.push(...lines.slice(0, tries.length));
+    this.born.push(...milliseconds.map(() => born));
     this.tries.push(...tries);
     this.milliseconds.push(...milliseconds);
-    if (rejected.length > 0) {
-      this.rejected = { line: lines[count], other: rejected[6], place: [rejected[7], rejected[8]] };
-      this.rejectedAt = now;
-    }
-    this.isLastRejected = isLastRejected;
-    this.result = result;
+    if (rejected.length > 0) this.rejected = { line: lines[tries.length], other: rejected[6], place: [rejected[7], rejected[8]], born };
+    Object.assign(this, { isLastRejected, result });
   }
 }
 

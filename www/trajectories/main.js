@@ -12,7 +12,7 @@ import { App } from "../app/app.js";
 import { useLink } from "../app/link.js";
 import { byId, grouped } from "../app/dom.js";
 import { Figure } from "../draw/figure.js";
-import { toCsv } from "../formats/csv.js";
+import { csvFile } from "../formats/csv.js";
 import { list, number, settings, whole, withDefaults } from "../formats/rules.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { button, press } from "../widgets/elements.js";
@@ -29,9 +29,10 @@ import { Plane } from "./plane.js";
 /** @import { Commands } from "./commands.js" */
 /** @import { Movement } from "./particle.js" */
 
-/** What a link stores: the settings that differ from the defaults, the tries made, and the single particle. @typedef {{ given: Settings, tried: number, one: Movement }} State */
-
-const stateRule = withDefaults({ given: settings, tried: whole(1_000_000), one: list(number, 3, 3) }, { given: {}, tried: 0, one: FIRST });
+/** The state that a link stores: the settings that differ from the defaults, the tries made, and the single particle. */
+const stateRule = withDefaults({
+  given: settings, tried: whole(1_000_000), one: /** @type {import("../formats/rules.js").Rule<Movement>} */ (list(number, 3, 3)),
+}, { given: {}, tried: 0, one: FIRST });
 /** Settings that are not folded away. */
 const SHOWN = ["seed", "model", "count", "fastest", "greatest_turn_rate", "least_turn_rate"];
 /** Tries of each call on the way to the end. */
@@ -89,7 +90,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
   app.onDraw(() => {
     // New trajectories are drawn on top of the others, unless all are redrawn.
     const { palette, layers: { ground } } = figure;
-    if (palette && !figure.dirty.has("ground")) plane.append({ context: ground.context, palette });
+    if (!figure.dirty.has("ground")) plane.append({ context: ground.context, palette });
     charts.draw(performance.now(), !transport.isPlaying && app.pending === 0);
     show();
     performance.measure("trajectories-frame", { start: frameStart });
@@ -130,7 +131,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     return true;
   }
 
-  /** The settings are not valid: what is shown stays but does not go on. */
+  /** The settings are not valid: the experiment stays on the page but stops. */
   function refuse() {
     experiment.epoch++;
     transport.enable(false);
@@ -138,9 +139,9 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     return false;
   }
 
-  /** @param {State | null} state */
+  /** @param {import("../formats/rules.js").Allowed<typeof stateRule> | null} state */
   async function open(state) {
-    const { given, tried, one } = state ?? { given: {}, tried: 0, one: FIRST };
+    const { given, tried, one } = state ?? stateRule.defaults;
     options = form(given);
     const unknown = Object.keys(given).find((name) => !options.field(name));
     if (unknown) throw new Error(`There is no setting "${unknown}".`);
@@ -176,8 +177,10 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     const { result, rejected, tries, lines } = experiment;
     if (stage.dataset.status === "refused") return "These settings are not valid; see the message in the panel.";
     const total = grouped(result?.iterations ?? 0);
-    const recent = tries.slice(-WINDOW);
-    if (result?.status === "solved") return `${grouped(lines.length)} trajectories, no two of which cross, after ${total} tries. The last ${recent.length} took ${grouped(recent.reduce((sum, count) => sum + count, 0))} tries.`;
+    if (result?.status === "solved") {
+      const recent = tries.slice(-WINDOW);
+      return `${grouped(lines.length)} trajectories, no two of which cross, after ${total} tries. The last ${recent.length} took ${grouped(recent.reduce((sum, count) => sum + count, 0))} tries.`;
+    }
     if (result?.status === "exhausted") return `Stopped after ${total} tries with ${grouped(lines.length)} accepted: hardly anything fits between them.`;
     if (!transport.isPlaying && last === "refused" && rejected) return `The last trajectory was rejected: it crosses number ${grouped(rejected.other + 1)}.`;
     return "Random trajectories are added one by one; those that cross an earlier one are rejected.";
@@ -187,6 +190,6 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     const { rows, tries, milliseconds } = experiment;
     const average = new Map(movingAverage(milliseconds));
     const cells = tries.map((count, i) => [...rows.slice(6 * i, 6 * i + 6), count, milliseconds[i], average.get(i + 1) ?? null]);
-    return new Blob([toCsv(COLUMNS, cells)], { type: "text/csv" });
+    return csvFile(COLUMNS, cells);
   }
 });

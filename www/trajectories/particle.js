@@ -66,11 +66,10 @@ export class Particle {
   /** @param {Brush} brush */
   ground({ context, palette, width, height }) {
     const { arc, spiral, movement } = this;
-    const xs = [...arc, ...spiral].filter((_, i) => i % 2 === 0);
-    const ys = [...arc, ...spiral].filter((_, i) => i % 2 === 1);
-    const box = { min: /** @type {[number, number]} */ ([Math.min(...xs), Math.min(...ys)]), max: /** @type {[number, number]} */ ([Math.max(...xs), Math.max(...ys, Math.min(...ys) + 1e-3)]) };
-    const view = new View(box, width, height, MARGIN, false);
-    const at = (/** @type {Float64Array} */ points, /** @type {number} */ i) => /** @type {[number, number]} */ ([view.x(points[2 * i]), view.y(points[2 * i + 1])]);
+    const [xs, ys] = [0, 1].map((axis) => [...arc, ...spiral].filter((_, i) => i % 2 === axis));
+    const [left, bottom] = [Math.min(...xs), Math.min(...ys)];
+    const view = new View({ min: [left, bottom], max: [Math.max(...xs), Math.max(...ys, bottom + 1e-3)] }, width, height, MARGIN, false);
+    const at = (/** @type {Float64Array} */ points, /** @type {number} */ i) => view.place(points.subarray(2 * i));
     const marks = Math.min(MOST_MARKS, Math.floor(movement[2] / MARK));
     context.lineJoin = "round";
     for (const [points, colour, line, dash] of /** @type {const} */ ([[spiral, palette.growth, 1.8, [6, 4]], [arc, palette.path, 3, []]])) {

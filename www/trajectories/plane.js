@@ -3,7 +3,7 @@
  * last rejected one is dashed, with a cross where it meets the earlier one, and the particles move if the animation is on.
  */
 import { cross } from "../draw/marks.js";
-import { View } from "../draw/view.js";
+import { NO_VIEW, View } from "../draw/view.js";
 
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { Experiment } from "./experiment.js" */
@@ -26,13 +26,12 @@ export class Plane {
     /** Seconds of the animation, or null. @type {number | null} */
     this.moment = null;
     this.now = 0;
-    /** @type {View | null} */
-    this.view = null;
+    this.view = NO_VIEW;
     /** Trajectories drawn. */
     this.drawn = 0;
   }
 
-  /** All accepted trajectories. @param {Brush} brush */
+  /** Draws all accepted trajectories. @param {Brush} brush */
   ground(brush) {
     const { context, palette, width, height } = brush;
     const { half_side: half = 3, fastest = 1, duration = 1 } = /** @type {Record<string, number>} */ (this.experiment.options);
@@ -45,24 +44,19 @@ export class Plane {
     this.append(brush);
   }
 
-  /** Those not drawn yet. @param {Pick<Brush, "context" | "palette">} brush */
+  /** Draws the trajectories that are not drawn yet. @param {Pick<Brush, "context" | "palette">} brush */
   append({ context, palette }) {
-    const { experiment: { lines }, view, drawn } = this;
-    if (drawn === lines.length || !view) return;
-    context.beginPath();
-    for (const line of lines.slice(drawn)) this.trace(context, line);
-    this.stroke(context, palette.growth, 1.25);
-    context.fillStyle = palette.start;
-    context.beginPath();
-    for (const [x, y] of lines.slice(drawn)) this.dot(context, x, y, 1.4);
-    context.fill();
+    const { experiment: { lines }, drawn } = this;
+    if (drawn === lines.length) return;
+    this.drawLines(context, lines.slice(drawn), palette.growth, 1.25, 1);
+    this.drawDots(context, lines.slice(drawn), palette.start, 1.4);
     this.drawn = lines.length;
   }
 
-  /** Does anything glow or move? @param {number} now */
+  /** Whether anything glows or moves. @param {number} now */
   isMoving(now) {
-    const { born, rejectedAt } = this.experiment;
-    return this.moment !== null || (!this.isStill && Math.max(born[born.length - 1] ?? -Infinity, rejectedAt) + GLOWING > now);
+    const { born, rejected } = this.experiment;
+    return this.moment !== null || (!this.isStill && Math.max(born[born.length - 1] ?? -Infinity, rejected?.born ?? -Infinity) + GLOWING > now);
   }
 
   /** The strength of the glow of what was received at a time. @param {number} time @param {boolean} isLast */
@@ -70,19 +64,18 @@ export class Plane {
 
   /** @param {Brush} brush */
   top({ context, palette }) {
-    const { lines, born, rejected, rejectedAt, isLastRejected } = this.experiment;
-    if (!this.view) return;
+    const { lines, born, rejected, isLastRejected } = this.experiment;
     for (let i = Math.max(0, lines.length - MOST_GLOWING); i < lines.length; i++) {
       const strength = this.glowOf(born[i], i === lines.length - 1 && !isLastRejected);
       if (strength === 0) continue;
-      this.drawLine(context, lines[i], palette.halo, 7, 0.35 * strength);
-      this.drawLine(context, lines[i], palette.newest, 2.2, strength);
+      this.drawLines(context, [lines[i]], palette.halo, 7, 0.35 * strength);
+      this.drawLines(context, [lines[i]], palette.newest, 2.2, strength);
     }
-    const strength = this.glowOf(rejectedAt, isLastRejected);
+    const strength = rejected ? this.glowOf(rejected.born, isLastRejected) : 0;
     if (rejected && strength > 0) {
-      if (lines[rejected.other]) this.drawLine(context, lines[rejected.other], palette.collision, 2.2, 0.8 * strength);
+      this.drawLines(context, [lines[rejected.other]], palette.collision, 2.2, 0.8 * strength);
       context.setLineDash([5, 4]);
-      this.drawLine(context, rejected.line, palette.rejected, 2, strength);
+      this.drawLines(context, [rejected.line], palette.rejected, 2, strength);
       context.setLineDash([]);
       context.strokeStyle = palette.collision;
       context.lineWidth = 2.4;
@@ -96,48 +89,39 @@ export class Plane {
   /** The particles at a moment of the animation. @param {Context} context @param {string} colour @param {number} moment */
   drawParticles(context, colour, moment) {
     const part = Math.min(1, Math.max(0, (moment - REST / 2) / (this.round - REST)));
-    context.fillStyle = colour;
-    context.beginPath();
-    for (const line of this.experiment.lines) {
+    this.drawDots(context, this.experiment.lines.map((line) => {
       const pieces = line.length / 2 - 1;
       const i = Math.min(pieces - 1, Math.floor(part * pieces));
       const rest = part * pieces - i;
-      this.dot(context, line[2 * i] + rest * (line[2 * i + 2] - line[2 * i]), line[2 * i + 1] + rest * (line[2 * i + 3] - line[2 * i + 1]), 2.1);
-    }
-    context.fill();
+      return [0, 1].map((axis) => (1 - rest) * line[2 * i + axis] + rest * line[2 * i + 2 + axis]);
+    }), colour, 2.1);
   }
 
   /** Seconds of a round of the animation. */
   get round() { return (this.experiment.options.duration ?? 1) + REST; }
 
-  /** @param {Context} context @param {string} colour @param {number} width */
-  stroke(context, colour, width) {
+  /** @param {Context} context @param {Float32Array[]} lines @param {string} colour @param {number} width @param {number} alpha */
+  drawLines(context, lines, colour, width, alpha) {
+    context.globalAlpha = alpha;
     context.strokeStyle = colour;
     context.lineWidth = width;
-    context.lineCap = "round";
-    context.lineJoin = "round";
+    context.lineCap = context.lineJoin = "round";
+    context.beginPath();
+    for (const line of lines) {
+      for (let i = 0; i < line.length; i += 2) context[i === 0 ? "moveTo" : "lineTo"](this.view.x(line[i]), this.view.y(line[i + 1]));
+    }
     context.stroke();
   }
 
-  /** @param {Context} context @param {Float32Array} line @param {string} colour @param {number} width @param {number} alpha */
-  drawLine(context, line, colour, width, alpha) {
-    context.globalAlpha = alpha;
+  /** Discs at the first points of lines. @param {Context} context @param {ArrayLike<number>[]} lines @param {string} colour @param {number} radius */
+  drawDots(context, lines, colour, radius) {
+    context.fillStyle = colour;
     context.beginPath();
-    this.trace(context, line);
-    this.stroke(context, colour, width);
-  }
-
-  /** @param {Context} context @param {Float32Array} line */
-  trace(context, line) {
-    const view = /** @type {View} */ (this.view);
-    context.moveTo(view.x(line[0]), view.y(line[1]));
-    for (let i = 2; i < line.length; i += 2) context.lineTo(view.x(line[i]), view.y(line[i + 1]));
-  }
-
-  /** @param {Context} context @param {number} x @param {number} y @param {number} radius */
-  dot(context, x, y, radius) {
-    const view = /** @type {View} */ (this.view);
-    context.moveTo(view.x(x) + radius, view.y(y));
-    context.arc(view.x(x), view.y(y), radius, 0, 2 * Math.PI);
+    for (const line of lines) {
+      const [x, y] = [this.view.x(line[0]), this.view.y(line[1])];
+      context.moveTo(x + radius, y);
+      context.arc(x, y, radius, 0, 2 * Math.PI);
+    }
+    context.fill();
   }
 }

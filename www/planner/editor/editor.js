@@ -334,7 +334,7 @@ export class Editor {
     const name = obstacle ? `Obstacle ${selected.index}, a ${obstacle.type}` : selected.kind === "start" ? "Start" : this.target ? "Target" : "Goal";
     if (isTip(this.shown.scenario, selected, part)) return `${name}, end effector`;
     if (part === null || this.parts === 0) return name;
-    return this.shown.placed && !obstacle ? `${name}, its heading` : `${name}, ${obstacle ? "vertex" : "joint"} ${part}`;
+    return this.shown.placed && !obstacle ? `${name}, its heading` : `${name}, ${obstacle ? `vertex ${part}` : `joint ${part + 1}`}`;
   }
 
   get fields() {

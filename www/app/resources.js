@@ -6,10 +6,10 @@
 /** @param {string} name */
 function inline(name) { return document.getElementById(`inline-${name}`)?.textContent ?? null; }
 
-/** The worker that plans and draws. @returns {Promise<Worker>} */
-export async function makeWorker() {
+/** A worker. @param {string} script  its address, unless it is inside the page @returns {Promise<Worker>} */
+export async function makeWorker(script) {
   const packed = inline("worker");
-  if (packed === null) return new Worker("worker.js", { type: "module" });
+  if (packed === null) return new Worker(script, { type: "module" });
   return new Worker(URL.createObjectURL(new Blob([await unpacked(packed)], { type: "text/javascript" })));
 }
 

@@ -69,7 +69,7 @@ export class Lane {
   get playback() { return this.run && this.run.status !== "running" ? this.end : null; }
 
   /** What the planner is asked, with the query. @param {string | undefined} query @returns {Plan} */
-  order(query) {
+  planOf(query) {
     const { algorithm, settings } = this.plan;
     return { algorithm, settings: query === undefined ? settings : { ...settings, query } };
   }
@@ -77,7 +77,7 @@ export class Lane {
   /** A new run. @param {string | undefined} query @param {Pick<typeof import("planarium"), "phases" | "planners">} library @throws {Error} the core would not plan this */
   start(query, library) {
     this.free();
-    const { algorithm, settings } = this.order(query);
+    const { algorithm, settings } = this.planOf(query);
     this.run = new Run(this.scenario, algorithm, settings, library);
   }
 

@@ -13,7 +13,7 @@ export function watchView(page) {
   poses.addEventListener("input", () => {
     const count = Number(poses.value);
     const good = Number.isInteger(count) && count >= POSES.least && count <= POSES.most;
-    if (good) page.see({ poses: count });
+    if (good) page.setView({ poses: count });
     poses.setAttribute("aria-invalid", String(!good));
   });
   const selects = ["across", "up"].map((way, i) => {
@@ -23,7 +23,7 @@ export function watchView(page) {
       const chosen = Number(select.value);
       // The two change places where both would be the same.
       const rest = chosen === other ? before : other;
-      page.see({ axes: i === 0 ? [chosen, rest] : [rest, chosen] });
+      page.setView({ axes: i === 0 ? [chosen, rest] : [rest, chosen] });
     });
     return select;
   });
@@ -79,7 +79,7 @@ export function watchView(page) {
   /** A switch for something to be seen. @param {"refused" | "strobe" | "raw" | "slice"} option */
   function toggle(option) {
     const input = make("input", { type: "checkbox", role: "switch", id: `view-${option}` });
-    input.addEventListener("change", () => page.see({ [option]: input.checked }));
+    input.addEventListener("change", () => page.setView({ [option]: input.checked }));
     return input;
   }
 }

@@ -1,7 +1,7 @@
 /** Small controls that the panels share. */
 import { make } from "../app/dom.js";
 
-/** @param {string} id @param {string} text @param {() => void} onClick */
+/** @param {string} id @param {string} text @param {(event: MouseEvent) => void} onClick */
 export function button(id, text, onClick) {
   const element = make("button", { type: "button", id }, text);
   element.addEventListener("click", onClick);

@@ -4,14 +4,14 @@
  */
 import { make } from "../app/dom.js";
 
-/** @import { OptionInfo, ParameterInfo } from "../domain/types.js" */
+/** @import { ParameterInfo } from "../domain/types.js" */
 
 /** Milliseconds after which what is typed is taken for meant. */
 const TYPING = 900;
 
 export class Field {
   /**
-   * @param {ParameterInfo | OptionInfo} info
+   * @param {ParameterInfo} info
    * @param {number | string | boolean | null} value   null: the planner's own choice
    * @param {() => void} onChange   a valid value was given
    * @param {string} [family]   begins the ids of its elements
@@ -94,7 +94,7 @@ export class Field {
   }
 }
 
-/** What is wrong with a value, or nothing. @param {ParameterInfo | OptionInfo} info @param {unknown} value @returns {string} */
+/** What is wrong with a value, or nothing. @param {ParameterInfo} info @param {unknown} value @returns {string} */
 export function reasonAgainst({ kind, min, max, choices }, value) {
   if (kind === "boolean") return typeof value === "boolean" ? "" : `${value} is neither true nor false.`;
   if (kind === "choice") return choices?.includes(String(value)) ? "" : `${value} is not an option.`;
@@ -108,7 +108,7 @@ export function reasonAgainst({ kind, min, max, choices }, value) {
 /** @param {unknown} value */
 function isMissing(value) { return value === null || value === undefined; }
 
-/** What the planner takes where it is left to choose. @param {ParameterInfo | OptionInfo} info */
+/** What the planner takes where it is left to choose. @param {ParameterInfo} info */
 function automatic(info) {
   const words = "default_meaning" in info ? info.default_meaning : null;
   if (typeof words !== "string") return "";
@@ -120,7 +120,7 @@ function nothing(words) {
   return /^(none|never)(?=:)/.exec(String(words))?.[0] ?? "";
 }
 
-/** @param {ParameterInfo | OptionInfo} info @param {number | string | boolean | null} value @param {string} id @returns {HTMLInputElement | HTMLSelectElement} */
+/** @param {ParameterInfo} info @param {number | string | boolean | null} value @param {string} id @returns {HTMLInputElement | HTMLSelectElement} */
 function control(info, value, id) {
   if (info.kind === "choice") {
     const select = make("select", { id });
@@ -140,7 +140,7 @@ function control(info, value, id) {
 
 /**
  * Every planner and every generator takes a seed, whether its table lists it or not.
- * @template {ParameterInfo | OptionInfo} T
+ * @template {ParameterInfo} T
  * @param {T[]} parameters
  * @param {string} [what]   it decides
  */

@@ -2,12 +2,12 @@
 import { make } from "../app/dom.js";
 import { Field } from "./field.js";
 
-/** @import { OptionInfo, ParameterInfo, Settings } from "../domain/types.js" */
+/** @import { ParameterInfo, Settings } from "../domain/types.js" */
 
 export class Options {
   /**
    * @param {HTMLElement} host   its content is replaced
-   * @param {(OptionInfo | ParameterInfo)[]} table
+   * @param {ParameterInfo[]} table
    * @param {Settings} given     what differs from the defaults
    * @param {() => void} onChange   a valid value was given
    * @param {{ prefix?: string, first?: string[] }} [layout]   the ids of the fields begin with the prefix; fields that are not first are folded away

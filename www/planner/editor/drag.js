@@ -38,7 +38,7 @@ export class Hand {
   get isBusy() { return this.drag !== null || this.draft.length > 0; }
 
   /** @param {Pointer} pointer */
-  obey(pointer) {
+  handle(pointer) {
     if (pointer.type === "move" || pointer.type === "hover") {
       this.pending = pointer;
       return;

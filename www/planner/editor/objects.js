@@ -3,9 +3,10 @@
  * whoever edits gets another one that shares the rest.
  */
 
-/** @import { Coordinate, Field, Obstacle, Query, ScenarioDocument, Target } from "../../domain/types.js" */
+/** @import { Coordinate, Obstacle, Query, ScenarioDocument, Target } from "../../domain/types.js" */
 /** @typedef {{ kind: "start" | "goal" | "obstacle", index: number }} EditorObject   index of the query, or of the obstacle */
 /** @typedef {[number, number]} Point */
+/** @typedef {Omit<Coordinate, "isCircle"> & { value: number }} Field   one coordinate of an object */
 
 /** Everything there is, in the order of the keyboard. @param {ScenarioDocument} document @param {string | undefined} query @returns {EditorObject[]} */
 export function objectsOf({ queries, world }, query) {

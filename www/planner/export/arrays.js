@@ -73,7 +73,7 @@ async function build(page, polygons, alone) {
   const { world } = facts.document;
   const fresh = polygons.map((vertices) => /** @type {Obstacle} */ ({ type: "polygon", vertices }));
   const document = { ...facts.document, world: { ...world, obstacles: alone ? fresh : [...world.obstacles, ...fresh] } };
-  await page.open({ document }, { plans: plans ?? page.asked, query: panel.query.value || undefined });
+  await page.open({ document }, { plans: plans ?? page.current, query: panel.query.value || undefined });
 }
 
 /** Configurations as marks, with a line that counts them and takes them away. @param {Page} page @param {string} name @param {Uint8Array} bytes */

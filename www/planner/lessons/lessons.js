@@ -58,7 +58,7 @@ export class Lessons {
   }
 
   /** Opens the step that an address names; where there is none, says so. @param {string} fragment */
-  async obey(fragment) {
+  async open(fragment) {
     const { page } = this;
     const [, id, step = "1"] = ADDRESS.exec(fragment) ?? [];
     const lesson = this.lessons.find((one) => one.id === id);
@@ -145,7 +145,7 @@ export class Lessons {
     const { scene, algorithm, settings } = stageAt(/** @type {Lesson} */ (this.lesson), this.at);
     const entry = this.scenes.find(({ id }) => id === scene);
     if (!entry) throw new Error(`There is no scene "${scene}".`);
-    return { entry, plans: [this.page.panel.reads(algorithm, settings)] };
+    return { entry, plans: [this.page.panel.planFrom(algorithm, settings)] };
   }
 
   /** Is the step's run at its end, or where it rests? @param {State} state */
@@ -175,9 +175,9 @@ export class Lessons {
 
   /** Is this on the stage already? @param {SceneEntry} entry @param {Plan[]} plans */
   isThere(entry, plans) {
-    const { source, facts, asked, panel } = this.page;
+    const { source, facts, current, panel } = this.page;
     return this.page.entry === entry && (!source || !("generate" in source) || source.generate === entry.generate)
-      && panel.query.value === (facts?.queries[0] ?? "") && JSON.stringify(asked) === JSON.stringify(plans);
+      && panel.query.value === (facts?.queries[0] ?? "") && JSON.stringify(current) === JSON.stringify(plans);
   }
 }
 

@@ -80,7 +80,7 @@ export function showSceneOptions(page, generators) {
       const { source, entry } = next;
       next = null;
       try {
-        await page.open(source, { entry, plans: page.plans ?? undefined, query: page.panel.query.value, play: page.goesOn });
+        await page.open(source, { entry, plans: page.plans ?? undefined, query: page.panel.query.value, play: page.autoplay });
       } catch (error) {
         page.notice.show("This scene cannot be generated.", error);
       }

@@ -110,7 +110,7 @@ export class Panel {
   }
 
   /** What a planner would be asked with some settings, the rest at their defaults. @param {string} algorithm @param {Settings} settings @returns {Plan} */
-  reads(algorithm, settings) {
+  planFrom(algorithm, settings) {
     /** @type {Settings} */
     const all = {};
     for (const { name, default: value } of this.parametersOf(algorithm)) if (value !== null) all[name] = value;

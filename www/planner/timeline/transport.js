@@ -54,7 +54,7 @@ export class Transport {
     this.reset.addEventListener("click", () => page.act((session) => session.reset()));
     this.speed.addEventListener("input", () => {
       this.tellSpeed();
-      page.session.setPace(this.pace);
+      page.session.clock.pace = this.pace;
     });
     this.along.addEventListener("input", () => page.act(({ timeline }) => timeline.along(Number(this.along.value))));
     this.tellSpeed();

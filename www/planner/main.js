@@ -119,7 +119,7 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
       drive.use((controls) => controls.toggle());
       return;
     }
-    if (event.detail === 0) pose.awaitFocus();
+    if (event.detail === 0) pose.awaitsFocus = true;
     page.act(({ byHand }) => byHand.change());
   });
   turn.disabled = false;

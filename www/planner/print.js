@@ -1,7 +1,7 @@
 /** A line for the printed page: the scene, the planners with their settings, and the time shown. */
 import { byId, grouped, make } from "../app/dom.js";
 import { letter } from "./race/standings.js";
-import { FIRST } from "./settings/panel.js";
+import { FIRST } from "./settings/form.js";
 
 /** @import { Page } from "./page.js" */
 

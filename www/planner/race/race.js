@@ -84,7 +84,7 @@ export class Race {
 
   /** Adds a rival with the settings of planner A. */
   add() {
-    const { seed: _, ...settings } = this.page.panel.given;
+    const { seed: _, ...settings } = this.page.panel.form.given;
     this.enter({ algorithm: this.choice.value, settings });
     this.number();
     byId("curves-fold", HTMLDetailsElement).open = true;
@@ -129,7 +129,7 @@ export class Race {
   }
 
   /** @param {number} lane @param {string} pointer @param {string} reason */
-  refuse(lane, pointer, reason) { this.rivals[lane - 1]?.refuse(pointer, reason); }
+  refuse(lane, pointer, reason) { return this.rivals[lane - 1]?.refuse(pointer, reason) ?? false; }
 
   get hasSquare() {
     const { facts } = this.page;

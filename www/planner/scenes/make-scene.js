@@ -1,6 +1,7 @@
-/** A form that makes any scene that the core can make. */
+/** A form for the generators of scenes. */
 import { make } from "../../app/dom.js";
-import { Field, withSeed } from "../../widgets/field.js";
+import { withSeed } from "../../widgets/field.js";
+import { Options } from "../../widgets/options.js";
 
 /** @import { GeneratorInfo, Settings } from "../../domain/types.js" */
 
@@ -9,26 +10,21 @@ export function makeForm(generators, onMake) {
   const kind = make("select", { id: "make-kind" }, ...generators.map(({ id, title }) => make("option", { value: id }, title)));
   const summary = make("p", { className: "hint" });
   const rows = make("div", {});
-  /** @type {Field[]} */
-  let fields = [];
+  /** @type {Options} */
+  let options;
   const build = () => {
     const info = generators[kind.selectedIndex];
     summary.textContent = info.summary;
-    fields = withSeed(info.options, "scene").map((option) => new Field(option, option.default, () => {}, "make"));
-    rows.replaceChildren(...fields.map(({ element }) => element));
+    options = new Options(rows, withSeed(info.options, "scene"), {}, () => {}, { prefix: "make" });
   };
   kind.addEventListener("change", build);
   build();
-  const form = make("form", { id: "make", noValidate: true }, make("label", { className: "row", htmlFor: "make-kind" }, make("span", { className: "name" }, "Kind"), kind), summary, rows, make("button", { type: "submit" }, "Generate"));
+  const kindRow = make("label", { className: "row", htmlFor: "make-kind" }, make("span", { className: "name" }, "Kind"), kind);
+  const form = make("form", { id: "make", noValidate: true }, kindRow, summary, rows, make("button", { type: "submit" }, "Generate"));
   form.addEventListener("submit", (event) => {
     event.preventDefault();
-    const good = fields.map((field) => field.validate()).every(Boolean);
-    if (!good) return;
-    /** @type {Settings} */
-    const options = {};
-    // What is as usual is left out: some options go with others only.
-    for (const { info, value } of fields) if (value !== undefined && value !== info.default) options[info.name] = value;
-    onMake(generators[kind.selectedIndex].id, options);
+    // Defaults are left out: some options go with certain others only.
+    if (options.settings) onMake(generators[kind.selectedIndex].id, options.given);
   });
   return form;
 }

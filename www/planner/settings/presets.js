@@ -1,4 +1,4 @@
-/** A select of a planner's presets: settings that have a name. What a preset does not set is at its default, but for the seed. */
+/** A select of a planner's presets. A preset sets all other parameters but the seed to their defaults. */
 import { namesOfDocuments } from "../../domain/option-names.js";
 import { make } from "../../app/dom.js";
 
@@ -16,11 +16,10 @@ export class Presets {
     this.select.addEventListener("change", () => onChoose(this.presets.find((preset) => preset.id === this.select.value)?.settings ?? {}));
   }
 
-  /** @param {string} id  of the select @param {string} [label]  where "Settings" does not say whose */
+  /** @param {string} id  of the select @param {string} [label]  in place of "Settings" */
   identify(id, label) {
     this.select.id = this.element.htmlFor = id;
     if (label) this.select.setAttribute("aria-label", label);
-    return this;
   }
 
   /** Offers a planner's presets; without any the row is hidden. @param {PlannerInfo} info @param {Settings} given */
@@ -33,11 +32,11 @@ export class Presets {
     this.mark(given);
   }
 
-  /** Selects the preset that equals the settings, if any; a setting at its default may be given or not. @param {Settings} given */
+  /** Selects the preset that equals the settings, if any. @param {Settings} given */
   mark(given) {
     const { defaults } = this;
-    const isTaken = (/** @type {Settings} */ settings) => Object.keys({ ...given, ...settings })
+    const isEqual = (/** @type {Settings} */ settings) => Object.keys({ ...given, ...settings })
       .every((name) => name === "seed" || (given[name] ?? defaults.get(name)) === (settings[name] ?? defaults.get(name)));
-    this.select.value = this.presets.find(({ settings }) => isTaken(settings))?.id ?? (isTaken({}) ? "" : "own");
+    this.select.value = this.presets.find(({ settings }) => isEqual(settings))?.id ?? (isEqual({}) ? "" : "own");
   }
 }

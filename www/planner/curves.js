@@ -6,6 +6,7 @@ import { letter } from "./race/standings.js";
 import { thinned } from "./run-log/curve.js";
 import { Chart, numberText as words } from "../widgets/chart.js";
 import { byId, make } from "../app/dom.js";
+import { labelled } from "../widgets/elements.js";
 
 /** @import { Page } from "./page.js" */
 /** @import { Line } from "../widgets/chart.js" */
@@ -24,9 +25,7 @@ export function watchCurves(page) {
   const cost = new Chart("cost", "Path length", { isTimeline: true });
   const charts = [vertices, cost];
   const table = make("table", { className: "standings" });
-  const scroll = make("div", { className: "scroll", tabIndex: 0 }, table);
-  scroll.setAttribute("role", "region");
-  scroll.setAttribute("aria-label", "Curves as a table");
+  const scroll = labelled("region", "Curves as a table", make("div", { className: "scroll", tabIndex: 0 }, table));
   const numbers = make("details", {}, make("summary", {}, "As a table"), scroll);
   byId("curves", HTMLElement).append(make("div", { className: "charts" }, vertices.element, cost.element), numbers);
 

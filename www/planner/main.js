@@ -110,7 +110,7 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
     });
     stage.classList.toggle("in-hand", state.inHand);
     pose.reflect(state);
-    sheets.look(state, page.facts);
+    sheets.showAxes(state, page.facts);
     sheets.describe(state);
   });
   session.onDirty = () => counters.unsettle();

@@ -129,7 +129,7 @@ export class Race {
   }
 
   /** @param {number} lane @param {string} pointer @param {string} reason */
-  refuse(lane, pointer, reason) { return this.rivals[lane - 1]?.refuse(pointer, reason) ?? false; }
+  refuse(lane, pointer, reason) { this.rivals[lane - 1]?.form.refuse(pointer, reason); }
 
   get hasSquare() {
     const { facts } = this.page;

@@ -66,7 +66,4 @@ export class Rival {
     const { settings } = this.form;
     return settings && { algorithm: this.planner.value, settings: { seed: first.settings.seed ?? 0, ...settings } };
   }
-
-  /** Shows beside a field why the core refused its value. @param {string} pointer @param {string} reason */
-  refuse(pointer, reason) { return this.form.refuse(pointer, reason); }
 }

@@ -1,4 +1,4 @@
-/** Has the page's files kept, so that it opens without a network too; a page that may not keep anything does without. */
+/** Stores the page's files for use without a network, where the browser allows it. */
 export function keepForLater() {
   if (location.protocol.startsWith("http")) navigator.serviceWorker?.register("offline.js").catch(() => {});
 }

@@ -61,7 +61,7 @@ export class ShareButton {
       try {
         history.replaceState(null, "", fragment);
       } catch {
-        // A sandboxed frame cannot change its address; the link is shown nevertheless.
+        // A sandboxed frame cannot change its address.
       }
       const link = location.href.split("#")[0] + fragment;
       try {

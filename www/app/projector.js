@@ -1,13 +1,13 @@
-/** The page for the back row: the stage fills the room, words are large, lines are bold. */
+/** Projector mode: a large stage, large text and bold lines. */
 import { byId, make } from "./dom.js";
 
 const CLASS = "projector";
 
-/** Is the page shown so? */
+/** Whether projector mode is on. */
 export function isProjected() { return document.documentElement.classList.contains(CLASS); }
 
 export class Projector {
-  /** @param {() => void} onChange   lines and words have another size */
+  /** @param {() => void} onChange */
   constructor(onChange) {
     this.onChange = onChange;
     this.button = make("button", { type: "button", id: "projector", className: "quiet", ariaPressed: "false" }, "Projector");

@@ -2,6 +2,7 @@
  * Plays a path: first the line is drawn, then the robot moves to the goal and back again and again, with pauses, at constant speed in the
  * metric of the path.
  */
+import { sizeOf } from "./coordinates.js";
 import { firstIndex } from "./search.js";
 
 /** @import { Placed } from "../planner/stage/placed.js" */
@@ -42,7 +43,7 @@ export class PathPlayback {
       this.reached.push(this.reached[i - 1] + (course ? course.placed.lengthOf(course.motions[i - 1]) : scenario.distance(this.waypoints[i - 1], this.waypoints[i])));
     }
     this.length = this.reached[this.reached.length - 1];
-    const speed = scenario.robot === "arm" ? 1.5 : size(scenario) / 4;
+    const speed = scenario.robot === "arm" ? 1.5 : sizeOf(scenario) / 4;
     this.duration = Math.min(DRIVE.most, Math.max(DRIVE.least, this.length / speed));
     /** The part of the line that is drawn, 0 to 1. */
     this.drawn = 0;
@@ -162,10 +163,4 @@ export function playbackOf(scenario, run, placed = null) {
   // A tree whose root is nearest to the goal has no path to show.
   if (!approximate || approximate.path.length < 2) return null;
   return new PathPlayback(scenario, Float64Array.from(approximate.path.flat()), { isProven, isMiss: true, course: courseOf(approximate) });
-}
-
-/** The longer side of the drawn world. @param {Scenario} scenario */
-function size(scenario) {
-  const { min, max } = scenario.extent();
-  return Math.max(max[0] - min[0], max[1] - min[1]);
 }

@@ -1,5 +1,6 @@
 /** The counters of the run, as text and as data attributes. */
 import { READABLE, byId, grouped, write } from "../app/dom.js";
+import { pacer } from "../app/paced.js";
 
 /** @import { LaneState } from "../domain/types.js" */
 
@@ -11,7 +12,7 @@ export class Counters {
   constructor() {
     this.element = byId("counters", HTMLElement);
     this.cells = Object.fromEntries(NUMBERS.map((name) => [name, byId(`count-${name}`, HTMLElement)]));
-    this.written = -Infinity;
+    this.isDue = pacer(READABLE);
     // On a desktop all counters are in one line; on a phone some are folded away.
     const more = byId("more-counters", HTMLDetailsElement);
     const desktop = matchMedia("(min-width: 77.5rem)");
@@ -29,9 +30,7 @@ export class Counters {
     else delete dataset.fingerprint;
     if (length !== null) dataset.length = String(length);
     else delete dataset.length;
-    const now = performance.now();
-    if (!settled && now - this.written < READABLE) return;
-    this.written = now;
+    if (!this.isDue(settled)) return;
     this.write({
       phase: lane.status === "running" ? lane.phase : lane.status === "none" ? "not started" : lane.status === "exhausted" ? "no path" : lane.status,
       iterations: grouped(lane.iteration), vertices: grouped(lane.vertices), edges: grouped(lane.edges),

@@ -6,6 +6,7 @@ import { letter } from "./race/standings.js";
 import { thinned } from "./run-log/curve.js";
 import { Chart, numberText as words } from "../widgets/chart.js";
 import { byId, make } from "../app/dom.js";
+import { pacer } from "../app/paced.js";
 import { labelled } from "../widgets/elements.js";
 
 /** @import { Page } from "./page.js" */
@@ -31,28 +32,21 @@ export function watchCurves(page) {
 
   /** Identifies the drawn curves. */
   let drawn = "";
-  let isDue = false;
-  let last = -Infinity;
+  const isDue = pacer(PAUSE);
 
   page.onState(() => update());
   fold.addEventListener("toggle", () => update());
   numbers.addEventListener("toggle", () => draw());
 
-  /** Draws the curves if they have changed, now or after a pause. */
+  /** Draws the curves if they have changed, at rest or after a pause. */
   function update() {
     const { state, session: { plannings, clock, lanes } } = page;
     if (!fold.open || !state) return;
     for (const chart of charts) chart.show(state.clock.now);
     const key = `${plannings} ${clock.head} ${lanes.map(({ run }) => run?.ended)}`;
-    if (key === drawn || isDue) return;
-    isDue = true;
-    setTimeout(() => {
-      drawn = key;
-      draw();
-      last = performance.now();
-      isDue = false;
-      update();
-    }, Math.max(0, last + PAUSE - performance.now()));
+    if (key === drawn || !isDue(state.settled)) return;
+    drawn = key;
+    draw();
   }
 
   function draw() {

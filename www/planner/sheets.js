@@ -1,5 +1,6 @@
 /** The figures on the stage: each has a caption and a sheet of canvases. Their sizes and pointer events are passed to the session. */
 import { byId, make, write } from "../app/dom.js";
+import { pacer } from "../app/paced.js";
 import { LAYERS } from "../draw/layer.js";
 import { robotName } from "../domain/names.js";
 
@@ -15,7 +16,7 @@ export class Sheets {
     this.element = byId("stage", HTMLElement);
     /** @type {Map<string, Figure>} */
     this.figures = new Map();
-    this.described = -Infinity;
+    this.isDescriptionDue = pacer(1000);
     /** Notes that replace the usual ones, by kind. @type {Partial<Record<PaneKind, string>>} */
     this.notes = {};
     this.observer = new ResizeObserver(() => this.measure());
@@ -117,9 +118,7 @@ export class Sheets {
 
   /** Describes the canvases for screen readers, at rest and about once a second. @param {State} state */
   describe({ settled, summary }) {
-    const now = performance.now();
-    if (!settled && now - this.described < 1000) return;
-    this.described = now;
+    if (!this.isDescriptionDue(settled)) return;
     for (const { top, kind, lane, caption } of this.figures.values()) {
       const what = kind === "cspace" ? "Configuration space" : "Workspace";
       const text = `${what}${caption.textContent === what ? "" : ` of ${caption.textContent}`}: ${summary[lane] ?? ""}`;

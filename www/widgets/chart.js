@@ -10,7 +10,7 @@ import { make } from "../app/dom.js";
 const SPACE = "http://www.w3.org/2000/svg";
 /** Space around the plot for numbers and labels, CSS pixels. */
 const ROOM = { left: 56, right: 22, top: 10, bottom: 38 };
-/** Least distance of two labels. */
+/** Least distance between labels. */
 const APART = 13;
 /** Decades of a logarithmic axis, at most. */
 const DECADES = 16;
@@ -26,9 +26,9 @@ export class Chart {
     this.title = make("figcaption", {}, title);
     this.picture = svg("svg", { role: "img", class: `chart ${id}`, "aria-label": title });
     this.element = make("figure", {}, this.title, this.picture);
-    /** What was drawn last. @type {[Line[], Axis, Axis, string] | null} */
+    /** The arguments of the last drawing. @type {[Line[], Axis, Axis, string] | null} */
     this.drawn = null;
-    /** What is before the time shown, and that time. */
+    /** The area before the time shown, and its edge. */
     this.past = svg("rect", { x: 0, y: 0, height });
     this.cursor = svg("line", { class: "cursor", y1: ROOM.top, y2: height - ROOM.bottom });
     this.now = 0;

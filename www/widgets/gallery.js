@@ -1,4 +1,4 @@
-/** The scenes to choose from, each with a small picture of itself. */
+/** The gallery of scenes, each with a thumbnail. */
 import { byId, make } from "../app/dom.js";
 
 /** @import { SceneEntry } from "../domain/types.js" */
@@ -37,7 +37,7 @@ export class Gallery {
     this.measure();
   }
 
-  /** Says how many of the scenes are in view, where not all are. */
+  /** Shows the number of scenes in view, unless all are. */
   measure() {
     const { element, cards } = this;
     const isAll = element.classList.contains("all");
@@ -46,12 +46,12 @@ export class Gallery {
     this.count.textContent = isAll ? `${cards.size} scenes` : `${inView} of ${cards.size} scenes`;
   }
 
-  /** Marks the scene that is on the stage; none for a file of the reader's own. @param {string | null} id */
+  /** Marks the open scene; null for a file. @param {string | null} id */
   mark(id) {
     for (const [name, { input }] of this.cards) {
       input.checked = name === id;
       const card = input.parentElement;
-      // Only the strip moves, not the page.
+      // Only the strip scrolls, not the page.
       if (name === id && card) this.element.scrollTo({ left: card.offsetLeft - (this.element.clientWidth - card.offsetWidth) / 2 });
     }
   }

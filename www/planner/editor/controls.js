@@ -40,7 +40,7 @@ export class EditorControls {
     this.stage = byId("stage", HTMLElement);
     this.narrow = matchMedia("(max-width: 63.99rem)");
     /** The scene as it was opened. @type {{ source: Source | null, entry: SceneEntry | null }} */
-    this.original = { source: null, entry: null };
+    this.original = { source: page.source, entry: page.entry };
     this.adopting = false;
     this.changes = 0;
     /** The last announcement. */
@@ -93,7 +93,6 @@ export class EditorControls {
       const { editor } = page.session;
       if (editor && isEditing) this.show(editor);
     });
-    this.original = { source: page.source, entry: page.entry };
     if (this.fold.open) this.turn();
   }
 

@@ -5,7 +5,7 @@
 import { faultOf } from "../../app/fault.js";
 import { drawOverlay } from "./selection.js";
 import { copies, middle, nudged, places, simple } from "./commands.js";
-import { coordinatesOf } from "../../domain/coordinates.js";
+import { coordinatesOf, sizeOf } from "../../domain/coordinates.js";
 import { History } from "./history.js";
 import { Hand } from "./drag.js";
 import { touchingSentence } from "../../domain/names.js";
@@ -76,7 +76,7 @@ export class Editor {
   begin() {
     this.edits = new History(this.shown.document);
     this.story = this.session.story;
-    this.hand.open();
+    this.hand.release();
     this.tool = "select";
     this.selected = this.part = this.refusal = this.refused = null;
     this.said = "";
@@ -96,10 +96,7 @@ export class Editor {
   get isDifferent() { return this.document !== this.history.now; }
 
   /** The longer side of the world, metres. @returns {number} */
-  get size() {
-    const { min, max } = this.shown.scenario.extent();
-    return Math.max(max[0] - min[0], max[1] - min[1]);
-  }
+  get size() { return sizeOf(this.shown.scenario); }
 
   /** The unit that lengths are rounded to: a ten-thousandth of the world, or a little less. */
   get unit() { return 10 ** Math.floor(Math.log10(this.size * 1e-4)); }
@@ -288,7 +285,7 @@ export class Editor {
   /** Cancels the gesture. */
   abandon() {
     this.refusal = this.refused = null;
-    if (this.hand.open() && this.isDifferent) this.settle();
+    if (this.hand.release() && this.isDifferent) this.settle();
   }
 
   /** Shows the current document of the history again. */

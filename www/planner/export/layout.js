@@ -1,4 +1,4 @@
-/** Where the sheets stand on the stage, so that a picture of it has the same places. */
+/** The layout of the figures on the stage, for images of it. */
 import { byId } from "../../app/dom.js";
 
 /** @import { TakeRequest } from "../../domain/types.js" */

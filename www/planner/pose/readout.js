@@ -1,4 +1,4 @@
-/** What is pointed at, in one line beneath the stage. */
+/** A line below the stage about the element under the pointer. */
 import { byId, write } from "../../app/dom.js";
 
 /** @import { Page } from "../page.js" */

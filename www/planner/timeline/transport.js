@@ -1,5 +1,6 @@
 /** The transport: back, play, steps, run to the end, reset, speed, the timeline, and once solved the position along the path. */
 import { byId, grouped, READABLE, write } from "../../app/dom.js";
+import { pacer } from "../../app/paced.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { Session } from "../session.js" */
@@ -33,7 +34,7 @@ export class Transport {
     this.unit = 1;
     /** Whether the field holds a time that was not entered yet. */
     this.isTyping = false;
-    this.written = -Infinity;
+    this.isDue = pacer(READABLE);
     this.timeline.addEventListener("input", () => page.act(({ timeline }) => timeline.seek(Number(this.timeline.value))));
     this.along.addEventListener("input", () => page.act(({ timeline }) => timeline.along(Number(this.along.value))));
     this.time.addEventListener("input", () => { this.isTyping = true; });
@@ -115,9 +116,7 @@ export class Transport {
     if (!this.timeline.matches(":active")) this.timeline.value = String(clock.now);
     this.timeline.setAttribute("aria-valuetext", `${grouped(clock.now)} of ${grouped(clock.head)}${clock.isRace ? " clearance evaluations" : ""}`);
     // As often as the counters, so that they agree.
-    const now = performance.now();
-    if (!settled && now - this.written < READABLE) return;
-    this.written = now;
+    if (!this.isDue(settled)) return;
     if (!this.isTyping) this.time.value = String(clock.now);
     write(byId("brief", HTMLElement), brief(lanes));
     write(byId("time-head", HTMLElement), `of ${grouped(clock.head)}${clock.isRace ? " evaluations" : ""}`);

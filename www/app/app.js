@@ -16,7 +16,6 @@ import { readPalette } from "./palette.js";
 import { isProjected } from "./projector.js";
 import { connect } from "./worker-client.js";
 
-/** @import { Look } from "../domain/types.js" */
 /** @import { Remote } from "./worker-client.js" */
 
 /** @typedef {(now: number) => boolean | void} Animation   milliseconds as of performance.now(); returns true while it goes on */
@@ -171,7 +170,7 @@ export class App {
   /** Writes texts into elements by their ids. @param {Record<string, string>} texts */
   write(texts) { for (const [id, text] of Object.entries(texts)) write(byId(id, HTMLElement), text); }
 
-  /** @returns {Look} */
+  /** How to draw. */
   get look() {
     const palette = readPalette(byId("main", HTMLElement));
     return { palette, ratio: devicePixelRatio || 1, calm: this.reducedMotion, bold: isProjected() ? 1.7 : 1 };

@@ -20,9 +20,8 @@ export class Notice {
     this.hide();
     return new Promise((resolve) => {
       const buttons = [...choices, /** @type {const} */ (["", "Cancel"])].map(([choice, word]) => {
-        const button = make("button", { type: "button", className: choice ? "" : "quiet" }, word);
+        const button = make("button", { type: "button", className: choice ? "" : "quiet", onclick: () => this.answer(choice) }, word);
         button.dataset.choice = choice;
-        button.addEventListener("click", () => this.answer(choice));
         return button;
       });
       this.element.replaceChildren(make("div", {}, make("strong", {}, question), make("div", { className: "choices" }, ...buttons)));
@@ -47,8 +46,7 @@ export class Notice {
     const { message, code, pointer } = faultOf(error);
     this.element.dataset.code = code;
     this.element.dataset.pointer = pointer;
-    const close = make("button", { type: "button", className: "quiet" }, "Dismiss");
-    close.addEventListener("click", () => this.hide());
+    const close = make("button", { type: "button", className: "quiet", onclick: () => this.hide() }, "Dismiss");
     const where = make("p", { className: "where" });
     if (code) where.append("code ", make("code", {}, code));
     if (pointer) where.append(" at ", make("code", {}, pointer));

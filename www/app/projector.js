@@ -10,10 +10,11 @@ export class Projector {
   /** @param {() => void} onChange */
   constructor(onChange) {
     this.onChange = onChange;
-    this.button = make("button", { type: "button", id: "projector", className: "quiet", ariaPressed: "false" }, "Projector");
-    this.button.title = "Large text and bold lines for a lecture; Escape exits";
+    this.button = make("button", {
+      type: "button", id: "projector", className: "quiet", ariaPressed: "false", title: "Large text and bold lines for a lecture; Escape exits",
+      onclick: () => this.turn(!isProjected()),
+    }, "Projector");
     byId("tools", HTMLElement).append(this.button);
-    this.button.addEventListener("click", () => this.turn(!isProjected()));
     addEventListener("keydown", (event) => {
       if (event.key === "Escape" && !event.defaultPrevented && isProjected()) this.turn(false);
     });
@@ -23,7 +24,7 @@ export class Projector {
   turn(on) {
     if (on === isProjected()) return;
     document.documentElement.classList.toggle(CLASS, on);
-    this.button.setAttribute("aria-pressed", String(on));
+    this.button.ariaPressed = String(on);
     this.onChange();
   }
 }

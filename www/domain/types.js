@@ -48,11 +48,7 @@
  *
  * @typedef {"workspace" | "cspace"} PaneKind
  *
- * @typedef {object} Look
- * @property {import("../app/palette.js").Palette} palette
- * @property {number} ratio   device pixels a CSS pixel
- * @property {boolean} calm   reduced motion
- * @property {number} bold    a factor for lines and dots
+ * @typedef {import("../app/app.js").App["look"]} Look   the colours, the pixel ratio, reduced motion, and a factor for lines and dots
  *
  * @typedef {object} Pointer
  * @property {string} pane
@@ -77,20 +73,6 @@
  * @typedef {State["lanes"][number]} LaneState
  *
  * @typedef {{ message: string, code: string, pointer: string }} Fault   stable code and JSON pointer, or empty
- *
- * @typedef {object} SheetLayout   a sheet's position on the stage, CSS pixels
- * @property {string} id
- * @property {number} x
- * @property {number} y
- * @property {{ x: number, y: number, width: number, name: string, note: string }} caption
- *
- * @typedef {object} TakeRequest   an image of the stage to export
- * @property {"png" | "svg" | "gif"} kind
- * @property {{ width: number, height: number, sheets: SheetLayout[] }} layout
- * @property {string} title
- * @property {number} ratio    of a PNG: pixels a CSS pixel
- * @property {number} width    of a GIF: pixels
- * @property {number} frames   of a GIF, at least 2
  *
  * @typedef {object} Slider   for an option of a scene's generator
  * @property {string} option

@@ -4,14 +4,9 @@ import { pacer } from "../app/paced.js";
 
 /** @import { LaneState } from "../domain/types.js" */
 
-const NUMBERS = /** @type {const} */ ([
-  "phase", "iterations", "vertices", "edges", "length", "segments", "checks", "motions", "evaluations", "nearest", "time", "rate", "fingerprint",
-]);
-
 export class Counters {
   constructor() {
     this.element = byId("counters", HTMLElement);
-    this.cells = Object.fromEntries(NUMBERS.map((name) => [name, byId(`count-${name}`, HTMLElement)]));
     this.isDue = pacer(READABLE);
     // On a desktop all counters are in one line; on a phone some are folded away.
     const more = byId("more-counters", HTMLDetailsElement);
@@ -44,9 +39,9 @@ export class Counters {
     });
   }
 
-  /** Writes texts into cells; an empty one becomes a dash. @param {Partial<Record<typeof NUMBERS[number], string>>} words */
+  /** Writes texts into cells; an empty one becomes a dash. @param {Record<string, string>} words */
   write(words) {
-    for (const [name, word] of Object.entries(words)) write(this.cells[name], word || "\u2013");
+    for (const [name, word] of Object.entries(words)) write(byId(`count-${name}`, HTMLElement), word || "\u2013");
   }
 
   /** Declares the counters out of date. */

@@ -34,10 +34,7 @@ export function showPseudocode(page) {
     if (!isMoving) marks.clear();
     for (const mark of lane.marks) marks.add(mark);
     if (!isDue(!isMoving)) return;
-    for (const line of lines) {
-      if (line.marks.some((mark) => marks.has(mark))) line.row.setAttribute("aria-current", "step");
-      else line.row.removeAttribute("aria-current");
-    }
+    for (const line of lines) line.row.ariaCurrent = line.marks.some((mark) => marks.has(mark)) ? "step" : null;
     marks.clear();
   });
 }

@@ -85,15 +85,13 @@ export class Sheets {
     const note = make("small", {});
     const figure = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, caption, " ", note), sheet);
     const canvases = LAYERS.map((name) => {
-      const canvas = make("canvas", {});
+      const canvas = make("canvas", { ariaHidden: "true" });
       canvas.dataset.layer = name;
-      canvas.setAttribute("aria-hidden", "true");
       sheet.append(canvas);
       return canvas;
     });
     const top = canvases[canvases.length - 1];
-    top.removeAttribute("aria-hidden");
-    top.setAttribute("role", "img");
+    Object.assign(top, { ariaHidden: null, role: "img" });
     this.listen(top, id);
     const named = /** @type {Record<typeof LAYERS[number], HTMLCanvasElement>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, canvases[i]])));
     this.session.stage.add(id, kind, lane, named);
@@ -122,7 +120,7 @@ export class Sheets {
     for (const { top, kind, lane, caption } of this.figures.values()) {
       const what = kind === "cspace" ? "Configuration space" : "Workspace";
       const text = `${what}${caption.textContent === what ? "" : ` of ${caption.textContent}`}: ${summary[lane] ?? ""}`;
-      if (top.getAttribute("aria-label") !== text) top.setAttribute("aria-label", text);
+      if (top.ariaLabel !== text) top.ariaLabel = text;
     }
   }
 

@@ -10,12 +10,12 @@ const POSES = { least: 3, most: 24 };
 /** @param {Page} page */
 export function watchView(page) {
   const poses = make("input", { type: "number", id: "view-poses", min: String(POSES.least), max: String(POSES.most), step: "1", autocomplete: "off" });
-  poses.addEventListener("input", () => {
+  poses.oninput = () => {
     const count = Number(poses.value);
-    const good = Number.isInteger(count) && count >= POSES.least && count <= POSES.most;
-    if (good) page.setView({ poses: count });
-    poses.setAttribute("aria-invalid", String(!good));
-  });
+    const isValid = Number.isInteger(count) && count >= POSES.least && count <= POSES.most;
+    if (isValid) page.setView({ poses: count });
+    poses.ariaInvalid = String(!isValid);
+  };
   const selects = ["across", "up"].map((way, i) => {
     const select = make("select", { id: `view-${way}` });
     select.addEventListener("change", () => {
@@ -67,17 +67,18 @@ export function watchView(page) {
   function inspector() {
     const readout = byId("readout", HTMLOutputElement);
     const input = make("input", { type: "number", id: "inspect", min: "0", step: "1", autocomplete: "off", placeholder: "none" });
-    input.addEventListener("input", () => void page.inspect(input.value === "" ? -1 : Math.max(0, Math.floor(Number(input.value)))));
     // The readout is announced while the field has the focus, and not while a pointer moves.
-    input.addEventListener("focus", () => readout.setAttribute("aria-live", "polite"));
-    input.addEventListener("blur", () => readout.setAttribute("aria-live", "off"));
-    return input;
+    return Object.assign(input, {
+      oninput: () => void page.inspect(input.value === "" ? -1 : Math.max(0, Math.floor(Number(input.value)))),
+      onfocus: () => { readout.ariaLive = "polite"; },
+      onblur: () => { readout.ariaLive = "off"; },
+    });
   }
 
   /** @param {"refused" | "strobe" | "raw" | "slice"} option */
   function toggle(option) {
-    const input = make("input", { type: "checkbox", role: "switch", id: `view-${option}` });
-    input.addEventListener("change", () => page.setView({ [option]: input.checked }));
+    /** @type {HTMLInputElement} */
+    const input = make("input", { type: "checkbox", role: "switch", id: `view-${option}`, onchange: () => page.setView({ [option]: input.checked }) });
     return input;
   }
 }

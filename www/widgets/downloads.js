@@ -42,7 +42,7 @@ export function failureOf(title) { return `The ${title.toLowerCase()} could not 
 export function downloadRow({ id, title, format, meaning }, onSave, ...choices) {
   const hint = make("span", { className: "hint", id: `take-${id}-hint` }, meaning);
   const saveButton = button(`take-${id}`, format, onSave);
-  saveButton.setAttribute("aria-label", `${title}, ${format}`);
+  saveButton.ariaLabel = `${title}, ${format}`;
   saveButton.setAttribute("aria-describedby", hint.id);
   const [beside, below] = choices.length === 1 ? [choices, []] : [[], choices];
   const row = make("div", { className: "row" }, make("span", { className: "name" }, title, hint), ...beside, saveButton);

@@ -67,8 +67,7 @@ export class Field {
   refuse(reason) {
     this.reason.textContent = reason;
     this.reason.hidden = reason === "";
-    if (reason === "") this.control.removeAttribute("aria-invalid");
-    else this.control.setAttribute("aria-invalid", "true");
+    this.control.ariaInvalid = reason ? "true" : null;
   }
 
   /** Whether the value is valid; an invalid one shows the reason. */

@@ -1,5 +1,6 @@
 /** The gallery of scenes, each with a thumbnail. */
 import { byId, make } from "../app/dom.js";
+import { button } from "./elements.js";
 
 /** @import { SceneEntry } from "../domain/types.js" */
 
@@ -13,16 +14,13 @@ export class Gallery {
     /** @type {Map<string, { input: HTMLInputElement, canvas: HTMLCanvasElement }>} */
     this.cards = new Map();
     for (const entry of scenes) {
-      const input = make("input", { type: "radio", name: "scene", value: entry.id });
-      input.addEventListener("change", () => onChoose(entry));
-      const canvas = make("canvas", {});
-      canvas.setAttribute("aria-hidden", "true");
+      const input = make("input", { type: "radio", name: "scene", value: entry.id, onchange: () => onChoose(entry) });
+      const canvas = make("canvas", { ariaHidden: "true" });
       this.cards.set(entry.id, { input, canvas });
       this.element.append(make("label", { className: "card" }, input, canvas, make("span", {}, entry.title)));
     }
     this.count = make("span", { className: "hint" });
-    this.more = make("button", { type: "button", id: "all-scenes" });
-    this.more.addEventListener("click", () => this.show(!this.element.classList.contains("all")));
+    this.more = button("all-scenes", "", () => this.show(!this.element.classList.contains("all")));
     this.size = make("p", { className: "gallery-size" }, this.count, this.more);
     this.element.after(this.size);
     this.show(false);
@@ -33,7 +31,7 @@ export class Gallery {
   show(all) {
     this.element.classList.toggle("all", all);
     this.more.textContent = all ? "Show fewer" : "Show all";
-    this.more.setAttribute("aria-expanded", String(all));
+    this.more.ariaExpanded = String(all);
     this.measure();
   }
 

@@ -65,8 +65,7 @@ export class Slider {
   refuse(reason) {
     this.reason.textContent = reason;
     this.reason.hidden = reason === "";
-    if (reason) this.number.setAttribute("aria-invalid", "true");
-    else this.number.removeAttribute("aria-invalid");
+    this.number.ariaInvalid = reason ? "true" : null;
   }
 
   /** Writes a value into the field, unless it has the focus. @param {number} value */

@@ -48,7 +48,7 @@ export class DriveControls {
     this.cells = Object.fromEntries(NUMBERS.map(([name]) => [name, make("dd", {})]));
     const numbers = make("dl", { className: "counters" }, ...NUMBERS.map(([name, title]) => make("div", {}, make("dt", {}, title), this.cells[name])));
     this.byKeys = make("input", { type: "checkbox", role: "switch", id: "drive-by-keys" });
-    this.byKeys.addEventListener("change", () => this.act((driving) => driving.setByKeys(this.byKeys.checked, moment())));
+    this.byKeys.onchange = () => this.act((driving) => driving.setByKeys(this.byKeys.checked, moment()));
     this.rolled = make("p", { className: "hint", role: "status" });
     this.bar = make("div", { id: "drive", className: "drive", hidden: true, role: "group", ariaLabel: "Driving" }, pad,
       make("div", { className: "dash" }, numbers, make("div", { className: "buttons" }, keep, this.pause, restart, this.replay, leave)),
@@ -63,9 +63,7 @@ export class DriveControls {
 
   /** @param {string} name @param {string} text @param {string} shortcut @param {(event: Event) => void} then */
   button(name, text, shortcut, then) {
-    const element = button(`drive-${name}`, text, then);
-    if (shortcut) element.setAttribute("aria-keyshortcuts", shortcut);
-    return element;
+    return Object.assign(button(`drive-${name}`, text, then), { ariaKeyShortcuts: shortcut || null });
   }
 
   /** A form that previews one control. */
@@ -75,12 +73,11 @@ export class DriveControls {
       return { input, row: make("label", { className: "row" }, make("span", { className: "name" }, name, make("span", { className: "unit" }, ` ${unit}`)), input) };
     };
     const fields = [field("v", "v", "m/s", "0.3"), field("phi", "\u03c6", "rad", "0.4"), field("duration", "duration", "s", "3")];
-    const form = make("form", { noValidate: true, className: "roll" }, ...fields.map(({ row }) => row), make("button", { type: "submit" }, "Show the motion"), this.rolled);
-    form.setAttribute("aria-label", "Preview of one control");
+    const form = make("form", { noValidate: true, className: "roll", ariaLabel: "Preview of one control" }, ...fields.map(({ row }) => row), make("button", { type: "submit" }, "Show the motion"), this.rolled);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       const [v, phi, duration] = fields.map(({ input }) => (input.value.trim() === "" ? NaN : Number(input.value)));
-      for (const { input } of fields) input.removeAttribute("aria-invalid");
+      for (const { input } of fields) input.ariaInvalid = null;
       try {
         this.page.run((session) => drivingOf(session).roll(v, phi, duration));
       } catch (error) {
@@ -156,18 +153,16 @@ export class DriveControls {
     const isOwn = event.target instanceof HTMLInputElement && event.target.type !== "checkbox";
     const drives = KEYS[key];
     if (isOwn && key !== "Escape") return;
-    if (drives || key === "p" || key === "r" || key === "Escape") {
-      event.preventDefault();
-      // A key held down counts once.
-      if (event.repeat) return;
-      if (drives) this.press(drives, event);
-      else if (key === "p") this.togglePause();
-      else if (key === "r") this.act((driving) => driving.restart(moment()));
-      else this.leave();
-    } else if (key === " " && event.target === this.stage) {
-      event.preventDefault();
-      if (!event.repeat) this.togglePause();
-    } else if (event.target === this.stage && /^[.,en]$/.test(key)) event.preventDefault();
+    const isOnStage = event.target === this.stage;
+    /** @type {(() => void) | undefined} */
+    let action;
+    if (drives) action = () => this.press(drives, event);
+    else if (key === "p" || (key === " " && isOnStage)) action = () => this.togglePause();
+    else if (key === "r") action = () => this.act((driving) => driving.restart(moment()));
+    else if (key === "Escape") action = () => this.leave();
+    if (action || (isOnStage && /^[.,en]$/.test(key))) event.preventDefault();
+    // A key held down counts once.
+    if (!event.repeat) action?.();
   }
 
   /** @param {Driving | null} driving */

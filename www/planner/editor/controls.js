@@ -108,10 +108,7 @@ export class EditorControls {
 
   /** @param {string} text @param {Command} command @param {string} [key] */
   button(text, command, key) {
-    const element = make("button", { type: "button" }, text);
-    if (key) element.setAttribute("aria-keyshortcuts", key);
-    element.addEventListener("click", () => this.act(command));
-    return element;
+    return make("button", { type: "button", ariaKeyShortcuts: key ?? null, onclick: () => this.act(command) }, text);
   }
 
   /** Switches the editor on or off with its fold. */
@@ -181,9 +178,10 @@ export class EditorControls {
       this.shape = shape;
       this.fields.replaceChildren();
       this.inputs = fields.map(({ name, unit }, i) => {
-        const input = make("input", { type: "number", step: "any", id: `edit-${name.replace(" ", "-")}`, autocomplete: "off", inputMode: "decimal" });
+        const input = make("input", {
+          type: "number", step: "any", id: `edit-${name.replace(" ", "-")}`, autocomplete: "off", inputMode: "decimal", onchange: () => this.enter(i),
+        });
         input.setAttribute("aria-describedby", "edit-reason");
-        input.addEventListener("change", () => this.give(i));
         const label = `${kind === "polygon" ? `vertex ${part ?? 0}, ` : ""}${name}`;
         this.fields.append(make("label", { className: "row" }, make("span", { className: "name" }, label, make("span", { className: "unit" }, ` ${unit}`)), input));
         return input;
@@ -203,7 +201,7 @@ export class EditorControls {
   }
 
   /** Applies a typed number. @param {number} index */
-  give(index) {
+  enter(index) {
     const input = this.inputs[index];
     const [low, high] = this.limits[index];
     const value = Number(input.value);

@@ -12,7 +12,8 @@ import { countersCsv, nameOf } from "./files.js";
 import { layoutOfStage } from "./layout.js";
 
 /** @import { Page } from "../page.js" */
-/** @import { State, TakeRequest } from "../../domain/types.js" */
+/** @import { State } from "../../domain/types.js" */
+/** @import { ImageRequest } from "./exporter.js" */
 /** @typedef {{ button: HTMLButtonElement, hint: HTMLElement, meaning: string, lack: (state: State) => string }} Offer   `lack`: why there is no file, or empty */
 
 /** @param {State} state */
@@ -109,7 +110,7 @@ export function showTake(page) {
   /** The same for the chosen planner. @param {number} [time] */
   function nameOfLane(time = page.state?.lanes[Number(lane.value)].iteration ?? 0) { return nameOf(page.facts?.name ?? "", [page.current[Number(lane.value)]], time); }
 
-  /** Makes and saves an image. @param {TakeRequest["kind"]} kind */
+  /** Makes and saves an image. @param {ImageRequest["kind"]} kind */
   async function draw(kind) {
     const mine = ++turn;
     const file = `${name()}.${kind}`;

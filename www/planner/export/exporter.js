@@ -4,9 +4,19 @@ import { SvgContext } from "../../formats/svg.js";
 import { Figure, stripes } from "../../draw/svg-layer.js";
 import { Picture, writeCaption } from "./picture.js";
 
-/** @import { TakeRequest } from "../../domain/types.js" */
 /** @import { Session } from "../session.js" */
+/** @import { Layout } from "./layout.js" */
 /** @typedef {Generator<number, () => Blob | Promise<Blob>>} Slices   yields the progress, 0 to 1 */
+
+/**
+ * @typedef {object} ImageRequest
+ * @property {"png" | "svg" | "gif"} kind
+ * @property {Layout} layout
+ * @property {string} title
+ * @property {number} ratio    of a PNG: pixels a CSS pixel
+ * @property {number} width    of a GIF: pixels
+ * @property {number} frames   of a GIF, at least 2
+ */
 
 /** Pixels of an image at most; browsers limit the size of canvases. */
 const MOST_PIXELS = 48e6;
@@ -24,7 +34,7 @@ function fault(code, message) { return Object.assign(new Error(message), { code 
 /**
  * Makes an image of the stage.
  * @param {Session} session
- * @param {TakeRequest} request
+ * @param {ImageRequest} request
  * @param {(progress: number) => boolean} onProgress   0 to 1; returns whether to continue
  * @returns {Promise<Blob | null>} null where it was cancelled
  * @throws {Error} `too-large`, `run-replaced`, `no-canvas`
@@ -48,7 +58,7 @@ export async function makeImage(session, request, onProgress) {
   }
 }
 
-/** @param {Session} session @param {TakeRequest} request @returns {Slices} */
+/** @param {Session} session @param {ImageRequest} request @returns {Slices} */
 function* pngOf(session, { layout: { width, height, sheets }, ratio }) {
   const canvas = new OffscreenCanvas(Math.round(width * ratio), Math.round(height * ratio));
   const context = contextOf(canvas);
@@ -61,7 +71,7 @@ function* pngOf(session, { layout: { width, height, sheets }, ratio }) {
   return () => canvas.convertToBlob({ type: "image/png" });
 }
 
-/** @param {Session} session @param {TakeRequest} request @returns {Slices} */
+/** @param {Session} session @param {ImageRequest} request @returns {Slices} */
 function* svgOf(session, { layout: { width, height, sheets }, title }) {
   const figures = /** @type {Figure[]} */ ([]);
   const picture = new Picture(session, sheets, IMAGES, (wide, high) => {
@@ -87,7 +97,7 @@ function* svgOf(session, { layout: { width, height, sheets }, title }) {
   };
 }
 
-/** Frames, evenly spaced in the time of the run. @param {Session} session @param {TakeRequest} request @returns {Slices} */
+/** Frames, evenly spaced in the time of the run. @param {Session} session @param {ImageRequest} request @returns {Slices} */
 function* gifOf(session, { layout, width, frames }) {
   const last = session.clock.now;
   const ratio = width / layout.width;

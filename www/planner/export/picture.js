@@ -9,11 +9,12 @@ import { Frontier } from "../run-log/frontier.js";
 /** @import { LayerName } from "../../draw/layer.js" */
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { Palette } from "../../app/palette.js" */
-/** @import { Look, SheetLayout } from "../../domain/types.js" */
+/** @import { Look } from "../../domain/types.js" */
+/** @import { Layout } from "./layout.js" */
 /** @import { Lane, Shown } from "../lane.js" */
 /** @import { Run } from "../run-log/run-log.js" */
 /** @import { Session } from "../session.js" */
-/** @typedef {{ layout: SheetLayout, pane: Pane, layers: OffscreenCanvas[], lane: Lane }} Drawn */
+/** @typedef {{ layout: Layout["sheets"][number], pane: Pane, layers: OffscreenCanvas[], lane: Lane }} Drawn */
 
 /** Milliseconds of inking in a slice. */
 const SLICE = 8;
@@ -25,7 +26,7 @@ const GAP = 9;
 export class Picture {
   /**
    * @param {Session} session
-   * @param {SheetLayout[]} sheets   to draw
+   * @param {Layout["sheets"]} sheets   to draw
    * @param {number} ratio           pixels a CSS pixel
    * @param {(width: number, height: number) => OffscreenCanvas} makeCanvas   in CSS pixels; the layers set its size
    * @param {boolean} [whole]        with the whole path and without a pose by hand
@@ -105,7 +106,7 @@ function standIn(lane, shown, whole) {
   });
 }
 
-/** Draws a caption, wrapped to its width. @param {Pick<CanvasRenderingContext2D, "font" | "fillStyle" | "textBaseline" | "textAlign" | "fillText">} context @param {SheetLayout} layout @param {Palette} palette */
+/** Draws a caption, wrapped to its width. @param {Pick<CanvasRenderingContext2D, "font" | "fillStyle" | "textBaseline" | "textAlign" | "fillText">} context @param {Layout["sheets"][number]} layout @param {Palette} palette */
 export function writeCaption(context, { caption: { x, y, width, name, note } }, palette) {
   const ruler = new OffscreenCanvas(1, 1).getContext("2d");
   if (!ruler) return;

@@ -4,6 +4,7 @@
  */
 import { letter } from "./standings.js";
 import { byId, make } from "../../app/dom.js";
+import { button } from "../../widgets/elements.js";
 import { Rival } from "./rival.js";
 import { Table } from "./table.js";
 
@@ -29,8 +30,7 @@ export class Race {
     this.numbers = byId("numbers", HTMLElement);
     this.list = make("div", {});
     this.choice = make("select", { id: "rival" });
-    this.button = make("button", { type: "button", id: "add-rival" }, "Add");
-    this.button.addEventListener("click", () => this.add());
+    this.button = button("add-rival", "Add", () => this.add());
     this.hint = make("p", { className: "hint" });
     byId("race", HTMLElement).append(
       this.list,
@@ -46,13 +46,11 @@ export class Race {
 
   /** A choice of the kind of figure for all planners. */
   makeLens() {
-    const lens = make("fieldset", { className: "lens", hidden: true }, make("legend", { className: "visually-hidden" }, "Picture"));
-    for (const [kind, words] of /** @type {[PaneKind, string][]} */ ([["workspace", "Workspace"], ["cspace", "Configuration space"]])) {
-      const input = make("input", { type: "radio", name: "lens", value: kind });
-      input.addEventListener("change", () => this.setPicture(kind));
-      lens.append(make("label", {}, input, words));
-    }
-    return lens;
+    const choice = (/** @type {PaneKind} */ kind, /** @type {string} */ words) => {
+      return make("label", {}, make("input", { type: "radio", name: "lens", value: kind, onchange: () => this.setPicture(kind) }), words);
+    };
+    return make("fieldset", { className: "lens", hidden: true }, make("legend", { className: "visually-hidden" }, "Picture"),
+      choice("workspace", "Workspace"), choice("cspace", "Configuration space"));
   }
 
   /** The planners for the robot. */

@@ -22,15 +22,15 @@ export class Rival {
     this.form.given = { ...settings };
     this.form.seed = { default: null, default_meaning: "the seed of A", robots: [] };
     this.name = make("legend", {});
-    this.planner = make("select", {});
+    this.planner = make("select", {
+      onchange: () => {
+        this.build();
+        on.change();
+      },
+    });
     offerPlanners(this.planner, infos);
     this.planner.value = algorithm;
-    this.planner.addEventListener("change", () => {
-      this.build();
-      on.change();
-    });
-    this.remove = make("button", { type: "button" }, "Remove");
-    this.remove.addEventListener("click", on.remove);
+    this.remove = make("button", { type: "button", onclick: on.remove }, "Remove");
     const more = make("details", {}, make("summary", {}, "More parameters"), rest);
     this.element = make("fieldset", { className: "rival" }, this.name, make("div", { className: "row" }, this.planner, this.remove),
       make("details", {}, make("summary", {}, "Settings"), first, more));
@@ -49,9 +49,8 @@ export class Rival {
     this.lane = lane;
     const name = letter(lane);
     this.name.textContent = `Rival ${name}`;
-    this.planner.id = `rival-${name}-planner`;
-    this.planner.setAttribute("aria-label", `Planner of ${name}`);
-    this.remove.setAttribute("aria-label", `Remove ${name}`);
+    Object.assign(this.planner, { id: `rival-${name}-planner`, ariaLabel: `Planner of ${name}` });
+    this.remove.ariaLabel = `Remove ${name}`;
     this.form.presets.identify(`rival-${name}-preset`, `Settings of ${name}`);
     this.build();
   }

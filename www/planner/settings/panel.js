@@ -1,5 +1,6 @@
 /** The settings: the planner, its parameters, the seed and the query. They are built from the tables of the core. */
 import { byId, make } from "../../app/dom.js";
+import { button } from "../../widgets/elements.js";
 import { withSeed } from "../../widgets/field.js";
 import { SettingsForm } from "./form.js";
 
@@ -25,8 +26,7 @@ export class Panel {
     this.robot = "arm";
     this.form = new SettingsForm(byId("parameters", HTMLElement), byId("more-parameters", HTMLElement), (info) => this.fits(info), onChange);
     this.form.presets.identify("preset");
-    this.newSeed = make("button", { type: "button", id: "new-seed" }, "New seed");
-    this.newSeed.addEventListener("click", () => this.reseed());
+    this.newSeed = button("new-seed", "New seed", () => this.reseed());
     this.planner.addEventListener("change", () => {
       this.build();
       onChange();

@@ -11,15 +11,14 @@ export class Presets {
     this.presets = [];
     /** @type {Map<string, unknown>} */
     this.defaults = new Map();
-    this.select = make("select", {});
+    this.select = make("select", { onchange: () => onChoose(this.presets.find((preset) => preset.id === this.select.value)?.settings ?? {}) });
     this.element = make("label", { className: "row" }, make("span", { className: "name" }, "Settings"), this.select);
-    this.select.addEventListener("change", () => onChoose(this.presets.find((preset) => preset.id === this.select.value)?.settings ?? {}));
   }
 
   /** @param {string} id  of the select @param {string} [label]  in place of "Settings" */
   identify(id, label) {
     this.select.id = this.element.htmlFor = id;
-    if (label) this.select.setAttribute("aria-label", label);
+    if (label) this.select.ariaLabel = label;
   }
 
   /** Offers a planner's presets; without any the row is hidden. @param {PlannerInfo} info @param {Settings} given */

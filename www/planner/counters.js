@@ -52,10 +52,10 @@ export class Counters {
     delete dataset.length;
   }
 
-  /** Shows that there is no run. @param {"loading" | "failed"} status */
-  none(status) {
-    Object.assign(this.element.dataset, { status, phase: "", iterations: "0", vertices: "0", edges: "0" });
-    this.write({ phase: status });
+  /** Shows that the page could not start. */
+  fail() {
+    this.element.dataset.status = "failed";
+    this.write({ phase: "failed" });
   }
 }
 

@@ -159,4 +159,4 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
     }
   }
 }, "worker.js");
-if (!isOpen) counters.none("failed");
+if (!isOpen) counters.fail();

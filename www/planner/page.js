@@ -33,7 +33,6 @@ export class Page {
     this.source = null;
     /** The open scene, where it is a built-in one. @type {SceneEntry | null} */
     this.entry = null;
-    /** The title of the open scene. */
     this.name = "";
     /** Iterations a second that the scene was opened with; undefined keeps the previous speed. @type {number | undefined} */
     this.pace = undefined;
@@ -172,7 +171,6 @@ export class Page {
   /** The title of the scene, and whether it was edited. */
   get title() { return this.state?.isEdited ? `${this.name} (edited)` : this.name; }
 
-  /** The names of the current planners. */
   get names() { return nameAll(this.current, (algorithm) => this.panel.titleOf(algorithm)); }
 
   /** Begins new runs with the current settings. */

@@ -159,7 +159,6 @@ export class Session {
     this.stage.invalidate();
   }
 
-  /** The plan of each lane. */
   get plans() { return this.lanes.map(({ plan }) => plan); }
 
   /** Begins new runs, one for each plan. @param {Plan[]} plans @param {boolean} play */
@@ -230,7 +229,6 @@ export class Session {
     this.wake();
   }
 
-  /** Whether any planner is running. */
   get growing() { return this.lanes.some(({ run }) => run && run.status === "running"); }
 
   /** Whether the robot can follow a path. */
@@ -247,7 +245,6 @@ export class Session {
     if ("axes" in view || "refused" in view) this.stage.invalidate();
   }
 
-  /** Requests a frame. */
   wake() { this.app.requestFrame(); }
 
   /** Draws a frame. @param {number} now @returns {boolean} whether another one is due */

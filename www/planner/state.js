@@ -40,7 +40,6 @@ export function report(session) {
   };
 }
 
-/** A lane without a run. */
 const NO_RUN = {
   status: /** @type {Status | "none"} */ ("none"), phase: "", iteration: 0,
   /** Iterations in the log. */

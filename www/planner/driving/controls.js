@@ -1,13 +1,12 @@
 /** The controls of the keyboard car: keys, buttons, state, recordings and the preview of one control. They replace the transport. */
 import { json, save } from "../../app/files.js";
-import { drivingOf } from "./driving.js";
+import { Driving } from "./driving.js";
 import { byId, make, write } from "../../app/dom.js";
 import { button } from "../../widgets/elements.js";
 import { num } from "../../widgets/format.js";
 
 /** @import { DriveKey } from "planarium" */
 /** @import { Page } from "../page.js" */
-/** @import { Driving } from "./driving.js" */
 
 /** @type {Record<string, DriveKey>} */
 const KEYS = {
@@ -20,7 +19,6 @@ const PAD = [
   ["slower", "Brake or reverse", "M10 17 4 8h12z", "ArrowDown"], ["right", "Steer right", "M16 10 7 4v12z", "ArrowRight"],
 ];
 const NUMBERS = /** @type {const} */ ([["v", "v"], ["phi", "\u03c6"], ["x", "x"], ["y", "y"], ["theta", "\u03b8"], ["time", "time"]]);
-/** The format of recordings. */
 const FORMAT = "planarium-drive-1";
 const LABEL = "Stage. The arrow keys or W, A, S and D drive; C holds the controls; P pauses; R restarts; Escape exits.";
 
@@ -28,10 +26,10 @@ export class DriveControls {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
+    this.driving = page.session.driving = new Driving(page.session);
     this.stage = byId("stage", HTMLElement);
     this.theatre = /** @type {HTMLElement} */ (this.stage.parentElement);
     this.label = this.stage.getAttribute("aria-label") ?? "";
-    /** The last announcement. */
     this.message = "";
     this.on = false;
     const pad = make("div", { className: "pad" }, ...PAD.map(([key, name, path, shortcut]) => {
@@ -58,7 +56,7 @@ export class DriveControls {
     this.stage.after(this.bar);
     // Before the page's own keys, some of which are the same.
     for (const element of [this.stage, this.bar]) element.addEventListener("keydown", (event) => this.key(event), true);
-    page.onState(() => this.show(page.session.driving));
+    page.onState(() => this.show(this.driving));
   }
 
   /** @param {string} name @param {string} text @param {string} shortcut @param {(event: Event) => void} then */
@@ -66,7 +64,6 @@ export class DriveControls {
     return Object.assign(button(`drive-${name}`, text, then), { ariaKeyShortcuts: shortcut || null });
   }
 
-  /** A form that previews one control. */
   makeRollout() {
     const field = (/** @type {string} */ id, /** @type {string} */ name, /** @type {string} */ unit, /** @type {string} */ value) => {
       const input = make("input", { type: "number", id: `roll-${id}`, step: "any", value, autocomplete: "off", inputMode: "decimal" });
@@ -79,7 +76,7 @@ export class DriveControls {
       const [v, phi, duration] = fields.map(({ input }) => (input.value.trim() === "" ? NaN : Number(input.value)));
       for (const { input } of fields) input.ariaInvalid = null;
       try {
-        this.page.run((session) => drivingOf(session).roll(v, phi, duration));
+        this.page.run(() => this.driving.roll(v, phi, duration));
       } catch (error) {
         const { pointer = "", message } = /** @type {{ pointer?: string, message: string }} */ (error);
         fields[["/v", "/phi", "/duration"].indexOf(pointer)]?.input.setAttribute("aria-invalid", "true");
@@ -89,10 +86,9 @@ export class DriveControls {
     return form;
   }
 
-  /** Buttons that save and open recordings. */
   makeRecord() {
     const keep = button("drive-save", "Save recording", () => {
-      const record = this.page.session.driving?.record();
+      const record = this.driving.record();
       if (record) save(json(record), `${this.page.facts?.name ?? "car"}-drive.json`);
     });
     const file = make("input", { type: "file", id: "drive-file", accept: ".json,application/json", className: "visually-hidden", tabIndex: -1, ariaLabel: "Recording of a drive" });
@@ -113,12 +109,12 @@ export class DriveControls {
       : record.scenario !== page.facts?.name ? `It was recorded in the scene "${record.scenario}".` : "";
     if (fault) throw new Error(fault);
     page.notice.hide();
-    page.run((session) => drivingOf(session).replay(record.record, record.steps, moment()));
+    page.run(() => this.driving.replay(record.record, record.steps, moment()));
     this.stage.focus();
   }
 
   /** @param {(driving: Driving) => void} action */
-  act(action) { this.page.act((session) => action(drivingOf(session))); }
+  act(action) { this.page.act(() => action(this.driving)); }
 
   /** @param {DriveKey} key @param {Event} event */
   press(key, event) { this.act((driving) => driving.press(key, performance.timeOrigin + event.timeStamp)); }
@@ -135,7 +131,7 @@ export class DriveControls {
     page.app.guard(() => {
       // A car is not edited while it is driven.
       byId("editor-fold", HTMLDetailsElement).open = false;
-      page.run((session) => drivingOf(session).turn(true, page.calm, moment()));
+      page.run(() => this.driving.turn(true, page.calm, moment()));
       this.stage.focus({ preventScroll: true });
       this.theatre.scrollIntoView({ block: "start", behavior: page.calm ? "auto" : "smooth" });
     }, "This scene cannot be driven.");
@@ -165,9 +161,8 @@ export class DriveControls {
     if (!event.repeat) action?.();
   }
 
-  /** @param {Driving | null} driving */
-  show(driving) {
-    const on = Boolean(driving?.state);
+  /** @param {Driving} driving */
+  show({ on, state, paused, byKeys, tape, said, arrived, rollout }) {
     const isNew = on !== this.on;
     if (isNew) {
       this.on = on;
@@ -176,8 +171,8 @@ export class DriveControls {
       this.stage.setAttribute("aria-label", on ? LABEL : this.label);
       this.message = "";
     }
-    if (!driving?.state) return;
-    const { paused, byKeys, tape, said, arrived, rollout, state: { pose: [x, y, theta], v, phi, seconds, steps, blocked, keyCount } } = driving;
+    if (!state) return;
+    const { pose: [x, y, theta], v, phi, seconds, steps, blocked, keyCount } = state;
     const replaying = tape !== null;
     Object.assign(this.bar.dataset, { v, phi, x, y, theta, steps, keys: keyCount, blocked: blocked ?? "", paused, replaying, arrived });
     const degrees = (/** @type {number} */ angle, /** @type {number} */ digits) => `${num((angle * 180) / Math.PI, digits)}\u00b0`;

@@ -4,7 +4,7 @@
  */
 import { drawDrive, drawTrace } from "../stage/driven.js";
 
-/** @import { Drive, DriveKey, DriveState, KeyPress } from "planarium" */
+/** @import { Drive, DriveKey, DriveState, KeyPress, Obstructed, Rollout } from "planarium" */
 /** @import { Session } from "../session.js" */
 
 /** Milliseconds by which the drive lags behind the clock: a key event that is late by less counts from its moment. */
@@ -13,12 +13,6 @@ const BEHIND = 30;
 const LONGEST = 250;
 /** Seconds that each key advances where time stands still between keys. */
 const STRIDE = 0.25;
-
-/** The driving of a session. @param {Session} session */
-export function drivingOf(session) {
-  session.driving ??= new Driving(session);
-  return session.driving;
-}
 
 export class Driving {
   /** @param {Session} session */
@@ -39,7 +33,7 @@ export class Driving {
     this.tape = null;
     /** The car's trajectory, rows of x, y, theta. */
     this.trace = /** @type {Float64Array} */ (new Float64Array(0));
-    /** The preview of one control. @type {import("planarium").Rollout | null} */
+    /** The preview of one control. @type {Rollout | null} */
     this.rollout = null;
     this.said = "";
   }
@@ -195,7 +189,7 @@ export class Driving {
     this.show();
   }
 
-  /** The obstruction, in words. @param {NonNullable<DriveState["blocked"]>} blocked */
+  /** The obstruction, in words. @param {Obstructed} blocked */
   name(blocked) {
     if (blocked === "bounds") return "the bounds are in the way";
     return blocked === "near" ? "the next motion would come too close to an obstacle" : `obstacle ${blocked} is in the way`;
@@ -216,7 +210,6 @@ export class Driving {
     return Boolean(state && state.v === 0 && shown?.goal && shown.placed?.isNear(state.pose, shown.goal, shown));
   }
 
-  /** Shows the car on the stage. */
   show() {
     const { session, drive, state } = this;
     const { shown } = session;
@@ -235,7 +228,6 @@ export class Driving {
     session.wake();
   }
 
-  /** Ends driving. */
   stop() {
     const { shown } = this.session;
     this.drive?.free();

@@ -2,14 +2,13 @@
  * The editor's controls: tools, undo and redo, the coordinates of the selection, and keys. The editor is on while its fold is open.
  * Where the panel is below the stage, the tools are above the stage.
  */
-import { editorOf } from "./editor.js";
+import { Editor } from "./editor.js";
 import { byId, make, write } from "../../app/dom.js";
 import { json, save } from "../../app/files.js";
 import { button, press } from "../../widgets/elements.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { EditTool, SceneEntry, Source } from "../../domain/types.js" */
-/** @import { Editor } from "./editor.js" */
 /** @typedef {(editor: Editor) => unknown} Command */
 
 /** @type {[EditTool, string][]} */
@@ -35,6 +34,7 @@ export class EditorControls {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
+    this.editor = page.session.editor = new Editor(page.session);
     this.fold = byId("editor-fold", HTMLDetailsElement);
     this.host = byId("editor", HTMLElement);
     this.stage = byId("stage", HTMLElement);
@@ -43,7 +43,6 @@ export class EditorControls {
     this.original = { source: page.source, entry: page.entry };
     this.adopting = false;
     this.changes = 0;
-    /** The last announcement. */
     this.message = "";
     /** The objects that the fields are for. */
     this.shape = "";
@@ -89,10 +88,7 @@ export class EditorControls {
     page.onOpen(() => {
       if (!this.adopting) this.original = { source: page.source, entry: page.entry };
     });
-    page.onState(({ isEditing }) => {
-      const { editor } = page.session;
-      if (editor && isEditing) this.show(editor);
-    });
+    page.onState(({ isEditing }) => { if (isEditing) this.show(this.editor); });
     if (this.fold.open) this.turn();
   }
 
@@ -104,7 +100,7 @@ export class EditorControls {
   }
 
   /** @param {Command} command */
-  act(command) { this.page.act((session) => command(editorOf(session))); }
+  act(command) { this.page.act(() => command(this.editor)); }
 
   /** @param {string} text @param {Command} command @param {string} [key] */
   button(text, command, key) {

@@ -34,7 +34,6 @@ export class Hand {
     this.loose = null;
   }
 
-  /** Whether a gesture is in progress. */
   get isBusy() { return this.drag !== null || this.draft.length > 0; }
 
   /** @param {Pointer} pointer */

@@ -36,15 +36,6 @@ const HINTS = {
   polygon: "Click the corners; click the first one again, double-click or press Enter to close the polygon.",
 };
 
-/** The editor of a session. @param {Session} session */
-export function editorOf(session) {
-  if (!session.editor) {
-    session.editor = new Editor(session);
-    if (session.shown) session.editor.begin();
-  }
-  return session.editor;
-}
-
 /** @param {string} message */
 function sentence(message) { return message && `${message[0].toUpperCase()}${message.slice(1)}.`; }
 
@@ -53,7 +44,6 @@ export class Editor {
   constructor(session) {
     this.session = session;
     this.on = false;
-    /** The number of changes so far. */
     this.changes = 0;
     /** @type {History | null} */
     this.edits = null;
@@ -70,6 +60,7 @@ export class Editor {
     /** @type {Obstacle | null} */
     this.refused = null;
     this.said = "";
+    if (session.shown) this.begin();
   }
 
   /** Begins with the scenario that was opened. */
@@ -341,7 +332,6 @@ export class Editor {
   /** The selection and its coordinates. */
   get whereabouts() { return `${this.title}: ${this.fields.map(({ name, value }) => `${name} ${value}`).join(", ")}.`; }
 
-  /** Updates the overlay that the panes draw. */
   overlay() {
     const { shown, on, selected, part, refused, hand: { draft, loose } } = this;
     if (!on) {

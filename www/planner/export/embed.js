@@ -42,7 +42,6 @@ export function showSnippets(page, host) {
   kind.addEventListener("change", () => void update());
   details.addEventListener("toggle", () => void update());
 
-  /** Updates the code. */
   async function update() {
     if (!details.open || !page.state) return;
     try {

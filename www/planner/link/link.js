@@ -35,7 +35,6 @@ export class Link {
     });
   }
 
-  /** Copies the link. */
   copy() { return this.share.copy(); }
 
   /** Opens the experiment in a fragment; where it is damaged, the first scene unless one is open. @param {string} fragment */

@@ -53,7 +53,6 @@ export class Race {
       choice("workspace", "Workspace"), choice("cspace", "Configuration space"));
   }
 
-  /** The planners for the robot. */
   get infos() { return this.page.panel.infos.filter(({ id }) => this.page.panel.serves(id)); }
 
   /** Offers the planners for the robot, and removes other rivals. @returns {{ lane: number, algorithm: string }[]} those removed */

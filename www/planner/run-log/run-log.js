@@ -77,7 +77,6 @@ export class Run {
     /** The number of roots: the first vertices are the start and the goals, but under controls the goal is a region. */
     this.roots = this.isDriven ? 1 : 1 + this.goals.length;
     this.isTree = this.kind !== "roadmap";
-    /** Whether edges are proven collision-free. */
     this.isProven = settings.edge_check !== "sampled" && settings.integration !== "euler";
     /** The coordinates that wrap around; none under the naive metric. */
     this.circles = settings.metric === "naive" ? scenario.circles().fill(false) : scenario.circles();
@@ -107,13 +106,11 @@ export class Run {
   /** The counts at the iteration shown. @returns {Float64Array} */
   get past() { return this.history.row(this.shown); }
 
-  /** Whether the newest iteration is shown. */
   get isNewest() { return this.shown === this.made; }
 
   /** The status at the iteration shown. */
   get status() { return this.isNewest ? this.now.status : "running"; }
 
-  /** Whether the planner has ended. */
   get ended() { return this.now.status !== "running"; }
 
   /** The phase at the iteration shown. @returns {string} */

@@ -94,7 +94,6 @@ export class Panel {
   /** Shows beside a field why the core refused its value. @param {string} pointer  JSON pointer into the options @param {string} reason @returns {boolean} whether there is such a field */
   refuse(pointer, reason) { return this.form.refuse(pointer, reason); }
 
-  /** Draws a new seed. */
   reseed() {
     const field = this.form.field("seed");
     if (!field) return;
@@ -103,7 +102,6 @@ export class Panel {
     this.onChange();
   }
 
-  /** Makes the fields of the selected planner. */
   build() {
     const info = this.infos.find(({ id }) => id === this.planner.value) ?? this.infos[0];
     this.summary.textContent = info.summary;

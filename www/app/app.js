@@ -10,7 +10,6 @@ import { byId, write } from "./dom.js";
 import { Notice } from "./notice.js";
 import { watchTheme } from "./theme.js";
 import { faultOf } from "./fault.js";
-import { keepForLater } from "./keep-offline.js";
 import { loadCore, makeWorker } from "./resources.js";
 import { readPalette } from "./palette.js";
 import { isProjected } from "./projector.js";
@@ -18,7 +17,7 @@ import { connect } from "./worker-client.js";
 
 /** @import { Remote } from "./worker-client.js" */
 
-/** @typedef {(now: number) => boolean | void} Animation   milliseconds as of performance.now(); returns true while it goes on */
+/** @typedef {(now: number) => boolean | void} Animation   milliseconds as of performance.now(); returns true until it ends */
 
 export class App {
   constructor() {
@@ -33,7 +32,7 @@ export class App {
     this.themeListeners = [];
     /** The compiled WebAssembly. @type {WebAssembly.Module | undefined} */
     this.core = undefined;
-    /** Rebuilds what lived in the core, after a panic of the core. @type {() => void} */
+    /** Rebuilds the objects of the core after a panic of the core. @type {() => void} */
     this.rebuild = () => {};
     this.frame = 0;
     /** Promises that are tracked and pending. */
@@ -74,7 +73,8 @@ export class App {
       await start(/** @type {Remote<C>} */ (worker));
       dataset.state = "ready";
       this.requestFrame();
-      keepForLater();
+      // Stores the files of the pages for use without a network, where the browser allows it.
+      if (location.protocol.startsWith("http")) navigator.serviceWorker?.register("offline.js").catch(() => {});
       return true;
     } catch (error) {
       dataset.state = "failed";

@@ -1,6 +1,6 @@
 /**
  * The share link: the fragment of the address stores the state of the page, and a button gives the address. Each page describes
- * its state by one rule, with defaults for what a link leaves out.
+ * its state by one rule, with defaults for entries that a link leaves out.
  */
 import { byId, make } from "./dom.js";
 import { decodeFragment, encodeFragment } from "../formats/fragment.js";
@@ -33,7 +33,7 @@ export async function decodeState(fragment, rule) {
 
 /** The button `#link` and the message beside it. */
 export class ShareButton {
-  /** @param {App} app @param {() => Promise<string>} encode  the fragment, without `#` @param {() => string} contents  what a link stores, in words */
+  /** @param {App} app @param {() => Promise<string>} encode  the fragment, without `#` @param {() => string} contents  of a link, in words */
   constructor(app, encode, contents) {
     this.app = app;
     this.encode = encode;

@@ -38,7 +38,7 @@
  * @property {boolean} play
  * @property {number} [iteration]   to show at once
  *
- * @typedef {object} ViewOptions   what the stage shows
+ * @typedef {object} ViewOptions   of the stage
  * @property {[number, number]} axes   coordinates of the configuration square, across and up
  * @property {boolean} refused    rejected samples and blocked motions stay visible
  * @property {boolean} strobe     configurations along the path

@@ -1,4 +1,4 @@
-/** The legend of what the stage shows. */
+/** The legend of the stage. */
 import { byId, write } from "../app/dom.js";
 
 /** @import { Page } from "./page.js" */
@@ -14,7 +14,7 @@ export function showLegend({ calm }, { lanes, view, growing, playing, clock, hov
   const motions = some(({ hasRefused }) => hasRefused);
   const seen = {
     guard: some(({ hasGuards }) => hasGuards), newest: flashes || waits, waiting: some(({ waiting }) => waiting > 0),
-    // Rejected elements stay where the view says so, or else flash while the graph grows.
+    // Rejected elements are shown by the view option, or flash while the graph grows.
     rejected: (view.refused || flashes || waits) && (samples || motions), path: hasPath, poses: hasPath && view.strobe,
     piece: some(({ isApart }) => isApart), searched: some(({ isSearched }) => isSearched),
     raw: view.raw && some(({ raw }) => raw !== null), touching: !touching.free || hover?.free === false || isBad,

@@ -1,7 +1,7 @@
 /**
  * The planner's page: it makes the session, the controls and the features that are loaded on demand, and connects them.
  *
- * For tests, beside what app.js says:
+ * For tests, beside the attributes listed in app.js:
  * - `#counters` carries `data-status` ("loading", "failed", "none", "running", "solved", "exhausted"), `data-phase`,
  *   `data-iterations`, `data-vertices`, `data-edges` of the iteration shown, `data-settled` ("true" while nothing moves and everything
  *   is drawn), and once the newest iteration is shown and its result is known `data-fingerprint` and, once solved, `data-length`.

@@ -189,7 +189,7 @@ export class Page {
     this.act(() => { pointing.chosen = vertex; });
   }
 
-  /** Changes what the stage shows. @param {Partial<ViewOptions>} view */
+  /** Changes the view. @param {Partial<ViewOptions>} view */
   setView(view) { this.act((session) => session.setView(view)); }
 
   /** Plans the query selected in the panel. */

@@ -1,6 +1,6 @@
 /**
  * The session: the scenario on the stage, the planners that grow on it, the time that is shown, and the robot, which follows a path or
- * is posed by hand. A frame takes in what the worker has planned, and draws for a bounded time.
+ * is posed by hand. A frame draws for a bounded time.
  */
 import { faultOf } from "../app/fault.js";
 import { once } from "../app/once.js";
@@ -76,7 +76,7 @@ export class Session {
     app.rebuild = () => this.restart();
   }
 
-  /** Loads what draws bodies and cars; other robots need nothing. @param {Scenario} scenario @returns {Promise<Placed | null>} */
+  /** Loads the drawing of bodies and cars; null for other robots. @param {Scenario} scenario @returns {Promise<Placed | null>} */
   async placedOf(scenario) {
     const { robot } = scenario.document();
     if (robot.type !== "rigid_body" && robot.type !== "car") return null;
@@ -237,7 +237,7 @@ export class Session {
   /** The paths found; in a race they are followed in step. */
   get playbacks() { return this.lanes.flatMap(({ playback }) => playback ?? []); }
 
-  /** Changes what the stage shows. @param {Partial<ViewOptions>} view */
+  /** Changes the view. @param {Partial<ViewOptions>} view */
   setView(view) {
     Object.assign(this.view, view);
     this.markDirty();

@@ -29,7 +29,7 @@ export function report(session) {
     pose: pose ? Array.from(pose) : null,
     touching: shown?.hand && shown.check ? { text: poseSentence(shown.scenario, shown.check), free: shown.check.free } : { text: "", free: true },
     arrived: shown?.hand !== null && byHand.game.arrived,
-    /** What the pointer is on; vertex -1 is a mere configuration. */
+    /** The element under the pointer; vertex -1 is a mere configuration. */
     hover: shown?.hover ? { vertex: shown.hover.vertex, text: byHand.pointing?.text(shown.hover) ?? "", free: shown.hover.check.free } : null,
     lanes: lanes.map((lane) => laneState(lane)),
     /** Of each lane, for screen readers. */

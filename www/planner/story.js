@@ -1,4 +1,4 @@
-/** The page's sentences about what it shows. */
+/** The sentences above the stage. */
 import { leaders, letters } from "./race/standings.js";
 import { costText, isPlaced, lengthText, robotName, touchingSentence } from "../domain/names.js";
 import { PAST } from "./run-log/run-log.js";
@@ -13,7 +13,7 @@ import { PAST } from "./run-log/run-log.js";
 /** Iterations of a tree, or of guards, that the first sentence is shown for, before the scene's own. */
 const OPENING = 60;
 
-/** The sentence above the stage, and whether it is bad news. @param {Session} session @returns {[string, boolean]} */
+/** The sentence above the stage, and whether it reports a failure. @param {Session} session @returns {[string, boolean]} */
 export function sentenceOf({ shown, lanes, clock, stage, editor, driving, story, byHand: { game } }) {
   if (!shown) return ["", false];
   const { hand, check, scenario } = shown;

@@ -1,6 +1,6 @@
 /**
  * A chart as SVG: lines or dots against linear or logarithmic axes. Lines differ by their dashes and by a label at their ends. On a
- * timeline values hold until the next one, and what is after the time shown is faint.
+ * timeline values hold until the next one, and values after the time shown are faint.
  */
 import { make } from "../app/dom.js";
 

@@ -162,7 +162,7 @@ export class DriveControls {
   }
 
   /** @param {Driving} driving */
-  show({ on, state, paused, byKeys, tape, said, arrived, rollout }) {
+  show({ on, state, paused, byKeys, tape, announcement, arrived, rollout }) {
     const isNew = on !== this.on;
     if (isNew) {
       this.on = on;
@@ -182,8 +182,8 @@ export class DriveControls {
     this.pause.disabled = byKeys;
     this.replay.disabled = keyCount === 0 && !replaying;
     if (this.byKeys !== document.activeElement || isNew) this.byKeys.checked = byKeys;
-    if (rollout && said.startsWith("Free for")) write(this.rolled, said);
-    const message = arrived ? "At the goal." : said;
+    if (rollout && announcement.startsWith("Free for")) write(this.rolled, announcement);
+    const message = arrived ? "At the goal." : announcement;
     if (message && message !== this.message) {
       this.message = message;
       this.page.app.announcer.say(message);

@@ -11,7 +11,7 @@ import { drawDrive, drawTrace } from "../stage/driven.js";
 const BEHIND = 30;
 /** Milliseconds between two frames that count, at most. */
 const LONGEST = 250;
-/** Seconds that each key advances where time stands still between keys. */
+/** Seconds that a key advances the time, where only keys do. */
 const STRIDE = 0.25;
 
 export class Driving {
@@ -35,7 +35,7 @@ export class Driving {
     this.trace = /** @type {Float64Array} */ (new Float64Array(0));
     /** The preview of one control. @type {Rollout | null} */
     this.rollout = null;
-    this.said = "";
+    this.announcement = "";
   }
 
   get on() { return this.drive !== null; }
@@ -66,7 +66,7 @@ export class Driving {
   /** Returns to the start. @param {number} now */
   restart(now) {
     this.begin([], 0, now);
-    this.said = "At the start, at rest.";
+    this.announcement = "At the start, at rest.";
   }
 
   /** @param {KeyPress[]} record @param {number} steps @param {number} now */
@@ -109,7 +109,7 @@ export class Driving {
     if (this.paused) this.resume(now);
     else if (!this.byKeys) this.advance(now - BEHIND);
     this.paused = !this.paused;
-    this.said = this.paused ? "Paused; press C to resume." : "Resumed.";
+    this.announcement = this.paused ? "Paused; press C to resume." : "Resumed.";
     this.show();
   }
 
@@ -143,7 +143,7 @@ export class Driving {
       if (due < tape.steps) return;
       this.tape = null;
       this.paused = true;
-      this.said = "End of the recording; press C to drive on.";
+      this.announcement = "End of the recording; press C to drive on.";
     } else if (due > state.steps) this.state = drive.tick(Math.min(due - state.steps, 1e6));
   }
 
@@ -165,7 +165,7 @@ export class Driving {
     const until = given ? steps : state.steps;
     this.begin(record, this.byKeys ? until : 0, now);
     if (!this.byKeys) this.tape = { record, steps: until, next: 0 };
-    this.said = this.byKeys ? "The recording was replayed." : "Replaying the recording.";
+    this.announcement = this.byKeys ? "The recording was replayed." : "Replaying the recording.";
     this.show();
   }
 
@@ -185,7 +185,7 @@ export class Driving {
     this.show();
     this.rollout = shown.scenario.rollout(state.pose, v, phi, duration);
     const { seconds, blocked } = this.rollout;
-    this.said = blocked === null ? `Free for all ${seconds.toFixed(2)} s.` : `Free for ${seconds.toFixed(2)} s; then ${this.name(blocked)}.`;
+    this.announcement = blocked === null ? `Free for all ${seconds.toFixed(2)} s.` : `Free for ${seconds.toFixed(2)} s; then ${this.name(blocked)}.`;
     this.show();
   }
 
@@ -199,9 +199,9 @@ export class Driving {
   describe(before) {
     const { state } = this;
     if (!state) return;
-    if (state.blocked !== null && before.v !== 0 && state.v === 0) this.said = `Stopped: ${this.name(state.blocked)}.`;
-    else if (state.blocked === null && before.blocked !== null) this.said = "Free again.";
-    else if (this.said.startsWith("At the start") && state.v !== 0) this.said = "";
+    if (state.blocked !== null && before.v !== 0 && state.v === 0) this.announcement = `Stopped: ${this.name(state.blocked)}.`;
+    else if (state.blocked === null && before.blocked !== null) this.announcement = "Free again.";
+    else if (this.announcement.startsWith("At the start") && state.v !== 0) this.announcement = "";
   }
 
   /** Whether the car is at the goal, at rest. */
@@ -237,7 +237,7 @@ export class Driving {
     shown.hand = shown.check = null;
   }
 
-  /** The sentence above the stage; empty while nobody drives. */
+  /** The sentence above the stage. */
   get sentence() {
     const { state } = this;
     if (!state) return "";

@@ -1,7 +1,7 @@
 /** Changes by keys and fields: small moves, new vertices, new obstacles. */
 import { contained, coordinatesOf } from "../../domain/coordinates.js";
 import { ANGLE } from "./gestures.js";
-import { isTip, leads, tipOf } from "./end-effector.js";
+import { isTip, followTip, tipOf } from "./end-effector.js";
 import { moved, obstacleOf, poseOf, rectangle, rounded, targetOf, withObstacle, withPose, withTarget, withVertex } from "./objects.js";
 
 /** @import { EditTool, Obstacle, ScenarioDocument } from "../../domain/types.js" */
@@ -12,32 +12,32 @@ import { moved, obstacleOf, poseOf, rectangle, rounded, targetOf, withObstacle, 
 const RINGS = [0, 0.12, 0.24, 0.36, 0.46];
 const BESIDE = [[1, -1], [1, 1], [-1, 1], [-1, -1], [2, 0], [-2, 0], [0, 2], [0, -2]];
 
-/** Moves an object by a hundred units, or a joint or heading by a degree. @param {Shown} shown @param {EditorObject} thing @param {number | null} part @param {number} dx @param {number} dy @param {number} unit @returns {ScenarioDocument} */
-export function nudged(shown, thing, part, dx, dy, unit) {
+/** Moves an object by a hundred units, or a joint or heading by a degree. @param {Shown} shown @param {EditorObject} object @param {number | null} part @param {number} dx @param {number} dy @param {number} unit @returns {ScenarioDocument} */
+export function nudged(shown, object, part, dx, dy, unit) {
   const { document, scenario } = shown;
   const step = 100 * unit;
-  const pose = poseOf(document, thing);
-  const target = targetOf(document, thing);
+  const pose = poseOf(document, object);
+  const target = targetOf(document, object);
   if (target) {
     const [x, y] = target.point;
-    return withTarget(document, thing, { ...target, point: [rounded(x + dx * step, unit), rounded(y + dy * step, unit)] });
+    return withTarget(document, object, { ...target, point: [rounded(x + dx * step, unit), rounded(y + dy * step, unit)] });
   }
-  if (pose && isTip(scenario, thing, part)) {
+  if (pose && isTip(scenario, object, part)) {
     const [x, y] = tipOf(scenario, pose);
-    return leads(shown, thing, pose)([x + dx * step, y + dy * step]);
+    return followTip(shown, object, pose)([x + dx * step, y + dy * step]);
   }
   if (pose) {
     const angle = scenario.robot === "arm" ? part ?? 0 : part === null ? -1 : 2;
     const next = angle < 0 || scenario.robot === "disc"
       ? [rounded(pose[0] + dx * step, unit), rounded(pose[1] + dy * step, unit), ...pose.slice(2)]
       : pose.with(angle, rounded(pose[angle] + ((dx + dy) * Math.PI) / 180, ANGLE));
-    return withPose(document, thing, contained(Float64Array.from(next), coordinatesOf(shown)));
+    return withPose(document, object, contained(Float64Array.from(next), coordinatesOf(shown)));
   }
-  const obstacle = obstacleOf(document, thing);
+  const obstacle = obstacleOf(document, object);
   if (!obstacle) return document;
   const all = moved(obstacle, dx * step, dy * step, unit);
   const one = obstacle.type === "polygon" && all.type === "polygon" && part !== null ? withVertex(obstacle, part, all.vertices[part]) : all;
-  return withObstacle(document, thing.index, one);
+  return withObstacle(document, object.index, one);
 }
 
 /** The middle of the edge after a vertex. @param {Point[]} vertices @param {number} index @param {number} unit @returns {Point} */

@@ -138,7 +138,7 @@ export class EditorControls {
 
   /** @param {Editor} editor */
   show(editor) {
-    const { tool, kind, title, parts, said, reason, touching, goal, changes, refusal, history: { undoable, redoable }, hand: { isBusy } } = editor;
+    const { tool, kind, title, parts, announcement, reason, touching, goal, changes, refusal, history: { undoable, redoable }, hand: { isBusy } } = editor;
     Object.assign(this.host.dataset, { tool, kind, title, code: refusal?.code ?? "", touching, undo: undoable, redo: redoable, changes, busy: isBusy });
     this.stage.dataset.tool = tool;
     this.tools.forEach((element, i) => press(element, TOOLS[i][0] === tool));
@@ -156,7 +156,7 @@ export class EditorControls {
     write(this.reason, reason || touching);
     this.reason.hidden = reason === "" && touching === "";
     this.showFields(editor);
-    const message = reason || (touching ? `${said} ${touching}` : said);
+    const message = reason || (touching ? `${announcement} ${touching}` : announcement);
     if (message !== this.message && !isBusy) {
       this.message = message;
       this.page.app.announcer.say(message);

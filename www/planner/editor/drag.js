@@ -1,6 +1,6 @@
 /** The pointer in the editor, as a state machine over pointer events. */
 import { simple } from "./commands.js";
-import { draws, holds, pointAt, pointFrom } from "./gestures.js";
+import { drawGesture, moveGesture, pointAt, pointFrom } from "./gestures.js";
 import { REACH, hitAt } from "./handles.js";
 
 /** @import { CSpace } from "../stage/cspace-pane.js" */
@@ -90,11 +90,11 @@ export class Hand {
       this.corner(pointFrom(scale, this.draft.at(-1), x, y, pointer.shift), reach / scale.pixels);
     } else if ((tool === "disc" || tool === "rectangle") && !square) {
       const drawn = { kind: /** @type {const} */ ("obstacle"), index: shown.document.world.obstacles.length };
-      this.drag = { change: draws(tool, shown.document, scale, [x, y], pointer.shift), from: pointer, drawn, moved: false };
+      this.drag = { change: drawGesture(tool, shown.document, scale, [x, y], pointer.shift), from: pointer, drawn, moved: false };
     } else {
       const hit = hitAt(pane, square !== null, shown, editor.session.query, editor.selected, pointer.x, pointer.y, reach);
-      editor.choose(hit?.thing ?? null, hit?.handle?.kind === "middle" ? null : hit?.part ?? null);
-      if (hit) this.drag = { change: holds(shown, hit, scale, square, [x, y], () => editor.shown.scenario), from: pointer, drawn: null, moved: false };
+      editor.choose(hit?.object ?? null, hit?.handle?.kind === "middle" ? null : hit?.part ?? null);
+      if (hit) this.drag = { change: moveGesture(shown, hit, scale, square, [x, y], () => editor.shown.scenario), from: pointer, drawn: null, moved: false };
     }
   }
 

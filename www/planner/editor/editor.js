@@ -9,7 +9,7 @@ import { coordinatesOf, sizeOf } from "../../domain/coordinates.js";
 import { History } from "./history.js";
 import { Hand } from "./drag.js";
 import { touchingSentence } from "../../domain/names.js";
-import { isTip, leads, otherGoal, tipOf } from "./end-effector.js";
+import { isTip, followTip, otherGoal, tipOf } from "./end-effector.js";
 import { fieldsOf, obstacleOf, place, poseOf, rounded, same, targetOf, objectsOf, withField, withObstacle, withVertex } from "./objects.js";
 
 /** @import { Check, EditTool, Fault, Obstacle, Scenario, ScenarioDocument } from "../../domain/types.js" */
@@ -19,7 +19,7 @@ import { fieldsOf, obstacleOf, place, poseOf, rounded, same, targetOf, objectsOf
 /** @import { Point, EditorObject } from "./objects.js" */
 
 /**
- * @typedef {object} Overlay   what the panes draw for the editor
+ * @typedef {object} Overlay   drawn on the panes
  * @property {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} draw
  * @property {EditorObject | null} selected
  * @property {number | null} part       vertex or joint
@@ -59,7 +59,7 @@ export class Editor {
     this.refusal = null;
     /** @type {Obstacle | null} */
     this.refused = null;
-    this.said = "";
+    this.announcement = "";
     if (session.shown) this.begin();
   }
 
@@ -70,7 +70,7 @@ export class Editor {
     this.hand.release();
     this.tool = "select";
     this.selected = this.part = this.refusal = this.refused = null;
-    this.said = "";
+    this.announcement = "";
   }
 
   get shown() { return /** @type {Shown} */ (this.session.shown); }
@@ -123,9 +123,9 @@ export class Editor {
 
   /** Selects the next or the previous object. @param {number} way */
   select(way) {
-    const things = objectsOf(this.document, this.session.query);
-    const at = things.findIndex((thing) => same(thing, this.selected));
-    this.choose(things.at(at < 0 && way < 0 ? -1 : (at + way) % things.length) ?? null, null);
+    const objects = objectsOf(this.document, this.session.query);
+    const at = objects.findIndex((object) => same(object, this.selected));
+    this.choose(objects.at(at < 0 && way < 0 ? -1 : (at + way) % objects.length) ?? null, null);
   }
 
   /** Selects the next or the previous vertex or joint. @param {number} way */
@@ -145,7 +145,7 @@ export class Editor {
     const pose = poseOf(document, selected);
     if (selected && pose && isTip(shown.scenario, selected, part)) {
       const point = tipOf(shown.scenario, pose);
-      this.change(leads(shown, selected, pose)(/** @type {Point} */ (Array.from(point).with(index, value))));
+      this.change(followTip(shown, selected, pose)(/** @type {Point} */ (Array.from(point).with(index, value))));
     } else if (selected) this.change(withField(document, selected, part ?? 0, index, value));
   }
 
@@ -169,7 +169,7 @@ export class Editor {
     const left = obstacle.type === "polygon" && part !== null ? withVertex(obstacle, part, null) : null;
     if (!this.change(withObstacle(this.document, selected.index, left))) return;
     this.choose(left && selected, null);
-    this.said = `${title} deleted.`;
+    this.announcement = `${title} deleted.`;
   }
 
   /** Turns a goal into a target, or a target into a goal. */
@@ -178,7 +178,7 @@ export class Editor {
     const document = selected && otherGoal(shown, selected);
     if (!document || !this.change(document)) return;
     this.choose(selected, null);
-    this.said = this.target ? "The goal is any configuration that reaches this point." : "The goal is this one configuration.";
+    this.announcement = this.target ? "The goal is any configuration that reaches this point." : "The goal is this one configuration.";
   }
 
   duplicate() {
@@ -197,7 +197,7 @@ export class Editor {
     const { history } = this;
     if (!history.go(way)) return;
     this.settle();
-    this.said = way < 0 ? `Undone, ${history.undoable} left.` : `Redone, ${history.redoable} left.`;
+    this.announcement = way < 0 ? `Undone, ${history.undoable} left.` : `Redone, ${history.redoable} left.`;
   }
 
   /** Restores the scene as opened, which can be undone. */
@@ -207,21 +207,21 @@ export class Editor {
     if (history.now === history.first) return;
     history.commit(history.first);
     this.settle();
-    this.said = "The scene is restored.";
+    this.announcement = "The scene is restored.";
   }
 
   // Changes.
 
-  /** @param {EditorObject | null} thing @param {number | null} part */
-  choose(thing, part) {
-    this.selected = thing;
+  /** @param {EditorObject | null} object @param {number | null} part */
+  choose(object, part) {
+    this.selected = object;
     this.part = part;
-    this.said = thing ? `${this.title} selected.` : "Nothing is selected.";
+    this.announcement = object ? `${this.title} selected.` : "Nothing is selected.";
   }
 
-  /** Selects a new object with the selection tool. @param {EditorObject} thing */
-  put(thing) {
-    this.choose(thing, null);
+  /** Selects a new object with the selection tool. @param {EditorObject} object */
+  put(object) {
+    this.choose(object, null);
     this.tool = "select";
   }
 
@@ -239,10 +239,10 @@ export class Editor {
     }
   }
 
-  /** Shows a document if the core accepts it. @param {ScenarioDocument} document @param {EditorObject | null} thing  the one changed @param {boolean} live  during a gesture */
-  attempt(document, thing, live) {
+  /** Shows a document if the core accepts it. @param {ScenarioDocument} document @param {EditorObject | null} object  the one changed @param {boolean} live  during a gesture */
+  attempt(document, object, live) {
     const scenario = this.read(document);
-    this.refused = scenario || !live ? null : obstacleOf(document, thing);
+    this.refused = scenario || !live ? null : obstacleOf(document, object);
     if (scenario) this.session.replace(scenario, document, live);
     return scenario !== null;
   }
@@ -261,7 +261,7 @@ export class Editor {
     /** @param {ScenarioDocument} document @returns {number} 0: refused, 1: start or goal in collision, 2: both free */
     const suits = (document) => {
       const scenario = this.read(document);
-      const poses = objectsOf(document, this.session.query).map((thing) => poseOf(document, thing));
+      const poses = objectsOf(document, this.session.query).map((object) => poseOf(document, object));
       const free = scenario && poses.every((pose) => !pose || scenario.check(pose).free);
       scenario?.free();
       return scenario ? 1 + Number(free) : 0;
@@ -269,7 +269,7 @@ export class Editor {
     const document = documents.find((one) => suits(one) === 2) ?? documents.find(suits) ?? documents[0];
     if (!this.change(document)) return false;
     this.put({ kind: "obstacle", index });
-    this.said = this.whereabouts;
+    this.announcement = this.whereabouts;
     return true;
   }
 
@@ -293,7 +293,7 @@ export class Editor {
     this.refused = null;
     if (this.isDifferent) {
       history.commit(this.document, goesOn);
-      this.said = this.whereabouts;
+      this.announcement = this.whereabouts;
     }
     this.changes++;
     session.story = history.now === history.first ? this.story : { algorithm: "", isProven: true, sentence: "" };

@@ -3,7 +3,7 @@
  * 15 degrees, and rectangles to squares.
  */
 import { contained, coordinatesOf, wrap } from "../../domain/coordinates.js";
-import { isTip, leads } from "./end-effector.js";
+import { isTip, followTip } from "./end-effector.js";
 import { moved, obstacleOf, rectangle, rounded, targetOf, withObstacle, withPose, withTarget, withVertex } from "./objects.js";
 
 /** @import { CSpace } from "../stage/cspace-pane.js" */
@@ -43,19 +43,19 @@ export function pointFrom(scale, from, x, y, shift) {
 }
 
 /** Moves the object under the pointer. @param {Shown} shown @param {Hit} hit @param {Scale} scale @param {CSpace | null} square @param {Point} from @param {() => Scenario} arm   the current one @returns {Gesture} */
-export function holds(shown, { thing, part, handle }, scale, square, [x0, y0], arm) {
+export function moveGesture(shown, { object, part, handle }, scale, square, [x0, y0], arm) {
   const { document, scenario, start, goal, placed } = shown;
-  const obstacle = obstacleOf(document, thing);
-  if (obstacle) return reshapes(document, obstacle, thing, handle, scale, x0, y0);
-  const target = targetOf(document, thing);
+  const obstacle = obstacleOf(document, object);
+  if (obstacle) return reshapeGesture(document, obstacle, object, handle, scale, x0, y0);
+  const target = targetOf(document, object);
   if (target) {
     const [tx, ty] = target.point;
-    return (x, y, shift) => withTarget(document, thing, { ...target, point: pointAt(scale, tx + x - x0, ty + y - y0, shift) });
+    return (x, y, shift) => withTarget(document, object, { ...target, point: pointAt(scale, tx + x - x0, ty + y - y0, shift) });
   }
-  const pose = Array.from((thing.kind === "start" ? start : goal) ?? []);
+  const pose = Array.from((object.kind === "start" ? start : goal) ?? []);
   const coordinates = coordinatesOf({ scenario, document });
   /** @param {number[]} next */
-  const put = (next) => withPose(document, thing, contained(Float64Array.from(next), coordinates));
+  const put = (next) => withPose(document, object, contained(Float64Array.from(next), coordinates));
   if (square) {
     const { axes } = square;
     return (x, y, shift) => put(pose.map((value, i) => {
@@ -71,8 +71,8 @@ export function holds(shown, { thing, part, handle }, scale, square, [x0, y0], a
   }
   if (placed) return (x, y, shift) => put([...pointAt(scale, pose[0] + x - x0, pose[1] + y - y0, shift), pose[2]]);
   if (scenario.robot === "disc") return (x, y, shift) => put(pointAt(scale, pose[0] + x - x0, pose[1] + y - y0, shift));
-  if (isTip(scenario, thing, part)) {
-    const lead = leads(shown, thing, pose, arm);
+  if (isTip(scenario, object, part)) {
+    const lead = followTip(shown, object, pose, arm);
     return (x, y, shift) => lead(pointAt(scale, x, y, shift));
   }
   const joint = part ?? 0;
@@ -89,8 +89,8 @@ export function holds(shown, { thing, part, handle }, scale, square, [x0, y0], a
   };
 }
 
-/** @param {ScenarioDocument} document @param {Obstacle} obstacle @param {EditorObject} thing @param {Hit["handle"]} handle @param {Scale} scale @param {number} x0 @param {number} y0 @returns {Gesture} */
-function reshapes(document, obstacle, { index }, handle, scale, x0, y0) {
+/** @param {ScenarioDocument} document @param {Obstacle} obstacle @param {EditorObject} object @param {Hit["handle"]} handle @param {Scale} scale @param {number} x0 @param {number} y0 @returns {Gesture} */
+function reshapeGesture(document, obstacle, { index }, handle, scale, x0, y0) {
   /** @param {Obstacle} next */
   const put = (next) => withObstacle(document, index, next);
   if (obstacle.type === "disc" && handle) {
@@ -109,7 +109,7 @@ function reshapes(document, obstacle, { index }, handle, scale, x0, y0) {
 }
 
 /** Draws a disc from its centre, or a rectangle from corner to corner. @param {"disc" | "rectangle"} tool @param {ScenarioDocument} document @param {Scale} scale @param {Point} from @param {boolean} snaps  whether its first point is on the grid @returns {Gesture} */
-export function draws(tool, document, scale, from, snaps) {
+export function drawGesture(tool, document, scale, from, snaps) {
   const [x0, y0] = pointAt(scale, ...from, snaps && tool === "disc");
   const { length } = document.world.obstacles;
   return (x, y, shift) => {

@@ -9,7 +9,7 @@ import { obstacleOf, same, targetOf, objectsOf } from "./objects.js";
 /** @import { Shown } from "../lane.js" */
 /** @import { Point, EditorObject } from "./objects.js" */
 /** @typedef {{ kind: "vertex" | "middle" | "radius", part: number, at: Point }} Handle   `part`: the vertex, or the one before a middle */
-/** @typedef {{ thing: EditorObject, part: number | null, handle: Handle | null }} Hit   `part`: the vertex, the joint, or after the last joint the end effector */
+/** @typedef {{ object: EditorObject, part: number | null, handle: Handle | null }} Hit   `part`: the vertex, the joint, or after the last joint the end effector */
 
 /** Reach of a pointer, CSS pixels. */
 export const REACH = { mouse: 9, touch: 22 };
@@ -54,41 +54,41 @@ export function hitAt(pane, isSquare, shown, query, selected, px, py, reach) {
     for (const handle of handlesOf(chosen, view)) {
       const distance = Math.hypot(view.x(handle.at[0]) - px, view.y(handle.at[1]) - py);
       // A vertex is preferred to a middle.
-      offer(distance + (handle.kind === "middle" ? 3 : 0), { thing: selected, part: handle.kind === "radius" ? null : handle.part, handle });
+      offer(distance + (handle.kind === "middle" ? 3 : 0), { object: selected, part: handle.kind === "radius" ? null : handle.part, handle });
     }
     if (best) return best;
   }
-  const things = objectsOf(document, query);
+  const objects = objectsOf(document, query);
   // Robots are above obstacles, the start is above the goal, and the selection is above all.
-  const order = [...things.filter(({ kind }) => kind === "obstacle"), ...things.filter(({ kind }) => kind !== "obstacle").reverse()];
-  const at = order.findIndex((thing) => same(thing, selected));
+  const order = [...objects.filter(({ kind }) => kind === "obstacle"), ...objects.filter(({ kind }) => kind !== "obstacle").reverse()];
+  const at = order.findIndex((object) => same(object, selected));
   if (at >= 0) order.push(...order.splice(at, 1));
   const [x, y] = view.toPlane(px, py);
-  for (const thing of order) {
-    const obstacle = obstacleOf(document, thing);
+  for (const object of order) {
+    const obstacle = obstacleOf(document, object);
     if (obstacle) {
-      if (!isSquare) offer(distanceTo(obstacle, x, y) * view.scaleX, { thing, part: null, handle: null });
+      if (!isSquare) offer(distanceTo(obstacle, x, y) * view.scaleX, { object, part: null, handle: null });
       continue;
     }
-    const target = targetOf(document, thing);
-    if (target && !isSquare) offer(Math.max(0, Math.hypot(view.x(target.point[0]) - px, view.y(target.point[1]) - py) - TIP), { thing, part: null, handle: null });
-    const pose = thing.kind === "start" ? shown.start : shown.goal;
+    const target = targetOf(document, object);
+    if (target && !isSquare) offer(Math.max(0, Math.hypot(view.x(target.point[0]) - px, view.y(target.point[1]) - py) - TIP), { object, part: null, handle: null });
+    const pose = object.kind === "start" ? shown.start : shown.goal;
     if (!pose) continue;
     if (isSquare) {
       const [ex, ey] = pane.pixels(Float64Array.from(pose));
-      offer(Math.max(0, Math.hypot(ex - px, ey - py) - 7), { thing, part: null, handle: null });
+      offer(Math.max(0, Math.hypot(ex - px, ey - py) - 7), { object, part: null, handle: null });
     } else {
       const { placed } = shown;
-      scenario.footprint(pose).forEach((part, i) => offer(Math.max(0, toPart(part, x, y) * view.scaleX), { thing, part: placed ? null : i, handle: null }));
+      scenario.footprint(pose).forEach((part, i) => offer(Math.max(0, toPart(part, x, y) * view.scaleX), { object, part: placed ? null : i, handle: null }));
       if (scenario.robot === "arm") {
         const [ex, ey] = pane.pixels(Float64Array.from(pose));
         // The end effector is preferred to its link.
-        if (Math.hypot(ex - px, ey - py) <= Math.max(TIP, reach)) offer(0, { thing, part: scenario.dimension, handle: null });
+        if (Math.hypot(ex - px, ey - py) <= Math.max(TIP, reach)) offer(0, { object, part: scenario.dimension, handle: null });
       }
       if (!placed) continue;
       const [hx, hy] = placed.handle(pose, view);
       // The handle is preferred to the body.
-      if (Math.hypot(hx - px, hy - py) <= reach) offer(0, { thing, part: 0, handle: null });
+      if (Math.hypot(hx - px, hy - py) <= reach) offer(0, { object, part: 0, handle: null });
     }
   }
   return best;

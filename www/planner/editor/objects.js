@@ -17,19 +17,19 @@ export function objectsOf({ queries, world }, query) {
 /** @param {EditorObject | null} a @param {EditorObject | null} b */
 export function same(a, b) { return a?.kind === b?.kind && a?.index === b?.index; }
 
-/** @param {ScenarioDocument} document @param {EditorObject | null} thing @returns {Obstacle | null} */
-export function obstacleOf({ world }, thing) {
-  return thing?.kind === "obstacle" ? world.obstacles[thing.index] ?? null : null;
+/** @param {ScenarioDocument} document @param {EditorObject | null} object @returns {Obstacle | null} */
+export function obstacleOf({ world }, object) {
+  return object?.kind === "obstacle" ? world.obstacles[object.index] ?? null : null;
 }
 
-/** The configuration of a start or goal. @param {ScenarioDocument} document @param {EditorObject | null} thing @returns {number[] | null} */
-export function poseOf({ queries }, thing) {
-  return !thing || thing.kind === "obstacle" ? null : queries[thing.index]?.[thing.kind] ?? null;
+/** The configuration of a start or goal. @param {ScenarioDocument} document @param {EditorObject | null} object @returns {number[] | null} */
+export function poseOf({ queries }, object) {
+  return !object || object.kind === "obstacle" ? null : queries[object.index]?.[object.kind] ?? null;
 }
 
-/** The target that a query has in place of a goal. @param {ScenarioDocument} document @param {EditorObject | null} thing @returns {Target | null} */
-export function targetOf({ queries }, thing) {
-  return thing?.kind === "goal" ? queries[thing.index]?.target ?? null : null;
+/** The target that a query has in place of a goal. @param {ScenarioDocument} document @param {EditorObject | null} object @returns {Target | null} */
+export function targetOf({ queries }, object) {
+  return object?.kind === "goal" ? queries[object.index]?.target ?? null : null;
 }
 
 /** The document with another obstacle at an index. @param {ScenarioDocument} document @param {number} index  past the last: it is added @param {Obstacle | null} obstacle  null: it is removed @returns {ScenarioDocument} */
@@ -39,13 +39,13 @@ export function withObstacle(document, index, obstacle) {
   return { ...document, world: { ...document.world, obstacles } };
 }
 
-/** The document with another start, or with another goal in place of a target. @param {ScenarioDocument} document @param {EditorObject} thing @param {ArrayLike<number>} pose @returns {ScenarioDocument} */
+/** The document with another start, or with another goal in place of a target. @param {ScenarioDocument} document @param {EditorObject} object @param {ArrayLike<number>} pose @returns {ScenarioDocument} */
 export function withPose(document, { kind, index }, pose) {
   const end = { [kind]: Array.from(pose), ...(kind === "goal" ? { target: undefined } : {}) };
   return withQuery(document, index, end);
 }
 
-/** The document with another target in place of a goal. @param {ScenarioDocument} document @param {EditorObject} thing @param {Target} target @returns {ScenarioDocument} */
+/** The document with another target in place of a goal. @param {ScenarioDocument} document @param {EditorObject} object @param {Target} target @returns {ScenarioDocument} */
 export function withTarget(document, { index }, target) { return withQuery(document, index, { goal: undefined, target }); }
 
 /** @param {ScenarioDocument} document @param {number} index @param {object} change  undefined entries are removed @returns {ScenarioDocument} */
@@ -74,29 +74,29 @@ export function rectangle([x, y], width, height) {
 /** A coordinate of a point, as a field. @param {string} name @param {number} value @returns {Field} */
 export function place(name, value) { return { name, value, unit: "m", low: -Infinity, high: Infinity }; }
 
-/** The coordinates of an object, or of one vertex of a polygon. @param {ScenarioDocument} document @param {EditorObject | null} thing @param {number} vertex @param {Coordinate[]} coordinates @returns {Field[]} */
-export function fieldsOf(document, thing, vertex, coordinates) {
-  const pose = poseOf(document, thing);
+/** The coordinates of an object, or of one vertex of a polygon. @param {ScenarioDocument} document @param {EditorObject | null} object @param {number} vertex @param {Coordinate[]} coordinates @returns {Field[]} */
+export function fieldsOf(document, object, vertex, coordinates) {
+  const pose = poseOf(document, object);
   if (pose) return coordinates.map(({ name, unit, low, high }, i) => ({ name, value: pose[i], unit, low, high }));
-  const target = targetOf(document, thing);
+  const target = targetOf(document, object);
   if (target) return [place("x", target.point[0]), place("y", target.point[1])];
-  const obstacle = obstacleOf(document, thing);
+  const obstacle = obstacleOf(document, object);
   if (!obstacle) return [];
   const [x, y] = obstacle.type === "disc" ? obstacle.center : obstacle.vertices[vertex];
   return [place("x", x), place("y", y), ...(obstacle.type === "disc" ? [place("radius", obstacle.radius)] : [])];
 }
 
-/** The document with one of these coordinates changed. @param {ScenarioDocument} document @param {EditorObject} thing @param {number} vertex @param {number} index @param {number} value @returns {ScenarioDocument} */
-export function withField(document, thing, vertex, index, value) {
-  const pose = poseOf(document, thing);
-  if (pose) return withPose(document, thing, pose.with(index, value));
-  const target = targetOf(document, thing);
-  if (target) return withTarget(document, thing, { ...target, point: /** @type {Point} */ (target.point.with(index, value)) });
-  const obstacle = obstacleOf(document, thing);
+/** The document with one of these coordinates changed. @param {ScenarioDocument} document @param {EditorObject} object @param {number} vertex @param {number} index @param {number} value @returns {ScenarioDocument} */
+export function withField(document, object, vertex, index, value) {
+  const pose = poseOf(document, object);
+  if (pose) return withPose(document, object, pose.with(index, value));
+  const target = targetOf(document, object);
+  if (target) return withTarget(document, object, { ...target, point: /** @type {Point} */ (target.point.with(index, value)) });
+  const obstacle = obstacleOf(document, object);
   if (!obstacle) return document;
   const point = (/** @type {Point} */ old) => /** @type {Point} */ (old.with(index, value));
-  if (obstacle.type === "polygon") return withObstacle(document, thing.index, withVertex(obstacle, vertex, point(obstacle.vertices[vertex])));
-  return withObstacle(document, thing.index, index === 2 ? { ...obstacle, radius: value } : { ...obstacle, center: point(obstacle.center) });
+  if (obstacle.type === "polygon") return withObstacle(document, object.index, withVertex(obstacle, vertex, point(obstacle.vertices[vertex])));
+  return withObstacle(document, object.index, index === 2 ? { ...obstacle, radius: value } : { ...obstacle, center: point(obstacle.center) });
 }
 
 /** A polygon with one vertex replaced, inserted or removed. @param {Extract<Obstacle, { type: "polygon" }>} polygon @param {number} index @param {Point | null} vertex @param {boolean} [added] @returns {Obstacle} */

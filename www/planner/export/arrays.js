@@ -110,5 +110,5 @@ function makeLine(page) {
 /** A mark in the text. @param {"disc" | "cross"} kind */
 function sign(kind) { return make("i", { className: kind, ariaHidden: "true" }); }
 
-/** @param {number} many @param {string} thing */
-function count(many, thing) { return `${grouped(many)} ${thing}${many === 1 ? "" : "s"}`; }
+/** @param {number} many @param {string} noun */
+function count(many, noun) { return `${grouped(many)} ${noun}${many === 1 ? "" : "s"}`; }

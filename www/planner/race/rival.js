@@ -51,7 +51,7 @@ export class Rival {
     this.name.textContent = `Rival ${name}`;
     Object.assign(this.planner, { id: `rival-${name}-planner`, ariaLabel: `Planner of ${name}` });
     this.remove.ariaLabel = `Remove ${name}`;
-    this.form.presets.identify(`rival-${name}-preset`, `Settings of ${name}`);
+    this.form.identify(`rival-${name}-preset`, `Settings of ${name}`);
     this.build();
   }
 

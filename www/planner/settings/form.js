@@ -1,8 +1,8 @@
-/** A planner's settings: its presets, its main parameters, and the others in groups. */
+/** A planner's settings: its presets, its main parameters, and the others in groups. A preset sets all parameters but the seed. */
 import { make } from "../../app/dom.js";
+import { namesOfDocuments } from "../../domain/option-names.js";
 import { Field, withSeed } from "../../widgets/field.js";
 import { Fields } from "../../widgets/options.js";
-import { Presets } from "./presets.js";
 
 /** @import { ParameterInfo, PlannerInfo, Settings } from "../../domain/types.js" */
 
@@ -43,19 +43,35 @@ export class SettingsForm extends Fields {
     this.seed = {};
     /** Parameters that the scene sets; they count as main parameters. @type {Set<string>} */
     this.lead = new Set();
-    this.presets = new Presets((settings) => {
-      const { seed } = this.given;
-      this.given = { ...(seed === undefined ? {} : { seed }), ...settings };
-      if (this.info) this.build(this.info, this.family);
-      onChange();
-    });
+    /** @type {PlannerInfo["presets"]} */
+    this.presets = [];
+    this.preset = make("select", { onchange: () => this.apply(this.presets.find(({ id }) => id === this.preset.value)?.settings ?? {}) });
+    this.presetRow = make("label", { className: "row" }, make("span", { className: "name" }, "Settings"), this.preset);
+  }
+
+  /** Gives the select of presets an id and a label. @param {string} id @param {string} [label]  in place of "Settings" */
+  identify(id, label) {
+    this.preset.id = this.presetRow.htmlFor = id;
+    if (label) this.preset.ariaLabel = label;
+  }
+
+  /** Applies a preset. @param {Settings} settings */
+  apply(settings) {
+    const { seed } = this.given;
+    this.given = { ...(seed === undefined ? {} : { seed }), ...settings };
+    if (this.info) this.build(this.info, this.family);
+    this.onChange();
   }
 
   /** Makes the fields of a planner. @param {PlannerInfo} info @param {string} family  begins the ids of the fields */
   build(info, family) {
     this.info = info;
     this.family = family;
-    this.presets.offer(info, this.given);
+    const option = (/** @type {string} */ value, /** @type {string} */ title) => make("option", { value, disabled: value === "own" }, title);
+    this.presets = info.presets.map((preset) => ({ ...preset, settings: namesOfDocuments(preset.settings) }));
+    this.presetRow.hidden = this.presets.length === 0;
+    this.preset.replaceChildren(option("own", "custom"), option("", "defaults"), ...this.presets.map(({ id, title }) => option(id, title)));
+    this.selectPreset();
     this.fields = withSeed(info.parameters).filter(this.fits).map((given) => {
       const parameter = given.name === "seed" ? { ...given, ...this.seed } : given;
       const field = new Field(parameter, this.given[parameter.name] ?? parameter.default, () => {
@@ -65,7 +81,7 @@ export class SettingsForm extends Fields {
       return field;
     });
     const isFirst = (/** @type {Field} */ { info: { name } }) => FIRST.has(name) || this.lead.has(name);
-    this.first.replaceChildren(this.presets.element, ...this.fields.filter(isFirst).map(({ element }) => element));
+    this.first.replaceChildren(this.presetRow, ...this.fields.filter(isFirst).map(({ element }) => element));
     this.rest.replaceChildren(...groupsOf(this.fields.filter((field) => !isFirst(field))));
   }
 
@@ -73,7 +89,16 @@ export class SettingsForm extends Fields {
   store({ info: { name }, value }) {
     if (value === undefined) delete this.given[name];
     else this.given[name] = value;
-    this.presets.mark(this.given);
+    this.selectPreset();
+  }
+
+  /** Selects the preset that equals the settings. */
+  selectPreset() {
+    const { given, info } = this;
+    const defaults = new Map(info?.parameters.map(({ name, default: value }) => [name, value ?? undefined]));
+    const isEqual = (/** @type {Settings} */ settings) => Object.keys({ ...given, ...settings })
+      .every((name) => name === "seed" || (given[name] ?? defaults.get(name)) === (settings[name] ?? defaults.get(name)));
+    this.preset.value = this.presets.find(({ settings }) => isEqual(settings))?.id ?? (isEqual({}) ? "" : "own");
   }
 }
 

@@ -25,7 +25,7 @@ export class Panel {
     /** The robot: planners and parameters for others are not offered. */
     this.robot = "arm";
     this.form = new SettingsForm(byId("parameters", HTMLElement), byId("more-parameters", HTMLElement), (info) => this.fits(info), onChange);
-    this.form.presets.identify("preset");
+    this.form.identify("preset");
     this.newSeed = button("new-seed", "New seed", () => this.reseed());
     this.planner.addEventListener("change", () => {
       this.build();

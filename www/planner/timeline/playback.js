@@ -1,6 +1,6 @@
 /**
- * Moves the time of a session. Each frame goes on towards the wanted time: the log is replayed, and beyond its end the worker plans the
- * next block while one is drawn.
+ * Moves the time of a session. Each frame approaches the wanted time: the log is replayed, and beyond its end the worker plans the next
+ * block while one is drawn.
  */
 
 /** @import { Growth } from "../worker/stepper.js" */

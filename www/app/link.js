@@ -58,11 +58,7 @@ export class ShareButton {
     try {
       const fragment = `#${await this.encode()}`;
       this.show("");
-      try {
-        history.replaceState(null, "", fragment);
-      } catch {
-        // A sandboxed frame cannot change its address.
-      }
+      setAddress(fragment);
       const link = location.href.split("#")[0] + fragment;
       try {
         await navigator.clipboard.writeText(link);
@@ -83,6 +79,15 @@ export class ShareButton {
     this.field.value = link;
     if (link) this.field.select();
     else if (text) this.timer = setTimeout(() => this.show(""), READING);
+  }
+}
+
+/** Changes the address, where the page may. @param {string} fragment  with `#`, or empty */
+export function setAddress(fragment) {
+  try {
+    history.replaceState(null, "", fragment || location.pathname + location.search);
+  } catch {
+    // A sandboxed frame cannot change its address.
   }
 }
 

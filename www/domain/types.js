@@ -30,14 +30,6 @@
  * @typedef {{ document: object | string } | { generate: Generation }} Source   the origin of a scenario
  * @typedef {{ kind: import("planarium").GeneratorId, options: Settings }} Generation   by a generator of the core
  *
- * @typedef {object} Programme   how to open a scenario
- * @property {Plan[]} plans      one, or up to four that race
- * @property {string} [query]
- * @property {number} [pace]     iterations a second; absent keeps the current speed
- * @property {import("../planner/story.js").Story} story
- * @property {boolean} play
- * @property {number} [iteration]   to show at once
- *
  * @typedef {object} ViewOptions   of the stage
  * @property {[number, number]} axes   coordinates of the configuration square, across and up
  * @property {boolean} refused    rejected samples and blocked motions stay visible

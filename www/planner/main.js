@@ -89,9 +89,9 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
   new Part(notice, async () => (await import("./curves.js")).watchCurves(page)).inFold("curves-fold");
   new Part(notice, async () => new (await import("./editor/controls.js")).EditorControls(page)).inFold("editor-fold").byButton("edit", (editor) => editor.begin());
   const drive = new Part(notice, async () => new (await import("./driving/controls.js")).DriveControls(page));
-  const lessons = new Part(notice, async () => new (await import("./lessons/lessons.js")).Lessons(page, SCENES)).inFold("lessons-fold");
+  const lessons = new Part(notice, async () => new (await import("./lessons/lessons.js")).Lessons(page)).inFold("lessons-fold");
   new Part(notice, async () => (await import("./export/export.js")).showTake(page)).inFold("take-fold");
-  const link = new Part(notice, async () => new (await import("./link/link.js")).Link(page, SCENES, generators, projector)).byButton("link", (part) => part.copy());
+  const link = new Part(notice, async () => new (await import("./link/link.js")).Link(page, SCENES, generators, projector)).byButton("link", ({ share }) => share.copy());
   if (window.parent !== window) (await import("./embed.js")).watchParent(page);
   addEventListener("hashchange", () => { if (location.hash) void app.track(openAddress()); });
 

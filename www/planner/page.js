@@ -218,7 +218,7 @@ export class Page {
     this.isRefusalShown = true;
     const { lane, pointer, message, code } = refusal;
     if (lane > 0) this.race?.refuse(lane, pointer, message);
-    else if (this.panel.refuse(pointer, message)) return;
+    else if (this.panel.form.refuse(pointer, message)) return;
     const subject = state.clock.isRace ? `${letter(lane)}, ${this.panel.titleOf(state.lanes[lane].algorithm)},` : "This";
     const text = lane > 0 ? `${message.replace(/\.?$/, ".")} Change its settings or remove ${letter(lane)} to start the race.` : message;
     this.notice.show(`${subject} cannot be planned.`, Object.assign(new Error(text), { code, pointer }));

@@ -16,11 +16,12 @@ import { PoseByHand } from "./pose/pose-by-hand.js";
 /** @import { App } from "../app/app.js" */
 /** @import { PlannerWorker } from "./worker/worker.js" */
 /** @import { Painting } from "./worker/obstacles.js" */
-/** @import { Library, Plan, Pointer, Programme, Scenario, ScenarioDocument, Source, State, ViewOptions } from "../domain/types.js" */
+/** @import { Library, Plan, Pointer, Scenario, ScenarioDocument, Source, State, ViewOptions } from "../domain/types.js" */
 /** @import { Driving } from "./driving/driving.js" */
 /** @import { Editor } from "./editor/editor.js" */
 /** @import { Placed } from "./stage/placed.js" */
 /** @import { Shown } from "./lane.js" */
+/** @import { Story } from "./story.js" */
 
 /** Milliseconds into a frame at which inking stops: while a run plays, and otherwise. */
 const INKING = { playing: 6, paused: 24 };
@@ -84,9 +85,13 @@ export class Session {
     return new Placed(robot);
   }
 
-  /** Opens a scenario and frees the previous one. @param {Scenario} scenario @param {Programme} programme @param {Placed | null} placed */
-  open(scenario, programme, placed) {
-    const { query, plans, play, iteration = 0, pace, story } = programme;
+  /**
+   * Opens a scenario and frees the previous one.
+   * @param {Scenario} scenario
+   * @param {{ plans: Plan[], query?: string, play: boolean, pace?: number, iteration?: number, story: Story }} options  `plans`: up to four
+   * @param {Placed | null} placed
+   */
+  open(scenario, { plans, query, play, pace, iteration = 0, story }, placed) {
     if (Boolean(placed) !== Boolean(this.shown?.placed) || this.view.axes.some((axis) => axis >= scenario.dimension)) this.view.axes = axesOf(scenario.robot);
     for (const lane of this.lanes.splice(0)) lane.free();
     this.shown?.scenario.free();

@@ -5,7 +5,9 @@
  * For tests: `#lesson` carries `data-shown`, "question", "run" or "answer".
  */
 import { LESSONS, beginningOf, stageAt } from "./script.js";
+import { SCENES } from "../scenes/scenes.js";
 import { byId, make } from "../../app/dom.js";
+import { setAddress } from "../../app/link.js";
 import { button } from "../../widgets/elements.js";
 
 /** @import { Page } from "../page.js" */
@@ -15,11 +17,9 @@ import { button } from "../../widgets/elements.js";
 const ADDRESS = /^#?lesson=([\w-]+)(?:\.(\d{1,4}))?$/;
 
 export class Lessons {
-  /** @param {Page} page @param {SceneEntry[]} scenes @param {Lesson[]} [lessons] */
-  constructor(page, scenes, lessons = LESSONS) {
+  /** @param {Page} page */
+  constructor(page) {
     this.page = page;
-    this.lessons = lessons;
-    this.scenes = scenes;
     /** @type {Lesson | null} */
     this.lesson = null;
     this.at = 0;
@@ -43,7 +43,7 @@ export class Lessons {
     this.band = make("section", { id: "lesson", className: "lesson", ariaLabel: "Lesson", hidden: true },
       words, make("div", { className: "buttons" }, this.run, this.back, this.next, leave));
     byId("story", HTMLElement).before(this.band);
-    const list = make("ul", {}, ...lessons.map((lesson) => make("li", {}, button(`lesson-${lesson.id}`, lesson.title, () => {
+    const list = make("ul", {}, ...LESSONS.map((lesson) => make("li", {}, button(`lesson-${lesson.id}`, lesson.title, () => {
       this.lesson = lesson;
       void this.put(0);
       this.run.focus();
@@ -58,13 +58,13 @@ export class Lessons {
   async open(fragment) {
     const { page } = this;
     const [, id, step = "1"] = ADDRESS.exec(fragment) ?? [];
-    const lesson = this.lessons.find((one) => one.id === id);
+    const lesson = LESSONS.find((one) => one.id === id);
     if (lesson && lesson.steps[Number(step) - 1]) {
       this.lesson = lesson;
       await this.put(Number(step) - 1);
       return;
     }
-    if (!page.facts) await page.openScene(this.scenes[0]);
+    if (!page.facts) await page.openScene(SCENES[0]);
     page.notice.show(lesson ? `The lesson "${lesson.title}" has ${lesson.steps.length} steps; there is no step ${step}.` : `There is no lesson "${id ?? fragment.slice(0, 64)}".`, "");
   }
 
@@ -77,13 +77,13 @@ export class Lessons {
   leave() {
     this.lesson = null;
     this.band.hidden = true;
-    address("");
+    setAddress("");
     byId("stage", HTMLElement).focus();
   }
 
   /** Asks the question of a step, with its planner before the run. @param {number} step */
   async put(step) {
-    const { lesson, page, scenes } = this;
+    const { lesson, page } = this;
     if (!lesson) return;
     this.at = step;
     const { question, choices } = lesson.steps[step];
@@ -95,14 +95,14 @@ export class Lessons {
     this.next.textContent = step + 1 === lesson.steps.length ? "Finish" : "Next";
     this.band.hidden = false;
     this.show("question");
-    address(`#lesson=${lesson.id}.${step + 1}`);
+    setAddress(`#lesson=${lesson.id}.${step + 1}`);
     const iteration = beginningOf(lesson, step);
     try {
       const { entry, plans } = this.stage;
       if (this.isThere(entry, plans)) page.act(({ timeline }) => timeline.seek(iteration));
       else await page.openScene(entry, { plans, iteration, play: false });
     } catch (error) {
-      if (!page.facts) await page.openScene(scenes[0]);
+      if (!page.facts) await page.openScene(SCENES[0]);
       page.app.fail(error, "This step could not be shown.");
     }
   }
@@ -130,7 +130,7 @@ export class Lessons {
   /** The scene and the plans of the step. @throws {Error} there is no such scene */
   get stage() {
     const { scene, algorithm, settings } = stageAt(/** @type {Lesson} */ (this.lesson), this.at);
-    const entry = this.scenes.find(({ id }) => id === scene);
+    const entry = SCENES.find(({ id }) => id === scene);
     if (!entry) throw new Error(`There is no scene "${scene}".`);
     return { entry, plans: [this.page.panel.planFrom(algorithm, settings)] };
   }
@@ -165,14 +165,5 @@ export class Lessons {
     const { source, facts, current, panel } = this.page;
     return this.page.entry === entry && (!source || !("generate" in source) || source.generate === entry.generate)
       && panel.query.value === (facts?.queries[0] ?? "") && JSON.stringify(current) === JSON.stringify(plans);
-  }
-}
-
-/** Changes the address, where the page may. @param {string} fragment */
-function address(fragment) {
-  try {
-    history.replaceState(null, "", fragment || location.pathname + location.search);
-  } catch {
-    // A sandboxed frame cannot change its address.
   }
 }

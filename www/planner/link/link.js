@@ -35,8 +35,6 @@ export class Link {
     });
   }
 
-  copy() { return this.share.copy(); }
-
   /** Opens the experiment in a fragment; where it is damaged, the first scene unless one is open. @param {string} fragment */
   async open(fragment) {
     const { page } = this;

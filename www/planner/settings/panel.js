@@ -91,9 +91,6 @@ export class Panel {
     return settings && { algorithm: this.algorithm, settings };
   }
 
-  /** Shows beside a field why the core refused its value. @param {string} pointer  JSON pointer into the options @param {string} reason @returns {boolean} whether there is such a field */
-  refuse(pointer, reason) { return this.form.refuse(pointer, reason); }
-
   reseed() {
     const field = this.form.field("seed");
     if (!field) return;

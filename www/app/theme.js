@@ -7,8 +7,8 @@ const KEY = "planarium-theme";
 export function watchTheme(onChange) {
   const dark = matchMedia("(prefers-color-scheme: dark)");
   const root = document.documentElement;
-  const stored = load();
-  if (stored) root.dataset.theme = stored;
+  const stored = storage();
+  if (stored === "light" || stored === "dark") root.dataset.theme = stored;
   const button = byId("theme", HTMLButtonElement);
   const name = () => {
     const now = root.dataset.theme ?? (dark.matches ? "dark" : "light");
@@ -17,7 +17,7 @@ export function watchTheme(onChange) {
   };
   button.addEventListener("click", () => {
     root.dataset.theme = name() === "dark" ? "light" : "dark";
-    store(root.dataset.theme);
+    storage(root.dataset.theme);
     update();
   });
   dark.addEventListener("change", update);
@@ -29,21 +29,12 @@ export function watchTheme(onChange) {
   }
 }
 
-/** @returns {"light" | "dark" | null} */
-function load() {
+/** Stores a theme, or reads the stored one. @param {string} [theme] @returns {string | null} */
+function storage(theme) {
   try {
-    const stored = localStorage.getItem(KEY);
-    return stored === "light" || stored === "dark" ? stored : null;
+    if (theme) localStorage.setItem(KEY, theme);
+    return localStorage.getItem(KEY);
   } catch {
     return null; // without access to the storage
-  }
-}
-
-/** @param {string} theme */
-function store(theme) {
-  try {
-    localStorage.setItem(KEY, theme);
-  } catch {
-    // without access to the storage
   }
 }

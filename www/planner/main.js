@@ -19,7 +19,7 @@
  */
 import * as library from "planarium";
 import { App } from "../app/app.js";
-import { byId } from "../app/dom.js";
+import { byId, write } from "../app/dom.js";
 import { isArray, watchFiles } from "../app/drop.js";
 import { Part } from "../app/feature.js";
 import { watchKeys } from "../app/keys.js";
@@ -30,7 +30,6 @@ import { Counters } from "./counters.js";
 import { showLegend } from "./legend.js";
 import { Page } from "./page.js";
 import { Pose } from "./pose/controls.js";
-import { watchReadout } from "./pose/readout.js";
 import { watchPrint } from "./print.js";
 import { showPseudocode } from "./pseudocode.js";
 import { SCENES } from "./scenes/scenes.js";
@@ -58,6 +57,8 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
   const session = new Session(app, library, worker);
   const turn = byId("your-turn", HTMLButtonElement);
   const stage = byId("stage", HTMLElement);
+  const readout = byId("readout", HTMLOutputElement);
+  const hint = matchMedia("(hover: hover)").matches ? "Point at a vertex to see its details." : "";
   const panel = new Panel(library.planners(), () => library.randomSeed() % SEEDS, () => page.plan(), () => page.setQuery());
   const page = new Page(app, session, panel);
   const sheets = new Sheets(page);
@@ -77,7 +78,6 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
   watchFiles((name, bytes) => void app.track(openFile(name, bytes), `${name} could not be opened.`), (name, error) => app.fail(error, `${name} could not be read.`));
   watchAnnouncements(page);
   showPseudocode(page);
-  watchReadout(page);
   watchPrint(page);
   const projector = new Projector(() => app.setTheme());
 
@@ -103,6 +103,10 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
   page.onState((state) => {
     counters.show(state.lanes[0], state.settled);
     showLegend(page, state);
+    const { hover } = state;
+    write(readout, hover ? hover.text : hint);
+    if (hover) Object.assign(readout.dataset, { vertex: hover.vertex, free: hover.free });
+    else for (const name of ["vertex", "free"]) delete readout.dataset[name];
     app.say(state.sentence, { isBad: state.isBad, isSilent: true });
     app.write({
       "your-turn": state.inHand ? "Watch again" : page.facts?.robot === "car" ? "Drive" : "Your turn",

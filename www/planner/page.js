@@ -48,18 +48,24 @@ export class Page {
     this.isRefusalShown = false;
     /** @type {((facts: SceneFacts, entry: SceneEntry | null) => void)[]} */
     this.openListeners = [];
-    /** @type {((state: State, before: State | null) => void)[]} */
+    /** @type {((state: State) => void)[]} */
     this.stateListeners = [];
     /** Resolved with the next state. @type {((value: unknown) => void)[]} */
     this.waiting = [];
     session.onState = (state) => this.reflect(state);
   }
 
-  /** Runs whenever a scenario was opened. @param {(facts: SceneFacts, entry: SceneEntry | null) => void} listener */
-  onOpen(listener) { this.openListeners.push(listener); }
+  /** Runs with the open scenario, and whenever another one was opened. @param {(facts: SceneFacts, entry: SceneEntry | null) => void} listener */
+  onOpen(listener) {
+    this.openListeners.push(listener);
+    if (this.facts) listener(this.facts, this.entry);
+  }
 
-  /** Runs with the state of each frame. @param {(state: State, before: State | null) => void} listener */
-  onState(listener) { this.stateListeners.push(listener); }
+  /** Runs with the last state, and with the state of each frame. @param {(state: State) => void} listener */
+  onState(listener) {
+    this.stateListeners.push(listener);
+    if (this.state) listener(this.state);
+  }
 
   /** @param {SceneEntry} entry @returns {Promise<Source>} */
   async sourceOf(entry) {
@@ -209,7 +215,7 @@ export class Page {
     const before = this.state;
     this.state = state;
     if (state.lanes.length === 0) return;
-    for (const listener of this.stateListeners) listener(state, before);
+    for (const listener of this.stateListeners) listener(state);
     for (const resolve of this.waiting.splice(0)) resolve(null);
     const { refusal, isEditing } = state;
     // Each refusal is shown once. The editor shows its own beside the object.

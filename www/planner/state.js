@@ -20,7 +20,6 @@ export function report(session) {
     playing: clock.playing,
     growing: session.growing,
     travelling: session.travelling,
-    /** The robot's position along the path, 0 to 1. */
     along: playback ? playback.at : 0,
     settled,
     view: { ...session.view },
@@ -32,7 +31,6 @@ export function report(session) {
     /** The element under the pointer; vertex -1 is a mere configuration. */
     hover: shown?.hover ? { vertex: shown.hover.vertex, text: byHand.pointing?.text(shown.hover) ?? "", free: shown.hover.check.free } : null,
     lanes: lanes.map((lane) => laneState(lane)),
-    /** Of each lane, for screen readers. */
     summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),
     isEditing: Boolean(editor?.on),
     isEdited: editor?.isChanged ?? false,
@@ -42,9 +40,7 @@ export function report(session) {
 
 const NO_RUN = {
   status: /** @type {Status | "none"} */ ("none"), phase: "", iteration: 0,
-  /** Iterations in the log. */
-  made: 0,
-  vertices: 0, edges: 0, checks: 0, motions: 0, evaluations: 0,
+  made: 0, vertices: 0, edges: 0, checks: 0, motions: 0, evaluations: 0,
   /** Of the best path so far, Infinity without a path. */
   cost: Infinity,
   /** Once solved and at rest. @type {number | null} */

@@ -42,8 +42,6 @@ export function watchView(page) {
 
   page.onOpen(build);
   page.onState(reflect);
-  if (page.facts) build(page.facts);
-  if (page.state) reflect(page.state);
 
   /** @param {SceneFacts} facts */
   function build({ dimension, coordinates }) {

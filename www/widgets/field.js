@@ -84,7 +84,7 @@ export class Field {
     if (info.kind === "choice" || info.kind === "boolean") return "";
     const text = control.value.trim();
     const { badInput } = control.validity;
-    if (text === "" && !badInput) return isMissing(info.default) ? "" : `Enter ${info.kind === "integer" ? "a whole number" : "a number"}.`;
+    if (text === "" && !badInput) return info.default === null ? "" : `Enter ${info.kind === "integer" ? "a whole number" : "a number"}.`;
     return reasonAgainst(info, badInput ? NaN : Number(text));
   }
 }
@@ -100,9 +100,6 @@ export function reasonAgainst({ kind, min, max, choices }, value) {
   return "";
 }
 
-/** @param {unknown} value */
-function isMissing(value) { return value === null || value === undefined; }
-
 /** The value of an empty field, in words. @param {ParameterInfo} info */
 function automatic(info) {
   const words = "default_meaning" in info ? info.default_meaning : null;
@@ -117,17 +114,17 @@ function nothing(words) { return /^(none|never)(?=:)/.exec(String(words))?.[0] ?
 function control(info, value, id) {
   if (info.kind === "choice") {
     const select = make("select", { id });
-    if (isMissing(info.default)) select.append(make("option", { value: "" }, "automatic"));
+    if (info.default === null) select.append(make("option", { value: "" }, "automatic"));
     for (const choice of info.choices ?? []) select.append(make("option", { value: choice }, choice));
-    if (!isMissing(value)) select.value = String(value);
+    if (value !== null) select.value = String(value);
     return select;
   }
   if (info.kind === "boolean") return make("input", { id, type: "checkbox", role: "switch", checked: value === true });
   const input = make("input", {
     id, type: "number", step: info.kind === "integer" ? "1" : "any", autocomplete: "off",
-    inputMode: info.kind === "integer" ? "numeric" : "decimal", value: isMissing(value) ? "" : String(value),
+    inputMode: info.kind === "integer" ? "numeric" : "decimal", value: value === null ? "" : String(value),
   });
-  if (isMissing(info.default)) input.placeholder = "default_meaning" in info && nothing(info.default_meaning) || "automatic";
+  if (info.default === null) input.placeholder = "default_meaning" in info && nothing(info.default_meaning) || "automatic";
   return input;
 }
 

@@ -9,6 +9,7 @@ import { button, press } from "../../widgets/elements.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { EditTool, SceneEntry, Source } from "../../domain/types.js" */
+/** @import { Field } from "./objects.js" */
 /** @typedef {(editor: Editor) => unknown} Command */
 
 /** @type {[EditTool, string][]} */
@@ -40,7 +41,7 @@ export class EditorControls {
     this.stage = byId("stage", HTMLElement);
     this.narrow = matchMedia("(max-width: 63.99rem)");
     /** The scene as it was opened. @type {{ source: Source | null, entry: SceneEntry | null }} */
-    this.original = { source: page.source, entry: page.entry };
+    this.original = { source: null, entry: null };
     this.adopting = false;
     this.changes = 0;
     this.message = "";
@@ -48,10 +49,8 @@ export class EditorControls {
     this.shape = "";
     /** @type {HTMLInputElement[]} */
     this.inputs = [];
-    /** The numbers last written into the fields, and their limits. @type {number[]} */
+    /** The coordinates last written into the fields. @type {Field[]} */
     this.shown = [];
-    /** @type {[number, number][]} */
-    this.limits = [];
     this.refused = "";
     this.tools = TOOLS.map(([tool, text]) => this.button(text, (editor) => editor.use(tool)));
     this.undo = this.button("Undo", COMMANDS.undo, "Control+Z");
@@ -170,7 +169,8 @@ export class EditorControls {
   /** Shows the coordinates of the selection. @param {Editor} editor */
   showFields({ title, kind, part, fields, reason }) {
     const shape = `${kind} ${title} ${fields.length}`;
-    if (shape !== this.shape) {
+    const isNew = shape !== this.shape;
+    if (isNew) {
       this.shape = shape;
       this.fields.replaceChildren();
       this.inputs = fields.map(({ name, unit }, i) => {
@@ -182,30 +182,25 @@ export class EditorControls {
         this.fields.append(make("label", { className: "row" }, make("span", { className: "name" }, label, make("span", { className: "unit" }, ` ${unit}`)), input));
         return input;
       });
-      this.shown = [];
     }
     const isResolved = this.refused !== "" && reason === "";
     this.refused = reason;
-    fields.forEach(({ value, low, high }, i) => {
-      this.limits[i] = [low, high];
+    fields.forEach(({ value }, i) => {
       // Text being typed stays until the number itself changes.
-      if (value === this.shown[i] && !isResolved) return;
-      this.shown[i] = value;
-      this.inputs[i].value = String(value);
-      this.inputs[i].removeAttribute("aria-invalid");
+      if (isNew || isResolved || value !== this.shown[i].value) Object.assign(this.inputs[i], { value, ariaInvalid: null });
     });
+    this.shown = fields;
   }
 
   /** Applies a typed number. @param {number} index */
   enter(index) {
     const input = this.inputs[index];
-    const [low, high] = this.limits[index];
+    const { value: before, low, high } = this.shown[index];
     const value = Number(input.value);
-    const good = input.value.trim() !== "" && value >= low && value <= high;
-    // Invalid until the core has accepted it.
-    input.setAttribute("aria-invalid", "true");
-    if (good && value !== this.shown[index]) this.act((editor) => editor.set(index, value));
-    else if (good) input.removeAttribute("aria-invalid");
+    const isValid = input.value.trim() !== "" && value >= low && value <= high;
+    // A new value is invalid until the core has accepted it.
+    input.ariaInvalid = isValid && value === before ? null : "true";
+    if (isValid && value !== before) this.act((editor) => editor.set(index, value));
   }
 
   /** Makes the edited scenario the page's, or restores the one that was opened. @param {boolean} isChanged */

@@ -6,25 +6,17 @@ import { encodeLink } from "../link/codec.js";
 
 /** @import { Page } from "../page.js" */
 
-/** @type {Record<string, { title: string, text: (address: string) => string }>} */
-const KINDS = {
-  page: {
-    title: "A web page",
-    text: (address) => `<iframe src="${address}" title="Planarium" width="100%" height="640" style="border: 0"></iframe>`,
-  },
-  slides: {
-    title: "Reveal.js slides",
-    text: (address) => `<section>\n  <iframe data-src="${address}" title="Planarium" width="100%" height="640" data-preload></iframe>\n</section>`,
-  },
-  notebook: {
-    title: "A Jupyter notebook",
-    text: (address) => `from IPython.display import IFrame\nIFrame("${address}", width="100%", height=640)`,
-  },
-};
+/** @type {[string, string, (address: string) => string][]} */
+const KINDS = [
+  ["page", "A web page", (address) => `<iframe src="${address}" title="Planarium" width="100%" height="640" style="border: 0"></iframe>`],
+  ["slides", "Reveal.js slides",
+    (address) => `<section>\n  <iframe data-src="${address}" title="Planarium" width="100%" height="640" data-preload></iframe>\n</section>`],
+  ["notebook", "A Jupyter notebook", (address) => `from IPython.display import IFrame\nIFrame("${address}", width="100%", height=640)`],
+];
 
 /** @param {Page} page @param {HTMLElement} host */
 export function showSnippets(page, host) {
-  const kind = make("select", { id: "embed-kind", ariaLabel: "Embed as" }, ...Object.entries(KINDS).map(([value, { title }]) => make("option", { value }, title)));
+  const kind = make("select", { id: "embed-kind", ariaLabel: "Embed as" }, ...KINDS.map(([value, title]) => make("option", { value }, title)));
   const text = make("textarea", { id: "embed-text", readOnly: true, rows: 5, ariaLabel: "Embed code", spellcheck: false });
   const copy = button("embed-copy", "Copy", async () => {
     await update();
@@ -47,7 +39,8 @@ export function showSnippets(page, host) {
     try {
       const { origin, pathname, protocol } = location;
       const fragment = await encodeLink(experimentOf(page));
-      text.value = KINDS[kind.value].text(`${protocol === "file:" ? `file://${pathname}` : origin + pathname}?embed=1#${fragment}`);
+      const [, , codeOf] = KINDS[kind.selectedIndex];
+      text.value = codeOf(`${protocol === "file:" ? `file://${pathname}` : origin + pathname}?embed=1#${fragment}`);
       result.textContent = protocol === "file:" ? "This page was opened from a file: publish it, and change the address in the code." : "";
     } catch (error) {
       text.value = "";

@@ -69,7 +69,6 @@ export function showTake(page) {
   showSnippets(page, host);
   page.onOpen(() => { turn++; });
   page.onState(reflect);
-  if (page.state) reflect(page.state);
 
   /**
    * @param {string} id @param {string} title @param {string} format @param {string} meaning @param {Offer["lack"]} lack

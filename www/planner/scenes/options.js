@@ -22,7 +22,6 @@ export function showSceneOptions(page, generators) {
   let isBusy = false;
 
   page.onOpen((_, entry) => adopt(entry));
-  adopt(page.entry);
 
   /** Shows the sliders of the open scene. @param {SceneEntry | null} entry */
   function adopt(entry) {

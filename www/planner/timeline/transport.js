@@ -6,8 +6,7 @@ import { pacer } from "../../app/paced.js";
 /** @import { Session } from "../session.js" */
 /** @import { State } from "../../domain/types.js" */
 
-/** Iterations a second at the left end of the slider and one step before its right end, which is full speed. */
-const SLOWEST = 1;
+/** Iterations a second one step before the right end of the slider, which is full speed; at its left end there is one. */
 const FASTEST = 10000;
 
 export class Transport {
@@ -59,12 +58,12 @@ export class Transport {
   get pace() {
     const value = Number(this.speed.value);
     const last = Number(this.speed.max);
-    return value >= last ? Infinity : SLOWEST * (FASTEST / SLOWEST) ** (value / (last - 1));
+    return value >= last ? Infinity : FASTEST ** (value / (last - 1));
   }
 
   set pace(pace) {
     const last = Number(this.speed.max);
-    const part = Math.log(pace / SLOWEST) / Math.log(FASTEST / SLOWEST);
+    const part = Math.log(pace) / Math.log(FASTEST);
     this.speed.value = pace === Infinity ? this.speed.max : String(Math.round(Math.min(1, Math.max(0, part)) * (last - 1)));
     this.showSpeed();
   }

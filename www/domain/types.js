@@ -1,8 +1,6 @@
 /**
  * Types that the modules of the pages share.
  *
- * Of the package:
- *
  * @typedef {import("planarium").Scenario} Scenario
  * @typedef {import("planarium").Planner} Planner
  * @typedef {import("planarium").Status} Status
@@ -20,8 +18,6 @@
  * @typedef {Omit<import("planarium").ParameterInfo, "option">} ParameterInfo
  * @typedef {import("planarium").GeneratorInfo} GeneratorInfo
  * @typedef {typeof import("planarium")} Library
- *
- * Requests:
  *
  * @typedef {Record<string, number | string | boolean>} Settings  the values of options, by name
  *
@@ -51,8 +47,6 @@
  * @property {boolean} touch   a finger
  *
  * @typedef {"select" | "disc" | "rectangle" | "polygon"} EditTool
- * Results:
- *
  * @typedef {object} Coordinate   one number of a configuration
  * @property {string} name
  * @property {number} low

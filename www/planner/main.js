@@ -132,8 +132,8 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
   app.setTheme();
   if (location.hash) await openAddress();
   else await page.openScene(SCENES[0]);
-  app.onTheme(() => void drawThumbnails());
-  setTimeout(() => void drawThumbnails(), THUMBNAILS);
+  app.onTheme(() => void app.track(drawThumbnails()));
+  setTimeout(() => void app.track(drawThumbnails()), THUMBNAILS);
 
   /** Opens the experiment or the step of a lesson in the address. */
   async function openAddress() { await (await (location.hash.startsWith("#lesson=") ? lessons : link).get()).open(location.hash); }
@@ -145,11 +145,7 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
   }
 
   async function drawThumbnails() {
-    try {
-      for (const entry of SCENES) gallery.draw(entry.id, await worker.thumbnail(await page.sourceOf(entry), SIDE, app.look));
-    } catch (error) {
-      app.fail(error);
-    }
+    for (const entry of SCENES) gallery.draw(entry.id, await worker.thumbnail(await page.sourceOf(entry), SIDE, app.look));
     setTimeout(() => void loadModules(), MODULES);
   }
 

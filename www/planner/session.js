@@ -15,7 +15,6 @@ import { PoseByHand } from "./pose/pose-by-hand.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { PlannerWorker } from "./worker/worker.js" */
-/** @import { Painting } from "./worker/obstacles.js" */
 /** @import { Library, Plan, Pointer, Scenario, ScenarioDocument, Source, State, ViewOptions } from "../domain/types.js" */
 /** @import { Driving } from "./driving/driving.js" */
 /** @import { Editor } from "./editor/editor.js" */
@@ -45,7 +44,7 @@ export class Session {
     this.onState = () => {};
     /** Called when the state last reported is out of date. */
     this.onDirty = () => {};
-    this.stage = new Stage((painting) => this.paint(painting), () => this.wake());
+    this.stage = new Stage(async (painting) => await app.track(planners.obstacles(painting)) ?? null, () => this.wake());
     this.clock = new Clock();
     this.timeline = new Timeline(this);
     this.byHand = new PoseByHand(this);
@@ -275,18 +274,6 @@ export class Session {
     this.onState(report(this));
   }
 
-  /** Has the worker paint obstacles. @param {Painting} painting @returns {Promise<ImageBitmap | null>} null where it failed */
-  async paint(painting) {
-    try {
-      return await this.planners.obstacles(painting);
-    } catch (error) {
-      this.fail(error);
-      return null;
-    } finally {
-      this.wake();
-    }
-  }
-
   /** @param {number} now */
   perform(now) {
     const { stage, clock, lanes, editor, driving, timeline } = this;
@@ -310,15 +297,12 @@ export class Session {
     const isAtRest = !clock.owes && !timeline.isAsking && (!clock.playing || !this.growing);
     if (isAtRest) timeline.conclude();
     this.settled = isAtRest && !timeline.isAsking && !driving?.moves && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isRefined);
-    if (isWorking) this.measure(began);
+    if (isWorking) {
+      if (++this.measures % MEASURES === 0) performance.clearMeasures("planarium-frame");
+      performance.measure("planarium-frame", { start: began, end: performance.now() });
+    }
     this.isStale = false;
     this.onState(report(this));
     return clock.playing || clock.owes || stage.busy || Boolean(driving?.moves);
-  }
-
-  /** Adds the frame's work to the browser's timeline. @param {number} began */
-  measure(began) {
-    if (++this.measures % MEASURES === 0) performance.clearMeasures("planarium-frame");
-    performance.measure("planarium-frame", { start: began, end: performance.now() });
   }
 }

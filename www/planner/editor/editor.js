@@ -92,8 +92,6 @@ export class Editor {
   /** The unit that lengths are rounded to: a ten-thousandth of the world, or a little less. */
   get unit() { return 10 ** Math.floor(Math.log10(this.size * 1e-4)); }
 
-  // Commands.
-
   /** @param {boolean} on */
   turn(on) {
     const { session } = this;
@@ -210,8 +208,6 @@ export class Editor {
     this.announcement = "The scene is restored.";
   }
 
-  // Changes.
-
   /** @param {EditorObject | null} object @param {number | null} part */
   choose(object, part) {
     this.selected = object;
@@ -300,8 +296,6 @@ export class Editor {
     this.shown.rough = false;
     session.stage.invalidate();
   }
-
-  // State.
 
   /** The number of parts to pick: vertices of a polygon, joints and end effector of an arm, or the heading of a body. @returns {number} */
   get parts() {

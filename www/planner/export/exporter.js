@@ -108,30 +108,22 @@ function* gifOf(session, { layout, width, frames }) {
     contextOf(layer, true);
     return layer;
   }, true);
-  /** @param {number} time @returns {Generator<void, Uint8ClampedArray>} */
-  const frame = function* (time) {
-    yield* picture.draw(time);
+  /** @param {number} time @param {number} progress @returns {Generator<number, Uint8ClampedArray>} */
+  const frame = function* (time, progress) {
+    for (const _ of picture.draw(time)) yield progress;
     picture.compose(context);
     return context.getImageData(0, 0, canvas.width, canvas.height).data;
-  };
-  /** @param {Generator<void, Uint8ClampedArray>} work @param {number} part @returns {Generator<number, Uint8ClampedArray>} */
-  const reporting = function* (work, part) {
-    for (;;) {
-      const { done, value } = work.next();
-      if (done) return value;
-      yield part;
-    }
   };
   // The last frame has all colours but those of a search in progress.
   const ends = [];
   for (const time of [Math.round(last / 2), last]) {
-    ends.push(yield* reporting(frame(time), 0));
+    ends.push(yield* frame(time, 0));
     yield 0;
   }
   const writer = new GifWriter(canvas.width, canvas.height, paletteOf(ends));
   yield 0;
   for (let i = 0; i < frames; i++) {
-    const pixels = yield* reporting(frame(Math.round((last * i) / (frames - 1))), i / frames);
+    const pixels = yield* frame(Math.round((last * i) / (frames - 1)), i / frames);
     writer.add(pixels, DURATION / frames + (i === frames - 1 ? PAUSE : 0));
     yield (i + 1) / frames;
   }

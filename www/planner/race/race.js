@@ -32,10 +32,8 @@ export class Race {
     this.choice = make("select", { id: "rival" });
     this.button = button("add-rival", "Add", () => this.add());
     this.hint = make("p", { className: "hint" });
-    byId("race", HTMLElement).append(
-      this.list,
-      make("div", { className: "row" }, make("label", { htmlFor: "rival" }, "Against"), this.choice, this.button), this.hint,
-    );
+    const row = make("div", { className: "row" }, make("label", { htmlFor: "rival" }, "Against"), this.choice, this.button);
+    byId("race", HTMLElement).append(this.list, row, this.hint);
     this.offer();
     this.lens = this.makeLens();
     sheets.element.before(this.lens);

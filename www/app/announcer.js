@@ -1,24 +1,13 @@
-/** Tells milestones to those who listen to the page instead of looking at it, at most one a second and the newest last. */
+/** Announces milestones to screen readers, at most one a second. */
 import { byId } from "./dom.js";
+import { paced } from "./paced.js";
 
 /** Milliseconds between two announcements. */
 const PAUSE = 1000;
 
 export class Announcer {
   constructor() {
-    this.element = byId("announcer", HTMLElement);
-    this.last = -Infinity;
-    /** @type {ReturnType<typeof setTimeout> | undefined} */
-    this.timer = undefined;
-  }
-
-  /** @param {string} text */
-  say(text) {
-    clearTimeout(this.timer);
-    const wait = Math.max(0, this.last + PAUSE - performance.now());
-    this.timer = setTimeout(() => {
-      this.last = performance.now();
-      this.element.textContent = text;
-    }, wait);
+    const element = byId("announcer", HTMLElement);
+    this.say = paced(PAUSE, (/** @type {string} */ text) => { element.textContent = text; });
   }
 }

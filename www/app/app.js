@@ -10,15 +10,14 @@ import { byId, write } from "./dom.js";
 import { Notice } from "./notice.js";
 import { watchTheme } from "./theme.js";
 import { faultOf } from "./fault.js";
-import { keepForLater } from "./keep-offline.js";
-import { loadCore } from "./resources.js";
+import { loadCore, makeWorker } from "./resources.js";
 import { readPalette } from "./palette.js";
+import { isProjected } from "./projector.js";
 import { connect } from "./worker-client.js";
 
-/** @import { Look } from "../domain/types.js" */
 /** @import { Remote } from "./worker-client.js" */
 
-/** @typedef {(now: number) => boolean | void} Animation   milliseconds as of performance.now(); returns true while it goes on */
+/** @typedef {(now: number) => boolean | void} Animation   milliseconds as of performance.now(); returns true until it ends */
 
 export class App {
   constructor() {
@@ -31,7 +30,9 @@ export class App {
     this.drawings = [];
     /** @type {(() => void)[]} */
     this.themeListeners = [];
-    /** Rebuilds what lived in the core, after a panic of the core. @type {() => unknown} */
+    /** The compiled WebAssembly. @type {WebAssembly.Module | undefined} */
+    this.core = undefined;
+    /** Rebuilds the objects of the core after a panic of the core. @type {() => void} */
     this.rebuild = () => {};
     this.frame = 0;
     /** Promises that are tracked and pending. */
@@ -57,21 +58,28 @@ export class App {
    * @template C
    * @param {string} room   whose commands the worker runs
    * @param {(worker: Remote<C>) => Promise<void>} start
+   * @param {string} [script]   of the worker
+   * @returns {Promise<boolean>} whether it could start
    */
-  async open(room, start) {
+  async open(room, start, script = "rooms/worker.js") {
     const { dataset } = document.body;
     dataset.state = "loading";
     dataset.settled = "false";
     try {
-      const core = await loadCore();
-      await library.default(core);
-      await start(/** @type {Remote<C>} */ (connect(new Worker("rooms/worker.js", { type: "module" }), room, core, (error) => this.fail(error))));
+      const loading = loadCore();
+      const worker = connect(await makeWorker(script), room, loading, (error) => { if (dataset.state !== "failed") this.fail(error); });
+      this.core = await loading;
+      await library.default(this.core);
+      await start(/** @type {Remote<C>} */ (worker));
       dataset.state = "ready";
       this.requestFrame();
-      keepForLater();
+      // Stores the files of the pages for use without a network, where the browser allows it.
+      if (location.protocol.startsWith("http")) navigator.serviceWorker?.register("offline.js").catch(() => {});
+      return true;
     } catch (error) {
       dataset.state = "failed";
-      this.notice.show("This page could not start. It needs a browser with WebAssembly and the other files of this site.", error);
+      this.notice.show("Planarium could not start. It needs a browser with WebAssembly and the other files of this site.", error);
+      return false;
     }
   }
 
@@ -105,15 +113,16 @@ export class App {
    * Awaits a promise; the page is not settled until then. An error is shown and gives undefined.
    * @template T
    * @param {Promise<T>} promise
+   * @param {string} [title]   of the error
    * @returns {Promise<T | undefined>}
    */
-  async track(promise) {
+  async track(promise, title) {
     this.pending++;
     document.body.dataset.settled = "false";
     try {
       return await promise;
     } catch (error) {
-      this.fail(error);
+      this.fail(error, title);
       return undefined;
     } finally {
       this.pending--;
@@ -125,21 +134,28 @@ export class App {
    * Calls a function; an error is shown and gives undefined.
    * @template T
    * @param {() => T} act
+   * @param {string} [title]   of the error
    * @returns {T | undefined}
    */
-  guard(act) {
+  guard(act, title) {
     try {
       return act();
     } catch (error) {
-      this.fail(error);
+      this.fail(error, title);
       return undefined;
     }
   }
 
   /** Shows an error; after a panic of the core, starts the core again. @param {unknown} error @param {string} [title] */
   fail(error, title = "Something went wrong.") {
-    this.notice.show(title, error);
-    if (faultOf(error).code === "internal") void library.default().then(() => this.rebuild()).catch((cause) => this.fail(cause));
+    if (faultOf(error).code !== "internal") {
+      this.notice.show(title, error);
+      return;
+    }
+    if (this.core) library.initSync(this.core);
+    this.rebuild();
+    const message = "Planarium\u2019s core stopped because of an internal error. It was restarted, and any run starts again.";
+    this.notice.show(title, Object.assign(new Error(message), { code: "internal" }));
   }
 
   /** Shows a sentence above the figures and announces it. @param {string} text @param {{ isBad?: boolean, isSilent?: boolean }} [options] */
@@ -154,8 +170,11 @@ export class App {
   /** Writes texts into elements by their ids. @param {Record<string, string>} texts */
   write(texts) { for (const [id, text] of Object.entries(texts)) write(byId(id, HTMLElement), text); }
 
-  /** @returns {Look} */
-  get look() { return { palette: readPalette(byId("main", HTMLElement)), ratio: devicePixelRatio || 1, calm: this.reducedMotion, bold: 1 }; }
+  /** How to draw. */
+  get look() {
+    const palette = readPalette(byId("main", HTMLElement));
+    return { palette, ratio: devicePixelRatio || 1, calm: this.reducedMotion, bold: isProjected() ? 1.7 : 1 };
+  }
 
   setTheme() {
     for (const listener of this.themeListeners) listener();

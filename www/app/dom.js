@@ -1,5 +1,5 @@
 /**
- * The element with an id, of a known kind. The page's own markup guarantees it; a slip is an error at once.
+ * The element with an id, of a known kind.
  * @template {Element} E
  * @param {string} id
  * @param {new () => E} kind
@@ -25,7 +25,7 @@ export function make(tag, properties = {}, ...children) {
   return element;
 }
 
-/** Milliseconds between two changes of a text that can still be read. */
+/** Milliseconds between two changes of a text that stays readable. */
 export const READABLE = 80;
 
 /** A whole number with commas between thousands. The first `Intl.NumberFormat` of a page takes 26 ms. @param {number} count */

@@ -1,7 +1,7 @@
-/** A file of the reader's own, a scenario or an array of NumPy's: picked, or dropped anywhere on the page. */
+/** Files to open, scenarios or NumPy arrays: picked, or dropped anywhere on the page. */
 import { byId } from "./dom.js";
 
-/** Largest file that is read, bytes. */
+/** Size of a file at most, bytes. */
 const MOST = 10 * 1024 * 1024;
 
 /**
@@ -46,5 +46,5 @@ export function watchFiles(onFile, onError) {
   }
 }
 
-/** Is a file an array of NumPy's, by its name or by how it begins? @param {string} name @param {Uint8Array} bytes */
+/** Whether a file is a NumPy array, by its name or its first byte. @param {string} name @param {Uint8Array} bytes */
 export function isArray(name, bytes) { return /\.npy$/i.test(name) || bytes[0] === 0x93; }

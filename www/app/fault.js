@@ -1,8 +1,6 @@
-/** What has gone wrong, as plain words that can be sent and shown. */
-
 /** @import { Fault } from "../domain/types.js" */
 
-/** Message, code and pointer of anything that was thrown. @param {unknown} error @returns {Fault} */
+/** The message, code and pointer of anything thrown, as plain data. @param {unknown} error @returns {Fault} */
 export function faultOf(error) {
   if (!(error instanceof Error)) return { message: String(error), code: "", pointer: "" };
   const code = "code" in error && typeof error.code === "string" ? error.code : "";

@@ -1,6 +1,5 @@
 /**
- * Single keys, heard only while the focus is within one of some elements, and never taken from a control that has its own
- * use for them.
+ * Handles single keys while the focus is within some elements, but not keys that press a focused button.
  * @param {HTMLElement[]} elements
  * @param {Record<string, () => void>} keys   by `event.key`, lower case
  */
@@ -10,10 +9,10 @@ export function watchKeys(elements, keys) {
       if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
       const target = event.target;
       const pressesButton = target instanceof HTMLButtonElement && (event.key === " " || event.key === "Enter");
-      const order = keys[event.key.toLowerCase()];
-      if (!order || pressesButton) return;
+      const action = keys[event.key.toLowerCase()];
+      if (!action || pressesButton) return;
       event.preventDefault();
-      order();
+      action();
     });
   }
 }

@@ -1,6 +1,6 @@
 /**
  * The share link: the fragment of the address stores the state of the page, and a button gives the address. Each page describes
- * its state by one rule, with defaults for what a link leaves out.
+ * its state by one rule, with defaults for entries that a link leaves out.
  */
 import { byId, make } from "./dom.js";
 import { decodeFragment, encodeFragment } from "../formats/fragment.js";
@@ -33,7 +33,7 @@ export async function decodeState(fragment, rule) {
 
 /** The button `#link` and the message beside it. */
 export class ShareButton {
-  /** @param {App} app @param {() => Promise<string>} encode  the fragment, without `#` @param {string} contents  what a link stores, in words */
+  /** @param {App} app @param {() => Promise<string>} encode  the fragment, without `#` @param {() => string} contents  of a link, in words */
   constructor(app, encode, contents) {
     this.app = app;
     this.encode = encode;
@@ -45,7 +45,6 @@ export class ShareButton {
     byId("tools", HTMLElement).append(this.message);
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.timer = undefined;
-    this.button.addEventListener("click", () => void this.copy());
     this.message.addEventListener("keydown", ({ key }) => {
       if (key !== "Escape") return;
       this.show("");
@@ -56,27 +55,23 @@ export class ShareButton {
 
   /** Copies the link, or shows it where the page may not use the clipboard. */
   async copy() {
-    this.show("");
     try {
       const fragment = `#${await this.encode()}`;
-      try {
-        history.replaceState(null, "", fragment);
-      } catch {
-        // A sandboxed frame cannot change its address; the link is shown nevertheless.
-      }
+      this.show("");
+      setAddress(fragment);
       const link = location.href.split("#")[0] + fragment;
       try {
         await navigator.clipboard.writeText(link);
-        this.show(`Link copied. It stores ${this.contents}.`);
+        this.show(`Link copied. It stores ${this.contents()}.`);
       } catch {
-        this.show(`Copy this link. It stores ${this.contents}.`, link);
+        this.show(`Copy this link. It stores ${this.contents()}.`, link);
       }
     } catch (error) {
-      this.app.notice.show("No link can be made.", error);
+      this.app.fail(error, "No link can be made.");
     }
   }
 
-  /** @param {string} text @param {string} [link]   to be copied by hand */
+  /** @param {string} text @param {string} [link]   to copy by hand */
   show(text, link = "") {
     clearTimeout(this.timer);
     this.words.textContent = text;
@@ -87,13 +82,23 @@ export class ShareButton {
   }
 }
 
+/** Changes the address, where the page may. @param {string} fragment  with `#`, or empty */
+export function setAddress(fragment) {
+  try {
+    history.replaceState(null, "", fragment || location.pathname + location.search);
+  } catch {
+    // A sandboxed frame cannot change its address.
+  }
+}
+
 /**
  * Makes the share button, and opens the state in the address, now and whenever the address changes.
  * @param {App} app @param {StateRule} rule
  * @param {{ save: () => object, open: (state: any) => unknown, contents: string }} page  `open` gets null where the address has no state, and may throw
  */
 export async function useLink(app, rule, { save, open, contents }) {
-  new ShareButton(app, () => encodeState(save(), rule), contents);
+  const share = new ShareButton(app, () => encodeState(save(), rule), () => contents);
+  share.button.addEventListener("click", () => void share.copy());
   addEventListener("hashchange", () => { if (location.hash) void app.track(openAddress()); });
   await openAddress();
 
@@ -106,7 +111,7 @@ export async function useLink(app, rule, { save, open, contents }) {
       else app.notice.show(fault, "");
     } catch (error) {
       await open(null);
-      app.notice.show("The link cannot be opened.", error);
+      app.fail(error, "The link cannot be opened.");
     }
   }
 }

@@ -1,28 +1,27 @@
-/** The page's one place for bad news: what went wrong, where it stands, and under which code to look it up; and for a question. */
+/** The notice of the page: an error with its code and pointer, or a question. */
 import { faultOf } from "./fault.js";
 import { byId, make } from "./dom.js";
 
 export class Notice {
   constructor() {
     this.element = byId("notice", HTMLElement);
-    /** Answers the question that is asked. @type {(choice: string) => void} */
+    /** Answers the open question. @type {(choice: string) => void} */
     this.answer = () => {};
   }
 
   /**
-   * Asks what to do.
+   * Asks a question.
    * @template {string} C
    * @param {string} question
-   * @param {[C, string][]} choices  each with the word on its button
-   * @returns {Promise<C | "">}  empty: nothing
+   * @param {[C, string][]} choices  each with the text of its button
+   * @returns {Promise<C | "">}  empty: cancelled
    */
   ask(question, choices) {
     this.hide();
     return new Promise((resolve) => {
       const buttons = [...choices, /** @type {const} */ (["", "Cancel"])].map(([choice, word]) => {
-        const button = make("button", { type: "button", className: choice ? "" : "quiet" }, word);
+        const button = make("button", { type: "button", className: choice ? "" : "quiet", onclick: () => this.answer(choice) }, word);
         button.dataset.choice = choice;
-        button.addEventListener("click", () => this.answer(choice));
         return button;
       });
       this.element.replaceChildren(make("div", {}, make("strong", {}, question), make("div", { className: "choices" }, ...buttons)));
@@ -47,8 +46,7 @@ export class Notice {
     const { message, code, pointer } = faultOf(error);
     this.element.dataset.code = code;
     this.element.dataset.pointer = pointer;
-    const close = make("button", { type: "button", className: "quiet" }, "Dismiss");
-    close.addEventListener("click", () => this.hide());
+    const close = make("button", { type: "button", className: "quiet", onclick: () => this.hide() }, "Dismiss");
     const where = make("p", { className: "where" });
     if (code) where.append("code ", make("code", {}, code));
     if (pointer) where.append(" at ", make("code", {}, pointer));
@@ -56,7 +54,7 @@ export class Notice {
     this.element.hidden = false;
   }
 
-  /** What was asked is not to be answered any more. */
+  /** Hides the notice, and cancels an open question. */
   hide() {
     this.answer("");
     this.element.classList.remove("question");
@@ -67,5 +65,5 @@ export class Notice {
   }
 }
 
-/** Starts a sentence with a capital; a name that comes first stays as it is. @param {string} message */
+/** Capitalizes the first word, unless it is a name. @param {string} message */
 function capitalized(message) { return message.replace(/^(?:this|the|there|an?|it|no) /, (word) => word[0].toUpperCase() + word.slice(1)); }

@@ -1,28 +1,25 @@
-/**
- * The service worker of the served page: it keeps all of the page's files, so that the page opens and works without a network.
- * Where there is one, files come from it, as they are there now.
- */
+/** The service worker: it stores all files of the pages for use without a network. With a network, files are fetched. */
 
-/** Names the files that were built together, and lists them. */
+/** The version of the build, and its files. */
 const { VERSION, FILES } = /** @type {{ VERSION: string, FILES: string[] }} */ (/** @type {unknown} */ (globalThis));
 
-/** @typedef {Event & { waitUntil(promise: Promise<unknown>): void }} Lasting */
-/** @typedef {Lasting & { request: Request, respondWith(response: Promise<Response>): void }} Asking */
+/** @typedef {Event & { waitUntil(promise: Promise<unknown>): void }} ExtendableEvent */
+/** @typedef {ExtendableEvent & { request: Request, respondWith(response: Promise<Response>): void }} FetchEvent */
 
 const NAME = `planarium-${VERSION}`;
 
-addEventListener("install", (event) => /** @type {Lasting} */ (event).waitUntil(caches.open(NAME).then((cache) => cache.addAll(FILES))));
+addEventListener("install", (event) => /** @type {ExtendableEvent} */ (event).waitUntil(caches.open(NAME).then((cache) => cache.addAll(FILES))));
 
-addEventListener("activate", (event) => /** @type {Lasting} */ (event).waitUntil(
+addEventListener("activate", (event) => /** @type {ExtendableEvent} */ (event).waitUntil(
   caches.keys().then((names) => Promise.all(names.filter((name) => name.startsWith("planarium-") && name !== NAME).map((name) => caches.delete(name)))),
 ));
 
 addEventListener("fetch", (event) => {
-  const { request, respondWith } = /** @type {Asking} */ (event);
+  const { request, respondWith } = /** @type {FetchEvent} */ (event);
   if (request.method !== "GET" || new URL(request.url).origin !== location.origin) return;
   respondWith.call(event, fetch(request).catch(async (error) => {
-    const kept = await caches.match(request, { ignoreSearch: true });
-    if (kept) return kept;
+    const stored = await caches.match(request, { ignoreSearch: true });
+    if (stored) return stored;
     throw error;
   }));
 });

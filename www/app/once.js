@@ -1,7 +1,6 @@
 /**
- * Something that is fetched once, when it is first asked for. Whoever asks meanwhile waits for the same promise, so that all go on
- * in the order in which they asked: of several imports of one module the last may be told first. What could not be fetched is
- * fetched again by the next who asks.
+ * Loads something once, with the first call. Later calls return the same promise, so that callers continue in their order. After a
+ * failure the next call tries again.
  * @template T
  * @param {() => Promise<T>} load
  * @returns {() => Promise<T>}

@@ -1,6 +1,6 @@
 /**
- * The colours of the stage, read from the custom properties of `style.css`. Each has one meaning.
- * A hidden element resolves them, so that the sheet decides between light and dark and the canvas gets a plain colour.
+ * The colours of the stage, from the custom properties of `style.css`. A hidden element resolves them, so that the style sheet decides
+ * between light and dark.
  */
 const NAMES = /** @type {const} */ ([
   "stage", "ink", "quiet", "line", "obstacle", "obstacle-edge", "robot", "robot-edge", "start", "goal",
@@ -13,7 +13,7 @@ const NAMES = /** @type {const} */ ([
 export function readPalette(root) {
   const probe = document.createElement("span");
   probe.hidden = true;
-  // Where colours are forced, an element's own text is; its meaning is not.
+  // Forced colours would replace the colour of a text.
   probe.style.forcedColorAdjust = "none";
   root.append(probe);
   const colours = /** @type {Palette} */ ({});

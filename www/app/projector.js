@@ -1,19 +1,20 @@
-/** The page for the back row: the stage fills the room, words are large, lines are bold. */
+/** Projector mode: a large stage, large text and bold lines. */
 import { byId, make } from "./dom.js";
 
 const CLASS = "projector";
 
-/** Is the page shown so? */
+/** Whether projector mode is on. */
 export function isProjected() { return document.documentElement.classList.contains(CLASS); }
 
 export class Projector {
-  /** @param {() => void} onChange   lines and words have another size */
+  /** @param {() => void} onChange */
   constructor(onChange) {
     this.onChange = onChange;
-    this.button = make("button", { type: "button", id: "projector", className: "quiet", ariaPressed: "false" }, "Projector");
-    this.button.title = "Large text and bold lines for a lecture; Escape exits";
+    this.button = make("button", {
+      type: "button", id: "projector", className: "quiet", ariaPressed: "false", title: "Large text and bold lines for a lecture; Escape exits",
+      onclick: () => this.turn(!isProjected()),
+    }, "Projector");
     byId("tools", HTMLElement).append(this.button);
-    this.button.addEventListener("click", () => this.turn(!isProjected()));
     addEventListener("keydown", (event) => {
       if (event.key === "Escape" && !event.defaultPrevented && isProjected()) this.turn(false);
     });
@@ -23,7 +24,7 @@ export class Projector {
   turn(on) {
     if (on === isProjected()) return;
     document.documentElement.classList.toggle(CLASS, on);
-    this.button.setAttribute("aria-pressed", String(on));
+    this.button.ariaPressed = String(on);
     this.onChange();
   }
 }

@@ -1,15 +1,15 @@
 /**
- * Where the page's parts come from: files beside it, or, where the page is one single file, elements inside it.
- * Inline parts are `<script type="text/plain" id="inline-NAME">`; what is large is gzip in base64.
+ * The resources of the page: files beside it, or in a single-file page `<script type="text/plain" id="inline-NAME">` elements, of which
+ * the large ones are gzip in base64.
  */
 
 /** @param {string} name */
 function inline(name) { return document.getElementById(`inline-${name}`)?.textContent ?? null; }
 
-/** The worker that plans and draws. @returns {Promise<Worker>} */
-export async function makeWorker() {
+/** A worker. @param {string} script  its address, unless it is inline @returns {Promise<Worker>} */
+export async function makeWorker(script) {
   const packed = inline("worker");
-  if (packed === null) return new Worker("worker.js", { type: "module" });
+  if (packed === null) return new Worker(script, { type: "module" });
   return new Worker(URL.createObjectURL(new Blob([await unpacked(packed)], { type: "text/javascript" })));
 }
 
@@ -19,12 +19,12 @@ export async function loadCore() {
   if (packed !== null) return WebAssembly.compile(await unpacked(packed));
   const response = await fetch("planarium/planarium_bg.wasm");
   if (!response.ok) throw new Error(`${response.url} returned ${response.status} ${response.statusText}`.trimEnd());
-  // Streaming wants the right type; a server that sends another still serves the right bytes.
+  // Streaming needs the right content type.
   if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
-/** Documents of scenes, once fetched: from then on they need no network. @type {Map<string, Promise<string>>} */
+/** Documents of scenes that have been fetched. @type {Map<string, Promise<string>>} */
 const scenes = new Map();
 
 /** The text of a scene's document. @param {string} id @returns {Promise<string>} */

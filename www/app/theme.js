@@ -1,14 +1,14 @@
-/** Light or dark: the system's choice until the reader makes one, which is remembered where storage may be used. */
+/** The theme, light or dark: that of the system unless the reader chooses one, which is stored where the browser allows it. */
 import { byId } from "./dom.js";
 
 const KEY = "planarium-theme";
 
-/** @param {() => void} onChange  the colours are others now */
+/** @param {() => void} onChange */
 export function watchTheme(onChange) {
   const dark = matchMedia("(prefers-color-scheme: dark)");
   const root = document.documentElement;
-  const kept = recall();
-  if (kept) root.dataset.theme = kept;
+  const stored = storage();
+  if (stored === "light" || stored === "dark") root.dataset.theme = stored;
   const button = byId("theme", HTMLButtonElement);
   const name = () => {
     const now = root.dataset.theme ?? (dark.matches ? "dark" : "light");
@@ -17,32 +17,24 @@ export function watchTheme(onChange) {
   };
   button.addEventListener("click", () => {
     root.dataset.theme = name() === "dark" ? "light" : "dark";
-    remember(root.dataset.theme);
-    name();
-    onChange();
+    storage(root.dataset.theme);
+    update();
   });
-  dark.addEventListener("change", () => {
-    name();
-    onChange();
-  });
+  dark.addEventListener("change", update);
   name();
-}
 
-/** @returns {"light" | "dark" | null} */
-function recall() {
-  try {
-    const kept = localStorage.getItem(KEY);
-    return kept === "light" || kept === "dark" ? kept : null;
-  } catch {
-    return null; // storage is closed to this page: it forgets, nothing else
+  function update() {
+    name();
+    onChange();
   }
 }
 
-/** @param {string} theme */
-function remember(theme) {
+/** Stores a theme, or reads the stored one. @param {string} [theme] @returns {string | null} */
+function storage(theme) {
   try {
-    localStorage.setItem(KEY, theme);
+    if (theme) localStorage.setItem(KEY, theme);
+    return localStorage.getItem(KEY);
   } catch {
-    // as above
+    return null; // without access to the storage
   }
 }

@@ -3,7 +3,7 @@ import * as library from "planarium";
 import { faultOf } from "./fault.js";
 
 /**
- * The commands of a room. Typed arrays and pictures that one returns are transferred, so it returns copies of those that it stores.
+ * The commands of a room. Typed arrays and images in a result are transferred; a command returns copies of those that it stores.
  * @typedef {Record<string, (...args: any[]) => unknown>} Commands
  */
 
@@ -11,7 +11,7 @@ const port = /** @type {{ postMessage(message: unknown, transfer?: Transferable[
 
 /**
  * @param {Record<string, { commands: Commands, reset?: () => void }>} rooms   `reset` is called after a panic of the core, which
- *   leaves nothing of what was made by it
+ *   loses everything in it
  */
 export function serve(rooms) {
   /** @type {Promise<unknown>} */

@@ -1,4 +1,4 @@
-/** The coordinates of a configuration: what they are called, how far they go, what they are measured in. */
+/** The coordinates of a configuration: their names, ranges and units. */
 
 /** @import { Coordinate, Scenario, ScenarioDocument } from "./types.js" */
 
@@ -16,7 +16,7 @@ export function coordinatesOf({ scenario, document: { robot } }) {
   return robot.type === "disc" ? plane : [...plane, { name: "theta", low: -Math.PI, high: Math.PI, unit: "rad", isCircle: true }];
 }
 
-/** A configuration brought into its coordinates' ranges, in place. @param {Float64Array} pose @param {Coordinate[]} coordinates */
+/** Moves a configuration into the ranges of its coordinates, in place. @param {Float64Array} pose @param {Coordinate[]} coordinates */
 export function contained(pose, coordinates) {
   coordinates.forEach(({ low, high, isCircle }, i) => {
     pose[i] = isCircle ? wrap(pose[i]) : Math.min(high, Math.max(low, pose[i]));
@@ -24,12 +24,18 @@ export function contained(pose, coordinates) {
   return pose;
 }
 
-/** A configuration from one with more or fewer numbers, brought into its coordinates' ranges. @param {ArrayLike<number>} q @param {Coordinate[]} coordinates */
+/** Fits a configuration with more or fewer numbers to coordinates and their ranges. @param {ArrayLike<number>} q @param {Coordinate[]} coordinates */
 export function fitted(q, coordinates) { return contained(Float64Array.from(coordinates, (_, i) => q[i] ?? 0), coordinates); }
 
-/** An angle brought between -pi (without it) and pi. @param {number} angle */
+/** Wraps an angle to the interval from -pi (exclusive) to pi. @param {number} angle */
 export function wrap(angle) {
   const turn = angle % (2 * Math.PI);
   if (turn > Math.PI) return turn - 2 * Math.PI;
   return turn <= -Math.PI ? turn + 2 * Math.PI : turn;
+}
+
+/** The longer side of the world, metres. @param {Scenario} scenario */
+export function sizeOf(scenario) {
+  const { min, max } = scenario.extent();
+  return Math.max(max[0] - min[0], max[1] - min[1]);
 }

@@ -1,26 +1,26 @@
-/** What the page calls the things that can touch, links counted from 1, and obstacles from 0 as in the scenario document. */
+/** Names of robots, parts, obstacles and lengths. Links are counted from 1, obstacles from 0 as in the scenario document. */
 
 /** @import { Check, Scenario } from "./types.js" */
 
-/** What the robot is called. @param {Scenario["robot"]} robot */
+/** @param {Scenario["robot"]} robot */
 export function robotName(robot) { return robot === "rigid_body" ? "body" : robot; }
 
-/** Is it placed by x, y and theta? @param {Scenario["robot"]} robot */
+/** Whether the coordinates of a robot are x, y and theta. @param {Scenario["robot"]} robot */
 export function isPlaced(robot) { return robot === "rigid_body" || robot === "car"; }
 
-/** Which coordinates a square shows unless others are wanted: of a body x and theta say more than x and y, which the workspace shows as well. @param {Scenario["robot"]} robot @returns {[number, number]} */
+/** The usual axes of the configuration space: for a body x and theta, since the workspace shows x and y. @param {Scenario["robot"]} robot @returns {[number, number]} */
 export function axesOf(robot) { return [0, isPlaced(robot) ? 2 : 1]; }
 
-/** What lengths of paths are measured in; nothing where metres and radians are weighted together. @param {Scenario["robot"]} robot */
+/** The unit of path lengths; empty where metres and radians are weighted together. @param {Scenario["robot"]} robot */
 export function unitOf(robot) { return robot === "arm" ? "rad" : robot === "disc" ? "m" : ""; }
 
 /** A length of a path, in words. @param {number} length @param {Scenario["robot"]} robot */
 export function lengthText(length, robot) { return `${length.toFixed(2)} ${unitOf(robot)}`.trim(); }
 
-/** What the metres and radians of a placed robot's paths are weighted with, as text, by scenario. @type {WeakMap<Scenario, string>} */
+/** The weights of metres and radians in words, by scenario. @type {WeakMap<Scenario, string>} */
 const weights = new WeakMap();
 
-/** A path's length with its name and unit; where metres and radians are weighted together, it is a cost. @param {number} length @param {Scenario} scenario */
+/** A path's length in words; where metres and radians are weighted together, a cost. @param {number} length @param {Scenario} scenario */
 export function costText(length, scenario) {
   if (!isPlaced(scenario.robot)) return `length ${lengthText(length, scenario.robot)}`;
   let sum = weights.get(scenario);
@@ -34,16 +34,12 @@ export function costText(length, scenario) {
 }
 
 /** @param {Scenario} scenario @param {number} part */
-export function partName(scenario, part) {
-  return scenario.robot === "arm" ? `link ${part + 1}` : robotName(scenario.robot);
-}
+export function partName(scenario, part) { return scenario.robot === "arm" ? `link ${part + 1}` : robotName(scenario.robot); }
 
 /** @param {number} obstacle */
-export function obstacleName(obstacle) {
-  return `obstacle ${obstacle}`;
-}
+export function obstacleName(obstacle) { return `obstacle ${obstacle}`; }
 
-/** A sentence for a check, without its full stop. @param {Scenario} scenario @param {Check} check */
+/** The collisions of a check in words, without a full stop. @param {Scenario} scenario @param {Check} check */
 export function touchingSentence(scenario, check) {
   const pairs = check.touching.map(({ part, obstacle }) => {
     const name = partName(scenario, part);

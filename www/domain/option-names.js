@@ -1,4 +1,4 @@
-/** Names of options: pages, links and documents write them in snake_case, the package takes them in camelCase. */
+/** Names of options: snake_case on pages, in links and in documents, camelCase in the package. */
 
 /** @param {string} name */
 function inCamelCase(name) { return name.replace(/_(.)/g, (_, letter) => letter.toUpperCase()); }
@@ -9,11 +9,11 @@ function inSnakeCase(name) { return name.replace(/[A-Z]/g, (letter) => `_${lette
 /** @template T @param {Record<string, T>} fields @param {(name: string) => string} rename @returns {Record<string, T>} */
 function renamed(fields, rename) { return Object.fromEntries(Object.entries(fields).map(([name, value]) => [rename(name), value])); }
 
-/** Settings of the package by the names of documents. @template T @param {Record<string, T>} options */
+/** Settings of the package under the names of documents. @template T @param {Record<string, T>} options */
 export function namesOfDocuments(options) { return renamed(options, inSnakeCase); }
 
 /**
- * Calls the package with settings by its names for them; the pointer of an error has the page's name again.
+ * Calls the package with settings under its names; the pointer of an error gets the page's name.
  * @template T
  * @param {object} settings
  * @param {(options: any) => T} use

@@ -1,28 +1,31 @@
 /**
- * The robot's way along a solved path: first the line draws itself, then the robot drives to the goal, rests,
- * drives back and rests, at constant speed in the metric that the path was measured in.
+ * Plays a path: first the line is drawn, then the robot moves to the goal and back again and again, with pauses, at constant speed in the
+ * metric of the path.
  */
+import { sizeOf } from "./coordinates.js";
+import { firstIndex } from "./search.js";
 
 /** @import { Placed } from "../planner/stage/placed.js" */
 /** @import { Run } from "../planner/run-log/run-log.js" */
 /** @import { Check, ResultDocument, Scenario } from "./types.js" */
-/** @typedef {{ placed: Placed, motions: number[][] }} Course   speed, steering angle and seconds from each waypoint to the next */
-/** @typedef {{ at: number, pose: Float64Array, check: Check }} Flaw   where a path collides: 0 to 1 along it, the pose, and what touches what */
+/** @typedef {{ placed: Placed, motions: number[][] }} Course   speed, steering angle and seconds between waypoints */
+/** @typedef {{ at: number, pose: Float64Array, check: Check }} Flaw   the first collision: 0 to 1 along the path, the configuration and its check */
 
-/** Seconds for the line to draw itself. */
+/** Seconds in which the line is drawn. */
 const DRAWING = 1.4;
-/** Seconds of rest at either end. */
+/** Seconds of the pause at either end. */
 const REST = 0.9;
-/** Shortest and longest time for one drive, seconds. */
+/** Shortest and longest time for the path, seconds. */
 const DRIVE = { least: 1.6, most: 9 };
-/** Looks at a stretch that cannot be proven free, to find where it collides. */
+/** Checks along a segment that is not proven collision-free. */
 const LOOKS = 400;
 
 export class PathPlayback {
   /**
    * @param {Scenario} scenario
    * @param {Float64Array} path  rows of `dimension`, at least one
-   * @param {{ isProven?: boolean, isMiss?: boolean, raw?: Float64Array | null, course?: Course | null }} [kind]  are its motions proven free; does it end short of the goal; how it was found, where it is shorter now; the motions between waypoints, where they are no straight lines
+   * @param {{ isProven?: boolean, isMiss?: boolean, raw?: Float64Array | null, course?: Course | null }} [kind]  whether motions are proven
+   *   collision-free; whether the path ends short of the goal; the path before shortcutting; the motions between waypoints, unless straight
    */
   constructor(scenario, path, { isProven = true, isMiss = false, raw = null, course = null } = {}) {
     this.scenario = scenario;
@@ -40,16 +43,16 @@ export class PathPlayback {
       this.reached.push(this.reached[i - 1] + (course ? course.placed.lengthOf(course.motions[i - 1]) : scenario.distance(this.waypoints[i - 1], this.waypoints[i])));
     }
     this.length = this.reached[this.reached.length - 1];
-    const speed = scenario.robot === "arm" ? 1.5 : size(scenario) / 4;
+    const speed = scenario.robot === "arm" ? 1.5 : sizeOf(scenario) / 4;
     this.duration = Math.min(DRIVE.most, Math.max(DRIVE.least, this.length / speed));
-    /** How much of the line is drawn, 0 to 1. */
+    /** The part of the line that is drawn, 0 to 1. */
     this.drawn = 0;
-    /** Where the robot is, 0 at the start, 1 at the goal. */
+    /** The robot's position, 0 at the start, 1 at the goal. */
     this.at = 0;
     this.heading = 1;
     this.resting = 0;
     this.samples = this.sample(Math.min(900, Math.max(120, Math.ceil(this.length / (speed / 40)))));
-    /** Where it collides first, as far as that can happen. @type {Flaw | null} */
+    /** The first collision of a path that is not proven. @type {Flaw | null} */
     this.flaw = isProven ? null : this.firstFlaw();
   }
 
@@ -60,7 +63,7 @@ export class PathPlayback {
     for (let i = 1; i < waypoints.length; i++) {
       const hit = scenario.firstHit(waypoints[i - 1], waypoints[i]);
       if (hit === null) continue;
-      // What is not proven need not collide: it may only pass too near.
+      // A motion that is not proven need not collide: it may only pass too near.
       for (let look = 0; look <= LOOKS; look++) {
         const t = hit + ((1 - hit) * look) / LOOKS;
         const pose = scenario.interpolate(waypoints[i - 1], waypoints[i], t);
@@ -71,7 +74,7 @@ export class PathPlayback {
     return null;
   }
 
-  /** Of a way of arcs: looked for in many places. @param {number} looks @returns {Flaw | null} */
+  /** The first collision of a path of arcs, checked at many points. @param {number} looks @returns {Flaw | null} */
   firstFlawOnArcs(looks) {
     for (let look = 0; look <= looks; look++) {
       const pose = this.configuration(look / looks);
@@ -81,7 +84,7 @@ export class PathPlayback {
     return null;
   }
 
-  /** The configuration at a part of the whole length. @param {number} part  0 to 1 @returns {Float64Array} */
+  /** The configuration at a part of the length. @param {number} part  0 to 1 @returns {Float64Array} */
   configuration(part) {
     const last = this.waypoints.length - 1;
     const target = Math.min(1, Math.max(0, part)) * this.length;
@@ -93,22 +96,14 @@ export class PathPlayback {
     return this.scenario.interpolate(this.waypoints[low], this.waypoints[low + 1], fraction);
   }
 
-  /** The waypoint that begins the stretch at a distance from the start. @param {number} target */
-  stretch(target) {
-    let low = 0;
-    let high = this.waypoints.length - 1;
-    while (high - low > 1) {
-      const middle = (low + high) >> 1;
-      if (this.reached[middle] <= target) low = middle; else high = middle;
-    }
-    return low;
-  }
+  /** The waypoint before a distance from the start. @param {number} target */
+  stretch(target) { return firstIndex(1, this.waypoints.length - 1, (i) => this.reached[i] > target) - 1; }
 
-  /** The angle of the front wheels where the robot is. */
+  /** The steering angle at the robot's position. */
   get steering() { return this.course?.motions[this.stretch(this.at * this.length)]?.[1] ?? 0; }
 
   /**
-   * The path in small pieces, for drawing: equally spaced, with every waypoint among them.
+   * Configurations along the path, for drawing: equally spaced ones and all waypoints.
    * @param {number} count
    * @returns {{ rows: Float64Array, parts: Float64Array }}
    */
@@ -123,7 +118,7 @@ export class PathPlayback {
     return { rows, parts: Float64Array.from(parts) };
   }
 
-  /** Lets time pass. @param {number} seconds */
+  /** Advances the robot. @param {number} seconds */
   advance(seconds) {
     if (this.drawn < 1) {
       this.drawn = Math.min(1, this.drawn + seconds / DRAWING);
@@ -141,7 +136,7 @@ export class PathPlayback {
     }
   }
 
-  /** Puts the robot somewhere along the finished line. @param {number} part */
+  /** Places the robot on the path. @param {number} part */
   seek(part) {
     this.drawn = 1;
     this.resting = 0;
@@ -150,7 +145,7 @@ export class PathPlayback {
 }
 
 /**
- * The way that a run has to show: its path once solved, or of a tree that gave up the way to its vertex nearest to the goal.
+ * The playback of a run: its path once solved, or of a tree that failed the path to the vertex nearest to the goal.
  * @param {Scenario} scenario
  * @param {Run} run
  * @param {Placed | null} [placed]   of a body or a car
@@ -165,13 +160,7 @@ export function playbackOf(scenario, run, placed = null) {
     return new PathPlayback(scenario, run.path, { isProven, raw, course: courseOf(run.result) });
   }
   const { approximate } = run.result;
-  // A tree whose root is nearest to the goal has no way to show.
+  // A tree whose root is nearest to the goal has no path to show.
   if (!approximate || approximate.path.length < 2) return null;
   return new PathPlayback(scenario, Float64Array.from(approximate.path.flat()), { isProven, isMiss: true, course: courseOf(approximate) });
-}
-
-/** The longer side of the drawn world. @param {Scenario} scenario */
-function size(scenario) {
-  const { min, max } = scenario.extent();
-  return Math.max(max[0] - min[0], max[1] - min[1]);
 }

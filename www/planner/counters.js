@@ -1,18 +1,14 @@
-/** The numbers of the run in one line, and the same numbers as data attributes for whoever watches the page. */
+/** The counters of the run, as text and as data attributes. */
 import { READABLE, byId, grouped, write } from "../app/dom.js";
+import { pacer } from "../app/paced.js";
 
 /** @import { LaneState } from "../domain/types.js" */
-
-const NUMBERS = /** @type {const} */ ([
-  "phase", "iterations", "vertices", "edges", "length", "segments", "checks", "motions", "evaluations", "nearest", "time", "rate", "fingerprint",
-]);
 
 export class Counters {
   constructor() {
     this.element = byId("counters", HTMLElement);
-    this.cells = Object.fromEntries(NUMBERS.map((name) => [name, byId(`count-${name}`, HTMLElement)]));
-    this.written = -Infinity;
-    // On a desktop all numbers stand in one line; on a phone the rest is folded away.
+    this.isDue = pacer(READABLE);
+    // On a desktop all counters are in one line; on a phone some are folded away.
     const more = byId("more-counters", HTMLDetailsElement);
     const desktop = matchMedia("(min-width: 77.5rem)");
     const unfold = () => { more.open = desktop.matches; };
@@ -20,21 +16,17 @@ export class Counters {
     unfold();
   }
 
-  /** The numbers of a run; while it moves the text follows a few times a second, as fast as it can be read. @param {LaneState} lane @param {boolean} settled */
+  /** Shows a run; while it plays, the text changes only a few times a second. @param {LaneState} lane @param {boolean} settled */
   show(lane, settled) {
     const { dataset } = this.element;
-    Object.assign(dataset, {
-      status: lane.status, phase: lane.phase, iterations: String(lane.iteration), vertices: String(lane.vertices), edges: String(lane.edges),
-      settled: String(settled),
-    });
-    if (lane.fingerprint) dataset.fingerprint = lane.fingerprint;
+    const { status, phase, iteration, vertices, edges, fingerprint, length } = lane;
+    Object.assign(dataset, { status, phase, iterations: iteration, vertices, edges, settled });
+    if (fingerprint) dataset.fingerprint = fingerprint;
     else delete dataset.fingerprint;
-    if (lane.length !== null) dataset.length = String(lane.length);
+    if (length !== null) dataset.length = String(length);
     else delete dataset.length;
-    const now = performance.now();
-    if (!settled && now - this.written < READABLE) return;
-    this.written = now;
-    this.tell({
+    if (!this.isDue(settled)) return;
+    this.write({
       phase: lane.status === "running" ? lane.phase : lane.status === "none" ? "not started" : lane.status === "exhausted" ? "no path" : lane.status,
       iterations: grouped(lane.iteration), vertices: grouped(lane.vertices), edges: grouped(lane.edges),
       length: lane.length === null ? "" : `${lane.length.toFixed(2)} ${lane.unit}`,
@@ -47,12 +39,12 @@ export class Counters {
     });
   }
 
-  /** Puts words in their places; a dash where nothing is known. @param {Partial<Record<typeof NUMBERS[number], string>>} words */
-  tell(words) {
-    for (const [name, word] of Object.entries(words)) write(this.cells[name], word || "\u2013");
+  /** Writes texts into cells; an empty one becomes a dash. @param {Record<string, string>} words */
+  write(words) {
+    for (const [name, word] of Object.entries(words)) write(byId(`count-${name}`, HTMLElement), word || "\u2013");
   }
 
-  /** Something was ordered: what was told at rest no longer holds. */
+  /** Declares the counters out of date. */
   unsettle() {
     const { dataset } = this.element;
     dataset.settled = "false";
@@ -60,14 +52,14 @@ export class Counters {
     delete dataset.length;
   }
 
-  /** There is no run at all. @param {"loading" | "failed"} status */
-  none(status) {
-    Object.assign(this.element.dataset, { status, phase: "", iterations: "0", vertices: "0", edges: "0" });
-    this.tell({ phase: status });
+  /** Shows that the page could not start. */
+  fail() {
+    this.element.dataset.status = "failed";
+    this.write({ phase: "failed" });
   }
 }
 
-/** A number in at most five characters where it is large. @param {number} count */
+/** A number, compact where it is large. @param {number} count */
 function short(count) {
   return count < 100_000 ? grouped(Math.round(count)) : count.toLocaleString("en", { notation: "compact", maximumSignificantDigits: 3 });
 }

@@ -1,13 +1,15 @@
 /**
- * How vertices and the path's length went on, drawn while it grows: against iterations, or in a race against clearance
- * evaluations, in few points, so that a long run costs no more than a short one.
+ * Charts of the number of vertices and the path length against iterations, or in a race against clearance evaluations. They have few
+ * points, so that a long run costs no more than a short one.
  */
 import { letter } from "./race/standings.js";
+import { thinned } from "./run-log/curve.js";
 import { Chart, numberText as words } from "../widgets/chart.js";
 import { byId, make } from "../app/dom.js";
+import { pacer } from "../app/paced.js";
+import { labelled } from "../widgets/elements.js";
 
 /** @import { Page } from "./page.js" */
-/** @import { Curves } from "../domain/types.js" */
 /** @import { Line } from "../widgets/chart.js" */
 
 /** Milliseconds between two drawings. */
@@ -24,45 +26,35 @@ export function watchCurves(page) {
   const cost = new Chart("cost", "Path length", { isTimeline: true });
   const charts = [vertices, cost];
   const table = make("table", { className: "standings" });
-  const scroll = make("div", { className: "scroll", tabIndex: 0 }, table);
-  scroll.setAttribute("role", "region");
-  scroll.setAttribute("aria-label", "Curves as a table");
+  const scroll = labelled("region", "Curves as a table", make("div", { className: "scroll", tabIndex: 0 }, table));
   const numbers = make("details", {}, make("summary", {}, "As a table"), scroll);
   byId("curves", HTMLElement).append(make("div", { className: "charts" }, vertices.element, cost.element), numbers);
 
-  /** @type {Curves | null} */
-  let curves = null;
-  let known = "";
-  let isAsking = false;
-  let asked = -Infinity;
+  /** Identifies the drawn curves. */
+  let drawn = "";
+  const isDue = pacer(PAUSE);
 
-  page.onState(() => ask());
-  fold.addEventListener("toggle", () => ask());
+  page.onState(() => update());
+  fold.addEventListener("toggle", () => update());
   numbers.addEventListener("toggle", () => draw());
 
-  /** Asks for the curves if they are others than those that are known, now or after a pause. */
-  function ask() {
-    const { state } = page;
+  /** Draws the curves if they have changed, at rest or after a pause. */
+  function update() {
+    const { state, session: { plannings, clock, lanes } } = page;
     if (!fold.open || !state) return;
     for (const chart of charts) chart.show(state.clock.now);
-    if (state.curves === known || isAsking) return;
-    isAsking = true;
-    setTimeout(() => {
-      curves = page.session.curves();
-      known = curves.key;
-      draw();
-      asked = performance.now();
-      isAsking = false;
-      ask();
-    }, Math.max(0, asked + PAUSE - performance.now()));
+    const key = `${plannings} ${clock.head} ${lanes.map(({ run }) => run?.ended)}`;
+    if (key === drawn || !isDue(state.settled)) return;
+    drawn = key;
+    draw();
   }
 
   function draw() {
-    const { state } = page;
-    const { names } = page;
-    if (!fold.open || !state || !curves) return;
-    const { head, isRace, lanes } = curves;
-    // Those of other planners; none at all is where nothing is planned.
+    const { state, names, session } = page;
+    if (!fold.open || !state) return;
+    const { head, isRace, column: clock } = session.clock;
+    const lanes = thinned(session.lanes.flatMap(({ run }) => run ?? []), clock, head);
+    // While the runs of other planners begin.
     if (lanes.length > 0 && lanes.length !== names.length) return;
     const time = isRace ? "clearance evaluations" : "iterations";
     const unit = state.lanes[0].unit;
@@ -75,7 +67,7 @@ export function watchCurves(page) {
     if (numbers.open) list(grown, costs, names, time);
   }
 
-  /** The same as a table: how all stand at some times, each first path among them. @param {Line[]} grown @param {Line[]} costs @param {string[]} names @param {string} time */
+  /** The same as a table, at some times, with those of all first paths. @param {Line[]} grown @param {Line[]} costs @param {string[]} names @param {string} time */
   function list(grown, costs, names, time) {
     const all = [...new Set(grown.flatMap(({ points }) => points.map(([at]) => at)))].sort((a, b) => a - b);
     const each = Math.max(1, Math.ceil(all.length / ROWS));

@@ -1,4 +1,4 @@
-/** One planner's place in the session: what it was asked, its run and its way, and the panes that show it. */
+/** A lane of the session: a planner with its plan, its run and the playback of its path. A race has several. */
 import { playbackOf } from "../domain/path-playback.js";
 import { PAST, Run } from "./run-log/run-log.js";
 
@@ -11,43 +11,43 @@ import { PAST, Run } from "./run-log/run-log.js";
 /** @import { Check, Configuration, Plan, Scenario, ScenarioDocument, Target, ViewOptions } from "../domain/types.js" */
 
 /**
- * @typedef {object} Shown   what all lanes show alike: the one value that panes read and only the session writes
+ * @typedef {object} Shown   the state that all lanes share: panes read it, and only the session changes it
  * @property {Scenario} scenario
  * @property {ScenarioDocument} document
- * @property {string | undefined} query     that is asked
+ * @property {string | undefined} query     its name
  * @property {Configuration | null} start   of that query
- * @property {Configuration | null} goal    null where any will do that reaches the target
+ * @property {Configuration | null} goal    null where there is a target
  * @property {Target | null} target         of the end effector
- * @property {Configuration[]} goals        the goal, or what was found to reach the target
- * @property {Float64Array | null} hand     the pose held by hand, if any
- * @property {Check | null} check           of the pose held by hand
- * @property {Hover | null} hover           what is pointed at, if anything
+ * @property {Configuration[]} goals        the goal, or configurations that reach the target
+ * @property {Float64Array | null} hand     the configuration posed by hand
+ * @property {Check | null} check           of the configuration posed by hand
+ * @property {Hover | null} hover           under the pointer
  * @property {ViewOptions} view
- * @property {Marked | null} marked         configurations of the reader's own
- * @property {boolean} rough                it is being changed by hand: pictures may be coarse
- * @property {Overlay | null} overlay       what the editor draws
- * @property {Placed | null} placed         of a body or a car
- * @property {Driven | null} driven         while a reader drives the car
+ * @property {Marked | null} marked         configurations from a file
+ * @property {boolean} rough                during a gesture: images may be coarse
+ * @property {Overlay | null} overlay       drawn by the editor
+ * @property {Placed | null} placed         for a body or a car
+ * @property {Driven | null} driven         while the car is driven
  */
 
 /**
- * @typedef {object} Driven   a car under a reader's keys
+ * @typedef {object} Driven   a car driven by keys
  * @property {number} steering              of its front wheels, radians
- * @property {Float64Array} trace           where it has been, rows of x, y, theta
- * @property {import("planarium").Obstructed | null} blocked   what stopped it
- * @property {import("planarium").Rollout | null} rollout      where a control would lead
+ * @property {Float64Array} trace           its trajectory, rows of x, y, theta
+ * @property {import("planarium").Obstructed | null} blocked   the obstruction that stopped it
+ * @property {import("planarium").Rollout | null} rollout      the preview of a control
  * @property {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} drawUnder
  * @property {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} drawOver
  */
 
 /**
- * @typedef {object} Hover   a vertex that is pointed at, or a mere pose
+ * @typedef {object} Hover   a vertex or a mere configuration under the pointer
  * @property {Lane} lane
- * @property {number} vertex   -1: a pose
+ * @property {number} vertex   -1: a configuration
  * @property {Float64Array} pose
  * @property {Check} check
- * @property {number} [edge]   the edge that is pointed at, or that leads to the vertex
- * @property {Float64Array} [motions]   what a car does along it: rows of speed, steering angle and duration
+ * @property {number} [edge]   under the pointer, or to the vertex
+ * @property {Float64Array} [motions]   along that edge: rows of speed, steering angle and duration
  */
 
 export class Lane {
@@ -57,31 +57,31 @@ export class Lane {
     this.plan = plan;
     /** @type {Run | null} */
     this.run = null;
-    /** The way of the run's end, once it was reached. @type {PathPlayback | null} */
+    /** The playback of the path, once the run has ended. @type {PathPlayback | null} */
     this.end = null;
-    /** Does the run wait at an iteration in its midst? */
+    /** Whether the run is paused before its end. */
     this.still = false;
   }
 
   get scenario() { return this.shown.scenario; }
 
-  /** The way to show: of a run at its end. @returns {PathPlayback | null} */
+  /** The playback of a run that is shown at its end. @returns {PathPlayback | null} */
   get playback() { return this.run && this.run.status !== "running" ? this.end : null; }
 
-  /** What the planner is asked, with the query. @param {string | undefined} query @returns {Plan} */
-  order(query) {
+  /** The plan for a query. @param {string | undefined} query @returns {Plan} */
+  planOf(query) {
     const { algorithm, settings } = this.plan;
     return { algorithm, settings: query === undefined ? settings : { ...settings, query } };
   }
 
-  /** A new run. @param {string | undefined} query @param {Pick<typeof import("planarium"), "phases" | "planners">} library @throws {Error} the core would not plan this */
+  /** Begins a run. @param {string | undefined} query @param {Pick<typeof import("planarium"), "phases" | "planners">} library @throws {Error} the core refuses the plan */
   start(query, library) {
     this.free();
-    const { algorithm, settings } = this.order(query);
+    const { algorithm, settings } = this.planOf(query);
     this.run = new Run(this.scenario, algorithm, settings, library);
   }
 
-  /** How it stands beside others. @returns {Standing} */
+  /** Its standing in a race. @returns {Standing} */
   get standing() {
     const { run, plan, scenario } = this;
     const at = run ? run.foundBy() : -1;
@@ -93,17 +93,17 @@ export class Lane {
     };
   }
 
-  /** Where the robot is to be drawn, if anywhere. @returns {Float64Array | null} */
+  /** The configuration at which the robot is drawn. @returns {Float64Array | null} */
   get pose() {
     if (this.shown.hand) return this.shown.hand;
     const { playback } = this;
     return playback && playback.drawn >= 1 ? playback.configuration(playback.at) : null;
   }
 
-  /** The angle of a car's front wheels. */
+  /** The steering angle of a car. */
   get steering() { return this.shown.driven?.steering ?? (this.shown.hand ? 0 : this.playback?.steering ?? 0); }
 
-  /** The way of a run that has ended. @returns {boolean} whether it has just become known */
+  /** Makes the playback of a run that has ended. @returns {boolean} whether it is new */
   arrive() {
     const { run } = this;
     if (!run?.ended || this.end || !run.isNewest) return false;

@@ -1,4 +1,4 @@
-/** The legend names what can be seen just now, and no more. */
+/** The legend of the stage. */
 import { byId, write } from "../app/dom.js";
 
 /** @import { Page } from "./page.js" */
@@ -9,27 +9,27 @@ export function showLegend({ calm }, { lanes, view, growing, playing, clock, hov
   const some = (/** @type {(lane: LaneState) => boolean} */ is) => lanes.some(is);
   const waits = growing && !playing && clock.now > 0;
   const flashes = growing && !calm;
-  const hasPath = lanes.some(({ status, isMiss }) => status === "solved" || isMiss);
-  const samples = lanes.some(({ hasRejected }) => hasRejected);
-  const motions = lanes.some(({ hasRefused }) => hasRefused);
+  const hasPath = some(({ status, isMiss }) => status === "solved" || isMiss);
+  const samples = some(({ hasRejected }) => hasRejected);
+  const motions = some(({ hasRefused }) => hasRefused);
   const seen = {
-    guard: lanes.some(({ hasGuards }) => hasGuards), newest: flashes || waits, waiting: lanes.some(({ waiting }) => waiting > 0),
-    // What is refused stays where it is wanted to, and else flashes while it grows.
+    guard: some(({ hasGuards }) => hasGuards), newest: flashes || waits, waiting: some(({ waiting }) => waiting > 0),
+    // Rejected elements are shown by the view option, or flash while the graph grows.
     rejected: (view.refused || flashes || waits) && (samples || motions), path: hasPath, poses: hasPath && view.strobe,
     piece: some(({ isApart }) => isApart), searched: some(({ isSearched }) => isSearched),
-    raw: view.raw && lanes.some(({ raw }) => raw !== null), touching: !touching.free || hover?.free === false || isBad,
+    raw: view.raw && some(({ raw }) => raw !== null), touching: !touching.free || hover?.free === false || isBad,
   };
   for (const [name, isSeen] of Object.entries(seen)) byId(`legend-${name}`, HTMLElement).hidden = !isSeen;
   byId("legend-rejected", HTMLElement).dataset.kinds = `${samples ? "samples " : ""}${motions ? "motions" : ""}`;
   byId("legend-growth-row", HTMLElement).dataset.kind = lanes[0].kind;
   write(byId("legend-growth", HTMLElement), [...new Set(lanes.map(({ kind }) => kind))].join(", "));
   const path = byId("legend-path", HTMLElement);
-  const isProven = lanes.some((lane) => lane.isProven);
+  const isProven = some((lane) => lane.isProven);
   const isMiss = lanes.every((lane) => lane.isMiss);
   path.dataset.proven = String(isProven);
   path.dataset.miss = String(isMiss);
   const also = [
-    !isMiss && lanes.some((lane) => lane.isMiss) ? "dashed: closest approach" : "",
+    !isMiss && some((lane) => lane.isMiss) ? "dashed: closest approach" : "",
     lanes.every((lane) => lane.isProven) ? "" : isProven ? "hollow: not proven" : "not proven",
   ];
   const words = path.querySelector("span");

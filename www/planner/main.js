@@ -1,88 +1,71 @@
 /**
- * The page's wiring: it loads the core, starts the worker, makes the controls and lets them know of each other. Nothing is put on `window`.
+ * The planner's page: it makes the session, the controls and the features that are loaded on demand, and connects them.
  *
- * What tests may rely on:
+ * For tests, beside the attributes listed in app.js:
  * - `#counters` carries `data-status` ("loading", "failed", "none", "running", "solved", "exhausted"), `data-phase`,
- *   `data-iterations`, `data-vertices`, `data-edges` of what is shown, `data-settled` ("true" while nothing moves and all is
- *   drawn), and once the newest iteration is shown and its result known `data-fingerprint` and, once solved, `data-length`.
+ *   `data-iterations`, `data-vertices`, `data-edges` of the iteration shown, `data-settled` ("true" while nothing moves and everything
+ *   is drawn), and once the newest iteration is shown and its result is known `data-fingerprint` and, once solved, `data-length`.
  * - `#play` carries `data-playing`; `body` carries `data-scene` (an id of scenes.js, or "file"), and `data-complete` once no scene
  *   needs the network any more.
  * - `#notice` is hidden, or carries `data-code` and `data-pointer` of the error it shows.
- * - `#readout` carries `data-vertex` of the vertex that is pointed at, "-1" of a mere pose, and `data-free`; neither while
- *   nothing is pointed at.
- * - `#touching` carries `data-free` and names what touches what.
- * - `#editor`, while it is open, carries `data-tool`, `data-kind` and `data-title` of what is selected, `data-undo`, `data-redo`, `data-changes`,
+ * - `#readout` carries `data-vertex`, the vertex under the pointer or "-1" for a mere configuration, and `data-free`; neither
+ *   while the pointer is on nothing.
+ * - `#touching` carries `data-free` and names the parts in collision.
+ * - `#editor`, while it is open, carries `data-tool`, `data-kind` and `data-title` of the selection, `data-undo`, `data-redo`, `data-changes`,
  *   `data-busy` ("true" during a gesture), `data-code` of the last refusal and `data-touching`, which names a start or goal in collision.
  * - `#story` carries `data-tone`, "bad" where a path that was found collides.
  * - In a race each row of `#standings tbody` carries `data-status` and, at rest at the newest iteration, `data-fingerprint`.
- * - The work of each frame in which something grew is a `performance.measure` called "planarium-frame".
+ * - The work of each frame in which the graph grew is a `performance.measure` called "planarium-frame".
  */
-import { watchAnnouncements } from "./announce.js";
 import * as library from "planarium";
-import { Counters } from "./counters.js";
-import { faultOf } from "../app/fault.js";
+import { App } from "../app/app.js";
 import { byId, write } from "../app/dom.js";
 import { isArray, watchFiles } from "../app/drop.js";
-import { Gallery, SIDE } from "../widgets/gallery.js";
-import { watchKeys } from "../app/keys.js";
-import { showLegend } from "./legend.js";
-import { Notice } from "../app/notice.js";
-import { Panel } from "./settings/panel.js";
-import { Pose } from "./pose/controls.js";
-import { Projector } from "../app/projector.js";
-import { showPseudocode } from "./pseudocode.js";
-import { watchTheme } from "../app/theme.js";
-import { watchPrint } from "./print.js";
-import { watchReadout } from "./pose/readout.js";
-import { Transport } from "./timeline/transport.js";
-import { keepForLater } from "../app/keep-offline.js";
-import { Page } from "./page.js";
 import { Part } from "../app/feature.js";
-import { loadCore, makeWorker } from "../app/resources.js";
+import { watchKeys } from "../app/keys.js";
+import { Projector } from "../app/projector.js";
+import { Gallery, SIDE } from "../widgets/gallery.js";
+import { watchAnnouncements } from "./announce.js";
+import { Counters } from "./counters.js";
+import { showLegend } from "./legend.js";
+import { Page } from "./page.js";
+import { Pose } from "./pose/controls.js";
+import { watchPrint } from "./print.js";
+import { showPseudocode } from "./pseudocode.js";
 import { SCENES } from "./scenes/scenes.js";
-import { Sheets } from "./sheets.js";
-import { connect } from "../app/worker-client.js";
 import { Session, placed } from "./session.js";
+import { Panel } from "./settings/panel.js";
+import { Sheets } from "./sheets.js";
+import { Transport } from "./timeline/transport.js";
 
 /** @import { PlannerWorker } from "./worker/worker.js" */
-/** @import { SceneEntry } from "../domain/types.js" */
 
-/** Milliseconds after which the thumbnails are drawn: the stage comes first. */
+/** Milliseconds after which the thumbnails are drawn, once the stage is. */
 const THUMBNAILS = 250;
-/** And after them what scenes need besides: the page has opened by then. */
-const PROVISIONS = 3000;
-/** How many seeds "New seed" chooses from: six digits can be said aloud. */
+/** Milliseconds after them at which the modules for other scenes are loaded. */
+const MODULES = 3000;
+/** The number of seeds that "New seed" chooses from: six digits can be said aloud. */
 const SEEDS = 1_000_000;
 
-const counters = new Counters();
-const notice = new Notice();
 document.documentElement.classList.toggle("embed", new URLSearchParams(location.search).get("embed") === "1");
+const app = new App();
+const { notice } = app;
+const counters = new Counters();
 
-try {
-  await start();
-  keepForLater();
-} catch (error) {
-  counters.none("failed");
-  notice.show("Planarium could not start. It needs a browser with WebAssembly and the other files of this site.", error);
-}
-
-async function start() {
-  const loading = loadCore();
-  const workers = /** @type {PlannerWorker} */ (connect(await makeWorker(), "planner", loading, (error) => notice.show("Something went wrong.", error)));
-  const core = await loading;
-  await library.default(core);
+const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ worker) => {
   const generators = library.generators();
-  const session = new Session(library, workers, () => library.initSync(core));
-
-  const story = byId("story", HTMLElement);
-  const where = byId("where", HTMLElement);
+  const session = new Session(app, library, worker);
   const turn = byId("your-turn", HTMLButtonElement);
   const stage = byId("stage", HTMLElement);
-  const panel = new Panel(library.planners(), () => library.randomSeed() % SEEDS, () => page.plan(), () => page.ask());
-  const page = new Page(session, panel, notice);
+  const readout = byId("readout", HTMLOutputElement);
+  const hint = matchMedia("(hover: hover)").matches ? "Point at a vertex to see its details." : "";
+  const panel = new Panel(library.planners(), () => library.randomSeed() % SEEDS, () => page.plan(), () => page.setQuery());
+  const page = new Page(app, session, panel);
   const sheets = new Sheets(page);
   const pose = new Pose((at) => page.act(({ byHand }) => byHand.hold(Float64Array.from(at))));
-  const gallery = new Gallery(SCENES, (entry) => void choose(entry));
+  const gallery = new Gallery(SCENES, (entry) => {
+    void app.track(page.openScene(entry), `The scene "${entry.title}" could not be loaded.`);
+  });
   const transport = new Transport(page);
   watchKeys([stage, transport.bar], {
     " ": () => page.act(({ timeline }) => timeline.toggle()),
@@ -92,29 +75,25 @@ async function start() {
     r: () => page.act(() => session.reset()),
     n: () => panel.reseed(),
   });
-  watchFiles(openFile, (name, error) => notice.show(`${name} could not be read.`, error));
-  watchTheme(() => page.setTheme());
+  watchFiles((name, bytes) => void app.track(openFile(name, bytes), `${name} could not be opened.`), (name, error) => app.fail(error, `${name} could not be read.`));
   watchAnnouncements(page);
   showPseudocode(page);
+  watchPrint(page);
+  const projector = new Projector(() => app.setTheme());
+
   const options = new Part(notice, async () => (await import("./scenes/options.js")).showSceneOptions(page, generators)).inFold("make-fold");
   page.onOpen((_, entry) => { if (entry?.sliders) options.use(); });
-  watchReadout(page);
-  watchPrint(page);
-  const projector = new Projector(() => page.setTheme());
-
   const race = new Part(notice, async () => new (await import("./race/race.js")).Race(page, sheets)).inFold("race-fold");
-  page.needRace = () => race.get();
+  page.loadRace = () => race.get();
   new Part(notice, async () => (await import("./view.js")).watchView(page)).inFold("view-fold");
   new Part(notice, async () => (await import("./curves.js")).watchCurves(page)).inFold("curves-fold");
   new Part(notice, async () => new (await import("./editor/controls.js")).EditorControls(page)).inFold("editor-fold").byButton("edit", (editor) => editor.begin());
   const drive = new Part(notice, async () => new (await import("./driving/controls.js")).DriveControls(page));
-  const lessons = new Part(notice, async () => new (await import("./lessons/lessons.js")).Lessons(page, SCENES)).inFold("lessons-fold");
+  const lessons = new Part(notice, async () => new (await import("./lessons/lessons.js")).Lessons(page)).inFold("lessons-fold");
   new Part(notice, async () => (await import("./export/export.js")).showTake(page)).inFold("take-fold");
-  const link = new Part(notice, async () => new (await import("./link/link.js")).Link(page, SCENES, generators, projector)).byButton("link", (part) => part.copy());
+  const link = new Part(notice, async () => new (await import("./link/link.js")).Link(page, SCENES, generators, projector)).byButton("link", ({ share }) => share.copy());
   if (window.parent !== window) (await import("./embed.js")).watchParent(page);
-  /** Puts on the stage what the address says, a step of a lesson or an experiment. */
-  const obey = async () => (await (location.hash.startsWith("#lesson=") ? lessons : link).get()).obey(location.hash);
-  addEventListener("hashchange", () => { if (location.hash) void obey(); });
+  addEventListener("hashchange", () => { if (location.hash) void app.track(openAddress()); });
 
   page.onOpen((facts, entry) => {
     if (!page.race?.arrange()) sheets.arrange(facts);
@@ -122,72 +101,62 @@ async function start() {
     gallery.mark(entry?.id ?? null);
   });
   page.onState((state) => {
-    const lane = state.lanes[0];
-    counters.show(lane, state.settled);
+    counters.show(state.lanes[0], state.settled);
     showLegend(page, state);
-    write(story, state.sentence);
-    story.dataset.tone = state.isBad ? "bad" : "";
-    turn.textContent = state.inHand ? "Watch again" : page.facts?.robot === "car" ? "Drive" : "Your turn";
-    write(where, `${page.title} \u00b7 ${page.names.join(" against ")}`);
+    const { hover } = state;
+    write(readout, hover ? hover.text : hint);
+    if (hover) Object.assign(readout.dataset, { vertex: hover.vertex, free: hover.free });
+    else for (const name of ["vertex", "free"]) delete readout.dataset[name];
+    app.say(state.sentence, { isBad: state.isBad, isSilent: true });
+    app.write({
+      "your-turn": state.inHand ? "Watch again" : page.facts?.robot === "car" ? "Drive" : "Your turn",
+      where: `${page.title} \u00b7 ${page.names.join(" against ")}`,
+    });
     stage.classList.toggle("in-hand", state.inHand);
     pose.reflect(state);
-    sheets.look(state, page.facts);
+    sheets.showAxes(state, page.facts);
     sheets.describe(state);
   });
-  page.onOrder(() => counters.unsettle());
-  page.onTheme(() => void drawThumbnails());
+  session.onDirty = () => counters.unsettle();
   turn.addEventListener("click", (event) => {
     if (page.facts?.robot === "car") {
       drive.use((controls) => controls.toggle());
       return;
     }
-    if (event.detail === 0) pose.awaitFocus();
+    if (event.detail === 0) pose.awaitsFocus = true;
     page.act(({ byHand }) => byHand.change());
   });
   turn.disabled = false;
 
-  page.setTheme();
-  if (location.hash) await obey();
+  app.onTheme(() => page.act(() => session.stage.setTheme(app.look)));
+  app.setTheme();
+  if (location.hash) await openAddress();
   else await page.openScene(SCENES[0]);
-  setTimeout(() => void drawThumbnails(), THUMBNAILS);
+  app.onTheme(() => void app.track(drawThumbnails()));
+  setTimeout(() => void app.track(drawThumbnails()), THUMBNAILS);
 
-  /** @param {SceneEntry} entry */
-  async function choose(entry) {
-    try {
-      await page.openScene(entry);
-    } catch (error) {
-      notice.show(`The scene "${entry.title}" could not be loaded.`, error);
-    }
-  }
+  /** Opens the experiment or the step of a lesson in the address. */
+  async function openAddress() { await (await (location.hash.startsWith("#lesson=") ? lessons : link).get()).open(location.hash); }
 
-  /** A file of the reader's own. If it is refused, what is on the stage stays there. @param {string} name @param {Uint8Array<ArrayBuffer>} bytes */
+  /** Opens a file; one that is refused leaves the open scene in place. @param {string} name @param {Uint8Array<ArrayBuffer>} bytes */
   async function openFile(name, bytes) {
-    try {
-      if (isArray(name, bytes)) await (await import("./export/arrays.js")).openArray(page, name, bytes);
-      else await page.open({ document: new TextDecoder().decode(bytes) });
-    } catch (error) {
-      notice.show(`${name} could not be opened.`, error);
-    }
+    if (isArray(name, bytes)) await (await import("./export/arrays.js")).openArray(page, name, bytes);
+    else await page.open({ document: new TextDecoder().decode(bytes) });
   }
 
   async function drawThumbnails() {
-    try {
-      for (const entry of SCENES) gallery.draw(entry.id, await workers.thumbnail(await page.sourceOf(entry), SIDE, page.look));
-    } catch (error) {
-      if (faultOf(error).code !== "internal") throw error;
-      // The planners in the worker were lost with the core.
-      session.fail(error);
-    }
-    setTimeout(() => void provide(), PROVISIONS);
+    for (const entry of SCENES) gallery.draw(entry.id, await worker.thumbnail(await page.sourceOf(entry), SIDE, app.look));
+    setTimeout(() => void loadModules(), MODULES);
   }
 
-  /** Fetches what scenes may want once the network is gone. */
-  async function provide() {
+  /** Loads the modules that other scenes need, for when there is no network. */
+  async function loadModules() {
     try {
       await Promise.all([options.get(), placed()]);
       document.body.dataset.complete = "true";
     } catch {
-      // there is no network already: whoever needs it asks again, and is told
+      // There is no network any more: the next use tries again, and reports the error.
     }
   }
-}
+}, "worker.js");
+if (!isOpen) counters.fail();

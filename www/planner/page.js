@@ -1,101 +1,70 @@
 /**
- * The page as its parts know it: what is open, the state of the last frame, and whom to tell. Parts register what they do when a
- * scene opens, when a state comes, when the colours change; none of them knows the others.
+ * The page as its features see it: the open scene, the state of the last frame, and events. Features register listeners for scenes
+ * and states; none of them knows the others.
  */
-import { byId } from "../app/dom.js";
-import { isProjected } from "../app/projector.js";
 import { nameAll } from "./race/names.js";
-import { faultOf } from "../app/fault.js";
 import { loadScene } from "../app/resources.js";
-import { readPalette } from "../app/palette.js";
 import { letter } from "./race/standings.js";
 import { robotName } from "../domain/names.js";
 
-/** @import { Notice } from "../app/notice.js" */
+/** @import { App } from "../app/app.js" */
 /** @import { Panel } from "./settings/panel.js" */
 /** @import { Race } from "./race/race.js" */
 /** @import { Session } from "./session.js" */
-/** @import { Look, Plan, SceneEntry, SceneFacts, Source, State, ViewOptions } from "../domain/types.js" */
-/** @typedef {{ entry?: SceneEntry, query?: string, plans?: Plan[], iteration?: number, play?: boolean }} Opening   how a scenario is to be put on the stage */
+/** @import { Plan, SceneEntry, SceneFacts, Source, State, ViewOptions } from "../domain/types.js" */
+/** @typedef {{ entry?: SceneEntry, query?: string, plans?: Plan[], iteration?: number, play?: boolean }} Opening   how to open a scenario */
 
-/** Iterations a second at which a scenario of the reader's own is shown. */
+/** Iterations a second of a scenario from a file. */
 const PACE = 60;
 
 export class Page {
-  /** @param {Session} session @param {Panel} panel @param {Notice} notice */
-  constructor(session, panel, notice) {
+  /** @param {App} app @param {Session} session @param {Panel} panel */
+  constructor(app, session, panel) {
+    this.app = app;
     this.session = session;
     this.panel = panel;
-    this.notice = notice;
-    this.calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    /** How things stood at the last frame. @type {State | null} */
+    this.notice = app.notice;
+    this.calm = app.reducedMotion;
+    /** The state of the last frame. @type {State | null} */
     this.state = null;
-    /** The scenario on the stage. @type {SceneFacts | null} */
+    /** The open scenario. @type {SceneFacts | null} */
     this.facts = null;
-    /** Where it comes from. @type {Source | null} */
+    /** The origin of the open scenario. @type {Source | null} */
     this.source = null;
-    /** The page's own scene, if it is one. @type {SceneEntry | null} */
+    /** The open scene, where it is a built-in one. @type {SceneEntry | null} */
     this.entry = null;
-    /** What it is called: as in the gallery, where it is there. */
     this.name = "";
-    /** Iterations a second that it was opened with, if it did not keep those of before. @type {number | undefined} */
+    /** Iterations a second that the scene was opened with; undefined keeps the previous speed. @type {number | undefined} */
     this.pace = undefined;
-    /** Planners that race with the one of the panel. @type {Plan[]} */
-    this.rivals = [];
-    /** What the planners on the stage were asked. @type {Plan[]} */
-    this.asked = [];
-    /** Counts what was wished for: what is loaded for an older wish is dropped. */
-    this.wish = 0;
-    /** Where rivals are chosen, once it was asked for. @type {Race | null} */
+    /** The plans of the current runs: first the panel's, then its rivals'. @type {Plan[]} */
+    this.current = [];
+    /** Number of the latest request to open a scene; an older one that is still loading is dropped. */
+    this.request = 0;
+    /** Loaded on demand. @type {Race | null} */
     this.race = null;
-    /** Asks for it. @type {() => Promise<unknown>} */
-    this.needRace = async () => {};
-    /** Was it told why the core would not plan this? */
-    this.told = false;
+    /** Loads the race. @type {() => Promise<unknown>} */
+    this.loadRace = async () => {};
+    /** Whether the current refusal has been shown. */
+    this.isRefusalShown = false;
     /** @type {((facts: SceneFacts, entry: SceneEntry | null) => void)[]} */
-    this.openers = [];
-    /** @type {((state: State, before: State | null) => void)[]} */
-    this.watchers = [];
-    /** Who waits for a state. @type {((value: unknown) => void)[]} */
-    this.arrivals = [];
-    /** @type {(() => void)[]} */
-    this.themed = [];
-    /** @type {(() => void)[]} */
-    this.orderers = [];
-    session.tell = (state) => this.reflect(state);
-    session.onDirty = () => {
-      for (const then of this.orderers) then();
-    };
-    this.watchRatio();
+    this.openListeners = [];
+    /** @type {((state: State) => void)[]} */
+    this.stateListeners = [];
+    /** Resolved with the next state. @type {((value: unknown) => void)[]} */
+    this.waiting = [];
+    session.onState = (state) => this.reflect(state);
   }
 
-  /** Calls back whenever a scenario was put on the stage. @param {(facts: SceneFacts, entry: SceneEntry | null) => void} then */
-  onOpen(then) { this.openers.push(then); }
-
-  /** Calls back with the state of each frame. @param {(state: State, before: State | null) => void} then */
-  onState(then) { this.watchers.push(then); }
-
-  /** Calls back when something was ordered that is not done yet. @param {() => void} then */
-  onOrder(then) { this.orderers.push(then); }
-
-  /** Calls back when colours or pixels are others. @param {() => void} then */
-  onTheme(then) { this.themed.push(then); }
-
-  /** @returns {Look} */
-  get look() { return { palette: readPalette(byId("stage", HTMLElement)), ratio: devicePixelRatio || 1, calm: this.calm, bold: isProjected() ? 1.7 : 1 }; }
-
-  /** Colours or pixels are others. */
-  setTheme() {
-    this.act((session) => session.stage.setTheme(this.look));
-    for (const then of this.themed) then();
+  /** Runs with the open scenario, and whenever another one was opened. @param {(facts: SceneFacts, entry: SceneEntry | null) => void} listener */
+  onOpen(listener) {
+    this.openListeners.push(listener);
+    if (this.facts) listener(this.facts, this.entry);
   }
 
-  /** Asks to be told when the number of device pixels a CSS pixel changes. */
-  watchRatio() {
-    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", () => {
-      this.setTheme();
-      this.watchRatio();
-    }, { once: true });
+  /** Runs with the last state, and with the state of each frame. @param {(state: State) => void} listener */
+  onState(listener) {
+    this.stateListeners.push(listener);
+    if (this.state) listener(this.state);
   }
 
   /** @param {SceneEntry} entry @returns {Promise<Source>} */
@@ -104,156 +73,139 @@ export class Page {
   }
 
   /**
-   * Loads one of the page's own scenes and puts it on the stage, unless something newer is wished for meanwhile.
+   * Loads and opens a built-in scene, unless a newer request comes meanwhile.
    * @param {SceneEntry} entry
    * @param {Opening} [opening]
-   * @returns {Promise<boolean>} whether it is there
+   * @returns {Promise<boolean>} whether it was opened
    * @throws {Error} it cannot be loaded or read
    */
   async openScene(entry, opening) {
-    const mine = ++this.wish;
+    const request = ++this.request;
     const source = await this.sourceOf(entry);
-    if (mine !== this.wish) return false;
+    if (request !== this.request) return false;
     await this.open(source, { ...opening, entry });
     return true;
   }
 
   /**
-   * Puts a scenario on the stage, the page's own with the planner and parameters that show it well. What is there stays if it
-   * cannot be read.
+   * Opens a scenario, a built-in one with its own planner and parameters. One that cannot be read leaves the open one in place.
    * @param {Source} source @param {Opening} [opening]
    * @throws {Error} with `code` and `pointer`
    */
   async open(source, { entry, query, plans, iteration, play = !this.calm } = {}) {
-    const { panel } = this;
-    this.wish++;
-    if (plans && plans.length > 1) await this.needRace();
-    // A scene that is put on the stage anew keeps the speed that it is watched at.
+    const { panel, session } = this;
+    const request = ++this.request;
+    if (plans && plans.length > 1) await this.loadRace();
+    // A scene that is opened again keeps the current speed.
     const pace = entry && entry === this.entry ? undefined : entry?.pace ?? PACE;
     const given = plans?.[0] ?? entry;
-    const mine = this.wish;
-    const scenario = this.run(() => this.session.read(source));
-    const placed = await this.session.placedOf(scenario);
-    if (mine !== this.wish) {
+    const scenario = session.read(source);
+    const placed = await session.placedOf(scenario);
+    if (request !== this.request) {
       scenario.free();
       return;
     }
-    // Planners and parameters that do not serve this robot would be refused.
+    // Planners and parameters for other robots would be refused.
     panel.offer(scenario.robot);
-    const plan = given ? panel.reads(given.algorithm, given.settings) : panel.plan ?? { algorithm: panel.algorithm, settings: {} };
+    const plan = given ? panel.planFrom(given.algorithm, given.settings) : panel.plan ?? { algorithm: panel.algorithm, settings: {} };
     const dropped = this.race?.offer() ?? [];
-    const wanted = plans?.slice(1) ?? this.race?.beside(plan) ?? this.rivals;
-    const rivals = wanted.filter(({ algorithm }) => panel.serves(algorithm));
-    const removed = plans ? wanted.map(({ algorithm }, i) => ({ algorithm, lane: i + 1 })).filter(({ algorithm }) => !panel.serves(algorithm)) : dropped;
-    const facts = this.run((session) => session.open(scenario, {
-      plans: [plan, ...rivals], query, iteration, play, pace,
+    const wanted = plans?.slice(1) ?? this.race?.beside(plan) ?? this.current.slice(1);
+    const isServed = (/** @type {Plan} */ { algorithm }) => panel.serves(algorithm);
+    const removed = plans ? wanted.map((rival, i) => ({ ...rival, lane: i + 1 })).filter((rival) => !isServed(rival)) : dropped;
+    const current = [plan, ...wanted.filter(isServed)];
+    const facts = this.run(() => session.open(scenario, {
+      plans: current, query, iteration, play, pace,
       story: { sentence: entry?.story ?? "", algorithm: entry?.algorithm ?? "", isProven: entry?.settings.edge_check !== "sampled" },
     }, placed));
     this.notice.hide();
     this.source = source;
     this.entry = entry ?? null;
-    this.rivals = rivals;
-    this.asked = [plan, ...rivals];
+    this.current = current;
     this.pace = pace;
     this.name = entry?.title ?? facts.title;
-    this.told = false;
-    if (plans) this.race?.adopt(this.asked);
+    this.isRefusalShown = false;
+    if (plans) this.race?.adopt(current);
     if (given) panel.suggest(given.algorithm, given.settings, entry?.settings);
     this.show(facts);
     if (removed.length > 0) this.notice.show(removed.map((one) => this.removal(one)).join(" "), "");
   }
 
-  /** Why a rival was removed, in a sentence. @param {{ lane: number, algorithm: string }} rival */
+  /** Why a rival was removed. @param {{ lane: number, algorithm: string }} rival */
   removal({ lane, algorithm }) {
     const info = this.panel.infos.find(({ id }) => id === algorithm);
     const robots = info?.robots.map((robot) => `${robot === "arm" ? "an" : "a"} ${robotName(robot)}`).join(" or ");
     return `${info ? `${info.title} needs ${robots}` : `There is no planner "${algorithm}"`}, so rival ${letter(lane)} was removed.`;
   }
 
-  /** The scenario on the stage is this now. @param {SceneFacts} facts */
+  /** Announces the open scenario to the listeners. @param {SceneFacts} facts */
   show(facts) {
     this.facts = facts;
     this.panel.offerQueries(facts.queries, facts.query);
     document.body.dataset.scene = this.entry?.id ?? "file";
-    for (const then of this.openers) then(facts, this.entry);
+    for (const listener of this.openListeners) listener(facts, this.entry);
   }
 
   /**
-   * Does something with the session; what was shown at rest no longer holds.
+   * Changes the session; the state last shown is then out of date.
    * @template T @param {(session: Session) => T} action @returns {T}
-   * @throws {Error} what the action throws; a lost core is renewed first
    */
   run(action) {
-    const { session } = this;
-    try {
-      const value = action(session);
-      session.markDirty();
-      return value;
-    } catch (error) {
-      if (faultOf(error).code === "internal") session.recover();
-      throw error;
-    }
+    const value = action(this.session);
+    this.session.markDirty();
+    return value;
   }
 
-  /** The same, where nobody waits for what it returns: that it did not work is said. @param {(session: Session) => unknown} action */
-  act(action) {
-    try {
-      this.run(action);
-    } catch (error) {
-      this.notice.show("Something went wrong.", error);
-    }
-  }
+  /** Changes the session; an error is shown. @param {(session: Session) => unknown} action */
+  act(action) { this.app.guard(() => this.run(action)); }
 
-  /** Waits until all that was asked for is shown, or at least under way. @returns {Promise<State | null>} */
+  /** Waits until everything requested is shown, or a run plays. @returns {Promise<State | null>} */
   async arrived() {
     for (;;) {
       const { state, session } = this;
       if (!state || (!session.isStale && (state.playing || state.settled))) return state;
-      await new Promise((resolve) => this.arrivals.push(resolve));
+      await new Promise((resolve) => this.waiting.push(resolve));
     }
   }
 
-  /** What all planners are asked, or null while a field holds a value that is refused. @returns {Plan[] | null} */
+  /** The plans of the panel and the rivals, or null while a field holds an invalid value. @returns {Plan[] | null} */
   get plans() {
     const { plan } = this.panel;
     const rivals = plan && (this.race ? this.race.beside(plan) : []);
     return rivals && [plan, ...rivals];
   }
 
-  /** The name of the scene, and whether it was edited. */
+  /** The title of the scene, and whether it was edited. */
   get title() { return this.state?.isEdited ? `${this.name} (edited)` : this.name; }
 
-  /** What the planners on the stage are called. */
-  get names() { return nameAll(this.asked, (algorithm) => this.panel.titleOf(algorithm)); }
+  get names() { return nameAll(this.current, (algorithm) => this.panel.titleOf(algorithm)); }
 
-  /** New runs from the settings. @param {boolean} [play] */
-  plan(play = this.goesOn) {
+  /** Begins new runs with the current settings. */
+  plan() {
     const { plans } = this;
     if (!plans) return;
     this.notice.hide();
-    this.rivals = plans.slice(1);
-    this.asked = plans;
-    this.told = false;
-    this.act((session) => session.plan(plans, play));
+    this.current = plans;
+    this.isRefusalShown = false;
+    this.act((session) => session.plan(plans, this.autoplay));
   }
 
   /** Points at a vertex by its number. @param {number} vertex  -1: none */
   async inspect(vertex) {
     const pointing = await this.session.byHand.ready();
-    this.act(() => pointing.choose(vertex));
+    this.act(() => { pointing.chosen = vertex; });
   }
 
-  /** Other things are to be seen. @param {Partial<ViewOptions>} view */
-  see(view) { this.act((session) => session.setView(view)); }
+  /** Changes the view. @param {Partial<ViewOptions>} view */
+  setView(view) { this.act((session) => session.setView(view)); }
 
-  /** The query that is chosen. */
-  ask() {
-    this.told = false;
-    this.act((session) => session.ask(this.panel.query.value, this.goesOn));
+  /** Plans the query selected in the panel. */
+  setQuery() {
+    this.isRefusalShown = false;
+    this.act((session) => session.setQuery(this.panel.query.value, this.autoplay));
   }
 
-  /** Whoever changes a setting of a run that moves or has ended wants to see the new one. */
-  get goesOn() {
+  /** Whether a new run plays at once: after a change to a run that plays or has ended. */
+  get autoplay() {
     const { state, calm } = this;
     return state !== null && (state.playing || (!calm && !state.growing && state.lanes.some(({ status }) => status !== "none")));
   }
@@ -263,17 +215,18 @@ export class Page {
     const before = this.state;
     this.state = state;
     if (state.lanes.length === 0) return;
-    for (const then of this.watchers) then(state, before);
-    for (const arrive of this.arrivals.splice(0)) arrive(null);
-    const { refusal } = state;
-    // Old news is not told, and each refusal once; what the editor is at, it says itself, where the hand is.
-    if (!refusal || Boolean(before?.edit) !== Boolean(state.edit)) this.told = false;
-    if (!refusal || this.told || state.edit?.touching) return;
-    this.told = true;
-    const { lane, pointer, message } = refusal;
-    if (lane === 0 ? this.panel.refuse(pointer, message) : this.race?.refuse(lane, pointer, message)) return;
-    const who = state.clock.isRace ? `${letter(lane)}, ${this.panel.titleOf(state.lanes[lane].algorithm)},` : "This";
-    const told = lane > 0 ? `${message.replace(/\.?$/, ".")} Change its settings or remove ${letter(lane)} to start the race.` : message;
-    this.notice.show(`${who} cannot be planned.`, Object.assign(new Error(told), { code: refusal.code, pointer }));
+    for (const listener of this.stateListeners) listener(state);
+    for (const resolve of this.waiting.splice(0)) resolve(null);
+    const { refusal, isEditing } = state;
+    // Each refusal is shown once. The editor shows its own beside the object.
+    if (!refusal || Boolean(before?.isEditing) !== isEditing) this.isRefusalShown = false;
+    if (!refusal || this.isRefusalShown || (isEditing && this.session.editor?.touching)) return;
+    this.isRefusalShown = true;
+    const { lane, pointer, message, code } = refusal;
+    if (lane > 0) this.race?.refuse(lane, pointer, message);
+    else if (this.panel.form.refuse(pointer, message)) return;
+    const subject = state.clock.isRace ? `${letter(lane)}, ${this.panel.titleOf(state.lanes[lane].algorithm)},` : "This";
+    const text = lane > 0 ? `${message.replace(/\.?$/, ".")} Change its settings or remove ${letter(lane)} to start the race.` : message;
+    this.notice.show(`${subject} cannot be planned.`, Object.assign(new Error(text), { code, pointer }));
   }
 }

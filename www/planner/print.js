@@ -1,7 +1,7 @@
-/** The line on paper that says what is printed: scene, planners with their settings, and the time that is shown. */
+/** A line for the printed page: the scene, the planners with their settings, and the time shown. */
 import { byId, grouped, make } from "../app/dom.js";
 import { letter } from "./race/standings.js";
-import { FIRST } from "./settings/panel.js";
+import { FIRST } from "./settings/form.js";
 
 /** @import { Page } from "./page.js" */
 
@@ -12,7 +12,7 @@ export function watchPrint(page) {
   byId("story", HTMLElement).before(line);
   addEventListener("beforeprint", () => {
     line.textContent = lineOf(page);
-    // Paper is light, but the canvases stay as they were drawn.
+    // The printed page is light, but the canvases stay as they were drawn.
     const { dataset: { theme } } = document.documentElement;
     stage.style.colorScheme = theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
   });
@@ -20,9 +20,9 @@ export function watchPrint(page) {
 }
 
 /** @param {Page} page */
-function lineOf({ title, asked, panel, state }) {
-  const plans = asked.map(({ algorithm, settings }, lane) => {
-    const name = asked.length > 1 ? `${letter(lane)} ${panel.titleOf(algorithm)}` : panel.titleOf(algorithm);
+function lineOf({ title, current, panel, state }) {
+  const plans = current.map(({ algorithm, settings }, lane) => {
+    const name = current.length > 1 ? `${letter(lane)} ${panel.titleOf(algorithm)}` : panel.titleOf(algorithm);
     const values = [...FIRST].filter((one) => settings[one] !== undefined).map((one) => `${one.replaceAll("_", " ")} ${settings[one]}`);
     return [name, ...values].join(", ");
   });

@@ -1,13 +1,11 @@
-/**
- * The planner in pseudo-code, as the core tells it: lit are the lines that the iteration shown went through, and while it
- * plays those that the last iterations went through.
- */
+/** The pseudocode of the planner. The lines of the iteration shown are marked, or while it plays those of the last few iterations. */
 import { byId, make } from "../app/dom.js";
+import { pacer } from "../app/paced.js";
 
 /** @import { Page } from "./page.js" */
 
-/** Milliseconds between two changes while it plays: as fast as it can be followed. */
-const READABLE = 200;
+/** Milliseconds between two changes while it plays. */
+const PAUSE = 200;
 
 /** @param {Page} page */
 export function showPseudocode(page) {
@@ -15,8 +13,8 @@ export function showPseudocode(page) {
   const details = make("details", { open: matchMedia("(min-width: 64rem)").matches }, make("summary", {}, "Pseudocode"), list);
   byId("pseudocode", HTMLElement).append(details);
   let shown = "";
-  let written = -Infinity;
-  /** Since the lines were lit last. @type {Set<string>} */
+  const isDue = pacer(PAUSE);
+  /** The marks since the last change. @type {Set<string>} */
   const marks = new Set();
   /** @type {{ row: HTMLElement, marks: readonly string[] }[]} */
   let lines = [];
@@ -32,15 +30,11 @@ export function showPseudocode(page) {
       });
       list.replaceChildren(...lines.map(({ row }) => row));
     }
-    const moving = playing && growing;
-    if (!moving) marks.clear();
+    const isMoving = playing && growing;
+    if (!isMoving) marks.clear();
     for (const mark of lane.marks) marks.add(mark);
-    if (moving && performance.now() - written < READABLE) return;
-    written = performance.now();
-    for (const line of lines) {
-      if (line.marks.some((mark) => marks.has(mark))) line.row.setAttribute("aria-current", "step");
-      else line.row.removeAttribute("aria-current");
-    }
+    if (!isDue(!isMoving)) return;
+    for (const line of lines) line.row.ariaCurrent = line.marks.some((mark) => marks.has(mark)) ? "step" : null;
     marks.clear();
   });
 }

@@ -1,6 +1,6 @@
 /**
- * What goes on: which scenario is on the stage, which planners grow on it, what time it is, whether the robot follows a path
- * or is in the reader's hand. One frame at a time: a bounded slice of planning, then a bounded slice of drawing.
+ * The session: the scenario on the stage, the planners that grow on it, the time that is shown, and the robot, which follows a path or
+ * is posed by hand. A frame draws for a bounded time.
  */
 import { faultOf } from "../app/fault.js";
 import { once } from "../app/once.js";
@@ -8,48 +8,45 @@ import { Stage } from "./stage/stage.js";
 import { Clock } from "./timeline/clock.js";
 import { Timeline } from "./timeline/playback.js";
 import { coordinatesOf } from "../domain/coordinates.js";
-import { thinned } from "./run-log/curve.js";
 import { Lane } from "./lane.js";
 import { axesOf } from "../domain/names.js";
 import { report } from "./state.js";
-import * as story from "./story.js";
 import { PoseByHand } from "./pose/pose-by-hand.js";
 
+/** @import { App } from "../app/app.js" */
 /** @import { PlannerWorker } from "./worker/worker.js" */
-/** @import { Painting } from "./worker/obstacles.js" */
-/** @import { Curves, Library, Plan, Pointer, Programme, Scenario, ScenarioDocument, SceneFacts, Source, State, ViewOptions } from "../domain/types.js" */
+/** @import { Library, Plan, Pointer, Scenario, ScenarioDocument, Source, State, ViewOptions } from "../domain/types.js" */
 /** @import { Driving } from "./driving/driving.js" */
 /** @import { Editor } from "./editor/editor.js" */
 /** @import { Placed } from "./stage/placed.js" */
 /** @import { Shown } from "./lane.js" */
+/** @import { Story } from "./story.js" */
 
-/** Milliseconds into a frame at which inking new growth stops. */
-const FRAME = 6;
-/** When inking stops where nothing plays and the reader waits for another time. */
-const REDRAW = 24;
-/** Milliseconds between two reports of the state while it plays. */
+/** Milliseconds into a frame at which drawing of growth stops: while a run plays, and otherwise. */
+const DRAWING = { playing: 6, paused: 24 };
+/** Milliseconds between two reports of the state while a run plays. */
 const REPORT = 50;
-/** Measures kept in the browser's timeline before it is emptied. */
+/** Measures stored in the browser's timeline before it is cleared. */
 const MEASURES = 20000;
 
-/** Fetched once. */
+/** The module that draws bodies and cars, loaded once. */
 export const placed = once(() => import("./stage/placed.js"));
 
 export class Session {
   /**
+   * @param {App} app
    * @param {Library} library
    * @param {PlannerWorker} planners   the worker
-   * @param {() => void} renew   makes a fresh core after the last one was lost
    */
-  constructor(library, planners, renew) {
+  constructor(app, library, planners) {
+    this.app = app;
     this.library = library;
     this.planners = planners;
-    this.renew = renew;
-    /** Hears what is to be told of each frame. @type {(state: State) => void} */
-    this.tell = () => {};
-    /** Hears that what was told at rest no longer holds. */
+    /** Called with the state of each frame. @type {(state: State) => void} */
+    this.onState = () => {};
+    /** Called when the state last reported is out of date. */
     this.onDirty = () => {};
-    this.stage = new Stage((painting) => this.paint(painting), () => this.wake());
+    this.stage = new Stage(async (painting) => await app.track(planners.obstacles(painting)) ?? null, () => this.wake());
     this.clock = new Clock();
     this.timeline = new Timeline(this);
     this.byHand = new PoseByHand(this);
@@ -57,32 +54,33 @@ export class Session {
     this.shown = null;
     /** @type {Lane[]} */
     this.lanes = [];
-    /** @type {string | undefined} */
+    /** The name of the current query. @type {string | undefined} */
     this.query = undefined;
     /** @type {ViewOptions} */
     this.view = { axes: [0, 1], refused: false, strobe: true, poses: 8, raw: false, slice: false };
-    /** What the scene says of its own planner. */
+    /** The scene's sentence about its own planner. */
     this.story = { algorithm: "", isProven: true, sentence: "" };
-    /** Why the core would not plan, if so, and for which lane. @type {{ error: unknown, lane: number } | null} */
+    /** Why the core refused to plan, and the lane. @type {{ error: unknown, lane: number } | null} */
     this.refusal = null;
-    /** All that was asked for is made and drawn. */
+    /** Whether everything requested is planned and drawn. */
     this.settled = false;
-    /** Something was asked for that no frame has shown yet. */
+    /** Whether something was requested that no frame has shown yet. */
     this.isStale = false;
     /** When the state was last reported, on the clock of frames. */
     this.reported = -Infinity;
-    /** Once it was asked for. @type {Editor | null} */
+    /** Loaded on demand. @type {Editor | null} */
     this.editor = null;
-    /** Once it was asked for. @type {Driving | null} */
+    /** Loaded on demand. @type {Driving | null} */
     this.driving = null;
     this.last = 0;
-    this.scheduled = false;
     this.measures = 0;
-    /** How often there were new runs. */
+    /** How many times new runs have begun. */
     this.plannings = 0;
+    app.onFrame((now) => this.frame(now));
+    app.rebuild = () => this.restart();
   }
 
-  /** What bodies and cars need besides, fetched with the first of them. @param {Scenario} scenario @returns {Promise<Placed | null>} */
+  /** Loads the drawing of bodies and cars; null for other robots. @param {Scenario} scenario @returns {Promise<Placed | null>} */
   async placedOf(scenario) {
     const { robot } = scenario.document();
     if (robot.type !== "rigid_body" && robot.type !== "car") return null;
@@ -90,19 +88,28 @@ export class Session {
     return new Placed(robot);
   }
 
-  /** Puts a scenario on the stage; the one before it is freed. @param {Scenario} scenario @param {Programme} programme @param {Placed | null} placed @returns {SceneFacts} */
-  open(scenario, programme, placed) {
+  /**
+   * Opens a scenario and frees the previous one.
+   * @param {Scenario} scenario
+   * @param {{ plans: Plan[], query?: string, play: boolean, pace?: number, iteration?: number, story: Story }} options  `plans`: up to four
+   * @param {Placed | null} placed
+   */
+  open(scenario, { plans, query, play, pace, iteration = 0, story }, placed) {
     if (Boolean(placed) !== Boolean(this.shown?.placed) || this.view.axes.some((axis) => axis >= scenario.dimension)) this.view.axes = axesOf(scenario.robot);
-    this.clear();
+    for (const lane of this.lanes.splice(0)) lane.free();
+    this.shown?.scenario.free();
     const document = scenario.document();
-    this.shown = { scenario, document, query: undefined, start: null, goal: null, target: null, goals: [], hand: null, check: null, hover: null, view: this.view, rough: false, overlay: null, marked: null, placed, driven: null };
-    this.story = programme.story;
-    if (programme.pace !== undefined) this.clock.pace = programme.pace;
-    this.query = document.queries.find(({ name }) => name === programme.query)?.name ?? document.queries[0]?.name;
+    this.shown = {
+      scenario, document, query: undefined, start: null, goal: null, target: null, goals: [], hand: null, check: null, hover: null,
+      view: this.view, rough: false, overlay: null, marked: null, placed, driven: null,
+    };
+    this.story = story;
+    if (pace !== undefined) this.clock.pace = pace;
+    this.query = document.queries.find(({ name }) => name === query)?.name ?? document.queries[0]?.name;
     this.stage.invalidate();
     this.editor?.begin();
-    this.plan(programme.plans, programme.play && !this.editor?.on);
-    if (programme.iteration !== undefined && programme.iteration > 0) this.timeline.seek(programme.iteration);
+    this.plan(plans, play && !this.editor?.on);
+    if (iteration > 0) this.timeline.seek(iteration);
     return this.facts();
   }
 
@@ -112,7 +119,7 @@ export class Session {
     return "generate" in source ? Scenario.generate(source.generate.kind, source.generate.options) : Scenario.parse(/** @type {ScenarioDocument} */ (source.document));
   }
 
-  /** What there is to know of the scenario on the stage. @returns {SceneFacts} */
+  /** The scenario on the stage, as data. */
   facts() {
     const { scenario, document, start, goal } = /** @type {Shown} */ (this.shown);
     return {
@@ -123,21 +130,21 @@ export class Session {
   }
 
   /**
-   * Another world or query under the same plans, which wait at iteration 0.
-   * @param {Scenario} scenario @param {ScenarioDocument} document @param {boolean} live  it is being changed by hand
+   * Replaces the scenario by an edited one; the same plans wait at iteration 0.
+   * @param {Scenario} scenario @param {ScenarioDocument} document @param {boolean} live  during a gesture
    */
   replace(scenario, document, live) {
-    const { shown, lanes } = this;
+    const { shown, lanes, plans } = this;
     if (!shown) return;
     for (const lane of lanes) lane.free();
     shown.scenario.free();
     this.shown = { ...shown, scenario, document, hover: null, rough: live, marked: null };
-    this.plan(lanes.map(({ plan }) => plan), false);
+    this.plan(plans, false);
     if (!live) this.stage.invalidate();
   }
 
   /**
-   * Configurations of the reader's own, to be seen until the scene is another; none: those before are taken away.
+   * Marks configurations until another scene is opened; null removes the marks.
    * @param {Float64Array | null} rows  of `dimension` finite numbers
    * @returns {number} how many of them are free
    */
@@ -153,14 +160,16 @@ export class Session {
     return free ? free.reduce((sum, one) => sum + one, 0) : 0;
   }
 
-  /** Another query of the scenario. @param {string} query @param {boolean} play */
-  ask(query, play) {
+  /** Plans another query of the scenario. @param {string} query @param {boolean} play */
+  setQuery(query, play) {
     this.query = query;
-    this.plan(this.lanes.map(({ plan }) => plan), play);
+    this.plan(this.plans, play);
     this.stage.invalidate();
   }
 
-  /** New runs from what is asked of each planner. @param {Plan[]} plans @param {boolean} play */
+  get plans() { return this.lanes.map(({ plan }) => plan); }
+
+  /** Begins new runs, one for each plan. @param {Plan[]} plans @param {boolean} play */
   plan(plans, play) {
     const { shown, clock } = this;
     if (!shown) return;
@@ -178,10 +187,9 @@ export class Session {
     this.markDirty();
     plans.forEach((plan, i) => {
       if (this.lanes[i]?.shown === shown) this.lanes[i].plan = plan;
-      else (this.lanes[i] = new Lane(shown, plan));
+      else this.lanes[i] = new Lane(shown, plan);
     });
     for (const lane of this.lanes.splice(plans.length)) lane.free();
-    for (const lane of this.lanes) lane.free();
     let at = 0;
     try {
       for (; at < this.lanes.length; at++) this.lanes[at].start(this.query, this.library);
@@ -193,7 +201,7 @@ export class Session {
     }
     const { run } = this.lanes[0] ?? {};
     if (shown.target) {
-      // A seed of its own may find other poses that reach the target.
+      // Another seed may find other configurations that reach the target.
       shown.goals = run ? run.goals : [];
       this.stage.invalidate();
     }
@@ -201,13 +209,19 @@ export class Session {
     this.wake();
   }
 
-  clear() {
-    for (const lane of this.lanes.splice(0)) lane.free();
-    this.shown?.scenario.free();
-    this.shown = null;
+  /** Begins the same runs again, paused. */
+  reset() { this.plan(this.plans, false); }
+
+  /** Begins the same runs again after the core was lost with everything in it. */
+  restart() {
+    const { shown, plans } = this;
+    if (!shown) return;
+    this.shown = { ...shown, scenario: this.library.Scenario.parse(shown.document), hand: null, check: null, hover: null };
+    this.lanes = [];
+    this.plan(plans, false);
   }
 
-  /** What was told at rest no longer holds. */
+  /** Declares the state last reported out of date, and requests a frame. */
   markDirty() {
     this.settled = false;
     this.isStale = true;
@@ -215,164 +229,88 @@ export class Session {
     this.wake();
   }
 
-  /** A pointer on a pane: the editor's while it is on. @param {Pointer} pointer */
+  /** Handles a pointer event on a pane, in the editor while that is open. @param {Pointer} pointer */
   async pointer(pointer) {
     await this.byHand.ready();
-    if (this.editor?.on) this.editor.hand.obey(pointer);
+    if (this.editor?.on) this.editor.hand.handle(pointer);
     else this.byHand.point(pointer);
     this.wake();
   }
 
-  /** Does any planner go on? */
   get growing() { return this.lanes.some(({ run }) => run && run.status === "running"); }
 
-  /** Is there a way to follow? */
+  /** Whether the robot can follow a path. */
   get travelling() { return !this.growing && this.playbacks.length > 0; }
 
-  /** The ways that are known: those of a race are followed in step. */
+  /** The paths found; in a race they are followed in step. */
   get playbacks() { return this.lanes.flatMap(({ playback }) => playback ?? []); }
 
-  reset() {
-    this.plan(this.lanes.map(({ plan }) => plan), false);
-  }
-
-  /** @param {number} pace  iterations a second */
-  setPace(pace) { this.clock.pace = pace; }
-
-  /** What is to be seen. @param {Partial<ViewOptions>} view */
+  /** Changes the view. @param {Partial<ViewOptions>} view */
   setView(view) {
     Object.assign(this.view, view);
     this.markDirty();
-    // Poses and the path as found are on the top, which is drawn anew each frame.
+    // The top layer, with the configurations and the path before shortcutting, is redrawn in each frame.
     if ("axes" in view || "refused" in view) this.stage.invalidate();
   }
 
-  // One frame at a time.
+  wake() { this.app.requestFrame(); }
 
-  wake() {
-    if (this.scheduled) return;
-    this.scheduled = true;
-    requestAnimationFrame((now) => {
-      this.scheduled = false;
-      this.frame(now);
-    });
-  }
-
-  /** @param {number} now */
+  /** Draws a frame. @param {number} now @returns {boolean} whether another one is due */
   frame(now) {
-    if (!this.shown) return;
+    if (!this.shown) return false;
     try {
-      this.perform(now);
+      return this.perform(now);
     } catch (error) {
-      const { code } = faultOf(error);
-      if (code === "") throw error;
       this.fail(error);
+      return false;
     }
   }
 
-  /** The planner cannot go on, or the core was lost. @param {unknown} error */
+  /** Stops the run and reports why; errors that are not the planner's are the app's. @param {unknown} error */
   fail(error) {
-    if (faultOf(error).code === "internal") {
-      this.recover();
+    const { code } = faultOf(error);
+    if (code === "" || code === "internal") {
+      this.app.fail(error);
       return;
     }
     this.clock.halt();
     this.refusal = { error, lane: 0 };
-    this.tell(report(this));
-  }
-
-  /**
-   * The core has stopped on a fault of its own, and all that it held is lost: a fresh one begins the same runs again, and the
-   * page says so.
-   */
-  recover() {
-    const { shown } = this;
-    if (!shown) return;
-    const plans = this.lanes.map(({ plan }) => plan);
-    this.renew();
-    this.shown = { ...shown, scenario: this.library.Scenario.parse(shown.document), hand: null, check: null, hover: null };
-    this.lanes = [];
-    this.plan(plans, false);
-    const error = Object.assign(new Error("Planarium's core stopped because of an internal error. It was restarted, and the run starts again."), { code: "internal" });
-    this.refusal ??= { error, lane: 0 };
-  }
-
-  /** Has the worker paint obstacles. @param {Painting} painting @returns {Promise<ImageBitmap | null>} null: it could not */
-  async paint(painting) {
-    try {
-      return await this.planners.obstacles(painting);
-    } catch (error) {
-      this.fail(error);
-      return null;
-    } finally {
-      this.wake();
-    }
+    this.onState(report(this));
   }
 
   /** @param {number} now */
   perform(now) {
-    const { shown } = this;
-    if (!shown) return;
+    const { stage, clock, lanes, editor, driving, timeline } = this;
     const began = performance.now();
-    this.editor?.hand.pass();
-    this.editor?.overlay();
-    this.driving?.pass(performance.timeOrigin + now);
+    editor?.hand.pass();
+    editor?.overlay();
+    driving?.pass(performance.timeOrigin + now);
+    const { shown } = this;
+    if (!shown) return false;
     const elapsed = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = now;
-    const { stage, clock } = this;
-    const moved = this.timeline.pass(elapsed);
-    const working = moved || !stage.caughtUp;
+    const moved = timeline.pass(elapsed);
+    const isWorking = moved || !stage.caughtUp;
     if (moved) this.settled = false;
     this.byHand.hover(shown);
-    for (const { run } of this.lanes) run?.frontier.follow();
-    for (const lane of this.lanes) lane.still = !clock.playing && !clock.owes && lane.run?.status === "running";
-    stage.frame(this.lanes, now, began + (clock.playing ? FRAME : REDRAW), clock.playing);
-    const resting = !clock.owes && !this.timeline.isAsking && (!clock.playing || !this.growing);
-    if (resting) this.timeline.conclude();
-    this.settled = !this.timeline.isAsking && resting && !this.driving?.moves && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isRefined);
-    if (working) this.measure(began);
-    // Style, layout and paint of the document take longer than the drawing: while it plays, texts change less often than pictures.
+    for (const lane of lanes) {
+      lane.run?.frontier.follow();
+      lane.still = !clock.playing && !clock.owes && lane.run?.status === "running";
+    }
+    stage.frame(lanes, now, began + (clock.playing ? DRAWING.playing : DRAWING.paused), clock.playing);
+    const isAtRest = !clock.owes && !timeline.isAsking && (!clock.playing || !this.growing);
+    if (isAtRest) timeline.conclude();
+    this.settled = isAtRest && !timeline.isAsking && !driving?.moves && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isRefined);
+    if (isWorking) {
+      if (++this.measures % MEASURES === 0) performance.clearMeasures("planarium-frame");
+      performance.measure("planarium-frame", { start: began, end: performance.now() });
+    }
+    // Style, layout and paint of the document take longer than the drawing: while a run plays, texts change less often.
     if (!clock.playing || this.isStale || this.settled || now - this.reported >= REPORT) {
       this.isStale = false;
       this.reported = now;
-      this.tell(report(this));
+      this.onState(report(this));
     }
-    if (clock.playing || clock.owes || stage.busy || this.driving?.moves) this.wake();
+    return clock.playing || clock.owes || stage.busy || Boolean(driving?.moves);
   }
-
-  /** Differs where the curves do. */
-  get curvesKey() { return `${this.plannings} ${this.clock.head} ${this.lanes.map(({ run }) => run?.ended)}`; }
-
-  /** How each run went, in few points. @returns {Curves} */
-  curves() {
-    const { clock: { head, isRace, column }, curvesKey: key } = this;
-    return { key, head, isRace, lanes: thinned(this.lanes.flatMap(({ run }) => run ?? []), column, head) };
-  }
-
-  /** Leaves the frame's own work in the browser's timeline. @param {number} began */
-  measure(began) {
-    if (++this.measures % MEASURES === 0) performance.clearMeasures("planarium-frame");
-    performance.measure("planarium-frame", { start: began, end: performance.now() });
-  }
-
-  /** The sentence above the stage, and whether it is bad news. @returns {[string, boolean]} */
-  get sentence() {
-    const { shown, byHand: { game } } = this;
-    if (!shown) return ["", false];
-    const { editor, driving } = this;
-    if (driving?.on) return [driving.sentence, driving.state?.blocked !== null];
-    if (editor?.sentence && !shown.hand) return [editor.sentence, editor.isBad];
-    if (shown.hand && shown.check) {
-      if (!shown.check.free) return [story.poseSentence(shown.scenario, shown.check), false];
-      return [game.arrived ? story.arrival(game.touches) : story.invitation(shown.scenario, this.panesOf("cspace") > 0), false];
-    }
-    const { run, playback } = this.lanes[0];
-    if (!run) return [`${shown.scenario.title || shown.scenario.name}.`, false];
-    if (this.clock.isRace) return [story.race(this.lanes), false];
-    if (run.status === "running") return [story.going(run, this.story), false];
-    return [story.ending(run, playback), Boolean(playback?.flaw)];
-  }
-
-  /** @param {string} kind */
-  panesOf(kind) { return [...this.stage.places.values()].filter((place) => place.kind === kind).length; }
 }

@@ -1,15 +1,13 @@
-/**
- * The figures on the stage, in the document: each a sheet of canvases that the session draws on. Sizes, and what pointers do on
- * them, are passed on.
- */
-import { byId, make } from "../app/dom.js";
+/** The figures on the stage: each has a caption and a sheet of canvases. Their sizes and pointer events are passed to the session. */
+import { byId, make, write } from "../app/dom.js";
+import { pacer } from "../app/paced.js";
 import { LAYERS } from "../draw/layer.js";
 import { robotName } from "../domain/names.js";
 
 /** @import { Page } from "./page.js" */
 /** @import { PaneKind, Pointer, SceneFacts, State } from "../domain/types.js" */
-/** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Sheet   the note says quietly what is to be seen */
-/** @typedef {{ figure: HTMLElement, caption: HTMLElement, note: HTMLElement, said: string, standing: string, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
+/** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Sheet   the note describes the drawing */
+/** @typedef {{ figure: HTMLElement, caption: HTMLElement, note: HTMLElement, usual: string, standing: string, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
 
 export class Sheets {
   /** @param {Page} page */
@@ -18,13 +16,13 @@ export class Sheets {
     this.element = byId("stage", HTMLElement);
     /** @type {Map<string, Figure>} */
     this.figures = new Map();
-    this.described = -Infinity;
-    /** What is said beside the caption of a kind of sheet. @type {Partial<Record<PaneKind, string>>} */
+    this.isDescriptionDue = pacer(1000);
+    /** Notes that replace the usual ones, by kind. @type {Partial<Record<PaneKind, string>>} */
     this.notes = {};
     this.observer = new ResizeObserver(() => this.measure());
   }
 
-  /** The sheets that suit a scenario. @param {SceneFacts} facts */
+  /** Shows the figures for a scenario. @param {SceneFacts} facts */
   arrange({ robot, dimension }) {
     const square = robot !== "disc" && dimension >= 2;
     const marked = { arm: "tip", disc: "centre", rigid_body: "origin", car: "rear axle" }[robot];
@@ -34,7 +32,7 @@ export class Sheets {
     ]);
   }
 
-  /** Shows these sheets and no others, in this order. @param {Sheet[]} wanted */
+  /** Shows some sheets, in this order. @param {Sheet[]} wanted */
   show(wanted) {
     for (const [id, { figure, sheet, kind, lane }] of this.figures) {
       if (wanted.some((one) => one.id === id && one.kind === kind && one.lane === lane)) continue;
@@ -45,10 +43,10 @@ export class Sheets {
     }
     for (const [at, { id, kind, lane, caption, note = "" }] of wanted.entries()) {
       const figure = this.figures.get(id) ?? this.add(id, kind, lane);
-      if (figure.caption.textContent !== caption) figure.caption.textContent = caption;
-      figure.said = note;
-      this.say(figure);
-      // What is in its place stays there: moving it would take the pointer away from whoever drags.
+      write(figure.caption, caption);
+      figure.usual = note;
+      this.writeNote(figure);
+      // Moving an element would release a captured pointer.
       if (this.element.children[at] !== figure.figure) this.element.insertBefore(figure.figure, this.element.children[at] ?? null);
     }
     this.element.classList.toggle("single", wanted.length === 1);
@@ -56,34 +54,28 @@ export class Sheets {
     this.measure();
   }
 
-  /** How a lane of a race stands. @param {number} lane @param {string} text */
-  rank(lane, text) {
+  /** Shows the standing of a lane in a race. @param {number} lane @param {string} text */
+  setStanding(lane, text) {
     for (const figure of this.figures.values()) {
       if (figure.lane !== lane || figure.standing === text) continue;
       figure.standing = text;
-      this.say(figure);
+      this.writeNote(figure);
     }
   }
 
-  /** Says something beside the caption of every sheet of a kind, or again what it says by itself. @param {PaneKind} kind @param {string | undefined} text */
-  annotate(kind, text) {
-    if (this.notes[kind] === text) return;
-    this.notes[kind] = text;
-    for (const figure of this.figures.values()) this.say(figure);
-  }
-
-  /** Says which coordinates the square shows. @param {State} state @param {SceneFacts | null} facts */
-  look({ view: { axes: [across, up], slice } }, facts) {
+  /** Notes the coordinates of the configuration space. @param {State} state @param {SceneFacts | null} facts */
+  showAxes({ view: { axes: [across, up], slice } }, facts) {
     const { dimension = 0, coordinates = [] } = facts ?? {};
     const text = dimension > 2 && across < dimension && up < dimension
       ? `${coordinates[across].name} across, ${coordinates[up].name} up${slice ? "; slice at the robot\u2019s configuration" : ""}` : undefined;
-    this.annotate("cspace", text);
+    if (this.notes.cspace === text) return;
+    this.notes.cspace = text;
+    for (const figure of this.figures.values()) this.writeNote(figure);
   }
 
-  /** What was said of a kind of sheet now goes before what is said of each always. @param {Figure} figure */
-  say({ kind, note, said, standing }) {
-    const text = standing ? [standing, this.notes[kind]].filter(Boolean).join("; ") : this.notes[kind] || said;
-    if (note.textContent !== text) note.textContent = text;
+  /** @param {Figure} figure */
+  writeNote({ kind, note, usual, standing }) {
+    write(note, standing ? [standing, this.notes[kind]].filter(Boolean).join("; ") : this.notes[kind] || usual);
   }
 
   /** @param {string} id @param {PaneKind} kind @param {number} lane @returns {Figure} */
@@ -93,54 +85,50 @@ export class Sheets {
     const note = make("small", {});
     const figure = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, caption, " ", note), sheet);
     const canvases = LAYERS.map((name) => {
-      const canvas = make("canvas", {});
+      const canvas = make("canvas", { ariaHidden: "true" });
       canvas.dataset.layer = name;
-      canvas.setAttribute("aria-hidden", "true");
       sheet.append(canvas);
       return canvas;
     });
     const top = canvases[canvases.length - 1];
-    top.removeAttribute("aria-hidden");
-    top.setAttribute("role", "img");
+    Object.assign(top, { ariaHidden: null, role: "img" });
     this.listen(top, id);
     const named = /** @type {Record<typeof LAYERS[number], HTMLCanvasElement>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, canvases[i]])));
     this.session.stage.add(id, kind, lane, named);
-    const made = { figure, caption, note, said: "", standing: "", sheet, top, kind, lane };
+    const made = { figure, caption, note, usual: "", standing: "", sheet, top, kind, lane };
     this.figures.set(id, made);
     this.observer.observe(sheet);
     return made;
   }
 
-  /** Passes on how large the sheets are. */
+  /** Passes the sizes of the sheets to the stage. */
   measure() {
     for (const [id, { sheet }] of this.figures) {
       const box = sheet.getBoundingClientRect();
-      // Less than a pixel of the screen is no other size.
+      // A change below one device pixel does not count.
       const [width, height] = [box.width, box.height].map((side) => Math.round(side * devicePixelRatio) / devicePixelRatio);
       if (width < 1 || height < 1) continue;
-      // Whole pixels: a canvas that is stretched by a fraction of one is blurred.
+      // A canvas stretched by a fraction of a pixel is blurred.
       for (const canvas of sheet.children) if (canvas instanceof HTMLElement) Object.assign(canvas.style, { width: `${width}px`, height: `${height}px` });
       this.session.stage.resize(id, width, height);
     }
   }
 
-  /** What someone who cannot see the canvases should know; told at rest, and about once a second while it grows. @param {State} state */
+  /** Describes the canvases for screen readers, at rest and about once a second. @param {State} state */
   describe({ settled, summary }) {
-    const now = performance.now();
-    if (!settled && now - this.described < 1000) return;
-    this.described = now;
+    if (!this.isDescriptionDue(settled)) return;
     for (const { top, kind, lane, caption } of this.figures.values()) {
       const what = kind === "cspace" ? "Configuration space" : "Workspace";
       const text = `${what}${caption.textContent === what ? "" : ` of ${caption.textContent}`}: ${summary[lane] ?? ""}`;
-      if (top.getAttribute("aria-label") !== text) top.setAttribute("aria-label", text);
+      if (top.ariaLabel !== text) top.ariaLabel = text;
     }
   }
 
-  /** One pointer at a time, captured while it is down; the others hover. @param {HTMLCanvasElement} canvas @param {string} pane */
+  /** Passes on the primary pointer, captured while it is down. @param {HTMLCanvasElement} canvas @param {string} pane */
   listen(canvas, pane) {
     let down = false;
     /** @param {PointerEvent} event @param {Pointer["type"]} type */
-    const tell = (event, type) => {
+    const send = (event, type) => {
       if (!event.isPrimary) return;
       void this.session.pointer({ pane, type, x: event.offsetX, y: event.offsetY, shift: event.shiftKey, touch: event.pointerType === "touch" });
     };
@@ -148,15 +136,15 @@ export class Sheets {
       if (event.button !== 0 || !event.isPrimary) return;
       down = true;
       canvas.setPointerCapture(event.pointerId);
-      tell(event, "down");
+      send(event, "down");
     });
-    canvas.addEventListener("pointermove", (event) => tell(event, down ? "move" : "hover"));
+    canvas.addEventListener("pointermove", (event) => send(event, down ? "move" : "hover"));
     for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) {
       canvas.addEventListener(end, (event) => {
-        if (down) tell(event, end === "pointerup" ? "up" : "cancel");
+        if (down) send(event, end === "pointerup" ? "up" : "cancel");
         down = false;
       });
     }
-    canvas.addEventListener("pointerleave", (event) => tell(event, "leave"));
+    canvas.addEventListener("pointerleave", (event) => send(event, "leave"));
   }
 }

@@ -1,21 +1,40 @@
-/** The page's sentences: what is to be seen just now. */
+/** The sentences above the stage. */
 import { grouped } from "../app/dom.js";
 import { leaders, letters } from "./race/standings.js";
 import { costText, isPlaced, lengthText, robotName, touchingSentence } from "../domain/names.js";
 import { PAST } from "./run-log/run-log.js";
 
-/** @typedef {{ algorithm: string, isProven: boolean, sentence: string }} Story   what a scene says of its own planner, and whether it is to prove its edges */
+/** @typedef {{ algorithm: string, isProven: boolean, sentence: string }} Story   a scene's sentence about its own planner, and whether that proves its edges */
 /** @import { PathPlayback } from "../domain/path-playback.js" */
 /** @import { Lane } from "./lane.js" */
 /** @import { Run } from "./run-log/run-log.js" */
+/** @import { Session } from "./session.js" */
 /** @import { Check, Scenario } from "../domain/types.js" */
 
-/** Iterations of a tree, or of guards, in which the page says what is searched for, before the scene's own sentence. */
+/** Iterations of a tree, or of guards, that the first sentence is shown for, before the scene's own. */
 const OPENING = 60;
 
+/** The sentence above the stage, and whether it reports a failure. @param {Session} session @returns {[string, boolean]} */
+export function sentenceOf({ shown, lanes, clock, stage, editor, driving, story, byHand: { game } }) {
+  if (!shown) return ["", false];
+  const { hand, check, scenario } = shown;
+  if (driving?.on) return [driving.sentence, driving.state?.blocked !== null];
+  if (editor?.sentence && !hand) return [editor.sentence, editor.isBad];
+  if (hand && check) {
+    if (!check.free) return [poseSentence(scenario, check), false];
+    const hasSquare = [...stage.places.values()].some(({ kind }) => kind === "cspace");
+    return [game.arrived ? arrival(game.touches) : invitation(scenario, hasSquare), false];
+  }
+  const { run, playback } = lanes[0];
+  if (!run) return [`${scenario.title || scenario.name}.`, false];
+  if (clock.isRace) return [race(lanes), false];
+  if (run.status === "running") return [going(run, story), false];
+  return [ending(run, playback), Boolean(playback?.flaw)];
+}
+
 /**
- * A run in progress: first what is searched for and what it is made of, then the scene's own sentence, if this is what its own
- * planner was asked, else what the planner is doing.
+ * A run in progress: first the task and the elements of the graph, then the scene's own sentence, if its own planner runs, or else
+ * the planner's activity.
  * @param {Run} run
  * @param {Story} scene
  */
@@ -73,15 +92,15 @@ function collision({ scenario }, check) {
   return `${touchingSentence(scenario, check).replaceAll(" touches ", " hits ")} on the way. To fix it, set \u201cCollision checking\u201d to proven.`;
 }
 
-/** What to do with the robot in the hand. @param {Scenario} scenario @param {boolean} square  is there a configuration square beside the workspace */
-export function invitation({ robot }, square) {
+/** How to pose the robot by hand. @param {Scenario} scenario @param {boolean} square  whether the configuration space is shown */
+function invitation({ robot }, square) {
   const task = `Your turn: move the ${robotName(robot)} to the goal without a collision.`;
   if (isPlaced(robot)) return `${task} Drag it, or turn it by the handle in front of it.`;
   if (robot === "disc") return `${task} Drag it.`;
   return `${task} Drag a link${square ? ", the tip, or the dot in configuration space" : " or the tip"}.`;
 }
 
-/** The configuration in the hand, in words. @param {Scenario} scenario @param {Check} check */
+/** The configuration posed by hand, in words. @param {Scenario} scenario @param {Check} check */
 export function poseSentence(scenario, check) {
   if (check.free) return "Collision-free.";
   const sentence = touchingSentence(scenario, check);
@@ -89,12 +108,12 @@ export function poseSentence(scenario, check) {
 }
 
 /** @param {number} touches */
-export function arrival(touches) {
+function arrival(touches) {
   if (touches === 0) return "You reached the goal without a collision.";
   return `You reached the goal, with ${touches === 1 ? "one collision" : `${touches} collisions`} on the way.`;
 }
 
-/** The picture in words, for those who do not see it. @param {string} title @param {Run | null} run */
+/** The figure in words, for screen readers. @param {string} title @param {Run | null} run */
 export function summary(title, run) {
   if (!run) return `${title}. No planner has run.`;
   const kind = run.kind === "trees" ? "Two trees" : `A ${run.kind}`;
@@ -103,8 +122,8 @@ export function summary(title, run) {
   return `${title}. ${kind} with ${grouped(past[PAST.vertices])} vertices and ${grouped(past[PAST.edges])} edges; ${state}.`;
 }
 
-/** Several planners on one scenario. @param {Lane[]} lanes */
-export function race(lanes) {
+/** A race. @param {Lane[]} lanes */
+function race(lanes) {
   const standings = lanes.map(({ standing }) => standing);
   const { first, shortest, isOver } = leaders(standings);
   if (first.length === 0) return isOver ? "No planner found a path." : "All planners get the same budget, measured in clearance evaluations (distance computations).";

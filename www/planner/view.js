@@ -1,36 +1,34 @@
-/** What the stage shows: rejected samples and motions, configurations along the path, the path before shortcutting, the axes of a plane. */
+/** The options of the stage: rejected samples and motions, configurations along the path, the path before shortcutting, the axes. */
 import { byId, make, write } from "../app/dom.js";
 
 /** @import { Page } from "./page.js" */
 /** @import { SceneFacts, State } from "../domain/types.js" */
 
-/** Poses along the path. */
+/** Limits of the number of configurations along the path. */
 const POSES = { least: 3, most: 24 };
 
 /** @param {Page} page */
 export function watchView(page) {
   const poses = make("input", { type: "number", id: "view-poses", min: String(POSES.least), max: String(POSES.most), step: "1", autocomplete: "off" });
-  poses.addEventListener("input", () => {
+  poses.oninput = () => {
     const count = Number(poses.value);
-    const good = Number.isInteger(count) && count >= POSES.least && count <= POSES.most;
-    if (good) page.see({ poses: count });
-    poses.setAttribute("aria-invalid", String(!good));
-  });
+    const isValid = Number.isInteger(count) && count >= POSES.least && count <= POSES.most;
+    if (isValid) page.setView({ poses: count });
+    poses.ariaInvalid = String(!isValid);
+  };
   const selects = ["across", "up"].map((way, i) => {
     const select = make("select", { id: `view-${way}` });
     select.addEventListener("change", () => {
       const [before, other] = [page.state?.view.axes[i] ?? 0, Number(selects[1 - i].value)];
       const chosen = Number(select.value);
-      // The two change places where both would be the same.
+      // The axes are swapped where both would be the same.
       const rest = chosen === other ? before : other;
-      page.see({ axes: i === 0 ? [chosen, rest] : [rest, chosen] });
+      page.setView({ axes: i === 0 ? [chosen, rest] : [rest, chosen] });
     });
     return select;
   });
   const lengths = make("p", { className: "hint", id: "view-lengths" });
-  const switches = {
-    refused: toggle("refused"), strobe: toggle("strobe"), raw: toggle("raw"), slice: toggle("slice"),
-  };
+  const switches = { refused: toggle("refused"), strobe: toggle("strobe"), raw: toggle("raw"), slice: toggle("slice") };
   const plane = make("div", { id: "view-plane" }, row("Horizontal axis", selects[0]), row("Vertical axis", selects[1]),
     row("Obstacle slice", switches.slice, "Configurations of this plane that collide, with the other coordinates as they are now."));
   const raw = row("Path before shortcutting", switches.raw);
@@ -44,8 +42,6 @@ export function watchView(page) {
 
   page.onOpen(build);
   page.onState(reflect);
-  if (page.facts) build(page.facts);
-  if (page.state) reflect(page.state);
 
   /** @param {SceneFacts} facts */
   function build({ dimension, coordinates }) {
@@ -65,26 +61,27 @@ export function watchView(page) {
       : "Shows the path before shortcutting, as a second line.");
   }
 
-  /** The vertex to be read by its number, for those without a pointer. */
+  /** A field for the number of a vertex, in place of a pointer. */
   function inspector() {
     const readout = byId("readout", HTMLOutputElement);
     const input = make("input", { type: "number", id: "inspect", min: "0", step: "1", autocomplete: "off", placeholder: "none" });
-    input.addEventListener("input", () => void page.inspect(input.value === "" ? -1 : Math.max(0, Math.floor(Number(input.value)))));
-    // Who moves from number to number hears what each is; who moves a pointer does not.
-    input.addEventListener("focus", () => readout.setAttribute("aria-live", "polite"));
-    input.addEventListener("blur", () => readout.setAttribute("aria-live", "off"));
-    return input;
+    // The readout is announced while the field has the focus, and not while a pointer moves.
+    return Object.assign(input, {
+      oninput: () => void page.inspect(input.value === "" ? -1 : Math.max(0, Math.floor(Number(input.value)))),
+      onfocus: () => { readout.ariaLive = "polite"; },
+      onblur: () => { readout.ariaLive = "off"; },
+    });
   }
 
-  /** A switch for something to be seen. @param {"refused" | "strobe" | "raw" | "slice"} option */
+  /** @param {"refused" | "strobe" | "raw" | "slice"} option */
   function toggle(option) {
-    const input = make("input", { type: "checkbox", role: "switch", id: `view-${option}` });
-    input.addEventListener("change", () => page.see({ [option]: input.checked }));
+    /** @type {HTMLInputElement} */
+    const input = make("input", { type: "checkbox", role: "switch", id: `view-${option}`, onchange: () => page.setView({ [option]: input.checked }) });
     return input;
   }
 }
 
-/** A control with its name, and what it means. @param {string} name @param {HTMLElement} control @param {string} [meaning] */
+/** A control with its name and its meaning. @param {string} name @param {HTMLElement} control @param {string} [meaning] */
 function row(name, control, meaning) {
   const field = make("div", { className: "field" }, make("label", { className: "row" }, make("span", { className: "name" }, name), control));
   if (meaning) field.append(make("p", { className: "hint" }, meaning));

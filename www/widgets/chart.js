@@ -1,6 +1,6 @@
 /**
  * A chart as SVG: lines or dots against linear or logarithmic axes. Lines differ by their dashes and by a label at their ends. On a
- * timeline values hold until the next one, and what is after the time shown is faint.
+ * timeline values hold until the next one, and values after the time shown are faint.
  */
 import { make } from "../app/dom.js";
 
@@ -10,7 +10,7 @@ import { make } from "../app/dom.js";
 const SPACE = "http://www.w3.org/2000/svg";
 /** Space around the plot for numbers and labels, CSS pixels. */
 const ROOM = { left: 56, right: 22, top: 10, bottom: 38 };
-/** Least distance of two labels. */
+/** Least distance between labels. */
 const APART = 13;
 /** Decades of a logarithmic axis, at most. */
 const DECADES = 16;
@@ -26,9 +26,9 @@ export class Chart {
     this.title = make("figcaption", {}, title);
     this.picture = svg("svg", { role: "img", class: `chart ${id}`, "aria-label": title });
     this.element = make("figure", {}, this.title, this.picture);
-    /** What was drawn last. @type {[Line[], Axis, Axis, string] | null} */
+    /** The arguments of the last drawing. @type {[Line[], Axis, Axis, string] | null} */
     this.drawn = null;
-    /** What is before the time shown, and that time. */
+    /** The area before the time shown, and its edge. */
     this.past = svg("rect", { x: 0, y: 0, height });
     this.cursor = svg("line", { class: "cursor", y1: ROOM.top, y2: height - ROOM.bottom });
     this.now = 0;

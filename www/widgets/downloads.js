@@ -28,12 +28,24 @@ export function showDownloads(app, figures, names, others) {
     { id: "svg", title: "Vector graphic", format: "SVG", meaning: "The figures as shown, sharp at any size.", content: () => svgOf(figures, names.title()) },
     ...others,
   ];
-  byId("take", HTMLElement).append(...all.map(({ id, title, format, meaning, content, name = names.name }) => {
-    const hint = make("span", { className: "hint", id: `take-${id}-hint` }, meaning);
-    const give = async () => save(await content(), `${name().replace(/[^\w.-]+/g, "-")}.${format.toLowerCase()}`);
-    const saveButton = button(`take-${id}`, format, () => void app.track(give()));
-    saveButton.setAttribute("aria-label", `${title}, ${format}`);
-    saveButton.setAttribute("aria-describedby", hint.id);
-    return make("div", { className: "offer" }, make("div", { className: "row" }, make("span", { className: "name" }, title, hint), saveButton));
+  byId("take", HTMLElement).append(...all.map((download) => {
+    const { title, format, content, name = names.name } = download;
+    const saveFile = async () => save(await content(), `${name()}.${format.toLowerCase()}`);
+    return downloadRow(download, () => void app.track(saveFile(), failureOf(title))).element;
   }));
+}
+
+/** The title of the error when a download fails. @param {string} title */
+export function failureOf(title) { return `The ${title.toLowerCase()} could not be created.`; }
+
+/** A row of the panel; one choice stands beside the button, several below it. @param {Omit<Download, "content">} download @param {() => void} onSave @param {...HTMLElement} choices */
+export function downloadRow({ id, title, format, meaning }, onSave, ...choices) {
+  const hint = make("span", { className: "hint", id: `take-${id}-hint` }, meaning);
+  const saveButton = button(`take-${id}`, format, onSave);
+  saveButton.ariaLabel = `${title}, ${format}`;
+  saveButton.setAttribute("aria-describedby", hint.id);
+  const [beside, below] = choices.length === 1 ? [choices, []] : [[], choices];
+  const row = make("div", { className: "row" }, make("span", { className: "name" }, title, hint), ...beside, saveButton);
+  const element = make("div", { className: "offer" }, row, below.length > 0 ? make("div", { className: "parts" }, ...below) : "");
+  return { element, hint, button: saveButton };
 }

@@ -1,19 +1,16 @@
-/**
- * One parameter of a planner as a native control with its label, its meaning and, when the value is refused, the reason
- * beside it. A value that is refused is never handed on.
- */
+/** An option as a native control with its label, its meaning, and the reason beside an invalid value. */
 import { make } from "../app/dom.js";
 
-/** @import { OptionInfo, ParameterInfo } from "../domain/types.js" */
+/** @import { ParameterInfo } from "../domain/types.js" */
 
-/** Milliseconds after which what is typed is taken for meant. */
+/** Milliseconds after the last keystroke at which a typed value counts. */
 const TYPING = 900;
 
 export class Field {
   /**
-   * @param {ParameterInfo | OptionInfo} info
-   * @param {number | string | boolean | null} value   null: the planner's own choice
-   * @param {() => void} onChange   a valid value was given
+   * @param {ParameterInfo} info
+   * @param {number | string | boolean | null} value   null: automatic
+   * @param {() => void} onChange   called after a valid change
    * @param {string} [family]   begins the ids of its elements
    */
   constructor(info, value, onChange, family = "parameter") {
@@ -26,14 +23,14 @@ export class Field {
     this.automatic = make("span", {}, automatic(info));
     meaning.append(this.automatic);
     this.control.setAttribute("aria-describedby", `${id}-meaning ${id}-reason`);
-    /** What was handed on last, and when what is being typed will be. */
-    this.told = this.value;
+    /** The last valid value. */
+    this.current = this.value;
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.timer = undefined;
-    this.control.addEventListener("change", () => this.tell());
+    this.control.addEventListener("change", () => this.commit());
     this.control.addEventListener("input", () => {
       clearTimeout(this.timer);
-      if (this.validate()) this.timer = setTimeout(() => this.tell(), TYPING);
+      if (this.validate()) this.timer = setTimeout(() => this.commit(), TYPING);
     });
     const name = make("span", { className: "name" }, info.title || info.name);
     if (info.unit) name.append(make("span", { className: "unit" }, ` ${info.unit}`));
@@ -41,15 +38,15 @@ export class Field {
     this.element = make("div", { className: "field" }, this.row, this.reason, meaning);
   }
 
-  /** Hands the value on, if it is a good one and another. */
-  tell() {
+  /** Reports a change, if the value is valid. */
+  commit() {
     clearTimeout(this.timer);
-    if (!this.validate() || this.value === this.told) return;
-    this.told = this.value;
+    if (!this.validate() || this.value === this.current) return;
+    this.current = this.value;
     this.onChange();
   }
 
-  /** The value, or undefined where the planner is left to choose. @returns {number | string | boolean | undefined} */
+  /** The value, or undefined for automatic. @returns {number | string | boolean | undefined} */
   get value() {
     const { control, info } = this;
     if (control instanceof HTMLInputElement && control.type === "checkbox") return control.checked;
@@ -58,23 +55,22 @@ export class Field {
     return info.kind === "choice" ? text : Number(text);
   }
 
-  /** Puts a value in. @param {number | string | boolean} value */
+  /** @param {number | string | boolean} value */
   set(value) {
     if (this.control instanceof HTMLInputElement && this.control.type === "checkbox") this.control.checked = value === true;
     else this.control.value = String(value);
-    this.told = this.value;
+    this.current = this.value;
     this.validate();
   }
 
-  /** Shows why a value is refused, or nothing. @param {string} reason */
+  /** Shows why the value is refused. @param {string} reason  or empty */
   refuse(reason) {
     this.reason.textContent = reason;
     this.reason.hidden = reason === "";
-    if (reason === "") this.control.removeAttribute("aria-invalid");
-    else this.control.setAttribute("aria-invalid", "true");
+    this.control.ariaInvalid = reason ? "true" : null;
   }
 
-  /** Is the value in the field a good one? Says so beside it. */
+  /** Whether the value is valid; an invalid one shows the reason. */
   validate() {
     this.automatic.hidden = this.value !== undefined;
     const reason = this.fault();
@@ -82,19 +78,18 @@ export class Field {
     return reason === "";
   }
 
-  /** What is wrong with the value, or nothing. @returns {string} */
+  /** Why the value is invalid, or empty. @returns {string} */
   fault() {
     const { control, info } = this;
     if (info.kind === "choice" || info.kind === "boolean") return "";
     const text = control.value.trim();
-    const badInput = control.validity.badInput;
-    if (text === "" && !badInput) return isMissing(info.default) ? "" : `Enter ${info.kind === "integer" ? "a whole number" : "a number"}.`;
-    const number = Number(text);
-    return reasonAgainst(info, badInput ? NaN : number);
+    const { badInput } = control.validity;
+    if (text === "" && !badInput) return info.default === null ? "" : `Enter ${info.kind === "integer" ? "a whole number" : "a number"}.`;
+    return reasonAgainst(info, badInput ? NaN : Number(text));
   }
 }
 
-/** What is wrong with a value, or nothing. @param {ParameterInfo | OptionInfo} info @param {unknown} value @returns {string} */
+/** Why a value is invalid, or empty. @param {ParameterInfo} info @param {unknown} value @returns {string} */
 export function reasonAgainst({ kind, min, max, choices }, value) {
   if (kind === "boolean") return typeof value === "boolean" ? "" : `${value} is neither true nor false.`;
   if (kind === "choice") return choices?.includes(String(value)) ? "" : `${value} is not an option.`;
@@ -105,44 +100,39 @@ export function reasonAgainst({ kind, min, max, choices }, value) {
   return "";
 }
 
-/** @param {unknown} value */
-function isMissing(value) { return value === null || value === undefined; }
-
-/** What the planner takes where it is left to choose. @param {ParameterInfo | OptionInfo} info */
+/** The value of an empty field, in words. @param {ParameterInfo} info */
 function automatic(info) {
   const words = "default_meaning" in info ? info.default_meaning : null;
   if (typeof words !== "string") return "";
   return nothing(words) ? ` ${words[0].toUpperCase()}${words.slice(1)}.` : ` Automatic: ${words}.`;
 }
 
-/** Some parameters left empty do nothing: the word that says so. @param {unknown} words @returns {string} */
-function nothing(words) {
-  return /^(none|never)(?=:)/.exec(String(words))?.[0] ?? "";
-}
+/** The word for an option that has no effect while it is empty. @param {unknown} words @returns {string} */
+function nothing(words) { return /^(none|never)(?=:)/.exec(String(words))?.[0] ?? ""; }
 
-/** @param {ParameterInfo | OptionInfo} info @param {number | string | boolean | null} value @param {string} id @returns {HTMLInputElement | HTMLSelectElement} */
+/** @param {ParameterInfo} info @param {number | string | boolean | null} value @param {string} id @returns {HTMLInputElement | HTMLSelectElement} */
 function control(info, value, id) {
   if (info.kind === "choice") {
     const select = make("select", { id });
-    if (isMissing(info.default)) select.append(make("option", { value: "" }, "automatic"));
+    if (info.default === null) select.append(make("option", { value: "" }, "automatic"));
     for (const choice of info.choices ?? []) select.append(make("option", { value: choice }, choice));
-    if (!isMissing(value)) select.value = String(value);
+    if (value !== null) select.value = String(value);
     return select;
   }
   if (info.kind === "boolean") return make("input", { id, type: "checkbox", role: "switch", checked: value === true });
   const input = make("input", {
     id, type: "number", step: info.kind === "integer" ? "1" : "any", autocomplete: "off",
-    inputMode: info.kind === "integer" ? "numeric" : "decimal", value: isMissing(value) ? "" : String(value),
+    inputMode: info.kind === "integer" ? "numeric" : "decimal", value: value === null ? "" : String(value),
   });
-  if (isMissing(info.default)) input.placeholder = "default_meaning" in info && nothing(info.default_meaning) || "automatic";
+  if (info.default === null) input.placeholder = "default_meaning" in info && nothing(info.default_meaning) || "automatic";
   return input;
 }
 
 /**
- * Every planner and every generator takes a seed, whether its table lists it or not.
- * @template {ParameterInfo | OptionInfo} T
+ * The parameters of a planner or a generator with its seed, which every one has.
+ * @template {ParameterInfo} T
  * @param {T[]} parameters
- * @param {string} [what]   it decides
+ * @param {string} [what]   the seed determines
  */
 export function withSeed(parameters, what = "run") {
   if (parameters.some(({ name }) => name === "seed")) return parameters;

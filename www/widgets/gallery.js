@@ -1,5 +1,6 @@
-/** The scenes to choose from, each with a small picture of itself. */
+/** The gallery of scenes, each with a thumbnail. */
 import { byId, make } from "../app/dom.js";
+import { button } from "./elements.js";
 
 /** @import { SceneEntry } from "../domain/types.js" */
 
@@ -13,16 +14,13 @@ export class Gallery {
     /** @type {Map<string, { input: HTMLInputElement, canvas: HTMLCanvasElement }>} */
     this.cards = new Map();
     for (const entry of scenes) {
-      const input = make("input", { type: "radio", name: "scene", value: entry.id });
-      input.addEventListener("change", () => onChoose(entry));
-      const canvas = make("canvas", {});
-      canvas.setAttribute("aria-hidden", "true");
+      const input = make("input", { type: "radio", name: "scene", value: entry.id, onchange: () => onChoose(entry) });
+      const canvas = make("canvas", { ariaHidden: "true" });
       this.cards.set(entry.id, { input, canvas });
       this.element.append(make("label", { className: "card" }, input, canvas, make("span", {}, entry.title)));
     }
     this.count = make("span", { className: "hint" });
-    this.more = make("button", { type: "button", id: "all-scenes" });
-    this.more.addEventListener("click", () => this.show(!this.element.classList.contains("all")));
+    this.more = button("all-scenes", "", () => this.show(!this.element.classList.contains("all")));
     this.size = make("p", { className: "gallery-size" }, this.count, this.more);
     this.element.after(this.size);
     this.show(false);
@@ -33,10 +31,10 @@ export class Gallery {
   show(all) {
     this.element.classList.toggle("all", all);
     this.more.textContent = all ? "Show fewer" : "Show all";
-    this.more.setAttribute("aria-expanded", String(all));
+    this.more.ariaExpanded = String(all);
   }
 
-  /** Says how many of the scenes are in view, where not all are. */
+  /** Shows the number of scenes in view, unless all are. */
   measure() {
     const { element, cards } = this;
     const isAll = element.classList.contains("all");
@@ -45,13 +43,13 @@ export class Gallery {
     this.count.textContent = isAll ? `${cards.size} scenes` : `${inView} of ${cards.size} scenes`;
   }
 
-  /** Marks the scene that is on the stage; none for a file of the reader's own. @param {string | null} id */
+  /** Marks the open scene; null for a file. @param {string | null} id */
   mark(id) {
     for (const [name, { input }] of this.cards) {
       input.checked = name === id;
       const card = input.parentElement;
       if (name !== id || !card) continue;
-      // Only the strip moves, not the page; in the next frame, as it would force a layout.
+      // Only the strip scrolls, not the page; in the next frame, as it would force a layout.
       requestAnimationFrame(() => this.element.scrollTo({ left: card.offsetLeft - (this.element.clientWidth - card.offsetWidth) / 2 }));
     }
   }

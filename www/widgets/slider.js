@@ -1,4 +1,4 @@
-/** One number as a slider and a field. A value that is refused is explained beside the field and not handed on. */
+/** A number as a slider and a field, with the reason beside an invalid value. */
 import { grouped, make } from "../app/dom.js";
 import { reasonAgainst } from "./field.js";
 
@@ -11,7 +11,7 @@ import { reasonAgainst } from "./field.js";
  * @property {number} max
  * @property {number} [step]
  * @property {"integer" | "number"} [kind]
- * @property {boolean} [isLog]   its steps are equal ratios, and only the value at which it is released is handed on
+ * @property {boolean} [isLog]   its steps are equal ratios, and a change counts when it is released
  */
 
 /** @type {Record<string, string>} */
@@ -51,7 +51,7 @@ export class Slider {
     return Math.min(max, Math.max(min, Number(value.toPrecision(2))));
   }
 
-  /** Hands a value on, unless it is refused. @param {number} value */
+  /** Reports a valid value. @param {number} value */
   give(value) {
     const { info, kind } = this;
     const reason = reasonAgainst({ unit: "", ...info, kind, choices: null, robots: [], default: info.min, meaning: "" }, value);
@@ -65,11 +65,10 @@ export class Slider {
   refuse(reason) {
     this.reason.textContent = reason;
     this.reason.hidden = reason === "";
-    if (reason) this.number.setAttribute("aria-invalid", "true");
-    else this.number.removeAttribute("aria-invalid");
+    this.number.ariaInvalid = reason ? "true" : null;
   }
 
-  /** Writes a value into the field, unless someone types there. @param {number} value */
+  /** Writes a value into the field, unless it has the focus. @param {number} value */
   write(value) {
     const text = value.toFixed(this.kind === "integer" ? 0 : 3).replace(/^-(0(\.0*)?)$/, "$1");
     if (document.activeElement !== this.number && this.number.value !== text) this.number.value = text;

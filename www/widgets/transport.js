@@ -11,10 +11,10 @@ import { button, labelled } from "./elements.js";
 /** @import { App } from "../app/app.js" */
 
 /**
- * @typedef {object} Playback   what is played
+ * @typedef {object} Playback
  * @property {string} name       the ids of the buttons begin with it
  * @property {string} label
- * @property {string} unit       what is counted, in the plural
+ * @property {string} unit       in the plural
  * @property {number[]} steps    units of each step button
  * @property {number} slowest    units a second
  * @property {number} fastest
@@ -29,7 +29,7 @@ import { button, labelled } from "./elements.js";
 /** Milliseconds of a frame spent on running to the end, and units of each call. */
 const SLICE = 8;
 const AT_ONCE = 50;
-/** Seconds between two frames that are made up for, at most. */
+/** Seconds between two frames that count, at most. */
 const LONGEST = 0.1;
 
 export class Transport {
@@ -40,7 +40,7 @@ export class Transport {
     this.playback = playback;
     this.isPlaying = false;
     this.isFinishing = false;
-    /** Is a promise of the playback pending? */
+    /** Whether a promise of the playback is pending. */
     this.isBusy = false;
     /** Units due at the time of the last frame. */
     this.due = 0;
@@ -106,7 +106,7 @@ export class Transport {
     this.playback.reset();
   }
 
-  /** Is there anything to play? @param {boolean} isReady */
+  /** Enables or disables the controls. @param {boolean} isReady */
   enable(isReady) {
     for (const element of [this.play, ...this.steps, this.finish]) element.disabled = !isReady;
     if (!isReady && this.isPlaying) this.pause();

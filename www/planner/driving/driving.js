@@ -1,25 +1,18 @@
 /**
- * The keyboard car: a drive of the core under the reader's keys, in time that goes by in the core's own steps. A key counts from
- * the moment it was pressed, whatever frame is drawn by then, so the same keys lead to the same place however fast frames come.
+ * The keyboard car: a drive of the core, in the core's own time steps. A key counts from the moment it was pressed, so the same keys
+ * lead to the same configuration at any frame rate.
  */
 import { drawDrive, drawTrace } from "../stage/driven.js";
 
-/** @import { Drive, DriveKey, DriveState, KeyPress } from "planarium" */
-/** @import { DriveOrder, DriveReport } from "../../domain/types.js" */
+/** @import { Drive, DriveKey, DriveState, KeyPress, Obstructed, Rollout } from "planarium" */
 /** @import { Session } from "../session.js" */
 
-/** A key that is late by less than this still counts from its moment, milliseconds: so far behind the clock time goes by. */
+/** Milliseconds by which the drive lags behind the clock: a key event that is late by less counts from its moment. */
 const BEHIND = 30;
-/** What no frame has seen for longer than this has not gone by, milliseconds. */
+/** Milliseconds between two frames that count, at most. */
 const LONGEST = 250;
-/** Where time goes on with the keys alone, this much goes by with each, seconds. */
+/** Seconds that a key advances the time, where only keys do. */
 const STRIDE = 0.25;
-
-/** The driving of a session: made when it is first asked for. @param {Session} session */
-export function drivingOf(session) {
-  session.driving ??= new Driving(session);
-  return session.driving;
-}
 
 export class Driving {
   /** @param {Session} session */
@@ -27,33 +20,30 @@ export class Driving {
     this.session = session;
     /** @type {Drive | null} */
     this.drive = null;
-    /** How it stands. @type {DriveState | null} */
+    /** @type {DriveState | null} */
     this.state = null;
-    /** Does time go by with each key alone? */
+    /** Whether time advances with each key only. */
     this.byKeys = false;
     this.paused = false;
-    /** Milliseconds at which time goes on from `base` steps, and when it was looked at last. */
+    /** The moment, in milliseconds, of step `base`, and the moment of the last frame. */
     this.since = 0;
     this.base = 0;
     this.seen = 0;
-    /** What is driven again. @type {{ record: KeyPress[], steps: number, next: number } | null} */
+    /** The recording that is replayed. @type {{ record: KeyPress[], steps: number, next: number } | null} */
     this.tape = null;
-    /** Where the car has been, rows of x, y, theta. */
+    /** The car's trajectory, rows of x, y, theta. */
     this.trace = /** @type {Float64Array} */ (new Float64Array(0));
-    /** Where a control would lead. @type {import("planarium").Rollout | null} */
+    /** The preview of one control. @type {Rollout | null} */
     this.rollout = null;
-    this.said = "";
+    this.announcement = "";
   }
 
   get on() { return this.drive !== null; }
 
-  /** Does the car move by itself? */
+  /** Whether the car moves by itself. */
   get moves() { return this.state !== null && !this.paused && !this.byKeys && (this.state.v !== 0 || this.tape !== null); }
 
-  /** @param {DriveOrder} order */
-  obey([verb, ...args]) { return /** @type {(...args: unknown[]) => unknown} */ (this[verb]).apply(this, args); }
-
-  /** The reader drives, or no longer. @param {boolean} on @param {boolean} byKeys @param {number} now */
+  /** Begins or ends driving. @param {boolean} on @param {boolean} byKeys @param {number} now */
   turn(on, byKeys, now) {
     const { session } = this;
     const { shown } = session;
@@ -70,13 +60,13 @@ export class Driving {
     this.drive = scenario.drive(isFree ? start : undefined);
     this.byKeys = byKeys;
     this.rollout = null;
-    this.anew(now);
+    this.restart(now);
   }
 
-  /** Back to the start. @param {number} now */
-  anew(now) {
+  /** Returns to the start. @param {number} now */
+  restart(now) {
     this.begin([], 0, now);
-    this.said = "At the start, at rest.";
+    this.announcement = "At the start, at rest.";
   }
 
   /** @param {KeyPress[]} record @param {number} steps @param {number} now */
@@ -88,17 +78,17 @@ export class Driving {
     this.paused = false;
     this.rollout = null;
     this.trace = drive.traceSince(0);
-    this.goOn(now);
+    this.resume(now);
     this.show();
   }
 
-  /** Time goes on from here. @param {number} now */
-  goOn(now) {
+  /** Lets time run from a moment on. @param {number} now */
+  resume(now) {
     this.since = this.seen = now;
     this.base = this.state?.steps ?? 0;
   }
 
-  /** A key. @param {DriveKey} key @param {number} at  milliseconds since the epoch of all clocks */
+  /** Handles a key. @param {DriveKey} key @param {number} at  milliseconds since the epoch */
   press(key, at) {
     const { drive, state } = this;
     if (!drive || !state) return;
@@ -107,31 +97,31 @@ export class Driving {
     if (!this.paused && !this.byKeys) this.advance(at);
     drive.press(key);
     if (this.byKeys) this.state = drive.tick(Math.round(STRIDE / drive.stepSeconds));
-    else if (this.state?.v === 0) this.goOn(at);
+    else if (this.state?.v === 0) this.resume(at);
     this.state = drive.state;
     this.rollout = null;
     this.show();
-    this.tell(state);
+    this.describe(state);
   }
 
-  /** Time stands still, or goes on. @param {number} now */
+  /** Pauses or resumes. @param {number} now */
   pause(now) {
-    if (this.paused) this.goOn(now);
+    if (this.paused) this.resume(now);
     else if (!this.byKeys) this.advance(now - BEHIND);
     this.paused = !this.paused;
-    this.said = this.paused ? "Paused; press C to resume." : "Resumed.";
+    this.announcement = this.paused ? "Paused; press C to resume." : "Resumed.";
     this.show();
   }
 
-  /** Does time go by with each key alone? @param {boolean} byKeys @param {number} now */
+  /** @param {boolean} byKeys @param {number} now */
   setByKeys(byKeys, now) {
-    if (!byKeys) this.goOn(now);
+    if (!byKeys) this.resume(now);
     else if (!this.paused) this.advance(now - BEHIND);
     this.byKeys = byKeys;
     this.show();
   }
 
-  /** A frame. @param {number} now */
+  /** Advances to a frame. @param {number} now */
   pass(now) {
     if (!this.moves) return;
     const gap = now - this.seen;
@@ -139,11 +129,11 @@ export class Driving {
     this.seen = now;
     const before = this.state;
     this.advance(now - BEHIND);
-    if (before) this.tell(before);
+    if (before) this.describe(before);
     this.show();
   }
 
-  /** Lets all steps go by that are due. @param {number} at */
+  /** Takes all steps that are due. @param {number} at */
   advance(at) {
     const { drive, state, tape } = this;
     if (!drive || !state) return;
@@ -153,11 +143,11 @@ export class Driving {
       if (due < tape.steps) return;
       this.tape = null;
       this.paused = true;
-      this.said = "End of the recording; press C to drive on.";
+      this.announcement = "End of the recording; press C to drive on.";
     } else if (due > state.steps) this.state = drive.tick(Math.min(due - state.steps, 1e6));
   }
 
-  /** Plays a tape up to a step. @param {Drive} drive @param {{ record: KeyPress[], next: number }} tape @param {number} until */
+  /** Replays a recording up to a step. @param {Drive} drive @param {{ record: KeyPress[], next: number }} tape @param {number} until */
   wind(drive, tape, until) {
     for (; tape.next < tape.record.length && tape.record[tape.next].step <= until; tape.next++) {
       const { step, key } = tape.record[tape.next];
@@ -167,7 +157,7 @@ export class Driving {
     this.state = drive.tick(Math.max(0, until - drive.state.steps));
   }
 
-  /** Drives what was driven, or a record of the reader's own, again from the start; by keys alone it is there at once. @param {KeyPress[] | null} given @param {number} steps @param {number} now */
+  /** Replays the drive so far, or a recording from a file. Where time advances with keys only, the end is shown at once. @param {KeyPress[] | null} given @param {number} steps @param {number} now */
   replay(given, steps, now) {
     const { drive, state } = this;
     if (!drive || !state) return;
@@ -175,11 +165,11 @@ export class Driving {
     const until = given ? steps : state.steps;
     this.begin(record, this.byKeys ? until : 0, now);
     if (!this.byKeys) this.tape = { record, steps: until, next: 0 };
-    this.said = this.byKeys ? "The recording was replayed." : "Replaying the recording.";
+    this.announcement = this.byKeys ? "The recording was replayed." : "Replaying the recording.";
     this.show();
   }
 
-  /** The record, to be kept. */
+  /** The recording, as a document. */
   record() {
     const { drive, state, session: { shown } } = this;
     if (!drive || !state || !shown) return null;
@@ -187,41 +177,39 @@ export class Driving {
     return { format: "planarium-drive-1", scenario: shown.scenario.name, start: [x, y, theta], steps: state.steps, record: drive.record(), pose: state.pose };
   }
 
-  /** Where one control would lead from here. @param {number} v @param {number} phi @param {number} duration @throws {Error} with `code` and `pointer` */
+  /** Previews one control. @param {number} v @param {number} phi @param {number} duration @throws {Error} with `code` and `pointer` */
   roll(v, phi, duration) {
     const { state, session: { shown } } = this;
     if (!state || !shown) return;
-    // What is refused leaves nothing of the one before.
     this.rollout = null;
     this.show();
     this.rollout = shown.scenario.rollout(state.pose, v, phi, duration);
     const { seconds, blocked } = this.rollout;
-    this.said = blocked === null ? `Free for all ${seconds.toFixed(2)} s.` : `Free for ${seconds.toFixed(2)} s; then ${this.name(blocked)}.`;
+    this.announcement = blocked === null ? `Free for all ${seconds.toFixed(2)} s.` : `Free for ${seconds.toFixed(2)} s; then ${this.name(blocked)}.`;
     this.show();
   }
 
-  /** What is in the way. @param {NonNullable<DriveState["blocked"]>} blocked */
+  /** The obstruction, in words. @param {Obstructed} blocked */
   name(blocked) {
     if (blocked === "bounds") return "the bounds are in the way";
     return blocked === "near" ? "the next motion would come too close to an obstacle" : `obstacle ${blocked} is in the way`;
   }
 
-  /** Says what has happened since. @param {DriveState} before */
-  tell(before) {
+  /** Describes an event since an earlier state. @param {DriveState} before */
+  describe(before) {
     const { state } = this;
     if (!state) return;
-    if (state.blocked !== null && before.v !== 0 && state.v === 0) this.said = `Stopped: ${this.name(state.blocked)}.`;
-    else if (state.blocked === null && before.blocked !== null) this.said = "Free again.";
-    else if (this.said.startsWith("At the start") && state.v !== 0) this.said = "";
+    if (state.blocked !== null && before.v !== 0 && state.v === 0) this.announcement = `Stopped: ${this.name(state.blocked)}.`;
+    else if (state.blocked === null && before.blocked !== null) this.announcement = "Free again.";
+    else if (this.announcement.startsWith("At the start") && state.v !== 0) this.announcement = "";
   }
 
-  /** Is the car where it should go, at rest? */
+  /** Whether the car is at the goal, at rest. */
   get arrived() {
     const { state, session: { shown } } = this;
     return Boolean(state && state.v === 0 && shown?.goal && shown.placed?.isNear(state.pose, shown.goal, shown));
   }
 
-  /** What the stage shows is this. */
   show() {
     const { session, drive, state } = this;
     const { shown } = session;
@@ -240,7 +228,6 @@ export class Driving {
     session.wake();
   }
 
-  /** Nobody drives. */
   stop() {
     const { shown } = this.session;
     this.drive?.free();
@@ -250,18 +237,12 @@ export class Driving {
     shown.hand = shown.check = null;
   }
 
-  /** What there is to say above the stage; empty while nobody drives. */
+  /** The sentence above the stage. */
   get sentence() {
     const { state } = this;
     if (!state) return "";
     if (this.arrived) return `You reached the goal after ${state.seconds.toFixed(1)} s and ${state.keyCount} ${state.keyCount === 1 ? "key" : "keys"}.`;
     if (state.blocked !== null) return `Stopped: ${this.name(state.blocked)}. Reverse, or steer another way.`;
     return "You are driving. Up: accelerate. Down: brake, then reverse. Left and right: steer.";
-  }
-
-  /** @returns {DriveReport | null} */
-  get report() {
-    const { state, paused, byKeys, tape, said, arrived, rollout } = this;
-    return state && { ...state, paused, byKeys, replaying: tape !== null, said, arrived, rollout: rollout && { seconds: rollout.seconds, blocked: rollout.blocked } };
   }
 }

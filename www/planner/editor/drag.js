@@ -1,6 +1,6 @@
-/** The hand that edits: what a pointer does on the panes with each tool, as a state machine over pointer events. */
+/** The pointer in the editor, as a state machine over pointer events. */
 import { simple } from "./commands.js";
-import { draws, holds, pointAt, pointFrom } from "./gestures.js";
+import { drawGesture, moveGesture, pointAt, pointFrom } from "./gestures.js";
 import { REACH, hitAt } from "./handles.js";
 
 /** @import { CSpace } from "../stage/cspace-pane.js" */
@@ -12,12 +12,12 @@ import { REACH, hitAt } from "./handles.js";
 /**
  * @typedef {object} Drag
  * @property {Gesture} change
- * @property {Pointer} from         where it began
- * @property {EditorObject | null} drawn   what it draws
- * @property {boolean} moved        has it gone farther than a trembling hand
+ * @property {Pointer} from         its first event
+ * @property {EditorObject | null} drawn   the new obstacle
+ * @property {boolean} moved        whether it has left the slack
  */
 
-/** How far a pointer goes before it drags, CSS pixels. */
+/** Distance that a pointer moves before it drags, CSS pixels. */
 const SLACK = { mouse: 3, touch: 8 };
 
 export class Hand {
@@ -26,19 +26,18 @@ export class Hand {
     this.editor = editor;
     /** @type {Drag | null} */
     this.drag = null;
-    /** The newest move, to be obeyed in the next frame. @type {Pointer | null} */
+    /** The latest move, handled in the next frame. @type {Pointer | null} */
     this.pending = null;
-    /** Corners of the polygon being drawn. @type {Point[]} */
+    /** Vertices of the polygon being drawn. @type {Point[]} */
     this.draft = [];
-    /** Where its next corner would be. @type {Point | null} */
+    /** The next vertex, under the pointer. @type {Point | null} */
     this.loose = null;
   }
 
-  /** Is a gesture under way? */
   get isBusy() { return this.drag !== null || this.draft.length > 0; }
 
   /** @param {Pointer} pointer */
-  obey(pointer) {
+  handle(pointer) {
     if (pointer.type === "move" || pointer.type === "hover") {
       this.pending = pointer;
       return;
@@ -52,7 +51,7 @@ export class Hand {
     }
   }
 
-  /** Obeys the newest move: however many come, one a frame. */
+  /** Handles the latest move, once a frame. */
   pass() {
     const { pending, drag, editor } = this;
     this.pending = null;
@@ -65,7 +64,7 @@ export class Hand {
     } else if (this.draft.length > 0 && !square) this.loose = pointFrom(scale, this.draft.at(-1), x, y, pending.shift);
   }
 
-  /** Where a pointer is: its pane, and the point of the plane; outside of the sheet the nearest on it. @param {Pointer} pointer */
+  /** The pane of a pointer and the nearest point on it. @param {Pointer} pointer */
   at({ pane: id, x: px, y: py }) {
     const found = this.editor.session.stage.at(id);
     const { view } = found?.pane ?? {};
@@ -91,15 +90,15 @@ export class Hand {
       this.corner(pointFrom(scale, this.draft.at(-1), x, y, pointer.shift), reach / scale.pixels);
     } else if ((tool === "disc" || tool === "rectangle") && !square) {
       const drawn = { kind: /** @type {const} */ ("obstacle"), index: shown.document.world.obstacles.length };
-      this.drag = { change: draws(tool, shown.document, scale, [x, y], pointer.shift), from: pointer, drawn, moved: false };
+      this.drag = { change: drawGesture(tool, shown.document, scale, [x, y], pointer.shift), from: pointer, drawn, moved: false };
     } else {
       const hit = hitAt(pane, square !== null, shown, editor.session.query, editor.selected, pointer.x, pointer.y, reach);
-      editor.choose(hit?.thing ?? null, hit?.handle?.kind === "middle" ? null : hit?.part ?? null);
-      if (hit) this.drag = { change: holds(shown, hit, scale, square, [x, y], () => editor.shown.scenario), from: pointer, drawn: null, moved: false };
+      editor.choose(hit?.object ?? null, hit?.handle?.kind === "middle" ? null : hit?.part ?? null);
+      if (hit) this.drag = { change: moveGesture(shown, hit, scale, square, [x, y], () => editor.shown.scenario), from: pointer, drawn: null, moved: false };
     }
   }
 
-  /** A click of the polygon tool: another corner, or, on the first or the last one again, the end. @param {Point} point @param {number} reach  metres */
+  /** Adds a vertex to the polygon, or closes it with a click on the first or the last one. @param {Point} point @param {number} reach  metres */
   corner(point, reach) {
     const { draft } = this;
     const isNear = (/** @type {Point | undefined} */ other) => other !== undefined && Math.hypot(other[0] - point[0], other[1] - point[1]) <= reach;
@@ -109,7 +108,7 @@ export class Hand {
     else if (!isLast) draft.push(point);
   }
 
-  /** Closes the polygon being drawn, if the core takes it. */
+  /** Closes the polygon, if the core accepts it. */
   close() {
     const { editor, draft } = this;
     if (editor.add([{ type: "polygon", vertices: [...draft] }])) this.draft = [];
@@ -128,8 +127,8 @@ export class Hand {
     if (place) editor.add([simple(editor.tool, pointAt(place.scale, place.x, place.y, drag.from.shift), editor.size, editor.unit)]);
   }
 
-  /** Lets go of everything. @returns {boolean} whether something was held */
-  open() {
+  /** Ends all gestures. @returns {boolean} whether something was dragged */
+  release() {
     const { drag } = this;
     this.drag = this.pending = this.loose = null;
     this.draft = [];

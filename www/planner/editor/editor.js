@@ -1,50 +1,40 @@
 /**
- * The editor: what is selected, and a history of scenario documents. Every change is read again by the core before it is shown:
- * what the core refuses is drawn with its reason, and the last good document stays. Planning waits at iteration 0 until someone
- * plays.
+ * The editor: the selection, and a history of scenario documents. The core parses every change before it is shown; a refused change is
+ * drawn with its reason, and the last valid document stays. Planning waits at iteration 0 until Play.
  */
 import { faultOf } from "../../app/fault.js";
 import { drawOverlay } from "./selection.js";
 import { copies, middle, nudged, places, simple } from "./commands.js";
-import { coordinatesOf } from "../../domain/coordinates.js";
+import { coordinatesOf, sizeOf } from "../../domain/coordinates.js";
 import { History } from "./history.js";
 import { Hand } from "./drag.js";
 import { touchingSentence } from "../../domain/names.js";
-import { isTip, leads, otherGoal, tipOf } from "./end-effector.js";
+import { isTip, followTip, otherGoal, tipOf } from "./end-effector.js";
 import { fieldsOf, obstacleOf, place, poseOf, rounded, same, targetOf, objectsOf, withField, withObstacle, withVertex } from "./objects.js";
 
-/** @import { Check, EditOrder, EditState, EditTool, Fault, Obstacle, Scenario, ScenarioDocument } from "../../domain/types.js" */
+/** @import { Check, EditTool, Fault, Obstacle, Scenario, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { Lane, Shown } from "../lane.js" */
 /** @import { Session } from "../session.js" */
 /** @import { Point, EditorObject } from "./objects.js" */
 
 /**
- * @typedef {object} Overlay   what the panes draw of the editor
+ * @typedef {object} Overlay   drawn on the panes
  * @property {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} draw
  * @property {EditorObject | null} selected
  * @property {number | null} part       vertex or joint
- * @property {Point[]} draft            the polygon being drawn, its loose end last
- * @property {Obstacle | null} refused  what the core would not have
+ * @property {Point[]} draft            the polygon being drawn, up to the pointer
+ * @property {Obstacle | null} refused  by the core
  * @property {{ end: "start" | "goal", pose: number[], check: Check }[]} touching
  */
 
-/** What to do with a tool. @type {Record<EditTool, string>} */
+/** How to use each tool. @type {Record<EditTool, string>} */
 const HINTS = {
   select: "Drag the start, goal or any obstacle; press Play to plan again.",
   disc: "Drag from the centre of the disc outwards.",
   rectangle: "Drag from corner to corner; hold Shift for a square.",
   polygon: "Click the corners; click the first one again, double-click or press Enter to close the polygon.",
 };
-
-/** The editor of a session: made when it is first asked for. @param {Session} session */
-export function editorOf(session) {
-  if (!session.editor) {
-    session.editor = new Editor(session);
-    if (session.shown) session.editor.begin();
-  }
-  return session.editor;
-}
 
 /** @param {string} message */
 function sentence(message) { return message && `${message[0].toUpperCase()}${message.slice(1)}.`; }
@@ -54,7 +44,6 @@ export class Editor {
   constructor(session) {
     this.session = session;
     this.on = false;
-    /** Ends of gestures so far: who keeps the document asks for it again. */
     this.changes = 0;
     /** @type {History | null} */
     this.edits = null;
@@ -70,17 +59,18 @@ export class Editor {
     this.refusal = null;
     /** @type {Obstacle | null} */
     this.refused = null;
-    this.said = "";
+    this.announcement = "";
+    if (session.shown) this.begin();
   }
 
-  /** Another scenario is on the stage. */
+  /** Begins with the scenario that was opened. */
   begin() {
     this.edits = new History(this.shown.document);
     this.story = this.session.story;
-    this.hand.open();
+    this.hand.release();
     this.tool = "select";
     this.selected = this.part = this.refusal = this.refused = null;
-    this.said = "";
+    this.announcement = "";
   }
 
   get shown() { return /** @type {Shown} */ (this.session.shown); }
@@ -90,25 +80,17 @@ export class Editor {
   get obstacle() { return obstacleOf(this.document, this.selected); }
   get history() { return /** @type {History} */ (this.edits); }
 
-  /** Is the scenario another one than was opened? */
+  /** Whether the scenario differs from the one that was opened. */
   get isChanged() { return this.edits !== null && this.edits.now !== this.edits.first; }
 
-  /** Does the stage show what is not in the history yet? */
+  /** Whether the stage shows a document that is not in the history yet. */
   get isDifferent() { return this.document !== this.history.now; }
 
   /** The longer side of the world, metres. @returns {number} */
-  get size() {
-    const { min, max } = this.shown.scenario.extent();
-    return Math.max(max[0] - min[0], max[1] - min[1]);
-  }
+  get size() { return sizeOf(this.shown.scenario); }
 
-  /** What lengths are rounded to: a ten-thousandth of the world, or a little less. */
+  /** The unit that lengths are rounded to: a ten-thousandth of the world, or a little less. */
   get unit() { return 10 ** Math.floor(Math.log10(this.size * 1e-4)); }
-
-  // Orders.
-
-  /** @param {EditOrder} order */
-  obey([verb, ...args]) { /** @type {(...args: unknown[]) => unknown} */ (this[verb]).apply(this, args); }
 
   /** @param {boolean} on */
   turn(on) {
@@ -129,7 +111,7 @@ export class Editor {
     this.tool = tool;
   }
 
-  /** Cancels what is under way; else lets go, step by step. */
+  /** Cancels the gesture, the tool or the selection. */
   cancel() {
     if (this.hand.isBusy) this.abandon();
     else if (this.tool !== "select") this.tool = "select";
@@ -137,11 +119,11 @@ export class Editor {
     this.refusal = null;
   }
 
-  /** Selects the next or the previous thing. @param {number} way */
+  /** Selects the next or the previous object. @param {number} way */
   select(way) {
-    const things = objectsOf(this.document, this.session.query);
-    const at = things.findIndex((thing) => same(thing, this.selected));
-    this.choose(things.at(at < 0 && way < 0 ? -1 : (at + way) % things.length) ?? null, null);
+    const objects = objectsOf(this.document, this.session.query);
+    const at = objects.findIndex((object) => same(object, this.selected));
+    this.choose(objects.at(at < 0 && way < 0 ? -1 : (at + way) % objects.length) ?? null, null);
   }
 
   /** Selects the next or the previous vertex or joint. @param {number} way */
@@ -150,22 +132,22 @@ export class Editor {
     if (parts > 0) this.choose(this.selected, part === null ? (way > 0 ? 0 : parts - 1) : (part + way + parts) % parts);
   }
 
-  /** Moves what is selected by small steps. @param {number} dx @param {number} dy @param {boolean} goesOn  a key is held down */
+  /** Moves the selection by small steps. @param {number} dx @param {number} dy @param {boolean} goesOn  a key is held down */
   nudge(dx, dy, goesOn) {
     if (this.selected) this.change(nudged(this.shown, this.selected, this.part, dx, dy, this.unit), goesOn);
   }
 
-  /** Gives one number of what is selected. @param {number} index @param {number} value */
+  /** Sets one coordinate of the selection. @param {number} index @param {number} value */
   set(index, value) {
     const { selected, part, shown, document } = this;
     const pose = poseOf(document, selected);
     if (selected && pose && isTip(shown.scenario, selected, part)) {
       const point = tipOf(shown.scenario, pose);
-      this.change(leads(shown, selected, pose)(/** @type {Point} */ (Array.from(point).with(index, value))));
+      this.change(followTip(shown, selected, pose)(/** @type {Point} */ (Array.from(point).with(index, value))));
     } else if (selected) this.change(withField(document, selected, part ?? 0, index, value));
   }
 
-  /** Adds a vertex behind the one that is selected. */
+  /** Adds a vertex after the selected one. */
   insert() {
     const { selected, obstacle, document } = this;
     if (!selected || obstacle?.type !== "polygon") return;
@@ -173,7 +155,7 @@ export class Editor {
     if (this.change(withObstacle(document, selected.index, withVertex(obstacle, at, middle(obstacle.vertices, at - 1, this.unit), true)))) this.choose(selected, at);
   }
 
-  /** Takes away the vertex that is selected, or else the whole obstacle; of a polygon being drawn its last corner. */
+  /** Deletes the selected vertex or obstacle, or the last vertex of a polygon being drawn. */
   remove() {
     const { selected, part, obstacle, title } = this;
     this.hand.loose = null;
@@ -185,23 +167,23 @@ export class Editor {
     const left = obstacle.type === "polygon" && part !== null ? withVertex(obstacle, part, null) : null;
     if (!this.change(withObstacle(this.document, selected.index, left))) return;
     this.choose(left && selected, null);
-    this.said = `${title} deleted.`;
+    this.announcement = `${title} deleted.`;
   }
 
-  /** Makes a target of a goal, or a goal of a target. */
+  /** Turns a goal into a target, or a target into a goal. */
   retarget() {
     const { selected, shown } = this;
     const document = selected && otherGoal(shown, selected);
     if (!document || !this.change(document)) return;
     this.choose(selected, null);
-    this.said = this.target ? "The goal is any configuration that reaches this point." : "The goal is this one configuration.";
+    this.announcement = this.target ? "The goal is any configuration that reaches this point." : "The goal is this one configuration.";
   }
 
   duplicate() {
     if (this.obstacle) this.add(copies(this.obstacle, this.size, this.unit));
   }
 
-  /** Closes the polygon being drawn, or puts what the tool draws where there is room. */
+  /** Closes the polygon being drawn, or adds an obstacle where there is room. */
   enter() {
     if (this.hand.draft.length > 0) this.hand.close();
     else if (this.tool !== "select") this.add(places(this.shown, this.size).map((at) => simple(this.tool, at, this.size, this.unit)));
@@ -213,31 +195,29 @@ export class Editor {
     const { history } = this;
     if (!history.go(way)) return;
     this.settle();
-    this.said = way < 0 ? `Undone, ${history.undoable} left.` : `Redone, ${history.redoable} left.`;
+    this.announcement = way < 0 ? `Undone, ${history.undoable} left.` : `Redone, ${history.redoable} left.`;
   }
 
-  /** Brings the scene back as it was opened; that, too, can be undone. */
+  /** Restores the scene as opened, which can be undone. */
   revert() {
     this.abandon();
     const { history } = this;
     if (history.now === history.first) return;
     history.commit(history.first);
     this.settle();
-    this.said = "The scene is restored.";
+    this.announcement = "The scene is restored.";
   }
 
-  // Changes.
-
-  /** @param {EditorObject | null} thing @param {number | null} part */
-  choose(thing, part) {
-    this.selected = thing;
+  /** @param {EditorObject | null} object @param {number | null} part */
+  choose(object, part) {
+    this.selected = object;
     this.part = part;
-    this.said = thing ? `${this.title} selected.` : "Nothing is selected.";
+    this.announcement = object ? `${this.title} selected.` : "Nothing is selected.";
   }
 
-  /** Something new is selected, and the tool put down. @param {EditorObject} thing */
-  put(thing) {
-    this.choose(thing, null);
+  /** Selects a new object with the selection tool. @param {EditorObject} object */
+  put(object) {
+    this.choose(object, null);
     this.tool = "select";
   }
 
@@ -255,29 +235,29 @@ export class Editor {
     }
   }
 
-  /** Puts a document on the stage if the core takes it. @param {ScenarioDocument} document @param {EditorObject | null} thing  what was changed @param {boolean} live  the hand has not let go */
-  attempt(document, thing, live) {
+  /** Shows a document if the core accepts it. @param {ScenarioDocument} document @param {EditorObject | null} object  the one changed @param {boolean} live  during a gesture */
+  attempt(document, object, live) {
     const scenario = this.read(document);
-    this.refused = scenario || !live ? null : obstacleOf(document, thing);
+    this.refused = scenario || !live ? null : obstacleOf(document, object);
     if (scenario) this.session.replace(scenario, document, live);
     return scenario !== null;
   }
 
-  /** A change that is whole. @param {ScenarioDocument} document @param {boolean} [goesOn]  it goes on with the one before */
+  /** Makes a change. @param {ScenarioDocument} document @param {boolean} [goesOn]  it continues the previous one */
   change(document, goesOn = false) {
     if (!this.attempt(document, null, false)) return false;
     this.end(goesOn);
     return true;
   }
 
-  /** Adds the first of some obstacles that leaves start and goal free, else the first that the core takes. @param {Obstacle[]} offers @returns {boolean} whether it takes one */
+  /** Adds the first of some obstacles that leaves start and goal free, or else the first that the core accepts. @param {Obstacle[]} offers @returns {boolean} whether it accepts one */
   add(offers) {
     const index = this.document.world.obstacles.length;
     const documents = offers.map((offer) => withObstacle(this.document, index, offer));
-    /** @param {ScenarioDocument} document @returns {number} 0: refused, 1: start or goal is in collision, 2: it is fine */
+    /** @param {ScenarioDocument} document @returns {number} 0: refused, 1: start or goal in collision, 2: both free */
     const suits = (document) => {
       const scenario = this.read(document);
-      const poses = objectsOf(document, this.session.query).map((thing) => poseOf(document, thing));
+      const poses = objectsOf(document, this.session.query).map((object) => poseOf(document, object));
       const free = scenario && poses.every((pose) => !pose || scenario.check(pose).free);
       scenario?.free();
       return scenario ? 1 + Number(free) : 0;
@@ -285,17 +265,17 @@ export class Editor {
     const document = documents.find((one) => suits(one) === 2) ?? documents.find(suits) ?? documents[0];
     if (!this.change(document)) return false;
     this.put({ kind: "obstacle", index });
-    this.said = this.whereabouts;
+    this.announcement = this.whereabouts;
     return true;
   }
 
-  /** What is under way is no more, and leaves nothing. */
+  /** Cancels the gesture. */
   abandon() {
     this.refusal = this.refused = null;
-    if (this.hand.open() && this.isDifferent) this.settle();
+    if (this.hand.release() && this.isDifferent) this.settle();
   }
 
-  /** The stage shows the document of now again, which was good once. */
+  /** Shows the current document of the history again. */
   settle() {
     this.attempt(this.history.now, null, false);
     if (!this.obstacle && !this.target && !poseOf(this.document, this.selected)) this.selected = null;
@@ -303,13 +283,13 @@ export class Editor {
     this.end();
   }
 
-  /** A gesture has ended: what is on the stage is the document of now. @param {boolean} [goesOn] */
+  /** Ends a gesture: the document on the stage enters the history. @param {boolean} [goesOn] */
   end(goesOn = false) {
     const { session, history } = this;
     this.refused = null;
     if (this.isDifferent) {
       history.commit(this.document, goesOn);
-      this.said = this.whereabouts;
+      this.announcement = this.whereabouts;
     }
     this.changes++;
     session.story = history.now === history.first ? this.story : { algorithm: "", isProven: true, sentence: "" };
@@ -317,9 +297,7 @@ export class Editor {
     session.stage.invalidate();
   }
 
-  // What is told.
-
-  /** Vertices of a polygon, joints of an arm and its end effector, or the heading of a body, 0 where there is nothing to pick. @returns {number} */
+  /** The number of parts to pick: vertices of a polygon, joints and end effector of an arm, or the heading of a body. @returns {number} */
   get parts() {
     const { obstacle } = this;
     if (obstacle) return obstacle.type === "polygon" ? obstacle.vertices.length : 0;
@@ -327,7 +305,7 @@ export class Editor {
     return this.selected && !this.target && scenario.robot !== "disc" ? placed ? 1 : scenario.dimension + 1 : 0;
   }
 
-  /** What is selected, in words. @returns {string} */
+  /** The selection, in words. @returns {string} */
   get title() {
     const { selected, part, obstacle } = this;
     if (!selected) return "";
@@ -345,10 +323,9 @@ export class Editor {
     return [place("x", rounded(x, this.unit)), place("y", rounded(y, this.unit))];
   }
 
-  /** What is selected, and where it is. */
+  /** The selection and its coordinates. */
   get whereabouts() { return `${this.title}: ${this.fields.map(({ name, value }) => `${name} ${value}`).join(", ")}.`; }
 
-  /** Renews what the panes draw. */
   overlay() {
     const { shown, on, selected, part, refused, hand: { draft, loose } } = this;
     if (!on) {
@@ -366,7 +343,7 @@ export class Editor {
     };
   }
 
-  /** Start or goal in collision, or a target that is out of reach, in words. @returns {string} */
+  /** A start or goal in collision, or a target out of reach, in words. @returns {string} */
   get touching() {
     const { overlay, scenario, target } = this.shown;
     const { refusal } = this.session;
@@ -375,14 +352,12 @@ export class Editor {
   }
 
   /** Why the last change was refused, or empty. @returns {string} */
-  get reason() {
-    return sentence(this.refusal?.message ?? "");
-  }
+  get reason() { return sentence(this.refusal?.message ?? ""); }
 
-  /** Is there bad news? @returns {boolean} */
+  /** @returns {boolean} */
   get isBad() { return this.reason !== "" || this.touching !== ""; }
 
-  /** What there is to say above the stage; empty while a run goes on. */
+  /** The sentence above the stage; empty during a run. */
   get sentence() {
     const { session: { clock }, touching } = this;
     if (!this.on) return "";
@@ -392,17 +367,9 @@ export class Editor {
     return touching ? `${touching} Move it out of collision to plan.` : HINTS[this.tool];
   }
 
-  /** @returns {EditState | null} */
-  get state() {
-    if (!this.on || !this.session.shown) return null;
-    const { tool, title, said, part, parts, changes, history, reason, touching, fields, obstacle } = this;
-    return {
-      tool, title, said, part, parts, changes, reason, touching, fields,
-      kind: obstacle ? obstacle.type : this.selected ? "end" : "",
-      goal: this.selected?.kind !== "goal" || this.shown.scenario.robot !== "arm" ? "" : this.target ? "target" : "pose",
-      code: this.refusal?.code ?? "",
-      undoable: history.undoable, redoable: history.redoable, isChanged: this.isChanged,
-      isBusy: this.hand.isBusy,
-    };
-  }
+  /** The kind of the selection; an "end" is a start or goal. */
+  get kind() { return this.obstacle?.type ?? (this.selected ? "end" : ""); }
+
+  /** For the selected goal of an arm: one configuration, or any that reaches a point. */
+  get goal() { return this.selected?.kind !== "goal" || this.shown.scenario.robot !== "arm" ? "" : this.target ? "target" : "pose"; }
 }

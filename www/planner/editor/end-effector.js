@@ -1,46 +1,43 @@
-/**
- * The end effector of an arm in the editor's hand: a start or goal is led by it, and a target is where it is to be, in whatever
- * pose. It counts as one more joint, behind the last.
- */
+/** The end effector in the editor. It counts as one more joint after the last; dragging it moves the arm of a start or goal. */
 import { rounded, withPose, withTarget } from "./objects.js";
 
 /** @import { Scenario, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Shown } from "../lane.js" */
 /** @import { Point, EditorObject } from "./objects.js" */
 
-/** What joints are rounded to when they follow, radians: finer than by hand, so that the end effector stays where it was put. */
+/** The unit of joints that follow, radians: fine enough for the end effector to stay in place. */
 const FINE = 1e-7;
 
-/** Is it the end effector that is held or picked? @param {Scenario} scenario @param {EditorObject | null} thing @param {number | null} part */
-export function isTip({ robot, dimension }, thing, part) {
-  return robot === "arm" && thing !== null && thing.kind !== "obstacle" && part === dimension;
+/** Whether a part is the end effector. @param {Scenario} scenario @param {EditorObject | null} object @param {number | null} part */
+export function isTip({ robot, dimension }, object, part) {
+  return robot === "arm" && object !== null && object.kind !== "obstacle" && part === dimension;
 }
 
-/** Where the end effector is. @param {Scenario} scenario @param {ArrayLike<number>} pose @returns {Point} */
+/** The position of the end effector. @param {Scenario} scenario @param {ArrayLike<number>} pose @returns {Point} */
 export function tipOf(scenario, pose) { return scenario.endEffector(Float64Array.from(pose)); }
 
 /**
- * Leads a start or goal by its end effector, from one place to the next without a jump.
- * @param {Shown} shown @param {EditorObject} thing @param {ArrayLike<number>} pose
- * @param {() => Scenario} [arm]   the arm at the time: each change puts another scenario on the stage, and frees the one before
+ * Moves a start or goal by its end effector, without jumps.
+ * @param {Shown} shown @param {EditorObject} object @param {ArrayLike<number>} pose
+ * @param {() => Scenario} [arm]   of the current scenario; each change frees the previous one
  * @returns {(point: Point) => ScenarioDocument}
  */
-export function leads({ document, scenario }, thing, pose, arm = () => scenario) {
+export function followTip({ document, scenario }, object, pose, arm = () => scenario) {
   let now = Float64Array.from(pose);
   return (point) => {
     now = Float64Array.from(arm().follow(now, point).configuration);
-    return withPose(document, thing, now.map((angle) => rounded(angle, FINE)));
+    return withPose(document, object, now.map((angle) => rounded(angle, FINE)));
   };
 }
 
-/** The document whose goal is any pose that reaches where its goal does, or again the first pose found that does. @param {Shown} shown @param {EditorObject} thing @returns {ScenarioDocument | null} */
-export function otherGoal({ document, scenario, goal, target, goals, start }, thing) {
-  if (scenario.robot !== "arm" || thing.kind !== "goal") return null;
+/** The document with a target in place of the goal, or with the first configuration that reaches the target as its goal. @param {Shown} shown @param {EditorObject} object @returns {ScenarioDocument | null} */
+export function otherGoal({ document, scenario, goal, target, goals, start }, object) {
+  if (scenario.robot !== "arm" || object.kind !== "goal") return null;
   if (goal) {
     const [x, y] = tipOf(scenario, goal);
-    return withTarget(document, thing, { point: [rounded(x, 1e-6), rounded(y, 1e-6)] });
+    return withTarget(document, object, { point: [rounded(x, 1e-6), rounded(y, 1e-6)] });
   }
   if (!target || !start) return null;
   const pose = goals[0] ?? scenario.nearestReachable(target.point, target.orientation).configuration;
-  return withPose(document, thing, pose);
+  return withPose(document, object, pose);
 }

@@ -1,9 +1,9 @@
 /**
- * What a drag does: each gesture is a function from where the pointer is to the document as it is then. Shift snaps points to
- * fifths of the grid of dots, joints and directions to 15 degrees, and makes rectangles squares.
+ * Gestures: functions from the position of the pointer to a document. Shift snaps points to fifths of the grid, joints and directions to
+ * 15 degrees, and rectangles to squares.
  */
 import { contained, coordinatesOf, wrap } from "../../domain/coordinates.js";
-import { isTip, leads } from "./end-effector.js";
+import { isTip, followTip } from "./end-effector.js";
 import { moved, obstacleOf, rectangle, rounded, targetOf, withObstacle, withPose, withTarget, withVertex } from "./objects.js";
 
 /** @import { CSpace } from "../stage/cspace-pane.js" */
@@ -15,12 +15,12 @@ import { moved, obstacleOf, rectangle, rounded, targetOf, withObstacle, withPose
 
 /**
  * @typedef {object} Scale
- * @property {number} unit   what lengths are rounded to, metres
- * @property {number} grid   what Shift snaps to, metres
+ * @property {number} unit   of rounding, metres
+ * @property {number} grid   for Shift, metres
  * @property {number} pixels   CSS pixels a metre
  */
 
-/** What angles are rounded to, and snap to, radians. */
+/** Units of angles for rounding and for Shift, radians. */
 export const ANGLE = 1e-4;
 const TURN = Math.PI / 12;
 
@@ -29,12 +29,12 @@ function snapped(value, step, unit, shift) {
   return rounded(shift ? Math.round(value / step) * step : value, unit);
 }
 
-/** A point of the plane, rounded or on the grid. @param {Scale} scale @param {number} x @param {number} y @param {boolean} shift @returns {Point} */
+/** A point, rounded or on the grid. @param {Scale} scale @param {number} x @param {number} y @param {boolean} shift @returns {Point} */
 export function pointAt({ unit, grid }, x, y, shift) {
   return [snapped(x, grid, unit, shift), snapped(y, grid, unit, shift)];
 }
 
-/** A point in a direction of 15 degrees from another, or where it is. @param {Scale} scale @param {Point | undefined} from @param {number} x @param {number} y @param {boolean} shift @returns {Point} */
+/** A point, with Shift in a direction from another that is a multiple of 15 degrees. @param {Scale} scale @param {Point | undefined} from @param {number} x @param {number} y @param {boolean} shift @returns {Point} */
 export function pointFrom(scale, from, x, y, shift) {
   if (!shift || !from) return pointAt(scale, x, y, shift);
   const angle = Math.round(Math.atan2(y - from[1], x - from[0]) / TURN) * TURN;
@@ -42,20 +42,20 @@ export function pointFrom(scale, from, x, y, shift) {
   return pointAt(scale, from[0] + along * Math.cos(angle), from[1] + along * Math.sin(angle), false);
 }
 
-/** Takes hold of what lies beneath the pointer. @param {Shown} shown @param {Hit} hit @param {Scale} scale @param {CSpace | null} square @param {Point} from @param {() => Scenario} arm   the arm at the time @returns {Gesture} */
-export function holds(shown, { thing, part, handle }, scale, square, [x0, y0], arm) {
+/** Moves the object under the pointer. @param {Shown} shown @param {Hit} hit @param {Scale} scale @param {CSpace | null} square @param {Point} from @param {() => Scenario} arm   the current one @returns {Gesture} */
+export function moveGesture(shown, { object, part, handle }, scale, square, [x0, y0], arm) {
   const { document, scenario, start, goal, placed } = shown;
-  const obstacle = obstacleOf(document, thing);
-  if (obstacle) return reshapes(document, obstacle, thing, handle, scale, x0, y0);
-  const target = targetOf(document, thing);
+  const obstacle = obstacleOf(document, object);
+  if (obstacle) return reshapeGesture(document, obstacle, object, handle, scale, x0, y0);
+  const target = targetOf(document, object);
   if (target) {
     const [tx, ty] = target.point;
-    return (x, y, shift) => withTarget(document, thing, { ...target, point: pointAt(scale, tx + x - x0, ty + y - y0, shift) });
+    return (x, y, shift) => withTarget(document, object, { ...target, point: pointAt(scale, tx + x - x0, ty + y - y0, shift) });
   }
-  const pose = Array.from((thing.kind === "start" ? start : goal) ?? []);
+  const pose = Array.from((object.kind === "start" ? start : goal) ?? []);
   const coordinates = coordinatesOf({ scenario, document });
   /** @param {number[]} next */
-  const put = (next) => withPose(document, thing, contained(Float64Array.from(next), coordinates));
+  const put = (next) => withPose(document, object, contained(Float64Array.from(next), coordinates));
   if (square) {
     const { axes } = square;
     return (x, y, shift) => put(pose.map((value, i) => {
@@ -65,14 +65,14 @@ export function holds(shown, { thing, part, handle }, scale, square, [x0, y0], a
     }));
   }
   if (placed && part === 0) {
-    // The handle turns the body: the direction of the pointer is kept from where it took hold.
+    // The handle turns the body with the pointer.
     const off = pose[2] - Math.atan2(y0 - pose[1], x0 - pose[0]);
     return (x, y, shift) => put(pose.with(2, snapped(Math.atan2(y - pose[1], x - pose[0]) + off, TURN, ANGLE, shift)));
   }
   if (placed) return (x, y, shift) => put([...pointAt(scale, pose[0] + x - x0, pose[1] + y - y0, shift), pose[2]]);
   if (scenario.robot === "disc") return (x, y, shift) => put(pointAt(scale, pose[0] + x - x0, pose[1] + y - y0, shift));
-  if (isTip(scenario, thing, part)) {
-    const lead = leads(shown, thing, pose, arm);
+  if (isTip(scenario, object, part)) {
+    const lead = followTip(shown, object, pose, arm);
     return (x, y, shift) => lead(pointAt(scale, x, y, shift));
   }
   const joint = part ?? 0;
@@ -89,8 +89,8 @@ export function holds(shown, { thing, part, handle }, scale, square, [x0, y0], a
   };
 }
 
-/** @param {ScenarioDocument} document @param {Obstacle} obstacle @param {EditorObject} thing @param {Hit["handle"]} handle @param {Scale} scale @param {number} x0 @param {number} y0 @returns {Gesture} */
-function reshapes(document, obstacle, { index }, handle, scale, x0, y0) {
+/** @param {ScenarioDocument} document @param {Obstacle} obstacle @param {EditorObject} object @param {Hit["handle"]} handle @param {Scale} scale @param {number} x0 @param {number} y0 @returns {Gesture} */
+function reshapeGesture(document, obstacle, { index }, handle, scale, x0, y0) {
   /** @param {Obstacle} next */
   const put = (next) => withObstacle(document, index, next);
   if (obstacle.type === "disc" && handle) {
@@ -108,8 +108,8 @@ function reshapes(document, obstacle, { index }, handle, scale, x0, y0) {
   };
 }
 
-/** Draws a disc from its centre, or a rectangle from corner to corner. @param {"disc" | "rectangle"} tool @param {ScenarioDocument} document @param {Scale} scale @param {Point} from @param {boolean} snaps  does its first point lie on the grid @returns {Gesture} */
-export function draws(tool, document, scale, from, snaps) {
+/** Draws a disc from its centre, or a rectangle from corner to corner. @param {"disc" | "rectangle"} tool @param {ScenarioDocument} document @param {Scale} scale @param {Point} from @param {boolean} snaps  whether its first point is on the grid @returns {Gesture} */
+export function drawGesture(tool, document, scale, from, snaps) {
   const [x0, y0] = pointAt(scale, ...from, snaps && tool === "disc");
   const { length } = document.world.obstacles;
   return (x, y, shift) => {

@@ -1,4 +1,4 @@
-/** What lies beneath a pointer: handles of what is selected, start and goal by their robot, obstacles. */
+/** Hit testing: handles of the selection, start, goal and obstacles. */
 import { distanceToSegment } from "../../draw/trace.js";
 import { contains } from "../../draw/shapes.js";
 import { obstacleOf, same, targetOf, objectsOf } from "./objects.js";
@@ -8,14 +8,14 @@ import { obstacleOf, same, targetOf, objectsOf } from "./objects.js";
 /** @import { Obstacle, Part } from "../../domain/types.js" */
 /** @import { Shown } from "../lane.js" */
 /** @import { Point, EditorObject } from "./objects.js" */
-/** @typedef {{ kind: "vertex" | "middle" | "radius", part: number, at: Point }} Handle   `part` is the vertex, or the one before a middle */
-/** @typedef {{ thing: EditorObject, part: number | null, handle: Handle | null }} Hit   `part` is the vertex, the joint, or behind the last joint the end effector */
+/** @typedef {{ kind: "vertex" | "middle" | "radius", part: number, at: Point }} Handle   `part`: the vertex, or the one before a middle */
+/** @typedef {{ object: EditorObject, part: number | null, handle: Handle | null }} Hit   `part`: the vertex, the joint, or after the last joint the end effector */
 
-/** How near a pointer must come, CSS pixels: a finger is less exact than a mouse. */
+/** Reach of a pointer, CSS pixels. */
 export const REACH = { mouse: 9, touch: 22 };
-/** How large the mark of an end effector is, CSS pixels. */
+/** Radius of the mark of an end effector, CSS pixels. */
 const TIP = 8;
-/** Edges shorter than this have no handle in their middle, CSS pixels. */
+/** Least length of an edge with a handle in its middle, CSS pixels. */
 const ROOM = 40;
 
 /** @param {Obstacle} obstacle @param {View} view @returns {Handle[]} */
@@ -32,7 +32,7 @@ export function handlesOf(obstacle, view) {
 }
 
 /**
- * @param {Pane} pane @param {boolean} isSquare  is it the configuration square
+ * @param {Pane} pane @param {boolean} isSquare  whether it shows the configuration space
  * @param {Shown} shown @param {string | undefined} query @param {EditorObject | null} selected
  * @param {number} px @param {number} py @param {number} reach  CSS pixels
  * @returns {Hit | null}
@@ -43,7 +43,7 @@ export function hitAt(pane, isSquare, shown, query, selected, px, py, reach) {
   /** @type {Hit | null} */
   let best = null;
   let least = reach;
-  /** @param {number} distance @param {Hit} hit  of those equally near the last one is taken */
+  /** @param {number} distance @param {Hit} hit  of several equally near the last one is taken */
   const offer = (distance, hit) => {
     if (distance > least) return;
     least = distance;
@@ -53,48 +53,48 @@ export function hitAt(pane, isSquare, shown, query, selected, px, py, reach) {
   if (chosen && selected && !isSquare) {
     for (const handle of handlesOf(chosen, view)) {
       const distance = Math.hypot(view.x(handle.at[0]) - px, view.y(handle.at[1]) - py);
-      // Where they crowd, a vertex goes before a middle.
-      offer(distance + (handle.kind === "middle" ? 3 : 0), { thing: selected, part: handle.kind === "radius" ? null : handle.part, handle });
+      // A vertex is preferred to a middle.
+      offer(distance + (handle.kind === "middle" ? 3 : 0), { object: selected, part: handle.kind === "radius" ? null : handle.part, handle });
     }
     if (best) return best;
   }
-  const things = objectsOf(document, query);
-  // Robots stand above obstacles, the start above the goal, what is selected above all.
-  const order = [...things.filter(({ kind }) => kind === "obstacle"), ...things.filter(({ kind }) => kind !== "obstacle").reverse()];
-  const at = order.findIndex((thing) => same(thing, selected));
+  const objects = objectsOf(document, query);
+  // Robots are above obstacles, the start is above the goal, and the selection is above all.
+  const order = [...objects.filter(({ kind }) => kind === "obstacle"), ...objects.filter(({ kind }) => kind !== "obstacle").reverse()];
+  const at = order.findIndex((object) => same(object, selected));
   if (at >= 0) order.push(...order.splice(at, 1));
   const [x, y] = view.toPlane(px, py);
-  for (const thing of order) {
-    const obstacle = obstacleOf(document, thing);
+  for (const object of order) {
+    const obstacle = obstacleOf(document, object);
     if (obstacle) {
-      if (!isSquare) offer(distanceTo(obstacle, x, y) * view.scaleX, { thing, part: null, handle: null });
+      if (!isSquare) offer(distanceTo(obstacle, x, y) * view.scaleX, { object, part: null, handle: null });
       continue;
     }
-    const target = targetOf(document, thing);
-    if (target && !isSquare) offer(Math.max(0, Math.hypot(view.x(target.point[0]) - px, view.y(target.point[1]) - py) - TIP), { thing, part: null, handle: null });
-    const pose = thing.kind === "start" ? shown.start : shown.goal;
+    const target = targetOf(document, object);
+    if (target && !isSquare) offer(Math.max(0, Math.hypot(view.x(target.point[0]) - px, view.y(target.point[1]) - py) - TIP), { object, part: null, handle: null });
+    const pose = object.kind === "start" ? shown.start : shown.goal;
     if (!pose) continue;
     if (isSquare) {
       const [ex, ey] = pane.pixels(Float64Array.from(pose));
-      offer(Math.max(0, Math.hypot(ex - px, ey - py) - 7), { thing, part: null, handle: null });
+      offer(Math.max(0, Math.hypot(ex - px, ey - py) - 7), { object, part: null, handle: null });
     } else {
       const { placed } = shown;
-      scenario.footprint(pose).forEach((part, i) => offer(Math.max(0, toPart(part, x, y) * view.scaleX), { thing, part: placed ? null : i, handle: null }));
+      scenario.footprint(pose).forEach((part, i) => offer(Math.max(0, toPart(part, x, y) * view.scaleX), { object, part: placed ? null : i, handle: null }));
       if (scenario.robot === "arm") {
         const [ex, ey] = pane.pixels(Float64Array.from(pose));
-        // The end effector goes before its link.
-        if (Math.hypot(ex - px, ey - py) <= Math.max(TIP, reach)) offer(0, { thing, part: scenario.dimension, handle: null });
+        // The end effector is preferred to its link.
+        if (Math.hypot(ex - px, ey - py) <= Math.max(TIP, reach)) offer(0, { object, part: scenario.dimension, handle: null });
       }
       if (!placed) continue;
       const [hx, hy] = placed.handle(pose, view);
-      // The handle goes before the body that it stands in.
-      if (Math.hypot(hx - px, hy - py) <= reach) offer(0, { thing, part: 0, handle: null });
+      // The handle is preferred to the body.
+      if (Math.hypot(hx - px, hy - py) <= reach) offer(0, { object, part: 0, handle: null });
     }
   }
   return best;
 }
 
-/** From a point to a filled obstacle, 0 inside. @param {Obstacle} obstacle @param {number} x @param {number} y */
+/** The distance from a point to a filled obstacle, 0 inside. @param {Obstacle} obstacle @param {number} x @param {number} y */
 function distanceTo(obstacle, x, y) {
   if (obstacle.type === "disc") return Math.max(0, Math.hypot(x - obstacle.center[0], y - obstacle.center[1]) - obstacle.radius);
   const { vertices } = obstacle;

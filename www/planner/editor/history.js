@@ -1,8 +1,8 @@
-/** What was done to a scenario, so that it can be undone: one document a gesture. Documents share all that did not change. */
+/** The history of an edited scenario: a document for each change. Documents share their unchanged parts. */
 
 /** @import { ScenarioDocument } from "../../domain/types.js" */
 
-/** History that can be undone at most. */
+/** Changes that can be undone at most. */
 const DEPTH = 200;
 
 export class History {
@@ -15,11 +15,11 @@ export class History {
 
   get now() { return this.documents[this.at]; }
 
-  /** How many edits can be undone, and how many redone. */
+  /** The number of changes that can be undone, and redone. */
   get undoable() { return this.at; }
   get redoable() { return this.documents.length - 1 - this.at; }
 
-  /** One more edit; what was undone before it is forgotten. @param {ScenarioDocument} document @param {boolean} [goesOn]  it goes on with the edit before */
+  /** Adds a change; changes undone before are dropped. @param {ScenarioDocument} document @param {boolean} [goesOn]  it continues the previous one */
   commit(document, goesOn = false) {
     if (goesOn && this.at > 0) this.at--;
     this.documents.splice(this.at + 1, Infinity, document);
@@ -27,10 +27,10 @@ export class History {
     this.at = this.documents.length - 1;
   }
 
-  /** Goes back or on. @param {-1 | 1} way @returns {boolean} whether there was anywhere to go */
+  /** Undoes or redoes. @param {-1 | 1} way @returns {boolean} whether there was a change */
   go(way) {
-    const there = this.documents[this.at + way] !== undefined;
-    if (there) this.at += way;
-    return there;
+    const isThere = this.documents[this.at + way] !== undefined;
+    if (isThere) this.at += way;
+    return isThere;
   }
 }

@@ -1,13 +1,11 @@
-/**
- * The things of a scenario document that can be edited: start and goal of a query, and obstacles. A document is never changed:
- * whoever edits gets another one that shares the rest.
- */
+/** The editable objects of a scenario document: start and goal of a query, and obstacles. Every change returns a new document. */
 
-/** @import { Coordinate, Field, Obstacle, Query, ScenarioDocument, Target } from "../../domain/types.js" */
-/** @typedef {{ kind: "start" | "goal" | "obstacle", index: number }} EditorObject   index of the query, or of the obstacle */
+/** @import { Coordinate, Obstacle, Query, ScenarioDocument, Target } from "../../domain/types.js" */
+/** @typedef {{ kind: "start" | "goal" | "obstacle", index: number }} EditorObject   index of the query or the obstacle */
 /** @typedef {[number, number]} Point */
+/** @typedef {Omit<Coordinate, "isCircle"> & { value: number }} Field   one coordinate of an object */
 
-/** Everything there is, in the order of the keyboard. @param {ScenarioDocument} document @param {string | undefined} query @returns {EditorObject[]} */
+/** All objects, in the order of the keyboard. @param {ScenarioDocument} document @param {string | undefined} query @returns {EditorObject[]} */
 export function objectsOf({ queries, world }, query) {
   const index = queries.findIndex(({ name }) => name === query);
   return [
@@ -19,46 +17,46 @@ export function objectsOf({ queries, world }, query) {
 /** @param {EditorObject | null} a @param {EditorObject | null} b */
 export function same(a, b) { return a?.kind === b?.kind && a?.index === b?.index; }
 
-/** @param {ScenarioDocument} document @param {EditorObject | null} thing @returns {Obstacle | null} */
-export function obstacleOf({ world }, thing) {
-  return thing?.kind === "obstacle" ? world.obstacles[thing.index] ?? null : null;
+/** @param {ScenarioDocument} document @param {EditorObject | null} object @returns {Obstacle | null} */
+export function obstacleOf({ world }, object) {
+  return object?.kind === "obstacle" ? world.obstacles[object.index] ?? null : null;
 }
 
-/** A start or goal. @param {ScenarioDocument} document @param {EditorObject | null} thing @returns {number[] | null} */
-export function poseOf({ queries }, thing) {
-  return !thing || thing.kind === "obstacle" ? null : queries[thing.index]?.[thing.kind] ?? null;
+/** The configuration of a start or goal. @param {ScenarioDocument} document @param {EditorObject | null} object @returns {number[] | null} */
+export function poseOf({ queries }, object) {
+  return !object || object.kind === "obstacle" ? null : queries[object.index]?.[object.kind] ?? null;
 }
 
-/** What a query has in place of a goal. @param {ScenarioDocument} document @param {EditorObject | null} thing @returns {Target | null} */
-export function targetOf({ queries }, thing) {
-  return thing?.kind === "goal" ? queries[thing.index]?.target ?? null : null;
+/** The target that a query has in place of a goal. @param {ScenarioDocument} document @param {EditorObject | null} object @returns {Target | null} */
+export function targetOf({ queries }, object) {
+  return object?.kind === "goal" ? queries[object.index]?.target ?? null : null;
 }
 
-/** The document with other obstacles from one on. @param {ScenarioDocument} document @param {number} index @param {Obstacle | null} obstacle  null takes it away; the index behind the last adds one @returns {ScenarioDocument} */
+/** The document with another obstacle at an index. @param {ScenarioDocument} document @param {number} index  past the last: it is added @param {Obstacle | null} obstacle  null: it is removed @returns {ScenarioDocument} */
 export function withObstacle(document, index, obstacle) {
   const obstacles = [...document.world.obstacles];
   obstacles.splice(index, 1, ...(obstacle ? [obstacle] : []));
   return { ...document, world: { ...document.world, obstacles } };
 }
 
-/** The document with another start or goal, which takes the place of a target. @param {ScenarioDocument} document @param {EditorObject} thing @param {ArrayLike<number>} pose @returns {ScenarioDocument} */
+/** The document with another start, or with another goal in place of a target. @param {ScenarioDocument} document @param {EditorObject} object @param {ArrayLike<number>} pose @returns {ScenarioDocument} */
 export function withPose(document, { kind, index }, pose) {
   const end = { [kind]: Array.from(pose), ...(kind === "goal" ? { target: undefined } : {}) };
   return withQuery(document, index, end);
 }
 
-/** The document with another target in place of a goal. @param {ScenarioDocument} document @param {EditorObject} thing @param {Target} target @returns {ScenarioDocument} */
+/** The document with another target in place of a goal. @param {ScenarioDocument} document @param {EditorObject} object @param {Target} target @returns {ScenarioDocument} */
 export function withTarget(document, { index }, target) { return withQuery(document, index, { goal: undefined, target }); }
 
-/** @param {ScenarioDocument} document @param {number} index @param {object} change  what is undefined is left out @returns {ScenarioDocument} */
+/** @param {ScenarioDocument} document @param {number} index @param {object} change  undefined entries are removed @returns {ScenarioDocument} */
 function withQuery(document, index, change) {
-  const changed = (/** @type {Query} */ query) => /** @type {Query} */ (/** @type {unknown} */ (Object.fromEntries(Object.entries({ ...query, ...change }).filter(([, value]) => value !== undefined))));
-  return { ...document, queries: document.queries.map((query, i) => (i === index ? changed(query) : query)) };
+  const entries = Object.entries({ ...document.queries[index], ...change }).filter(([, value]) => value !== undefined);
+  return { ...document, queries: document.queries.with(index, /** @type {Query} */ (/** @type {unknown} */ (Object.fromEntries(entries)))) };
 }
 
-/** Rounds to whole units, without the dust of binary fractions. @param {number} value @param {number} unit  a power of ten */
+/** Rounds to whole units, without binary residue. @param {number} value @param {number} unit  a power of ten */
 export function rounded(value, unit) {
-  return Number((Math.round(value / unit) * unit).toFixed(Math.max(0, -Math.round(Math.log10(unit))))) + 0; // never -0: JSON would not keep it
+  return Number((Math.round(value / unit) * unit).toFixed(Math.max(0, -Math.round(Math.log10(unit))))) + 0; // no -0, which JSON does not store
 }
 
 /** @param {Obstacle} obstacle @param {number} dx @param {number} dy @param {number} unit @returns {Obstacle} */
@@ -76,32 +74,32 @@ export function rectangle([x, y], width, height) {
 /** A coordinate of a point, as a field. @param {string} name @param {number} value @returns {Field} */
 export function place(name, value) { return { name, value, unit: "m", low: -Infinity, high: Infinity }; }
 
-/** The numbers of a thing, or of one vertex of a polygon. @param {ScenarioDocument} document @param {EditorObject | null} thing @param {number} vertex @param {Coordinate[]} coordinates @returns {Field[]} */
-export function fieldsOf(document, thing, vertex, coordinates) {
-  const pose = poseOf(document, thing);
+/** The coordinates of an object, or of one vertex of a polygon. @param {ScenarioDocument} document @param {EditorObject | null} object @param {number} vertex @param {Coordinate[]} coordinates @returns {Field[]} */
+export function fieldsOf(document, object, vertex, coordinates) {
+  const pose = poseOf(document, object);
   if (pose) return coordinates.map(({ name, unit, low, high }, i) => ({ name, value: pose[i], unit, low, high }));
-  const target = targetOf(document, thing);
+  const target = targetOf(document, object);
   if (target) return [place("x", target.point[0]), place("y", target.point[1])];
-  const obstacle = obstacleOf(document, thing);
+  const obstacle = obstacleOf(document, object);
   if (!obstacle) return [];
   const [x, y] = obstacle.type === "disc" ? obstacle.center : obstacle.vertices[vertex];
   return [place("x", x), place("y", y), ...(obstacle.type === "disc" ? [place("radius", obstacle.radius)] : [])];
 }
 
-/** The document with one of these numbers changed. @param {ScenarioDocument} document @param {EditorObject} thing @param {number} vertex @param {number} index @param {number} value @returns {ScenarioDocument} */
-export function withField(document, thing, vertex, index, value) {
-  const pose = poseOf(document, thing);
-  if (pose) return withPose(document, thing, pose.with(index, value));
-  const target = targetOf(document, thing);
-  if (target) return withTarget(document, thing, { ...target, point: /** @type {Point} */ (target.point.with(index, value)) });
-  const obstacle = obstacleOf(document, thing);
+/** The document with one of these coordinates changed. @param {ScenarioDocument} document @param {EditorObject} object @param {number} vertex @param {number} index @param {number} value @returns {ScenarioDocument} */
+export function withField(document, object, vertex, index, value) {
+  const pose = poseOf(document, object);
+  if (pose) return withPose(document, object, pose.with(index, value));
+  const target = targetOf(document, object);
+  if (target) return withTarget(document, object, { ...target, point: /** @type {Point} */ (target.point.with(index, value)) });
+  const obstacle = obstacleOf(document, object);
   if (!obstacle) return document;
   const point = (/** @type {Point} */ old) => /** @type {Point} */ (old.with(index, value));
-  if (obstacle.type === "polygon") return withObstacle(document, thing.index, withVertex(obstacle, vertex, point(obstacle.vertices[vertex])));
-  return withObstacle(document, thing.index, index === 2 ? { ...obstacle, radius: value } : { ...obstacle, center: point(obstacle.center) });
+  if (obstacle.type === "polygon") return withObstacle(document, object.index, withVertex(obstacle, vertex, point(obstacle.vertices[vertex])));
+  return withObstacle(document, object.index, index === 2 ? { ...obstacle, radius: value } : { ...obstacle, center: point(obstacle.center) });
 }
 
-/** A polygon with one vertex put, added before another, or taken away. @param {Extract<Obstacle, { type: "polygon" }>} polygon @param {number} index @param {Point | null} vertex @param {boolean} [added] @returns {Obstacle} */
+/** A polygon with one vertex replaced, inserted or removed. @param {Extract<Obstacle, { type: "polygon" }>} polygon @param {number} index @param {Point | null} vertex @param {boolean} [added] @returns {Obstacle} */
 export function withVertex(polygon, index, vertex, added = false) {
   const vertices = [...polygon.vertices];
   vertices.splice(index, added ? 0 : 1, ...(vertex ? [vertex] : []));

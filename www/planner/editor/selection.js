@@ -1,8 +1,8 @@
-/** What the editor adds to the picture: what is selected and its handles, what is being drawn, what is refused or in collision. */
+/** Draws the editor's overlay: the selection and its handles, a polygon being drawn, and refused or colliding objects. */
 import { handlesOf } from "./handles.js";
 import { touchingSentence } from "../../domain/names.js";
 import { isTip, tipOf } from "./end-effector.js";
-import { obstacleOf, targetOf } from "./objects.js";
+import { obstacleOf, poseOf, targetOf } from "./objects.js";
 import { drawGhost, drawHit, drawLabel, drawTouchingParts, obstaclePath } from "../../draw/shapes.js";
 import { Workspace } from "../stage/workspace-pane.js";
 
@@ -13,7 +13,7 @@ import { Workspace } from "../stage/workspace-pane.js";
 /** @import { Overlay } from "./editor.js" */
 /** @import { Scenario } from "../../domain/types.js" */
 
-/** On any pane. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
+/** @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
 export function drawOverlay(pane, context, lane) {
   if (pane instanceof Workspace) drawSelection(pane, context, lane);
   else drawSelectedPoint(pane, context, lane);
@@ -33,7 +33,7 @@ function drawSelection(pane, context, lane) {
     drawTouchingParts(context, view, scenario.footprint(pose).filter((_, i) => hit.has(i)), palette, pane.hatchOnPart);
   }
   if (touching.length > 0) pane.drawEnds(context, lane, palette);
-  const pose = selected?.kind === "start" ? shown.start : selected?.kind === "goal" ? shown.goal : null;
+  const pose = poseOf(document, selected);
   if (selected && pose) {
     const colour = palette[selected.kind === "start" ? "start" : "goal"];
     const parts = scenario.footprint(pose);
@@ -86,13 +86,12 @@ function drawSelection(pane, context, lane) {
   nameTouching(pane, context, overlay, scenario);
 }
 
-/** On the configuration square, where start and goal are points. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
+/** On the configuration space, where start and goal are points. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
 function drawSelectedPoint(pane, context, { shown }) {
-  const { overlay, scenario } = shown;
+  const { overlay, scenario, document } = shown;
   const palette = /** @type {Palette} */ (pane.palette);
   if (!overlay) return;
-  const { selected } = overlay;
-  const pose = selected?.kind === "start" ? shown.start : selected?.kind === "goal" ? shown.goal : null;
+  const pose = poseOf(document, overlay.selected);
   if (pose) {
     const [x, y] = pane.pixels(Float64Array.from(pose));
     drawSelected(context, x, y, palette);
@@ -104,7 +103,7 @@ function drawSelectedPoint(pane, context, { shown }) {
   nameTouching(pane, context, overlay, scenario);
 }
 
-/** A fine ring around what is selected. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {Palette} palette */
+/** A ring around the selection. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {Palette} palette */
 function drawSelected(context, x, y, palette) {
   context.strokeStyle = palette.ink;
   context.lineWidth = 1.5;
@@ -116,7 +115,7 @@ function drawSelected(context, x, y, palette) {
 /** @param {View} view @param {ArrayLike<number>} point @returns {[number, number]} */
 function pixelsOf(view, point) { return [view.x(point[0]), view.y(point[1])]; }
 
-/** Says what touches what beside each end in collision, within the sheet. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Overlay} overlay @param {Scenario} scenario */
+/** Names the collision beside each start or goal in collision, within the pane. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Overlay} overlay @param {Scenario} scenario */
 function nameTouching(pane, context, { touching }, scenario) {
   const palette = /** @type {Palette} */ (pane.palette);
   for (const { end, pose, check } of touching) {

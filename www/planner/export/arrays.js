@@ -1,8 +1,9 @@
 /**
- * NumPy's arrays come in: polygons become obstacles of the scene on the stage, configurations become marks on it. What an array
- * is tells its shape; where it could be either, and what is to become of polygons, is asked.
+ * Opens NumPy arrays. By their shape, arrays are polygons, which become obstacles, or configurations, which are marked on the stage; where
+ * there is a choice, the reader makes it.
  */
 import { byId, grouped, make } from "../../app/dom.js";
+import { button } from "../../widgets/elements.js";
 import { NpyError } from "../../formats/dtype.js";
 import { readNpy, readNpyPolygons } from "../../formats/npy.js";
 
@@ -12,13 +13,13 @@ import { readNpy, readNpyPolygons } from "../../formats/npy.js";
 /** Configurations shown at most. */
 const MOST = 20_000;
 
-/** The line about the marks, made once. @type {HTMLElement | undefined} */
+/** The line with the counts of the marks, made once. @type {HTMLElement | undefined} */
 let line;
 
 /**
  * @param {Page} page  with a scene on its stage
  * @param {string} name  of the file @param {Uint8Array} bytes
- * @throws {Error} with a code: the file is damaged, too large, or is neither
+ * @throws {Error} with a code: the file is damaged, too large, or of another shape
  */
 export async function openArray(page, name, bytes) {
   const { facts } = page;
@@ -50,7 +51,7 @@ export async function openArray(page, name, bytes) {
   else if (choice) await build(page, polygons, choice === "replace");
 }
 
-/** Polygons, or none where an array can only be configurations. @param {Uint8Array} bytes */
+/** The polygons of an array that may also be configurations. @param {Uint8Array} bytes */
 function maybePolygons(bytes) {
   try {
     return readNpyPolygons(bytes);
@@ -60,34 +61,33 @@ function maybePolygons(bytes) {
   }
 }
 
-/** The shape of an array of numbers; of one of objects none. @param {Uint8Array} bytes @returns {number[] | null} @throws {NpyError} */
+/** The shape of an array of numbers, or null for objects. @param {Uint8Array} bytes @returns {number[] | null} @throws {NpyError} */
 function numericShape(bytes) {
   const isObjects = /["']descr["']\s*:\s*["']\|O/.test(new TextDecoder("latin1").decode(bytes.subarray(0, 512)));
   return isObjects ? null : readNpy(bytes).shape;
 }
 
-/** The scene with these obstacles, under the same planners. @param {Page} page @param {number[][][]} polygons @param {boolean} alone @throws {Error} the core refuses one of them */
+/** Opens the scene with these obstacles, with the same planners. @param {Page} page @param {number[][][]} polygons @param {boolean} alone @throws {Error} the core refuses one of them */
 async function build(page, polygons, alone) {
   const { facts, plans, panel } = page;
   if (!facts) return;
   const { world } = facts.document;
   const fresh = polygons.map((vertices) => /** @type {Obstacle} */ ({ type: "polygon", vertices }));
   const document = { ...facts.document, world: { ...world, obstacles: alone ? fresh : [...world.obstacles, ...fresh] } };
-  await page.open({ document }, { plans: plans ?? page.asked, query: panel.query.value || undefined });
+  await page.open({ document }, { plans: plans ?? page.current, query: panel.query.value || undefined });
 }
 
-/** Configurations as marks, with a line that counts them and takes them away. @param {Page} page @param {string} name @param {Uint8Array} bytes */
+/** Marks configurations, with a line that counts them and a button that removes them. @param {Page} page @param {string} name @param {Uint8Array} bytes */
 async function mark(page, name, bytes) {
   const { shape: [all, n], data } = readNpy(bytes);
   if (all > MOST) throw new NpyError(`There are ${grouped(all)} configurations; at most ${grouped(MOST)} are shown.`);
   const wrong = data.findIndex((value) => !Number.isFinite(value));
   if (wrong >= 0) throw new NpyError(`Number ${wrong % n} of configuration ${Math.floor(wrong / n)} is not finite.`);
   const free = page.run((session) => session.mark(data));
-  const shown = line ?? ground(page);
+  const shown = line ?? makeLine(page);
   shown.dataset.free = String(free);
   shown.dataset.count = String(all);
-  const clear = make("button", { type: "button" }, "Clear");
-  clear.addEventListener("click", () => {
+  const clear = button("clear-marks", "Clear", () => {
     page.act((session) => session.mark(null));
     shown.hidden = true;
     byId("stage", HTMLElement).focus();
@@ -98,8 +98,8 @@ async function mark(page, name, bytes) {
   shown.hidden = false;
 }
 
-/** Where the line stands; another scene has no marks. @param {Page} page */
-function ground(page) {
+/** Makes the line; it is hidden once another scene is opened. @param {Page} page */
+function makeLine(page) {
   const made = make("p", { id: "marked", className: "marked", role: "status", hidden: true });
   byId("readout", HTMLElement).before(made);
   page.onOpen(() => { made.hidden = true; });
@@ -107,8 +107,8 @@ function ground(page) {
   return made;
 }
 
-/** What a mark looks like. @param {"disc" | "cross"} kind */
+/** A mark in the text. @param {"disc" | "cross"} kind */
 function sign(kind) { return make("i", { className: kind, ariaHidden: "true" }); }
 
-/** @param {number} many @param {string} thing */
-function count(many, thing) { return `${grouped(many)} ${thing}${many === 1 ? "" : "s"}`; }
+/** @param {number} many @param {string} noun */
+function count(many, noun) { return `${grouped(many)} ${noun}${many === 1 ? "" : "s"}`; }

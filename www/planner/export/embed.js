@@ -1,59 +1,50 @@
-/** What to copy so that what is on the stage stands in a page, in slides, in a notebook. */
+/** Code that embeds the page with its current state in a web page, in slides or in a notebook. */
 import { experimentOf } from "../link/experiment.js";
 import { make } from "../../app/dom.js";
+import { button } from "../../widgets/elements.js";
 import { encodeLink } from "../link/codec.js";
 
 /** @import { Page } from "../page.js" */
 
-/** @type {Record<string, { title: string, text: (address: string) => string }>} */
-const KINDS = {
-  page: {
-    title: "A web page",
-    text: (address) => `<iframe src="${address}" title="Planarium" width="100%" height="640" style="border: 0"></iframe>`,
-  },
-  slides: {
-    title: "Reveal.js slides",
-    text: (address) => `<section>\n  <iframe data-src="${address}" title="Planarium" width="100%" height="640" data-preload></iframe>\n</section>`,
-  },
-  notebook: {
-    title: "A Jupyter notebook",
-    text: (address) => `from IPython.display import IFrame\nIFrame("${address}", width="100%", height=640)`,
-  },
-};
+/** @type {[string, string, (address: string) => string][]} */
+const KINDS = [
+  ["page", "A web page", (address) => `<iframe src="${address}" title="Planarium" width="100%" height="640" style="border: 0"></iframe>`],
+  ["slides", "Reveal.js slides",
+    (address) => `<section>\n  <iframe data-src="${address}" title="Planarium" width="100%" height="640" data-preload></iframe>\n</section>`],
+  ["notebook", "A Jupyter notebook", (address) => `from IPython.display import IFrame\nIFrame("${address}", width="100%", height=640)`],
+];
 
 /** @param {Page} page @param {HTMLElement} host */
 export function showSnippets(page, host) {
-  const kind = make("select", { id: "embed-kind", ariaLabel: "Embed as" }, ...Object.entries(KINDS).map(([value, { title }]) => make("option", { value }, title)));
+  const kind = make("select", { id: "embed-kind", ariaLabel: "Embed as" }, ...KINDS.map(([value, title]) => make("option", { value }, title)));
   const text = make("textarea", { id: "embed-text", readOnly: true, rows: 5, ariaLabel: "Embed code", spellcheck: false });
-  const copy = make("button", { type: "button", id: "embed-copy" }, "Copy");
-  const told = make("p", { className: "hint", role: "status" });
-  const details = make("details", { id: "embed-fold" }, make("summary", {}, "Embed"), make("div", { className: "parts" }, kind, copy), text, told);
-  host.append(details);
-  copy.addEventListener("click", async () => {
-    await renew();
+  const copy = button("embed-copy", "Copy", async () => {
+    await update();
     try {
       await navigator.clipboard.writeText(text.value);
-      told.textContent = "Copied.";
+      result.textContent = "Copied.";
     } catch {
       text.select();
-      told.textContent = "The code is selected; copy it from the field.";
+      result.textContent = "The code is selected; copy it from the field.";
     }
   });
-  for (const [element, type] of /** @type {[HTMLElement, string][]} */ ([[kind, "change"], [details, "toggle"]])) {
-    element.addEventListener(type, () => void renew());
-  }
+  const result = make("p", { className: "hint", role: "status" });
+  const details = make("details", { id: "embed-fold" }, make("summary", {}, "Embed"), make("div", { className: "parts" }, kind, copy), text, result);
+  host.append(details);
+  kind.addEventListener("change", () => void update());
+  details.addEventListener("toggle", () => void update());
 
-  /** What is on the stage now, at the time that it shows. */
-  async function renew() {
+  async function update() {
     if (!details.open || !page.state) return;
     try {
       const { origin, pathname, protocol } = location;
       const fragment = await encodeLink(experimentOf(page));
-      text.value = KINDS[kind.value].text(`${protocol === "file:" ? `file://${pathname}` : origin + pathname}?embed=1#${fragment}`);
-      told.textContent = protocol === "file:" ? "This page was opened from a file: publish it, and change the address in the code." : "";
+      const [, , codeOf] = KINDS[kind.selectedIndex];
+      text.value = codeOf(`${protocol === "file:" ? `file://${pathname}` : origin + pathname}?embed=1#${fragment}`);
+      result.textContent = protocol === "file:" ? "This page was opened from a file: publish it, and change the address in the code." : "";
     } catch (error) {
       text.value = "";
-      page.notice.show("No link can be made.", error);
+      page.app.fail(error, "No link can be made.");
     }
   }
 }

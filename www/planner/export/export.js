@@ -1,146 +1,132 @@
-/**
- * The exports of what is on the stage: pictures, drawn at the requested size, and the numbers behind them. Each says what it
- * is, or why it is not available.
- */
+/** The export panel: images of the stage, the scenario, and the data of the runs. Each row describes its file, or says why there is none. */
 import { json, save } from "../../app/files.js";
 import { byId, make, write } from "../../app/dom.js";
-import { Exporter } from "./exporter.js";
 import { writeNpy } from "../../formats/npy.js";
+import { downloadRow, failureOf } from "../../widgets/downloads.js";
+import { button } from "../../widgets/elements.js";
+import { PAST } from "../run-log/run-log.js";
+import { NONE } from "../timeline/playback.js";
 import { showSnippets } from "./embed.js";
+import { makeImage } from "./exporter.js";
 import { countersCsv, nameOf } from "./files.js";
 import { layoutOfStage } from "./layout.js";
 
 /** @import { Page } from "../page.js" */
-/** @import { State, TakeRequest } from "../../domain/types.js" */
-/** @typedef {{ button: HTMLButtonElement, hint: HTMLElement, meaning: string, lack: (state: State) => string }} Offer   `lack`: why it is not to be had, or empty */
+/** @import { State } from "../../domain/types.js" */
+/** @import { ImageRequest } from "./exporter.js" */
+/** @typedef {{ button: HTMLButtonElement, hint: HTMLElement, meaning: string, lack: (state: State) => string }} Offer   `lack`: why there is no file, or empty */
 
 /** @param {State} state */
 const noRun = ({ lanes }) => (lanes.some(({ status }) => status === "none") ? "No planner has run." : "");
+const always = () => "";
 
 /** @param {Page} page */
 export function showTake(page) {
+  const { session } = page;
   const host = byId("take", HTMLElement);
-  const exporter = new Exporter(page.session);
   /** @type {Offer[]} */
   const offers = [];
-  /** Counts what was begun: what was cancelled stops. */
+  /** Number of the latest image; an older one is cancelled. */
   let turn = 0;
 
   const scale = select("take-scale", "Size", [["1", "1\u00d7"], ["2", "2\u00d7"], ["4", "4\u00d7"]], "2");
   const frames = select("take-frames", "Frames", [["24", "24 frames"], ["48", "48 frames"], ["96", "96 frames"]], "48");
   const width = select("take-width", "Width", [["480", "480 px"], ["800", "800 px"]], "800");
   const lane = select("take-lane", "Planner", [], "");
-  const which = make("label", { className: "row", hidden: true }, make("span", { className: "name" }, "Planner"), lane);
+  const laneRow = make("label", { className: "row", hidden: true }, make("span", { className: "name" }, "Planner"), lane);
   const bar = make("progress", { max: 1, value: 0, ariaLabel: "Progress" });
-  const cancel = make("button", { type: "button", id: "take-cancel" }, "Cancel");
-  const progress = make("div", { className: "row", id: "take-progress", hidden: true }, bar, cancel);
-  const told = make("p", { className: "hint", id: "take-told", role: "status" });
-  cancel.addEventListener("click", () => { turn++; });
+  const progress = make("div", { className: "row", id: "take-progress", hidden: true }, bar, button("take-cancel", "Cancel", () => { turn++; }));
+  const result = make("p", { className: "hint", id: "take-told", role: "status" });
 
   host.append(
-    offer("png", "Image", "PNG", "The stage as shown.", () => draw("png"), () => "", scale),
-    offer("svg", "Vector graphic", "SVG", "The stage as shown, sharp at any size.", () => draw("svg"), () => ""),
-    offer("gif", "Animation", "GIF", "The run up to here, in equal steps.", () => draw("gif"),
-      (state) => noRun(state) || (state.clock.now === 0 ? "Nothing has happened yet." : ""), frames, width),
-    progress, told,
-    offer("scenario", "Scenario", "JSON", "For this page, the package and the command line.", async () => {
+    offer("png", "Image", "PNG", "The stage as shown.", always, () => draw("png"), scale),
+    offer("svg", "Vector graphic", "SVG", "The stage as shown, sharp at any size.", always, () => draw("svg")),
+    offer("gif", "Animation", "GIF", "The run up to here, in equal steps.", (state) => noRun(state) || (state.clock.now === 0 ? "Nothing has happened yet." : ""),
+      () => draw("gif"), frames, width),
+    progress, result,
+    offer("scenario", "Scenario", "JSON", "For this page, the package and the command line.", always, async () => {
       const { facts } = page;
-      if (facts) save(json(facts.document), `${facts.name.replace(/[^\w.-]+/g, "-")}.json`);
-    }, () => ""),
-    which,
-    offer("result", "Result", "JSON", "Path, length, counts and fingerprint.", async () => {
-      const { result } = await log();
-      save(json(result), `${label(page.state?.lanes[Number(lane.value)].made)}-result.json`);
-    }, noRun),
-    offer("path", "Path", "NPY", "For NumPy: one row per waypoint.", async () => {
-      const { path, dimension } = await log();
-      if (path) save(npy(path, dimension), `${label()}-path.npy`);
-    }, (state) => (state.lanes[Number(lane.value)]?.status === "solved" ? "" : "No path found yet.")),
-    offer("vertices", "Vertices", "NPY", "For NumPy: one row per vertex shown.", async () => {
-      const { vertices, dimension } = await log();
-      save(npy(vertices, dimension), `${label()}-vertices.npy`);
-    }, noRun),
-    offer("counters", "Counters", "CSV", "For a spreadsheet: one row per iteration.", async () => {
-      const logs = await Promise.all(page.asked.map((_, i) => exporter.log(i)));
-      save(countersCsv(logs, page.asked), `${name(page.state?.lanes[0].made)}.csv`);
-    }, noRun),
+      if (facts) save(json(facts.document), `${facts.name}.json`);
+    }),
+    laneRow,
+    offer("result", "Result", "JSON", "Path, length, counts and fingerprint.", noRun, async () => {
+      const run = await runOf(lane.value);
+      save(json(run.result), `${nameOfLane(run.made)}-result.json`);
+    }),
+    offer("path", "Path", "NPY", "For NumPy: one row per waypoint.", (state) => (state.lanes[Number(lane.value)]?.status === "solved" ? "" : "No path found yet."), async () => {
+      const { path, dimension } = await runOf(lane.value);
+      save(npy(path, dimension), `${nameOfLane()}-path.npy`);
+    }),
+    offer("vertices", "Vertices", "NPY", "For NumPy: one row per vertex shown.", noRun, async () => {
+      const { vertices, past, dimension } = await runOf(lane.value);
+      save(npy(vertices.slice(0, past[PAST.vertices]), dimension), `${nameOfLane()}-vertices.npy`);
+    }),
+    offer("counters", "Counters", "CSV", "For a spreadsheet: one row per iteration.", noRun, async () => {
+      const runs = await Promise.all(page.current.map((_, i) => runOf(i)));
+      save(countersCsv(runs), `${name(page.state?.lanes[0].made)}.csv`);
+    }),
   );
   showSnippets(page, host);
   page.onOpen(() => { turn++; });
   page.onState(reflect);
-  if (page.state) reflect(page.state);
 
   /**
-   * A thing to take away.
-   * @param {string} id @param {string} title @param {string} format @param {string} meaning
-   * @param {() => Promise<void>} give @param {Offer["lack"]} lack @param {...HTMLElement} choices
+   * @param {string} id @param {string} title @param {string} format @param {string} meaning @param {Offer["lack"]} lack
+   * @param {() => Promise<void>} saveFile @param {...HTMLElement} choices
    */
-  function offer(id, title, format, meaning, give, lack, ...choices) {
-    const button = make("button", { type: "button", id: `take-${id}` }, format);
-    const hint = make("span", { className: "hint", id: `take-${id}-hint` }, meaning);
-    button.setAttribute("aria-label", `${title}, ${format}`);
-    button.setAttribute("aria-describedby", hint.id);
-    button.addEventListener("click", async () => {
-      try {
-        await give();
-      } catch (error) {
-        page.notice.show(`The ${title.toLowerCase()} could not be created.`, error);
-      }
-    });
-    offers.push({ button, hint, meaning, lack });
-    const [beside, below] = choices.length === 1 ? [choices, []] : [[], choices];
-    const row = make("div", { className: "row" }, make("span", { className: "name" }, title, hint), ...beside, button);
-    return make("div", { className: "offer" }, row, below.length > 0 ? make("div", { className: "parts" }, ...below) : "");
+  function offer(id, title, format, meaning, lack, saveFile, ...choices) {
+    const row = downloadRow({ id, title, format, meaning }, () => void page.app.track(saveFile(), failureOf(title)), ...choices);
+    offers.push({ ...row, meaning, lack });
+    return row.element;
   }
 
   /** @param {State} state */
   function reflect(state) {
-    const names = page.names;
-    which.hidden = names.length === 1;
+    const { names } = page;
+    laneRow.hidden = names.length === 1;
     if (lane.dataset.names !== names.join("|")) {
       lane.dataset.names = names.join("|");
       lane.replaceChildren(...names.map((text, i) => make("option", { value: String(i) }, text)));
     }
-    for (const { button, hint, meaning, lack } of offers) {
-      const reason = lack(state);
-      button.disabled = reason !== "" || (!progress.hidden && /take-(png|svg|gif)/.test(button.id));
-      write(hint, reason || meaning);
+    for (const one of offers) {
+      const reason = one.lack(state);
+      one.button.disabled = reason !== "" || (!progress.hidden && /take-(png|svg|gif)/.test(one.button.id));
+      write(one.hint, reason || one.meaning);
     }
   }
 
-  /** The run whose numbers are asked for. */
-  function log() { return exporter.log(Number(lane.value)); }
+  /** The run of a lane, with its result. @param {number | string} index */
+  async function runOf(index) {
+    const run = session.lanes[Number(index)]?.run;
+    if (!run) throw Object.assign(new Error("There is no run."), { code: "no-run" });
+    if (!run.hasResult) await session.timeline.request(NONE, true);
+    return run;
+  }
 
-  /** What a file is about, at the time that is shown. @param {number} [time] */
-  function name(time = page.state?.clock.now ?? 0) { return nameOf(page.facts?.name ?? "", page.asked, time); }
+  /** The name of a file, at the time shown. @param {number} [time] */
+  function name(time = page.state?.clock.now ?? 0) { return nameOf(page.facts?.name ?? "", page.current, time); }
 
-  /** The same of the planner that is chosen. @param {number} [time] */
-  function label(time = page.state?.lanes[Number(lane.value)].iteration ?? 0) { return nameOf(page.facts?.name ?? "", [page.asked[Number(lane.value)]], time); }
+  /** The same for the chosen planner. @param {number} [time] */
+  function nameOfLane(time = page.state?.lanes[Number(lane.value)].iteration ?? 0) { return nameOf(page.facts?.name ?? "", [page.current[Number(lane.value)]], time); }
 
-  /** Draws, slice by slice, and hands over what comes of it. @param {TakeRequest["kind"]} kind */
+  /** Makes and saves an image. @param {ImageRequest["kind"]} kind */
   async function draw(kind) {
     const mine = ++turn;
     const file = `${name()}.${kind}`;
     const began = performance.now();
+    const request = {
+      kind, layout: layoutOfStage(), title: page.state?.summary[0] ?? "", ratio: Number(scale.value), width: Number(width.value), frames: Number(frames.value),
+    };
     bar.value = 0;
-    write(told, "");
+    write(result, "");
+    progress.hidden = false;
     try {
-      exporter.begin({
-        kind, layout: layoutOfStage(), title: page.state?.summary[0] ?? "", ratio: Number(scale.value), width: Number(width.value), frames: Number(frames.value),
-      });
-      progress.hidden = false;
-      for (let part = 0; part < 1;) {
-        part = await exporter.step();
+      const blob = await makeImage(session, request, (part) => {
         bar.value = part;
-        if (mine !== turn) {
-          exporter.drop();
-          write(told, "Cancelled.");
-          return;
-        }
-      }
-      const blob = await exporter.end();
-      save(blob, file);
-      write(told, `${file}, ${size(blob.size)}, in ${((performance.now() - began) / 1000).toFixed(1)} s.`);
+        return mine === turn;
+      });
+      if (blob) save(blob, file);
+      write(result, blob ? `${file}, ${size(blob.size)}, in ${((performance.now() - began) / 1000).toFixed(1)} s.` : "Cancelled.");
     } finally {
       progress.hidden = true;
       if (page.state) reflect(page.state);

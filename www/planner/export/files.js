@@ -1,28 +1,29 @@
-/** What is taken away as a file: its name, its content, and how it is handed over. */
+/** The names of exported files, and the counters as CSV. */
 import { toCsv } from "../../formats/csv.js";
 import { letter } from "../race/standings.js";
 
 /** @import { Cell } from "../../formats/csv.js" */
-/** @import { LaneLog, Plan } from "../../domain/types.js" */
+/** @import { Plan } from "../../domain/types.js" */
+/** @import { Run } from "../run-log/run-log.js" */
 
-/** Columns of a row of history, as the package orders them. */
+/** Columns of a row of history, in the order of the package. */
 const COLUMNS = ["vertices", "edges", "events", "phase", "configuration_checks", "motion_checks", "clearance_evaluations", "cost"];
 const PHASE = COLUMNS.indexOf("phase");
 
-/** What a file is about: scene, planner, seed and time. @param {string} scene @param {Plan[]} plans  more than one race @param {number} time */
+/** A name made of scene, planner, seed and time. @param {string} scene @param {Plan[]} plans  several in a race @param {number} time */
 export function nameOf(scene, plans, time) {
   const [{ algorithm, settings }] = plans;
-  const who = plans.length > 1 ? ["race"] : [algorithm, `seed${settings.seed ?? 0}`];
-  return [scene, ...who, time].join("-").replace(/[^\w.-]+/g, "-");
+  const planner = plans.length > 1 ? ["race"] : [algorithm, `seed${settings.seed ?? 0}`];
+  return [scene, ...planner, time].join("-").replace(/[^\w.-]+/g, "-");
 }
 
-/** A row for each iteration of each run, from before the first; of a race the planner goes before. @param {LaneLog[]} logs @param {Plan[]} plans */
-export function countersCsv(logs, plans) {
-  const isRace = logs.length > 1;
+/** A row for each iteration of each run, from the state before the first on; in a race each row begins with the planner. @param {Run[]} runs */
+export function countersCsv(runs) {
+  const isRace = runs.length > 1;
   /** @type {Cell[][]} */
-  const rows = logs.flatMap(({ history, width, phases }, lane) => Array.from({ length: history.length / width }, (_, i) => [
-    ...(isRace ? [`${letter(lane)} ${plans[lane].algorithm}`] : []), i,
-    ...COLUMNS.map((_name, j) => (j === PHASE ? phases[history[i * width + j]] : history[i * width + j])),
+  const rows = runs.flatMap(({ history, phases, algorithm }, lane) => Array.from({ length: history.count }, (_, i) => [
+    ...(isRace ? [`${letter(lane)} ${algorithm}`] : []), i,
+    ...Array.from(history.row(i), (value, j) => (j === PHASE ? phases[value] : value)),
   ]));
   return new Blob([toCsv([...(isRace ? ["planner"] : []), "iteration", ...COLUMNS], rows)], { type: "text/csv" });
 }

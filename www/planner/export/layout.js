@@ -1,9 +1,8 @@
-/** Where the sheets stand on the stage, so that a picture of it has the same places. */
+/** The layout of the figures on the stage, for images of it. */
 import { byId } from "../../app/dom.js";
 
-/** @import { TakeRequest } from "../../domain/types.js" */
+/** @typedef {ReturnType<typeof layoutOfStage>} Layout   in CSS pixels from the corner of the stage */
 
-/** @returns {TakeRequest["layout"]} */
 export function layoutOfStage() {
   const stage = byId("stage", HTMLElement);
   const { left, top, width, height } = stage.getBoundingClientRect();

@@ -1,6 +1,6 @@
 /**
- * The stage once more, at a time and a sharpness of one's own: panes of the same kinds and sizes on canvases of their own, over
- * a light stand-in of each lane. The stage itself, and the time that it shows, are not touched.
+ * A picture of the stage at another time and resolution: panes of the same kinds and sizes on their own canvases, with light copies of
+ * the lanes. The stage itself does not change.
  */
 import { LAYERS } from "../../draw/layer.js";
 import { KINDS } from "../stage/stage.js";
@@ -9,15 +9,16 @@ import { Frontier } from "../run-log/frontier.js";
 /** @import { LayerName } from "../../draw/layer.js" */
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { Palette } from "../../app/palette.js" */
-/** @import { Look, SheetLayout } from "../../domain/types.js" */
+/** @import { Look } from "../../domain/types.js" */
+/** @import { Layout } from "./layout.js" */
 /** @import { Lane, Shown } from "../lane.js" */
 /** @import { Run } from "../run-log/run-log.js" */
 /** @import { Session } from "../session.js" */
-/** @typedef {{ layout: SheetLayout, pane: Pane, layers: OffscreenCanvas[], lane: Lane }} Drawn */
+/** @typedef {{ layout: Layout["sheets"][number], pane: Pane, layers: OffscreenCanvas[], lane: Lane }} Drawn */
 
-/** Milliseconds of inking before others have a turn. */
+/** Milliseconds of inking in a slice. */
 const SLICE = 8;
-/** Of captions: CSS pixels. */
+/** Captions, in CSS pixels. */
 const FONT = "13px system-ui, sans-serif";
 const LINE = 18;
 const GAP = 9;
@@ -25,10 +26,10 @@ const GAP = 9;
 export class Picture {
   /**
    * @param {Session} session
-   * @param {SheetLayout[]} sheets   those to be drawn
+   * @param {Layout["sheets"]} sheets   to draw
    * @param {number} ratio           pixels a CSS pixel
-   * @param {(width: number, height: number) => OffscreenCanvas} makeCanvas   of CSS pixels; the layers fit it
-   * @param {boolean} [whole]        the path is whole and nobody holds the robot, however far the stage has come
+   * @param {(width: number, height: number) => OffscreenCanvas} makeCanvas   in CSS pixels; the layers set its size
+   * @param {boolean} [whole]        with the whole path and without a pose by hand
    */
   constructor(session, sheets, ratio, makeCanvas, whole = false) {
     this.clock = { column: session.clock.column };
@@ -51,13 +52,13 @@ export class Picture {
       if (pane instanceof KINDS.cspace) pane.painter = session.stage.painter;
       pane.glow.enabled = false;
       pane.layout(lane, { ...look, ratio });
-      // Time goes on, or begins anew: no copies on the way.
+      // Snapshots are not needed.
       for (const keeps of Object.values(pane.growth.snapshots)) keeps.spacing = Infinity;
       return [{ layout, pane, layers, lane }];
     });
   }
 
-  /** Draws a time, the stage's own where none is given, a slice at each turn. @param {number} [time] @returns {Generator<void>} */
+  /** Draws a time, by default that of the stage, in slices. @param {number} [time] @returns {Generator<void>} */
   *draw(time) {
     const { clock: { column } } = this;
     for (const { pane, lane } of this.drawn) {
@@ -76,7 +77,7 @@ export class Picture {
     }
   }
 
-  /** Puts what is drawn, and the captions, on a canvas of the whole stage. @param {OffscreenCanvasRenderingContext2D} context @param {boolean} [blank]  on an empty ground */
+  /** Draws the panes and captions on a canvas of the whole stage. @param {OffscreenCanvasRenderingContext2D} context @param {boolean} [blank]  clears it first */
   compose(context, blank = true) {
     const { ratio, palette } = this;
     if (blank) {
@@ -93,7 +94,7 @@ export class Picture {
   }
 }
 
-/** A lane held still: what happens on the stage meanwhile does not show. @param {Lane} lane @param {Shown} shown @param {boolean} whole @returns {Lane} */
+/** A copy of a lane that does not follow the stage. @param {Lane} lane @param {Shown} shown @param {boolean} whole @returns {Lane} */
 function standIn(lane, shown, whole) {
   const { run, end } = lane;
   /** @type {(Run & { shown: number }) | null} */
@@ -105,7 +106,7 @@ function standIn(lane, shown, whole) {
   });
 }
 
-/** What stands above a sheet, in as many lines as it needs. @param {Pick<CanvasRenderingContext2D, "font" | "fillStyle" | "textBaseline" | "textAlign" | "fillText">} context @param {SheetLayout} layout @param {Palette} palette */
+/** Draws a caption, wrapped to its width. @param {Pick<CanvasRenderingContext2D, "font" | "fillStyle" | "textBaseline" | "textAlign" | "fillText">} context @param {Layout["sheets"][number]} layout @param {Palette} palette */
 export function writeCaption(context, { caption: { x, y, width, name, note } }, palette) {
   const ruler = new OffscreenCanvas(1, 1).getContext("2d");
   if (!ruler) return;

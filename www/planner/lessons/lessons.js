@@ -1,11 +1,14 @@
 /**
- * Lessons: each step asks a question above the stage; "Run" runs the planner, and once the run rests, the step says whether the
- * choice was right and why. Every step has an address, `#lesson=ID.STEP`, counted from 1.
+ * Lessons: each step asks a question above the stage, and Run runs the planner. Once that pauses, the step shows the answer. Every step
+ * has an address, `#lesson=ID.STEP`, counted from 1.
  *
  * For tests: `#lesson` carries `data-shown`, "question", "run" or "answer".
  */
 import { LESSONS, beginningOf, stageAt } from "./script.js";
+import { SCENES } from "../scenes/scenes.js";
 import { byId, make } from "../../app/dom.js";
+import { setAddress } from "../../app/link.js";
+import { button } from "../../widgets/elements.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { Lesson } from "./script.js" */
@@ -14,11 +17,9 @@ import { byId, make } from "../../app/dom.js";
 const ADDRESS = /^#?lesson=([\w-]+)(?:\.(\d{1,4}))?$/;
 
 export class Lessons {
-  /** @param {Page} page @param {SceneEntry[]} scenes @param {Lesson[]} [lessons] */
-  constructor(page, scenes, lessons = LESSONS) {
+  /** @param {Page} page */
+  constructor(page) {
     this.page = page;
-    this.lessons = lessons;
-    this.scenes = scenes;
     /** @type {Lesson | null} */
     this.lesson = null;
     this.at = 0;
@@ -32,23 +33,19 @@ export class Lessons {
     this.verdict = make("strong", {});
     this.text = make("span", {});
     this.outcome = make("p", { className: "outcome" }, this.verdict, " ", this.text);
-    this.run = button("Run", () => this.play());
-    this.run.id = "lesson-run";
-    this.run.className = "primary";
-    this.back = button("Previous", () => this.go(this.at - 1));
-    this.next = button("Next", () => this.go(this.at + 1));
-    const leave = button("Exit", () => this.leave());
-    this.back.id = "lesson-previous";
-    this.next.id = "lesson-next";
+    this.run = button("lesson-run", "Run", () => void page.app.track(this.play(), "This step could not be run."));
+    this.back = button("lesson-previous", "Previous", () => this.go(this.at - 1));
+    this.next = button("lesson-next", "Next", () => this.go(this.at + 1));
+    const leave = button("lesson-leave", "Exit", () => this.leave());
     leave.className = "quiet";
-    leave.id = "lesson-leave";
     const head = make("p", { className: "head" }, this.title, " ", this.count);
     const words = make("div", {}, head, this.question, make("div", { role: "status" }, this.outcome));
     this.band = make("section", { id: "lesson", className: "lesson", ariaLabel: "Lesson", hidden: true },
       words, make("div", { className: "buttons" }, this.run, this.back, this.next, leave));
     byId("story", HTMLElement).before(this.band);
-    const list = make("ul", {}, ...lessons.map((lesson) => make("li", {}, button(lesson.title, () => {
-      this.begin(lesson);
+    const list = make("ul", {}, ...LESSONS.map((lesson) => make("li", {}, button(`lesson-${lesson.id}`, lesson.title, () => {
+      this.lesson = lesson;
+      void this.put(0);
       this.run.focus();
     }))));
     byId("lessons", HTMLElement).append(list);
@@ -57,24 +54,18 @@ export class Lessons {
     });
   }
 
-  /** Opens the step that an address names; where there is none, says so. @param {string} fragment */
-  async obey(fragment) {
+  /** Opens the step in an address. @param {string} fragment */
+  async open(fragment) {
     const { page } = this;
     const [, id, step = "1"] = ADDRESS.exec(fragment) ?? [];
-    const lesson = this.lessons.find((one) => one.id === id);
+    const lesson = LESSONS.find((one) => one.id === id);
     if (lesson && lesson.steps[Number(step) - 1]) {
       this.lesson = lesson;
       await this.put(Number(step) - 1);
       return;
     }
-    if (!page.facts) await page.openScene(this.scenes[0]);
+    if (!page.facts) await page.openScene(SCENES[0]);
     page.notice.show(lesson ? `The lesson "${lesson.title}" has ${lesson.steps.length} steps; there is no step ${step}.` : `There is no lesson "${id ?? fragment.slice(0, 64)}".`, "");
-  }
-
-  /** @param {Lesson} lesson */
-  begin(lesson) {
-    this.lesson = lesson;
-    void this.put(0);
   }
 
   /** @param {number} step */
@@ -86,13 +77,13 @@ export class Lessons {
   leave() {
     this.lesson = null;
     this.band.hidden = true;
-    address("");
+    setAddress("");
     byId("stage", HTMLElement).focus();
   }
 
-  /** Asks the question of a step, and puts its planner on the stage before it runs. @param {number} step */
+  /** Asks the question of a step, with its planner before the run. @param {number} step */
   async put(step) {
-    const { lesson, page, scenes } = this;
+    const { lesson, page } = this;
     if (!lesson) return;
     this.at = step;
     const { question, choices } = lesson.steps[step];
@@ -104,58 +95,54 @@ export class Lessons {
     this.next.textContent = step + 1 === lesson.steps.length ? "Finish" : "Next";
     this.band.hidden = false;
     this.show("question");
-    address(`#lesson=${lesson.id}.${step + 1}`);
+    setAddress(`#lesson=${lesson.id}.${step + 1}`);
     const iteration = beginningOf(lesson, step);
     try {
       const { entry, plans } = this.stage;
       if (this.isThere(entry, plans)) page.act(({ timeline }) => timeline.seek(iteration));
       else await page.openScene(entry, { plans, iteration, play: false });
     } catch (error) {
-      if (!page.facts) await page.openScene(scenes[0]);
-      page.notice.show("This step could not be shown.", error);
+      if (!page.facts) await page.openScene(SCENES[0]);
+      page.app.fail(error, "This step could not be shown.");
     }
   }
 
-  /** Runs the planner of the step to where it rests; before those who ask for less motion it is there at once. */
+  /** Runs the planner of the step until it pauses; with reduced motion, at once. */
   async play() {
     const { lesson, page, at } = this;
     if (!lesson) return;
-    try {
-      const { entry, plans } = this.stage;
-      // Something else may have been put on the stage since the question.
-      if (!this.isThere(entry, plans) && !await page.openScene(entry, { plans, iteration: 0, play: false })) return;
-      if (this.lesson !== lesson || this.at !== at) return;
-      this.show("run");
-      const rest = this.rest ?? (page.calm ? Infinity : undefined);
-      page.act(({ timeline }) => {
-        timeline.seek(beginningOf(lesson, at));
-        if (rest === undefined) timeline.play();
-        else timeline.seek(rest);
-      });
-    } catch (error) {
-      page.notice.show("This step could not be run.", error);
-    }
+    const { entry, plans } = this.stage;
+    // Another scene may have been opened since the question.
+    if (!this.isThere(entry, plans) && !await page.openScene(entry, { plans, iteration: 0, play: false })) return;
+    if (this.lesson !== lesson || this.at !== at) return;
+    this.show("run");
+    const rest = this.rest ?? (page.calm ? Infinity : undefined);
+    page.act(({ timeline }) => {
+      timeline.seek(beginningOf(lesson, at));
+      if (rest === undefined) timeline.play();
+      else timeline.seek(rest);
+    });
   }
 
-  /** Where the run of the step rests, if not at its end. */
+  /** The iteration at which the run pauses; undefined for its end. */
   get rest() { return this.lesson?.steps[this.at].iteration; }
 
   /** The scene and the plans of the step. @throws {Error} there is no such scene */
   get stage() {
     const { scene, algorithm, settings } = stageAt(/** @type {Lesson} */ (this.lesson), this.at);
-    const entry = this.scenes.find(({ id }) => id === scene);
+    const entry = SCENES.find(({ id }) => id === scene);
     if (!entry) throw new Error(`There is no scene "${scene}".`);
-    return { entry, plans: [this.page.panel.reads(algorithm, settings)] };
+    return { entry, plans: [this.page.panel.planFrom(algorithm, settings)] };
   }
 
-  /** Is the step's run at its end, or where it rests? @param {State} state */
+  /** Whether the run has ended or paused. @param {State} state */
   isOver({ clock, lanes: [{ status }] }) {
     if (status === "running" && clock.now < (this.rest ?? Infinity)) return false;
     const { entry, plans } = this.stage;
     return this.isThere(entry, plans);
   }
 
-  /** Shows the question, or with it the outcome. @param {"question" | "run" | "answer"} shown */
+  /** Shows the question, or also the answer. @param {"question" | "run" | "answer"} shown */
   show(shown) {
     const { lesson } = this;
     if (!lesson) return;
@@ -173,26 +160,10 @@ export class Lessons {
     this.outcome.hidden = !isAnswered;
   }
 
-  /** Is this on the stage already? @param {SceneEntry} entry @param {Plan[]} plans */
+  /** Whether the page shows this scene with these plans. @param {SceneEntry} entry @param {Plan[]} plans */
   isThere(entry, plans) {
-    const { source, facts, asked, panel } = this.page;
+    const { source, facts, current, panel } = this.page;
     return this.page.entry === entry && (!source || !("generate" in source) || source.generate === entry.generate)
-      && panel.query.value === (facts?.queries[0] ?? "") && JSON.stringify(asked) === JSON.stringify(plans);
-  }
-}
-
-/** @param {string} text @param {() => void} onClick */
-function button(text, onClick) {
-  const made = make("button", { type: "button" }, text);
-  made.addEventListener("click", onClick);
-  return made;
-}
-
-/** What the address bar says, where it is open to this page. @param {string} fragment */
-function address(fragment) {
-  try {
-    history.replaceState(null, "", fragment || location.pathname + location.search);
-  } catch {
-    // a frame whose address is not its own: the lesson goes on all the same
+      && panel.query.value === (facts?.queries[0] ?? "") && JSON.stringify(current) === JSON.stringify(plans);
   }
 }

@@ -1,25 +1,18 @@
 /**
- * A link is an experiment: everything that a run needs, held by the fragment of an address.
+ * A link stores an experiment, everything that a run needs, in the fragment of an address.
  *
- * The fragment is a version digit and base64url of raw deflate (RFC 1951, RFC 4648) of JSON. What comes in is checked entry by
- * entry, is never evaluated, and unpacks to 1 MB at most.
+ * The fragment is a version digit and base64url of raw deflate (RFC 1951, RFC 4648) of JSON. It is checked entry by entry, is never
+ * evaluated, and unpacks to 1 MB at most.
  *
- * @typedef {Record<string, number | string | boolean>} Settings
+ * @import { PaneKind, ViewOptions } from "../../domain/types.js"
  *
- * @typedef {object} View   what is shown; what is absent is off, and the lens is on the workspace
- * @property {[number, number]} [axes]  the two coordinates of a configuration that are drawn
- * @property {boolean} [refused]    refused samples and edges
- * @property {boolean} [strobe]     poses along the path
- * @property {number} [poses]       how many, where they are not as many as usual
- * @property {boolean} [raw]        the path before it was improved
- * @property {boolean} [slice]      obstacles on the plane of those two coordinates
- * @property {boolean} [projector]  large type and strong lines
- * @property {"workspace" | "cspace"} [lens]
+ * @typedef {import("../../domain/types.js").Settings} Settings
+ * @typedef {Partial<ViewOptions> & { projector?: boolean, lens?: PaneKind }} View   absent options are off, and the lens is the workspace
  *
  * @typedef {object} Experiment
  * @property {1} version
- * @property {string} [scene]     a built-in scene; where it is absent there is a document
- * @property {Record<string, unknown>} [document]  the reader's own scenario
+ * @property {string} [scene]     a built-in scene; absent where there is a document
+ * @property {Record<string, unknown>} [document]  a scenario from a file
  * @property {string} [query]
  * @property {{ algorithm: string, settings: Settings }[]} lanes  1 to 4
  * @property {number} iteration   a whole number from 0
@@ -35,7 +28,7 @@ const experimentRule = record({
   version: rule((value) => value === 1),
   scene: name,
   document: record({}, json(16)),
-  // Names of queries are free text in a scenario; they are only ever compared.
+  // Names of queries are free text in a scenario; they are only compared.
   query: text,
   lanes: list(record({ algorithm: name, settings }), 1, 4),
   iteration: whole(Number.MAX_SAFE_INTEGER),
@@ -46,15 +39,15 @@ const experimentRule = record({
   options: settings,
 });
 
-/** Throws a fault unless it is an experiment, with or without what is left out. @param {unknown} value @returns {asserts value is Partial<Experiment> & Pick<Experiment, "lanes">} */
+/** Throws a fault unless a value is an experiment; entries with defaults may be absent. @param {unknown} value @returns {asserts value is Partial<Experiment> & Pick<Experiment, "lanes">} */
 function requireExperiment(value) {
   experimentRule(value, "experiment");
   const { scene, document, lanes } = /** @type {Partial<Experiment>} */ (value);
   must((scene || document) && lanes?.every((lane) => lane.algorithm), "it lacks a scene or an algorithm");
 }
 
-/** Without what is absent, off, or the workspace; nothing where nothing is left. @param {object} view */
-function seen(view) {
+/** The options that are on; undefined where none is. @param {object} view */
+function viewOf(view) {
   const entries = Object.entries(view).filter(([, entry]) => entry && entry !== "workspace");
   return entries.length > 0 ? Object.fromEntries(entries) : undefined;
 }
@@ -67,7 +60,7 @@ function seen(view) {
 export async function encodeLink(experiment) {
   requireExperiment(experiment);
   const { version, iteration, view, ...rest } = experiment;
-  return encodeFragment({ ...rest, iteration: iteration || undefined, view: seen(view) }, LIMITS);
+  return encodeFragment({ ...rest, iteration: iteration || undefined, view: viewOf(view) }, LIMITS);
 }
 
 /**

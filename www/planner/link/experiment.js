@@ -1,6 +1,6 @@
 /**
- * What is on the stage as an experiment that a link can hold, and back. What a link names and the page does not have, or would
- * refuse, is left out, with a sentence for each.
+ * Converts the state of the page to an experiment and back. Names in a link that the page does not know, and values that it would
+ * refuse, are left out, with a sentence for each.
  */
 import { reasonAgainst, withSeed } from "../../widgets/field.js";
 import { axesOf } from "../../domain/names.js";
@@ -8,21 +8,21 @@ import { isProjected } from "../../app/projector.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { Experiment } from "./codec.js" */
-/** @import { GeneratorInfo, OptionInfo, ParameterInfo, Plan, SceneEntry, Settings, Source } from "../../domain/types.js" */
+/** @import { GeneratorInfo, ParameterInfo, Plan, SceneEntry, Settings, Source } from "../../domain/types.js" */
 /** @typedef {{ source: Source | null, entry: SceneEntry | undefined, plans: Plan[] | undefined }} Found   no source: the entry's own */
 
-/** Poses along a path, unless others are wanted. */
+/** Configurations drawn along a path, by default. */
 export const POSES = 8;
 
-/** Begins the name of a scenario that was made from a generator of the core, and is none of the page's scenes. */
+/** Begins the name of a generated scenario that is not a built-in scene. */
 const MADE = "make-";
 
 /**
- * Exactly what is on the stage now. Settings that are the planner's defaults are left out, and options that are the scene's.
- * @param {Page} page   with a scenario on its stage
+ * The current state. Settings equal to the planner's defaults are left out, and options equal to the scene's.
+ * @param {Page} page   with an open scenario
  * @returns {Experiment}
  */
-export function experimentOf({ entry, source, facts, state, asked, panel, race }) {
+export function experimentOf({ entry, source, facts, state, current, panel, race }) {
   if (!source || !facts || !state) throw new Error("No scene is open.");
   const query = panel.query.value;
   const { axes, refused, strobe, poses, raw, slice } = state.view;
@@ -30,33 +30,33 @@ export function experimentOf({ entry, source, facts, state, asked, panel, race }
   const experiment = {
     version: 1,
     query: query && query !== facts.queries[0] ? query : undefined,
-    lanes: asked.map(({ algorithm, settings }) => {
+    lanes: current.map(({ algorithm, settings }) => {
       const usual = new Map(panel.parametersOf(algorithm).map(({ name, default: value }) => [name, value]));
-      return { algorithm, settings: others(settings, (name) => usual.get(name)) };
+      return { algorithm, settings: changed(settings, (name) => usual.get(name)) };
     }),
     iteration: state.clock.now,
     view: {
       axes: String(axes) === String(axesOf(facts.robot)) ? undefined : axes, refused, strobe, poses: poses === POSES ? undefined : poses, raw, slice,
-      projector: isProjected(), lens: asked.length > 1 ? race?.picture : undefined,
+      projector: isProjected(), lens: current.length > 1 ? race?.picture : undefined,
     },
   };
   const made = "generate" in source ? source.generate : null;
   if (entry) experiment.scene = entry.id;
   else if (made) experiment.scene = MADE + made.kind;
   else experiment.document = { ...facts.document };
-  if (made) experiment.options = others(made.options, (name) => entry?.generate?.options[name]);
+  if (made) experiment.options = changed(made.options, (name) => entry?.generate?.options[name]);
   return experiment;
 }
 
-/** The settings that are not as usual, by name in order: one experiment, one link. @param {Settings} settings @param {(name: string) => unknown} usual @returns {Settings} */
-function others(settings, usual) {
+/** The settings that differ from the usual ones, sorted by name so that equal experiments have equal links. @param {Settings} settings @param {(name: string) => unknown} usual @returns {Settings} */
+function changed(settings, usual) {
   return Object.fromEntries(Object.entries(settings).filter(([name, value]) => value !== usual(name)).sort());
 }
 
 /**
- * What an experiment asks for, as far as the page has it.
+ * Finds the scene and the planners of an experiment.
  * @param {Experiment} experiment
- * @param {{ scenes: SceneEntry[], generators: GeneratorInfo[], page: Page }} house
+ * @param {{ scenes: SceneEntry[], generators: GeneratorInfo[], page: Page }} catalogue
  * @param {string[]} faults   sentences are added to it
  * @returns {Found}
  */
@@ -80,7 +80,7 @@ export function find({ scene = "", document, lanes, options = {} }, { scenes, ge
   return { ...found, source: entry?.generate ? generated(entry.generate.kind, entry.generate.options) : null, entry: entry ?? scenes[0] };
 }
 
-/** Settings that a table takes; for the others a sentence each. @param {Settings} settings @param {(ParameterInfo | OptionInfo)[]} table @param {string[]} faults @returns {Settings} */
+/** The settings that a table accepts; each other one adds a sentence to the faults. @param {Settings} settings @param {ParameterInfo[]} table @param {string[]} faults @returns {Settings} */
 function sift(settings, table, faults) {
   return Object.fromEntries(Object.entries(settings).filter(([name, value]) => {
     const info = table.find((one) => one.name === name);

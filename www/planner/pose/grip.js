@@ -1,26 +1,26 @@
 /**
- * The robot in the hand: a point of the configuration square is a pose; a link that is dragged turns its joint, the end of the last
- * one leads the arm; a disc goes
- * where it is put, a body too, unless it is taken by the handle that turns it. What a pointer says in pixels of a pane becomes a configuration.
+ * Turns a pointer that holds the robot into a configuration: a point of the configuration space; a link, which turns its joint; the tip,
+ * which the arm follows; a disc, a body or its heading.
  */
 import { distanceToSegment } from "../../draw/trace.js";
 import { contained, coordinatesOf, wrap } from "../../domain/coordinates.js";
 
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { CSpace } from "../stage/cspace-pane.js" */
+/** @import { Scenario } from "../../domain/types.js" */
 
-/** How near to a part a pointer must be to hold it, CSS pixels: a finger is less exact than a mouse. */
+/** Distance within which a pointer holds a link, CSS pixels. */
 const REACH = 18;
-/** How near to the end of an arm to lead it by that. */
+/** Distance within which it holds the tip. */
 const TIP = 12;
 
 export class Grip {
   constructor() {
-    /** Which joint is held, or behind the last one the end effector, and by how much the pointer was off its link when it was taken. @type {{ joint: number, offset: number } | null} */
+    /** The joint, or its number plus one for the tip, and the angle between pointer and link. @type {{ joint: number, offset: number } | null} */
     this.held = null;
   }
 
-  /** A point of the configuration square. @param {CSpace} pane @param {number} x @param {number} y @returns {Float64Array | null} */
+  /** The configuration at a point of the configuration space. @param {CSpace} pane @param {number} x @param {number} y @returns {Float64Array | null} */
   square(pane, x, y) {
     const { lane, view } = pane;
     if (!lane || !view) return null;
@@ -33,7 +33,7 @@ export class Grip {
     return pose;
   }
 
-  /** Takes hold of the robot in the workspace. @param {Pane} pane @param {number} x @param {number} y @returns {Float64Array | null} null: there is nothing to hold here */
+  /** Takes hold of the robot in the workspace. @param {Pane} pane @param {number} x @param {number} y @returns {Float64Array | null} null: the pointer is not on it */
   take(pane, x, y) {
     const { lane, view } = pane;
     if (!lane || !view) return null;
@@ -43,29 +43,21 @@ export class Grip {
     if (scenario.robot === "disc") return this.drag(pane, x, y);
     const pose = lane.pose ?? lane.shown.start;
     if (!pose) return null;
-    const parts = scenario.footprint(pose);
+    const links = linksOf(scenario, pose);
     const [px, py] = view.toPlane(x, y);
-    let nearest = -1;
-    let least = Infinity;
-    parts.forEach((part, i) => {
-      if (part.type !== "capsule") return;
-      const distance = distanceToSegment(px, py, part.a, part.b) - part.radius;
-      if (distance < least) { least = distance; nearest = i; }
-    });
-    const last = parts[parts.length - 1];
-    if (last.type === "capsule" && Math.hypot(px - last.b[0], py - last.b[1]) * view.scaleX <= TIP) {
-      this.held = { joint: parts.length, offset: 0 };
-      return Float64Array.from(pose);
+    const [tipX, tipY] = links[links.length - 1].b;
+    if (Math.hypot(px - tipX, py - tipY) * view.scaleX <= TIP) this.held = { joint: links.length, offset: 0 };
+    else {
+      const distances = links.map(({ a, b, radius }) => distanceToSegment(px, py, a, b) - radius);
+      const least = Math.min(...distances);
+      if (least * view.scaleX > REACH) return null;
+      const joint = distances.indexOf(least);
+      this.held = { joint, offset: angleTo(links[joint], px, py) };
     }
-    if (nearest < 0 || least * view.scaleX > REACH) return null;
-    const part = parts[nearest];
-    if (part.type !== "capsule") return null;
-    const link = Math.atan2(part.b[1] - part.a[1], part.b[0] - part.a[0]);
-    this.held = { joint: nearest, offset: Math.atan2(py - part.a[1], px - part.a[0]) - link };
     return Float64Array.from(pose);
   }
 
-  /** @param {Pane} pane @param {number} x @param {number} y @returns {Float64Array | null} */
+  /** Moves the robot with the pointer. @param {Pane} pane @param {number} x @param {number} y @returns {Float64Array | null} */
   drag(pane, x, y) {
     const { lane, view } = pane;
     if (!lane || !view) return null;
@@ -76,12 +68,15 @@ export class Grip {
     if (scenario.robot === "disc") return contained(Float64Array.of(px, py), coordinates);
     if (!this.held || !hand) return null;
     if (this.held.joint === scenario.dimension) return Float64Array.from(scenario.follow(hand, [px, py]).configuration);
-    const part = scenario.footprint(hand)[this.held.joint];
-    if (part.type !== "capsule") return null;
-    const link = Math.atan2(part.b[1] - part.a[1], part.b[0] - part.a[0]);
-    const wanted = Math.atan2(py - part.a[1], px - part.a[0]) - this.held.offset;
+    const { joint, offset } = this.held;
     const next = Float64Array.from(hand);
-    next[this.held.joint] += wrap(wanted - link);
+    next[joint] += wrap(angleTo(linksOf(scenario, hand)[joint], px, py) - offset);
     return contained(next, coordinates);
   }
 }
+
+/** The links of an arm. @param {Scenario} scenario @param {ArrayLike<number>} pose */
+function linksOf(scenario, pose) { return scenario.footprint(Float64Array.from(pose)).filter((part) => part.type === "capsule"); }
+
+/** The angle from a link to a point. @param {ReturnType<typeof linksOf>[number]} link @param {number} x @param {number} y */
+function angleTo({ a, b }, x, y) { return Math.atan2(y - a[1], x - a[0]) - Math.atan2(b[1] - a[1], b[0] - a[0]); }

@@ -1,11 +1,11 @@
 /**
- * Loaded with the first pointer on a pane. What the reader points at: a vertex near the pointer, in whichever pane; a point of the configuration square that is a whole
- * pose; or a vertex chosen by its number, for those without a pointer. Found anew each frame, so that it is true of the
- * iteration that is shown.
+ * The element under the pointer, updated in each frame: a vertex in either pane, a curved edge, or a configuration of the configuration
+ * space. Without a pointer, a vertex is chosen by its number. Loaded with the first pointer event.
  */
 import { Passages } from "../stage/passages.js";
 import { Grip } from "./grip.js";
 import { lengthText, obstacleName, touchingSentence } from "../../domain/names.js";
+import { num } from "../../widgets/format.js";
 import { PAST } from "../run-log/run-log.js";
 
 /** @import { CSpace } from "../stage/cspace-pane.js" */
@@ -18,20 +18,17 @@ import { PAST } from "../run-log/run-log.js";
 export class Pointing {
   constructor() {
     this.grip = new Grip();
-    /** Where edges pass on the pane that was pointed at last, and its view. @type {Passages | null} */
+    /** The index of edges on the last pane, and its view. @type {Passages | null} */
     this.passages = null;
     /** @type {View | null} */
     this.laid = null;
-    /** Where the pointer hovers, pixels of the pane. @type {{ place: Place, x: number, y: number } | null} */
+    /** The position of the pointer, pixels of the pane. @type {{ place: Place, x: number, y: number } | null} */
     this.at = null;
-    /** The vertex chosen by its number, -1: none. */
+    /** The vertex chosen by its number; -1: none. */
     this.chosen = -1;
   }
 
-  /** @param {number} vertex */
-  choose(vertex) { this.chosen = vertex; }
-
-  /** What the pointer does to the robot, if it holds it. @param {Place} place @param {"down" | "move"} type @param {number} x @param {number} y @returns {Float64Array | null} */
+  /** The configuration of the robot that the pointer holds. @param {Place} place @param {"down" | "move"} type @param {number} x @param {number} y @returns {Float64Array | null} */
   hold({ pane, kind }, type, x, y) {
     const { grip } = this;
     if (kind === "cspace") return grip.square(/** @type {CSpace} */ (pane), x, y);
@@ -56,16 +53,16 @@ export class Pointing {
     return { lane, vertex, pose, check: isSame ? before.check : scenario.check(pose), edge, motions: run && edge >= 0 ? run.motionsOf(edge) : undefined };
   }
 
-  /** An edge that is no straight line, where the pointer is upon it. @param {Run} run @param {{ place: Place, x: number, y: number }} at */
+  /** The curved edge under the pointer. @param {Run} run @param {{ place: Place, x: number, y: number }} at */
   passing(run, { place: { pane }, x, y }) {
     if (run.traces.count === 0 || !pane.view) return null;
-    // A new layout makes the places anew, a new run too.
+    // A new layout or a new run needs a new index.
     if (this.passages?.run !== run || this.laid !== pane.view) [this.passages, this.laid] = [new Passages(pane, run), pane.view];
     const found = this.passages.find(x, y, run.past[PAST.edges], (edge) => run.isThere(run.edges.data[2 * edge + 1]));
     return found && { vertex: -1, ...found };
   }
 
-  /** The pose at a point of the square: of two joints, or of two with the others held as the slice holds them. @param {Lane} lane @param {{ place: Place, x: number, y: number }} at */
+  /** The configuration at a point: of two coordinates, or with the other ones of the slice. @param {Lane} lane @param {{ place: Place, x: number, y: number }} at */
   pose({ scenario, shown }, { place, x, y }) {
     const { view } = place.pane;
     if (!view || (scenario.dimension > 2 && !shown.view.slice)) return null;
@@ -74,40 +71,34 @@ export class Pointing {
     return inside ? this.grip.square(/** @type {CSpace} */ (place.pane), x, y) : null;
   }
 
-  /** What is pointed at, in words. @param {Hover} hover */
-  text(hover) { return hoverSentence(hover); }
+  /** The element under the pointer, in words. @param {Hover} hover */
+  text({ lane: { run, scenario, shown: { placed } }, vertex, pose, check, edge = -1, motions = new Float64Array(0) }) {
+    const { robot } = scenario;
+    const numbers = `${[...pose].map((value) => num(value)).join(", ")}${placed ? " (m, m, rad)" : robot === "arm" ? " rad" : " m"}`;
+    const control = placed && motions.length > 0 ? ` ${placed.motionsText(motions)}` : "";
+    if (vertex < 0 && edge >= 0 && run) {
+      const [from, to] = run.edges.row(edge);
+      return `Edge ${edge}, from vertex ${from} to ${to}.${control}`;
+    }
+    if (vertex < 0 || !run) return `Configuration ${numbers}: ${check.free ? freeText(scenario, pose) : touchingSentence(scenario, check)}.`;
+    const { adjacency, past } = run;
+    const edges = past[PAST.edges];
+    adjacency.follow();
+    const name = `Vertex ${vertex}${vertex < run.roots ? (vertex === 0 ? ", the start," : run.roots > 2 ? ", a goal," : ", the goal,") : ""} at ${numbers}`;
+    if (!run.isTree) {
+      let degree = 0;
+      adjacency.neighbours(vertex, edges, () => degree++);
+      return `${name}: ${degree} ${degree === 1 ? "edge" : "edges"}.`;
+    }
+    const parent = adjacency.parent(vertex, edges);
+    if (parent < 0) return `${name}: ${vertex === 0 || run.kind === "trees" ? "the root of its tree" : "not connected yet"}.`;
+    const length = run.lengthOf(adjacency.upward[vertex]);
+    return `${name}. Parent ${parent}, ${lengthText(length, robot)} away; ${lengthText(adjacency.costs[vertex], robot)} from the root.${control}`;
+  }
 }
 
-/** That a pose is free, and how far from the nearest obstacle. @param {Scenario} scenario @param {Hover["pose"]} pose */
+/** The distance of a free configuration from the nearest obstacle, in words. @param {Scenario} scenario @param {Hover["pose"]} pose */
 function freeText(scenario, pose) {
   const near = scenario.clearance(pose);
   return near ? `free, ${near.distance.toFixed(3)} m from ${obstacleName(near.obstacle)}` : "free";
 }
-
-/** What is pointed at, in words. @param {Hover} hover */
-function hoverSentence({ lane: { run, scenario, shown: { placed } }, vertex, pose, check, edge = -1, motions = new Float64Array(0) }) {
-  const { robot } = scenario;
-  const numbers = `${[...pose].map(number).join(", ")}${placed ? " (m, m, rad)" : robot === "arm" ? " rad" : " m"}`;
-  const control = placed && motions.length > 0 ? ` ${placed.motionsText(motions)}` : "";
-  if (vertex < 0 && edge >= 0 && run) {
-    const [from, to] = run.edges.row(edge);
-    return `Edge ${edge}, from vertex ${from} to ${to}.${control}`;
-  }
-  if (vertex < 0 || !run) return `Configuration ${numbers}: ${check.free ? freeText(scenario, pose) : touchingSentence(scenario, check)}.`;
-  const { adjacency, past } = run;
-  const edges = past[PAST.edges];
-  adjacency.follow();
-  const name = `Vertex ${vertex}${vertex < run.roots ? (vertex === 0 ? ", the start," : run.roots > 2 ? ", a goal," : ", the goal,") : ""} at ${numbers}`;
-  if (!run.isTree) {
-    let degree = 0;
-    adjacency.neighbours(vertex, edges, () => degree++);
-    return `${name}: ${degree} ${degree === 1 ? "edge" : "edges"}.`;
-  }
-  const parent = adjacency.parent(vertex, edges);
-  if (parent < 0) return `${name}: ${vertex === 0 || run.kind === "trees" ? "the root of its tree" : "not connected yet"}.`;
-  const way = run.lengthOf(adjacency.upward[vertex]);
-  return `${name}. Parent ${parent}, ${lengthText(way, robot)} away; ${lengthText(adjacency.costs[vertex], robot)} from the root.${control}`;
-}
-
-/** @param {number} value */
-function number(value) { return value.toFixed(2).replace("-", "\u2212"); }

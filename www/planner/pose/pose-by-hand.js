@@ -1,9 +1,6 @@
-/**
- * The reader's turn: the robot in the hand, what it touches on its way, and whether it was brought to the goal. A pointer that
- * holds nothing points at something.
- */
+/** Posing the robot by hand: its configuration, its collisions, and whether it has reached the goal. Other pointers point at elements. */
 import { once } from "../../app/once.js";
-import { contained, coordinatesOf } from "../../domain/coordinates.js";
+import { contained, coordinatesOf, sizeOf } from "../../domain/coordinates.js";
 
 /** @import { Pointer } from "../../domain/types.js" */
 /** @import { Pointing } from "./pointing.js" */
@@ -14,34 +11,30 @@ export class PoseByHand {
   /** @param {Session} session */
   constructor(session) {
     this.session = session;
-    /** Once somebody has pointed at something. @type {Pointing | null} */
+    /** Loaded on demand. @type {Pointing | null} */
     this.pointing = null;
-    /** What pointers need, fetched with the first of them. */
+    /** Loads the handling of pointers. */
     this.ready = once(async () => (this.pointing = new (await import("./pointing.js")).Pointing()));
-    /** How often the hand touched something, and whether it brought the robot to the goal. */
+    /** The number of collisions, and whether the goal was reached. */
     this.game = { touches: 0, arrived: false };
   }
 
-  /** The reader's turn, or the planner's again. */
+  /** Begins to pose the robot by hand, or ends it and plays. */
   change() {
     const { session } = this;
     const { shown } = session;
-    if (!shown) return;
-    if (shown.hand) {
+    if (shown?.hand) {
       this.release();
       session.timeline.play();
-      session.wake();
-      return;
-    }
-    this.hold(Float64Array.from(shown.start ?? coordinatesOf(shown).map(({ low, high }) => (low + high) / 2)));
+    } else if (shown) this.hold(Float64Array.from(shown.start ?? coordinatesOf(shown).map(({ low, high }) => (low + high) / 2)));
   }
 
-  /** The robot is held at a pose. @param {Float64Array} pose */
+  /** Poses the robot. @param {Float64Array} pose */
   hold(pose) {
     const { session } = this;
     const { shown } = session;
     if (!shown || pose.length !== shown.scenario.dimension) return;
-    this.session.driving?.stop();
+    session.driving?.stop();
     if (!shown.hand) {
       this.game = { touches: 0, arrived: false };
       for (const { playback } of session.lanes) {
@@ -59,7 +52,7 @@ export class PoseByHand {
     session.wake();
   }
 
-  /** A start or goal that touches something is shown as the robot in the hand. */
+  /** Poses the robot at a start or goal in collision. */
   showTouching() {
     const { shown } = this.session;
     if (!shown) return;
@@ -70,7 +63,7 @@ export class PoseByHand {
     }
   }
 
-  /** The robot is nobody's. */
+  /** Ends posing and driving. */
   release() {
     const { shown } = this.session;
     if (!shown) return;
@@ -79,7 +72,7 @@ export class PoseByHand {
     shown.check = null;
   }
 
-  /** A pointer on a pane, pixels of the pane. @param {Pointer} pointer */
+  /** Handles a pointer event. @param {Pointer} pointer */
   point({ pane: id, type, x, y }) {
     const { session, pointing } = this;
     const place = session.stage.at(id);
@@ -91,24 +84,22 @@ export class PoseByHand {
     if (pose) this.hold(pose);
   }
 
-  /** What is pointed at, unless the hand has something to do. @param {Shown} shown */
+  /** Updates the element under the pointer; there is none while the robot is posed or the scene edited. @param {Shown} shown */
   hover(shown) {
     const { session } = this;
     shown.hover = shown.hand || session.editor?.on ? null : this.pointing?.find(session.lanes, shown.hover) ?? null;
   }
 }
 
-/** Is a pose at the goal, as nearly as a hand can put it there? @param {Shown} shown @param {Float64Array} pose */
+/** Whether a configuration is near the goal. @param {Shown} shown @param {Float64Array} pose */
 function isAtGoal(shown, pose) {
   const { scenario, goal, target, placed } = shown;
+  const near = 0.015 * sizeOf(scenario);
   if (target) {
     const [x, y] = scenario.endEffector(pose);
-    const { min, max } = scenario.extent();
-    return Math.hypot(x - target.point[0], y - target.point[1]) <= 0.015 * Math.max(max[0] - min[0], max[1] - min[1]);
+    return Math.hypot(x - target.point[0], y - target.point[1]) <= near;
   }
   if (!goal) return false;
   if (placed) return placed.isNear(pose, goal, shown);
-  const { min, max } = scenario.extent();
-  const near = scenario.robot === "arm" ? 0.06 * scenario.dimension : 0.015 * Math.max(max[0] - min[0], max[1] - min[1]);
-  return scenario.distance(pose, Float64Array.from(goal)) <= near;
+  return scenario.distance(pose, Float64Array.from(goal)) <= (scenario.robot === "arm" ? 0.06 * scenario.dimension : near);
 }

@@ -1,12 +1,12 @@
-/** What the planners of a race are called: a letter, the planner, and what sets it apart from the others. */
+/** The names of planners in a race: a letter, the title, and the settings that differ from the others'. */
 import { letter } from "./standings.js";
 
 /** @import { Plan } from "../../domain/types.js" */
 
-/** Differences told at most. */
+/** Differences in a name at most. */
 const NAMED = 3;
 
-/** The planners' names, each with what sets it apart from the others. @param {Plan[]} plans @param {(algorithm: string) => string} titleOf @returns {string[]} */
+/** @param {Plan[]} plans @param {(algorithm: string) => string} titleOf @returns {string[]} */
 export function nameAll(plans, titleOf) {
   if (plans.length === 1) return [titleOf(plans[0].algorithm)];
   return plans.map(({ algorithm, settings }, lane) => {

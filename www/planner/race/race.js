@@ -1,9 +1,10 @@
 /**
- * A race: up to three rivals beside the panel's planner, on one scenario, all given the same number of clearance evaluations.
- * Rivals are chosen here; each has a sheet on the stage, and a line in the table beneath it.
+ * A race: the panel's planner and up to three rivals on one scenario, with the same number of clearance evaluations. Each planner has a
+ * figure on the stage and a row in the table.
  */
 import { letter } from "./standings.js";
 import { byId, make } from "../../app/dom.js";
+import { button } from "../../widgets/elements.js";
 import { Rival } from "./rival.js";
 import { Table } from "./table.js";
 
@@ -21,21 +22,18 @@ export class Race {
     this.sheets = sheets;
     /** @type {Rival[]} */
     this.rivals = [];
-    /** What the sheets and captions were last made for. @type {Plan[]} */
+    /** The plans that the figures and the table were last made for. @type {Plan[]} */
     this.shown = [];
-    /** Which picture of each planner, where it was chosen. @type {PaneKind | null} */
+    /** The kind of figure, where one was chosen. @type {PaneKind | null} */
     this.kind = null;
     this.table = new Table(byId("standings", HTMLElement));
     this.numbers = byId("numbers", HTMLElement);
     this.list = make("div", {});
     this.choice = make("select", { id: "rival" });
-    this.button = make("button", { type: "button", id: "add-rival" }, "Add");
-    this.button.addEventListener("click", () => this.add());
+    this.button = button("add-rival", "Add", () => this.add());
     this.hint = make("p", { className: "hint" });
-    byId("race", HTMLElement).append(
-      this.list,
-      make("div", { className: "row" }, make("label", { htmlFor: "rival" }, "Against"), this.choice, this.button), this.hint,
-    );
+    const row = make("div", { className: "row" }, make("label", { htmlFor: "rival" }, "Against"), this.choice, this.button);
+    byId("race", HTMLElement).append(this.list, row, this.hint);
     this.offer();
     this.lens = this.makeLens();
     sheets.element.before(this.lens);
@@ -44,26 +42,23 @@ export class Race {
     page.onState((state) => this.show(state));
   }
 
-  /** Which picture of each planner is shown: one choice for all. */
+  /** A choice of the kind of figure for all planners. */
   makeLens() {
-    const lens = make("fieldset", { className: "lens", hidden: true }, make("legend", { className: "visually-hidden" }, "Picture"));
-    for (const [kind, words] of /** @type {[PaneKind, string][]} */ ([["workspace", "Workspace"], ["cspace", "Configuration space"]])) {
-      const input = make("input", { type: "radio", name: "lens", value: kind });
-      input.addEventListener("change", () => this.look(kind));
-      lens.append(make("label", {}, input, words));
-    }
-    return lens;
+    const choice = (/** @type {PaneKind} */ kind, /** @type {string} */ words) => {
+      return make("label", {}, make("input", { type: "radio", name: "lens", value: kind, onchange: () => this.setPicture(kind) }), words);
+    };
+    return make("fieldset", { className: "lens", hidden: true }, make("legend", { className: "visually-hidden" }, "Picture"),
+      choice("workspace", "Workspace"), choice("cspace", "Configuration space"));
   }
 
-  /** The planners that serve the robot on the stage. */
   get infos() { return this.page.panel.infos.filter(({ id }) => this.page.panel.serves(id)); }
 
-  /** Offers the planners that serve the robot on the stage; rivals that do not are removed. @returns {{ lane: number, algorithm: string }[]} those */
+  /** Offers the planners for the robot, and removes other rivals. @returns {{ lane: number, algorithm: string }[]} those removed */
   offer() {
     const { choice, infos, page: { panel } } = this;
     const before = choice.value;
     choice.replaceChildren(...infos.map(({ id, title }) => make("option", { value: id }, title)));
-    // Two trees are the liveliest rival.
+    // By default a planner with two trees.
     choice.value = infos.find(({ id, grows }) => (panel.serves(before) ? id === before : grows === "trees"))?.id ?? infos[0].id;
     const dropped = this.rivals.filter(({ planner }) => !panel.serves(planner.value)).map(({ lane, planner }) => ({ lane, algorithm: planner.value }));
     this.rivals = this.rivals.filter((rival) => {
@@ -76,15 +71,15 @@ export class Race {
     return dropped;
   }
 
-  /** What the rivals are asked beside planner A, or null while a field holds a value that is refused. @param {Plan} plan @returns {Plan[] | null} */
+  /** The rivals' plans, or null while a field holds an invalid value. @param {Plan} plan @returns {Plan[] | null} */
   beside(plan) {
     const plans = this.rivals.map((rival) => rival.plan(plan));
     return plans.includes(null) ? null : plans.flatMap((one) => one ?? []);
   }
 
-  /** One more rival, a copy of planner A as far as its planner goes. */
+  /** Adds a rival with the settings of planner A. */
   add() {
-    const { seed: _, ...settings } = this.page.panel.given;
+    const { seed: _, ...settings } = this.page.panel.form.given;
     this.enter({ algorithm: this.choice.value, settings });
     this.number();
     byId("curves-fold", HTMLDetailsElement).open = true;
@@ -110,7 +105,7 @@ export class Race {
     this.page.plan();
   }
 
-  /** These plans are on the stage, the first of them in the panel. @param {Plan[]} plans */
+  /** Replaces the rivals by those of a link. @param {Plan[]} plans */
   adopt([first, ...others]) {
     for (const { element } of this.rivals.splice(0)) element.remove();
     for (const { algorithm, settings: { seed, ...settings } } of others) {
@@ -129,32 +124,31 @@ export class Race {
   }
 
   /** @param {number} lane @param {string} pointer @param {string} reason */
-  refuse(lane, pointer, reason) { this.rivals[lane - 1]?.refuse(pointer, reason); }
+  refuse(lane, pointer, reason) { this.rivals[lane - 1]?.form.refuse(pointer, reason); }
 
   get hasSquare() {
     const { facts } = this.page;
     return facts !== null && facts.robot !== "disc" && facts.dimension > 1;
   }
 
-  /** Which picture of each planner is shown. @returns {PaneKind} */
+  /** The kind of figure for each planner. @returns {PaneKind} */
   get picture() { return this.hasSquare ? this.kind ?? (this.page.facts?.dimension === 2 ? "cspace" : "workspace") : "workspace"; }
 
-  /** Shows this picture of each planner. @param {PaneKind} kind */
-  look(kind) {
+  /** @param {PaneKind} kind */
+  setPicture(kind) {
     this.kind = kind;
     this.arrange();
   }
 
-  /** Shows a sheet for each planner. @returns {boolean} whether there is a race */
+  /** Shows a figure for each planner. @returns {boolean} whether there is a race */
   arrange() {
     const { page, lens } = this;
-    const { asked } = page;
-    const isRace = asked.length > 1;
-    this.shown = asked;
+    const { current, names } = page;
+    const isRace = current.length > 1;
+    this.shown = current;
     lens.hidden = !isRace || !this.hasSquare;
     this.numbers.hidden = isRace;
     this.sheets.element.classList.toggle("race", isRace);
-    const { names } = page;
     this.table.build(isRace ? names : []);
     if (!isRace) return false;
     const kind = this.picture;
@@ -166,7 +160,7 @@ export class Race {
   /** @param {State} state */
   show(state) {
     const { page } = this;
-    if (page.asked !== this.shown && !this.arrange() && page.facts) this.sheets.arrange(page.facts);
-    if (page.asked.length > 1 && state.lanes.length === page.asked.length) this.table.show(state, this.sheets);
+    if (page.current !== this.shown && !this.arrange() && page.facts) this.sheets.arrange(page.facts);
+    if (page.current.length > 1 && state.lanes.length === page.current.length) this.table.show(state, this.sheets);
   }
 }

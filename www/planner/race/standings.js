@@ -1,11 +1,11 @@
-/** Who leads a race. Lanes are known by letters: A is the planner of the panel, B to D are its rivals. */
+/** The leaders of a race. Lanes have letters: A is the planner of the panel, B to D are its rivals. */
 
 /**
- * @typedef {object} Standing   how one planner stands at the time that is shown
+ * @typedef {object} Standing   of one planner at the time shown
  * @property {boolean} isOver
- * @property {number | null} found   clearance evaluations until it first had a path
- * @property {number} cost           length of its best path so far, Infinity while it has none
- * @property {string} metric         in which that is measured
+ * @property {number | null} found   clearance evaluations until its first path
+ * @property {number} cost           of its best path so far, Infinity without a path
+ * @property {string} metric         of the cost
  */
 
 /** @param {number} lane */
@@ -18,10 +18,10 @@ export function letters(lanes) {
 }
 
 /**
- * Since all get the same number of evaluations, whoever is first at one time stays first. The shortest path is only told of
- * at least two, and only where all are measured alike.
+ * The leaders. All planners get the same number of evaluations, so the first one at one time stays first. The shortest path is one of at
+ * least two, in the same metric.
  * @param {Standing[]} standings
- * @returns {{ first: number[], shortest: number[], isOver: boolean, isAlike: boolean }} places of the leaders, several where they are level
+ * @returns {{ first: number[], shortest: number[], isOver: boolean, isAlike: boolean }} lanes, several where they tie; `isAlike`: one metric
  */
 export function leaders(standings) {
   const isAlike = new Set(standings.map(({ metric }) => metric)).size === 1;

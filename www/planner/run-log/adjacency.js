@@ -1,6 +1,6 @@
 /**
- * Who is joined to whom in the log of a run, at whatever iteration: the neighbours of a vertex, and in a tree its parent and
- * the cost from its root. Built once from the edges, which are only ever added; O(1) an edge.
+ * The adjacency of a run's graph at any iteration: the neighbours of a vertex, and in a tree its parent and the cost from its root. It
+ * takes O(1) for each new edge.
  */
 import { way } from "../../draw/trace.js";
 
@@ -10,19 +10,19 @@ export class Adjacency {
   /** @param {Run} run */
   constructor(run) {
     this.run = run;
-    /** Edges seen so far. */
+    /** Edges added so far. */
     this.count = 0;
     /** The newest half-edge of each vertex; half-edges 2e and 2e + 1 are the two ends of edge e. @type {number[]} */
     this.heads = [];
     /** The next older half-edge of the same vertex, -1 after the last. @type {number[]} */
     this.next = [];
-    /** The edge to the parent, of vertices of trees that are not roots. @type {number[]} */
+    /** In trees the edge to the parent. @type {number[]} */
     this.upward = [];
-    /** The length of the way from the root, of vertices of trees. @type {number[]} */
+    /** In trees the cost from the root. @type {number[]} */
     this.costs = [];
   }
 
-  /** Takes in the edges that are new. */
+  /** Adds the new edges. */
   follow() {
     const { run, heads, next, upward, costs } = this;
     const { data, count } = run.edges;
@@ -40,19 +40,19 @@ export class Adjacency {
     }
   }
 
-  /** The neighbours of a vertex along the first edges of the log. @param {number} vertex @param {number} edges  how many of them count @param {(other: number) => void} then */
+  /** The neighbours of a vertex along the first edges of the log. @param {number} vertex @param {number} edges  their number @param {(other: number) => void} then */
   neighbours(vertex, edges, then) {
     const { data } = this.run.edges;
     for (let half = this.heads[vertex] ?? -1; half >= 0; half = this.next[half]) if (half >> 1 < edges) then(data[half ^ 1]);
   }
 
-  /** The parent of a vertex of a tree, -1 where it has none. @param {number} vertex @param {number} edges  how many of the log count */
+  /** The parent of a vertex along the first edges of the log, -1 without one. @param {number} vertex @param {number} edges  their number */
   parent(vertex, edges) {
     const edge = this.upward[vertex];
     return edge !== undefined && edge < edges ? this.run.edges.data[2 * edge] : -1;
   }
 
-  /** Between two vertices, in the metric of the run. @param {number} from @param {number} to */
+  /** The distance of two vertices in the metric of the run. @param {number} from @param {number} to */
   distance(from, to) {
     const { run } = this;
     const { metric = "" } = run.settings;

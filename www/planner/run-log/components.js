@@ -1,9 +1,8 @@
-/** The pieces that a roadmap has fallen into. */
 import { PAST } from "./run-log.js";
 
 /** @import { Run } from "./run-log.js" */
 
-/** Pieces of a roadmap at its shown iteration, found by union-find (Tarjan 1975): about O(vertices + edges). @param {Run} run */
+/** The connected components of a roadmap at the iteration shown, by union-find (Tarjan 1975). @param {Run} run */
 export function componentsOf(run) {
   const { past, edges, roots } = run;
   const count = past[PAST.vertices];
@@ -22,7 +21,7 @@ export function componentsOf(run) {
     parent[Math.max(a, b)] = Math.min(a, b);
     pieces--;
   }
-  /** The vertices of the pieces that some are in, without the roots. @param {number[]} vertices */
+  /** The vertices, without the roots, in the components of some vertices. @param {number[]} vertices */
   const around = (vertices) => {
     const pieces = new Set(vertices.map(find));
     /** @type {number[]} */

@@ -1,4 +1,4 @@
-/** How runs went, in few points: as many however long they get. */
+/** The history of runs, in a limited number of points. */
 import { PAST } from "./run-log.js";
 
 /** @import { Run } from "./run-log.js" */
@@ -7,11 +7,11 @@ import { PAST } from "./run-log.js";
 const POINTS = 300;
 
 /**
- * For each run rows of time, vertices and cost: how it stood at that time. Times rise from 0 to `head` and are the same for all;
- * those of first paths are among them. Cost is Infinity while there is no path.
+ * For each run rows of time, vertices and cost, which is Infinity without a path. The times, from 0 to `head`, are the same for all runs
+ * and include those of the first paths.
  * @param {Run[]} runs
  * @param {number} column  of the history, -1 for iterations
- * @param {number} head    the latest time to be told
+ * @param {number} head    the latest time
  * @returns {Float64Array[]}
  */
 export function thinned(runs, column, head) {

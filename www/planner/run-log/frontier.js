@@ -1,6 +1,6 @@
 /**
- * The frontier of a search on a roadmap: the vertices that it has reached and not expanded yet, at the iteration that is
- * shown. Told from the log alone: what was expanded has reached its neighbours. Going forward costs what is new.
+ * The frontier of a search on a roadmap at the iteration shown: the vertices reached and not yet expanded. It follows from the log: an
+ * expanded vertex has reached its neighbours.
  */
 import { EVENT, PAST } from "./run-log.js";
 
@@ -15,15 +15,15 @@ export class Frontier {
   constructor(run, adjacency) {
     this.run = run;
     this.adjacency = adjacency;
-    /** Of each vertex: not reached, waiting, expanded. */
+    /** For each vertex 0 (not reached), `WAITING` or `EXPANDED`. */
     this.states = new Uint8Array(0);
-    /** Events taken in. */
+    /** Events processed. */
     this.events = 0;
-    /** How many wait. */
+    /** The number of waiting vertices. */
     this.count = 0;
   }
 
-  /** Comes to the iteration that is shown; while nothing is searched nobody waits. */
+  /** Follows the run to the iteration shown; outside of the search no vertex waits. */
   follow() {
     const { run } = this;
     if (run.phase !== "searching") {
@@ -40,7 +40,7 @@ export class Frontier {
     }
   }
 
-  /** Nothing is expanded: the roots wait. @param {number} vertices */
+  /** Begins with the roots. @param {number} vertices */
   begin(vertices) {
     this.states = new Uint8Array(vertices);
     this.events = 0;
@@ -63,7 +63,7 @@ export class Frontier {
     this.adjacency.neighbours(vertex, edges, (other) => this.reach(other));
   }
 
-  /** The vertices that wait, in the order of their numbers. @param {(vertex: number) => void} then */
+  /** Calls back with each waiting vertex, in order. @param {(vertex: number) => void} then */
   each(then) {
     if (this.count > 0) this.states.forEach((state, vertex) => state === WAITING && then(vertex));
   }

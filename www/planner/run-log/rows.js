@@ -1,6 +1,6 @@
 /**
- * A growing table of numbers: rows of one width, kept in one typed array that doubles when it is full.
- * Rows are only added, never changed, so whoever draws them needs no more than a cursor.
+ * A growing table of numbers: rows of one width in a typed array that doubles when it is full. Rows are added and never changed, so a
+ * drawing needs only a cursor.
  * @template {Float64Array | Uint32Array | Uint8Array} A
  */
 export class Rows {
@@ -11,9 +11,8 @@ export class Rows {
   constructor(make, width) {
     this.make = make;
     this.width = width;
-    /** Rows held. */
     this.count = 0;
-    /** @type {A} the rows, one after the other; only the first `count * width` numbers count */
+    /** Only the first `count * width` numbers are rows. @type {A} */
     this.data = make(width * 256);
   }
 
@@ -30,12 +29,10 @@ export class Rows {
     this.count += block.length / this.width;
   }
 
-  /** A view of one row, good until the next `add`. @param {number} index @returns {A} */
-  row(index) {
-    return /** @type {A} */ (this.data.subarray(index * this.width, (index + 1) * this.width));
-  }
+  /** A view of one row, valid until the next `add`. @param {number} index @returns {A} */
+  row(index) { return this.slice(index, index + 1); }
 
-  /** A view of the rows from one on, good until the next `add`. @param {number} first @param {number} end @returns {A} */
+  /** A view of rows, valid until the next `add`. @param {number} first @param {number} end @returns {A} */
   slice(first, end) {
     return /** @type {A} */ (this.data.subarray(first * this.width, end * this.width));
   }

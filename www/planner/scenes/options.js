@@ -1,41 +1,34 @@
-/**
- * The options of scenes that the core makes: sliders beneath the gallery for those of the page's own scenes, and a fold for any
- * scene that the core can make.
- */
+/** The options of generated scenes: sliders for those of a built-in scene, and a form for any other. */
 import { byId, make } from "../../app/dom.js";
-import { Part } from "../../app/feature.js";
+import { withSeed } from "../../widgets/field.js";
+import { Options } from "../../widgets/options.js";
 import { optionsAt } from "./scenes.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { GeneratorInfo, SceneEntry, Settings, Slider, Source } from "../../domain/types.js" */
-/** @typedef {{ source: Source, entry: SceneEntry | undefined }} Wish */
 
 /** @param {Page} page @param {GeneratorInfo[]} generators */
 export function showSceneOptions(page, generators) {
   const sliders = make("div", { className: "sliders" });
   const fold = byId("make-fold", HTMLDetailsElement);
   fold.before(sliders);
-  new Part(page.notice, async () => {
-    const { makeForm } = await import("./make-scene.js");
-    fold.append(makeForm(generators, (kind, options) => wish({ generate: { kind, options } })));
-  }).inFold("make-fold");
+  fold.append(makeForm(generators, (kind, options) => request({ generate: { kind, options } })));
   /** @type {SceneEntry | null} */
   let shown = null;
   /** @type {Settings} */
   let options = {};
-  /** What is to be opened next: of several only the newest. @type {Wish | null} */
+  /** The latest request that has not begun. @type {{ source: Source, entry: SceneEntry | undefined } | null} */
   let next = null;
-  let busy = false;
+  let isBusy = false;
 
   page.onOpen((_, entry) => adopt(entry));
-  adopt(page.entry);
 
-  /** Another scene is on the stage, or the same with other options. @param {SceneEntry | null} entry */
+  /** Shows the sliders of the open scene. @param {SceneEntry | null} entry */
   function adopt(entry) {
     const { source } = page;
     const generate = source && "generate" in source ? source.generate : null;
     const offers = entry?.generate && generate ? entry.sliders ?? [] : [];
-    // The slider that is being moved knows better than what was opened for it.
+    // A slider that is being moved is ahead of the scene that was opened for it.
     if (!next) options = { ...generate?.options };
     if (entry !== shown) sliders.replaceChildren(...offers.map(row));
     shown = entry;
@@ -51,7 +44,7 @@ export function showSceneOptions(page, generators) {
       if (!shown?.generate) return;
       options = { ...options, ...optionsAt({ ...shown, generate: undefined }, { [option]: Number(input.value) }) };
       show(slider);
-      wish({ generate: { kind: shown.generate.kind, options } }, shown);
+      request({ generate: { kind: shown.generate.kind, options } }, shown);
     });
     return make("label", { className: "row", htmlFor: id }, make("span", { className: "name" }, title), input, make("output", { id: `${id}-value` }));
   }
@@ -66,25 +59,46 @@ export function showSceneOptions(page, generators) {
   }
 
   /** @param {Source} source @param {SceneEntry} [entry] */
-  function wish(source, entry) {
+  function request(source, entry) {
     next = { source, entry };
-    // What is on the stage is old news from now on, not only from the frame in which it is replaced.
+    // The state shown is out of date from now on, not only from the next frame.
     page.session.markDirty();
-    if (!busy) requestAnimationFrame(() => void obey());
-    busy = true;
+    if (!isBusy) requestAnimationFrame(() => void openNext());
+    isBusy = true;
   }
 
-  /** Opens what is wished for, and what was wished for meanwhile, with the settings of the planner as they are. */
-  async function obey() {
+  /** Opens the latest request, and any that comes meanwhile, with the current settings of the planner. */
+  async function openNext() {
     while (next) {
       const { source, entry } = next;
       next = null;
-      try {
-        await page.open(source, { entry, plans: page.plans ?? undefined, query: page.panel.query.value, play: page.goesOn });
-      } catch (error) {
-        page.notice.show("This scene cannot be generated.", error);
-      }
+      const opening = page.open(source, { entry, plans: page.plans ?? undefined, query: page.panel.query.value, play: page.autoplay });
+      await page.app.track(opening, "This scene cannot be generated.");
     }
-    busy = false;
+    isBusy = false;
   }
+}
+
+/** A form for the generators of scenes. @param {GeneratorInfo[]} generators @param {(kind: GeneratorInfo["id"], options: Settings) => void} onMake */
+function makeForm(generators, onMake) {
+  const kind = make("select", { id: "make-kind" }, ...generators.map(({ id, title }) => make("option", { value: id }, title)));
+  const summary = make("p", { className: "hint" });
+  const rows = make("div", {});
+  /** @type {Options} */
+  let options;
+  const build = () => {
+    const info = generators[kind.selectedIndex];
+    summary.textContent = info.summary;
+    options = new Options(rows, withSeed(info.options, "scene"), {}, () => {}, { prefix: "make" });
+  };
+  kind.addEventListener("change", build);
+  build();
+  const kindRow = make("label", { className: "row", htmlFor: "make-kind" }, make("span", { className: "name" }, "Kind"), kind);
+  const form = make("form", { id: "make", noValidate: true }, kindRow, summary, rows, make("button", { type: "submit" }, "Generate"));
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    // Defaults are left out: some options go with certain others only.
+    if (options.settings) onMake(generators[kind.selectedIndex].id, options.given);
+  });
+  return form;
 }

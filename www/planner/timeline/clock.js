@@ -1,24 +1,24 @@
 /**
- * What time it is in the session, and how it goes on. Time is counted in iterations, and in clearance evaluations where
- * several planners race: a count of work that is the same on every machine.
+ * The clock of the session. Time is the number of iterations, or in a race of clearance evaluations: a measure of work that is the same
+ * on every machine.
  */
 import { PAST } from "../run-log/run-log.js";
 
-/** Evaluations in a step of a race, and those that pass where a single run makes one iteration: it makes about as many. */
+/** Clearance evaluations in a step of a race: about as many as an iteration takes. */
 const PER_STEP = 10;
 
 export class Clock {
   constructor() {
     this.isRace = false;
     this.pace = 60;
-    /** The time that is shown. */
+    /** The time shown. */
     this.now = 0;
-    /** The latest time that was shown: up to there it can be replayed. */
+    /** The latest time shown, up to which the run can be replayed. */
     this.head = 0;
-    /** The time to be reached: where it is ahead, planning or replay goes on. */
+    /** The time to reach by planning or replay. */
     this.wanted = 0;
     this.playing = false;
-    /** As fast as it goes, whatever the pace. */
+    /** Whether it runs at full speed. */
     this.rushing = false;
   }
 
@@ -27,15 +27,15 @@ export class Clock {
     this.halt();
   }
 
-  /** The column of a run's history that tells this time; -1 counts iterations. */
+  /** The column of the history with this time; -1 counts iterations. */
   get column() { return this.isRace ? PAST.evaluations : -1; }
 
-  /** One step of the transport, in units of time. */
+  /** The time in a step. */
   get unit() { return this.isRace ? PER_STEP : 1; }
 
   get speed() { return this.rushing ? Infinity : this.pace * this.unit; }
 
-  /** Lets seconds pass while it plays. Being behind does not pile up beyond a quarter of a second. @param {number} seconds */
+  /** Lets time pass while it plays; a delay adds up to a quarter of a second at most. @param {number} seconds */
   pass(seconds) {
     if (!this.playing) return;
     const { speed } = this;
@@ -43,7 +43,7 @@ export class Clock {
     else this.wanted = Math.min((this.wanted === Infinity ? this.now : this.wanted) + speed * seconds, this.now + speed / 4 + this.unit);
   }
 
-  /** Is there time to be caught up with? */
+  /** Whether the wanted time is not reached. */
   get owes() { return this.wanted >= this.now + 1; }
 
   halt() {
@@ -51,7 +51,7 @@ export class Clock {
     this.rest();
   }
 
-  /** There is nothing more to catch up with. */
+  /** Takes the time shown as the wanted time. */
   rest() {
     this.wanted = this.now;
     this.rushing = false;

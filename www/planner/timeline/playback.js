@@ -1,6 +1,6 @@
 /**
- * Conducts the time of a session: what was asked of the transport becomes time that is wanted, and a frame at a time it goes on:
- * what the log has is replayed, what it has not is planned by the worker, which plans the next block while one is drawn.
+ * Moves the time of a session. Each frame approaches the wanted time: the log is replayed, and beyond its end the worker plans the next
+ * block while one is drawn.
  */
 
 /** @import { Growth } from "../worker/stepper.js" */
@@ -13,10 +13,10 @@ export class Timeline {
   /** @param {Session} session */
   constructor(session) {
     this.session = session;
-    /** Which runs the worker is planning for, by the number of the planning; -1: none. */
-    this.asking = -1;
-    /** Which runs the worker has. */
-    this.known = -1;
+    /** Number of the planning that a pending request belongs to; -1: none. */
+    this.pending = -1;
+    /** Number of the planning that the worker has. */
+    this.sent = -1;
   }
 
   get clock() { return this.session.clock; }
@@ -29,7 +29,7 @@ export class Timeline {
   play() {
     const { session, clock } = this;
     if (!session.growing && !session.travelling) {
-      // At its end, and nothing drives: it is watched again from the beginning.
+      // At the end, without a path to follow: the run is replayed from the beginning.
       if (clock.head === 0) return;
       this.show(0);
       clock.halt();
@@ -52,7 +52,7 @@ export class Timeline {
     this.seek(from + steps * clock.unit);
   }
 
-  /** Shows a time: what the log has at once, what it has not after planning. @param {number} time */
+  /** Shows a time, after planning where the log does not reach it. @param {number} time */
   seek(time) {
     const { session, clock } = this;
     if (!session.shown) return;
@@ -62,7 +62,7 @@ export class Timeline {
     session.markDirty();
   }
 
-  /** Runs on as fast as it goes. */
+  /** Runs to the end at full speed. */
   finish() {
     const { session, clock } = this;
     if (!session.growing) return;
@@ -72,7 +72,7 @@ export class Timeline {
     session.markDirty();
   }
 
-  /** Puts the robot somewhere along its way. @param {number} part  0 to 1 */
+  /** Places the robot along its path. @param {number} part  0 to 1 */
   along(part) {
     const { session } = this;
     if (!session.travelling) return;
@@ -82,14 +82,13 @@ export class Timeline {
     session.wake();
   }
 
-  /** Lets time go on. @param {number} elapsed  seconds @returns {boolean} whether anything changed */
+  /** Lets time pass. @param {number} elapsed  seconds @returns {boolean} whether anything changed */
   pass(elapsed) {
     const { session, clock } = this;
     if (session.growing) clock.pass(elapsed);
     else if (clock.playing) this.travel(elapsed);
-    if (!clock.owes) return false;
-    // What is not inked yet is inked first.
-    if (!session.stage.caughtUp) return false;
+    // Rows that are not inked yet come first.
+    if (!clock.owes || !session.stage.caughtUp) return false;
     if (!session.growing) {
       clock.rest();
       return false;
@@ -102,88 +101,88 @@ export class Timeline {
     return clock.now !== before;
   }
 
-  /** Is the worker planning what is on the stage? */
-  get isAsking() { return this.asking === this.session.plannings; }
+  /** Whether the worker plans for the current runs. */
+  get isAsking() { return this.pending === this.session.plannings; }
 
-  /** Has the worker plan up to a time, unless it is at it, or all is there. @param {number} wanted  may be Infinity */
+  /** Has the worker plan up to a time, unless it is busy or the log reaches it. @param {number} wanted  may be Infinity */
   plan(wanted) {
-    if (!this.isAsking && this.reached() < wanted) void this.ask(wanted, !this.clock.playing);
+    if (!this.isAsking && this.reached() < wanted) void this.session.app.track(this.request(wanted, !this.clock.playing));
   }
 
-  /** Asks for the results of the runs as they are now, where they are not known. */
+  /** Requests the results of the runs as they are now, where they are unknown. */
   conclude() {
-    if (!this.isAsking && this.session.lanes.some(({ run }) => run?.isNewest && !run.hasResult)) void this.ask(NONE, true);
+    if (!this.isAsking && this.session.lanes.some(({ run }) => run?.isNewest && !run.hasResult)) void this.session.app.track(this.request(NONE, true));
   }
 
   /**
-   * Asks the worker for a block, and takes it in.
-   * @param {number} wanted  the time to come to @param {boolean} isResult  with the results, once it has come there
+   * Has the worker plan a block, and adds it to the logs.
+   * @param {number} wanted  the time to reach @param {boolean} isResult  with the results once it is reached
    */
-  async ask(wanted, isResult) {
+  async request(wanted, isResult) {
     const { session, clock: { column } } = this;
     const { plannings, lanes, shown } = session;
     if (!shown) return;
-    const fresh = this.known === plannings ? null : { document: shown.document, plans: lanes.map((lane) => lane.order(session.query)) };
-    this.known = this.asking = plannings;
+    const fresh = this.sent === plannings ? null : { document: shown.document, plans: lanes.map((lane) => lane.planOf(session.query)) };
+    this.sent = this.pending = plannings;
     try {
       const growths = await session.planners.advance({ fresh, column, wanted, isResult });
       if (session.plannings === plannings) this.take(growths);
     } catch (error) {
-      if (this.isAsking) this.asking = -1;
+      if (this.isAsking) this.pending = -1;
       if (session.plannings === plannings) session.fail(error);
     } finally {
       session.wake();
     }
   }
 
-  /** The worker has planned a block. @param {Growth[]} growths */
+  /** Adds a block to the logs. @param {Growth[]} growths */
   take(growths) {
     const { session: { lanes }, clock } = this;
     const isShown = lanes.every(({ run }) => run?.isNewest);
     const isLatest = clock.now === clock.head;
     growths.forEach((growth, i) => lanes[i].run?.take(growth));
-    this.asking = -1;
+    this.pending = -1;
     if (clock.owes) {
       // The next block is planned while this one is drawn.
       if (isShown) this.plan(Math.floor(clock.wanted));
       return;
     }
-    // Time was stopped meanwhile: what is made belongs to the log.
+    // Paused meanwhile: the block belongs to the log all the same.
     clock.head = Math.max(clock.head, this.limit);
     if (!isLatest) return;
     this.show(clock.head);
     clock.rest();
   }
 
-  /** The time that all planners have come to: those that have ended hold nobody up. */
+  /** The time that all planners have reached; those that have ended do not count. */
   reached() {
     return Math.min(...this.session.lanes.map(({ run }) => run?.reached(this.clock.column) ?? Infinity));
   }
 
-  /** The latest time at which it is known how all stand. */
+  /** The latest time at which all runs are known. */
   get limit() {
     const reached = this.reached();
     return reached < Infinity ? reached : Math.max(0, ...this.session.lanes.map(({ run }) => run?.clock(this.clock.column) ?? 0));
   }
 
-  /** The robots drive on, all at the same part of their ways. @param {number} elapsed  seconds */
+  /** Moves the robots along their paths, all at the same part. @param {number} elapsed  seconds */
   travel(elapsed) {
     const [lead, ...others] = this.session.playbacks;
     lead?.advance(elapsed);
     for (const playback of others) Object.assign(playback, { drawn: lead.drawn, at: lead.at });
   }
 
-  /** Shows a time that the log knows of. @param {number} time */
+  /** Shows a time within the log. @param {number} time */
   show(time) {
     const { session, clock } = this;
     const { lanes } = session;
-    const isCalm = session.stage.look?.calm;
+    const isCalm = session.app.reducedMotion;
     clock.now = Math.min(time, this.limit);
     clock.head = Math.max(clock.head, clock.now);
     for (const lane of lanes) {
       if (!lane.run) continue;
       lane.run.shown = lane.run.iterationAt(clock.column, clock.now);
-      // A path draws itself only before someone who watches it grow, and wants to see it move.
+      // A path is drawn gradually only while a single run plays, and without reduced motion.
       if (lane.arrive() && lane.end && (isCalm || !clock.playing || lanes.length > 1)) lane.end.drawn = 1;
     }
     if (!session.growing && (isCalm || !session.travelling)) clock.playing = false;

@@ -1,47 +1,41 @@
-/**
- * The transport: back, play and pause, steps, run to the end, reset, speed, the timeline, and once solved the way along the path.
- * It passes on what was asked, and shows how things stand.
- */
+/** The transport: back, play, steps, run to the end, reset, speed, the timeline, and once solved the position along the path. */
 import { byId, grouped, READABLE, write } from "../../app/dom.js";
+import { pacer } from "../../app/paced.js";
 
 /** @import { Page } from "../page.js" */
+/** @import { Session } from "../session.js" */
 /** @import { State } from "../../domain/types.js" */
 
-/** Iterations a second at the left end of the slider and one notch before its right end, which means as fast as it goes. */
-const SLOWEST = 1;
+/** Iterations a second one step before the right end of the slider, which is full speed; at its left end there is one. */
 const FASTEST = 10000;
 
 export class Transport {
   /** @param {Page} page */
   constructor(page) {
-    this.bar = byId("transport", HTMLElement);
-    this.play = byId("play", HTMLButtonElement);
-    this.playLabel = byId("play-label", HTMLElement);
-    this.steps = [1, 10, 100].map((count) => {
-      const button = byId(`step-${count}`, HTMLButtonElement);
-      button.addEventListener("click", () => page.act(({ timeline }) => timeline.step(count)));
+    /** @param {string} id @param {(session: Session) => unknown} action */
+    const buttonOf = (id, action) => {
+      const button = byId(id, HTMLButtonElement);
+      button.addEventListener("click", () => page.act(action));
       return button;
-    });
-    this.finish = byId("finish", HTMLButtonElement);
-    this.reset = byId("reset", HTMLButtonElement);
+    };
+    this.bar = byId("transport", HTMLElement);
+    this.play = buttonOf("play", ({ timeline }) => timeline.toggle());
+    this.steps = [1, 10, 100].map((count) => buttonOf(`step-${count}`, ({ timeline }) => timeline.step(count)));
+    this.finish = buttonOf("finish", ({ timeline }) => timeline.finish());
+    this.reset = buttonOf("reset", (session) => session.reset());
+    this.back = buttonOf("back", ({ timeline }) => timeline.step(-1));
     this.speed = byId("speed", HTMLInputElement);
     this.speedValue = byId("speed-value", HTMLOutputElement);
-    this.speedRow = byId("speed-row", HTMLElement);
     this.along = byId("along", HTMLInputElement);
-    this.alongRow = byId("along-row", HTMLElement);
-    this.back = byId("back", HTMLButtonElement);
     this.timeline = byId("timeline", HTMLInputElement);
     this.time = byId("time", HTMLInputElement);
-    this.head = byId("time-head", HTMLElement);
-    this.timeName = byId("time-name", HTMLElement);
-    this.brief = byId("brief", HTMLElement);
-    /** Time in a step, and that passes for an iteration of the pace. */
+    /** Time in a step. */
     this.unit = 1;
-    /** Is something in the field that was not asked for yet? */
+    /** Whether the field holds a time that was not entered yet. */
     this.isTyping = false;
-    this.written = -Infinity;
-    this.back.addEventListener("click", () => page.act(({ timeline }) => timeline.step(-1)));
+    this.isDue = pacer(READABLE);
     this.timeline.addEventListener("input", () => page.act(({ timeline }) => timeline.seek(Number(this.timeline.value))));
+    this.along.addEventListener("input", () => page.act(({ timeline }) => timeline.along(Number(this.along.value))));
     this.time.addEventListener("input", () => { this.isTyping = true; });
     this.time.addEventListener("blur", () => { this.isTyping = false; });
     this.time.addEventListener("change", () => {
@@ -49,15 +43,11 @@ export class Transport {
       const time = Number(this.time.value);
       if (this.time.value.trim() !== "" && Number.isSafeInteger(time) && time >= 0) page.act(({ timeline }) => timeline.seek(time));
     });
-    this.play.addEventListener("click", () => page.act(({ timeline }) => timeline.toggle()));
-    this.finish.addEventListener("click", () => page.act(({ timeline }) => timeline.finish()));
-    this.reset.addEventListener("click", () => page.act((session) => session.reset()));
     this.speed.addEventListener("input", () => {
-      this.tellSpeed();
-      page.session.setPace(this.pace);
+      this.showSpeed();
+      page.session.clock.pace = this.pace;
     });
-    this.along.addEventListener("input", () => page.act(({ timeline }) => timeline.along(Number(this.along.value))));
-    this.tellSpeed();
+    this.showSpeed();
     page.onState((state) => this.show(state));
     page.onOpen(() => {
       if (page.pace !== undefined) this.pace = page.pace;
@@ -68,18 +58,17 @@ export class Transport {
   get pace() {
     const value = Number(this.speed.value);
     const last = Number(this.speed.max);
-    if (value >= last) return Infinity;
-    return SLOWEST * (FASTEST / SLOWEST) ** (value / (last - 1));
+    return value >= last ? Infinity : FASTEST ** (value / (last - 1));
   }
 
   set pace(pace) {
     const last = Number(this.speed.max);
-    const part = Math.log(pace / SLOWEST) / Math.log(FASTEST / SLOWEST);
+    const part = Math.log(pace) / Math.log(FASTEST);
     this.speed.value = pace === Infinity ? this.speed.max : String(Math.round(Math.min(1, Math.max(0, part)) * (last - 1)));
-    this.tellSpeed();
+    this.showSpeed();
   }
 
-  tellSpeed() {
+  showSpeed() {
     const pace = this.pace;
     const speed = pace * this.unit;
     const text = pace === Infinity ? "max" : `${speed < 10 ? speed.toFixed(1) : grouped(Math.round(speed))}/s`;
@@ -87,37 +76,37 @@ export class Transport {
     this.speed.setAttribute("aria-valuetext", pace === Infinity ? "as fast as possible" : `${text.replace("/s", "")} ${this.name} a second`);
   }
 
-  /** What time is counted in. */
+  /** The name of the unit of time. */
   get name() { return this.unit > 1 ? "clearance evaluations" : "iterations"; }
 
-  /** Time is counted in this from now on. @param {State["clock"]} clock */
-  count({ unit }) {
+  /** Changes the unit of time. @param {State["clock"]} clock */
+  setUnit({ unit }) {
     this.unit = unit;
     const { name } = this;
     this.timeline.setAttribute("aria-label", unit > 1 ? "Timeline: clearance evaluations shown" : "Timeline: iteration shown");
-    this.timeName.textContent = unit > 1 ? "Clearance evaluations" : "Iteration";
+    byId("time-name", HTMLElement).textContent = unit > 1 ? "Clearance evaluations" : "Iteration";
     this.back.setAttribute("aria-label", unit > 1 ? `Back ${unit} ${name}` : "Step back");
     this.steps.forEach((button, i) => {
       const count = grouped(unit * 10 ** i);
       button.textContent = count;
       button.setAttribute("aria-label", unit > 1 ? `Step ${count} ${name}` : `Step ${count}`);
     });
-    this.tellSpeed();
+    this.showSpeed();
   }
 
   /** @param {State} state */
   show({ clock, playing, growing, travelling, along, lanes, settled }) {
-    if (clock.unit !== this.unit) this.count(clock);
+    if (clock.unit !== this.unit) this.setUnit(clock);
     const ready = lanes.some(({ status }) => status !== "none");
     this.play.disabled = !ready || (!growing && !travelling && clock.head === 0);
     this.play.dataset.playing = String(playing);
-    write(this.playLabel, playing ? "Pause" : "Play");
+    write(byId("play-label", HTMLElement), playing ? "Pause" : "Play");
     for (const button of [...this.steps, this.finish]) button.disabled = !ready || !growing;
     this.back.disabled = !ready || clock.now === 0;
     this.reset.disabled = !ready;
     this.speed.disabled = !ready;
-    this.speedRow.hidden = travelling;
-    this.alongRow.hidden = !travelling;
+    byId("speed-row", HTMLElement).hidden = travelling;
+    byId("along-row", HTMLElement).hidden = !travelling;
     if (!this.along.matches(":active")) this.along.value = String(along);
     this.along.setAttribute("aria-valuetext", `${Math.round(100 * along)} percent of the path`);
     this.timeline.disabled = this.time.disabled = !ready;
@@ -125,17 +114,15 @@ export class Transport {
     if (this.timeline.max !== head) this.timeline.max = head;
     if (!this.timeline.matches(":active")) this.timeline.value = String(clock.now);
     this.timeline.setAttribute("aria-valuetext", `${grouped(clock.now)} of ${grouped(clock.head)}${clock.isRace ? " clearance evaluations" : ""}`);
-    // As often as the numbers below are written, so that they agree.
-    const now = performance.now();
-    if (!settled && now - this.written < READABLE) return;
-    this.written = now;
+    // As often as the counters, so that they agree.
+    if (!this.isDue(settled)) return;
     if (!this.isTyping) this.time.value = String(clock.now);
-    write(this.brief, brief(lanes));
-    write(this.head, `of ${grouped(clock.head)}${clock.isRace ? " evaluations" : ""}`);
+    write(byId("brief", HTMLElement), brief(lanes));
+    write(byId("time-head", HTMLElement), `of ${grouped(clock.head)}${clock.isRace ? " evaluations" : ""}`);
   }
 }
 
-/** How the run stands, in a few words: for those who see the controls and not the stage. @param {State["lanes"]} lanes */
+/** The status in a few words, for small screens. @param {State["lanes"]} lanes */
 function brief(lanes) {
   const [{ status, phase, length, unit, iteration }] = lanes;
   if (lanes.length > 1 || status === "none") return "";

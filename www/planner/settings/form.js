@@ -1,0 +1,113 @@
+/** A planner's settings: its presets, its main parameters, and the others in groups. A preset sets all parameters but the seed. */
+import { make } from "../../app/dom.js";
+import { namesOfDocuments } from "../../domain/option-names.js";
+import { Field, withSeed } from "../../widgets/field.js";
+import { Fields } from "../../widgets/options.js";
+
+/** @import { ParameterInfo, PlannerInfo, Settings } from "../../domain/types.js" */
+
+/** The main parameters. */
+export const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "blossom", "goal_bias", "sampler", "seed"]);
+
+/** The groups of the others; parameters of no group come last. @type {[string, string[]][]} */
+const GROUPS = [
+  ["Samples", ["insertion", "discard", "spread", "goal_every"]],
+  ["Controls", ["controls", "duration_steps", "shortest_steps", "near_goal_steps", "blocked", "integration"]],
+  ["Tree", ["nearest", "once", "goal_test", "selection_radius", "pruning_radius", "improve_iterations"]],
+  ["Last quarter", ["late_duration_steps", "late_goal_every"]],
+  ["Edges", ["radius", "extend", "metric", "steering", "edge_check", "edge_samples", "tolerance"]],
+  ["Search", ["search", "cost", "heuristic"]],
+  ["Path shortening", ["reduce", "shortcut", "partial_shortcut"]],
+];
+const REST = "Limits";
+
+export class SettingsForm extends Fields {
+  /**
+   * @param {HTMLElement} first   for the main parameters
+   * @param {HTMLElement} rest    for the others
+   * @param {(info: ParameterInfo) => boolean} fits   whether a parameter is for the robot
+   * @param {() => void} onChange
+   */
+  constructor(first, rest, fits, onChange) {
+    super([]);
+    this.first = first;
+    this.rest = rest;
+    this.fits = fits;
+    this.onChange = onChange;
+    /** Settings by hand, of a preset or of a scene, stored when the planner changes. @type {Settings} */
+    this.given = {};
+    /** @type {PlannerInfo | undefined} */
+    this.info = undefined;
+    this.family = "";
+    /** Changes to the parameter of the seed. @type {Partial<ParameterInfo>} */
+    this.seed = {};
+    /** Parameters that the scene sets; they count as main parameters. @type {Set<string>} */
+    this.lead = new Set();
+    /** @type {PlannerInfo["presets"]} */
+    this.presets = [];
+    this.preset = make("select", { onchange: () => this.apply(this.presets.find(({ id }) => id === this.preset.value)?.settings ?? {}) });
+    this.presetRow = make("label", { className: "row" }, make("span", { className: "name" }, "Settings"), this.preset);
+  }
+
+  /** Gives the select of presets an id and a label. @param {string} id @param {string} [label]  in place of "Settings" */
+  identify(id, label) {
+    this.preset.id = this.presetRow.htmlFor = id;
+    if (label) this.preset.ariaLabel = label;
+  }
+
+  /** Applies a preset. @param {Settings} settings */
+  apply(settings) {
+    const { seed } = this.given;
+    this.given = { ...(seed === undefined ? {} : { seed }), ...settings };
+    if (this.info) this.build(this.info, this.family);
+    this.onChange();
+  }
+
+  /** Makes the fields of a planner. @param {PlannerInfo} info @param {string} family  begins the ids of the fields */
+  build(info, family) {
+    this.info = info;
+    this.family = family;
+    const option = (/** @type {string} */ value, /** @type {string} */ title) => make("option", { value, disabled: value === "own" }, title);
+    this.presets = info.presets.map((preset) => ({ ...preset, settings: namesOfDocuments(preset.settings) }));
+    this.presetRow.hidden = this.presets.length === 0;
+    this.preset.replaceChildren(option("own", "custom"), option("", "defaults"), ...this.presets.map(({ id, title }) => option(id, title)));
+    this.selectPreset();
+    this.fields = withSeed(info.parameters).filter(this.fits).map((given) => {
+      const parameter = given.name === "seed" ? { ...given, ...this.seed } : given;
+      const field = new Field(parameter, this.given[parameter.name] ?? parameter.default, () => {
+        this.store(field);
+        this.onChange();
+      }, family);
+      return field;
+    });
+    const isFirst = (/** @type {Field} */ { info: { name } }) => FIRST.has(name) || this.lead.has(name);
+    this.first.replaceChildren(this.presetRow, ...this.fields.filter(isFirst).map(({ element }) => element));
+    this.rest.replaceChildren(...groupsOf(this.fields.filter((field) => !isFirst(field))));
+  }
+
+  /** Stores the value of a field. @param {Field} field */
+  store({ info: { name }, value }) {
+    if (value === undefined) delete this.given[name];
+    else this.given[name] = value;
+    this.selectPreset();
+  }
+
+  /** Selects the preset that equals the settings. */
+  selectPreset() {
+    const { given, info } = this;
+    const defaults = new Map(info?.parameters.map(({ name, default: value }) => [name, value ?? undefined]));
+    const isEqual = (/** @type {Settings} */ settings) => Object.keys({ ...given, ...settings })
+      .every((name) => name === "seed" || (given[name] ?? defaults.get(name)) === (settings[name] ?? defaults.get(name)));
+    this.preset.value = this.presets.find(({ settings }) => isEqual(settings))?.id ?? (isEqual({}) ? "" : "own");
+  }
+}
+
+/** Fields under the headings of their groups. @param {Field[]} fields @returns {HTMLElement[]} */
+function groupsOf(fields) {
+  const grouped = new Set(GROUPS.flatMap(([, names]) => names));
+  const rest = fields.map(({ info }) => info.name).filter((name) => !grouped.has(name));
+  return [...GROUPS, /** @type {[string, string[]]} */ ([REST, rest])].flatMap(([title, names]) => {
+    const elements = fields.filter(({ info }) => names.includes(info.name)).map(({ element }) => element);
+    return elements.length > 0 ? make("div", { className: "group" }, make("h3", {}, title), ...elements) : [];
+  });
+}

@@ -25,9 +25,6 @@ export function make(tag, properties = {}, ...children) {
   return element;
 }
 
-/** Milliseconds between two changes of a text that stays readable. */
-export const READABLE = 80;
-
 /** A whole number with commas between thousands. The first `Intl.NumberFormat` of a page takes 26 ms. @param {number} count */
 export function grouped(count) { return String(count).replace(/\B(?=(\d{3})+$)/g, ","); }
 

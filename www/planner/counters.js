@@ -1,13 +1,11 @@
 /** The counters of the run, as text and as data attributes. */
-import { READABLE, byId, grouped, write } from "../app/dom.js";
-import { pacer } from "../app/paced.js";
+import { byId, grouped, write } from "../app/dom.js";
 
 /** @import { LaneState } from "../domain/types.js" */
 
 export class Counters {
   constructor() {
     this.element = byId("counters", HTMLElement);
-    this.isDue = pacer(READABLE);
     // On a desktop all counters are in one line; on a phone some are folded away.
     const more = byId("more-counters", HTMLDetailsElement);
     const desktop = matchMedia("(min-width: 77.5rem)");
@@ -16,7 +14,7 @@ export class Counters {
     unfold();
   }
 
-  /** Shows a run; while it plays, the text changes only a few times a second. @param {LaneState} lane @param {boolean} settled */
+  /** Shows a run. @param {LaneState} lane @param {boolean} settled */
   show(lane, settled) {
     const { dataset } = this.element;
     const { status, phase, iteration, vertices, edges, fingerprint, length } = lane;
@@ -25,7 +23,6 @@ export class Counters {
     else delete dataset.fingerprint;
     if (length !== null) dataset.length = String(length);
     else delete dataset.length;
-    if (!this.isDue(settled)) return;
     this.write({
       phase: lane.status === "running" ? lane.phase : lane.status === "none" ? "not started" : lane.status === "exhausted" ? "no path" : lane.status,
       iterations: grouped(lane.iteration), vertices: grouped(lane.vertices), edges: grouped(lane.edges),

@@ -4,6 +4,7 @@
  */
 import { faultOf } from "../app/fault.js";
 import { once } from "../app/once.js";
+import { pacer } from "../app/paced.js";
 import { Stage } from "./stage/stage.js";
 import { Clock } from "./timeline/clock.js";
 import { Timeline } from "./timeline/playback.js";
@@ -24,8 +25,8 @@ import { PoseByHand } from "./pose/pose-by-hand.js";
 
 /** Milliseconds into a frame at which drawing of growth stops: while a run plays, and otherwise. */
 const DRAWING = { playing: 6, paused: 24 };
-/** Milliseconds between two reports of the state while a run plays. */
-const REPORT = 50;
+/** Milliseconds between two reports of the state while a run plays: a text that changes more often cannot be read. */
+const REPORT = 80;
 /** Measures stored in the browser's timeline before it is cleared. */
 const MEASURES = 20000;
 
@@ -66,8 +67,7 @@ export class Session {
     this.settled = false;
     /** Whether something was requested that no frame has shown yet. */
     this.isStale = false;
-    /** When the state was last reported, on the clock of frames. */
-    this.reported = -Infinity;
+    this.isReportDue = pacer(REPORT);
     /** Loaded on demand. @type {Editor | null} */
     this.editor = null;
     /** Loaded on demand. @type {Driving | null} */
@@ -306,9 +306,8 @@ export class Session {
       performance.measure("planarium-frame", { start: began, end: performance.now() });
     }
     // Style, layout and paint of the document take longer than the drawing: while a run plays, texts change less often.
-    if (!clock.playing || this.isStale || this.settled || now - this.reported >= REPORT) {
+    if (this.isReportDue(!clock.playing || this.isStale || this.settled)) {
       this.isStale = false;
-      this.reported = now;
       this.onState(report(this));
     }
     return clock.playing || clock.owes || stage.busy || Boolean(driving?.moves);

@@ -1,7 +1,6 @@
 /** The table of a race. */
 import { leaders } from "./standings.js";
-import { READABLE, grouped, make, write } from "../../app/dom.js";
-import { pacer } from "../../app/paced.js";
+import { grouped, make, write } from "../../app/dom.js";
 import { labelled } from "../../widgets/elements.js";
 
 /** @import { Sheets } from "../sheets.js" */
@@ -17,12 +16,10 @@ export class Table {
     this.rows = [];
     this.remark = make("p", { className: "hint" });
     this.caution = make("p", { className: "hint" }, "Standings at equal cost (one seed): over many seeds the winner may differ.");
-    this.isDue = pacer(READABLE);
   }
 
   /** Makes a row for each planner. @param {string[]} names */
   build(names) {
-    this.isDue = pacer(READABLE);
     this.rows = names.map((name) => {
       const cells = COLUMNS.slice(1).map(() => make("td", {}));
       return { row: make("tr", {}, make("th", { scope: "row" }, name), ...cells), cells };
@@ -37,9 +34,8 @@ export class Table {
   }
 
   /** @param {State} state @param {Sheets} sheets */
-  show({ lanes, settled }, sheets) {
+  show({ lanes }, sheets) {
     lanes.forEach(({ status, fingerprint }, i) => Object.assign(this.rows[i].row.dataset, { status, fingerprint }));
-    if (!this.isDue(settled)) return;
     const { first, shortest, isOver, isAlike } = leaders(lanes.map(({ standing }) => standing));
     lanes.forEach((lane, i) => {
       const { found } = lane.standing;

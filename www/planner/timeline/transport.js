@@ -1,6 +1,5 @@
 /** The transport: back, play, steps, run to the end, reset, speed, the timeline, and once solved the position along the path. */
-import { byId, grouped, READABLE, write } from "../../app/dom.js";
-import { pacer } from "../../app/paced.js";
+import { byId, grouped, write } from "../../app/dom.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { Session } from "../session.js" */
@@ -33,7 +32,6 @@ export class Transport {
     this.unit = 1;
     /** Whether the field holds a time that was not entered yet. */
     this.isTyping = false;
-    this.isDue = pacer(READABLE);
     this.timeline.addEventListener("input", () => page.act(({ timeline }) => timeline.seek(Number(this.timeline.value))));
     this.along.addEventListener("input", () => page.act(({ timeline }) => timeline.along(Number(this.along.value))));
     this.time.addEventListener("input", () => { this.isTyping = true; });
@@ -95,7 +93,7 @@ export class Transport {
   }
 
   /** @param {State} state */
-  show({ clock, playing, growing, travelling, along, lanes, settled }) {
+  show({ clock, playing, growing, travelling, along, lanes }) {
     if (clock.unit !== this.unit) this.setUnit(clock);
     const ready = lanes.some(({ status }) => status !== "none");
     this.play.disabled = !ready || (!growing && !travelling && clock.head === 0);
@@ -114,8 +112,6 @@ export class Transport {
     if (this.timeline.max !== head) this.timeline.max = head;
     if (!this.timeline.matches(":active")) this.timeline.value = String(clock.now);
     this.timeline.setAttribute("aria-valuetext", `${grouped(clock.now)} of ${grouped(clock.head)}${clock.isRace ? " clearance evaluations" : ""}`);
-    // As often as the counters, so that they agree.
-    if (!this.isDue(settled)) return;
     if (!this.isTyping) this.time.value = String(clock.now);
     write(byId("brief", HTMLElement), brief(lanes));
     write(byId("time-head", HTMLElement), `of ${grouped(clock.head)}${clock.isRace ? " evaluations" : ""}`);

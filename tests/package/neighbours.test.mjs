@@ -4,22 +4,13 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import * as planarium from "planarium";
-import { Neighbours, PlanariumError, Scenario, neighbourIndexes } from "planarium";
+import { Neighbours, Scenario, neighbourIndexes } from "planarium";
 import { root } from "../../scripts/run.mjs";
 import { neighboursOf } from "./neighbours.mjs";
-import { arm, body, car, disc } from "./scenes.mjs";
+import { arm, body, car, disc, fails } from "./scenes.mjs";
 
 /** @type {import("./neighbours.mjs").Case[]} */
 export const cases = JSON.parse(readFileSync(join(root, "tests", "golden-neighbours.json"), "utf8"));
-
-/** @param {() => unknown} work @param {string} code @param {string} [pointer] */
-function fails(work, code, pointer) {
-  assert.throws(work, (error) => {
-    assert.ok(error instanceof PlanariumError, String(error));
-    assert.deepEqual([error.code, pointer === undefined ? "" : error.pointer], [code, pointer ?? ""], error.message);
-    return true;
-  });
-}
 
 /** @param {object} [options] */
 const made = (options) => Scenario.parse(arm).neighbours(options);

@@ -1,19 +1,10 @@
 /** The keyboard car and rollouts, as the package has them. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Drive, PlanariumError, Scenario } from "planarium";
-import { arm, car } from "./scenes.mjs";
+import { Drive, Scenario } from "planarium";
+import { arm, car, fails } from "./scenes.mjs";
 
 /** @import { DriveKey } from "planarium" */
-
-/** @param {() => unknown} work @param {string} code @param {string} [pointer] */
-function fails(work, code, pointer) {
-  assert.throws(work, (error) => {
-    assert.ok(error instanceof PlanariumError, String(error));
-    assert.deepEqual([error.code, pointer === undefined ? "" : error.pointer], [code, pointer ?? ""], error.message);
-    return true;
-  });
-}
 
 const drive = () => Scenario.parse(car).drive();
 

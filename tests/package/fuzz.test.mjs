@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Drive, Neighbours, PlanariumError, Planner, Scenario } from "planarium";
+import { seeded } from "../page/seeded.mjs";
 import { arm, body, car, disc, finish } from "./scenes.mjs";
 
 /** Calls for each seed. */
@@ -21,23 +22,9 @@ function detached() {
   return array;
 }
 
-/** A small seeded generator (Mulberry32), so that a failure can be repeated. @param {number} seed */
-function random(seed) {
-  let state = seed >>> 0;
-  return () => {
-    state = (state + 0x6d2b79f5) >>> 0;
-    let x = Math.imul(state ^ (state >>> 15), 1 | state);
-    x = (x + Math.imul(x ^ (x >>> 7), 61 | x)) ^ x;
-    return ((x ^ (x >>> 14)) >>> 0) / 2 ** 32;
-  };
-}
-
 for (const seed of [1, 2, 3]) {
   test(`hostile calls, seed ${seed}`, () => {
-    const draw = random(seed);
-    const below = (/** @type {number} */ n) => Math.floor(draw() * n);
-    /** @template T @param {readonly T[]} list @returns {T} */
-    const pick = (list) => list[below(list.length)];
+    const { next: draw, below, pick } = seeded(seed);
     const number = () => pick([
       0, -0, 1, 2, 3, -1, 0.5, 1e-300, 1e300, -1e300, NaN, Infinity, -Infinity, 2 ** 31, 2 ** 32, 2 ** 53, 2 ** 53 - 1, Number.MIN_VALUE, draw(), draw() * 6 - 3,
     ]);

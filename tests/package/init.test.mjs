@@ -34,13 +34,21 @@ before(async () => {
 });
 after(() => server.close());
 
+/** Runs a program in a process of its own, and gives back what it prints. @param {string} program @returns {Promise<any>} */
+async function printed(program) {
+  const child = spawn(process.execPath, ["--input-type=module", "-e", program], { stdio: ["ignore", "pipe", "inherit"] });
+  let output = "";
+  child.stdout.setEncoding("utf8").on("data", (text) => { output += text; });
+  const code = await new Promise((resolve) => child.on("close", resolve));
+  assert.equal(code, 0);
+  return JSON.parse(output);
+}
+
 /**
  * Runs a program that gives a value back.
  * @param {string} body  of an async function; has `planarium` (the web entry), `bytes`, `site`, `disc`, `caught`, `plan`
- * @returns {Promise<any>}
  */
-async function fresh(body) {
-  const program = `
+const fresh = (body) => printed(`
 import { readFileSync } from "node:fs";
 const planarium = await import(${JSON.stringify(web)});
 const { default: init, initSync, Scenario, PlanariumError } = planarium;
@@ -54,31 +62,20 @@ const caught = async (work) => { try { await work(); } catch (error) {
 } return null; };
 const answer = await (async () => { ${body} })();
 console.log(JSON.stringify(answer));
-`;
-  const child = spawn(process.execPath, ["--input-type=module", "-e", program], { stdio: ["ignore", "pipe", "inherit"] });
-  let output = "";
-  child.stdout.setEncoding("utf8").on("data", (text) => { output += text; });
-  const code = await new Promise((resolve) => child.on("close", resolve));
-  assert.equal(code, 0);
-  return JSON.parse(output);
-}
+`);
 
 /** The fingerprint that every way of starting must lead to. @type {Promise<string>} */
 let expected;
 const expectedFingerprint = () => (expected ??= fresh("initSync(bytes); return plan();"));
 
 test("importing the web entry does nothing: no global is added, nothing is fetched", async () => {
-  const program = `
+  const found = await printed(`
 const before = Object.getOwnPropertyNames(globalThis).length;
 let fetched = 0;
 globalThis.fetch = () => { fetched += 1; };
 await import(${JSON.stringify(web)});
-console.log(JSON.stringify({ added: Object.getOwnPropertyNames(globalThis).length - before, fetched }));`;
-  const child = spawn(process.execPath, ["--input-type=module", "-e", program], { stdio: ["ignore", "pipe", "inherit"] });
-  let output = "";
-  child.stdout.setEncoding("utf8").on("data", (text) => { output += text; });
-  await new Promise((resolve) => child.on("close", resolve));
-  assert.deepEqual(JSON.parse(output), { added: 0, fetched: 0 });
+console.log(JSON.stringify({ added: Object.getOwnPropertyNames(globalThis).length - before, fetched }));`);
+  assert.deepEqual(found, { added: 0, fetched: 0 });
 });
 
 test("every call before init says that init is missing", async () => {
@@ -112,7 +109,7 @@ for (const [what, input] of Object.entries({
   });
 }
 
-for (const [what, input] of Object.entries({ "bytes": "bytes", "a compiled module": "new WebAssembly.Module(bytes)", "an object with module": "{ module: bytes }" })) {
+for (const [what, input] of Object.entries({ bytes: "bytes", "a compiled module": "new WebAssembly.Module(bytes)", "an object with module": "{ module: bytes }" })) {
   test(`initSync takes ${what}`, async () => {
     assert.equal(await fresh(`initSync(${input}); return plan();`), await expectedFingerprint());
   });

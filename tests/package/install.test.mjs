@@ -27,26 +27,21 @@ before(() => {
   expected = { status: "solved", fingerprint: planner.fingerprint(), path: [...planner.path()] };
 });
 
-test("import in Node", () => {
-  addFiles(folder, { "import.mjs": `import { Scenario } from "planarium";${plan}` });
-  assert.deepEqual(node(["import.mjs"], folder), expected);
-});
-
-test("require in Node", () => {
-  addFiles(folder, { "require.cjs": `const { Scenario } = require("planarium");${plan}` });
-  assert.deepEqual(node(["--no-warnings", "require.cjs"], folder), expected);
-});
-
-test("require gives init as default, and it resolves at once", () => {
-  addFiles(folder, { "init.cjs": `const { default: init, Scenario } = require("planarium"); init().then(() => { ${plan} });` });
-  assert.deepEqual(node(["--no-warnings", "init.cjs"], folder), expected);
-});
-
-test("a worker in Node", () => {
-  const worker = `import { Scenario } from "planarium";${plan}`;
-  addFiles(folder, { "worker.mjs": worker, "main.mjs": `import { Worker } from "node:worker_threads"; new Worker("./worker.mjs");` });
-  assert.deepEqual(node(["main.mjs"], folder), expected);
-});
+for (const [how, args, files] of /** @type {[string, string[], Record<string, string>][]} */ ([
+  ["by import", ["import.mjs"], { "import.mjs": `import { Scenario } from "planarium";${plan}` }],
+  ["by require", ["--no-warnings", "require.cjs"], { "require.cjs": `const { Scenario } = require("planarium");${plan}` }],
+  ["by require, after an init that resolves at once", ["--no-warnings", "init.cjs"], {
+    "init.cjs": `const { default: init, Scenario } = require("planarium"); init().then(() => { ${plan} });`,
+  }],
+  ["in a worker", ["main.mjs"], {
+    "worker.mjs": `import { Scenario } from "planarium";${plan}`, "main.mjs": `import { Worker } from "node:worker_threads"; new Worker("./worker.mjs");`,
+  }],
+])) {
+  test(`used in Node ${how}`, () => {
+    addFiles(folder, files);
+    assert.deepEqual(node(args, folder), expected);
+  });
+}
 
 test("the wasm file, the schema and the manifest can be resolved", () => {
   addFiles(folder, {

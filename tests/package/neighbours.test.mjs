@@ -1,34 +1,11 @@
 /** Nearest neighbours, as the package has them. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
 import { test } from "node:test";
-import * as planarium from "planarium";
-import { Neighbours, PlanariumError, Scenario, neighbourIndexes } from "planarium";
-import { root } from "../../scripts/run.mjs";
-import { neighboursOf } from "./neighbours.mjs";
-import { arm, body, car, disc } from "./scenes.mjs";
-
-/** @type {import("./neighbours.mjs").Case[]} */
-export const cases = JSON.parse(readFileSync(join(root, "tests", "golden-neighbours.json"), "utf8"));
-
-/** @param {() => unknown} work @param {string} code @param {string} [pointer] */
-function fails(work, code, pointer) {
-  assert.throws(work, (error) => {
-    assert.ok(error instanceof PlanariumError, String(error));
-    assert.deepEqual([error.code, pointer === undefined ? "" : error.pointer], [code, pointer ?? ""], error.message);
-    return true;
-  });
-}
+import { Neighbours, Scenario, neighbourIndexes } from "planarium";
+import { arm, body, car, disc, fails } from "./scenes.mjs";
 
 /** @param {object} [options] */
 const made = (options) => Scenario.parse(arm).neighbours(options);
-
-test("golden neighbours in Node", () => {
-  assert.ok(cases.length >= 24);
-  const scenes = Object.fromEntries(cases.map(({ scene }) => [scene, readFileSync(join(root, "www", "scenes", `${scene}.json`), "utf8")]));
-  assert.deepEqual(neighboursOf(planarium, cases, scenes), cases.map(({ outcome }) => outcome));
-});
 
 test("neighbours come nearest first, ties by number, the short way round", () => {
   for (const index of /** @type {const} */ (["linear", "kd-tree", "forest"])) {

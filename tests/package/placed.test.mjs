@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { PlanariumError, Scenario, planners } from "planarium";
-import { arm, body, car, finish, options as asOptions, scenes } from "./scenes.mjs";
+import { arm, body, car, fails, finish, options as asOptions, scenes } from "./scenes.mjs";
 
 /** @import { Configuration, Motion, Planner, PlannerOptions, ScenarioDocument } from "planarium" */
 
@@ -30,16 +30,6 @@ const DRIVING = [
 ];
 
 const named = (/** @type {{ algorithm?: string, steering?: string }} */ { algorithm, steering }) => `${algorithm}${steering ? ` along ${steering} curves` : ""}`;
-
-/** @param {() => unknown} work @param {string} code @param {string} pointer @param {RegExp} [message] */
-function fails(work, code, pointer, message = /./) {
-  assert.throws(work, (error) => {
-    assert.ok(error instanceof PlanariumError, String(error));
-    assert.deepEqual([error.code, error.pointer], [code, pointer], error.message);
-    assert.match(error.message, message);
-    return true;
-  });
-}
 
 /** The placement after a motion: the closed form of x' = v cos theta, y' = v sin theta, theta' = v tan(phi) / L. */
 const driven = (/** @type {Configuration} */ [x, y, theta], /** @type {Motion} */ { control: [v, phi], duration }, wheelbase = 0.2) => {

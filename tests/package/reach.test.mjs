@@ -1,17 +1,8 @@
 /** Inverse kinematics, as the package has it. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { PlanariumError, Reach, Scenario, reachMethods } from "planarium";
-import { arm, car } from "./scenes.mjs";
-
-/** @param {() => unknown} work @param {string} code @param {string} [pointer] */
-function fails(work, code, pointer) {
-  assert.throws(work, (error) => {
-    assert.ok(error instanceof PlanariumError, String(error));
-    assert.deepEqual([error.code, pointer === undefined ? "" : error.pointer], [code, pointer ?? ""], error.message);
-    return true;
-  });
-}
+import { Reach, Scenario, reachMethods } from "planarium";
+import { arm, car, fails } from "./scenes.mjs";
 
 /** @param {number[]} links @param {[number, number][]} [limits] @param {import("planarium").Obstacle[]} [obstacles] */
 const armOf = (links, limits, obstacles = []) => Scenario.parse({

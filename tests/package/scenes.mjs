@@ -1,4 +1,6 @@
-/** Small scenarios of the package's tests. */
+/** Small scenarios of the package's tests, and what they do with them. */
+import assert from "node:assert/strict";
+import { PlanariumError } from "planarium";
 
 /** @typedef {import("planarium").ScenarioDocument} ScenarioDocument */
 
@@ -82,4 +84,20 @@ export function options(made) { return /** @type {any} */ (made); }
 export function finish(planner, slice = 1000) {
   while (planner.step(slice) === "running");
   return planner;
+}
+
+/**
+ * Holds bad input to an error with a stable code, and a pointer to where it stands.
+ * @param {() => unknown} work
+ * @param {string} code
+ * @param {string} [pointer]
+ * @param {RegExp} [message]
+ */
+export function fails(work, code, pointer, message = /.{11}/) {
+  assert.throws(work, (error) => {
+    assert.ok(error instanceof PlanariumError && error instanceof Error, String(error));
+    assert.deepEqual([error.name, error.code, pointer === undefined ? undefined : error.pointer], ["PlanariumError", code, pointer], error.message);
+    assert.match(error.message, message);
+    return true;
+  });
 }

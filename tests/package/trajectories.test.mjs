@@ -1,17 +1,8 @@
 /** Many trajectories through the package: what it takes, gives and refuses. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { PlanariumError, Trajectories, particlePoints, trajectoryOptions } from "planarium";
-
-/** @param {() => unknown} act @param {string} code @param {string} [pointer] */
-function refused(act, code, pointer = "") {
-  assert.throws(act, (error) => {
-    assert.ok(error instanceof PlanariumError, String(error));
-    assert.deepEqual([error.code, error.pointer], [code, pointer], error.message);
-    assert.ok(error.message.length > 10);
-    return true;
-  });
-}
+import { Trajectories, particlePoints, trajectoryOptions } from "planarium";
+import { fails } from "./scenes.mjs";
 
 test("trajectories are accepted one by one, and read by cursors", () => {
   const trajectories = new Trajectories({ seed: 3, count: 200 });
@@ -41,7 +32,7 @@ test("trajectories are accepted one by one, and read by cursors", () => {
   assert.match(trajectories.fingerprint, /^[0-9a-f]{16}$/);
   assert.equal(trajectories.fingerprint, result.fingerprint);
   trajectories[Symbol.dispose]();
-  refused(() => trajectories.result(), "freed");
+  fails(() => trajectories.result(), "freed", "");
 });
 
 test("stepFor tries some at least, and leads to the same result", () => {
@@ -51,7 +42,7 @@ test("stepFor tries some at least, and leads to the same result", () => {
   while (one.stepFor(0.2) === "running");
   other.step(1e6);
   assert.deepEqual([one.status, one.fingerprint], ["solved", other.fingerprint]);
-  refused(() => one.stepFor(-1), "out-of-range", "/ms");
+  fails(() => one.stepFor(-1), "out-of-range", "/ms");
 });
 
 test("slices and the index change nothing, the seed does", () => {
@@ -71,27 +62,27 @@ test("slices and the index change nothing, the seed does", () => {
 
 test("bad options, cursors and counts are errors with code and pointer", () => {
   const bad = /** @type {(options: unknown) => () => unknown} */ ((options) => () => new Trajectories(/** @type {any} */ (options)));
-  refused(bad({ count: 0 }), "out-of-range", "/count");
-  refused(bad({ count: NaN }), "not-finite", "/count");
-  refused(bad({ count: "many" }), "wrong-type", "/count");
-  refused(bad({ count: [] }), "wrong-type", "/count");
-  refused(bad({ colour: 1 }), "unknown-parameter", "/colour");
-  refused(bad({ seed: -1 }), "out-of-range", "/seed");
-  refused(bad({ seed: 2 ** 53 }), "out-of-range", "/seed");
-  refused(bad({ seed: "1" }), "wrong-type", "/seed");
-  refused(bad({ model: "line" }), "out-of-range", "/model");
-  refused(bad({ slowest: 0.9, fastest: 0.2 }), "out-of-range", "/slowest");
-  refused(bad({ duration: 900 }), "out-of-range", "/duration");
-  refused(bad(7), "wrong-type");
+  fails(bad({ count: 0 }), "out-of-range", "/count");
+  fails(bad({ count: NaN }), "not-finite", "/count");
+  fails(bad({ count: "many" }), "wrong-type", "/count");
+  fails(bad({ count: [] }), "wrong-type", "/count");
+  fails(bad({ colour: 1 }), "unknown-parameter", "/colour");
+  fails(bad({ seed: -1 }), "out-of-range", "/seed");
+  fails(bad({ seed: 2 ** 53 }), "out-of-range", "/seed");
+  fails(bad({ seed: "1" }), "wrong-type", "/seed");
+  fails(bad({ model: "line" }), "out-of-range", "/model");
+  fails(bad({ slowest: 0.9, fastest: 0.2 }), "out-of-range", "/slowest");
+  fails(bad({ duration: 900 }), "out-of-range", "/duration");
+  fails(bad(7), "wrong-type", "");
   const trajectories = new Trajectories();
-  refused(() => trajectories.step(-1), "out-of-range", "/n");
-  refused(() => trajectories.step(NaN), "not-finite", "/n");
-  refused(() => trajectories.acceptedSince(1), "out-of-range", "/row");
-  refused(() => trajectories.refusedSince(0.5), "out-of-range", "/row");
+  fails(() => trajectories.step(-1), "out-of-range", "/n");
+  fails(() => trajectories.step(NaN), "not-finite", "/n");
+  fails(() => trajectories.acceptedSince(1), "out-of-range", "/row");
+  fails(() => trajectories.refusedSince(0.5), "out-of-range", "/row");
   trajectories.free();
   trajectories.free();
-  refused(() => trajectories.step(1), "freed");
-  refused(() => trajectories.fingerprint, "freed");
+  fails(() => trajectories.step(1), "freed", "");
+  fails(() => trajectories.fingerprint, "freed", "");
 });
 
 test("the table tells every option, and each default and end is taken", () => {
@@ -118,10 +109,10 @@ test("points of one particle: the spiral as it is printed, the arc by its radius
   const [x, y] = particlePoints({ x: 1, y: 2, theta: 0, v: Math.PI, w: Math.PI }, new Float64Array([1]));
   assert.ok(Math.hypot(x - 1, y - 4) < 1e-15);
   assert.equal(particlePoints({}, []).length, 0);
-  refused(() => particlePoints({ v: -1 }, [0]), "out-of-range", "/v");
-  refused(() => particlePoints({ x: Infinity }, [0]), "not-finite", "/x");
-  refused(() => particlePoints({}, [0, -1]), "out-of-range", "/times/1");
-  refused(() => particlePoints({}, [NaN]), "not-finite", "/times/0");
-  refused(() => particlePoints(/** @type {any} */ ({ speed: 1 }), [0]), "unknown-parameter", "/speed");
-  refused(() => particlePoints({}, /** @type {any} */ ("now")), "wrong-type", "/times");
+  fails(() => particlePoints({ v: -1 }, [0]), "out-of-range", "/v");
+  fails(() => particlePoints({ x: Infinity }, [0]), "not-finite", "/x");
+  fails(() => particlePoints({}, [0, -1]), "out-of-range", "/times/1");
+  fails(() => particlePoints({}, [NaN]), "not-finite", "/times/0");
+  fails(() => particlePoints(/** @type {any} */ ({ speed: 1 }), [0]), "unknown-parameter", "/speed");
+  fails(() => particlePoints({}, /** @type {any} */ ("now")), "wrong-type", "/times");
 });

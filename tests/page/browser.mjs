@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
+import { after, before } from "node:test";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 import { serve } from "../../scripts/serve.mjs";
@@ -20,6 +21,21 @@ export const isDeep = process.env.PLANARIUM_DEEP === "1";
 export const DESK = { viewport: { width: 1280, height: 860 } };
 export const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
 
+/** A script that wraps the core: its next function whose name contains `self.trap` traps. */
+export const TRAP = `{
+  self.trap = "";
+  const { Instance } = WebAssembly;
+  WebAssembly.Instance = function (module, imports) {
+    const { exports } = new Instance(module, imports);
+    return { exports: Object.fromEntries(Object.entries(exports).map(([name, one]) => [name, typeof one !== "function" ? one : (...args) => {
+      if (!self.trap || !name.includes(self.trap)) return one(...args);
+      self.trap = "";
+      throw new WebAssembly.RuntimeError("unreachable");
+    }])) };
+  };
+}
+`;
+
 /** @type {import("playwright-core").Browser | undefined} */
 let browser;
 /** @type {Awaited<ReturnType<typeof serve>> | undefined} */
@@ -27,9 +43,8 @@ let server;
 /** Pages that wait for the next test, by what cannot be changed once a page is open. @type {Map<string, Opened>} */
 const idle = new Map();
 
-/** Starts browser and server. Chromium is taken from CHROMIUM or from where Debian puts it. @param {unknown} [from]  the folder of the page, where it is another build */
-export async function start(from) {
-  const folder = typeof from === "string" ? from : pageRoot;
+/** Starts browser and server. Chromium is taken from CHROMIUM or from where Debian puts it. @param {string} [folder]  of the page, where it is another build */
+export async function start(folder = pageRoot) {
   assert.ok(existsSync(folder), `${folder} is missing: run \`npm run build\` first`);
   server = await serve({ root: folder, port: 0 });
   const found = ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find((path) => existsSync(path));
@@ -40,6 +55,12 @@ export async function stop() {
   idle.clear();
   await browser?.close();
   await server?.close();
+}
+
+/** Starts browser and server for the tests of a file. @param {string} [folder]  of the page, where it is another one */
+export function useBrowser(folder) {
+  before(() => start(folder));
+  after(stop);
 }
 
 /** A page in a context of its own, watched for errors and for requests that leave the site. @param {Options} options @returns {Promise<Opened>} */
@@ -177,16 +198,75 @@ export async function chooseScene(page, id) {
   await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
 }
 
-/** Types a value into a parameter and leaves the field. @param {Page} page @param {string} name @param {string} value */
-export async function setParameter(page, name, value) {
-  const field = page.locator(`#parameter-${name}`);
-  await field.fill(value);
-  await field.blur();
+/** Clicks, and waits until all that was ordered is done and drawn. @param {Page} page @param {string} selector */
+export async function click(page, selector) {
+  await page.click(selector);
+  return atRest(page);
 }
 
-/** Hands a file to the page as if it were picked. @param {Page} page @param {string} name @param {string} text */
-export async function pickFile(page, name, text) {
-  await page.setInputFiles("#file", { name, mimeType: "application/json", buffer: Buffer.from(text) });
+/** Presses keys, one after the other. @param {Page} page @param {...string} names */
+export async function keys(page, ...names) {
+  for (const name of names) await page.keyboard.press(name);
+}
+
+/** Types a value into a field and leaves it. @param {Page} page @param {string} selector @param {string} value */
+export async function fill(page, selector, value) {
+  await page.fill(selector, value);
+  await page.locator(selector).blur();
+}
+
+/** Types a value into a parameter and leaves the field. @param {Page} page @param {string} name @param {string} value */
+export const setParameter = (page, name, value) => fill(page, `#parameter-${name}`, value);
+
+/** Chooses a planner and waits for its panel. @param {Page} page @param {string} id @param {string} parameter  that it has */
+export async function choosePlanner(page, id, parameter) {
+  await page.selectOption("#planner", id);
+  await page.waitForSelector(`#parameter-${parameter}`, { state: "attached" });
+}
+
+/** Waits until a run has made more iterations than so many. @param {Page} page @param {number} iterations */
+export const passes = (page, iterations) => page.waitForFunction((least) => Number(document.getElementById("counters")?.dataset.iterations) > least, iterations);
+
+/** Waits until a field or a slider has a value within bounds. @param {Page} page @param {string} id @param {number} low @param {number} [high] */
+export const valueWithin = (page, id, low, high = Infinity) => page.waitForFunction(([name, least, most]) => {
+  const value = Number(/** @type {HTMLInputElement} */ (document.getElementById(String(name))).value);
+  return value > Number(least) && value < Number(most);
+}, [id, low, high]);
+
+/** Waits until an element's text matches. @param {Page} page @param {string} selector @param {RegExp} pattern */
+export const textMatches = (page, selector, pattern) => page.waitForFunction(
+  ([css, source]) => new RegExp(source).test(document.querySelector(css)?.textContent ?? ""), [selector, pattern.source],
+);
+
+/** Saves a file, as a click does. @param {Page} page @param {string} selector @returns {Promise<{ name: string, bytes: Buffer, text: string }>} */
+export async function download(page, selector) {
+  const [file] = await Promise.all([page.waitForEvent("download"), page.click(selector)]);
+  const bytes = readFileSync(await file.path());
+  return { name: file.suggestedFilename(), bytes, text: bytes.toString() };
+}
+
+/** The times of the next five changes of an element, milliseconds. @param {Page} page @param {string} selector @param {MutationObserverInit} what */
+export const changes = (page, selector, what) => page.locator(selector).evaluate((element, options) => new Promise((/** @type {(times: number[]) => void} */ resolve) => {
+  /** @type {number[]} */
+  const times = [];
+  const watch = new MutationObserver(() => {
+    if (times.push(performance.now()) < 5) return;
+    watch.disconnect();
+    resolve(times);
+  });
+  watch.observe(element, options);
+}), what);
+
+/** Hands a file to the page as if it were picked. @param {Page} page @param {string} name @param {string | Uint8Array} content @param {string} [selector]  of the field */
+export async function pickFile(page, name, content, selector = "#file") {
+  await page.setInputFiles(selector, { name, mimeType: "application/octet-stream", buffer: Buffer.from(content) });
+}
+
+/** Opens a scenario from a file. @param {Page} page @param {object} document */
+export async function openScenario(page, document) {
+  await pickFile(page, "own.json", JSON.stringify(document));
+  await page.waitForSelector("body[data-scene=file]");
+  return atRest(page);
 }
 
 /** Drops a file on the page. @param {Page} page @param {string} name @param {string} text */
@@ -250,6 +330,20 @@ export async function pictureOf(page, selector) {
     }
     return `${canvas.dataset.layer} ${hash >>> 0} ${ink}`;
   }));
+}
+
+/** How dense the pixels of a layer are, 0 to 255 each, row by row; and its size. @param {Page} page @param {string} pane @param {import("../../www/draw/layer.js").LayerName} layer */
+export async function alphaOf(page, pane, layer) {
+  await frames(page);
+  const { width, height, text } = await page.locator(`#${pane} canvas[data-layer=${layer}]`).evaluate((element) => {
+    const canvas = /** @type {HTMLCanvasElement} */ (element);
+    const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
+    context?.drawImage(canvas, 0, 0);
+    const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, canvas.width, canvas.height));
+    const rows = Array.from({ length: canvas.height }, (_, y) => String.fromCharCode(...Array.from({ length: canvas.width }, (__, x) => data[4 * (y * canvas.width + x) + 3])));
+    return { width: canvas.width, height: canvas.height, text: btoa(rows.join("")) };
+  });
+  return { width, height, alpha: new Uint8Array(Buffer.from(text, "base64")) };
 }
 
 /** What the layers of growth show. @param {Page} page @param {string} pane */

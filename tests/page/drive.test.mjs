@@ -1,18 +1,16 @@
 /** The keyboard car on the page: keys, buttons, numbers, stops, records, one control's way; and time that no frame decides. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { after, before, describe, test } from "node:test";
+import { describe, test } from "node:test";
 import { Scenario } from "planarium";
 import { Driving } from "../../www/planner/driving/driving.js";
-import { PHONE, atRest, chooseScene, onPage, onPausedPage, pickFile, pixelsOf, start, stop } from "./browser.mjs";
+import { PHONE, chooseScene, download, onPage, onPausedPage, openScenario, pickFile, pixelsOf, textMatches, useBrowser } from "./browser.mjs";
 import { assertFaultless } from "./looks.mjs";
 
 /** @import { DriveKey } from "planarium" */
 /** @import { Session } from "../../www/planner/session.js" */
 /** @import { Page } from "./browser.mjs" */
 
-before(start);
-after(stop);
+useBrowser();
 
 /** A car on an empty square with a wall to its right. */
 const ROAD = {
@@ -119,9 +117,8 @@ const dash = (page) => page.locator("#drive").evaluate((bar) => {
 
 /** Opens the road and drives. @param {Page} page */
 async function drive(page) {
-  await pickFile(page, "road.json", JSON.stringify(ROAD));
-  await page.waitForSelector("body[data-scene=file]");
-  await page.waitForFunction(() => document.getElementById("your-turn")?.textContent === "Drive");
+  await openScenario(page, ROAD);
+  await textMatches(page, "#your-turn", /^Drive$/);
   await page.click("#your-turn");
   await page.waitForSelector("#drive:not([hidden])");
 }
@@ -133,152 +130,119 @@ async function press(page, ...keys) {
   await page.waitForFunction((count) => document.getElementById("drive")?.dataset.keys === String(count), before + keys.length);
 }
 
-describe("driving", () => {
-  test("arrows and letters drive while the stage has the focus; numbers say how; Escape leaves", async () => {
-    await onPausedPage(async (page) => {
-      await drive(page);
-      assert.equal(await page.evaluate(() => document.activeElement?.id), "stage");
-      assert.deepEqual([(await dash(page)).pose, (await dash(page)).v], [[0.3, 0.5, 0], 0]);
-      // Less motion is asked for: time goes by with each key alone.
-      await press(page, "ArrowUp", "w", "ArrowLeft", "c");
-      const { v, phi, steps } = await dash(page);
-      assert.deepEqual([v, phi, steps], [0.2, Math.PI / 12, 100]);
-      await press(page, "d", "s", "ArrowDown", "ArrowDown", "ArrowRight", "a");
-      const back = await dash(page);
-      assert.ok(Math.abs(back.v + 0.1) < 1e-12 && back.phi === 0);
-      assert.match(await page.innerText("#drive dl"), /v\s+−0\.10 m\/s\s+φ\s+0°\s+x\s+0\.\d{3} m/);
-      await page.focus("#planner");
-      await page.keyboard.press("w");
-      assert.equal((await dash(page)).keys, back.keys, "keys elsewhere are not the car's");
-      await page.focus("#stage");
-      await page.keyboard.press("Escape");
-      await page.waitForSelector("#drive", { state: "hidden" });
-      assert.equal(await page.evaluate(() => document.activeElement?.id), "your-turn");
-      assert.ok(await page.locator("#transport").isVisible());
-    });
-  });
+test("arrows and letters drive while the stage has the focus; numbers say how; Escape leaves", () => onPausedPage(async (page) => {
+  await drive(page);
+  assert.equal(await page.evaluate(() => document.activeElement?.id), "stage");
+  assert.deepEqual([(await dash(page)).pose, (await dash(page)).v], [[0.3, 0.5, 0], 0]);
+  // Less motion is asked for: time goes by with each key alone.
+  await press(page, "ArrowUp", "w", "ArrowLeft", "c");
+  const { v, phi, steps } = await dash(page);
+  assert.deepEqual([v, phi, steps], [0.2, Math.PI / 12, 100]);
+  await press(page, "d", "s", "ArrowDown", "ArrowDown", "ArrowRight", "a");
+  const back = await dash(page);
+  assert.ok(Math.abs(back.v + 0.1) < 1e-12 && back.phi === 0);
+  assert.match(await page.innerText("#drive dl"), /v\s+−0\.10 m\/s\s+φ\s+0°\s+x\s+0\.\d{3} m/);
+  await page.focus("#planner");
+  await page.keyboard.press("w");
+  assert.equal((await dash(page)).keys, back.keys, "keys elsewhere are not the car's");
+  await page.focus("#stage");
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("#drive", { state: "hidden" });
+  assert.equal(await page.evaluate(() => document.activeElement?.id), "your-turn");
+  assert.ok(await page.isVisible("#transport"));
+}));
 
-  test("it stops at an obstacle, says at which and marks it; it backs off again", async () => {
-    await onPausedPage(async (page) => {
-      await drive(page);
-      await press(page, ...Array.from({ length: 22 }, () => "w"));
-      const stopped = await dash(page);
-      assert.deepEqual([stopped.blocked, stopped.v], ["1", 0]);
-      assert.ok(stopped.pose[0] > 1.24 && stopped.pose[0] < 1.25, `${stopped.pose}`);
-      assert.match(await page.innerText("#story"), /Stopped: obstacle 1 is in the way/);
-      assert.equal(await page.getAttribute("#story", "data-tone"), "bad");
-      await page.waitForFunction(() => /obstacle 1/.test(document.getElementById("announcer")?.textContent ?? ""));
-      assert.ok((await pixelsOf(page, "workspace", "top", "collision")) > 60);
-      await press(page, "s", "s");
-      const { blocked, pose } = await dash(page);
-      assert.equal(blocked, "");
-      assert.ok(pose[0] < stopped.pose[0]);
-    });
-  });
+test("it stops at an obstacle, says at which and marks it; axe finds nothing, and it backs off again", () => onPausedPage(async (page) => {
+  await drive(page);
+  await press(page, ...Array.from({ length: 22 }, () => "w"));
+  const stopped = await dash(page);
+  assert.deepEqual([stopped.blocked, stopped.v], ["1", 0]);
+  assert.ok(stopped.pose[0] > 1.24 && stopped.pose[0] < 1.25, `${stopped.pose}`);
+  assert.match(await page.innerText("#story"), /Stopped: obstacle 1 is in the way/);
+  assert.equal(await page.getAttribute("#story", "data-tone"), "bad");
+  await textMatches(page, "#announcer", /obstacle 1/);
+  assert.ok((await pixelsOf(page, "workspace", "top", "collision")) > 60);
+  await page.click("#drive .more summary");
+  await assertFaultless(page, "driving");
+  await page.focus("#stage");
+  await press(page, "s", "s");
+  const { blocked, pose } = await dash(page);
+  assert.equal(blocked, "");
+  assert.ok(pose[0] < stopped.pose[0]);
+}));
 
-  test("in its own time it drives on, can be paused, and goes on", async () => {
-    await onPage({}, async (page) => {
-      await page.waitForSelector("#counters[data-status=running]", { state: "attached" });
-      await drive(page);
-      await press(page, "w", "w");
-      await page.waitForFunction(() => Number(document.getElementById("drive")?.dataset.x) > 0.4);
-      await page.keyboard.press("p");
-      await page.waitForSelector("#drive[data-paused=true]");
-      const { steps } = await dash(page);
-      await page.keyboard.press("c");
-      await page.waitForSelector("#drive[data-paused=false]");
-      await page.waitForFunction((before) => Number(document.getElementById("drive")?.dataset.steps) > before, steps);
-    });
-  });
+test("in its own time it drives on, can be paused, and goes on", () => onPage({}, async (page) => {
+  await page.waitForSelector("#counters[data-status=running]", { state: "attached" });
+  await drive(page);
+  await press(page, "w", "w");
+  await page.waitForFunction(() => Number(document.getElementById("drive")?.dataset.x) > 0.4);
+  await page.keyboard.press("p");
+  await page.waitForSelector("#drive[data-paused=true]");
+  const { steps } = await dash(page);
+  await page.keyboard.press("c");
+  await page.waitForSelector("#drive[data-paused=false]");
+  await page.waitForFunction((before) => Number(document.getElementById("drive")?.dataset.steps) > before, steps);
+}));
 
-  test("it ends at the goal with a word", async () => {
-    await onPausedPage(async (page) => {
-      await drive(page);
-      await press(page, "w", "w");
-      while ((await dash(page)).pose[0] < 0.84) await press(page, "c");
-      await press(page, "s", "s");
-      await page.waitForSelector("#drive[data-arrived=true]");
-      assert.match(await page.innerText("#story"), /You reached the goal after \d+\.\d s and \d+ keys\./);
-    });
-  });
+test("at the goal it says so; another scene ends the drive and leaves nothing behind", () => onPausedPage(async (page) => {
+  await drive(page);
+  await press(page, "w", "w");
+  while ((await dash(page)).pose[0] < 0.84) await press(page, "c");
+  await press(page, "s", "s");
+  await page.waitForSelector("#drive[data-arrived=true]");
+  assert.match(await page.innerText("#story"), /You reached the goal after \d+\.\d s and \d+ keys\./);
+  await chooseScene(page, "open");
+  await page.waitForSelector("#drive", { state: "hidden" });
+  assert.equal(await page.textContent("#your-turn"), "Your turn");
+}));
 
-  test("what was driven is driven again to the same place, and so is a record that was kept; another one is refused", async () => {
-    await onPausedPage(async (page) => {
-      await drive(page);
-      await press(page, "w", "w", "ArrowLeft", "c", "ArrowRight", "c");
-      const first = await dash(page);
-      await page.click("#drive-replay");
-      await page.waitForFunction(() => /^Replaying|was replayed/.test(document.getElementById("announcer")?.textContent ?? ""));
-      assert.deepEqual(await dash(page), first);
-      await page.click("#drive .more summary");
-      const [download] = await Promise.all([page.waitForEvent("download"), page.click("#drive-save")]);
-      const record = JSON.parse(readFileSync(await download.path(), "utf8"));
-      assert.deepEqual([record.format, record.scenario, record.steps, record.pose], ["planarium-drive-1", "road", first.steps, first.pose]);
-      const direct = Scenario.parse(/** @type {import("planarium").ScenarioDocument} */ (ROAD)).drive();
-      assert.deepEqual(direct.replay(record.record, record.steps).pose, first.pose);
-      await page.click("#drive-anew");
-      await page.waitForSelector("#drive[data-keys='0']");
-      const file = (/** @type {object} */ content) => page.setInputFiles("#drive-file", { name: "x.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(content)) });
-      await file(record);
-      await page.waitForSelector(`#drive[data-keys='${first.keys}']`);
-      assert.deepEqual(await dash(page), first);
-      await file({ ...record, record: [{ step: 0, key: "jump" }] });
-      await page.waitForSelector("#notice[data-pointer='/record/0/key']");
-      await file({ ...record, scenario: "elsewhere" });
-      await page.waitForFunction(() => /recorded in the scene "elsewhere"/.test(document.getElementById("notice")?.textContent ?? ""));
-    });
-  });
+test("a drive is replayed to the same place, and so is its file; another one is refused", () => onPausedPage(async (page) => {
+  await drive(page);
+  await press(page, "w", "w", "ArrowLeft", "c", "ArrowRight", "c");
+  const first = await dash(page);
+  await page.click("#drive-replay");
+  await textMatches(page, "#announcer", /^Replaying|was replayed/);
+  assert.deepEqual(await dash(page), first);
+  await page.click("#drive .more summary");
+  const record = JSON.parse((await download(page, "#drive-save")).text);
+  assert.deepEqual([record.format, record.scenario, record.steps, record.pose], ["planarium-drive-1", "road", first.steps, first.pose]);
+  const direct = Scenario.parse(/** @type {import("planarium").ScenarioDocument} */ (ROAD)).drive();
+  assert.deepEqual(direct.replay(record.record, record.steps).pose, first.pose);
+  await page.click("#drive-anew");
+  await page.waitForSelector("#drive[data-keys='0']");
+  const file = (/** @type {object} */ content) => pickFile(page, "x.json", JSON.stringify(content), "#drive-file");
+  await file(record);
+  await page.waitForSelector(`#drive[data-keys='${first.keys}']`);
+  assert.deepEqual(await dash(page), first);
+  await file({ ...record, record: [{ step: 0, key: "jump" }] });
+  await page.waitForSelector("#notice[data-pointer='/record/0/key']");
+  await file({ ...record, scenario: "elsewhere" });
+  await textMatches(page, "#notice", /recorded in the scene "elsewhere"/);
+}));
 
-  test("a form shows where one control leads, and refuses what the car cannot do", async () => {
-    await onPausedPage(async (page) => {
-      await drive(page);
-      await page.click("#drive .more summary");
-      await page.fill("#roll-v", "0.5");
-      await page.fill("#roll-phi", "0");
-      await page.fill("#roll-duration", "10");
-      await page.click("#drive .roll button");
-      await page.waitForFunction(() => /Free for 1\.\d\d s; then obstacle 1 is in the way/.test(document.querySelector("#drive .roll .hint")?.textContent ?? ""));
-      await page.fill("#roll-v", "0.7");
-      await page.click("#drive .roll button");
-      await page.waitForFunction(() => /within \[-0\.5, 0\.5\]/.test(document.querySelector("#drive .roll .hint")?.textContent ?? ""));
-      assert.equal(await page.getAttribute("#roll-v", "aria-invalid"), "true");
-    });
-  });
+test("a form shows where one control leads, and refuses what the car cannot do", () => onPausedPage(async (page) => {
+  await drive(page);
+  await page.click("#drive .more summary");
+  await page.fill("#roll-v", "0.5");
+  await page.fill("#roll-phi", "0");
+  await page.fill("#roll-duration", "10");
+  await page.click("#drive .roll button");
+  await textMatches(page, "#drive .roll .hint", /Free for 1\.\d\d s; then obstacle 1 is in the way/);
+  await page.fill("#roll-v", "0.7");
+  await page.click("#drive .roll button");
+  await textMatches(page, "#drive .roll .hint", /within \[-0\.5, 0\.5\]/);
+  assert.equal(await page.getAttribute("#roll-v", "aria-invalid"), "true");
+}));
 
-  test("another scene, or its end, ends the drive and leaves nothing behind", async () => {
-    await onPausedPage(async (page) => {
-      await drive(page);
-      await press(page, "w");
-      await chooseScene(page, "open");
-      await page.waitForSelector("#drive", { state: "hidden" });
-      assert.equal(await page.textContent("#your-turn"), "Your turn");
-      await atRest(page);
-    });
-  });
-});
-
-describe("on a phone, and for everyone", () => {
-  test("buttons are as large as fingers, and do what the keys do", async () => {
-    await onPausedPage(async (page) => {
-      await drive(page);
-      for (const button of await page.locator("#drive button:visible").all()) {
-        const box = await button.boundingBox();
-        assert.ok(box && box.width >= 44 && box.height >= 44, `${await button.innerText()} ${box?.width} x ${box?.height}`);
-      }
-      for (const key of ["faster", "faster", "left", "slower", "right", "keep"]) await page.tap(`#drive-${key}`);
-      await page.waitForSelector("#drive[data-keys='6']");
-      const { v, phi, steps } = await dash(page);
-      assert.deepEqual([v, phi, steps], [0.1, 0, 150]);
-      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing sticks out");
-    }, PHONE);
-  });
-
-  test("axe finds nothing while one drives", async () => {
-    await onPausedPage(async (page) => {
-      await drive(page);
-      await press(page, ...Array.from({ length: 22 }, () => "w"));
-      await page.click("#drive .more summary");
-      await assertFaultless(page, "driving");
-    });
-  });
-});
+test("buttons are as large as fingers, and do what the keys do", () => onPausedPage(async (page) => {
+  await drive(page);
+  for (const button of await page.locator("#drive button:visible").all()) {
+    const box = await button.boundingBox();
+    assert.ok(box && box.width >= 44 && box.height >= 44, `${await button.innerText()} ${box?.width} x ${box?.height}`);
+  }
+  for (const key of ["faster", "faster", "left", "slower", "right", "keep"]) await page.tap(`#drive-${key}`);
+  await page.waitForSelector("#drive[data-keys='6']");
+  const { v, phi, steps } = await dash(page);
+  assert.deepEqual([v, phi, steps], [0.1, 0, 150]);
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing sticks out");
+}, PHONE));

@@ -1,18 +1,13 @@
 /** What tests of the editor share: opening it, pointer and finger, what it tells and saves. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { atRest, pickFile } from "./browser.mjs";
+import { download, keys, openScenario } from "./browser.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("../../www/domain/types.js").ScenarioDocument} ScenarioDocument */
 
 /** Opens the editor on a scenario. @param {Page} page @param {ScenarioDocument | null} document   null: on what is there */
 export async function openEditor(page, document) {
-  if (document) {
-    await pickFile(page, "scenario.json", JSON.stringify(document));
-    await page.waitForSelector("body[data-scene=file]");
-    await atRest(page);
-  }
+  if (document) await openScenario(page, document);
   await page.click("#edit");
   await page.waitForSelector("#editor[data-tool=select]", { state: "attached" });
 }
@@ -42,16 +37,29 @@ export async function plane(page, box) {
   ]);
 }
 
-/** A drag with the mouse along points in pixels. @param {Page} page @param {[number, number][]} points */
-export async function drag(page, points) {
+/** Presses keys, and waits until the editor tells a value. @param {Page} page @param {string[]} names @param {string} name @param {string | number} value */
+export async function press(page, names, name, value) {
+  await keys(page, ...names);
+  await until(page, name, value);
+}
+
+/** Types a value into a field and presses Enter. @param {Page} page @param {string} selector @param {string} value */
+export async function enter(page, selector, value) {
+  await page.fill(selector, value);
+  await page.press(selector, "Enter");
+}
+
+/** A drag with the mouse along points in pixels; in the editor, until there are so many edits. @param {Page} page @param {[number, number][]} points @param {number} [edits] */
+export async function drag(page, points, edits) {
   await page.mouse.move(...points[0]);
   await page.mouse.down();
   for (const point of points.slice(1)) await page.mouse.move(...point, { steps: 4 });
   await page.mouse.up();
+  if (edits !== undefined) await until(page, "undo", edits);
 }
 
-/** The same with a finger, which rests before it is lifted: else the browser takes the next tap for the end of a fling. @param {Page} page @param {[number, number][]} points */
-export async function swipe(page, points) {
+/** The same with a finger, which rests before it is lifted: else the browser takes the next tap for the end of a fling. @param {Page} page @param {[number, number][]} points @param {number} [edits] */
+export async function swipe(page, points, edits) {
   const session = await page.context().newCDPSession(page);
   let timestamp = Date.now() / 1000 - 1;
   const send = (/** @type {"touchStart" | "touchMove" | "touchEnd"} */ type, /** @type {[number, number][]} */ at) =>
@@ -64,13 +72,13 @@ export async function swipe(page, points) {
   timestamp += 0.5;
   await send("touchEnd", []);
   await session.detach();
+  if (edits !== undefined) await until(page, "undo", edits);
 }
 
 /** The document as it is saved. @param {Page} page @returns {Promise<{ text: string, document: ScenarioDocument, name: string }>} */
 export async function saved(page) {
-  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#edit-save")]);
-  const text = readFileSync(await download.path(), "utf8");
-  return { text, document: JSON.parse(text), name: download.suggestedFilename() };
+  const { text, name } = await download(page, "#edit-save");
+  return { text, document: JSON.parse(text), name };
 }
 
 /** @param {number} value @param {number} wanted @param {number} [within] */

@@ -24,6 +24,11 @@ function differenceOf(rgba, rgb) {
   return { most, mean: sum / rgb.length };
 }
 
+/** Frames come back exactly. @param {Uint8ClampedArray[]} frames @param {{ rgb: Uint8Array }[]} out @param {string} [what] */
+function assertExact(frames, out, what = "") {
+  frames.forEach((rgba, i) => assert.equal(differenceOf(rgba, out[i].rgb).most, 0, `${what} frame ${i}`));
+}
+
 /** Writes frames and reads them again. @param {number} width @param {number} height @param {Uint8ClampedArray[]} frames @param {Uint8Array} [palette] */
 function played(width, height, frames, palette) {
   const writer = new GifWriter(width, height, palette);
@@ -44,7 +49,7 @@ test("frames of few colours come back exactly, whatever their size", () => {
       const first = frameOf(width, height, (x, y) => table[(y * width + x) % colours]);
       const frames = [first, ...[0.02, 0.3, 1].map((share) => frameOf(width, height, (x, y) => table[(random.chance(share) ? random.below(Math.min(colours, width * height)) : y * width + x) % Math.min(colours, width * height)]))];
       const { frames: out } = played(width, height, frames);
-      frames.forEach((rgba, i) => assert.equal(differenceOf(rgba, out[i].rgb).most, 0, `${width} x ${height}, ${colours} colours, frame ${i}`));
+      assertExact(frames, out, `${width} x ${height}, ${colours} colours,`);
     }
   }
 });
@@ -55,7 +60,7 @@ test("noise fills the table of codes many times, and still comes back", () => {
     const palette = Uint8Array.from({ length: 3 * colours }, (_, i) => (i % 3 === 0 ? Math.floor(i / 3) : 255 - Math.floor(i / 3)));
     const frames = Array.from({ length: 3 }, () => frameOf(160, 160, () => { const i = random.below(colours); return [i, 255 - i, 255 - i]; }));
     const { frames: out } = played(160, 160, frames, palette);
-    frames.forEach((rgba, i) => assert.equal(differenceOf(rgba, out[i].rgb).most, 0, `${colours} colours, frame ${i}`));
+    assertExact(frames, out, `${colours} colours,`);
     assert.ok(out[0].clears > (colours > 4 ? 3 : 0), `${colours} colours: ${out[0].clears} tables`);
   }
 });
@@ -75,7 +80,7 @@ test("a long plain picture is small, and so is a dot that moves over it", () => 
   const dot = (/** @type {number} */ at) => frameOf(300, 200, (x, y) => (Math.hypot(x - at, y - 100) < 6 ? [200, 30, 30] : (x + y) % 40 === 0 ? [180, 180, 190] : [250, 250, 252]));
   const frames = Array.from({ length: 40 }, (_, i) => dot(20 + 6 * i));
   const { bytes, frames: out } = played(300, 200, frames);
-  frames.forEach((rgba, i) => assert.equal(differenceOf(rgba, out[i].rgb).most, 0));
+  assertExact(frames, out);
   for (const { box } of out.slice(1)) assert.ok(box.width <= 18 && box.height <= 12, JSON.stringify(box));
   assert.ok(bytes.length < 12000, String(bytes.length));
 });
@@ -92,7 +97,7 @@ test("a whole palette leaves no colour to be transparent, and needs none", () =>
   const frames = [0, 1, 2].map((shift) => frameOf(32, 16, (x, y) => Array(3).fill((x + 32 * y * (shift ? 1 : 2) + shift) % 256)));
   const { frames: out, colours } = played(32, 16, frames, palette);
   assert.deepEqual(colours, palette);
-  frames.forEach((rgba, i) => assert.equal(differenceOf(rgba, out[i].rgb).most, 0));
+  assertExact(frames, out);
 });
 
 test("delays are rounded so that their sum stays right", () => {
@@ -134,7 +139,7 @@ test("a palette is made from several frames, and is exact where they have few co
   const palette = paletteOf(frames, 16);
   assert.equal(palette.length, 48);
   const { frames: out } = played(8, 8, frames, palette);
-  frames.forEach((rgba, i) => assert.equal(differenceOf(rgba, out[i].rgb).most, 0));
+  assertExact(frames, out);
   for (const most of [2, 3, 7, 16, 256]) {
     const random = seeded(most);
     const noise = frameOf(50, 50, () => [random.below(256), random.below(256), random.below(256)]);

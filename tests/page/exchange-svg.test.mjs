@@ -17,6 +17,14 @@ function drawn(draw, options) {
 /** @param {(context: SvgContext) => void} draw */
 const paths = (draw) => allOf(drawn(draw), "path").map(({ attributes }) => attributes);
 
+/** Draws a line. @param {SvgContext} context @param {[number, number]} from @param {[number, number]} to */
+function stroke(context, from, to) {
+  context.beginPath();
+  context.moveTo(...from);
+  context.lineTo(...to);
+  context.stroke();
+}
+
 /**
  * Points along a path, some in each piece; arcs by the formulas of SVG's own appendix (from ends to centre).
  * @param {string} d @returns {[number, number][]}
@@ -83,17 +91,6 @@ test("lines, rectangles and closed paths lie where they were put", () => {
   assert.deepEqual([fill.d, fill.fill, fill.stroke], ["M5 6L12 6L12 14L5 14Z", "#abc", undefined]);
 });
 
-test("rectangles beside the path leave the path as it is", () => {
-  const [, line] = paths((context) => {
-    context.beginPath();
-    context.moveTo(1, 1);
-    context.fillRect(50, 50, 5, 5);
-    context.lineTo(2, 2);
-    context.stroke();
-  });
-  assert.equal(line.d, "M1 1L2 2");
-});
-
 test("arcs go round as on a canvas: whole circles, both directions, any angles", () => {
   const random = seeded(10);
   /** @type {[number, number, boolean][]} */
@@ -145,15 +142,9 @@ test("transforms turn, shift and scale; save and restore keep them and every sty
     context.globalAlpha = 0.5;
     context.setLineDash([1, 2]);
     context.lineCap = "round";
-    context.beginPath();
-    context.moveTo(0, 0);
-    context.lineTo(5, 0);
-    context.stroke();
+    stroke(context, [0, 0], [5, 0]);
     context.restore();
-    context.beginPath();
-    context.moveTo(0, 0);
-    context.lineTo(5, 0);
-    context.stroke();
+    stroke(context, [0, 0], [5, 0]);
     context.restore();
     context.setTransform(2, 0, 0, 2, 20, 10);
     context.lineWidth = 3;
@@ -172,28 +163,12 @@ test("transforms turn, shift and scale; save and restore keep them and every sty
   }
 });
 
-test("a path keeps the transform of when it was made", () => {
-  const [{ d }] = paths((context) => {
-    context.save();
-    context.translate(10, 0);
-    context.beginPath();
-    context.moveTo(1, 1);
-    context.restore();
-    context.lineTo(1, 1);
-    context.stroke();
-  });
-  assert.equal(d, "M11 1L1 1");
-});
-
 test("strokes of one style become one element, unless something shows through", () => {
   const strokes = (/** @type {string} */ colour, /** @type {number} */ alpha) => paths((context) => {
     context.strokeStyle = colour;
     context.globalAlpha = alpha;
     for (let i = 0; i < 5; i++) {
-      context.beginPath();
-      context.moveTo(i, 0);
-      context.lineTo(i, 9);
-      context.stroke();
+      stroke(context, [i, 0], [i, 9]);
     }
   });
   assert.deepEqual(strokes("#123456", 1).map(({ d }) => d), ["M0 0L0 9M1 0L1 9M2 0L2 9M3 0L3 9M4 0L4 9"]);
@@ -206,10 +181,7 @@ test("strokes of one style become one element, unless something shows through", 
   const mixed = paths((context) => {
     for (const colour of ["red", "blue", "red"]) {
       context.strokeStyle = colour;
-      context.beginPath();
-      context.moveTo(0, 0);
-      context.lineTo(9, 9);
-      context.stroke();
+      stroke(context, [0, 0], [9, 9]);
     }
   });
   assert.deepEqual(mixed.map(({ stroke }) => stroke), ["red", "blue", "red"], "order is kept");
@@ -331,9 +303,20 @@ test("clearing takes all away, and nothing less can be cleared", () => {
   assert.equal(allOf(root, "path").length, 1);
 });
 
-test("coordinates that are not finite are ignored, as on a canvas", () => {
-  const [{ d }] = paths((context) => {
-    context.beginPath();
+for (const [what, draw, wanted] of /** @type {[string, (context: SvgContext) => void, string][]} */ ([
+  ["rectangles beside the path leave the path as it is", (context) => {
+    context.moveTo(1, 1);
+    context.fillRect(50, 50, 5, 5);
+    context.lineTo(2, 2);
+  }, "M1 1L2 2"],
+  ["a path keeps the transform of when it was made", (context) => {
+    context.save();
+    context.translate(10, 0);
+    context.moveTo(1, 1);
+    context.restore();
+    context.lineTo(1, 1);
+  }, "M11 1L1 1"],
+  ["coordinates that are not finite are ignored, as on a canvas", (context) => {
     context.moveTo(NaN, 0);
     context.lineTo(1, 2);
     context.lineTo(Infinity, 2);
@@ -342,22 +325,25 @@ test("coordinates that are not finite are ignored, as on a canvas", () => {
     context.arc(1, 2, 3, NaN, 7);
     context.rect(0, 0, NaN, 9);
     context.lineTo(3, 4);
-    context.stroke();
+  }, "M1 2L3 4"],
+])) {
+  test(what, () => {
+    const drawn = paths((context) => {
+      context.beginPath();
+      draw(context);
+      context.stroke();
+    });
+    assert.equal(drawn[drawn.length - 1].d, wanted);
   });
-  assert.equal(d, "M1 2L3 4");
-});
+}
 
 test("ten thousand faint edges stay a figure of a reasonable size", () => {
   const random = seeded(11);
   const context = new SvgContext(800, 600);
   context.globalAlpha = 0.42;
   context.lineCap = "round";
-  for (let i = 0; i < 10000; i++) {
-    context.beginPath();
-    context.moveTo(800 * random.next(), 600 * random.next());
-    context.lineTo(800 * random.next(), 600 * random.next());
-    context.stroke();
-  }
+  const point = () => /** @type {[number, number]} */ ([800 * random.next(), 600 * random.next()]);
+  for (let i = 0; i < 10000; i++) stroke(context, point(), point());
   const text = context.toString({ background: "white" });
   assert.ok(text.length < 50 * 10000, String(text.length));
   assert.equal(allOf(readXml(text), "path").length, 10000);

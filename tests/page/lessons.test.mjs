@@ -1,11 +1,11 @@
 /** The guided lessons: every step plays, and what it says is so. */
 import assert from "node:assert/strict";
 import { namesOfDocuments } from "../../www/domain/option-names.js";
-import { describe, test } from "node:test";
+import { test } from "node:test";
 import { Scenario, planners } from "planarium";
 import { LESSONS, beginningOf, stageAt } from "../../www/planner/lessons/script.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
-import { isFree, open, pieces, ran, sceneOf } from "./library.mjs";
+import { isFree, open, pieces, ran, sceneOf, touchedBy } from "./library.mjs";
 
 /** @typedef {ReturnType<typeof ran> & { scenario: Scenario }} Played */
 
@@ -69,27 +69,25 @@ test("a step asks where the step before rests, if the run is the same, else at i
   assert.deepEqual(pull.steps.map((_, i) => beginningOf(pull, i)), [0, 40, 120, 0, 0]);
 });
 
-describe("sampling", () => {
-  test("at iteration 200 some samples are rejected and the others are vertices, with no edge yet", () => {
-    const run = shown("sampling", 2);
-    const rejected = run.events.filter(([kind]) => kind === 0).length;
-    assert.ok(rejected > 50 && run.vertices.length > 50 && run.edges.length === 0, `${rejected} ${run.vertices.length}`);
-    assert.equal(rejected + run.vertices.length - 2, 200);
-  });
+test("at iteration 200 some samples are rejected and the others are vertices, with no edge yet", () => {
+  const run = shown("sampling", 2);
+  const rejected = run.events.filter(([kind]) => kind === 0).length;
+  assert.ok(rejected > 50 && run.vertices.length > 50 && run.edges.length === 0, `${rejected} ${run.vertices.length}`);
+  assert.equal(rejected + run.vertices.length - 2, 200);
+});
 
-  test("40 samples leave start and goal apart, 260 join them", () => {
-    const few = shown("sampling", 3);
-    assert.equal(few.status, "exhausted");
-    assert.ok(count(few) > 1 && !isJoined(few));
-    assert.equal(shown("sampling", 4).status, "solved");
-  });
+test("40 samples leave start and goal apart, 260 join them", () => {
+  const few = shown("sampling", 3);
+  assert.equal(few.status, "exhausted");
+  assert.ok(count(few) > 1 && !isJoined(few));
+  assert.equal(shown("sampling", 4).status, "solved");
+});
 
-  test("Halton samples have fewer clumps and smaller holes", () => {
-    const even = evenness(shown("sampling", 5));
-    const chance = evenness(shown("sampling", 4));
-    assert.ok(even.clumps < 0.8 * chance.clumps, `${even.clumps} ${chance.clumps}`);
-    assert.ok(even.hole < 0.95 * chance.hole, `${even.hole} ${chance.hole}`);
-  });
+test("Halton samples have fewer clumps and smaller holes", () => {
+  const even = evenness(shown("sampling", 5));
+  const chance = evenness(shown("sampling", 4));
+  assert.ok(even.clumps < 0.8 * chance.clumps, `${even.clumps} ${chance.clumps}`);
+  assert.ok(even.hole < 0.95 * chance.hole, `${even.hole} ${chance.hole}`);
 });
 
 /** How many vertices have another one close by, and how far a free pose may be from all. @param {Played} run */
@@ -107,158 +105,140 @@ function evenness({ scenario, vertices }) {
   return { clumps, hole };
 }
 
-describe("neighbours", () => {
-  test("one neighbour leaves dozens of pieces, four few, and no path either way", () => {
-    const [one, four] = [shown("neighbours", 1), shown("neighbours", 2)];
-    assert.ok(count(one) >= 36 && count(four) > 1 && count(four) < 12, `${count(one)} ${count(four)}`);
-    for (const run of [one, four]) assert.ok(run.status === "exhausted" && !isJoined(run));
-  });
-
-  test("nine find a path; thirty find one hardly shorter for three times the motions", () => {
-    const [nine, thirty] = [shown("neighbours", 3), shown("neighbours", 4)];
-    assert.deepEqual([nine.status, thirty.status], ["solved", "solved"]);
-    assert.ok(thirty.result.length < nine.result.length && thirty.result.length > 0.97 * nine.result.length);
-    const ratio = thirty.result.stats.motion_checks / nine.result.stats.motion_checks;
-    assert.ok(ratio > 2.8 && ratio < 3.5, `${ratio}`);
-  });
-
-  test("PRM* takes 23, and more where there are more samples", () => {
-    const star = shown("neighbours", 5);
-    const { settings } = sceneOf("stones");
-    assert.deepEqual(star.edges, ran(star.scenario, "prm", { ...settings, k: 23 }).edges);
-    assert.notDeepEqual(star.edges, ran(star.scenario, "prm", { ...settings, k: 22 }).edges);
-    const more = ran(star.scenario, "prm-star", { samples: 2000, seed: 0 });
-    assert.ok(more.result.stats.motion_checks / more.vertices.length > star.result.stats.motion_checks / star.vertices.length);
-  });
+test("one neighbour leaves dozens of pieces, four few, and no path either way", () => {
+  const [one, four] = [shown("neighbours", 1), shown("neighbours", 2)];
+  assert.ok(count(one) >= 36 && count(four) > 1 && count(four) < 12, `${count(one)} ${count(four)}`);
+  for (const run of [one, four]) assert.ok(run.status === "exhausted" && !isJoined(run));
 });
 
-describe("edges", () => {
-  test("three and five places miss the wall; twenty see it, but with another seed not every disc; proofs miss nothing", () => {
-    /** @type {[at: number, touched: number[]][]} */
-    const expected = [[1, [0]], [2, [0]], [3, []], [4, [1]], [5, []]];
-    for (const [at, touched] of expected) {
-      const { scenario, status, path } = shown("edges", at);
-      assert.equal(status, "solved");
-      assert.equal(isFree(scenario, path), touched.length === 0, `step ${at}`);
-      const found = new Set();
-      for (let i = 1; i < path.length; i++) {
-        for (let t = 0; t <= 1; t += 0.001) {
-          for (const { obstacle } of scenario.check(scenario.interpolate(path[i - 1], path[i], t)).touching) found.add(obstacle);
-        }
-      }
-      assert.deepEqual([...found], touched, `step ${at}`);
-      const isBack = path.some((q) => Math.abs(q[0]) > 2.3);
-      assert.equal(isBack, at >= 3, `step ${at}: round the back the first link points backwards on the way`);
-    }
-    assert.deepEqual(open(sceneOf("veil")).document().world.obstacles.map(({ type }) => type), ["polygon", "disc", "disc"]);
-  });
-
-  test("proven, no seed goes through", () => {
-    for (let seed = 0; seed < 60; seed++) {
-      const scenario = open(sceneOf("veil"));
-      const run = ran(scenario, "prm", { ...sceneOf("veil").settings, edge_check: "proven", seed });
-      assert.ok(run.status === "solved" && isFree(scenario, run.path), `${seed}`);
-    }
-  });
+test("nine find a path; thirty find one hardly shorter for three times the motions", () => {
+  const [nine, thirty] = [shown("neighbours", 3), shown("neighbours", 4)];
+  assert.deepEqual([nine.status, thirty.status], ["solved", "solved"]);
+  assert.ok(thirty.result.length < nine.result.length && thirty.result.length > 0.97 * nine.result.length);
+  const ratio = thirty.result.stats.motion_checks / nine.result.stats.motion_checks;
+  assert.ok(ratio > 2.8 && ratio < 3.5, `${ratio}`);
 });
 
-describe("passage", () => {
-  /** Vertices within the wall's thickness. @param {Played} run */
-  const inside = ({ vertices }) => vertices.filter(([x]) => x > 0.85 && x < 1.15).length;
-
-  test("this seed finds the passage, another does not, many samples do, and so do Gaussian ones", () => {
-    const [first, other, many, gaussian] = [1, 2, 3, 4].map((at) => shown("passage", at));
-    assert.deepEqual([first, other, many, gaussian].map(({ status }) => status), ["solved", "exhausted", "solved", "solved"]);
-    assert.ok(inside(first) > 0 && inside(first) < 0.02 * first.vertices.length);
-    assert.equal(count(other), 2);
-    assert.ok(inside(many) < 0.02 * many.vertices.length);
-    assert.equal(gaussian.vertices.length, other.vertices.length);
-    assert.ok(inside(gaussian) > inside(other), `${inside(gaussian)} and ${inside(other)} in the passage`);
-  });
-
-  test("two trees need a few dozen iterations", () => {
-    const { status, iterations } = shown("passage", 5);
-    assert.ok(status === "solved" && iterations > 24 && iterations < 100, `${iterations}`);
-  });
+test("PRM* takes 23, and more where there are more samples", () => {
+  const star = shown("neighbours", 5);
+  const { settings } = sceneOf("stones");
+  assert.deepEqual(star.edges, ran(star.scenario, "prm", { ...settings, k: 23 }).edges);
+  assert.notDeepEqual(star.edges, ran(star.scenario, "prm", { ...settings, k: 22 }).edges);
+  const more = ran(star.scenario, "prm-star", { samples: 2000, seed: 0 });
+  assert.ok(more.result.stats.motion_checks / more.vertices.length > star.result.stats.motion_checks / star.vertices.length);
 });
 
-describe("pull", () => {
-  test("at a third of its vertices the tree spans the room; later steps are shorter", () => {
-    const run = shown("pull", 3);
-    const early = shown("pull", 2).vertices.filter((_, i) => i !== 1);
-    assert.ok(early.length < 0.4 * run.vertices.length);
-    [3.2, 2].forEach((side, i) => {
-      const span = Math.max(...early.map((q) => q[i])) - Math.min(...early.map((q) => q[i]));
-      assert.ok(span > 0.8 * side, `${span} of ${side}`);
-    });
-    const mean = (/** @type {number[][]} */ edges) => edges.reduce((sum, [a, b]) => sum + run.scenario.distance(run.vertices[a], run.vertices[b]), 0) / edges.length;
-    assert.ok(mean(run.edges.slice(-80)) < 0.75 * mean(run.edges.slice(0, 80)));
-  });
-
-  test("a vertex beside more empty room is the nearest more often", () => {
-    const { scenario, vertices } = shown("pull", 1);
-    const tree = vertices.filter((_, i) => i !== 1);
-    // The share of the room that is nearest to each vertex, and how far the tree's other vertices are.
-    const share = tree.map(() => 0);
-    for (let x = 0.07; x < 3.15; x += 0.02) {
-      for (let y = 0.07; y < 1.95; y += 0.02) {
-        let best = 0;
-        tree.forEach((q, i) => { if (scenario.distance(q, [x, y]) < scenario.distance(tree[best], [x, y])) best = i; });
-        share[best]++;
-      }
-    }
-    const order = tree.map((_, i) => i).sort((a, b) => share[b] - share[a]);
-    const total = share.reduce((sum, value) => sum + value, 0);
-    const few = Math.round(tree.length / 4);
-    assert.ok(order.slice(0, few).reduce((sum, i) => sum + share[i], 0) > 0.6 * total, "a quarter of the vertices draws most samples");
-    const out = (/** @type {number[]} */ [x, y]) => Math.hypot(x - 1.6, y - 1);
-    const mean = (/** @type {number[]} */ some) => some.reduce((sum, i) => sum + out(tree[i]), 0) / some.length;
-    assert.ok(mean(order.slice(0, few)) > 1.2 * mean(order.slice(few)), "and it is the outer quarter");
-  });
-
-  test("goal bias saves nine vertices in ten in the open, and costs twice the time in a trap", () => {
-    const ratio = shown("pull", 4).vertices.length / shown("pull", 3).vertices.length;
-    assert.ok(ratio > 0.07 && ratio < 0.14, `${ratio}`);
-    const hasty = shown("pull", 5);
-    const { scenario } = hasty;
-    const calm = ran(scenario, "rrt", { ...sceneOf("trap").settings, goal_bias: 0.05 });
-    assert.ok(hasty.status === "solved" && calm.status === "solved");
-    assert.ok(hasty.iterations / calm.iterations > 2, `${hasty.iterations} ${calm.iterations}`);
-  });
+test("three and five places miss the wall; twenty see it, but with another seed not every disc; proofs miss nothing", () => {
+  /** @type {[at: number, touched: number[]][]} */
+  const expected = [[1, [0]], [2, [0]], [3, []], [4, [1]], [5, []]];
+  for (const [at, touched] of expected) {
+    const { scenario, status, path } = shown("edges", at);
+    assert.equal(status, "solved");
+    assert.equal(isFree(scenario, path), touched.length === 0, `step ${at}`);
+    assert.deepEqual(touchedBy(scenario, path), touched, `step ${at}`);
+    const isBack = path.some((q) => Math.abs(q[0]) > 2.3);
+    assert.equal(isBack, at >= 3, `step ${at}: round the back the first link points backwards on the way`);
+  }
+  assert.deepEqual(open(sceneOf("veil")).document().world.obstacles.map(({ type }) => type), ["polygon", "disc", "disc"]);
 });
 
-describe("trees", () => {
-  test("the numbers of iterations are as the steps say", () => {
-    const runs = [1, 2, 3, 4, 5].map((at) => shown("trees", at));
-    assert.ok(runs.every(({ status }) => status === "solved"));
-    const [one, two, deep, both, trap] = runs.map(({ iterations }) => iterations);
-    assert.deepEqual([one, two, both], [1608, 146, 172]);
-    assert.ok(deep > 12_000 && deep < 12_500, `${deep}`);
-    assert.ok(runs[1].result.length < runs[0].result.length);
-    const alone = ran(open(sceneOf("trap")), "rrt", sceneOf("trap").settings).iterations;
-    assert.ok(alone / trap > 1.8 && alone / trap < 2.2, `${alone} ${trap}`);
-  });
+test("proven, no seed goes through", () => {
+  for (let seed = 0; seed < 60; seed++) {
+    const scenario = open(sceneOf("veil"));
+    const run = ran(scenario, "prm", { ...sceneOf("veil").settings, edge_check: "proven", seed });
+    assert.ok(run.status === "solved" && isFree(scenario, run.path), `${seed}`);
+  }
 });
 
-describe("wheels", () => {
-  test("with a reverse gear the car gets round, without it does not, within ten times as much room to try", () => {
-    assert.equal(shown("wheels", 1).status, "solved");
-    const forward = shown("wheels", 2);
-    assert.deepEqual([forward.status, forward.iterations], ["exhausted", 250]);
-    for (let seed = 0; seed < 4; seed++) {
-      const { status } = ran(open(sceneOf("turn")), "rrt", { ...sceneOf("turn").settings, steering: "dubins", seed, max_iterations: 2500 });
-      assert.equal(status, "exhausted", `seed ${seed}`);
-    }
-  });
+/** Vertices within the wall's thickness. @param {Played} run */
+const inside = ({ vertices }) => vertices.filter(([x]) => x > 0.85 && x < 1.15).length;
 
-  test("three controls per extension need the fewest iterations, five give the shorter path of the two; the settings are those of the presets", () => {
-    const [one, three, five] = [3, 4, 5].map((at) => shown("wheels", at));
-    assert.deepEqual([one, three, five].map(({ status, iterations }) => [status, iterations]), [["solved", 1916], ["solved", 354], ["solved", 1073]]);
-    assert.ok(five.result.length < three.result.length && three.result.length < one.result.length);
-    const lesson = LESSONS.find(({ id }) => id === "wheels") ?? assert.fail();
-    const { presets } = planners().find(({ id }) => id === "rrt-control") ?? assert.fail();
-    for (const [at, id] of /** @type {[number, string][]} */ ([[2, "blossom-1"], [3, "blossom-3"], [4, "blossom-5"]])) {
-      assert.deepEqual(stageAt(lesson, at).settings, { ...namesOfDocuments(presets.find((preset) => preset.id === id)?.settings ?? {}), seed: 1 });
-    }
+test("this seed finds the passage, another does not, many samples do, and so do Gaussian ones", () => {
+  const [first, other, many, gaussian] = [1, 2, 3, 4].map((at) => shown("passage", at));
+  assert.deepEqual([first, other, many, gaussian].map(({ status }) => status), ["solved", "exhausted", "solved", "solved"]);
+  assert.ok(inside(first) > 0 && inside(first) < 0.02 * first.vertices.length);
+  assert.equal(count(other), 2);
+  assert.ok(inside(many) < 0.02 * many.vertices.length);
+  assert.equal(gaussian.vertices.length, other.vertices.length);
+  assert.ok(inside(gaussian) > inside(other), `${inside(gaussian)} and ${inside(other)} in the passage`);
+});
+
+test("two trees need a few dozen iterations", () => {
+  const { status, iterations } = shown("passage", 5);
+  assert.ok(status === "solved" && iterations > 24 && iterations < 100, `${iterations}`);
+});
+
+test("at a third of its vertices the tree spans the room; later steps are shorter", () => {
+  const run = shown("pull", 3);
+  const early = shown("pull", 2).vertices.filter((_, i) => i !== 1);
+  assert.ok(early.length < 0.4 * run.vertices.length);
+  [3.2, 2].forEach((side, i) => {
+    const span = Math.max(...early.map((q) => q[i])) - Math.min(...early.map((q) => q[i]));
+    assert.ok(span > 0.8 * side, `${span} of ${side}`);
   });
+  const mean = (/** @type {number[][]} */ edges) => edges.reduce((sum, [a, b]) => sum + run.scenario.distance(run.vertices[a], run.vertices[b]), 0) / edges.length;
+  assert.ok(mean(run.edges.slice(-80)) < 0.75 * mean(run.edges.slice(0, 80)));
+});
+
+test("a vertex beside more empty room is the nearest more often", () => {
+  const { scenario, vertices } = shown("pull", 1);
+  const tree = vertices.filter((_, i) => i !== 1);
+  // The share of the room that is nearest to each vertex, and how far the tree's other vertices are.
+  const share = tree.map(() => 0);
+  for (let x = 0.07; x < 3.15; x += 0.02) {
+    for (let y = 0.07; y < 1.95; y += 0.02) {
+      let best = 0;
+      tree.forEach((q, i) => { if (scenario.distance(q, [x, y]) < scenario.distance(tree[best], [x, y])) best = i; });
+      share[best]++;
+    }
+  }
+  const order = tree.map((_, i) => i).sort((a, b) => share[b] - share[a]);
+  const total = share.reduce((sum, value) => sum + value, 0);
+  const few = Math.round(tree.length / 4);
+  assert.ok(order.slice(0, few).reduce((sum, i) => sum + share[i], 0) > 0.6 * total, "a quarter of the vertices draws most samples");
+  const out = (/** @type {number[]} */ [x, y]) => Math.hypot(x - 1.6, y - 1);
+  const mean = (/** @type {number[]} */ some) => some.reduce((sum, i) => sum + out(tree[i]), 0) / some.length;
+  assert.ok(mean(order.slice(0, few)) > 1.2 * mean(order.slice(few)), "and it is the outer quarter");
+});
+
+test("goal bias saves nine vertices in ten in the open, and costs twice the time in a trap", () => {
+  const ratio = shown("pull", 4).vertices.length / shown("pull", 3).vertices.length;
+  assert.ok(ratio > 0.07 && ratio < 0.14, `${ratio}`);
+  const hasty = shown("pull", 5);
+  const { scenario } = hasty;
+  const calm = ran(scenario, "rrt", { ...sceneOf("trap").settings, goal_bias: 0.05 });
+  assert.ok(hasty.status === "solved" && calm.status === "solved");
+  assert.ok(hasty.iterations / calm.iterations > 2, `${hasty.iterations} ${calm.iterations}`);
+});
+
+test("the numbers of iterations of RRT and two trees are as the steps say", () => {
+  const runs = [1, 2, 3, 4, 5].map((at) => shown("trees", at));
+  assert.ok(runs.every(({ status }) => status === "solved"));
+  const [one, two, deep, both, trap] = runs.map(({ iterations }) => iterations);
+  assert.deepEqual([one, two, both], [1608, 146, 172]);
+  assert.ok(deep > 12_000 && deep < 12_500, `${deep}`);
+  assert.ok(runs[1].result.length < runs[0].result.length);
+  const alone = ran(open(sceneOf("trap")), "rrt", sceneOf("trap").settings).iterations;
+  assert.ok(alone / trap > 1.8 && alone / trap < 2.2, `${alone} ${trap}`);
+});
+
+test("with a reverse gear the car gets round, without it does not, within ten times as much room to try", () => {
+  assert.equal(shown("wheels", 1).status, "solved");
+  const forward = shown("wheels", 2);
+  assert.deepEqual([forward.status, forward.iterations], ["exhausted", 250]);
+  for (let seed = 0; seed < 4; seed++) {
+    const { status } = ran(open(sceneOf("turn")), "rrt", { ...sceneOf("turn").settings, steering: "dubins", seed, max_iterations: 2500 });
+    assert.equal(status, "exhausted", `seed ${seed}`);
+  }
+});
+
+test("three controls need the fewest iterations, five the shorter path; the settings are the presets'", () => {
+  const [one, three, five] = [3, 4, 5].map((at) => shown("wheels", at));
+  assert.deepEqual([one, three, five].map(({ status, iterations }) => [status, iterations]), [["solved", 1916], ["solved", 354], ["solved", 1073]]);
+  assert.ok(five.result.length < three.result.length && three.result.length < one.result.length);
+  const lesson = LESSONS.find(({ id }) => id === "wheels") ?? assert.fail();
+  const { presets } = planners().find(({ id }) => id === "rrt-control") ?? assert.fail();
+  for (const [at, id] of /** @type {[number, string][]} */ ([[2, "blossom-1"], [3, "blossom-3"], [4, "blossom-5"]])) {
+    assert.deepEqual(stageAt(lesson, at).settings, { ...namesOfDocuments(presets.find((preset) => preset.id === id)?.settings ?? {}), seed: 1 });
+  }
 });

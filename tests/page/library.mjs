@@ -19,11 +19,17 @@ export function sceneOf(id) {
 /** The poses that a query names: the start, and the goal unless any will do that reaches a target. @param {import("planarium").Query} query @returns {number[][]} */
 export function endsOf({ start, goal }) { return goal ? [start, goal] : [start]; }
 
+/** The text of a scene that is drawn. @param {string} id */
+export const textOf = (id) => readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8");
+
 /** Its scenario, with sliders where they are put. @param {SceneEntry} entry @param {Record<string, number>} [positions] */
 export function open(entry, positions) {
   if (entry.generate) return Scenario.generate(entry.generate.kind, optionsAt(entry, positions));
-  return Scenario.parse(readFileSync(join(root, "www", "scenes", `${entry.id}.json`), "utf8"));
+  return Scenario.parse(textOf(entry.id));
 }
+
+/** A scenario of the page as it opens. @param {string} id */
+export const load = (id) => open(sceneOf(id));
 
 /**
  * A run to its end, or for so many iterations.
@@ -50,6 +56,17 @@ export function ran(scenario, algorithm, settings, iterations = Infinity) {
 /** Whether every step of a path is proven free. @param {Scenario} scenario @param {number[][]} path */
 export function isFree(scenario, path) {
   return path.every((q, i) => scenario.check(q).free && (i === 0 || scenario.firstHit(path[i - 1], q) === null));
+}
+
+/** The obstacles that a path touches, a thousand looks a step. @param {Scenario} scenario @param {number[][]} path */
+export function touchedBy(scenario, path) {
+  const found = new Set();
+  for (let i = 1; i < path.length; i++) {
+    for (let t = 0; t <= 1; t += 0.001) {
+      for (const { obstacle } of scenario.check(scenario.interpolate(path[i - 1], path[i], t)).touching) found.add(obstacle);
+    }
+  }
+  return [...found];
 }
 
 /** Whether every motion of a car's path is proven free again, one control after the other, and leads to the next waypoint. @param {Scenario} scenario @param {import("planarium").ResultDocument} result */

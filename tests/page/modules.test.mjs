@@ -1,28 +1,25 @@
 /** The page's modules that need no browser. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
 import { test } from "node:test";
-import { Scenario } from "planarium";
+import { documentText } from "../../www/formats/document.js";
+import { History } from "../../www/planner/editor/history.js";
 import { PathPlayback, playbackOf } from "../../www/domain/path-playback.js";
 import { touchingSentence } from "../../www/domain/names.js";
 import { once } from "../../www/app/once.js";
 import { Rows } from "../../www/planner/run-log/rows.js";
 import { PAST, SIDE } from "../../www/planner/run-log/run-log.js";
-import { endsOf } from "./library.mjs";
+import { endsOf, load } from "./library.mjs";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { Glow } from "../../www/planner/stage/glow.js";
 import { Tracer, folded, unrolled, way } from "../../www/draw/trace.js";
 import { View } from "../../www/draw/view.js";
 import { ending, going } from "../../www/planner/story.js";
-import { root } from "./browser.mjs";
-import { LocalRun } from "./runs.mjs";
-
-/** One of the page's scenes. @param {string} id */
-function load(id) {
-  const { generate } = SCENES.find((scene) => scene.id === id) ?? {};
-  return generate ? Scenario.generate(generate.kind, generate.options) : Scenario.parse(readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8"));
-}
+import { nameAll } from "../../www/planner/race/names.js";
+import { leaders, letters } from "../../www/planner/race/standings.js";
+import { thinned } from "../../www/planner/run-log/curve.js";
+import { compete } from "../../www/planner/worker/compete.js";
+import { ticks } from "../../www/widgets/chart.js";
+import { LocalRun, ended, runOf } from "./runs.mjs";
 
 /** The lines that show one motion. @param {number[]} ends @param {boolean[]} circles @param {boolean[]} [short] */
 function linesOf(ends, circles, short = circles) {
@@ -104,30 +101,22 @@ test("a run fetched in slices holds what the planner holds, and every tree verte
   }
 });
 
-/** A run to its end. @param {string} id @param {string} algorithm @param {import("../../www/domain/types.js").Settings} settings */
-function ended(id, algorithm, settings) {
-  const scenario = load(id);
-  const run = new LocalRun(scenario, algorithm, settings);
-  while (!run.ended) toward(run, run.made + 50);
-  return { scenario, run };
-}
-
 test("the goal of a lone tree hangs from the start once it is reached, and from nothing before", () => {
-  const { run } = ended("firs", "rrt", { seed: 7, max_iterations: 300 });
+  const { run } = runOf("firs", "rrt", { seed: 7, max_iterations: 300 });
   assert.equal(run.status, "exhausted");
   assert.equal(run.sides.data[1], SIDE.none);
-  const { run: reached } = ended("firs", "rrt", { step: 0.35, seed: 7 });
+  const { run: reached } = runOf("firs", "rrt", { step: 0.35, seed: 7 });
   assert.equal(reached.status, "solved");
   assert.deepEqual(new Set(reached.sides.slice(0, reached.sides.count)), new Set([SIDE.start]));
 });
 
 test("guards are told from links", () => {
-  const { run } = ended("stones", "visibility-prm", {});
+  const { run } = runOf("stones", "visibility-prm", {});
   assert.ok(run.guards >= 2 && run.guards < run.vertices.count);
 });
 
 test("each iteration leaves a row of counts: what it showed can be shown again", () => {
-  const { run } = ended("stones", "prm", { samples: 60, k: 5, seed: 3 });
+  const { run } = runOf("stones", "prm", { samples: 60, k: 5, seed: 3 });
   const fresh = new LocalRun(load("stones"), "prm", { samples: 60, k: 5, seed: 3 });
   for (let i = 0; i <= run.made; i++) {
     run.shown = i;
@@ -145,7 +134,7 @@ test("each iteration leaves a row of counts: what it showed can be shown again",
 });
 
 test("a sampled path is followed to where it collides; a proven one has no such place, nor has one that only looks unproven", () => {
-  const sampled = ended("stones", "prm", { samples: 260, k: 9, edge_check: "sampled", edge_samples: 1 });
+  const sampled = runOf("stones", "prm", { samples: 260, k: 9, edge_check: "sampled", edge_samples: 1 });
   const playback = playbackOf(sampled.scenario, sampled.run);
   assert.ok(playback?.flaw && !playback.isProven);
   const { at, pose, check } = playback.flaw;
@@ -153,17 +142,17 @@ test("a sampled path is followed to where it collides; a proven one has no such 
   assert.ok(sampled.scenario.distance(playback.configuration(at), pose) < 1e-9);
   for (let part = 0; part < at - 0.002; part += 0.001) assert.ok(sampled.scenario.check(playback.configuration(part)).free, `${part}`);
   assert.equal(ending(sampled.run, playback), `Path found, but not verified: ${touchingSentence(sampled.scenario, check).replaceAll("touches", "hits")} on the way. To fix it, set “Collision checking” to proven.`);
-  const careful = ended("stones", "prm", { samples: 260, k: 9, edge_check: "sampled", edge_samples: 400 });
+  const careful = runOf("stones", "prm", { samples: 260, k: 9, edge_check: "sampled", edge_samples: 400 });
   const free = playbackOf(careful.scenario, careful.run);
   assert.ok(free && free.flaw === null && !free.isProven);
   assert.match(ending(careful.run, free), /not proven. A check afterwards found no collision.$/);
-  const proven = ended("stones", "prm", { samples: 260, k: 9 });
+  const proven = runOf("stones", "prm", { samples: 260, k: 9 });
   assert.ok(playbackOf(proven.scenario, proven.run)?.isProven);
   assert.match(ending(proven.run, playbackOf(proven.scenario, proven.run)), /proven to be collision-free/);
 });
 
 test("a tree that gave up shows its nearest miss; others have none to show", () => {
-  const { scenario, run } = ended("firs", "rrt", { step: 0.35, seed: 7, max_iterations: 300 });
+  const { scenario, run } = runOf("firs", "rrt", { step: 0.35, seed: 7, max_iterations: 300 });
   const playback = playbackOf(scenario, run);
   assert.ok(playback?.isMiss && playback.isProven);
   const [start, goal] = endsOf(scenario.document().queries[0]);
@@ -172,14 +161,14 @@ test("a tree that gave up shows its nearest miss; others have none to show", () 
   assert.ok(short > 0.1);
   assert.equal(ending(run, playback), `No path after 300 iterations. The closest approach, dashed, ends ${short.toFixed(2)} rad from the goal.`);
   for (const algorithm of ["prm", "rrt-connect"]) {
-    const other = ended("firs", algorithm, { max_iterations: 3 });
+    const other = runOf("firs", algorithm, { max_iterations: 3 });
     assert.equal(playbackOf(other.scenario, other.run), null);
     assert.match(ending(other.run, null), algorithm === "prm" ? /after 3 iterations, before the roadmap was searched/ : /two trees never met/);
   }
 });
 
 test("the length that is told is the run's own, in its own metric", () => {
-  const { scenario, run } = ended("stones", "prm", { samples: 260, k: 9, metric: "euclidean" });
+  const { scenario, run } = runOf("stones", "prm", { samples: 260, k: 9, metric: "euclidean" });
   const { length } = run.result;
   const playback = playbackOf(scenario, run);
   assert.ok(playback && Math.abs(playback.length - length) > 0.1, "the playback is measured otherwise");
@@ -285,4 +274,79 @@ test("what is fetched once is fetched once; those who wait go on in their order;
   await Promise.all([1, 2, 3].map(async (who) => { order.push(who + 10 * await get()); }));
   assert.deepEqual(order, [21, 22, 23]);
   assert.equal(calls, 2);
+});
+
+test("a history of edits goes back and on, forgets what was undone, and keeps two hundred edits", () => {
+  const documents = Array.from({ length: 260 }, (_, i) => /** @type {import("../../www/domain/types.js").ScenarioDocument} */ ({ name: String(i) }));
+  const edits = new History(documents[0]);
+  for (const document of documents.slice(1)) edits.commit(document);
+  assert.equal(edits.undoable, 200);
+  for (let i = 0; i < 200; i++) assert.ok(edits.go(-1));
+  assert.equal(edits.now, documents[59]);
+  assert.ok(!edits.go(-1));
+  assert.equal(edits.redoable, 200);
+  edits.commit(documents[0]);
+  assert.equal(edits.redoable, 0);
+  assert.ok(!edits.go(1));
+  edits.commit(documents[7], true);
+  assert.equal(edits.undoable, 1, "what goes on is one edit with what it goes on from");
+  assert.equal(edits.now, documents[7]);
+});
+
+test("a document is written with its rows of numbers in a line each", () => {
+  const text = documentText({ title: "a, [1,\n 2]", vertices: [[0, 1], [0.5, -1e-7]], list: [{ empty: [] }], none: {} });
+  assert.deepEqual(JSON.parse(text), { title: "a, [1,\n 2]", vertices: [[0, 1], [0.5, -1e-7]], list: [{ empty: [] }], none: {} });
+  assert.match(text, /^ {2}"vertices": \[\[0, 1\], \[0.5, -1e-7\]\],$/m);
+});
+
+test("whoever is behind goes next: a frame that is too short leaves all nearly level, however many frames it takes", () => {
+  const scenario = load("rings");
+  const runs = [["prm", { samples: 900 }], ["rrt", { goal_bias: 0 }], ["rrt-connect", {}], ["prm-star", { samples: 300, edge_check: "sampled" }]]
+    .map(([algorithm, given]) => new LocalRun(scenario, String(algorithm), { .../** @type {object} */ (given), seed: 3 }));
+  let frames = 0;
+  while (!compete(runs.map(({ stepper }) => stepper), PAST.evaluations, Infinity, performance.now() + 0.5)) {
+    frames++;
+    for (const run of runs) run.fetch();
+    const going = runs.filter(({ ended }) => !ended).map((run) => run.clock(PAST.evaluations));
+    const dearest = Math.max(0, ...runs.map(({ history: { data, width, count } }) => Math.max(...Array.from({ length: count - 1 }, (_, i) => data[(i + 1) * width + PAST.evaluations] - data[i * width + PAST.evaluations]))));
+    assert.ok(Math.max(...going) - Math.min(...going) <= 1000 + 64 * dearest, `${going}`);
+    assert.ok(frames < 100_000);
+  }
+  assert.ok(frames > 3, `${frames} frames`);
+  assert.ok(runs.every(({ stepper }) => stepper.ended));
+});
+
+test("lengths in different metrics are not compared; a tie is one; a path alone is not the shortest", () => {
+  assert.deepEqual([[0], [0, 2], [0, 1, 2]].map(letters), ["A", "A and C", "A, B and C"]);
+  const one = { isOver: true, found: 10, cost: 5, metric: "sum" };
+  assert.deepEqual(leaders([one, { ...one, cost: 4, metric: "euclidean" }]), { first: [0, 1], shortest: [], isOver: true, isAlike: false });
+  assert.deepEqual(leaders([one, { ...one, found: 9, cost: 6 }, { ...one, isOver: false, found: null, cost: Infinity }]), { first: [1], shortest: [0], isOver: false, isAlike: true });
+  assert.deepEqual(leaders([one, { ...one, found: null, cost: Infinity }]).shortest, []);
+  assert.deepEqual(nameAll([{ algorithm: "prm", settings: { seed: 0 } }, { algorithm: "rrt", settings: { seed: 2 } }], (id) => id), ["A prm, seed 0", "B rrt, seed 2"]);
+});
+
+test("thinning keeps the first path and the end, rises, and costs no more for a long run", () => {
+  const run = ended(new LocalRun(load("stones"), "prm", { samples: 5000, k: 9, seed: 0, shortcut: 200 }));
+  for (const column of [-1, PAST.evaluations]) {
+    const head = run.clock(column);
+    const [rows] = thinned([run], column, head);
+    const times = Array.from({ length: rows.length / 3 }, (_, i) => rows[3 * i]);
+    assert.ok(times.length <= 300 && times.length > 200, `${times.length} points of ${run.made}`);
+    assert.ok(times.every((at, i) => i === 0 || at > times[i - 1]), "times rise");
+    assert.deepEqual([times[0], times[times.length - 1]], [0, head]);
+    const found = run.foundBy(run.made);
+    assert.ok(times.includes(run.clockAt(column, found)), "the first path is there");
+    const costs = times.map((_, i) => rows[3 * i + 2]);
+    assert.equal(costs.filter((cost) => cost < Infinity)[0], run.history.row(run.iterationAt(column, run.clockAt(column, found)))[PAST.cost]);
+    assert.equal(costs[costs.length - 1], run.history.row(run.made)[PAST.cost]);
+  }
+});
+
+test("ticks are round, reach beyond both ends, and are never one", () => {
+  assert.deepEqual(ticks(0, 6694, 4), [0, 2000, 4000, 6000, 8000]);
+  assert.deepEqual(ticks(7.93, 9.16, 4), [7.5, 8, 8.5, 9, 9.5]);
+  for (const [low, high] of [[0, 0], [9.19, 9.19], [0, 1], [1e6, 1e6 + 1], [0, 2.5e7]]) {
+    const marks = ticks(low, high, 4);
+    assert.ok(marks.length >= 2 && marks.length <= 7 && marks[0] <= low && marks[marks.length - 1] >= high, `${marks}`);
+  }
 });

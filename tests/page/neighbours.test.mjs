@@ -2,55 +2,26 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, describe, test } from "node:test";
+import { test } from "node:test";
 import { Scenario } from "planarium";
 import { writeNpy } from "../../www/formats/npy.js";
 import { ROBOTS } from "../../www/neighbours/robots.js";
 import { encodeState } from "../../www/app/link.js";
-import { DESK, PHONE, choose as chooseOne, onPage, pixelsOf, root, start, stop } from "./browser.mjs";
-import { plane } from "./editing.mjs";
+import { DESK, PHONE, download, fill, pickFile, pixelsOf, root, useBrowser } from "./browser.mjs";
+import { drag, plane } from "./editing.mjs";
 import { assertFaultless, assertFits, assertForced, assertTargets } from "./looks.mjs";
+import { roomOf } from "./reach.mjs";
 import { allOf, readXml } from "./xml.mjs";
 
 /** @import { NeighboursOptions } from "planarium" */
 /** @import { Options, Page } from "./browser.mjs" */
 
-before(start);
-after(stop);
+useBrowser();
 
-/** All is computed and drawn, and the answer is there. */
-const REST = "body[data-state=ready][data-settled=true][data-found]";
+const { onRoom: onNeighbours, rest, click, press, choose, put } = roomOf("neighbours", "body[data-state=ready][data-settled=true][data-found]", "robot");
 
 /** @param {string} id */
 const entryOf = (id) => ROBOTS.find((entry) => entry.id === id) ?? assert.fail(id);
-
-/** The page, at rest. @param {(page: Page, url: string) => Promise<void>} check @param {Options} [options] @param {import("./browser.mjs").More} [more] */
-async function onNeighbours(check, options = DESK, more = {}) {
-  await onPage({ reducedMotion: "reduce", ...options }, async (page, url) => {
-    await page.waitForSelector(REST);
-    await check(page, url);
-  }, { path: "neighbours.html", ...more });
-}
-
-/** Waits until all is drawn. @param {Page} page */
-async function rest(page) {
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)));
-  await page.waitForSelector(REST);
-}
-
-/** @param {Page} page @param {string} id */
-async function choose(page, id) {
-  await chooseOne(page, "scene", id);
-  await page.waitForSelector(`body[data-robot=${id}]`);
-  await rest(page);
-}
-
-/** Puts a number into a field. @param {Page} page @param {string} id @param {string | number} value */
-async function put(page, id, value) {
-  await page.fill(`#${id}`, String(value));
-  await page.locator(`#${id}`).blur();
-  await rest(page);
-}
 
 /** @param {Page} page @param {string} id @param {string} value */
 async function select(page, id, value) {
@@ -78,380 +49,308 @@ function foundBy({ robot, n, q, k }, options = { index: "linear" }, list) {
 /** Where a point of the world is, in pixels of the window. @param {Page} page @param {string} id @param {number[]} point */
 const windowOf = async (page, id, [x, y]) => (await plane(page, Scenario.parse(entryOf(id).document).extent()))(x, y);
 
-/** Hands a file over. @param {Page} page @param {string} name @param {Uint8Array | string} content */
-async function give(page, name, content) {
-  await page.setInputFiles("#file", { name, mimeType: "application/octet-stream", buffer: Buffer.from(content) });
-}
-
-describe("questions", () => {
-  test("for every robot and each of the reports' questions the page shows what a scan finds", async () => {
-    await onNeighbours(async (page) => {
-      for (const { id, presets, q, k, document } of ROBOTS) {
-        await choose(page, id);
-        const first = await stateOf(page);
-        const scenario = Scenario.parse(document);
-        assert.ok(scenario.distance(numbers(first.q), q) < 1e-9 && first.k === String(k), id);
-        for (const i of presets.keys()) {
-          await select(page, "preset", String(i));
-          const state = await stateOf(page);
-          assert.equal(state.k, String(presets[i].k));
-          assert.ok(scenario.distance(numbers(state.q), presets[i].q) < 1e-9);
-          const expected = foundBy(state);
-          assert.deepEqual(numbers(state.found), [...expected.indices], `${id}, question ${i}`);
-          assert.equal(state.missed, "0");
-          const rows = await page.locator("#neighbours tbody tr").evaluateAll((all) => all.map((row) => /** @type {HTMLElement} */ (row).dataset.distance));
-          assert.deepEqual(rows.map(Number), [...expected.distances]);
-          assert.equal(await page.inputValue("#preset"), String(i));
-        }
-        scenario.free();
-      }
-    });
-  });
-
-  test("the naive metric misleads: what it misses and what it finds wrongly is said and marked", async () => {
-    await onNeighbours(async (page) => {
-      await put(page, "q0-number", 0.02);
-      await put(page, "q1-number", -0.03);
-      await put(page, "k-number", 12);
+test("every preset of a robot shows what a scan finds; an arm opens where the naive metric is wrong", () => onNeighbours(async (page) => {
+  for (const { id, presets, q, k, document } of ROBOTS) {
+    await choose(page, id);
+    const first = await stateOf(page);
+    const scenario = Scenario.parse(document);
+    assert.ok(scenario.distance(numbers(first.q), q) < 1e-9 && first.k === String(k), id);
+    if (document.robot.type === "arm") {
       await select(page, "option-metric", "naive");
+      assert.ok(Number((await stateOf(page)).missed) > 0, id);
+      assert.match(await page.innerText("#story"), /(is|are) wrong/);
+      await select(page, "option-metric", "sum");
+    }
+    for (const i of presets.keys()) {
+      await select(page, "preset", String(i));
       const state = await stateOf(page);
-      const [naive, meant] = /** @type {const} */ (["naive", "sum"]).map((metric) => foundBy(state, { index: "linear", metric }).indices);
-      assert.deepEqual(numbers(state.found), [...naive]);
-      const missed = [...meant].filter((one) => !naive.includes(one)).length;
-      assert.ok(missed > 0, "the target is at the cut");
-      assert.equal(state.missed, String(missed));
-      assert.match(await page.innerText("#story"), /naive metric .* cuts each circle at 0/);
-      assert.equal(await page.locator("#neighbours tr[data-right=false]").count(), missed);
-      assert.equal(await page.innerText("#fact-recall"), `${12 - missed} of 12`);
-      for (const pane of ["workspace", "cspace"]) assert.ok(await pixelsOf(page, pane, "top", "rejected") > 10, pane);
-      await select(page, "option-metric", "euclidean");
-      const euclidean = await stateOf(page);
-      assert.deepEqual(numbers(euclidean.found), [...foundBy(state, { metric: "euclidean" }).indices]);
-      assert.equal(euclidean.missed, "0");
-      assert.equal(await pixelsOf(page, "cspace", "top", "rejected"), 0);
-    });
-  });
+      assert.equal(state.k, String(presets[i].k));
+      assert.ok(scenario.distance(numbers(state.q), presets[i].q) < 1e-9);
+      const expected = foundBy(state);
+      assert.deepEqual(numbers(state.found), [...expected.indices], `${id}, question ${i}`);
+      assert.equal(state.missed, "0");
+      const rows = await page.locator("#neighbours tbody tr").evaluateAll((all) => all.map((row) => /** @type {HTMLElement} */ (row).dataset.distance));
+      assert.deepEqual(rows.map(Number), [...expected.distances]);
+      assert.equal(await page.inputValue("#preset"), String(i));
+    }
+    scenario.free();
+  }
+}));
 
-  test("every arm opens on a target at which the naive metric is wrong", async () => {
-    await onNeighbours(async (page) => {
-      for (const { id, document } of ROBOTS) {
-        if (document.robot.type !== "arm") continue;
-        await choose(page, id);
-        await select(page, "option-metric", "naive");
-        assert.ok(Number((await stateOf(page)).missed) > 0, id);
-        assert.match(await page.innerText("#story"), /(is|are) wrong/);
-        await select(page, "option-metric", "sum");
-      }
-    });
-  });
+test("the naive metric misleads: what it misses and what it finds wrongly is said and marked", () => onNeighbours(async (page) => {
+  await put(page, "q0-number", 0.02);
+  await put(page, "q1-number", -0.03);
+  await put(page, "k-number", 12);
+  await select(page, "option-metric", "naive");
+  const state = await stateOf(page);
+  const [naive, meant] = /** @type {const} */ (["naive", "sum"]).map((metric) => foundBy(state, { index: "linear", metric }).indices);
+  assert.deepEqual(numbers(state.found), [...naive]);
+  const missed = [...meant].filter((one) => !naive.includes(one)).length;
+  assert.ok(missed > 0, "the target is at the cut");
+  assert.equal(state.missed, String(missed));
+  assert.match(await page.innerText("#story"), /naive metric .* cuts each circle at 0/);
+  assert.equal(await page.locator("#neighbours tr[data-right=false]").count(), missed);
+  assert.equal(await page.innerText("#fact-recall"), `${12 - missed} of 12`);
+  for (const pane of ["workspace", "cspace"]) assert.ok(await pixelsOf(page, pane, "top", "rejected") > 10, pane);
+  await select(page, "option-metric", "euclidean");
+  const euclidean = await stateOf(page);
+  assert.deepEqual(numbers(euclidean.found), [...foundBy(state, { metric: "euclidean" }).indices]);
+  assert.equal(euclidean.missed, "0");
+  assert.equal(await pixelsOf(page, "cspace", "top", "rejected"), 0);
+}));
 
-  test("scan, tree and forest: how many they visit, and what a forest misses", async () => {
-    await onNeighbours(async (page) => {
-      await choose(page, "four");
-      await put(page, "count-number", 5000);
-      await put(page, "k-number", 40);
-      const tree = await stateOf(page);
-      assert.ok(Number(tree.visited) < 5000);
-      await select(page, "index", "linear");
-      const scan = await stateOf(page);
-      assert.deepEqual([scan.visited, scan.found], ["5000", tree.found]);
-      await select(page, "index", "forest");
-      await put(page, "option-candidates", 45);
-      await put(page, "option-trees", 2);
-      const forest = await stateOf(page);
-      const expected = foundBy(forest, { index: "forest", trees: 2, candidates: 45 });
-      assert.deepEqual([numbers(forest.found), Number(forest.visited)], [[...expected.indices], expected.visited]);
-      assert.equal(Number(forest.missed), numbers(tree.found).filter((one) => !expected.indices.includes(one)).length);
-      assert.ok(Number(forest.missed) > 0);
-      assert.match(await page.innerText("#story"), new RegExp(`missed ${forest.missed} of the 40 nearest`));
-      await select(page, "index", "kd-tree");
-      assert.equal((await stateOf(page)).found, tree.found, "what only a forest takes is no trouble to a tree");
-      await select(page, "index", "forest");
-      assert.equal((await stateOf(page)).found, forest.found, "and is there again");
-      await page.fill("#option-trees", "65");
-      await page.locator("#option-trees").blur();
-      assert.match(await page.innerText("#option-trees-reason"), /65 is above 64/);
-      assert.equal((await stateOf(page)).found, forest.found);
-    });
-  });
+test("scan, tree and forest: how many they visit, and what a forest misses", () => onNeighbours(async (page) => {
+  await choose(page, "four");
+  await put(page, "count-number", 5000);
+  await put(page, "k-number", 40);
+  const tree = await stateOf(page);
+  assert.ok(Number(tree.visited) < 5000);
+  await select(page, "index", "linear");
+  const scan = await stateOf(page);
+  assert.deepEqual([scan.visited, scan.found], ["5000", tree.found]);
+  await select(page, "index", "forest");
+  await put(page, "option-candidates", 45);
+  await put(page, "option-trees", 2);
+  const forest = await stateOf(page);
+  const expected = foundBy(forest, { index: "forest", trees: 2, candidates: 45 });
+  assert.deepEqual([numbers(forest.found), Number(forest.visited)], [[...expected.indices], expected.visited]);
+  assert.equal(Number(forest.missed), numbers(tree.found).filter((one) => !expected.indices.includes(one)).length);
+  assert.ok(Number(forest.missed) > 0);
+  assert.match(await page.innerText("#story"), new RegExp(`missed ${forest.missed} of the 40 nearest`));
+  await select(page, "index", "kd-tree");
+  assert.equal((await stateOf(page)).found, tree.found, "what only a forest takes is no trouble to a tree");
+  await select(page, "index", "forest");
+  assert.equal((await stateOf(page)).found, forest.found, "and is there again");
+  await fill(page, "#option-trees", "65");
+  assert.match(await page.innerText("#option-trees-reason"), /65 is above 64/);
+  assert.equal((await stateOf(page)).found, forest.found);
+}));
 
-  test("lists are drawn by number and seed, free or not, up to 100,000, which stay in hand", async () => {
-    await onNeighbours(async (page) => {
-      const first = await stateOf(page);
-      await put(page, "seed-number", 7);
-      assert.notEqual((await stateOf(page)).found, first.found);
-      await page.click("#free");
+test("lists are drawn by number and seed, free or not, up to 100,000, which stay in hand", () => onNeighbours(async (page) => {
+  const first = await stateOf(page);
+  await put(page, "seed-number", 7);
+  assert.notEqual((await stateOf(page)).found, first.found);
+  await click(page, "#free");
+  const scenario = Scenario.parse(entryOf("two").document);
+  assert.deepEqual(numbers((await stateOf(page)).found), [...foundBy(first, {}, scenario.sampleConfigurations(500, { seed: 7 })).indices]);
+  await page.press("#count", "End");
+  await page.waitForSelector("body[data-n='100000']");
+  await rest(page);
+  const many = await stateOf(page);
+  assert.deepEqual(numbers(many.found), [...foundBy(many, {}, scenario.sampleConfigurations(100_000, { seed: 7 })).indices]);
+  assert.ok(Number(many.visited) < 1000);
+  for (const value of ["99", "100001", "1.5", ""]) {
+    await fill(page, "#count-number", value);
+    assert.notEqual(await page.innerText("#count-reason"), "", value);
+  }
+  assert.equal((await stateOf(page)).n, "100000");
+  scenario.free();
+}));
+
+for (const [name, options] of /** @type {[string, Options][]} */ ([["on a desktop", DESK], ["on a phone", PHONE]])) {
+  test(`${name}, the target is dragged in the workspace, and the neighbours follow`, () => onNeighbours(async (page) => {
+    for (const [id, handle, to] of /** @type {[string, (q: number[]) => number[], number[]][]} */ ([
+      ["two", (q) => Scenario.parse(entryOf("two").document).endEffector(q), [-0.3, 0.9]],
+      ["body", (q) => q.slice(0, 2), [0.6, 0.7]],
+      ["point", (q) => q, [1.7, 0.3]],
+    ])) {
+      await choose(page, id);
+      const was = await stateOf(page);
+      await drag(page, [await windowOf(page, id, handle(numbers(was.q))), await windowOf(page, id, to)]);
       await rest(page);
-      const scenario = Scenario.parse(entryOf("two").document);
-      assert.deepEqual(numbers((await stateOf(page)).found), [...foundBy(first, {}, scenario.sampleConfigurations(500, { seed: 7 })).indices]);
-      await page.focus("#count");
-      await page.keyboard.press("End");
-      await page.waitForSelector("body[data-n='100000']");
-      await rest(page);
-      const many = await stateOf(page);
-      assert.deepEqual(numbers(many.found), [...foundBy(many, {}, scenario.sampleConfigurations(100_000, { seed: 7 })).indices]);
-      assert.ok(Number(many.visited) < 1000);
-      for (const value of ["99", "100001", "1.5", ""]) {
-        await page.fill("#count-number", value);
-        await page.locator("#count-number").blur();
-        assert.notEqual(await page.innerText("#count-reason"), "", value);
-      }
-      assert.equal((await stateOf(page)).n, "100000");
-      scenario.free();
-    });
-  });
-});
+      const state = await stateOf(page);
+      const q = numbers(state.q);
+      if (id === "two") assert.ok(q[0] === numbers(was.q)[0] && q[1] !== numbers(was.q)[1], "a link's end turns its own joint");
+      else assert.ok(Math.hypot(q[0] - to[0], q[1] - to[1]) < 0.02, `${id}: ${state.q}`);
+      assert.deepEqual(numbers(state.found), [...foundBy(state).indices], id);
+    }
+  }, options));
 
-for (const [name, options] of /** @type {[string, Options][]} */ ([["on a desk", DESK], ["on a phone", PHONE]])) {
-  describe(`the target ${name}`, () => {
-    test("is dragged in the workspace, and the neighbours follow", async () => {
-      await onNeighbours(async (page) => {
-        for (const [id, handle, to] of /** @type {[string, (q: number[]) => number[], number[]][]} */ ([
-          ["two", (q) => Scenario.parse(entryOf("two").document).endEffector(q), [-0.3, 0.9]],
-          ["body", (q) => q.slice(0, 2), [0.6, 0.7]],
-          ["point", (q) => q, [1.7, 0.3]],
-        ])) {
-          await choose(page, id);
-          const was = await stateOf(page);
-          const from = await windowOf(page, id, handle(numbers(was.q)));
-          const end = await windowOf(page, id, to);
-          await page.mouse.move(from[0], from[1]);
-          await page.mouse.down();
-          for (let i = 1; i <= 6; i++) await page.mouse.move(from[0] + ((end[0] - from[0]) * i) / 6, from[1] + ((end[1] - from[1]) * i) / 6);
-          await page.mouse.up();
-          await rest(page);
-          const state = await stateOf(page);
-          const q = numbers(state.q);
-          if (id === "two") assert.ok(q[0] === numbers(was.q)[0] && q[1] !== numbers(was.q)[1], "a link's end turns its own joint");
-          else assert.ok(Math.hypot(q[0] - to[0], q[1] - to[1]) < 0.02, `${id}: ${state.q}`);
-          assert.deepEqual(numbers(state.found), [...foundBy(state).indices], id);
-        }
-      }, options);
-    });
-
-    test("is put anywhere on the square, moved by keys, by sliders and by numbers", async () => {
-      await onNeighbours(async (page) => {
-        const canvas = page.locator("#cspace canvas[data-layer=top]");
-        await canvas.scrollIntoViewIfNeeded();
-        const box = await canvas.boundingBox() ?? assert.fail("no canvas");
-        await page.mouse.click(box.x + 34 + (box.width - 46) / 2, box.y + 12 + (box.height - 44) / 2);
-        await rest(page);
-        const middle = await stateOf(page);
-        assert.ok(numbers(middle.q).every((angle) => Math.abs(angle) < 0.03), middle.q);
-        assert.deepEqual(numbers(middle.found), [...foundBy(middle).indices]);
-        await page.focus("#stage");
-        for (const key of ["ArrowRight", "Shift+ArrowUp"]) await page.keyboard.press(key);
-        await rest(page);
-        const moved = numbers((await stateOf(page)).q).map((angle, i) => angle - numbers(middle.q)[i]);
-        assert.ok(Math.abs(moved[0] - 0.01 * Math.PI) < 1e-9 && Math.abs(moved[1] - 0.1 * Math.PI) < 1e-9, moved.join());
-        await page.focus("#q0");
-        await page.keyboard.press("Home");
-        await rest(page);
-        assert.ok(Math.abs(Math.abs(numbers((await stateOf(page)).q)[0]) - Math.PI) < 1e-9);
-        await put(page, "q1-number", -1.25);
-        const state = await stateOf(page);
-        assert.equal(numbers(state.q)[1], -1.25);
-        assert.deepEqual(numbers(state.found), [...foundBy(state).indices]);
-        await page.fill("#q1-number", "4");
-        await page.locator("#q1-number").blur();
-        assert.match(await page.innerText("#q1-reason"), /4 is above/);
-      }, options);
-    });
-  });
+  test(`${name}, the target is put anywhere on the square, moved by keys, by sliders and by numbers`, () => onNeighbours(async (page) => {
+    const canvas = page.locator("#cspace canvas[data-layer=top]");
+    await canvas.scrollIntoViewIfNeeded();
+    const box = await canvas.boundingBox() ?? assert.fail("no canvas");
+    await page.mouse.click(box.x + 34 + (box.width - 46) / 2, box.y + 12 + (box.height - 44) / 2);
+    await rest(page);
+    const middle = await stateOf(page);
+    assert.ok(numbers(middle.q).every((angle) => Math.abs(angle) < 0.03), middle.q);
+    assert.deepEqual(numbers(middle.found), [...foundBy(middle).indices]);
+    await press(page, "#stage", "ArrowRight", "Shift+ArrowUp");
+    const moved = numbers((await stateOf(page)).q).map((angle, i) => angle - numbers(middle.q)[i]);
+    assert.ok(Math.abs(moved[0] - 0.01 * Math.PI) < 1e-9 && Math.abs(moved[1] - 0.1 * Math.PI) < 1e-9, moved.join());
+    await press(page, "#q0", "Home");
+    assert.ok(Math.abs(Math.abs(numbers((await stateOf(page)).q)[0]) - Math.PI) < 1e-9);
+    await put(page, "q1-number", -1.25);
+    const state = await stateOf(page);
+    assert.equal(numbers(state.q)[1], -1.25);
+    assert.deepEqual(numbers(state.found), [...foundBy(state).indices]);
+    await fill(page, "#q1-number", "4");
+    assert.match(await page.innerText("#q1-reason"), /4 is above/);
+  }, options));
 }
 
-describe("lists of one's own", () => {
-  const fixture = (/** @type {string} */ name) => readFileSync(join(root, "tests", "page", "fixtures", name));
-  const LIST = [[3, 0], [-3, 0.5], [0, 0], [-3, 0], [3, 0]];
+const fixture = (/** @type {string} */ name) => readFileSync(join(root, "tests", "page", "fixtures", name));
+const LIST = [[3, 0], [-3, 0.5], [0, 0], [-3, 0], [3, 0]];
 
-  test("JSON and arrays of NumPy's are taken, picked or dropped, in their order", async () => {
-    await onNeighbours(async (page) => {
-      await give(page, "mine.json", JSON.stringify(LIST));
-      await page.waitForSelector("body[data-source=file][data-n='5']");
-      await rest(page);
-      const state = await stateOf(page);
-      assert.deepEqual(numbers(state.found), [...foundBy(state, {}, LIST).indices]);
-      assert.match(await page.innerText("#list-told"), /mine\.json: 5 configurations/);
-      await page.evaluate((bytes) => {
-        const transfer = new DataTransfer();
-        transfer.items.add(new File([Uint8Array.from(bytes)], "mine.npy"));
-        for (const type of ["dragover", "drop"]) document.body.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: transfer }));
-      }, [...writeNpy(Float64Array.from(LIST.slice(1).flat()), [4, 2])]);
-      await page.waitForSelector("body[data-source=file][data-n='4']");
-      await rest(page);
-      const dropped = await stateOf(page);
-      assert.deepEqual(numbers(dropped.found), [...foundBy(dropped, {}, LIST.slice(1)).indices]);
-      await give(page, "one.npy", fixture("numpy1-one.npy"));
-      await page.waitForSelector("body[data-n='3']");
-      await rest(page);
-      await choose(page, "four");
-      assert.equal((await stateOf(page)).source, "drawn");
-      await give(page, "third.npy", fixture("numpy1-third.npy"));
-      await page.waitForSelector("body[data-source=file][data-n='3']");
-      await put(page, "count-number", 300);
-      assert.deepEqual([(await stateOf(page)).source, (await stateOf(page)).n], ["drawn", "300"]);
-    });
-  });
+test("JSON and arrays of NumPy's are taken, picked or dropped, in their order", () => onNeighbours(async (page) => {
+  await pickFile(page, "mine.json", JSON.stringify(LIST));
+  await page.waitForSelector("body[data-source=file][data-n='5']");
+  await rest(page);
+  const state = await stateOf(page);
+  assert.deepEqual(numbers(state.found), [...foundBy(state, {}, LIST).indices]);
+  assert.match(await page.innerText("#list-told"), /mine\.json: 5 configurations/);
+  await page.evaluate((bytes) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([Uint8Array.from(bytes)], "mine.npy"));
+    for (const type of ["dragover", "drop"]) document.body.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: transfer }));
+  }, [...writeNpy(Float64Array.from(LIST.slice(1).flat()), [4, 2])]);
+  await page.waitForSelector("body[data-source=file][data-n='4']");
+  await rest(page);
+  const dropped = await stateOf(page);
+  assert.deepEqual(numbers(dropped.found), [...foundBy(dropped, {}, LIST.slice(1)).indices]);
+  await pickFile(page, "one.npy", fixture("numpy1-one.npy"));
+  await page.waitForSelector("body[data-n='3']");
+  await rest(page);
+  await choose(page, "four");
+  assert.equal((await stateOf(page)).source, "drawn");
+  await pickFile(page, "third.npy", fixture("numpy1-third.npy"));
+  await page.waitForSelector("body[data-source=file][data-n='3']");
+  await put(page, "count-number", 300);
+  assert.deepEqual([(await stateOf(page)).source, (await stateOf(page)).n], ["drawn", "300"]);
+}));
 
-  test("whatever else is refused with a reason, and the list of before stays", async () => {
+test("whatever else is refused with a reason, and the list of before stays", () => onNeighbours(async (page) => {
+  const was = await stateOf(page);
+  for (const [name, content, code, words] of /** @type {[string, Uint8Array | string, string, RegExp][]} */ ([
+    ["objects.npy", fixture("numpy1-objects.npy"), "invalid-npy", /./],
+    ["complex.npy", fixture("numpy1-complex.npy"), "invalid-npy", /./],
+    ["solid.npy", fixture("numpy1-c.npy"), "wrong-dimension", /two dimensions/],
+    ["scalar.npy", fixture("numpy1-scalar.npy"), "wrong-dimension", /two dimensions/],
+    ["third.npy", fixture("numpy1-third.npy"), "wrong-dimension", /2 numbers; the rows of this array have 4/],
+    ["none.npy", writeNpy(new Float64Array(), [0, 2]), "out-of-range", /no configuration/],
+    ["nan.npy", writeNpy(Float64Array.of(0, 0, NaN, 0), [2, 2]), "not-finite", /./],
+    ["huge.npy", writeNpy(Float64Array.of(0, 0, 1e7, 0), [2, 2]), "out-of-range", /./],
+    ["cut.npy", fixture("numpy1-one.npy").subarray(0, 90), "invalid-npy", /./],
+    ["text.json", "hello", "invalid-json", /neither JSON nor/],
+    ["object.json", "{}", "wrong-type", /array of arrays/],
+    ["row.json", "[[0, 0], 3]", "wrong-type", /Configuration 1/],
+    ["short.json", "[[0, 0], [1]]", "wrong-dimension", /configuration 1 has 1/],
+    ["word.json", "[[0, 0], [1, \"2\"]]", "wrong-type", /Number 1 of configuration 1/],
+    ["many.json", `[${"[0,0],".repeat(100_000)}[0,0]]`, "too-large", /100001/],
+  ])) {
+    await pickFile(page, name, content);
+    await page.waitForFunction((file) => document.querySelector("#notice:not([hidden])")?.textContent?.includes(file), name);
+    assert.equal(await page.getAttribute("#notice", "data-code"), code, name);
+    assert.match(await page.innerText("#notice"), words, name);
+    await rest(page);
+    const { n, source, found } = await stateOf(page);
+    assert.deepEqual([n, source, found], [was.n, "drawn", was.found], name);
+  }
+  await put(page, "k-number", 3);
+  assert.deepEqual(numbers((await stateOf(page)).found), [...foundBy({ ...was, k: "3" }).indices], "and it goes on");
+}));
+
+test("times, visits and recall, as table, chart and file", () => onNeighbours(async (page) => {
+  await choose(page, "four");
+  await put(page, "k-number", 10);
+  // On a machine with other things to do it stops earlier, and goes on when it is asked to.
+  do {
+    await page.click("#measure");
+    await page.waitForSelector("#timing[data-timing=done]");
+    await rest(page);
+  } while (await page.locator("#timings tr[data-n='2000'] td:not([data-value=''])").count() < 9);
+  assert.ok(Number(await page.getAttribute("#timing", "data-seconds")) > 0);
+  const cells = await page.locator("#timings td").evaluateAll((all) => all.map((cell) => {
+    const { index, of, value } = /** @type {HTMLElement} */ (cell).dataset;
+    return { n: Number(/** @type {HTMLElement} */ (cell.parentElement).dataset.n), index, of, value: Number(value), has: value !== "" };
+  }));
+  const at = (/** @type {string} */ of, /** @type {string} */ index, /** @type {number} */ n) => cells.find((cell) => cell.of === of && cell.index === index && cell.n === n);
+  assert.deepEqual([...new Set(cells.map(({ n }) => n))].slice(0, 4), [100, 500, 1000, 2000], "those of the reports first");
+  for (const { of, value, has } of cells.filter((cell) => cell.has)) {
+    if (of === "recall") assert.ok(value > 0.3 && value <= 1);
+    else assert.ok(has && value > 0 || of === "build" && value >= 0, `${of} ${value}`);
+  }
+  assert.ok(Number(at("visited", "kd-tree", 2000)?.value) < 2000);
+  assert.ok(Number(at("visited", "forest", 2000)?.value) >= 400);
+  assert.equal(await page.locator(".chart path.line").count(), 3);
+  assert.match(await page.getAttribute(".chart", "aria-label") ?? "", /Query time with [\d,]+ configurations: /);
+  await page.click("#take-fold > summary");
+  const lines = (await download(page, "#take-timings")).text.trim().split("\r\n");
+  assert.equal(lines[0], "n,index,build_seconds,query_seconds,visited,recall");
+  assert.equal(lines.length - 1, cells.filter(({ of, has }) => of === "query" && has).length);
+  await put(page, "k-number", 11);
+  assert.match(await page.innerText("#measured"), /other settings/);
+}));
+
+test("a link shows the same again, and says that a list of one's own is not in it", () => onNeighbours(async (page) => {
+  await choose(page, "three");
+  await put(page, "count-number", 2345);
+  await put(page, "seed-number", 12);
+  await page.click("#free");
+  await select(page, "index", "forest");
+  await put(page, "option-candidates", 77);
+  await select(page, "option-metric", "euclidean");
+  await put(page, "q2-number", -1.5);
+  await put(page, "k-number", 17);
+  await page.click("#link");
+  await page.getByText(/own list is not included/).waitFor();
+  const [state, fragment] = [await stateOf(page), await page.evaluate(() => location.hash)];
+  await onNeighbours(async (other) => {
+    assert.deepEqual(await stateOf(other), state);
+    assert.equal(await other.inputValue("#option-candidates"), "77");
+    assert.equal(await other.inputValue("#count-number"), "2345");
+    assert.equal(await other.isChecked("#free"), false);
+  }, DESK, { path: `neighbours.html${fragment}` });
+}, { ...DESK, permissions: ["clipboard-read", "clipboard-write"] }));
+
+test("a link that does not work is said not to, and the page opens all the same", async () => {
+  const state = { robot: "three", draw: { n: 300, seed: 1, free: true }, q: [0, 0, 0], k: 3, index: "forest" };
+  const strange = await encodeState({ ...state, given: { trees: 1000 } }, () => {});
+  for (const fragment of ["#1abc", "#2abc", "#nothing", `#${strange}`]) {
     await onNeighbours(async (page) => {
-      const was = await stateOf(page);
-      for (const [name, content, code, words] of /** @type {[string, Uint8Array | string, string, RegExp][]} */ ([
-        ["objects.npy", fixture("numpy1-objects.npy"), "invalid-npy", /./],
-        ["complex.npy", fixture("numpy1-complex.npy"), "invalid-npy", /./],
-        ["solid.npy", fixture("numpy1-c.npy"), "wrong-dimension", /two dimensions/],
-        ["scalar.npy", fixture("numpy1-scalar.npy"), "wrong-dimension", /two dimensions/],
-        ["third.npy", fixture("numpy1-third.npy"), "wrong-dimension", /2 numbers; the rows of this array have 4/],
-        ["none.npy", writeNpy(new Float64Array(), [0, 2]), "out-of-range", /no configuration/],
-        ["nan.npy", writeNpy(Float64Array.of(0, 0, NaN, 0), [2, 2]), "not-finite", /./],
-        ["huge.npy", writeNpy(Float64Array.of(0, 0, 1e7, 0), [2, 2]), "out-of-range", /./],
-        ["cut.npy", fixture("numpy1-one.npy").subarray(0, 90), "invalid-npy", /./],
-        ["text.json", "hello", "invalid-json", /neither JSON nor/],
-        ["object.json", "{}", "wrong-type", /array of arrays/],
-        ["row.json", "[[0, 0], 3]", "wrong-type", /Configuration 1/],
-        ["short.json", "[[0, 0], [1]]", "wrong-dimension", /configuration 1 has 1/],
-        ["word.json", "[[0, 0], [1, \"2\"]]", "wrong-type", /Number 1 of configuration 1/],
-        ["many.json", `[${"[0,0],".repeat(100_000)}[0,0]]`, "too-large", /100001/],
-      ])) {
-        await give(page, name, content);
-        await page.waitForFunction((file) => document.querySelector("#notice:not([hidden])")?.textContent?.includes(file), name);
-        assert.equal(await page.getAttribute("#notice", "data-code"), code, name);
-        assert.match(await page.innerText("#notice"), words, name);
-        await rest(page);
-        const { n, source, found } = await stateOf(page);
-        assert.deepEqual([n, source, found], [was.n, "drawn", was.found], name);
-      }
-      await put(page, "k-number", 3);
-      assert.deepEqual(numbers((await stateOf(page)).found), [...foundBy({ ...was, k: "3" }).indices], "and it goes on");
-    });
-  });
+      assert.match(await page.innerText("#notice"), /This link does not work|The link cannot be opened/);
+      assert.equal((await stateOf(page)).robot, "two");
+    }, DESK, { path: `neighbours.html${fragment}` });
+  }
 });
 
-describe("timing", () => {
-  test("times, visits and recall, as table, chart and file", async () => {
-    await onNeighbours(async (page) => {
-      await choose(page, "four");
-      await put(page, "k-number", 10);
-      // On a machine with other things to do it stops earlier, and goes on when it is asked to.
-      do {
-        await page.click("#measure");
-        await page.waitForSelector("#timing[data-timing=done]");
-        await rest(page);
-      } while (await page.locator("#timings tr[data-n='2000'] td:not([data-value=''])").count() < 9);
-      assert.ok(Number(await page.getAttribute("#timing", "data-seconds")) > 0);
-      const cells = await page.locator("#timings td").evaluateAll((all) => all.map((cell) => {
-        const { index, of, value } = /** @type {HTMLElement} */ (cell).dataset;
-        return { n: Number(/** @type {HTMLElement} */ (cell.parentElement).dataset.n), index, of, value: Number(value), has: value !== "" };
-      }));
-      const at = (/** @type {string} */ of, /** @type {string} */ index, /** @type {number} */ n) => cells.find((cell) => cell.of === of && cell.index === index && cell.n === n);
-      assert.deepEqual([...new Set(cells.map(({ n }) => n))].slice(0, 4), [100, 500, 1000, 2000], "those of the reports first");
-      for (const { of, value, has } of cells.filter((cell) => cell.has)) {
-        if (of === "recall") assert.ok(value > 0.3 && value <= 1);
-        else assert.ok(has && value > 0 || of === "build" && value >= 0, `${of} ${value}`);
-      }
-      assert.ok(Number(at("visited", "kd-tree", 2000)?.value) < 2000);
-      assert.ok(Number(at("visited", "forest", 2000)?.value) >= 400);
-      assert.equal(await page.locator(".chart path.line").count(), 3);
-      assert.match(await page.getAttribute(".chart", "aria-label") ?? "", /Query time with [\d,]+ configurations: /);
-      await page.click("#take-fold > summary");
-      const [download] = await Promise.all([page.waitForEvent("download"), page.click("#take-timings")]);
-      const lines = readFileSync(await download.path(), "utf8").trim().split("\r\n");
-      assert.equal(lines[0], "n,index,build_seconds,query_seconds,visited,recall");
-      assert.equal(lines.length - 1, cells.filter(({ of, has }) => of === "query" && has).length);
-      await put(page, "k-number", 11);
-      assert.match(await page.innerText("#measured"), /other settings/);
-    });
-  });
-});
+test("picture, drawing and table hold what is shown", () => onNeighbours(async (page) => {
+  await page.click("#take-fold > summary");
+  assert.equal((await download(page, "#take-png")).bytes.subarray(1, 4).toString(), "PNG");
+  assert.ok(allOf(readXml((await download(page, "#take-svg")).text), "path").length > 20);
+  const state = await stateOf(page);
+  const { indices, distances } = foundBy(state);
+  const lines = (await download(page, "#take-csv")).text.trim().split("\r\n");
+  assert.equal(lines[0], "rank,number,distance,\"joint 1\",\"joint 2\"");
+  assert.deepEqual(lines.slice(1).map((line) => line.split(",").slice(0, 3).map(Number)), [...indices].map((one, i) => [i + 1, one, distances[i]]));
+}));
 
-describe("links and files", () => {
-  test("a link shows the same again, and says that a list of one's own is not in it", async () => {
-    await onNeighbours(async (page) => {
-      await choose(page, "three");
-      await put(page, "count-number", 2345);
-      await put(page, "seed-number", 12);
-      await page.click("#free");
-      await select(page, "index", "forest");
-      await put(page, "option-candidates", 77);
-      await select(page, "option-metric", "euclidean");
-      await put(page, "q2-number", -1.5);
-      await put(page, "k-number", 17);
-      await page.click("#link");
-      await page.getByText(/own list is not included/).waitFor();
-      const [state, fragment] = [await stateOf(page), await page.evaluate(() => location.hash)];
-      await onNeighbours(async (other) => {
-        assert.deepEqual(await stateOf(other), state);
-        assert.equal(await other.inputValue("#option-candidates"), "77");
-        assert.equal(await other.inputValue("#count-number"), "2345");
-        assert.equal(await other.isChecked("#free"), false);
-      }, DESK, { path: `neighbours.html${fragment}` });
-    }, { ...DESK, permissions: ["clipboard-read", "clipboard-write"] });
-  });
+/** @type {Record<string, (page: Page) => Promise<void>>} */
+const STATES = {
+  "first": async () => {},
+  "naive": (page) => select(page, "option-metric", "naive"),
+  "a body, by a forest, measured": async (page) => {
+    await choose(page, "body");
+    await select(page, "index", "forest");
+    await page.click("#measure");
+    await page.waitForSelector("#timing[data-timing=done]");
+    await page.click("#take-fold > summary");
+  },
+  "bad news": async (page) => {
+    await pickFile(page, "mine.json", "{");
+    await page.waitForSelector("#notice[data-code=invalid-json]");
+  },
+};
 
-  test("one that does not work is said not to, and the page opens all the same", async () => {
-    const state = { robot: "three", draw: { n: 300, seed: 1, free: true }, q: [0, 0, 0], k: 3, index: "forest" };
-    const strange = await encodeState({ ...state, given: { trees: 1000 } }, () => {});
-    for (const fragment of ["#1abc", "#2abc", "#nothing", `#${strange}`]) {
-      await onNeighbours(async (page) => {
-        assert.match(await page.innerText("#notice"), /This link does not work|The link cannot be opened/);
-        assert.equal((await stateOf(page)).robot, "two");
-      }, DESK, { path: `neighbours.html${fragment}` });
-    }
-  });
-
-  test("picture, drawing and table hold what is shown", async () => {
-    await onNeighbours(async (page) => {
-      await page.click("#take-fold > summary");
-      const taken = async (/** @type {string} */ id) => {
-        const [download] = await Promise.all([page.waitForEvent("download"), page.click(id)]);
-        return readFileSync(await download.path());
-      };
-      assert.equal((await taken("#take-png")).subarray(1, 4).toString(), "PNG");
-      const svg = (await taken("#take-svg")).toString();
-      assert.ok(allOf(readXml(svg), "path").length > 20);
-      const state = await stateOf(page);
-      const { indices, distances } = foundBy(state);
-      const lines = (await taken("#take-csv")).toString().trim().split("\r\n");
-      assert.equal(lines[0], "rank,number,distance,\"joint 1\",\"joint 2\"");
-      assert.deepEqual(lines.slice(1).map((line) => line.split(",").slice(0, 3).map(Number)), [...indices].map((one, i) => [i + 1, one, distances[i]]));
-    });
-  });
-
-});
-
-describe("for everyone", () => {
-  /** @type {Record<string, (page: Page) => Promise<void>>} */
-  const STATES = {
-    "first": async () => {},
-    "naive": (page) => select(page, "option-metric", "naive"),
-    "a body, by a forest, measured": async (page) => {
-      await choose(page, "body");
-      await select(page, "index", "forest");
-      await page.click("#measure");
-      await page.waitForSelector("#timing[data-timing=done]");
-      await page.click("#take-fold > summary");
-    },
-    "bad news": async (page) => {
-      await give(page, "mine.json", "{");
-      await page.waitForSelector("#notice[data-code=invalid-json]");
-    },
-  };
-
-  test("in any state axe finds nothing, nothing is cut off, and what is pressed is large enough", async () => {
-    await onNeighbours(async (page) => {
-      for (const [state, enter] of Object.entries(STATES)) {
-        await enter(page);
-        await assertFaultless(page, state);
-        await assertFits(page, state, 200);
-        await assertTargets(page);
-      }
-    });
-  });
-
-  test("forced colours are honoured", async () => {
-    await onNeighbours(async (page) => {
-      await assertForced(page);
-      assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
-    }, { ...DESK, forcedColors: "active" });
-  });
-});
+test("in any state axe finds nothing and all fits; forced colours are honoured", () => onNeighbours(async (page) => {
+  for (const [state, enter] of Object.entries(STATES)) {
+    await enter(page);
+    await assertFaultless(page, state);
+    await assertFits(page, state, 200);
+    await assertTargets(page);
+  }
+  await page.emulateMedia({ forcedColors: "active" });
+  await rest(page);
+  await assertForced(page);
+  assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
+}));

@@ -1,22 +1,10 @@
 /** What the worker tells of a run's log: who waits for the search, who hangs from whom, which vertex a pointer is at. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
 import { test } from "node:test";
-import { Scenario } from "planarium";
-import { VertexIndex, NEAR } from "../../www/planner/stage/vertex-index.js";
+import { NEAR, VertexIndex } from "../../www/planner/stage/vertex-index.js";
 import { Snapshots } from "../../www/planner/stage/snapshots.js";
 import { EVENT, PAST } from "../../www/planner/run-log/run-log.js";
-import { root } from "./browser.mjs";
-import { LocalRun, ended } from "./runs.mjs";
-
-/** @import { Settings } from "../../www/domain/types.js" */
-
-/** A run to its end. @param {string} id @param {string} algorithm @param {Settings} settings */
-function runOf(id, algorithm, settings) {
-  const scenario = Scenario.parse(readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8"));
-  return ended(new LocalRun(scenario, algorithm, settings));
-}
+import { LocalRun, runOf } from "./runs.mjs";
 
 /** Who waits, told the slow way: from the whole log up to the iteration. @param {LocalRun} run @param {number[]} roots */
 function waitingOf(run, roots) {
@@ -38,7 +26,7 @@ function waitingOf(run, roots) {
 
 for (const search of ["a-star", "dijkstra", "breadth-first", "bidirectional"]) {
   test(`the frontier of ${search} is what is reached and not expanded, forth and back`, () => {
-    const run = runOf("stones", "prm", { samples: 160, k: 7, seed: 3, search });
+    const { run } = runOf("stones", "prm", { samples: 160, k: 7, seed: 3, search });
     const searching = [];
     for (run.shown = 0; run.shown < run.made; run.shown++) if (run.phase === "searching") searching.push(run.shown);
     assert.ok(searching.length > 10);
@@ -64,7 +52,7 @@ for (const search of ["a-star", "dijkstra", "breadth-first", "bidirectional"]) {
 
 test("in a tree the cost from the root is the length of the way down the parents, in the metric of the run", () => {
   for (const metric of ["sum", "euclidean"]) {
-    const run = runOf("firs", "rrt", { step: 0.3, seed: 4, metric, max_iterations: 20_000 });
+    const { run } = runOf("firs", "rrt", { step: 0.3, seed: 4, metric, max_iterations: 20_000 });
     run.shown = run.made;
     assert.equal(run.status, "solved");
     run.adjacency.follow();

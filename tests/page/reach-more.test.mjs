@@ -1,202 +1,165 @@
 /** The page of the arm: inverse kinematics to watch, links and files, and for whom it is. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { after, before, describe, test } from "node:test";
+import { test } from "node:test";
 import { Scenario, reachMethods } from "planarium";
 import { decodeLink } from "../../www/planner/link/codec.js";
-import { DESK, pixelsOf, start, stop } from "./browser.mjs";
+import { DESK, download, fill, keys, pickFile, pixelsOf, useBrowser } from "./browser.mjs";
 import { assertFaultless, assertFits, assertForced, assertTargets } from "./looks.mjs";
-import { choose, entryOf, onReach, poseOf, put, rest, windowOf } from "./reach.mjs";
+import { choose, click, entryOf, onReach, poseOf, press, put, rest, solved, windowOf } from "./reach.mjs";
 import { allOf, readXml } from "./xml.mjs";
+import { load, textOf } from "./library.mjs";
 
 /** @import { Page } from "./browser.mjs" */
 
-before(start);
-after(stop);
+useBrowser();
 
-describe("inverse kinematics", () => {
-  test("a scenario with a target brings it along", async () => {
-    await onReach(async (page) => {
-      await page.setInputFiles("#file", { name: "pick.json", mimeType: "application/json", buffer: readFileSync(new URL("../../www/scenes/pick.json", import.meta.url)) });
-      await page.waitForSelector("body[data-scene=file]");
-      await page.click("#mode-solve");
-      await rest(page);
-      await page.click("#solve-finish");
-      await page.waitForSelector("#solve:not([data-status=running])", { state: "attached" });
-      await rest(page);
-      const [x, y] = Scenario.parse(readFileSync(new URL("../../www/scenes/pick.json", import.meta.url), "utf8")).endEffector(await poseOf(page));
-      assert.ok(Math.hypot(x - 1.55, y - 0.6) < 1e-8, `${x} ${y}`);
-    });
+test("a scenario with a target brings it along", () => onReach(async (page) => {
+  await pickFile(page, "pick.json", textOf("pick"));
+  await page.waitForSelector("body[data-scene=file]");
+  await click(page, "#mode-solve");
+  await solved(page);
+  const [x, y] = load("pick").endEffector(await poseOf(page));
+  assert.ok(Math.hypot(x - 1.55, y - 0.6) < 1e-8, `${x} ${y}`);
+}));
+
+test("a target out of reach is said to be, with the nearest point; one in collision too", async () => {
+  await onReach(async (page) => {
+    await page.click("#mode-solve");
+    await page.focus("#stage");
+    await keys(page, ...Array(12).fill("Shift+ArrowRight"));
+    await page.click("#solve-finish");
+    await page.waitForSelector("#solve[data-verdict=out-of-reach]", { state: "attached" });
+    await rest(page);
+    assert.match(await page.innerText("#story"), /too far away.*nearest point/);
   });
-
-  test("a target out of reach is said to be, with the nearest point; one in collision too", async () => {
-    await onReach(async (page) => {
-      await page.click("#mode-solve");
-      await page.focus("#stage");
-      for (let i = 0; i < 12; i++) await page.keyboard.press("Shift+ArrowRight");
-      await page.click("#solve-finish");
-      await page.waitForSelector("#solve[data-verdict=out-of-reach]", { state: "attached" });
-      await rest(page);
-      assert.match(await page.innerText("#story"), /too far away.*nearest point/);
-    });
-    await onReach(async (page) => {
-      await page.click("#mode-solve");
-      await page.check("#solve-free_only");
-      // Into the disc at (0.62, 0.62).
-      const [x, y] = await windowOf(page, "islands", [0.55, 0.6]);
-      await page.mouse.click(x, y);
-      await rest(page);
-      await page.click("#solve-finish");
-      await page.waitForSelector("#solve[data-verdict=in-collision]", { state: "attached" });
-      await rest(page);
-      assert.match(await page.innerText("#story"), /All solutions found collide: link \d touches obstacle/);
-    });
-  });
-
-  test("every method goes down to the target; the closed form is not for many joints, and says so", async () => {
-    await onReach(async (page) => {
-      await page.click("#mode-solve");
-      for (const { id } of reachMethods()) {
-        await page.selectOption("#method", id);
-        await rest(page);
-        await page.click("#solve-finish");
-        await page.waitForSelector("#solve:not([data-status=running])", { state: "attached" });
-        await rest(page);
-        assert.ok(Number(await page.getAttribute("#solve", "data-solutions")) >= 1, id);
-        if (id === "closed-form") assert.match(await page.innerText("#story"), /^Two configurations reach the target \(elbow up and elbow down\); [^;]*\.$/);
-      }
-      await choose(page, "tentacle");
-      await page.selectOption("#method", "closed-form");
-      await page.waitForSelector("#solve[data-status=refused]", { state: "attached" });
-      assert.match(await page.innerText("#notice"), /closed form for 1 or 2 links/);
-      await page.selectOption("#method", "newton");
-      await page.waitForSelector("#solve[data-status=running]", { state: "attached" });
-      assert.equal(await page.isHidden("#notice"), true);
-    });
-  });
-
-  test("the planner's page is handed the arm and the target", async () => {
-    await onReach(async (page) => {
-      await page.click("#mode-solve");
-      await rest(page);
-      await page.waitForFunction(() => (document.getElementById("plan")?.getAttribute("href") ?? "").length > 20);
-      const { experiment } = await decodeLink((await page.getAttribute("#plan", "href") ?? "").slice(2));
-      const { queries, robot } = /** @type {any} */ (experiment?.document);
-      assert.deepEqual(queries, [{ name: "reach", start: entryOf("islands").q, target: { point: entryOf("islands").target } }]);
-      assert.deepEqual(robot.links, entryOf("islands").robot.links);
-      await page.click("#plan");
-      await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
-      await page.click("#finish");
-      await page.waitForSelector("#counters[data-settled=true][data-status=solved]", { state: "attached" });
-      assert.equal(await page.isHidden("#notice"), true);
-    });
+  await onReach(async (page) => {
+    await page.click("#mode-solve");
+    await page.check("#solve-free_only");
+    // Into the disc at (0.62, 0.62).
+    const [x, y] = await windowOf(page, "islands", [0.55, 0.6]);
+    await page.mouse.click(x, y);
+    await rest(page);
+    await page.click("#solve-finish");
+    await page.waitForSelector("#solve[data-verdict=in-collision]", { state: "attached" });
+    await rest(page);
+    assert.match(await page.innerText("#story"), /All solutions found collide: link \d touches obstacle/);
   });
 });
 
-describe("links and files", () => {
-  test("a link shows the same again: arm, pose, way and run", async () => {
-    await onReach(async (page) => {
-      await choose(page, "window");
-      await put(page, "link-1-number", "0.5");
-      // A pose of many digits.
-      await page.focus("#stage");
-      await page.keyboard.press("ArrowUp");
-      await rest(page);
-      await page.click("#mode-solve");
-      await page.fill("#solve-seed", "5");
-      await page.locator("#solve-seed").blur();
-      await page.click("#solve-step-10");
-      await rest(page);
-      await page.click("#link");
-      await page.waitForFunction(() => location.hash.length > 2);
-      const fragment = await page.evaluate(() => location.hash);
-      assert.ok(fragment.length <= 2049);
-      const [q, fingerprint] = [await poseOf(page), await page.getAttribute("#solve", "data-fingerprint")];
-      assert.match(fingerprint ?? "", /^[0-9a-f]{16}$/);
-      await onReach(async (other) => {
-        assert.equal(await other.getAttribute("body", "data-scene"), "window");
-        assert.equal(await other.getAttribute("body", "data-mode"), "solve");
-        assert.deepEqual(await poseOf(other), q);
-        assert.equal(await other.getAttribute("#solve", "data-iterations"), "10");
-        assert.equal(await other.getAttribute("#solve", "data-fingerprint"), fingerprint);
-        assert.equal(await other.inputValue("#link-1-number"), "0.500");
-        assert.equal(await other.inputValue("#solve-seed"), "5");
-      }, DESK, { path: `reach.html${fragment}` });
-    }, { ...DESK, permissions: ["clipboard-read", "clipboard-write"] });
-  });
+test("every method goes down to the target; the closed form is not for many joints, and says so", () => onReach(async (page) => {
+  await page.click("#mode-solve");
+  for (const { id } of reachMethods()) {
+    await page.selectOption("#method", id);
+    await rest(page);
+    await solved(page);
+    assert.ok(Number(await page.getAttribute("#solve", "data-solutions")) >= 1, id);
+    if (id === "closed-form") assert.match(await page.innerText("#story"), /^Two configurations reach the target \(elbow up and elbow down\); [^;]*\.$/);
+  }
+  await choose(page, "tentacle");
+  await page.selectOption("#method", "closed-form");
+  await page.waitForSelector("#solve[data-status=refused]", { state: "attached" });
+  assert.match(await page.innerText("#notice"), /closed form for 1 or 2 links/);
+  await page.selectOption("#method", "newton");
+  await page.waitForSelector("#solve[data-status=running]", { state: "attached" });
+  assert.equal(await page.isHidden("#notice"), true);
+}));
 
-  test("one that does not work is said not to, and the page opens all the same", async () => {
-    for (const fragment of ["#1abc", "#2abc", `#1${"a".repeat(3000)}`, "#nothing"]) {
-      await onReach(async (page) => {
-        assert.match(await page.innerText("#notice"), /This link does not work/);
-        assert.equal(await page.getAttribute("body", "data-scene"), "islands");
-      }, DESK, { path: `reach.html${fragment}` });
-    }
-  });
+test("the planner's page is handed the arm and the target", () => onReach(async (page) => {
+  await click(page, "#mode-solve");
+  await page.waitForFunction(() => (document.getElementById("plan")?.getAttribute("href") ?? "").length > 20);
+  const { experiment } = await decodeLink((await page.getAttribute("#plan", "href") ?? "").slice(2));
+  const { queries, robot } = /** @type {any} */ (experiment?.document);
+  assert.deepEqual(queries, [{ name: "reach", start: entryOf("islands").q, target: { point: entryOf("islands").target } }]);
+  assert.deepEqual(robot.links, entryOf("islands").robot.links);
+  await page.click("#plan");
+  await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
+  await page.click("#finish");
+  await page.waitForSelector("#counters[data-settled=true][data-status=solved]", { state: "attached" });
+  assert.equal(await page.isHidden("#notice"), true);
+}));
 
-  test("the stage as PNG and SVG, the scenario as JSON", async () => {
+test("a link shows the same again: arm, pose, way and run", () => onReach(async (page) => {
+  await choose(page, "window");
+  await put(page, "link-1-number", "0.5");
+  // A pose of many digits.
+  await press(page, "#stage", "ArrowUp");
+  await page.click("#mode-solve");
+  await fill(page, "#solve-seed", "5");
+  await click(page, "#solve-step-10");
+  await page.click("#link");
+  await page.waitForFunction(() => location.hash.length > 2);
+  const fragment = await page.evaluate(() => location.hash);
+  assert.ok(fragment.length <= 2049);
+  const [q, fingerprint] = [await poseOf(page), await page.getAttribute("#solve", "data-fingerprint")];
+  assert.match(fingerprint ?? "", /^[0-9a-f]{16}$/);
+  await onReach(async (other) => {
+    assert.equal(await other.getAttribute("body", "data-scene"), "window");
+    assert.equal(await other.getAttribute("body", "data-mode"), "solve");
+    assert.deepEqual(await poseOf(other), q);
+    assert.equal(await other.getAttribute("#solve", "data-iterations"), "10");
+    assert.equal(await other.getAttribute("#solve", "data-fingerprint"), fingerprint);
+    assert.equal(await other.inputValue("#link-1-number"), "0.500");
+    assert.equal(await other.inputValue("#solve-seed"), "5");
+  }, DESK, { path: `reach.html${fragment}` });
+}, { ...DESK, permissions: ["clipboard-read", "clipboard-write"] }));
+
+test("a link that does not work is said not to, and the page opens all the same", async () => {
+  for (const fragment of ["#1abc", "#2abc", `#1${"a".repeat(3000)}`, "#nothing"]) {
     await onReach(async (page) => {
-      await page.waitForSelector("#stage[data-cells=true]");
-      await page.click("#mode-between");
-      await page.click("#take-fold > summary");
-      /** @param {string} id */
-      const taken = async (id) => {
-        const [download] = await Promise.all([page.waitForEvent("download"), page.click(id)]);
-        return readFileSync(await download.path());
-      };
-      const png = await taken("#take-png");
-      assert.equal(png.subarray(1, 4).toString(), "PNG");
-      const svg = (await taken("#take-svg")).toString();
-      assert.match(svg, /^<svg[\s\S]+<\/svg>\s*$/);
-      assert.match(svg, /data:image\/png/);
-      assert.ok(allOf(readXml(svg), "path").length > 20);
-      Scenario.parse((await taken("#take-scenario")).toString()).free();
-    });
-  });
+      assert.match(await page.innerText("#notice"), /This link does not work/);
+      assert.equal(await page.getAttribute("body", "data-scene"), "islands");
+    }, DESK, { path: `reach.html${fragment}` });
+  }
 });
 
-describe("for everyone", () => {
-  /** @type {Record<string, (page: Page) => Promise<void>>} */
-  const STATES = {
-    "by hand": async () => {},
-    "touching": async (page) => {
-      await put(page, "joint-0-number", "0.78");
-      await put(page, "joint-1-number", "0");
-    },
-    "from A to B": async (page) => { await page.click("#mode-between"); },
-    "solved": async (page) => {
-      await choose(page, "corner");
-      await page.click("#mode-solve");
-      await page.click("#solve-finish");
-      await page.waitForSelector("#solve:not([data-status=running])", { state: "attached" });
-    },
-    "with stops": async (page) => {
-      await choose(page, "limits");
-      await page.click("#take-fold > summary");
-    },
-  };
+test("the stage as PNG and SVG, the scenario as JSON", () => onReach(async (page) => {
+  await page.waitForSelector("#stage[data-cells=true]");
+  await page.click("#mode-between");
+  await page.click("#take-fold > summary");
+  assert.equal((await download(page, "#take-png")).bytes.subarray(1, 4).toString(), "PNG");
+  const svg = (await download(page, "#take-svg")).text;
+  assert.match(svg, /^<svg[\s\S]+<\/svg>\s*$/);
+  assert.match(svg, /data:image\/png/);
+  assert.ok(allOf(readXml(svg), "path").length > 20);
+  Scenario.parse((await download(page, "#take-scenario")).text).free();
+}));
 
-  test("in any state axe finds nothing, nothing is cut off, and figures and what is pressed are large enough", async () => {
-    await onReach(async (page) => {
-      for (const [state, reachIt] of Object.entries(STATES)) {
-        await reachIt(page);
-        await assertFaultless(page, state);
-        await assertFits(page, state, 200);
-        await assertTargets(page);
-      }
-    });
-  });
+/** @type {Record<string, (page: Page) => Promise<void>>} */
+const STATES = {
+  "by hand": async () => {},
+  "touching": async (page) => {
+    await put(page, "joint-0-number", "0.78");
+    await put(page, "joint-1-number", "0");
+  },
+  "from A to B": async (page) => { await page.click("#mode-between"); },
+  "solved": async (page) => {
+    await choose(page, "corner");
+    await page.click("#mode-solve");
+    await page.click("#solve-finish");
+    await page.waitForSelector("#solve:not([data-status=running])", { state: "attached" });
+  },
+  "with stops": async (page) => {
+    await choose(page, "limits");
+    await page.click("#take-fold > summary");
+  },
+};
 
-  test("forced colours are honoured", async () => {
-    await onReach(async (page) => {
-      await assertForced(page);
-      const { color, backgroundColor, adjust } = await page.locator("#mode-hand").evaluate((button) => {
-        const style = getComputedStyle(button);
-        return { color: style.color, backgroundColor: style.backgroundColor, adjust: style.forcedColorAdjust };
-      });
-      assert.equal(adjust, "none", "no plate under the word of what is chosen");
-      assert.notEqual(color, backgroundColor);
-      assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
-    }, { ...DESK, forcedColors: "active" });
+test("in any state axe finds nothing and all fits; forced colours are honoured", () => onReach(async (page) => {
+  await page.emulateMedia({ forcedColors: "active" });
+  await rest(page);
+  await assertForced(page);
+  const { color, backgroundColor, adjust } = await page.locator("#mode-hand").evaluate((button) => {
+    const style = getComputedStyle(button);
+    return { color: style.color, backgroundColor: style.backgroundColor, adjust: style.forcedColorAdjust };
   });
-});
+  assert.equal(adjust, "none", "no plate under the word of what is chosen");
+  assert.notEqual(color, backgroundColor);
+  assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
+  await page.emulateMedia({ forcedColors: "none" });
+  for (const [state, reachIt] of Object.entries(STATES)) {
+    await reachIt(page);
+    await assertFaultless(page, state);
+    await assertFits(page, state, 200);
+    await assertTargets(page);
+  }
+}));

@@ -1,12 +1,12 @@
-/** The page of the arm in the browser, for its tests. */
+/** The pages of the rooms in the browser, for their tests; and what those of the arm share. */
 import assert from "node:assert/strict";
 import { Scenario } from "planarium";
 import { documentOf } from "../../www/reach/session.js";
 import { SCENES } from "../../www/reach/scenes.js";
-import { DESK, choose as chooseOne, onPage } from "./browser.mjs";
+import { DESK, choose as chooseOne, fill, keys, onPage } from "./browser.mjs";
 import { plane } from "./editing.mjs";
 
-/** @import { Options, Page } from "./browser.mjs" */
+/** @import { More, Options, Page } from "./browser.mjs" */
 
 /** @param {string} id */
 export const entryOf = (id) => SCENES.find((scene) => scene.id === id) ?? assert.fail(id);
@@ -14,36 +14,59 @@ export const entryOf = (id) => SCENES.find((scene) => scene.id === id) ?? assert
 /** @param {string} id */
 export const scenarioOf = (id) => Scenario.parse(documentOf(entryOf(id)));
 
-/** The page of the arm, at rest. @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {import("./browser.mjs").More} [more] */
-export async function onReach(test, options = DESK, more = {}) {
-  await onPage({ reducedMotion: "reduce", ...options }, async (page, url) => {
-    await page.waitForSelector("body[data-state=ready][data-settled=true]");
-    await test(page, url);
-  }, { path: "reach.html", ...more });
+/**
+ * What tests of every room do.
+ * @param {string} name  of its page @param {string} ready  its body at rest @param {string} chosen  the attribute that says which scene is chosen
+ */
+export function roomOf(name, ready, chosen) {
+  /** Waits until all is computed and drawn. @param {Page} page */
+  const rest = async (page) => {
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)));
+    await page.waitForSelector(ready);
+  };
+  return {
+    rest,
+    /** Opens the page and waits until it is at rest. @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {More} [more] */
+    onRoom: (test, options = DESK, more = {}) => onPage({ reducedMotion: "reduce", ...options }, async (page, url) => {
+      await page.waitForSelector(ready);
+      await test(page, url);
+    }, { path: `${name}.html`, ...more }),
+    /** @param {Page} page @param {string} selector */
+    click: async (page, selector) => {
+      await page.click(selector);
+      await rest(page);
+    },
+    /** Presses keys on an element. @param {Page} page @param {string} selector @param {...string} names */
+    press: async (page, selector, ...names) => {
+      await page.focus(selector);
+      await keys(page, ...names);
+      await rest(page);
+    },
+    /** Chooses a scene or a robot. @param {Page} page @param {string} id */
+    choose: async (page, id) => {
+      await chooseOne(page, "scene", id);
+      await page.waitForSelector(`body[data-${chosen}=${id}]`);
+      await rest(page);
+    },
+    /** Puts a number into a field. @param {Page} page @param {string} id @param {string | number} value */
+    put: async (page, id, value) => {
+      await fill(page, `#${id}`, String(value));
+      await rest(page);
+    },
+  };
 }
 
-/** Waits until all is drawn. @param {Page} page */
-export async function rest(page) {
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)));
-  await page.waitForSelector("body[data-settled=true]");
-}
+export const { onRoom: onReach, rest, click, press, choose, put } = roomOf("reach", "body[data-state=ready][data-settled=true]", "scene");
 
-/** @param {Page} page @param {string} id */
-export async function choose(page, id) {
-  await chooseOne(page, "scene", id);
-  await page.waitForSelector(`body[data-scene=${id}]`);
+/** Solves to the end. @param {Page} page */
+export async function solved(page) {
+  await page.click("#solve-finish");
+  await page.waitForSelector("#solve:not([data-status=running])", { state: "attached" });
   await rest(page);
 }
 
 /** The pose. @param {Page} page */
 export const poseOf = async (page) => ((await page.getAttribute("body", "data-q")) ?? "").split(",").map(Number);
-
-/** Puts a number into a field. @param {Page} page @param {string} id @param {string} value */
-export async function put(page, id, value) {
-  await page.fill(`#${id}`, value);
-  await page.locator(`#${id}`).blur();
-  await rest(page);
-}
 
 /** Where a point of the world is, in pixels of the window. @param {Page} page @param {string} id  of the scene @param {[number, number]} point */
 export const windowOf = async (page, id, point) => (await plane(page, scenarioOf(id).extent()))(...point);

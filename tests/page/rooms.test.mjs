@@ -2,99 +2,73 @@
 import assert from "node:assert/strict";
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, describe, test } from "node:test";
+import { test } from "node:test";
 import { flag, list, number, record, withDefaults } from "../../www/formats/rules.js";
 import { decodeState, encodeState } from "../../www/app/link.js";
-import { DESK, onPage, pageRoot, pixelsOf, root, start, stop } from "./browser.mjs";
+import { DESK, TRAP, onPage, pageRoot, pixelsOf, root, useBrowser } from "./browser.mjs";
 import { onReach, poseOf, rest } from "./reach.mjs";
 
-before(start);
-after(stop);
+useBrowser();
 
-describe("the pages", () => {
-  test("link each other, and say which of them one is on", async () => {
-    await onReach(async (page, url) => {
-      assert.equal(await page.locator(".rooms [aria-current=page]").innerText(), "Reach");
-      const addresses = await page.locator(".rooms a").evaluateAll((links) => links.map((link) => /** @type {HTMLAnchorElement} */ (link).href));
-      for (const address of addresses) assert.equal((await page.request.get(address)).status(), 200, address);
-      await page.click(".rooms a >> text=Plan");
-      await page.waitForSelector("#counters[data-settled=true]", { state: "attached" });
-      assert.equal(page.url(), url);
-      assert.equal(await page.locator(".rooms [aria-current=page]").innerText(), "Plan");
-      await page.click(".rooms a >> text=Reach");
-      await page.waitForSelector("body[data-state=ready]");
-    });
-  });
+test("the pages link each other, say which of them one is on, and share their colours", () => onReach(async (page, url) => {
+  assert.equal(await page.innerText(".rooms [aria-current=page]"), "Reach");
+  const addresses = await page.locator(".rooms a").evaluateAll((links) => links.map((link) => /** @type {HTMLAnchorElement} */ (link).href));
+  for (const address of addresses) assert.equal((await page.request.get(address)).status(), 200, address);
+  await page.click(".rooms a >> text=Plan");
+  await page.waitForSelector("#counters[data-settled=true]", { state: "attached" });
+  assert.equal(page.url(), url);
+  assert.equal(await page.innerText(".rooms [aria-current=page]"), "Plan");
+  await page.click(".rooms a >> text=Reach");
+  await page.waitForSelector("body[data-state=ready]");
+  await page.click("#theme");
+  assert.equal(await page.getAttribute("html", "data-theme"), "dark");
+  await page.goto(url);
+  await page.waitForSelector("html[data-theme=dark]");
+}, { ...DESK, colorScheme: "light" }));
 
-  test("share their colours", async () => {
-    await onReach(async (page, url) => {
-      await page.click("#theme");
-      assert.equal(await page.getAttribute("html", "data-theme"), "dark");
-      await page.goto(url);
-      await page.waitForSelector("html[data-theme=dark]");
-    }, { ...DESK, colorScheme: "light" });
-  });
+test("a room whose core was lost says so, and goes on", () => onReach(async (page) => {
+  const before = await poseOf(page);
+  await page.evaluate(() => { /** @type {any} */ (window).trap = "scenario_follow"; });
+  await page.focus("#stage");
+  await page.keyboard.press("ArrowUp");
+  await page.waitForSelector("#notice[data-code=internal]");
+  await rest(page);
+  assert.deepEqual(await poseOf(page), before);
+  await page.keyboard.press("ArrowUp");
+  await page.waitForFunction((q) => document.body.dataset.q !== q, before.join());
+  assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
+}, DESK, { before: async (page) => void await page.addInitScript(TRAP) }));
 
-  test("after its core was lost it says so, and goes on", async () => {
-    await onReach(async (page) => {
-      const before = await poseOf(page);
-      await page.evaluate(() => { /** @type {any} */ (window).trap = "scenario_follow"; });
-      await page.focus("#stage");
-      await page.keyboard.press("ArrowUp");
-      await page.waitForSelector("#notice[data-code=internal]");
-      await rest(page);
-      assert.deepEqual(await poseOf(page), before);
-      await page.keyboard.press("ArrowUp");
-      await page.waitForFunction((q) => document.body.dataset.q !== q, before.join());
-      assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
-    }, DESK, { before: async (page) => void await page.addInitScript(() => {
-      const { Instance } = WebAssembly;
-      WebAssembly.Instance = /** @type {any} */ (function (/** @type {WebAssembly.Module} */ module, /** @type {WebAssembly.Imports} */ imports) {
-        const { exports } = new Instance(module, imports);
-        return { exports: Object.fromEntries(Object.entries(exports).map(([name, one]) => [name, typeof one !== "function" ? one : (/** @type {unknown[]} */ ...args) => {
-          if (name !== /** @type {any} */ (window).trap) return one(...args);
-          /** @type {any} */ (window).trap = "";
-          throw new WebAssembly.RuntimeError("unreachable");
-        }])) };
-      });
-    }) });
-  });
+test("a room without its WebAssembly says so and stays a page", () => onPage(DESK, async (page) => {
+  await page.waitForSelector("body[data-state=failed]");
+  assert.match(await page.innerText("#notice"), /WebAssembly/);
+  assert.equal(await page.locator(".rooms a").count() > 1, true);
+}, { path: "reach.html", expectErrors: true, before: async (page) => { await page.route(/\.wasm$/, (route) => route.abort()); } }));
 
-  test("without its WebAssembly it says so and stays a page", async () => {
-    await onPage(DESK, async (page) => {
-      await page.waitForSelector("body[data-state=failed]");
-      assert.match(await page.innerText("#notice"), /WebAssembly/);
-      assert.equal(await page.locator(".rooms a").count() > 1, true);
-    }, { path: "reach.html", expectErrors: true, before: async (page) => { await page.route(/\.wasm$/, (route) => route.abort()); } });
-  });
+const rule = record({ values: list(number, 0, Infinity) });
+
+test("a state in an address comes back as it was, and is checked", async () => {
+  const state = { values: [0.1, -1 / 3, 1e-300] };
+  assert.deepEqual(await decodeState(`#${await encodeState(state, rule)}`, rule), { state, fault: "" });
+  await assert.rejects(encodeState({ other: 1 }, rule), /state.other is unknown/);
+  const { fault } = await decodeState(await encodeState({ values: [1] }, rule), record({}));
+  assert.match(fault ?? "", /state.values is unknown/);
 });
 
-describe("what a room may hold in its address", () => {
-  const rule = record({ values: list(number, 0, Infinity) });
+test("a state leaves out what has its default, and gets it back", async () => {
+  const described = withDefaults({ values: list(number, 0, 3), isOn: flag }, { values: [1, 2], isOn: false });
+  const short = await encodeState({ values: [1, 2], isOn: false }, described);
+  assert.equal(short, await encodeState({}, described));
+  assert.deepEqual(await decodeState(short, described), { state: { values: [1, 2], isOn: false }, fault: "" });
+  assert.deepEqual((await decodeState(await encodeState({ values: [], isOn: true }, record({ values: list(number, 0, 3), isOn: flag })), described)).state, { values: [], isOn: true });
+});
 
-  test("comes back as it was, and is checked", async () => {
-    const state = { values: [0.1, -1 / 3, 1e-300] };
-    assert.deepEqual(await decodeState(`#${await encodeState(state, rule)}`, rule), { state, fault: "" });
-    await assert.rejects(encodeState({ other: 1 }, rule), /state.other is unknown/);
-    const { fault } = await decodeState(await encodeState({ values: [1] }, rule), record({}));
-    assert.match(fault ?? "", /state.values is unknown/);
-  });
-
-  test("leaves out what has its default, and gets it back", async () => {
-    const described = withDefaults({ values: list(number, 0, 3), isOn: flag }, { values: [1, 2], isOn: false });
-    const short = await encodeState({ values: [1, 2], isOn: false }, described);
-    assert.equal(short, await encodeState({}, described));
-    assert.deepEqual(await decodeState(short, described), { state: { values: [1, 2], isOn: false }, fault: "" });
-    assert.deepEqual((await decodeState(await encodeState({ values: [], isOn: true }, record({ values: list(number, 0, 3), isOn: flag })), described)).state, { values: [], isOn: true });
-  });
-
-  test("is 2 KB at most, and unpacks to no more than 16", async () => {
-    const noise = Array.from({ length: 300 }, (_, i) => Math.sin(i + 1));
-    await assert.rejects(encodeState({ values: noise }, rule), /too long/);
-    await assert.rejects(encodeState({ values: Array.from({ length: 20_000 }, () => 0) }, rule), /too long/);
-    const { fault } = await decodeState(`1${"A".repeat(3000)}`, rule);
-    assert.match(fault ?? "", /too long/);
-  });
+test("a state in an address is 2 KB at most, and unpacks to no more than 16", async () => {
+  const noise = Array.from({ length: 300 }, (_, i) => Math.sin(i + 1));
+  await assert.rejects(encodeState({ values: noise }, rule), /too long/);
+  await assert.rejects(encodeState({ values: Array.from({ length: 20_000 }, () => 0) }, rule), /too long/);
+  const { fault } = await decodeState(`1${"A".repeat(3000)}`, rule);
+  assert.match(fault ?? "", /too long/);
 });
 
 test("links that were made before states had defaults still open", async () => {

@@ -1,6 +1,7 @@
 /** Runs whose planners are stepped in the test's own thread, as the worker steps those of the page. */
 import { phases, planners } from "planarium";
 import { Run } from "../../www/planner/run-log/run-log.js";
+import { load } from "./library.mjs";
 import { Stepper } from "../../www/planner/worker/stepper.js";
 
 /** @import { Scenario, Settings } from "../../www/domain/types.js" */
@@ -34,4 +35,12 @@ export class LocalRun extends Run {
 export function ended(run) {
   while (!run.ended) run.advance(-1, Infinity);
   return run;
+}
+
+/** A scene's run, planned to its end and shown there. @param {string} id @param {string} algorithm @param {Settings} settings */
+export function runOf(id, algorithm, settings) {
+  const scenario = load(id);
+  const run = ended(new LocalRun(scenario, algorithm, settings));
+  run.shown = run.made;
+  return { scenario, run };
 }

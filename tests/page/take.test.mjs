@@ -2,28 +2,22 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, describe, test } from "node:test";
+import { test } from "node:test";
 import { readNpy, writeNpy } from "../../www/formats/npy.js";
-import { PHONE, atRest, chooseScene, counters, finish, growthHash, onPausedPage, pickFile, pixelsOf, root, start, stop, unfold } from "./browser.mjs";
+import {
+  PHONE, atRest, chooseScene, click, counters, download, fill, finish, growthHash, onPausedPage, pickFile, pixelsOf, root, unfold,
+  useBrowser,
+} from "./browser.mjs";
 
 /** @import { Page } from "./browser.mjs" */
 
-before(start);
-after(stop);
+useBrowser();
 
 /** @param {string} name */
 const fixture = (name) => readFileSync(join(root, "tests", "page", "fixtures", `${name}.npy`));
 
-/** Takes one thing away. @param {Page} page @param {string} id @returns {Promise<{ name: string, bytes: Buffer }>} */
-async function take(page, id) {
-  const [download] = await Promise.all([page.waitForEvent("download"), page.click(`#take-${id}`)]);
-  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
-}
-
-/** Hands a NumPy file to the page. @param {Page} page @param {string} name @param {Uint8Array} bytes */
-async function pickArray(page, name, bytes) {
-  await page.setInputFiles("#file", { name, mimeType: "application/octet-stream", buffer: Buffer.from(bytes) });
-}
+/** Takes one thing away. @param {Page} page @param {string} id */
+const take = (page, id) => download(page, `#take-${id}`);
 
 /** Makes pictures as a browser decodes them: `names` of variables in the page. @param {Page} page @param {Record<string, { bytes: Buffer, type: string }>} files */
 async function decode(page, files) {
@@ -83,8 +77,7 @@ function sizeOfPng(bytes) {
 
 for (const ratio of [1, 2]) {
   test(`a picture has the stage's pixels, ${ratio} a CSS pixel, and each size its own`, () => onPausedPage(async (page) => {
-    await page.click("#step-100");
-    await atRest(page);
+    await click(page, "#step-100");
     await unfold(page, "take");
     const box = await page.locator("#stage").evaluate((stage) => stage.getBoundingClientRect().toJSON());
     for (const scale of ratio === 1 ? [1, 2, 4] : [2]) {
@@ -103,18 +96,17 @@ for (const ratio of [1, 2]) {
   }, { deviceScaleFactor: ratio }));
 }
 
-test("the drawing of lines is well formed and looks like the picture; it asks for nothing from elsewhere", () => onPausedPage(async (page) => {
+test("an SVG is well formed, looks like the picture, and asks for nothing from elsewhere", () => onPausedPage(async (page) => {
   await finish(page);
   await unfold(page, "take");
   await page.selectOption("#take-scale", "1");
   const png = await take(page, "png");
-  const svg = await take(page, "svg");
-  const text = svg.bytes.toString();
+  const { bytes: svg, text } = await take(page, "svg");
   assert.ok(text.split("<path").length > 500, "its lines are paths");
   assert.match(text, /<title>[^<]*roadmap[^<]*<\/title>/);
   assert.doesNotMatch(text, /color-mix|image:\d|href="(?!data:image\/png)/);
   // An image that is not well formed cannot be decoded.
-  await decode(page, { png: { bytes: png.bytes, type: "image/png" }, svg: { bytes: svg.bytes, type: "image/svg+xml" } });
+  await decode(page, { png: { bytes: png.bytes, type: "image/png" }, svg: { bytes: svg, type: "image/svg+xml" } });
   const mean = await difference(page, "svg", "png");
   assert.ok(mean > 0 && mean < 3, `the mean difference is ${mean}`);
   const blank = Buffer.from(text.replace(/<path[^>]*>/g, ""));
@@ -122,9 +114,8 @@ test("the drawing of lines is well formed and looks like the picture; it asks fo
   assert.ok(await difference(page, "blank", "png") > 2 * mean, "without its lines it would not look like it");
 }));
 
-test("a moving picture has as many frames as were asked for, and ends with what the stage shows; the stage stands still meanwhile", () => onPausedPage(async (page) => {
-  await page.click("#step-100");
-  await atRest(page);
+test("a moving picture has its frames and ends with what the stage shows, which stands still", () => onPausedPage(async (page) => {
+  await click(page, "#step-100");
   await unfold(page, "take");
   await page.selectOption("#take-scale", "1");
   const png = await take(page, "png");
@@ -144,7 +135,7 @@ test("a moving picture has as many frames as were asked for, and ends with what 
   const gif = await take(page, "gif");
   await page.evaluate(() => { document.body.dataset.looking = "no"; });
   await page.waitForSelector("body[data-seen]");
-  assert.equal(await page.locator("body").getAttribute("data-seen"), "100 true", "no other iteration was told of meanwhile");
+  assert.equal(await page.getAttribute("body", "data-seen"), "100 true", "no other iteration was told of meanwhile");
   assert.deepEqual([await growthHash(page, "workspace"), await growthHash(page, "cspace"), JSON.stringify(await counters(page)), await page.inputValue("#time")], before);
   assert.equal(gif.name, "stones-prm-seed0-100.gif");
   assert.equal(gif.bytes.subarray(0, 6).toString("latin1"), "GIF89a");
@@ -201,39 +192,34 @@ test("a moving picture can be cancelled, and is not gone on with when another ru
   await page.selectOption("#take-frames", "96");
   await clickWhileMade(page, "take-cancel");
   await page.waitForFunction(() => document.getElementById("take-told")?.textContent === "Cancelled.");
-  assert.equal(await page.locator("#take-progress").isVisible(), false);
+  assert.equal(await page.isVisible("#take-progress"), false);
   await clickWhileMade(page, "reset");
   await page.waitForSelector("#notice[data-code=run-replaced]");
-  await page.click("#step-10");
-  assert.equal((await atRest(page)).iterations, 10);
+  assert.equal((await click(page, "#step-10")).iterations, 10);
   assert.match((await take(page, "gif")).name, /-10\.gif$/);
-}));
-
-test("what is not to be had says why", () => onPausedPage(async (page) => {
-  await unfold(page, "take");
-  assert.deepEqual([await page.isDisabled("#take-gif"), await page.isDisabled("#take-path"), await page.isDisabled("#take-png")], [true, true, false]);
-  assert.match(await page.innerText("#take-gif-hint"), /Nothing has happened/);
-  assert.match(await page.innerText("#take-path-hint"), /No path/);
-  await finish(page);
-  assert.deepEqual([await page.isDisabled("#take-gif"), await page.isDisabled("#take-path")], [false, false]);
 }));
 
 test("a scene that was taken away and is opened again plans the same", () => onPausedPage(async (page) => {
   await page.selectOption("#planner", "rrt-connect");
   const { fingerprint } = await finish(page);
   await unfold(page, "take");
-  const { name, bytes } = await take(page, "scenario");
+  const { name, text } = await take(page, "scenario");
   assert.equal(name, "stones.json");
-  await pickFile(page, name, bytes.toString());
+  await pickFile(page, name, text);
   await page.waitForSelector("body[data-scene=file]");
   assert.equal((await finish(page)).fingerprint, fingerprint);
   assert.match(fingerprint, /^[0-9a-f]{16}$/);
 }));
 
-test("counters, result, path and vertices are the numbers of the run", () => onPausedPage(async (page) => {
-  const run = await finish(page);
+test("what is not to be had says why; counters, result, path and vertices are the numbers of the run", () => onPausedPage(async (page) => {
   await unfold(page, "take");
-  const csv = (await take(page, "counters")).bytes.toString().trimEnd().split("\r\n").map((row) => row.split(","));
+  const off = () => Promise.all(["gif", "path", "png"].map((id) => page.isDisabled(`#take-${id}`)));
+  assert.deepEqual(await off(), [true, true, false]);
+  assert.match(await page.innerText("#take-gif-hint"), /Nothing has happened/);
+  assert.match(await page.innerText("#take-path-hint"), /No path/);
+  const run = await finish(page);
+  assert.deepEqual(await off(), [false, false, false]);
+  const csv = (await take(page, "counters")).text.trimEnd().split("\r\n").map((row) => row.split(","));
   assert.deepEqual(csv[0], ["iteration", "vertices", "edges", "events", "phase", "configuration_checks", "motion_checks", "clearance_evaluations", "cost"]);
   assert.equal(csv.length - 1, run.iterations + 1);
   assert.deepEqual(csv[1].slice(0, 5), ["0", "2", "0", "0", "sampling"]);
@@ -242,7 +228,7 @@ test("counters, result, path and vertices are the numbers of the run", () => onP
   assert.equal(last[5], (await page.innerText("#count-checks")).replace(",", ""));
 
   const result = await take(page, "result");
-  const { path, fingerprint, length, stats } = JSON.parse(result.bytes.toString());
+  const { path, fingerprint, length, stats } = JSON.parse(result.text);
   assert.deepEqual([fingerprint, length, stats.vertices], [run.fingerprint, run.length, run.vertices]);
 
   const taken = await take(page, "path");
@@ -251,8 +237,7 @@ test("counters, result, path and vertices are the numbers of the run", () => onP
   const vertices = readNpy((await take(page, "vertices")).bytes);
   assert.deepEqual(vertices.shape, [run.vertices, 2]);
   assert.deepEqual(vertices.data.slice(0, 4), Float64Array.from([...path[0], ...path[path.length - 1]]), "start and goal come first");
-  await page.fill("#time", "50");
-  await page.locator("#time").blur();
+  await fill(page, "#time", "50");
   await page.waitForSelector("#counters[data-iterations='50'][data-settled=true]", { state: "attached" });
   assert.equal(readNpy((await take(page, "vertices")).bytes).shape[0], (await counters(page)).vertices, "those that are shown");
 }));
@@ -264,116 +249,112 @@ test("of a race each planner is told of, in one table, and by choice in a file o
   await page.click("#finish");
   await page.waitForFunction(() => [...document.querySelectorAll("#standings tbody tr")].length === 2 && document.getElementById("counters")?.dataset.settled === "true");
   await unfold(page, "take");
-  const rows = (await take(page, "counters")).bytes.toString().trimEnd().split("\r\n").map((row) => row.split(","));
+  const rows = (await take(page, "counters")).text.trimEnd().split("\r\n").map((row) => row.split(","));
   assert.deepEqual(rows[0].slice(0, 2), ["planner", "iteration"]);
   assert.equal(new Set(rows.slice(1).map(([planner]) => planner)).size, 2);
   await page.selectOption("#take-lane", "1");
-  const { planner } = JSON.parse((await take(page, "result")).bytes.toString());
+  const { planner } = JSON.parse((await take(page, "result")).text);
   assert.ok(rows.some(([name]) => name === `"B ${planner}"`), planner);
   const { name, bytes } = await take(page, "png");
   assert.match(name, /^stones-race-/);
   assert.ok(sizeOfPng(bytes)[0] > 100);
 }));
 
-describe("arrays of NumPy's come in", () => {
-  const SQUARES = [0.1, 0.1, 0.2, 0.1, 0.2, 0.2, 0.1, 0.2, /**/ 1.7, 1.7, 1.9, 1.7, 1.9, 1.9, 1.7, 1.9];
+const SQUARES = [0.1, 0.1, 0.2, 0.1, 0.2, 0.2, 0.1, 0.2, /**/ 1.7, 1.7, 1.9, 1.7, 1.9, 1.9, 1.7, 1.9];
 
-  test("polygons are added to the scene, or replace its obstacles, under the same planner and parameters", () => onPausedPage(async (page) => {
-    await page.selectOption("#planner", "rrt-connect");
-    const before = await obstacles(page);
-    await pickArray(page, "squares.npy", writeNpy(Float64Array.from(SQUARES), [2, 4, 2]));
+test("NumPy polygons are added to the scene or replace its obstacles, the planner stays", () => onPausedPage(async (page) => {
+  await page.selectOption("#planner", "rrt-connect");
+  const before = await obstacles(page);
+  await pickFile(page, "squares.npy", writeNpy(Float64Array.from(SQUARES), [2, 4, 2]));
+  await page.waitForSelector("#notice.question");
+  assert.match(await page.innerText("#notice"), /squares\.npy holds 2 polygons with 8 vertices/);
+  assert.equal(await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).dataset.choice), "add", "the keyboard is at the choices");
+  await page.keyboard.press("Enter");
+  await page.waitForSelector("body[data-scene=file]");
+  assert.equal(await obstacles(page), before + 2);
+  assert.equal(await page.inputValue("#planner"), "rrt-connect");
+  assert.equal(await page.isVisible("#notice"), false);
+  await pickFile(page, "squares.npy", writeNpy(Float64Array.from(SQUARES), [2, 4, 2]));
+  await page.click("#notice [data-choice=replace]");
+  await page.waitForFunction(() => document.getElementById("notice")?.hidden);
+  assert.equal(await obstacles(page), 2);
+  assert.equal((await finish(page)).status, "solved");
+}));
+
+test("objects are read as NumPy 1 and 2 pickle them; Escape leaves the scene alone", () => onPausedPage(async (page) => {
+  const before = await obstacles(page);
+  for (const name of ["numpy1-ragged", "numpy2-ragged"]) {
+    await pickFile(page, "ragged.npy", fixture(name));
     await page.waitForSelector("#notice.question");
-    assert.match(await page.innerText("#notice"), /squares\.npy holds 2 polygons with 8 vertices/);
-    assert.equal(await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).dataset.choice), "add", "the keyboard is at the choices");
-    await page.keyboard.press("Enter");
-    await page.waitForSelector("body[data-scene=file]");
-    assert.equal(await obstacles(page), before + 2);
-    assert.equal(await page.inputValue("#planner"), "rrt-connect");
-    assert.equal(await page.locator("#notice").isVisible(), false);
-    await pickArray(page, "squares.npy", writeNpy(Float64Array.from(SQUARES), [2, 4, 2]));
-    await page.click("#notice [data-choice=replace]");
-    await page.waitForFunction(() => document.getElementById("notice")?.hidden);
-    assert.equal(await obstacles(page), 2);
-    assert.equal((await finish(page)).status, "solved");
-  }));
+    assert.match(await page.innerText("#notice"), /3 polygons with 10 vertices/);
+    await page.keyboard.press("Escape");
+    assert.equal(await page.isVisible("#notice"), false);
+  }
+  assert.equal(await page.getAttribute("body", "data-scene"), "stones");
+  assert.equal(await obstacles(page), before);
+}));
 
-  test("objects are read as NumPy 1 and 2 pickle them; Escape leaves the scene alone", () => onPausedPage(async (page) => {
-    const before = await obstacles(page);
-    for (const name of ["numpy1-ragged", "numpy2-ragged"]) {
-      await pickArray(page, "ragged.npy", fixture(name));
-      await page.waitForSelector("#notice.question");
-      assert.match(await page.innerText("#notice"), /3 polygons with 10 vertices/);
-      await page.keyboard.press("Escape");
-      assert.equal(await page.locator("#notice").isVisible(), false);
-    }
-    assert.equal(await page.locator("body").getAttribute("data-scene"), "stones");
-    assert.equal(await obstacles(page), before);
-  }));
+test("NumPy configurations are marked by shape on both sheets, counted and cleared", () => onPausedPage(async (page) => {
+  const blank = await pixelsOf(page, "workspace", "ground", "collision");
+  // Straight poses all around: some touch a stone, some do not.
+  const rows = Float64Array.from({ length: 400 }, (_, i) => (i % 2 ? (Math.floor(i / 20) / 20) * 5 - 2.5 : ((i % 20) / 20) * 6 - 3));
+  await pickFile(page, "poses.npy", writeNpy(rows, [200, 2]));
+  await page.click("#notice [data-choice=mark]");
+  await page.waitForSelector("#marked[data-count='200']");
+  await atRest(page);
+  const free = Number(await page.getAttribute("#marked", "data-free"));
+  assert.ok(free > 0 && free < 200, `${free} are free`);
+  assert.match(await page.innerText("#marked"), new RegExp(`200 configurations of poses.npy: *${free} free, *${200 - free} in collision`));
+  assert.equal(blank, 0);
+  for (const pane of ["workspace", "cspace"]) {
+    assert.ok(await pixelsOf(page, pane, "ground", "collision") > 50, `${pane}: crosses`);
+    assert.ok(await pixelsOf(page, pane, "ground", "ink") > 50, `${pane}: discs`);
+  }
+  // More than a polygon may have can only be configurations.
+  await pickFile(page, "cloud.npy", writeNpy(new Float64Array(12_000), [6000, 2]));
+  await page.waitForSelector("#marked[data-count='6000']");
+  await click(page, "#marked button");
+  assert.equal(await pixelsOf(page, "cspace", "ground", "collision"), 0);
+  assert.equal(await page.isVisible("#marked"), false);
+  await pickFile(page, "poses.npy", writeNpy(rows.slice(0, 4), [2, 2]));
+  await page.waitForSelector("#marked[data-count='2']:not([hidden])");
+  await chooseScene(page, "pillar");
+  assert.equal(await page.isVisible("#marked"), false);
+  assert.equal(await pixelsOf(page, "workspace", "ground", "collision"), 0);
+}));
 
-  test("configurations are marked on both sheets, by shape, counted, and cleared; another scene has none", () => onPausedPage(async (page) => {
-    const blank = await pixelsOf(page, "workspace", "ground", "collision");
-    // Straight poses all around: some touch a stone, some do not.
-    const rows = Float64Array.from({ length: 400 }, (_, i) => (i % 2 ? (Math.floor(i / 20) / 20) * 5 - 2.5 : ((i % 20) / 20) * 6 - 3));
-    await pickArray(page, "poses.npy", writeNpy(rows, [200, 2]));
-    await page.click("#notice [data-choice=mark]");
-    await page.waitForSelector("#marked[data-count='200']");
-    await atRest(page);
-    const free = Number(await page.locator("#marked").getAttribute("data-free"));
-    assert.ok(free > 0 && free < 200, `${free} are free`);
-    assert.match(await page.innerText("#marked"), new RegExp(`200 configurations of poses.npy: *${free} free, *${200 - free} in collision`));
-    assert.equal(blank, 0);
-    for (const pane of ["workspace", "cspace"]) {
-      assert.ok(await pixelsOf(page, pane, "ground", "collision") > 50, `${pane}: crosses`);
-      assert.ok(await pixelsOf(page, pane, "ground", "ink") > 50, `${pane}: discs`);
-    }
-    // More than a polygon may have can only be configurations.
-    await pickArray(page, "cloud.npy", writeNpy(new Float64Array(12_000), [6000, 2]));
-    await page.waitForSelector("#marked[data-count='6000']");
-    await page.click("#marked button");
-    await atRest(page);
-    assert.equal(await pixelsOf(page, "cspace", "ground", "collision"), 0);
-    assert.equal(await page.locator("#marked").isVisible(), false);
-    await pickArray(page, "poses.npy", writeNpy(rows.slice(0, 4), [2, 2]));
-    await page.waitForSelector("#marked[data-count='2']:not([hidden])");
-    await chooseScene(page, "pillar");
-    assert.equal(await page.locator("#marked").isVisible(), false);
-    assert.equal(await pixelsOf(page, "workspace", "ground", "collision"), 0);
-  }));
-
-  test("whatever is wrong is refused in a sentence with a code, and the stage stays as it was", () => onPausedPage(async (page) => {
-    /** @type {[string, Uint8Array, RegExp][]} */
-    const files = [
-      ["hostile.npy", pickled("\x80\x02cos\nsystem\n(X\x02\x00\x00\x00lstR."), /asks for os\.system, which is refused/],
-      ["exec.npy", pickled("\x80\x02cbuiltins\nexec\n(X\x01\x00\x00\x00xtR."), /asks for builtins\.exec/],
-      ["cut.npy", fixture("numpy2-ragged").subarray(0, 170), /./],
-      ["empty.npy", new Uint8Array(), /not a NumPy array/],
-      ["wide.npy", writeNpy(new Float64Array(35), [5, 7]), /Its shape is \(5, 7\)/],
-      ["nan.npy", writeNpy(Float64Array.of(0, 0, 1, NaN, 2, 2), [1, 3, 2]), /Vertex 1 of polygon 0 must be two finite numbers/],
-      ["pair.npy", writeNpy(Float64Array.of(0, 0, 1, NaN), [2, 2]), /Number 1 of configuration 1 is not finite/],
-      ["many.npy", writeNpy(new Float64Array(5001 * 2 * 3), [5001, 3, 2]), /5000 vertices|list of polygons/],
-      ["huge.npy", new Uint8Array(11 * 2 ** 20).fill(0x93), /11\.0 MB; the limit is 10 MB/],
-    ];
-    for (const [name, bytes, sentence] of files) {
-      await pickArray(page, name, bytes);
-      await page.waitForFunction((file) => document.querySelector("#notice strong")?.textContent?.startsWith(file), name);
-      const text = await page.innerText("#notice");
-      assert.match(text, sentence, name);
-      assert.match(await page.locator("#notice").getAttribute("data-code") ?? "", name === "huge.npy" ? /^too-large$/ : /^invalid-npy$/, name);
-    }
-    // The core has the last word: a polygon that crosses itself.
-    await pickArray(page, "bow.npy", writeNpy(Float64Array.of(0.1, 0.1, 0.3, 0.3, 0.3, 0.1, 0.1, 0.3), [1, 4, 2]));
-    await page.click("#notice [data-choice=add]");
-    await page.waitForSelector("#notice[data-code]:not(.question)");
-    assert.match(await page.locator("#notice").getAttribute("data-pointer") ?? "", /^\/world\/obstacles\/\d+/);
-    assert.equal(await page.locator("body").getAttribute("data-scene"), "stones");
-    assert.equal((await finish(page)).status, "solved");
-  }));
-});
+test("whatever is wrong is refused in a sentence with a code, and the stage stays as it was", () => onPausedPage(async (page) => {
+  /** @type {[string, Uint8Array, RegExp][]} */
+  const files = [
+    ["hostile.npy", pickled("\x80\x02cos\nsystem\n(X\x02\x00\x00\x00lstR."), /asks for os\.system, which is refused/],
+    ["exec.npy", pickled("\x80\x02cbuiltins\nexec\n(X\x01\x00\x00\x00xtR."), /asks for builtins\.exec/],
+    ["cut.npy", fixture("numpy2-ragged").subarray(0, 170), /./],
+    ["empty.npy", new Uint8Array(), /not a NumPy array/],
+    ["wide.npy", writeNpy(new Float64Array(35), [5, 7]), /Its shape is \(5, 7\)/],
+    ["nan.npy", writeNpy(Float64Array.of(0, 0, 1, NaN, 2, 2), [1, 3, 2]), /Vertex 1 of polygon 0 must be two finite numbers/],
+    ["pair.npy", writeNpy(Float64Array.of(0, 0, 1, NaN), [2, 2]), /Number 1 of configuration 1 is not finite/],
+    ["many.npy", writeNpy(new Float64Array(5001 * 2 * 3), [5001, 3, 2]), /5000 vertices|list of polygons/],
+    ["huge.npy", new Uint8Array(11 * 2 ** 20).fill(0x93), /11\.0 MB; the limit is 10 MB/],
+  ];
+  for (const [name, bytes, sentence] of files) {
+    await pickFile(page, name, bytes);
+    await page.waitForFunction((file) => document.querySelector("#notice strong")?.textContent?.startsWith(file), name);
+    const text = await page.innerText("#notice");
+    assert.match(text, sentence, name);
+    assert.match(await page.getAttribute("#notice", "data-code") ?? "", name === "huge.npy" ? /^too-large$/ : /^invalid-npy$/, name);
+  }
+  // The core has the last word: a polygon that crosses itself.
+  await pickFile(page, "bow.npy", writeNpy(Float64Array.of(0.1, 0.1, 0.3, 0.3, 0.3, 0.1, 0.1, 0.3), [1, 4, 2]));
+  await page.click("#notice [data-choice=add]");
+  await page.waitForSelector("#notice[data-code]:not(.question)");
+  assert.match(await page.getAttribute("#notice", "data-pointer") ?? "", /^\/world\/obstacles\/\d+/);
+  assert.equal(await page.getAttribute("body", "data-scene"), "stones");
+  assert.equal((await finish(page)).status, "solved");
+}));
 
 test("what is copied to embed the stage opens it there", () => onPausedPage(async (page, url) => {
   await page.selectOption("#planner", "rrt");
-  await page.click("#step-100");
-  await atRest(page);
+  await click(page, "#step-100");
   await unfold(page, "take");
   await page.locator("#embed-fold > summary").click();
   for (const [kind, sign] of [["page", /^<iframe src="([^"]+)"/], ["slides", /data-src="([^"]+)"/], ["notebook", /IFrame\("([^"]+)"/]]) {
@@ -389,8 +370,7 @@ test("what is copied to embed the stage opens it there", () => onPausedPage(asyn
 }));
 
 test("on a phone all of it is at hand, and the picture is as tall as the stage", () => onPausedPage(async (page) => {
-  await page.click("#step-100");
-  await atRest(page);
+  await click(page, "#step-100");
   await unfold(page, "take");
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
   for (const button of await page.locator("#take button:visible, #take select:visible").all()) {
@@ -400,7 +380,7 @@ test("on a phone all of it is at hand, and the picture is as tall as the stage",
   await page.selectOption("#take-scale", "2");
   const [width, height] = sizeOfPng((await take(page, "png")).bytes);
   assert.ok(height > 1.5 * width, `${width} x ${height}: one sheet below the other`);
-  await pickArray(page, "poses.npy", writeNpy(new Float64Array(4), [2, 2]));
+  await pickFile(page, "poses.npy", writeNpy(new Float64Array(4), [2, 2]));
   await page.waitForSelector("#marked:not([hidden])");
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
 }, { ...PHONE, colorScheme: "dark" }));
@@ -408,7 +388,7 @@ test("on a phone all of it is at hand, and the picture is as tall as the stage",
 /** How many obstacles the scene on the stage has: read from what would be taken away. @param {Page} page */
 async function obstacles(page) {
   if (await page.locator("#take-scenario").count() === 0) await unfold(page, "take");
-  return JSON.parse((await take(page, "scenario")).bytes.toString()).world.obstacles.length;
+  return JSON.parse((await take(page, "scenario")).text).world.obstacles.length;
 }
 
 /** A NumPy file of one object, pickled by hand. @param {string} body  each character a byte */

@@ -1,33 +1,22 @@
 /** Any time of a run, shown again: the same to the pixel whichever way one comes to it, and at once. */
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { DESK, PHONE, atRest, chooseScene, finish, frames, growthHash, isDeep, onPausedPage, seek, start, stop } from "./browser.mjs";
+import { test } from "node:test";
+import {
+  DESK, PHONE, atRest, choosePlanner, chooseScene, click, finish, frames, growthHash, isDeep, onPausedPage, seek, setParameter, unfold,
+  useBrowser,
+} from "./browser.mjs";
 
 /** @import { Page } from "./browser.mjs" */
 
-before(start);
-after(stop);
+useBrowser();
 
-/** PlannerWorker with enough of everything that copies of layers are taken and used. */
+/** Planners with enough of everything that copies of layers are taken and used. */
 const RUNS = {
   prm: { samples: 700, k: 8 },
   "visibility-prm": { failures: 4000 },
   rrt: { step: 0.1, max_iterations: 4000 },
   "rrt-connect": { step: 0.08, max_iterations: 4000 },
 };
-
-/** Chooses a planner and its parameters, in whichever group they are. @param {Page} page @param {string} algorithm @param {Record<string, number>} settings */
-async function choosePlanner(page, algorithm, settings) {
-  await page.selectOption("#planner", algorithm);
-  await page.waitForSelector(`#parameter-${Object.keys(settings)[0]}`, { state: "attached" });
-  for (const [name, value] of Object.entries(settings)) {
-    await page.locator(`#parameter-${name}`).evaluate((field, text) => {
-      /** @type {HTMLInputElement} */ (field).value = text;
-      for (const type of ["input", "change"]) field.dispatchEvent(new Event(type, { bubbles: true }));
-    }, String(value));
-  }
-  await atRest(page);
-}
 
 /** Both panes, once words that changed have found their room. @param {Page} page */
 async function picture(page) {
@@ -36,40 +25,39 @@ async function picture(page) {
   return [await growthHash(page, "workspace"), await growthHash(page, "cspace")];
 }
 
-describe("an iteration looks the same whichever way one comes to it", () => {
-  for (const [size, options] of Object.entries({ desktop: DESK, phone: PHONE })) {
-    for (const [algorithm, settings] of Object.entries(RUNS)) {
-      test(`${algorithm}, ${size}`, { skip: size === "phone" && algorithm !== "rrt" && !isDeep }, async () => {
-        await onPausedPage(async (page) => {
-          await chooseScene(page, "locked");
-          await page.locator("#view-fold").evaluate((fold) => { /** @type {HTMLDetailsElement} */ (fold).open = true; });
-          await page.locator("#view-refused").evaluate((input) => /** @type {HTMLElement} */ (input).click());
-          await choosePlanner(page, algorithm, settings);
-          // Step by step to an iteration, and on to the end.
-          for (let i = 0; i < 7; i++) await page.click("#step-100");
-          await page.click("#step-10");
-          const { iterations } = await atRest(page);
-          const stepped = await picture(page);
-          const end = await finish(page);
-          assert.ok(end.iterations > iterations + 500, `${end.iterations} iterations`);
-          const ended = await picture(page);
-          assert.notDeepEqual(ended, stepped);
-          // Back from the end, back to nothing, and forth in one leap.
-          await seek(page, iterations);
-          assert.deepEqual(await picture(page), stepped, "back from the end");
-          await seek(page, 1);
-          await seek(page, end.iterations - 3);
-          await seek(page, iterations);
-          assert.deepEqual(await picture(page), stepped, "there and back");
-          await seek(page, 0);
-          await seek(page, end.iterations);
-          assert.deepEqual(await picture(page), ended, "the end in one leap");
-          // A fresh run.
-          await page.click("#reset");
-          await seek(page, iterations);
-          assert.deepEqual(await picture(page), stepped, "a fresh run");
-        }, options);
-      });
-    }
+for (const [size, options] of Object.entries({ desktop: DESK, phone: PHONE })) {
+  for (const [algorithm, settings] of Object.entries(RUNS)) {
+    const skip = size === "phone" && algorithm !== "rrt" && !isDeep;
+    test(`an iteration of ${algorithm} looks the same however one comes to it, ${size}`, { skip }, () => onPausedPage(async (page) => {
+      await chooseScene(page, "locked");
+      await unfold(page, "view");
+      await page.locator("#view-refused").evaluate((input) => /** @type {HTMLElement} */ (input).click());
+      await choosePlanner(page, algorithm, Object.keys(settings)[0]);
+      await page.click("#more summary");
+      for (const [name, value] of Object.entries(settings)) await setParameter(page, name, String(value));
+      await atRest(page);
+      // Step by step to an iteration, and on to the end.
+      for (let i = 0; i < 7; i++) await page.click("#step-100");
+      const { iterations } = await click(page, "#step-10");
+      const stepped = await picture(page);
+      const end = await finish(page);
+      assert.ok(end.iterations > iterations + 500, `${end.iterations} iterations`);
+      const ended = await picture(page);
+      assert.notDeepEqual(ended, stepped);
+      // Back from the end, back to nothing, and forth in one leap.
+      await seek(page, iterations);
+      assert.deepEqual(await picture(page), stepped, "back from the end");
+      await seek(page, 1);
+      await seek(page, end.iterations - 3);
+      await seek(page, iterations);
+      assert.deepEqual(await picture(page), stepped, "there and back");
+      await seek(page, 0);
+      await seek(page, end.iterations);
+      assert.deepEqual(await picture(page), ended, "the end in one leap");
+      // A fresh run.
+      await page.click("#reset");
+      await seek(page, iterations);
+      assert.deepEqual(await picture(page), stepped, "a fresh run");
+    }, options));
   }
-});
+}

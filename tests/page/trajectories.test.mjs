@@ -1,16 +1,14 @@
 /** The page of many trajectories, in Chromium: it grows, stands still, says why not, and gives away what it shows. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { after, before, describe, test } from "node:test";
+import { test } from "node:test";
 import * as planarium from "planarium";
-import { onPage, pictureOf, start, stop, violations } from "./browser.mjs";
+import { alphaOf, download, fill, onPage, useBrowser, violations } from "./browser.mjs";
 import { assertFaultless, assertFits, assertForced } from "./looks.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("./browser.mjs").Options} Options */
 
-before(start);
-after(stop);
+useBrowser();
 
 const CALM = /** @type {Options} */ ({ reducedMotion: "reduce" });
 
@@ -26,6 +24,12 @@ async function told(page) {
 /** The page, opened; with reduced motion it has run to its end. @param {(page: Page, url: string) => Promise<void>} act @param {Options} [options] @param {string} [fragment] */
 const onTracks = (act, options = CALM, fragment = "") => onPage(options, act, { path: `trajectories.html${fragment}` });
 
+/** The page with all of its trajectories. @param {(page: Page, url: string) => Promise<void>} act */
+const onSolved = (act) => onTracks(async (page, url) => {
+  await rest(page, "[data-status=solved]");
+  await act(page, url);
+});
+
 /** The same, begun anew and waiting. @param {(page: Page) => Promise<void>} act @param {Options} [options] */
 async function onEmpty(act, options = CALM) {
   await onTracks(async (page) => {
@@ -36,16 +40,28 @@ async function onEmpty(act, options = CALM) {
   }, options);
 }
 
+/** Tries so many trajectories more: so many then. @param {Page} page @param {number} count @param {number} sum */
+async function step(page, count, sum) {
+  await page.click(`#course-step-${count}`);
+  await rest(page, `[data-tried='${sum}']`);
+}
+
+/** Goes to the end. @param {Page} page @param {string} [status]  there */
+async function end(page, status = "solved") {
+  await page.click("#course-finish");
+  await rest(page, `[data-status=${status}]`);
+}
+
 /** How many pixels of the lower canvas are inked. @param {Page} page */
-const inked = async (page) => Number((await pictureOf(page, "#plane canvas[data-layer=ground]"))[0].split(" ")[2]);
+const inked = async (page) => (await alphaOf(page, "plane", "ground")).alpha.filter((dense) => dense > 0).length;
 
 /** What the package says of the same experiment. @param {import("planarium").TrajectoryOptions} options @param {number} [tried] */
 function expected(options, tried = 1e6) {
   const trajectories = new planarium.Trajectories(options);
   trajectories.step(tried);
-  const result = trajectories.result();
+  const run = { ...trajectories.result(), rows: trajectories.acceptedSince(0), tries: [...trajectories.tries()] };
   trajectories.free();
-  return result;
+  return run;
 }
 
 /** Puts a value into the panel and waits for the experiment that begins with it. @param {Page} page @param {string} name @param {string} value */
@@ -67,265 +83,182 @@ async function set(page, name, value) {
   }
 }
 
-describe("the experiment", () => {
-  test("opens by itself and grows; with reduced motion it shows what has grown", async () => {
-    await onTracks(async (page) => {
-      await page.waitForSelector("#course-play[data-playing=true]");
-      await page.waitForFunction(() => Number(document.getElementById("stage")?.dataset.drawn) > 20);
-    }, {});
-    await onTracks(async (page) => {
-      await rest(page, "[data-status=solved]");
-      const { accepted, refused, fingerprint } = expected({});
-      assert.deepEqual(await told(page), { status: "solved", accepted, tried: accepted + refused, drawn: 1000, last: "accepted", fingerprint });
-      assert.match(await page.locator("#story").innerText(), /1,000 trajectories, no two of which cross/);
-    });
-  });
-
-  test("steps, plays, goes to the end and begins anew, always to the same", async () => {
-    await onEmpty(async (page) => {
-      for (const [count, sum] of [[1, 1], [10, 11], [100, 111]]) {
-        await page.click(`#course-step-${count}`);
-        await rest(page, `[data-tried='${sum}']`);
-      }
-      const stepped = await told(page);
-      assert.equal(stepped.fingerprint, expected({}, 111).fingerprint);
-      assert.equal(stepped.drawn, stepped.accepted);
-      await page.fill("#course-speed", "20");
-      await page.click("#course-play");
-      await page.waitForFunction(() => Number(document.getElementById("stage")?.dataset.tried) > 111);
-      await page.click("#course-play");
-      await rest(page, "[data-status=running]");
-      await page.click("#course-finish");
-      await rest(page, "[data-status=solved]");
-      assert.equal((await told(page)).fingerprint, expected({}).fingerprint);
-      await page.click("#course-reset");
-      await rest(page, "[data-tried='0']");
-      assert.deepEqual([(await told(page)).drawn, (await told(page)).last], [0, "none"]);
-    });
-  });
-
-  test("what is accepted is added to the picture; what is refused is shown on top, with the one it crosses", async () => {
-    await onEmpty(async (page) => {
-      let before = await inked(page);
-      let isRefusedSeen = false;
-      for (let tried = 1; tried <= 60 && !isRefusedSeen; tried++) {
-        await page.click("#course-step-1");
-        await rest(page, `[data-tried='${tried}']`);
-        const { last } = await told(page);
-        const now = await inked(page);
-        if (last === "refused") {
-          assert.equal(now, before, "nothing is added below");
-          assert.match(await page.locator("#story").innerText(), /rejected: it crosses number \d+/);
-          isRefusedSeen = true;
-        } else assert.ok(now > before, `trajectory ${tried} is drawn`);
-        before = now;
-      }
-      assert.ok(isRefusedSeen, "seed 0 refuses one early");
-    });
-  });
-
-  test("the picture that was added to is the one drawn at once", async () => {
-    await onEmpty(async (page) => {
-      for (let sum = 100; sum <= 300; sum += 100) {
-        await page.click("#course-step-100");
-        await rest(page, `[data-tried='${sum}']`);
-      }
-      const added = await inked(page);
-      // Another look draws all of it anew.
-      await page.click("#theme");
-      await rest(page, "[data-tried='300']");
-      await page.click("#theme");
-      await rest(page, "[data-tried='300']");
-      const once = await inked(page);
-      assert.ok(Math.abs(added - once) <= 0.01 * once, `${added} pixels and ${once}`);
-    });
-  });
-
-  test("the particles move where that is asked for, and rest again", async () => {
-    await onTracks(async (page) => {
-      await rest(page, "[data-status=solved]");
-      await page.click("#course-move");
-      await page.waitForSelector("body[data-settled=false]");
-      assert.equal(await page.getAttribute("#course-move", "aria-pressed"), "true");
-      await page.click("#course-move");
-      await rest(page);
-    });
+test("the experiment begins by itself and grows; with reduced motion it shows what has grown", async () => {
+  await onTracks(async (page) => {
+    await page.waitForSelector("#course-play[data-playing=true]");
+    await page.waitForFunction(() => Number(document.getElementById("stage")?.dataset.drawn) > 20);
+  }, {});
+  await onTracks(async (page) => {
+    await rest(page, "[data-status=solved]");
+    const { accepted, refused, fingerprint } = expected({});
+    assert.deepEqual(await told(page), { status: "solved", accepted, tried: accepted + refused, drawn: 1000, last: "accepted", fingerprint });
+    assert.match(await page.innerText("#story"), /1,000 trajectories, no two of which cross/);
   });
 });
 
-describe("settings", () => {
-  test("each is a field from the table; a change begins anew, and what is refused is said beside it", async () => {
-    await onTracks(async (page) => {
-      await rest(page, "[data-status=solved]");
-      for (const { name, meaning } of planarium.trajectoryOptions()) {
-        assert.equal(await page.locator(`#option-${name}-meaning`).textContent(), meaning);
-      }
-      await change(page, "model", "spiral");
-      await change(page, "count", "150");
-      await change(page, "seed", "12");
-      await page.click("#course-finish");
-      await rest(page, "[data-status=solved]");
-      assert.equal((await told(page)).fingerprint, expected({ model: "spiral", count: 150, seed: 12 }).fingerprint);
-      await set(page, "slowest", "3");
-      await rest(page, "[data-status=refused]");
-      assert.match(await page.locator("#option-slowest-reason").innerText(), /slowest must be at most fastest/);
-      assert.ok(await page.locator("#course-play").isDisabled() && await page.locator("#course-finish").isDisabled());
-      await set(page, "slowest", "0.5");
-      await rest(page, "[data-status=running][data-tried='0']");
-      await set(page, "count", "0");
-      assert.match(await page.locator("#option-count-reason").innerText(), /0 is below 1/);
-    });
-  });
+test("it steps, plays, goes to the end and begins anew, always to the same", () => onEmpty(async (page) => {
+  for (const [count, sum] of [[1, 1], [10, 11], [100, 111]]) await step(page, count, sum);
+  const stepped = await told(page);
+  assert.equal(stepped.fingerprint, expected({}, 111).fingerprint);
+  assert.equal(stepped.drawn, stepped.accepted);
+  await page.fill("#course-speed", "20");
+  await page.click("#course-play");
+  await page.waitForFunction(() => Number(document.getElementById("stage")?.dataset.tried) > 111);
+  await page.click("#course-play");
+  await rest(page, "[data-status=running]");
+  await end(page);
+  assert.equal((await told(page)).fingerprint, expected({}).fingerprint);
+  await page.click("#course-reset");
+  await rest(page, "[data-tried='0']");
+  assert.deepEqual([(await told(page)).drawn, (await told(page)).last], [0, "none"]);
+}));
 
-  test("a new seed plays another experiment", async () => {
-    await onTracks(async (page) => {
-      await rest(page, "[data-status=solved]");
-      await page.click("#new-seed");
-      await page.waitForSelector("#course-play[data-playing=true]");
-      await page.click("#course-finish");
-      await rest(page, "[data-status=solved]");
-      const seed = Number(await page.inputValue("#option-seed"));
-      assert.equal((await told(page)).fingerprint, expected({ seed }).fingerprint);
-    });
-  });
+test("what is accepted is added to the picture; what is refused is shown on top, with the one it crosses", () => onEmpty(async (page) => {
+  let before = await inked(page);
+  let isRefusedSeen = false;
+  for (let tried = 1; tried <= 60 && !isRefusedSeen; tried++) {
+    await step(page, 1, tried);
+    const { last } = await told(page);
+    const now = await inked(page);
+    if (last === "refused") {
+      assert.equal(now, before, "nothing is added below");
+      assert.match(await page.innerText("#story"), /rejected: it crosses number \d+/);
+      isRefusedSeen = true;
+    } else assert.ok(now > before, `trajectory ${tried} is drawn`);
+    before = now;
+  }
+  assert.ok(isRefusedSeen, "seed 0 refuses one early");
+}));
 
-  test("where nothing more fits it gives up and says so", async () => {
-    await onTracks(async (page) => {
-      await rest(page, "[data-status=solved]");
-      await change(page, "half_side", "0.2");
-      await change(page, "max_iterations", "2000");
-      await page.click("#course-finish");
-      await rest(page, "[data-status=exhausted]");
-      assert.match(await page.locator("#story").innerText(), /Stopped after 2,000 tries/);
-    });
+test("the picture that was added to is the one drawn at once", () => onEmpty(async (page) => {
+  for (let sum = 100; sum <= 300; sum += 100) await step(page, 100, sum);
+  const added = await inked(page);
+  // Another look draws all of it anew.
+  await page.click("#theme");
+  await rest(page, "[data-tried='300']");
+  await page.click("#theme");
+  await rest(page, "[data-tried='300']");
+  const once = await inked(page);
+  assert.ok(Math.abs(added - once) <= 0.01 * once, `${added} pixels and ${once}`);
+}));
+
+test("each option is a field from the table; a change begins anew, and what is refused is said beside it", () => onSolved(async (page) => {
+  for (const { name, meaning } of planarium.trajectoryOptions()) {
+    assert.equal(await page.locator(`#option-${name}-meaning`).textContent(), meaning);
+  }
+  await change(page, "model", "spiral");
+  await change(page, "count", "150");
+  await change(page, "seed", "12");
+  await end(page);
+  assert.equal((await told(page)).fingerprint, expected({ model: "spiral", count: 150, seed: 12 }).fingerprint);
+  await set(page, "slowest", "3");
+  await rest(page, "[data-status=refused]");
+  assert.match(await page.innerText("#option-slowest-reason"), /slowest must be at most fastest/);
+  assert.ok(await page.isDisabled("#course-play") && await page.isDisabled("#course-finish"));
+  await set(page, "slowest", "0.5");
+  await rest(page, "[data-status=running][data-tried='0']");
+  await set(page, "count", "0");
+  assert.match(await page.innerText("#option-count-reason"), /0 is below 1/);
+}));
+
+test("the particles move where that is asked for, and rest again; a new seed plays another experiment", () => onSolved(async (page) => {
+  await page.click("#course-move");
+  await page.waitForSelector("body[data-settled=false]");
+  assert.equal(await page.getAttribute("#course-move", "aria-pressed"), "true");
+  await page.click("#course-move");
+  await rest(page);
+  await page.click("#new-seed");
+  await page.waitForSelector("#course-play[data-playing=true]");
+  await end(page);
+  const seed = Number(await page.inputValue("#option-seed"));
+  assert.equal((await told(page)).fingerprint, expected({ seed }).fingerprint);
+}));
+
+test("where nothing more fits it gives up and says so", () => onSolved(async (page) => {
+  await change(page, "half_side", "0.2");
+  await change(page, "max_iterations", "2000");
+  await end(page, "exhausted");
+  assert.match(await page.innerText("#story"), /Stopped after 2,000 tries/);
+}));
+
+test("arc and spiral part as the package says", () => onTracks(async (page) => {
+  await rest(page);
+  for (const [name, value] of [["v", "0.5"], ["w", "-1.5"], ["duration", "3"]]) await fill(page, `#one-${name}-number`, value);
+  await rest(page);
+  const [arc, spiral] = /** @type {const} */ (["arc", "spiral"]).map((model) => planarium.particlePoints({ model, v: 0.5, w: -1.5 }, [3]));
+  const apart = Number(await page.getAttribute("#one", "data-apart"));
+  assert.ok(Math.abs(apart - Math.hypot(arc[0] - spiral[0], arc[1] - spiral[1])) < 1e-9);
+  assert.match(await page.innerText("#one-words"), /After 3\.00 s the arc ends at/);
+  await fill(page, "#one-v-number", "-1");
+  assert.notEqual(await page.innerText("#one-v-reason"), "");
+}));
+
+test("charts, picture, drawing and table hold what the seed decides", () => onSolved(async (page) => {
+  const { tries, rows } = expected({});
+  const mean = (/** @type {number[]} */ values) => values.reduce((sum, value) => sum + value, 0) / values.length;
+  const label = await page.getAttribute("svg.chart.tries", "aria-label") ?? "";
+  assert.ok(label.includes(`${mean(tries.slice(0, 20)).toFixed(1)} tries on average over the first 20, ${mean(tries.slice(-20)).toFixed(1)} over the last`), label);
+  assert.match(await page.getAttribute("svg.chart.time", "aria-label") ?? "", /1000 accepted, [\d.]+ microseconds on average over the first 20/);
+  for (const id of ["tries", "time"]) assert.equal(await page.locator(`svg.chart.${id} path.average`).count(), 1);
+  await page.click("#take-fold > summary");
+  const take = (/** @type {string} */ id) => download(page, `#take-${id}`);
+  const png = await take("png");
+  assert.equal(png.name, "trajectories-seed0-1000.png");
+  assert.deepEqual([...png.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
+  const { text: svg } = await take("svg");
+  assert.match(svg, /^<svg|^<\?xml/);
+  assert.ok(svg.length > 50_000 && svg.endsWith("</svg>"), String(svg.length));
+  const csv = (await take("csv")).text.trimEnd().split("\r\n");
+  assert.equal(csv[0], "x,y,theta,v,w,duration,tries,milliseconds,average");
+  assert.equal(csv.length, 1001);
+  csv.slice(1).forEach((line, i) => assert.deepEqual(line.split(",").slice(0, 7).map(Number), [...rows.subarray(6 * i, 6 * i + 6), tries[i]], `row ${i}`));
+}));
+
+test("a link holds the experiment, how far it has come, and the single particle", async () => {
+  let fragment = "";
+  let before = {};
+  await onTracks(async (page) => {
+    await rest(page, "[data-status=solved]");
+    await change(page, "seed", "77");
+    await step(page, 100, 100);
+    await fill(page, "#one-w-number", "2.5");
+    await page.click("#link");
+    await page.waitForFunction(() => location.hash.length > 2);
+    fragment = await page.evaluate(() => location.hash);
+    before = await told(page);
   });
+  await onTracks(async (page) => {
+    await rest(page, "[data-tried='100']");
+    assert.deepEqual(await told(page), before);
+    assert.equal(await page.inputValue("#option-seed"), "77");
+    assert.equal(Number(await page.inputValue("#one-w-number")), 2.5);
+  }, {}, fragment);
 });
 
-describe("one particle", () => {
-  test("arc and spiral part as the package says", async () => {
-    await onTracks(async (page) => {
-      await rest(page);
-      for (const [name, value] of [["v", "0.5"], ["w", "-1.5"], ["duration", "3"]]) {
-        await page.fill(`#one-${name}-number`, value);
-        await page.locator(`#one-${name}-number`).blur();
-      }
-      await rest(page);
-      const [arc, spiral] = /** @type {const} */ (["arc", "spiral"]).map((model) => planarium.particlePoints({ model, v: 0.5, w: -1.5 }, [3]));
-      const apart = Number(await page.getAttribute("#one", "data-apart"));
-      assert.ok(Math.abs(apart - Math.hypot(arc[0] - spiral[0], arc[1] - spiral[1])) < 1e-9);
-      assert.match(await page.locator("#one-words").innerText(), /After 3\.00 s the arc ends at/);
-      await page.fill("#one-v-number", "-1");
-      await page.locator("#one-v-number").blur();
-      assert.notEqual(await page.locator("#one-v-reason").innerText(), "");
-    });
-  });
-});
+test("a link that is broken is said to be, and the page opens as usual", () => onTracks(async (page) => {
+  await page.waitForSelector("#notice:not([hidden])");
+  assert.match(await page.innerText("#notice"), /This link does not work/);
+  await rest(page, "[data-status=solved]");
+}, CALM, "#1broken"));
 
-describe("charts", () => {
-  test("tries are what the seed decides, and both have their mean of 20", async () => {
-    await onTracks(async (page) => {
-      await rest(page, "[data-status=solved]");
-      const trajectories = new planarium.Trajectories();
-      trajectories.step(1e6);
-      const tries = [...trajectories.tries()];
-      trajectories.free();
-      const mean = (/** @type {number[]} */ values) => values.reduce((sum, value) => sum + value, 0) / values.length;
-      const label = await page.getAttribute("svg.chart.tries", "aria-label") ?? "";
-      assert.ok(label.includes(`${mean(tries.slice(0, 20)).toFixed(1)} tries on average over the first 20, ${mean(tries.slice(-20)).toFixed(1)} over the last`), label);
-      assert.match(await page.getAttribute("svg.chart.time", "aria-label") ?? "", /1000 accepted, [\d.]+ microseconds on average over the first 20/);
-      for (const id of ["tries", "time"]) assert.equal(await page.locator(`svg.chart.${id} path.average`).count(), 1);
-    });
-  });
-});
+test("keys play, step and begin anew", () => onEmpty(async (page) => {
+  await page.focus("#stage");
+  await page.keyboard.press(".");
+  await rest(page, "[data-tried='1']");
+  await page.keyboard.press(" ");
+  await page.waitForSelector("#course-play[data-playing=true]");
+  await page.keyboard.press(" ");
+  await page.waitForSelector("#course-play[data-playing=false]");
+  await rest(page);
+  await page.keyboard.press("r");
+  await rest(page, "[data-tried='0']");
+}));
 
-describe("a link", () => {
-  test("holds the experiment, how far it has come, and the single particle", async () => {
-    let fragment = "";
-    let before = {};
-    await onTracks(async (page) => {
-      await rest(page, "[data-status=solved]");
-      await change(page, "seed", "77");
-      await page.click("#course-step-100");
-      await rest(page, "[data-tried='100']");
-      await page.fill("#one-w-number", "2.5");
-      await page.locator("#one-w-number").blur();
-      await page.click("#link");
-      await page.waitForFunction(() => location.hash.length > 2);
-      fragment = await page.evaluate(() => location.hash);
-      before = await told(page);
-    });
-    await onTracks(async (page) => {
-      await rest(page, "[data-tried='100']");
-      assert.deepEqual(await told(page), before);
-      assert.equal(await page.inputValue("#option-seed"), "77");
-      assert.equal(Number(await page.inputValue("#one-w-number")), 2.5);
-    }, {}, fragment);
-  });
-
-  test("that is broken is said to be, and the page opens as usual", async () => {
-    await onTracks(async (page) => {
-      await page.waitForSelector("#notice:not([hidden])");
-      assert.match(await page.locator("#notice").innerText(), /This link does not work/);
-      await rest(page, "[data-status=solved]");
-    }, CALM, "#1broken");
-  });
-});
-
-describe("what can be taken away", () => {
-  test("a picture, a drawing, and a table with a row for each", async () => {
-    await onTracks(async (page) => {
-      await rest(page, "[data-status=solved]");
-      await page.locator("#take-fold > summary").click();
-      /** @param {string} id */
-      const take = async (id) => {
-        const [download] = await Promise.all([page.waitForEvent("download"), page.click(`#take-${id}`)]);
-        await rest(page);
-        return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
-      };
-      const png = await take("png");
-      assert.equal(png.name, "trajectories-seed0-1000.png");
-      assert.deepEqual([...png.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
-      const svg = (await take("svg")).bytes.toString();
-      assert.match(svg, /^<svg|^<\?xml/);
-      assert.ok(svg.length > 50_000 && svg.endsWith("</svg>"), String(svg.length));
-      const csv = (await take("csv")).bytes.toString().trimEnd().split("\r\n");
-      assert.equal(csv[0], "x,y,theta,v,w,duration,tries,milliseconds,average");
-      assert.equal(csv.length, 1001);
-      const trajectories = new planarium.Trajectories();
-      trajectories.step(1e6);
-      const rows = trajectories.acceptedSince(0);
-      const tries = trajectories.tries();
-      trajectories.free();
-      csv.slice(1).forEach((line, i) => assert.deepEqual(line.split(",").slice(0, 7).map(Number), [...rows.subarray(6 * i, 6 * i + 6), tries[i]], `row ${i}`));
-    }, { ...CALM, acceptDownloads: true });
-  });
-});
-
-describe("for everyone", () => {
-  test("keys play, step and begin anew", async () => {
-    await onEmpty(async (page) => {
-      await page.focus("#stage");
-      await page.keyboard.press(".");
-      await rest(page, "[data-tried='1']");
-      await page.keyboard.press(" ");
-      await page.waitForSelector("#course-play[data-playing=true]");
-      await page.keyboard.press(" ");
-      await page.waitForSelector("#course-play[data-playing=false]");
-      await rest(page);
-      await page.keyboard.press("r");
-      await rest(page, "[data-tried='0']");
-    });
-  });
-
-  test("axe finds nothing, nothing is cut off, and forced colours are honoured", async () => {
-    await onTracks(async (page) => {
-      await rest(page, "[data-status=solved]");
-      await assertFaultless(page, "solved");
-      await assertFits(page, "solved", 200);
-      await page.emulateMedia({ forcedColors: "active" });
-      await rest(page);
-      await assertForced(page);
-      assert.deepEqual(await violations(page), []);
-    });
-  });
-});
+test("axe finds nothing, nothing is cut off, and forced colours are honoured", () => onSolved(async (page) => {
+  await assertFaultless(page, "solved");
+  await assertFits(page, "solved", 200);
+  await page.emulateMedia({ forcedColors: "active" });
+  await rest(page);
+  await assertForced(page);
+  assert.deepEqual(await violations(page), []);
+}));

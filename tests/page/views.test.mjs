@@ -1,38 +1,31 @@
 /** What can be seen on the stage: what is pointed at, what was refused, who waits, poses along the path, planes, numbers. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
-import { after, before, describe, test } from "node:test";
-import { Scenario } from "planarium";
+import { test } from "node:test";
 import { drawAxes } from "../../www/draw/angles.js";
 import { View } from "../../www/draw/view.js";
 import { SvgContext } from "../../www/formats/svg.js";
 import { allOf, readXml } from "./xml.mjs";
-import { PHONE, atRest, chooseScene, finish, frames, onPausedPage, pixelsOf, root, seek, setParameter, start, stop, unfold } from "./browser.mjs";
-import { SCENES } from "../../www/planner/scenes/scenes.js";
+import {
+  PHONE, alphaOf, atRest, choosePlanner, chooseScene, click, finish, frames, onPausedPage, pixelsOf, seek, setParameter, unfold, useBrowser,
+} from "./browser.mjs";
+import { load, sceneOf } from "./library.mjs";
 
 /** @import { Page } from "./browser.mjs" */
 
-before(start);
-after(stop);
-
-/** One of the page's scenes. @param {string} id */
-const scenarioOf = (id) => Scenario.parse(readFileSync(join(root, "www", "scenes", `${id}.json`), "utf8"));
+useBrowser();
 
 /** The page's run of a scene, made here. @param {string} id @param {Record<string, number | string>} [more] */
 function planned(id, more) {
-  const entry = SCENES.find((scene) => scene.id === id);
-  assert.ok(entry);
-  const scenario = scenarioOf(id);
-  const planner = scenario.planner({ algorithm: /** @type {"prm"} */ (entry.algorithm), ...entry.settings, ...more });
+  const { algorithm, settings } = sceneOf(id);
+  const scenario = load(id);
+  const planner = scenario.planner({ algorithm: /** @type {"prm"} */ (algorithm), ...settings, ...more });
   while (planner.step(1000) === "running");
   return { scenario, planner };
 }
 
 /** Pixels of a sheet for coordinates of the configuration square, whose range is a whole turn. @param {Page} page */
 async function square(page) {
-  const box = await page.locator("#cspace .sheet").boundingBox();
-  assert.ok(box);
+  const box = await page.locator("#cspace .sheet").boundingBox() ?? assert.fail();
   const view = new View({ min: [-Math.PI, -Math.PI], max: [Math.PI, Math.PI] }, box.width, box.height, { left: 34, right: 12, top: 12, bottom: 32 }, true);
   return (/** @type {number} */ a, /** @type {number} */ b) => ({ x: view.x(a), y: view.y(b) });
 }
@@ -48,15 +41,11 @@ async function see(page, id, value) {
   await frames(page);
 }
 
-/** Where a layer has ink. @param {Page} page @param {string} pane @param {string} layer @param {number} [least]  of 255: how dense @returns {Promise<number[][]>} device pixels */
-const inked = (page, pane, layer, least = 1) => page.evaluate(([id, name, dense]) => {
-  const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(`#${id} canvas[data-layer=${name}]`));
-  const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
-  if (!context) return [];
-  context.drawImage(canvas, 0, 0);
-  const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
-  return Array.from({ length: data.length / 4 }, (_, i) => i).filter((i) => data[4 * i + 3] >= Number(dense)).map((i) => [i % canvas.width, Math.floor(i / canvas.width)]);
-}, [pane, layer, least]);
+/** Where a layer has ink. @param {Page} page @param {string} pane @param {"marks" | "top"} layer @param {number} [least]  of 255: how dense @returns {Promise<number[][]>} device pixels */
+async function inked(page, pane, layer, least = 1) {
+  const { width, alpha } = await alphaOf(page, pane, layer);
+  return [...alpha.keys()].filter((i) => alpha[i] >= least).map((i) => [i % width, Math.floor(i / width)]);
+}
 
 /** The line beneath the stage, once it speaks of what is wanted. @param {Page} page @param {string} wanted   what is to be told, as CSS says it */
 async function readout(page, wanted) {
@@ -65,317 +54,264 @@ async function readout(page, wanted) {
   return { text: await line.innerText(), vertex: Number(await line.getAttribute("data-vertex")) };
 }
 
-describe("what is pointed at", () => {
-  test("a point of the square is an arm in the workspace, named where it collides; nothing is held by it", async () => {
-    await onPausedPage(async (page) => {
-      const scenario = scenarioOf("stones");
-      const at = await square(page);
-      const grid = Array.from({ length: 400 }, (_, i) => [-3 + (6 * (i % 20)) / 19, -3 + (6 * Math.floor(i / 20)) / 19]);
-      const hits = grid.filter((q) => scenario.check(q).touching.length === 1);
-      const ways = grid.filter((q) => scenario.check(q).free && Math.hypot(q[0] - 0.1, q[1] - 0.2) > 1.5 && Math.hypot(q[0] + 2.6, q[1] + 0.3) > 1.5);
-      const before = await page.locator("#stage").boundingBox();
-      const ends = { collision: await pixelsOf(page, "workspace", "top", "collision"), ink: await pixelsOf(page, "cspace", "top", "ink") };
-      const [hit, way] = [hits[Math.floor(hits.length / 2)], ways[Math.floor(ways.length / 2)]];
-      await page.hover("#cspace .sheet", { position: at(hit[0], hit[1]) });
-      const bad = await readout(page, "[data-vertex='-1'][data-free=false]");
-      const { part, obstacle } = scenario.check(hit).touching[0];
-      assert.match(bad.text, new RegExp(`^Configuration .* rad: link ${part + 1} touches obstacle ${obstacle}\\.$`));
-      assert.ok(await pixelsOf(page, "workspace", "top", "collision") > ends.collision + 60);
-      assert.ok(await page.isVisible("#legend-touching"));
-      await page.hover("#cspace .sheet", { position: at(way[0], way[1]) });
-      const good = await readout(page, "[data-vertex='-1'][data-free=true]");
-      assert.match(good.text, /^Configuration .* rad: free, \d+\.\d{3} m from obstacle \d+\.$/);
-      assert.ok(await pixelsOf(page, "workspace", "top", "ink") > 60, "the arm is drawn");
-      assert.ok(await pixelsOf(page, "cspace", "top", "ink") > ends.ink + 20, "the point is in a ring");
-      assert.equal(await pixelsOf(page, "workspace", "top", "collision"), ends.collision);
-      assert.equal(await page.locator("#stage.in-hand").count(), 0);
-      assert.deepEqual(await page.locator("#stage").boundingBox(), before, "nothing has moved");
-      await page.hover("#story");
-      await readout(page, ":not([data-vertex])");
-      assert.ok(await pixelsOf(page, "cspace", "top", "ink") <= ends.ink);
-    });
-  });
+test("a point of the square is an arm in the workspace, with its collision; nothing is held", () => onPausedPage(async (page) => {
+  const scenario = load("stones");
+  const at = await square(page);
+  const grid = Array.from({ length: 400 }, (_, i) => [-3 + (6 * (i % 20)) / 19, -3 + (6 * Math.floor(i / 20)) / 19]);
+  const hits = grid.filter((q) => scenario.check(q).touching.length === 1);
+  const ways = grid.filter((q) => scenario.check(q).free && Math.hypot(q[0] - 0.1, q[1] - 0.2) > 1.5 && Math.hypot(q[0] + 2.6, q[1] + 0.3) > 1.5);
+  const before = await page.locator("#stage").boundingBox();
+  const ends = { collision: await pixelsOf(page, "workspace", "top", "collision"), ink: await pixelsOf(page, "cspace", "top", "ink") };
+  const [hit, way] = [hits[Math.floor(hits.length / 2)], ways[Math.floor(ways.length / 2)]];
+  await page.hover("#cspace .sheet", { position: at(hit[0], hit[1]) });
+  const bad = await readout(page, "[data-vertex='-1'][data-free=false]");
+  const { part, obstacle } = scenario.check(hit).touching[0];
+  assert.match(bad.text, new RegExp(`^Configuration .* rad: link ${part + 1} touches obstacle ${obstacle}\\.$`));
+  assert.ok(await pixelsOf(page, "workspace", "top", "collision") > ends.collision + 60);
+  assert.ok(await page.isVisible("#legend-touching"));
+  await page.hover("#cspace .sheet", { position: at(way[0], way[1]) });
+  const good = await readout(page, "[data-vertex='-1'][data-free=true]");
+  assert.match(good.text, /^Configuration .* rad: free, \d+\.\d{3} m from obstacle \d+\.$/);
+  assert.ok(await pixelsOf(page, "workspace", "top", "ink") > 60, "the arm is drawn");
+  assert.ok(await pixelsOf(page, "cspace", "top", "ink") > ends.ink + 20, "the point is in a ring");
+  assert.equal(await pixelsOf(page, "workspace", "top", "collision"), ends.collision);
+  assert.equal(await page.locator("#stage.in-hand").count(), 0);
+  assert.deepEqual(await page.locator("#stage").boundingBox(), before, "nothing has moved");
+  await page.hover("#story");
+  await readout(page, ":not([data-vertex])");
+  assert.ok(await pixelsOf(page, "cspace", "top", "ink") <= ends.ink);
+}));
 
-  for (const options of [{}, { viewport: PHONE.viewport }]) {
-    test(`near a vertex it is that vertex, in both panes${"viewport" in options ? ", on a phone" : ""}`, async () => {
-      await onPausedPage(async (page) => {
-        const { scenario, planner } = planned("stones");
-        await finish(page);
-        const rows = planner.verticesSince(0);
-        const edges = planner.edgesSince(0);
-        const at = await square(page);
-        const sheet = await page.locator("#workspace .sheet").boundingBox();
-        assert.ok(sheet);
-        const world = new View(scenario.extent(), sheet.width, sheet.height, { left: 14, right: 14, top: 14, bottom: 14 }, false);
-        const tips = scenario.endEffectors(rows);
-        const count = rows.length / 2;
-        for (const wanted of [17, 60, 201]) {
-          for (const pane of ["cspace", "workspace"]) {
-            const place = (/** @type {number} */ v) => (pane === "cspace" ? at(rows[2 * v], rows[2 * v + 1]) : { x: world.x(tips[2 * v]), y: world.y(tips[2 * v + 1]) });
-            const { x, y } = place(wanted);
-            const point = { x: x + 1, y: y + 1 };
-            let [nearest, least] = [-1, Infinity];
-            for (let v = 0; v < count; v++) {
-              const other = place(v);
-              const distance = Math.hypot(other.x - point.x, other.y - point.y);
-              if (distance < least) [nearest, least] = [v, distance];
-            }
-            // On a phone the transport stands over the lower end of the page.
-            await page.locator(`#${pane}`).evaluate((figure) => figure.scrollIntoView({ block: "start" }));
-            await page.hover(`#${pane} .sheet`, { position: point, force: true });
-            const told = await readout(page, `[data-vertex='${nearest}']`);
-            const degree = edges.filter((end) => end === nearest).length;
-            const numbers = [...rows.slice(2 * nearest, 2 * nearest + 2)].map((value) => value.toFixed(2).replace("-", "\u2212")).join(", ");
-            assert.equal(told.text, `Vertex ${nearest} at ${numbers} rad: ${degree} ${degree === 1 ? "edge" : "edges"}.`);
-          }
+for (const options of [{}, { viewport: PHONE.viewport }]) {
+  test(`near a vertex it is that vertex, in both panes${"viewport" in options ? ", on a phone" : ""}`, () => onPausedPage(async (page) => {
+    const { scenario, planner } = planned("stones");
+    await finish(page);
+    const rows = planner.verticesSince(0);
+    const edges = planner.edgesSince(0);
+    const at = await square(page);
+    const sheet = await page.locator("#workspace .sheet").boundingBox() ?? assert.fail();
+    const world = new View(scenario.extent(), sheet.width, sheet.height, { left: 14, right: 14, top: 14, bottom: 14 }, false);
+    const tips = scenario.endEffectors(rows);
+    const count = rows.length / 2;
+    for (const wanted of [17, 60, 201]) {
+      for (const pane of ["cspace", "workspace"]) {
+        const place = (/** @type {number} */ v) => (pane === "cspace" ? at(rows[2 * v], rows[2 * v + 1]) : { x: world.x(tips[2 * v]), y: world.y(tips[2 * v + 1]) });
+        const { x, y } = place(wanted);
+        const point = { x: x + 1, y: y + 1 };
+        let [nearest, least] = [-1, Infinity];
+        for (let v = 0; v < count; v++) {
+          const other = place(v);
+          const distance = Math.hypot(other.x - point.x, other.y - point.y);
+          if (distance < least) [nearest, least] = [v, distance];
         }
-        // As of an earlier iteration there is nothing but the start.
-        await seek(page, 0);
-        const { x, y } = at(rows[2 * 60], rows[2 * 60 + 1]);
-        await page.locator("#cspace").evaluate((figure) => figure.scrollIntoView({ block: "start" }));
-        await page.hover("#cspace .sheet", { position: { x, y }, force: true });
-        await readout(page, "[data-vertex='-1']");
-      }, options);
-    });
-  }
-
-  test("without a pointer a vertex is read by its number: its parent and the way from its root", async () => {
-    await onPausedPage(async (page) => {
-      const { scenario, planner } = planned("firs", { algorithm: "rrt", step: 0.35, seed: 7 });
-      await chooseScene(page, "firs");
-      await page.selectOption("#planner", "rrt");
-      await page.waitForSelector("#parameter-goal_bias");
-      await setParameter(page, "step", "0.35");
-      await setParameter(page, "seed", "7");
-      assert.equal((await finish(page)).fingerprint, planner.fingerprint());
-      const bare = await pixelsOf(page, "workspace", "top", "ink");
-      await see(page, "inspect", "1");
-      const goal = await readout(page, "[data-vertex='1']");
-      assert.ok(goal.text.endsWith(`; ${planner.result().length.toFixed(2)} rad from the root.`), goal.text);
-      const rows = planner.verticesSince(0);
-      const edges = planner.edgesSince(0);
-      const parent = edges[edges.indexOf(9, 1) - 1];
-      const away = scenario.distance(rows.slice(2 * parent, 2 * parent + 2), rows.slice(18, 20)).toFixed(2);
-      await page.press("#inspect", "ArrowUp");
-      for (let i = 0; i < 7; i++) await page.press("#inspect", "ArrowUp");
-      const told = await readout(page, "[data-vertex='9']");
-      assert.match(told.text, new RegExp(`\\. Parent ${parent}, ${away} rad away; `));
-      const ringed = await pixelsOf(page, "workspace", "top", "ink");
-      assert.ok(ringed > bare + 15, `${bare}, then ${ringed} pixels`);
-      await see(page, "inspect", "");
-      await readout(page, ":not([data-vertex])");
-    });
-  });
-});
-
-describe("what the planner did", () => {
-  test("refused samples stay as crosses, refused motions as lines that end where they hit; the legend says so", async () => {
-    await onPausedPage(async (page) => {
-      const scenario = scenarioOf("stones");
-      await page.selectOption("#planner", "rrt");
-      await page.waitForSelector("#parameter-goal_bias");
-      await setParameter(page, "step", "1.5");
-      await finish(page);
-      assert.equal((await inked(page, "cspace", "marks")).length, 0);
-      assert.equal(await page.isVisible("#legend-rejected"), false);
-      await see(page, "view-refused", true);
-      assert.ok(await page.isVisible("#legend-rejected"));
-      const places = await inked(page, "cspace", "marks", 100);
-      assert.ok(places.length > 200, `${places.length} pixels`);
-      const at = await square(page);
-      const [low, high] = [at(-Math.PI, -Math.PI), at(Math.PI, Math.PI)];
-      // Two pixels beside the border of an obstacle are the width of the line.
-      const deep = places.filter(([x, y]) => [[-2, 0], [2, 0], [0, -2], [0, 2]].every(([dx, dy]) => {
-        const q = [(x + dx + 0.5 - low.x) / (high.x - low.x), (y + dy + 0.5 - low.y) / (high.y - low.y)].map((part) => -Math.PI + 2 * Math.PI * part);
-        return !scenario.check(q).free;
-      }));
-      assert.ok(deep.length < 0.02 * places.length, `${deep.length} of ${places.length} pixels are inside of obstacles`);
-      assert.equal(await page.locator("#legend-rejected").getAttribute("data-kinds"), "motions");
-      await page.selectOption("#planner", "prm");
-      await page.waitForSelector("#parameter-samples");
-      await finish(page);
-      const kinds = await page.locator("#legend-rejected").getAttribute("data-kinds");
-      assert.equal(kinds, "samples motions");
-      const crosses = (await inked(page, "workspace", "marks")).length;
-      await see(page, "view-refused", false);
-      const without = (await inked(page, "workspace", "marks")).length;
-      assert.ok(crosses > without + 2000, `${crosses} pixels with crosses, ${without} without`);
-    });
-  });
-
-  test("while a roadmap is searched those who wait are in rings, and the legend names them; else not", async () => {
-    await onPausedPage(async (page) => {
-      const { iterations } = await finish(page);
-      assert.equal(await page.isVisible("#legend-waiting"), false);
-      await seek(page, iterations - 8);
-      assert.equal(await page.locator("#counters").getAttribute("data-phase"), "searching");
-      assert.ok(await page.isVisible("#legend-waiting"));
-      const rings = await pixelsOf(page, "cspace", "top", "ink");
-      assert.ok(rings > 100, `${rings} pixels`);
-      await seek(page, 300);
-      await frames(page);
-      assert.equal(await page.isVisible("#legend-waiting"), false);
-      assert.ok(await pixelsOf(page, "cspace", "top", "ink") < rings / 4);
-    });
-  });
-});
-
-describe("the path", () => {
-  for (const id of ["stones", "rings"]) {
-    test(`${id}: as many poses along it as are wanted, or none`, async () => {
-      await onPausedPage(async (page) => {
-        await chooseScene(page, id);
-        await finish(page);
-        await page.locator("#along").fill("0");
-        await see(page, "view-poses", "3");
-        const few = (await inked(page, "workspace", "top")).length;
-        await see(page, "view-poses", "24");
-        const many = (await inked(page, "workspace", "top")).length;
-        assert.ok(await page.isVisible("#legend-poses"));
-        await see(page, "view-strobe", false);
-        const none = (await inked(page, "workspace", "top")).length;
-        assert.ok(none < few && few < many, `${none}, ${few}, ${many} pixels`);
-        assert.equal(await page.isVisible("#legend-poses"), false);
-        await see(page, "view-poses", "40");
-        assert.equal(await page.getAttribute("#view-poses", "aria-invalid"), "true");
-      });
-    });
-  }
-
-  test("as it was found beside the shortened one, with both lengths in words", async () => {
-    await onPausedPage(async (page) => {
-      const { scenario, planner } = planned("shelf", { shortcut: 100 });
-      await chooseScene(page, "shelf");
-      await page.evaluate(() => { for (const more of /** @type {NodeListOf<HTMLDetailsElement>} */ (document.querySelectorAll("#more, #more details"))) more.open = true; });
-      await setParameter(page, "shortcut", "100");
-      await finish(page);
-      await page.locator("#along").fill("0.5");
-      await atRest(page);
-      const [raw, n] = [planner.rawPath(), scenario.dimension];
-      let found = 0;
-      for (let i = n; i < raw.length; i += n) found += scenario.distance(raw.slice(i - n, i), raw.slice(i, i + n));
-      const { length } = planner.result();
-      assert.ok(found > length + 0.1);
-      await unfold(page, "view");
-      assert.equal(await page.textContent("#view-lengths"), `${found.toFixed(2)} rad before shortcutting, ${length.toFixed(2)} rad after.`);
-      assert.match(await page.innerText("#story"), new RegExp(`length ${length.toFixed(2)} rad, shortened from ${found.toFixed(2)} rad`));
-      assert.equal(await page.isVisible("#legend-raw"), false);
-      const alone = await pixelsOf(page, "cspace", "top", "path");
-      await see(page, "view-raw", true);
-      assert.ok(await page.isVisible("#legend-raw"));
-      const both = await pixelsOf(page, "cspace", "top", "path");
-      assert.ok(both > alone + 20, `${alone}, then ${both} pixels`);
-    });
-  });
-});
-
-describe("axes", () => {
-  test("names stand clear of the numbers in small squares, and grow with the words of the projector", () => {
-    const arm = (/** @type {number} */ joint) => ({ name: `joint ${joint}`, unit: /** @type {const} */ ("rad"), low: -Math.PI, high: Math.PI, isCircle: true });
-    for (const scale of [1, 1.7]) {
-      const side = 180 * scale;
-      const margin = { left: 34 * scale, right: 12 * scale, top: 12 * scale, bottom: 32 * scale };
-      const view = new View({ min: [-Math.PI, -Math.PI], max: [Math.PI, Math.PI] }, side, side, margin, true);
-      const context = new SvgContext(side, side);
-      drawAxes(/** @type {any} */ (context), view, { x: margin.left, y: margin.top, width: side - margin.left - margin.right, height: side - margin.top - margin.bottom }, [arm(0), arm(1)], scale);
-      const words = allOf(readXml(context.toString()), "text");
-      const groups = allOf(readXml(context.toString()), "g").map(({ attributes }) => attributes.style).filter(Boolean);
-      assert.ok(groups.length > 0 && groups.every((style) => style.includes(`${12 * scale}px`)), String(groups));
-      const across = words.filter(({ attributes }) => attributes.y === words[0].attributes.y && attributes.x);
-      const spans = across.map(({ attributes, children }) => [Number(attributes.x) - 3.1 * scale * String(children[0]).length, Number(attributes.x) + 3.1 * scale * String(children[0]).length]).toSorted(([a], [b]) => a - b);
-      assert.equal(spans.length, 4);
-      spans.slice(1).forEach(([from], i) => assert.ok(from > spans[i][1] + 2, `${spans}`));
+        // On a phone the transport stands over the lower end of the page.
+        await page.locator(`#${pane}`).evaluate((figure) => figure.scrollIntoView({ block: "start" }));
+        await page.hover(`#${pane} .sheet`, { position: point, force: true });
+        const told = await readout(page, `[data-vertex='${nearest}']`);
+        const degree = edges.filter((end) => end === nearest).length;
+        const numbers = [...rows.slice(2 * nearest, 2 * nearest + 2)].map((value) => value.toFixed(2).replace("-", "\u2212")).join(", ");
+        assert.equal(told.text, `Vertex ${nearest} at ${numbers} rad: ${degree} ${degree === 1 ? "edge" : "edges"}.`);
+      }
     }
-  });
+    // As of an earlier iteration there is nothing but the start.
+    await seek(page, 0);
+    const { x, y } = at(rows[2 * 60], rows[2 * 60 + 1]);
+    await page.locator("#cspace").evaluate((figure) => figure.scrollIntoView({ block: "start" }));
+    await page.hover("#cspace .sheet", { position: { x, y }, force: true });
+    await readout(page, "[data-vertex='-1']");
+  }, options));
+}
+
+test("without a pointer a vertex is read by its number: its parent and the way from its root", () => onPausedPage(async (page) => {
+  const { scenario, planner } = planned("firs", { algorithm: "rrt", step: 0.35, seed: 7 });
+  await chooseScene(page, "firs");
+  await choosePlanner(page, "rrt", "goal_bias");
+  await setParameter(page, "step", "0.35");
+  await setParameter(page, "seed", "7");
+  assert.equal((await finish(page)).fingerprint, planner.fingerprint());
+  const bare = await pixelsOf(page, "workspace", "top", "ink");
+  await see(page, "inspect", "1");
+  const goal = await readout(page, "[data-vertex='1']");
+  assert.ok(goal.text.endsWith(`; ${planner.result().length.toFixed(2)} rad from the root.`), goal.text);
+  const rows = planner.verticesSince(0);
+  const edges = planner.edgesSince(0);
+  const parent = edges[edges.indexOf(9, 1) - 1];
+  const away = scenario.distance(rows.slice(2 * parent, 2 * parent + 2), rows.slice(18, 20)).toFixed(2);
+  for (let i = 0; i < 8; i++) await page.press("#inspect", "ArrowUp");
+  const told = await readout(page, "[data-vertex='9']");
+  assert.match(told.text, new RegExp(`\\. Parent ${parent}, ${away} rad away; `));
+  const ringed = await pixelsOf(page, "workspace", "top", "ink");
+  assert.ok(ringed > bare + 15, `${bare}, then ${ringed} pixels`);
+  await see(page, "inspect", "");
+  await readout(page, ":not([data-vertex])");
+}));
+
+test("refused samples stay as crosses, refused motions as lines to where they hit, with a legend", () => onPausedPage(async (page) => {
+  const scenario = load("stones");
+  await choosePlanner(page, "rrt", "goal_bias");
+  await setParameter(page, "step", "1.5");
+  await finish(page);
+  assert.equal((await inked(page, "cspace", "marks")).length, 0);
+  assert.equal(await page.isVisible("#legend-rejected"), false);
+  await see(page, "view-refused", true);
+  assert.ok(await page.isVisible("#legend-rejected"));
+  const places = await inked(page, "cspace", "marks", 100);
+  assert.ok(places.length > 200, `${places.length} pixels`);
+  const at = await square(page);
+  const [low, high] = [at(-Math.PI, -Math.PI), at(Math.PI, Math.PI)];
+  // Two pixels beside the border of an obstacle are the width of the line.
+  const deep = places.filter(([x, y]) => [[-2, 0], [2, 0], [0, -2], [0, 2]].every(([dx, dy]) => {
+    const q = [(x + dx + 0.5 - low.x) / (high.x - low.x), (y + dy + 0.5 - low.y) / (high.y - low.y)].map((part) => -Math.PI + 2 * Math.PI * part);
+    return !scenario.check(q).free;
+  }));
+  assert.ok(deep.length < 0.02 * places.length, `${deep.length} of ${places.length} pixels are inside of obstacles`);
+  assert.equal(await page.getAttribute("#legend-rejected", "data-kinds"), "motions");
+  await choosePlanner(page, "prm", "samples");
+  await finish(page);
+  assert.equal(await page.getAttribute("#legend-rejected", "data-kinds"), "samples motions");
+  const { length: crosses } = await inked(page, "workspace", "marks");
+  await see(page, "view-refused", false);
+  const { length: without } = await inked(page, "workspace", "marks");
+  assert.ok(crosses > without + 2000, `${crosses} pixels with crosses, ${without} without`);
+}));
+
+test("while a roadmap is searched those who wait are in rings, and the legend names them; else not", () => onPausedPage(async (page) => {
+  const { iterations } = await finish(page);
+  assert.equal(await page.isVisible("#legend-waiting"), false);
+  await seek(page, iterations - 8);
+  assert.equal(await page.getAttribute("#counters", "data-phase"), "searching");
+  assert.ok(await page.isVisible("#legend-waiting"));
+  const rings = await pixelsOf(page, "cspace", "top", "ink");
+  assert.ok(rings > 100, `${rings} pixels`);
+  await seek(page, 300);
+  await frames(page);
+  assert.equal(await page.isVisible("#legend-waiting"), false);
+  assert.ok(await pixelsOf(page, "cspace", "top", "ink") < rings / 4);
+}));
+
+test("as many poses along the path as are wanted, or none", () => onPausedPage(async (page) => {
+  for (const id of ["stones", "rings"]) {
+    await chooseScene(page, id);
+    await finish(page);
+    await page.fill("#along", "0");
+    const inkWith = async (/** @type {string} */ control, /** @type {string | boolean} */ value) => {
+      await see(page, control, value);
+      return (await inked(page, "workspace", "top")).length;
+    };
+    await see(page, "view-strobe", true);
+    const [few, many] = [await inkWith("view-poses", "3"), await inkWith("view-poses", "24")];
+    assert.ok(await page.isVisible("#legend-poses"));
+    const none = await inkWith("view-strobe", false);
+    assert.ok(none < few && few < many, `${id}: ${none}, ${few}, ${many} pixels`);
+    assert.equal(await page.isVisible("#legend-poses"), false);
+    await see(page, "view-poses", "40");
+    assert.equal(await page.getAttribute("#view-poses", "aria-invalid"), "true");
+  }
+}));
+
+test("the path as it was found is shown beside the shortened one, with both lengths in words", () => onPausedPage(async (page) => {
+  const { scenario, planner } = planned("shelf", { shortcut: 100 });
+  await chooseScene(page, "shelf");
+  await page.evaluate(() => { for (const more of /** @type {NodeListOf<HTMLDetailsElement>} */ (document.querySelectorAll("#more, #more details"))) more.open = true; });
+  await setParameter(page, "shortcut", "100");
+  await finish(page);
+  await page.fill("#along", "0.5");
+  await atRest(page);
+  const [raw, n] = [planner.rawPath(), scenario.dimension];
+  let found = 0;
+  for (let i = n; i < raw.length; i += n) found += scenario.distance(raw.slice(i - n, i), raw.slice(i, i + n));
+  const { length } = planner.result();
+  assert.ok(found > length + 0.1);
+  await unfold(page, "view");
+  assert.equal(await page.textContent("#view-lengths"), `${found.toFixed(2)} rad before shortcutting, ${length.toFixed(2)} rad after.`);
+  assert.match(await page.innerText("#story"), new RegExp(`length ${length.toFixed(2)} rad, shortened from ${found.toFixed(2)} rad`));
+  assert.equal(await page.isVisible("#legend-raw"), false);
+  const alone = await pixelsOf(page, "cspace", "top", "path");
+  await see(page, "view-raw", true);
+  assert.ok(await page.isVisible("#legend-raw"));
+  const both = await pixelsOf(page, "cspace", "top", "path");
+  assert.ok(both > alone + 20, `${alone}, then ${both} pixels`);
+}));
+
+test("names of axes stand clear of the numbers in small squares, and grow with the words of the projector", () => {
+  const arm = (/** @type {number} */ joint) => ({ name: `joint ${joint}`, unit: /** @type {const} */ ("rad"), low: -Math.PI, high: Math.PI, isCircle: true });
+  for (const scale of [1, 1.7]) {
+    const side = 180 * scale;
+    const margin = { left: 34 * scale, right: 12 * scale, top: 12 * scale, bottom: 32 * scale };
+    const view = new View({ min: [-Math.PI, -Math.PI], max: [Math.PI, Math.PI] }, side, side, margin, true);
+    const context = new SvgContext(side, side);
+    drawAxes(/** @type {any} */ (context), view, { x: margin.left, y: margin.top, width: side - margin.left - margin.right, height: side - margin.top - margin.bottom }, [arm(0), arm(1)], scale);
+    const words = allOf(readXml(context.toString()), "text");
+    const groups = allOf(readXml(context.toString()), "g").map(({ attributes }) => attributes.style).filter(Boolean);
+    assert.ok(groups.length > 0 && groups.every((style) => style.includes(`${12 * scale}px`)), String(groups));
+    const across = words.filter(({ attributes }) => attributes.y === words[0].attributes.y && attributes.x);
+    const spans = across.map(({ attributes, children }) => [Number(attributes.x) - 3.1 * scale * String(children[0]).length, Number(attributes.x) + 3.1 * scale * String(children[0]).length]).toSorted(([a], [b]) => a - b);
+    assert.equal(spans.length, 4);
+    spans.slice(1).forEach(([from], i) => assert.ok(from > spans[i][1] + 2, `${spans}`));
+  }
 });
 
-describe("planes of more than two joints", () => {
-  test("two selects say which joints, the caption says it too, and the same one twice is not possible", async () => {
-    await onPausedPage(async (page) => {
-      await unfold(page, "view");
-      assert.equal(await page.locator("#view-plane").evaluate((element) => /** @type {HTMLElement} */ (element).hidden), true);
-      const { planner } = planned("thicket");
-      await chooseScene(page, "thicket");
-      await finish(page);
-      await see(page, "view-across", "2");
-      await see(page, "view-up", "3");
-      assert.match(await page.innerText("#cspace figcaption"), /joint 3 across, joint 4 up/);
-      const rows = planner.verticesSince(0);
-      const at = await square(page);
-      const [x, y] = [rows[4 * 30 + 2], rows[4 * 30 + 3]];
-      await page.hover("#cspace .sheet", { position: at(x, y) });
-      const { vertex } = await readout(page, "[data-vertex]:not([data-vertex='-1'])");
-      const there = at(rows[4 * vertex + 2], rows[4 * vertex + 3]);
-      assert.ok(Math.hypot(there.x - at(x, y).x, there.y - at(x, y).y) < 2, `vertex ${vertex} is in another place`);
-      await see(page, "view-across", "3");
-      assert.match(await page.innerText("#cspace figcaption"), /joint 4 across, joint 3 up/);
-      assert.equal(await page.inputValue("#view-up"), "2");
-      await chooseScene(page, "stones");
-      assert.doesNotMatch(await page.innerText("#cspace figcaption"), /across/);
-    });
-  });
+test("two selects say which joints, the caption says it too, and the same one twice is not possible", () => onPausedPage(async (page) => {
+  await unfold(page, "view");
+  assert.equal(await page.locator("#view-plane").evaluate((element) => /** @type {HTMLElement} */ (element).hidden), true);
+  const { planner } = planned("thicket");
+  await chooseScene(page, "thicket");
+  await finish(page);
+  await see(page, "view-across", "2");
+  await see(page, "view-up", "3");
+  assert.match(await page.innerText("#cspace figcaption"), /joint 3 across, joint 4 up/);
+  const rows = planner.verticesSince(0);
+  const at = await square(page);
+  const [x, y] = [rows[4 * 30 + 2], rows[4 * 30 + 3]];
+  await page.hover("#cspace .sheet", { position: at(x, y) });
+  const { vertex } = await readout(page, "[data-vertex]:not([data-vertex='-1'])");
+  const there = at(rows[4 * vertex + 2], rows[4 * vertex + 3]);
+  assert.ok(Math.hypot(there.x - at(x, y).x, there.y - at(x, y).y) < 2, `vertex ${vertex} is in another place`);
+  await see(page, "view-across", "3");
+  assert.match(await page.innerText("#cspace figcaption"), /joint 4 across, joint 3 up/);
+  assert.equal(await page.inputValue("#view-up"), "2");
+  await chooseScene(page, "stones");
+  assert.doesNotMatch(await page.innerText("#cspace figcaption"), /across/);
+}));
 
-  test("a slice shows what collides with the other joints as the robot has them", async () => {
-    await onPausedPage(async (page) => {
-      const scenario = scenarioOf("thicket");
-      await chooseScene(page, "thicket");
-      assert.ok(await pixelsOf(page, "cspace", "ground", "obstacle") < 50);
-      await see(page, "view-slice", true);
-      assert.match(await page.innerText("#cspace figcaption"), /slice at the robot’s configuration/);
-      const { start: pose } = scenario.document().queries[0];
-      const at = await square(page);
-      const grid = Array.from({ length: 900 }, (_, i) => [-3.05 + (6.1 * (i % 30)) / 29, -3.05 + (6.1 * Math.floor(i / 30)) / 29]);
-      const filled = await page.evaluate((points) => {
-        const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector("#cspace canvas[data-layer=ground]"));
-        const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
-        context?.drawImage(canvas, 0, 0);
-        return points.map(({ x, y }) => (context?.getImageData(Math.floor(x), Math.floor(y), 1, 1).data[3] ?? 0) > 128);
-      }, grid.map(([a, b]) => at(a, b)));
-      const hits = grid.map(([a, b]) => !scenario.check([a, b, pose[2], pose[3]]).free);
-      const agree = hits.filter((hit, i) => hit === filled[i]).length / hits.length;
-      assert.ok(hits.some(Boolean) && !hits.every(Boolean));
-      assert.ok(agree > 0.95, `${(100 * agree).toFixed(1)} % of the points agree`);
-      await see(page, "view-slice", false);
-      assert.ok(await pixelsOf(page, "cspace", "ground", "obstacle") < 50);
-    });
-  });
-});
+test("a slice shows what collides with the other joints as the robot has them", () => onPausedPage(async (page) => {
+  const scenario = load("thicket");
+  await chooseScene(page, "thicket");
+  assert.ok(await pixelsOf(page, "cspace", "ground", "obstacle") < 50);
+  await see(page, "view-slice", true);
+  assert.match(await page.innerText("#cspace figcaption"), /slice at the robot’s configuration/);
+  const { start: pose } = scenario.document().queries[0];
+  const at = await square(page);
+  const grid = Array.from({ length: 900 }, (_, i) => [-3.05 + (6.1 * (i % 30)) / 29, -3.05 + (6.1 * Math.floor(i / 30)) / 29]);
+  const { width, alpha } = await alphaOf(page, "cspace", "ground");
+  const filled = grid.map(([a, b]) => at(a, b)).map(({ x, y }) => alpha[Math.floor(y) * width + Math.floor(x)] > 128);
+  const hits = grid.map(([a, b]) => !scenario.check([a, b, pose[2], pose[3]]).free);
+  const agree = hits.filter((hit, i) => hit === filled[i]).length / hits.length;
+  assert.ok(hits.some(Boolean) && !hits.every(Boolean));
+  assert.ok(agree > 0.95, `${(100 * agree).toFixed(1)} % of the points agree`);
+  await see(page, "view-slice", false);
+  assert.ok(await pixelsOf(page, "cspace", "ground", "obstacle") < 50);
+}));
 
-describe("numbers", () => {
-  test("those of the run, in one line that never changes its height", async () => {
-    await onPausedPage(async (page) => {
-      const height = async () => (await page.locator(".numbers").boundingBox())?.height;
-      const before = await height();
-      const { planner } = planned("stones");
-      const { configuration_checks: checks, motion_checks: motions, clearance_evaluations: evaluations, nearest_queries: nearest } = planner.stats();
-      await finish(page);
-      const text = async (/** @type {string} */ name) => page.locator(`#count-${name}`).innerText();
-      const grouped = (/** @type {number} */ count) => count.toLocaleString("en");
-      assert.deepEqual(
-        [await text("checks"), await text("motions"), await text("evaluations"), await text("nearest"), await text("segments")],
-        [checks, motions, evaluations, nearest, planner.result().path.length - 1].map(grouped),
-      );
-      assert.equal(await text("length"), `${planner.result().length.toFixed(2)} rad`);
-      assert.match(await text("time"), /^[\d.]+ m?s$/);
-      assert.match(await text("rate"), /^[\d,.]+[KM]?$/);
-      assert.equal(await height(), before);
-      // What is not known of an earlier iteration is a dash.
-      await page.click("#back");
-      await atRest(page);
-      assert.deepEqual([await text("nearest"), await text("time"), await text("rate")], ["\u2013", "\u2013", "\u2013"]);
-      const rows = await page.locator(".numbers dd:visible").evaluateAll((all) => new Set(all.map((element) => Math.round(element.getBoundingClientRect().top))).size);
-      assert.equal(rows, 1);
-    });
-  });
-
-  test("on a phone the rest is folded away", async () => {
-    await onPausedPage(async (page) => {
-      assert.equal(await page.locator("#count-checks").isVisible(), false);
-      assert.ok(await page.locator("#count-vertices").isVisible());
-      await page.click("#more-counters summary");
-      assert.ok(await page.locator("#count-checks").isVisible());
-      const [width, room] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
-      assert.ok(width <= room, `${width} in ${room} pixels`);
-    }, PHONE);
-  });
-});
+test("the numbers are those of the run, in one line that never changes its height", () => onPausedPage(async (page) => {
+  const height = async () => (await page.locator(".numbers").boundingBox())?.height;
+  const before = await height();
+  const { planner } = planned("stones");
+  const { configuration_checks: checks, motion_checks: motions, clearance_evaluations: evaluations, nearest_queries: nearest } = planner.stats();
+  await finish(page);
+  const text = async (/** @type {string} */ name) => page.innerText(`#count-${name}`);
+  const grouped = (/** @type {number} */ count) => count.toLocaleString("en");
+  assert.deepEqual(
+    [await text("checks"), await text("motions"), await text("evaluations"), await text("nearest"), await text("segments")],
+    [checks, motions, evaluations, nearest, planner.result().path.length - 1].map(grouped),
+  );
+  assert.equal(await text("length"), `${planner.result().length.toFixed(2)} rad`);
+  assert.match(await text("time"), /^[\d.]+ m?s$/);
+  assert.match(await text("rate"), /^[\d,.]+[KM]?$/);
+  assert.equal(await height(), before);
+  // What is not known of an earlier iteration is a dash.
+  await click(page, "#back");
+  assert.deepEqual([await text("nearest"), await text("time"), await text("rate")], ["\u2013", "\u2013", "\u2013"]);
+  const rows = await page.locator(".numbers dd:visible").evaluateAll((all) => new Set(all.map((element) => Math.round(element.getBoundingClientRect().top))).size);
+  assert.equal(rows, 1);
+}));

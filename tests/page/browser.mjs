@@ -340,7 +340,8 @@ export async function alphaOf(page, pane, layer) {
     const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
     context?.drawImage(canvas, 0, 0);
     const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, canvas.width, canvas.height));
-    const rows = Array.from({ length: canvas.height }, (_, y) => String.fromCharCode(...Array.from({ length: canvas.width }, (__, x) => data[4 * (y * canvas.width + x) + 3])));
+    const alpha = data.filter((_, i) => i % 4 === 3);
+    const rows = Array.from({ length: canvas.height }, (_, y) => String.fromCharCode(...alpha.subarray(y * canvas.width, (y + 1) * canvas.width)));
     return { width: canvas.width, height: canvas.height, text: btoa(rows.join("")) };
   });
   return { width, height, alpha: new Uint8Array(Buffer.from(text, "base64")) };

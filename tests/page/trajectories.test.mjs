@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as planarium from "planarium";
-import { alphaOf, download, fill, onPage, useBrowser, violations } from "./browser.mjs";
+import { download, fill, onPage, pictureOf, useBrowser, violations } from "./browser.mjs";
 import { assertFaultless, assertFits, assertForced } from "./looks.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -53,7 +53,7 @@ async function end(page, status = "solved") {
 }
 
 /** How many pixels of the lower canvas are inked. @param {Page} page */
-const inked = async (page) => (await alphaOf(page, "plane", "ground")).alpha.filter((dense) => dense > 0).length;
+const inked = async (page) => Number((await pictureOf(page, "#plane canvas[data-layer=ground]"))[0].split(" ")[2]);
 
 /** What the package says of the same experiment. @param {import("planarium").TrajectoryOptions} options @param {number} [tried] */
 function expected(options, tried = 1e6) {

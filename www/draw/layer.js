@@ -30,8 +30,10 @@ export class Layer {
     this.width = width;
     this.height = height;
     this.ratio = ratio;
-    this.canvas.width = Math.max(1, Math.round(width * ratio));
-    this.canvas.height = Math.max(1, Math.round(height * ratio));
+    const size = { width: Math.max(1, Math.round(width * ratio)), height: Math.max(1, Math.round(height * ratio)) };
+    // A canvas of the same size keeps its memory.
+    if (this.canvas.width === size.width && this.canvas.height === size.height) this.context.reset();
+    else Object.assign(this.canvas, size);
     this.context.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.clip = null;
   }

@@ -56,9 +56,11 @@ export class Counters {
   }
 }
 
-/** A number, compact where it is large. @param {number} count */
+/** A number, compact from 100,000: "1.23M". @param {number} count */
 function short(count) {
-  return count < 100_000 ? grouped(Math.round(count)) : count.toLocaleString("en", { notation: "compact", maximumSignificantDigits: 3 });
+  if (count < 100_000) return grouped(Math.round(count));
+  const [unit, name] = count < 999_500 ? [1e3, "K"] : count < 999_500_000 ? [1e6, "M"] : [1e9, "B"];
+  return `${Number((count / unit).toPrecision(3))}${name}`;
 }
 
 /** @param {number} seconds */

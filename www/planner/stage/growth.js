@@ -62,16 +62,17 @@ export class Growth {
    * Draws what is new until the clock passes `until`, and at least one batch of each kind. A snapshot takes a frame of its own,
    * as the browser rasterizes all pending drawing before it copies.
    * @param {number} now @param {number} until @param {number} most  rows at most
+   * @returns {boolean} whether it made a snapshot
    */
   draw(now, until, most) {
     const run = this.pane.lane?.run;
-    if (!run) return;
+    if (!run) return false;
     const { target } = this;
     this.leap(target);
     const due = KINDS.find((kind) => this.snapshots[kind].isDue(this.drawn[kind]));
     if (due) {
       this.snapshots[due].copy(this.drawn[due]);
-      return;
+      return true;
     }
     // A redraw without removed vertices is done in one frame, as half of it would flicker.
     const limit = this.shed(run, target) ? Infinity : until;
@@ -80,6 +81,7 @@ export class Growth {
     do { this.drawEdges(run, target.edges, now); } while (this.drawn.edges < target.edges && isRoom());
     do { this.drawVertices(run, target.vertices, now); } while (this.drawn.vertices < target.vertices && isRoom());
     do { this.drawEvents(run, target.events, now); } while (this.drawn.events < target.events && performance.now() < until);
+    return false;
   }
 
   /** Empties the layers if other vertices are removed now. @param {Run} run @param {Counts} target @returns {boolean} whether it did */

@@ -131,10 +131,8 @@ export class Pane {
   /** Whether everything that is shown has been drawn. */
   get caughtUp() { return !this.view || this.growth.caughtUp; }
 
-  /** @param {number} now @param {number} until @param {number} [most]  rows at most */
-  grow(now, until, most = Infinity) {
-    if (this.view && this.palette) this.growth.draw(now, until, most);
-  }
+  /** @param {number} now @param {number} until @param {number} [most]  rows at most @returns {boolean} whether it made a snapshot */
+  grow(now, until, most = Infinity) { return this.view !== null && this.palette !== null && this.growth.draw(now, until, most); }
 
   /** @param {number} side */
   sideColour(side) {

@@ -15,7 +15,7 @@ import { Workspace } from "./workspace-pane.js";
 /** Rows drawn in a frame while it plays: at first, at least and at most. */
 const RATION = { first: 240, least: 48, most: 960 };
 /** A frame is short below so many milliseconds, and long above. */
-const GAP = { short: 20, long: 34 };
+const GAP = { short: 18, long: 25 };
 
 export const KINDS = { workspace: Workspace, cspace: CSpace };
 
@@ -126,7 +126,8 @@ export class Stage {
     this.isBehind = behind.length > 0;
     // When frames are long, panes are drawn in turn.
     const drawn = most < RATION.first && behind.length > 1 ? [behind[this.turn++ % behind.length]] : panes;
-    drawn.forEach((pane, i) => pane.grow(now, began + ((until - began) * (i + 1)) / drawn.length, most / drawn.length));
+    // A frame makes one snapshot.
+    drawn.some((pane, i) => pane.grow(now, began + ((until - began) * (i + 1)) / drawn.length, most / drawn.length));
     for (const pane of drawn) pane.drawTop(now);
   }
 }

@@ -25,16 +25,19 @@ export function assemblePage() {
   rmSync(out, { recursive: true, force: true });
   mkdirSync(join(out, "planarium"), { recursive: true });
   for (const part of ["icon.svg", "scenes"]) cpSync(join(page, part), join(out, part), { recursive: true });
-  for (const [name] of PAGES) writeFileSync(join(out, `${name}.html`), documentOf(name));
   cpSync(join(dist, "package", "planarium_bg.wasm"), join(out, "planarium", "planarium_bg.wasm"));
   const inParts = { outfile: undefined, outdir: out, splitting: true, chunkNames: "parts/[name]-[hash]" };
   joinModules(join(page, "style", "style.css"), join(out, "style.css"));
   // The page and the worker import the package themselves, and no part of theirs does.
   const beside = { ...inParts, alias: { planarium: "./planarium/planarium.js" }, external: ["./planarium/planarium.js"] };
-  joinModules(join(page, "planner", "main.js"), "", beside);
+  const planner = joinModules(join(page, "planner", "main.js"), "", beside);
   joinModules(join(page, "planner", "worker", "worker.js"), "", beside);
   joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
-  assembleRooms(inParts);
+  const rooms = assembleRooms(inParts);
+  for (const [name] of PAGES) {
+    const scripts = importsOf(ROOMS.includes(name) ? rooms : planner, `www/${ROOMS.includes(name) ? name : "planner"}/main.js`);
+    writeFileSync(join(out, `${name}.html`), documentOf(name, scripts.map((file) => relative(out, file).split(sep).join("/"))));
+  }
   const files = readdirSync(out, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile() && !entry.name.endsWith(".map"))
     .map((entry) => relative(out, join(entry.parentPath, entry.name)).split(sep).join("/"))
@@ -45,20 +48,31 @@ export function assemblePage() {
   });
 }
 
+/** The files that a script imports, directly or not, but for those that it loads on demand. @param {import("esbuild").Metafile} metafile @param {string} entry @returns {string[]} */
+function importsOf({ outputs }, entry) {
+  const reached = new Set(Object.keys(outputs).filter((file) => outputs[file].entryPoint === entry));
+  for (const file of reached) {
+    for (const { path, kind, external } of outputs[file].imports) if (kind === "import-statement" && !external) reached.add(path);
+  }
+  return [...reached].slice(1);
+}
+
 /**
  * The scripts and styles of the rooms and their worker, with one set of parts. An entry and a part lie equally deep, so that the package
  * has the same address for both.
  * @param {import("esbuild").BuildOptions} inParts
+ * @returns {import("esbuild").Metafile}
  */
 function assembleRooms(inParts) {
   const page = join(root, "www");
   const entries = [join(page, "rooms", "worker.js"), ...ROOMS.map((name) => join(page, name, "main.js"))];
-  joinModules("", "", { ...inParts, entryPoints: entries, outbase: page, alias: { planarium: "../planarium/planarium.js" }, external: ["../planarium/planarium.js"] });
+  const made = joinModules("", "", { ...inParts, entryPoints: entries, outbase: page, alias: { planarium: "../planarium/planarium.js" }, external: ["../planarium/planarium.js"] });
   for (const name of ROOMS) joinModules(join(page, name, "style.css"), join(dist, "page", name, "style.css"));
+  return made;
 }
 
-/** The HTML of a page: the shell with the page's contents in its slots. A single file has no links to other pages. @param {string} name @param {boolean} [isSingle] */
-function documentOf(name, isSingle = false) {
+/** The HTML of a page: the shell with the page's contents in its slots. A single file has no links to other pages. @param {string} name @param {string[] | null} scripts   that its script imports: they are fetched at once; null for a single file */
+function documentOf(name, scripts) {
   const links = PAGES.map(([other, title]) => `<a href="${other === "index" ? "./" : `${other}.html`}"${other === name ? " aria-current=\"page\"" : ""}>${title}</a>`);
   const isRoom = ROOMS.includes(name);
   // A page lists its slots: the name of each in a comment at the start of a line, then its content.
@@ -67,7 +81,8 @@ function documentOf(name, isSingle = false) {
   const slots = {
     folder: isRoom ? `${name}/` : "",
     product: isRoom ? "<p class=\"product\"><a href=\"./\">Planarium</a></p>" : "<h1>Planarium</h1>",
-    pages: isSingle ? "" : `<nav class="rooms" aria-label="Pages">${links.join(" ")}</nav>`,
+    imports: (scripts ?? []).map((file) => `<link rel="modulepreload" href="${file}">`).join("\n  "),
+    pages: scripts === null ? "" : `<nav class="rooms" aria-label="Pages">${links.join(" ")}</nav>`,
   };
   for (let i = 0; i < own.length; i += 2) slots[own[i]] = own[i + 1].trim();
   return readFileSync(join(root, "www", "app", "shell.html"), "utf8").replace(/<!-- (\w+) -->/g, (_, slot) => slots[slot] ?? "");
@@ -96,7 +111,7 @@ export function assembleOneFile() {
   const scenes = readdirSync(join(page, "scenes")).filter((name) => name.endsWith(".json"));
   const parts = [["core", packed(join(dist, "package", "planarium_bg.wasm"))], ["main", packed(join(made, "main.js"))], ["worker", packed(join(made, "worker.js"))],
     ...scenes.map((name) => [`scene-${basename(name, ".json")}`, JSON.stringify(JSON.parse(text(join(page, "scenes", name))))])];
-  const html = documentOf("index", true)
+  const html = documentOf("index", null)
     .replace(/<meta http-equiv="Content-Security-Policy"[^>]*>/, () => `<meta http-equiv="Content-Security-Policy" content="${policy}">`)
     .replace(/href="icon.svg"/, () => `href="${icon}"`)
     .replace(/ *<link rel="(preload|modulepreload)"[^>]*>\n/g, "")
@@ -123,9 +138,14 @@ function hashOf(text) { return `'sha256-${createHash("sha256").update(text).dige
  * @param {string} entry
  * @param {string} out
  * @param {import("esbuild").BuildOptions} [more]
+ * @returns {import("esbuild").Metafile}
  */
 function joinModules(entry, out, more = {}) {
   /** @type {typeof import("esbuild")} */
   const { buildSync } = createRequire(import.meta.url)("esbuild");
-  buildSync({ entryPoints: [entry], outfile: out, bundle: true, minify: true, sourcemap: true, format: "esm", target: "es2022", logLevel: "warning", ...more });
+  const { metafile } = buildSync({
+    entryPoints: [entry], outfile: out, bundle: true, minify: true, sourcemap: true, format: "esm", target: "es2022", logLevel: "warning", metafile: true,
+    absWorkingDir: root, ...more,
+  });
+  return /** @type {import("esbuild").Metafile} */ (metafile);
 }

@@ -11,16 +11,19 @@ const NAMES = /** @type {const} */ ([
 
 /** @param {HTMLElement} root @returns {Palette} */
 export function readPalette(root) {
-  const probe = document.createElement("span");
-  probe.hidden = true;
-  // Forced colours would replace the colour of a text.
-  probe.style.forcedColorAdjust = "none";
-  root.append(probe);
-  const colours = /** @type {Palette} */ ({});
-  for (const name of NAMES) {
+  const probes = NAMES.map((name) => {
+    const probe = document.createElement("span");
     probe.style.color = `var(--${name})`;
-    colours[name] = getComputedStyle(probe).color;
-  }
-  probe.remove();
-  return colours;
+    // Forced colours replace the colour of text, but not what it means here.
+    probe.style.forcedColorAdjust = "none";
+    return probe;
+  });
+  const host = document.createElement("span");
+  host.hidden = true;
+  host.append(...probes);
+  root.append(host);
+  // Styles are computed once for all of them.
+  const palette = /** @type {Palette} */ (Object.fromEntries(probes.map((probe, i) => [NAMES[i], getComputedStyle(probe).color])));
+  host.remove();
+  return palette;
 }

@@ -1,7 +1,7 @@
 /**
- * One canvas of a sheet, as sharp as the screen: its backing store has the screen's pixels, its coordinates are CSS pixels.
- * A sheet has five: the ground (drawn once a layout); edges, vertices and marks (only ever added to while the log grows,
- * each in the order of the log, so that how it was sliced leaves no trace); the top (light, redrawn each frame).
+ * A canvas of a pane: its backing store has device pixels, its coordinates are CSS pixels. A pane has five: the ground, drawn once per
+ * layout; edges, vertices and marks, append-only in the order of the log, so that the picture does not depend on how drawing was divided
+ * into frames; the top, redrawn each frame.
  */
 
 /** From the lowest to the highest. */

@@ -1,4 +1,4 @@
-/** The gallery of built-in scenes, each with a thumbnail that follows the theme. */
+/** The gallery of the pages beside the planner's: scenes with thumbnails that follow the theme. */
 import { Scenario } from "planarium";
 import { Gallery, SIDE } from "./gallery.js";
 import { drawThumbnail } from "../draw/thumbnail.js";

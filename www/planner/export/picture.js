@@ -16,7 +16,7 @@ import { Frontier } from "../run-log/frontier.js";
 /** @import { Session } from "../session.js" */
 /** @typedef {{ layout: Layout["sheets"][number], pane: Pane, layers: OffscreenCanvas[], lane: Lane }} Drawn */
 
-/** Milliseconds of inking in a slice. */
+/** Milliseconds of drawing in a slice. */
 const SLICE = 8;
 /** Captions, in CSS pixels. */
 const FONT = "13px system-ui, sans-serif";

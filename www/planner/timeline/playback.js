@@ -87,7 +87,7 @@ export class Timeline {
     const { session, clock } = this;
     if (session.growing) clock.pass(elapsed);
     else if (clock.playing) this.travel(elapsed);
-    // Rows that are not inked yet come first.
+    // Rows that are not drawn yet come first.
     if (!clock.owes || !session.stage.caughtUp) return false;
     if (!session.growing) {
       clock.rest();

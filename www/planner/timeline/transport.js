@@ -5,7 +5,7 @@ import { byId, grouped, write } from "../../app/dom.js";
 /** @import { Session } from "../session.js" */
 /** @import { State } from "../../domain/types.js" */
 
-/** Iterations a second one step before the right end of the slider, which is full speed; at its left end there is one. */
+/** Iterations per second at the last position of the slider before "max"; at the first it is 1. */
 const FASTEST = 10000;
 
 export class Transport {

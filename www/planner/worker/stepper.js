@@ -28,7 +28,7 @@ const LONGEST = 64;
 /** Most vertices and edges of one block: as many as a frame can draw. */
 const BURST = { vertices: 400, edges: 240 };
 
-/** Time is a column of the history, such as clearance evaluations, or -1 for iterations. */
+/** Steps one planner. `column` selects the clock: a column of the history, such as clearance evaluations, or -1 for iterations. */
 export class Stepper {
   /** @param {Scenario} scenario @param {string} algorithm @param {Settings} settings  the query's name, the seed and the planner's parameters */
   constructor(scenario, algorithm, settings) {
@@ -51,8 +51,8 @@ export class Stepper {
   }
 
   /**
-   * Whether every iteration of a time is made. Several may share a time that does not count iterations: then only the first
-   * one past it tells.
+   * Whether all iterations up to a time are made. Several may have the same time on a clock that does not count iterations: then
+   * only a later time shows it.
    * @param {number} column @param {number} wanted
    */
   hasPassed(column, wanted) {

@@ -3,7 +3,7 @@
  * between light and dark.
  */
 const NAMES = /** @type {const} */ ([
-  "stage", "ink", "quiet", "line", "obstacle", "obstacle-edge", "robot", "robot-edge", "start", "goal",
+  "stage", "ink", "quiet", "line", "obstacle", "obstacleEdge", "robot", "robotEdge", "start", "goal",
   "growth", "newest", "halo", "path", "unproven", "rejected", "collision",
 ]);
 
@@ -18,7 +18,7 @@ export function readPalette(root) {
   root.append(probe);
   const colours = /** @type {Palette} */ ({});
   for (const name of NAMES) {
-    probe.style.color = `var(--${name})`;
+    probe.style.color = `var(--${name.replace("E", "-e")})`;
     colours[name] = getComputedStyle(probe).color;
   }
   probe.remove();

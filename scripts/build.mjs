@@ -125,13 +125,13 @@ export const { ${names.join(", ")} } = guarded(glue);
 }
 
 /** Checks the JavaScript layer against the generated glue and writes its declarations. */
-async function makeTypes() {
+export async function makeTypes() {
   rmSync(types, { recursive: true, force: true });
   await run(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "-p", "js"]);
   cpSync(join(glue, "core.d.ts"), join(types, "core.d.ts"));
 }
 
-async function assemblePackage() {
+export async function assemblePackage() {
   requireFile(join(root, "schema", "scenario.schema.json"));
   const out = mkdtempSync(join(dist, "package-"));
   const sources = readdirSync(join(root, "js")).filter((name) => name.endsWith(".js")).map((name) => join(root, "js", name));
@@ -164,9 +164,9 @@ function takeOver(fresh, place) {
   rmSync(fresh, { recursive: true });
 }
 
-/** The declarations that the entry imports, directly or indirectly. */
+/** The declarations of the entries and those that they import, directly or indirectly. */
 function publicDeclarations() {
-  const reached = new Set(["planarium.d.ts"]);
+  const reached = new Set(["planarium.d.ts", "draw.d.ts"]);
   for (const name of reached) {
     const text = readFileSync(join(types, name), "utf8");
     for (const match of text.matchAll(/(?:from |import\()"\.\/(\w+)\.js"/g)) reached.add(`${match[1]}.d.ts`);

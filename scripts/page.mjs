@@ -10,6 +10,8 @@ const dist = join(root, "dist");
 
 /** The pages, in the order of the links between them. The first is the planner's, the others are rooms. */
 const PAGES = [["index", "Plan"], ["reach", "Reach"], ["neighbours", "Neighbours"], ["trajectories", "Trajectories"]];
+/** The part of the package that needs no core: each script has what it uses of it. */
+const DRAW = { "planarium/draw": join(dist, "package", "draw.js") };
 const ROOMS = PAGES.slice(1).map(([name]) => name);
 
 /**
@@ -29,7 +31,7 @@ export function assemblePage() {
   const inParts = { outfile: undefined, outdir: out, splitting: true, chunkNames: "parts/[name]-[hash]" };
   joinModules(join(page, "style", "style.css"), join(out, "style.css"));
   // The page and the worker import the package themselves, and no part of theirs does.
-  const beside = { ...inParts, alias: { planarium: "./planarium/planarium.js" }, external: ["./planarium/planarium.js"] };
+  const beside = { ...inParts, alias: { ...DRAW, planarium: "./planarium/planarium.js" }, external: ["./planarium/planarium.js"] };
   const planner = joinModules(join(page, "planner", "main.js"), "", beside);
   joinModules(join(page, "planner", "worker", "worker.js"), "", beside);
   joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
@@ -66,7 +68,7 @@ function importsOf({ outputs }, entry) {
 function assembleRooms(inParts) {
   const page = join(root, "www");
   const entries = [join(page, "rooms", "worker.js"), ...ROOMS.map((name) => join(page, name, "main.js"))];
-  const made = joinModules("", "", { ...inParts, entryPoints: entries, outbase: page, alias: { planarium: "../planarium/planarium.js" }, external: ["../planarium/planarium.js"] });
+  const made = joinModules("", "", { ...inParts, entryPoints: entries, outbase: page, alias: { ...DRAW, planarium: "../planarium/planarium.js" }, external: ["../planarium/planarium.js"] });
   for (const name of ROOMS) joinModules(join(page, name, "style.css"), join(dist, "page", name, "style.css"));
   return made;
 }
@@ -99,7 +101,7 @@ export function assembleOneFile() {
   const text = (/** @type {string} */ path) => readFileSync(path, "utf8");
   const made = join(dist, "one-file");
   rmSync(made, { recursive: true, force: true });
-  const inside = { sourcemap: false, alias: { planarium: join(dist, "package", "planarium.js") } };
+  const inside = { sourcemap: false, alias: { ...DRAW, planarium: join(dist, "package", "planarium.js") } };
   joinModules(join(page, "planner", "main.js"), join(made, "main.js"), inside);
   // The worker receives the compiled module, so the package needs no address.
   joinModules(join(page, "planner", "worker", "worker.js"), join(made, "worker.js"), { ...inside, format: "iife", logOverride: { "empty-import-meta": "silent" } });

@@ -7,6 +7,7 @@ import { test } from "node:test";
 import { Scenario } from "planarium";
 import { root } from "../../scripts/run.mjs";
 import { targetFolder } from "../../scripts/setup.mjs";
+import { recordingContext } from "./canvas.mjs";
 import { addFiles, emptyFolder, install, pack } from "./packed.mjs";
 
 const names = ["README.md", "CHANGELOG.md", ...readdirSync(join(root, "docs"), { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".md")).map((name) => `docs/${name}`)];
@@ -27,21 +28,28 @@ const PRINTED = {
     /^\{[^]*free: true[^]*\}\nsolved\nsolved true\n$/,
     /^solved solved solved\n$/,
     /^(?:solved [1-9]\d* motions\n){2}3\n$/,
+    /^solved true\n$/,
     /^the forest found \d+ of 10; the tree visited \d+ of 20000, up to \d\.\d\d\n$/,
     /^reached true [1-4]\ntrue \[ [\d.]+, [-\d.e]+ \]\n$/,
     /^solved 500 \d+\nFloat64Array\(2\) \[ 0\.0996917333733128, 0\.007845909572784495 \]\n$/,
   ],
 };
 
+/** What the examples for a browser need of one. */
+const BROWSER = `${recordingContext}
+globalThis.document = { querySelector: () => ({ width: 500, height: 500, getContext: () => recordingContext().context }) };
+globalThis.requestAnimationFrame = (frame) => setImmediate(frame);
+`;
+
 test("every JavaScript example runs in the installed package", () => {
-  const folder = install(pack());
+  const folder = install(pack(), { "browser.mjs": BROWSER });
   for (const name of names) {
     const examples = blocks(name, "js");
     const expected = PRINTED[name] ?? [];
     assert.equal(examples.length, expected.length, `examples in ${name}`);
     examples.forEach((code, i) => {
       addFiles(folder, { "example.mjs": code });
-      assert.match(execFileSync(process.execPath, ["example.mjs"], { cwd: folder, encoding: "utf8" }), expected[i], `${name}, example ${i + 1}`);
+      assert.match(execFileSync(process.execPath, ["--import", "./browser.mjs", "example.mjs"], { cwd: folder, encoding: "utf8" }), expected[i], `${name}, example ${i + 1}`);
     });
   }
 });

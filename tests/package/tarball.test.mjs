@@ -20,8 +20,8 @@ before(() => {
 
 test("the tarball holds exactly the files of the package", () => {
   const names = [...files.keys()].map((name) => name.replace(/^package\//, "")).sort();
-  const modules = ["catalogue", "core", "error", "functions", "growth", "guard", "node", "plain", "planarium", "planarium_glue", "runtime", "version"];
-  const declarations = ["core", "error", "functions", "planarium", "version"];
+  const modules = ["catalogue", "core", "draw", "error", "functions", "growth", "guard", "node", "plain", "planarium", "planarium_glue", "runtime", "version"];
+  const declarations = ["core", "draw", "error", "functions", "planarium", "version"];
   assert.deepEqual(names, [
     "CHANGELOG.md",
     "LICENSE",

@@ -193,13 +193,42 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
 }
 `;
 
+/** `planarium/draw` draws on a canvas, so that it needs the types of one. */
+const drawer = `
+import { Scenario, type ResultDocument } from "planarium";
+import {
+  View, defaultColours, difference, drawEdges, drawObstacles, drawPath, drawRobot, drawWorld, isThin, motionCurves, obstaclePath, partPath, wrap,
+  type Colours, type Context, type Curves,
+} from "planarium/draw";
+
+export function draw(context: CanvasRenderingContext2D, canvas: OffscreenCanvas, scenario: Scenario): number {
+  const view: View = new View(scenario.extent(), canvas.width, canvas.height, { left: 0, right: 0, top: 0, bottom: 0 }, true);
+  const off: Context | null = canvas.getContext("2d");
+  const colours: Partial<Colours> = { path: defaultColours.growth };
+  const planner = scenario.planner();
+  const result: ResultDocument = planner.result();
+  if (off) drawWorld(off, view, scenario.document());
+  drawObstacles(context, view, scenario.document().world.obstacles, colours);
+  const parts = scenario.footprint(planner.path());
+  drawRobot(context, view, parts);
+  for (const obstacle of scenario.document().world.obstacles) obstaclePath(context, view, obstacle);
+  for (const part of parts) if (!isThin(view, part)) partPath(context, view, part);
+  drawPath(context, view, scenario, result, colours);
+  const { points, firsts }: Curves = motionCurves(scenario, new Float64Array(4), [true, false]);
+  const [x, y]: [number, number] = view.toPlane(...view.place(points));
+  // @ts-expect-error: not a colour
+  drawRobot(context, view, parts, { robto: "red" });
+  return drawEdges(context, view, scenario, planner, firsts[0], colours) + wrap(x) + difference(x, y, true);
+}
+`;
+
 const base = { strict: true, noEmit: true, target: "es2022", skipLibCheck: false, types: [], noUncheckedIndexedAccess: true, exactOptionalPropertyTypes: true };
 
 /** @type {string} */
 let folder;
 
 before(() => {
-  folder = install(pack(), { "consumer.ts": consumer });
+  folder = install(pack(), { "consumer.ts": consumer, "drawer.ts": drawer });
 });
 
 for (const [name, settings] of Object.entries({
@@ -208,7 +237,7 @@ for (const [name, settings] of Object.entries({
   "nodenext without the DOM": { module: "nodenext", lib: ["es2022"] },
 })) {
   test(`a strict consumer compiles under ${name}`, () => {
-    addFiles(folder, { "tsconfig.json": JSON.stringify({ compilerOptions: { ...base, ...settings }, files: ["consumer.ts"] }) });
+    addFiles(folder, { "tsconfig.json": JSON.stringify({ compilerOptions: { ...base, ...settings }, files: "lib" in settings ? ["consumer.ts"] : ["consumer.ts", "drawer.ts"] }) });
     const { status, stdout } = spawnSync(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "-p", folder], { encoding: "utf8" });
     assert.equal(status, 0, stdout);
   });

@@ -11,8 +11,8 @@ import { PAST, SIDE } from "../../www/planner/run-log/run-log.js";
 import { endsOf, load } from "./library.mjs";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { Glow } from "../../www/planner/stage/glow.js";
-import { Tracer, folded, unrolled, way } from "../../www/draw/trace.js";
-import { View } from "../../www/draw/view.js";
+import { folded, unrolled } from "../../www/draw/trace.js";
+import { View, difference, motionCurves } from "planarium/draw";
 import { ending, going } from "../../www/planner/story.js";
 import { nameAll } from "../../www/planner/race/names.js";
 import { leaders, letters } from "../../www/planner/race/standings.js";
@@ -45,21 +45,21 @@ test("a motion of the naive metric goes the long way, and is drawn on the square
   assert.deepEqual(long, [[0.1, 1, 6.2, 1], [-6.183, 1, -0.083, 1]]);
   assert.deepEqual(linesOf([4, 1, 5, 1], [true, true], [false, false]), [[-2.283, 1, -1.283, 1]]);
   assert.deepEqual([folded(4), folded(-1), folded(Math.PI)].map((v) => Math.round(v * 1000) / 1000), [-2.283, -1, 3.142]);
-  const { points, firsts } = new Tracer(load("stones")).curves(Float64Array.from([0.1, 0, 6.2, 0]), [false, false]);
+  const { points, firsts } = motionCurves(load("stones"), Float64Array.from([0.1, 0, 6.2, 0]), [false, false]);
   const left = points.filter((_, i) => i % 2 === 0).slice(0, firsts[1]).reduce((least, x) => Math.min(least, x));
   assert.ok(left < -0.5, "the end-effector goes all the way round");
 });
 
 test("the way between two angles is the short one, signed", () => {
-  assert.ok(Math.abs(way(3, -3, true) - (2 * Math.PI - 6)) < 1e-12);
-  assert.ok(Math.abs(way(-3, 3, true) + (2 * Math.PI - 6)) < 1e-12);
-  assert.equal(way(3, -3, false), -6);
+  assert.ok(Math.abs(difference(3, -3, true) - (2 * Math.PI - 6)) < 1e-12);
+  assert.ok(Math.abs(difference(-3, 3, true) + (2 * Math.PI - 6)) < 1e-12);
+  assert.equal(difference(3, -3, false), -6);
 });
 
 test("traced curves end where the core says, and follow its interpolation", () => {
   const scenario = load("thicket");
   const [start, goal] = endsOf(scenario.document().queries[0]);
-  const { points, firsts } = new Tracer(scenario).curves(Float64Array.from([...start, ...goal, ...goal, ...start]));
+  const { points, firsts } = motionCurves(scenario, Float64Array.from([...start, ...goal, ...goal, ...start]));
   assert.deepEqual([...points.slice(0, 2)], [...scenario.endEffector(start)]);
   const last = firsts[1] - 1;
   for (let i = 0; i <= last; i++) {

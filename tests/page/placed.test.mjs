@@ -6,7 +6,7 @@ import { namesOfDocuments } from "../../www/domain/option-names.js";
 import { decodeLink } from "../../www/planner/link/codec.js";
 import { Placed } from "../../www/planner/stage/placed.js";
 import { SvgContext } from "../../www/formats/svg.js";
-import { View } from "../../www/draw/view.js";
+import { View } from "planarium/draw";
 import { allOf, readXml } from "./xml.mjs";
 import { playbackOf } from "../../www/domain/path-playback.js";
 import { ending } from "../../www/planner/story.js";

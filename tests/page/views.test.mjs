@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { drawAxes } from "../../www/draw/angles.js";
-import { View } from "../../www/draw/view.js";
+import { View } from "planarium/draw";
 import { SvgContext } from "../../www/formats/svg.js";
 import { allOf, readXml } from "./xml.mjs";
 import {

@@ -3,7 +3,7 @@
  * between light and dark.
  */
 const NAMES = /** @type {const} */ ([
-  "stage", "ink", "quiet", "line", "obstacle", "obstacle-edge", "robot", "robot-edge", "start", "goal",
+  "stage", "ink", "quiet", "line", "obstacle", "obstacleEdge", "robot", "robotEdge", "start", "goal",
   "growth", "newest", "halo", "path", "unproven", "rejected", "collision",
 ]);
 
@@ -13,7 +13,7 @@ const NAMES = /** @type {const} */ ([
 export function readPalette(root) {
   const probes = NAMES.map((name) => {
     const probe = document.createElement("span");
-    probe.style.color = `var(--${name})`;
+    probe.style.color = `var(--${name.replace("E", "-e")})`;
     // Forced colours replace the colour of text, but not what it means here.
     probe.style.forcedColorAdjust = "none";
     return probe;

@@ -1,4 +1,5 @@
 /** The coordinates of a configuration: their names, ranges and units. */
+import { wrap } from "planarium/draw";
 
 /** @import { Coordinate, Scenario, ScenarioDocument } from "./types.js" */
 
@@ -26,13 +27,6 @@ export function contained(pose, coordinates) {
 
 /** Fits a configuration with more or fewer numbers to coordinates and their ranges. @param {ArrayLike<number>} q @param {Coordinate[]} coordinates */
 export function fitted(q, coordinates) { return contained(Float64Array.from(coordinates, (_, i) => q[i] ?? 0), coordinates); }
-
-/** Wraps an angle to the interval from -pi (exclusive) to pi. @param {number} angle */
-export function wrap(angle) {
-  const turn = angle % (2 * Math.PI);
-  if (turn > Math.PI) return turn - 2 * Math.PI;
-  return turn <= -Math.PI ? turn + 2 * Math.PI : turn;
-}
 
 /** The longer side of the world, metres. @param {Scenario} scenario */
 export function sizeOf(scenario) {

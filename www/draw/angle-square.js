@@ -2,11 +2,12 @@
  * The configuration space of two coordinates as a square. A circle is cut open at its ends; a faint strip of the same picture
  * continues beyond each cut and shows how the angles wrap.
  */
+import { View } from "planarium/draw";
 import { MARGIN, drawAxes } from "./angles.js";
 import { drawLine } from "./marks.js";
 import { paint, soften } from "./mask.js";
+import { NO_VIEW } from "./figure.js";
 import { folded } from "./trace.js";
-import { NO_VIEW, View } from "./view.js";
 
 /** @import { Coordinate } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
@@ -46,7 +47,7 @@ export class AngleSquare {
       for (const image of images) if (image) context.drawImage(image, inner.x, inner.y, inner.width, inner.height);
     });
     // Borders that can be crossed are dashed, joint limits solid.
-    context.strokeStyle = palette["obstacle-edge"];
+    context.strokeStyle = palette.obstacleEdge;
     for (const [i, { low: from, high: to, isCircle }] of coordinates.entries()) {
       context.lineWidth = isCircle ? 1 : 2;
       context.setLineDash(isCircle ? [3, 3] : []);

@@ -2,7 +2,7 @@
 import { drawLine } from "./marks.js";
 
 /** @import { Coordinate } from "../domain/types.js" */
-/** @import { View } from "./view.js" */
+/** @import { View } from "planarium/draw" */
 
 /** The room that marks and names need around the square, CSS pixels. */
 export const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };

@@ -2,6 +2,7 @@
  * A figure: a caption and two canvases in the resolution of the screen. The ground is drawn when the scene changes, the top when
  * something moves, each at most once a frame. The same drawing can be exported as PNG or SVG.
  */
+import { View } from "planarium/draw";
 import { make } from "../app/dom.js";
 import { hatch } from "./hatch.js";
 import { Layer } from "./layer.js";
@@ -22,6 +23,9 @@ import { Layer } from "./layer.js";
  */
 
 /** The contents of a figure. @typedef {{ ground: (brush: Brush) => void, top: (brush: Brush) => void }} Drawing */
+
+/** The view of a figure that is not drawn yet. */
+export const NO_VIEW = new View({ min: [0, 0], max: [1, 1] }, 1, 1);
 
 const LAYERS = /** @type {const} */ (["ground", "top"]);
 

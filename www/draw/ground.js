@@ -1,14 +1,31 @@
-/** The ground of the workspace: a grid, the bounds, the reach of an arm, its base. */
+/** The ground of the workspace: a grid, the world, the reach of an arm, its base. */
+import { drawWorld } from "planarium/draw";
 import { disc, ring } from "./marks.js";
 
-/** @import { Box } from "../domain/types.js" */
+/** @import { ScenarioDocument } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
-/** @import { View } from "./view.js" */
+/** @import { View } from "planarium/draw" */
 /** @typedef {CanvasRenderingContext2D} Context */
 
+/** A round spacing for a grid, metres: the least of 1, 2, 5 times a power of ten that is at least 46 pixels. @param {View} view */
+export function gridOf({ scaleX }) {
+  const least = 46 / scaleX;
+  const power = 10 ** Math.floor(Math.log10(least));
+  return (([1, 2, 5].find((factor) => factor * power >= least)) ?? 10) * power;
+}
+
+/** Grid, bounds or the reach of an arm, and obstacles. @param {Context} context @param {View} view @param {ScenarioDocument} document @param {Palette} palette */
+export function drawGround(context, view, document, palette) {
+  const { world, robot } = document;
+  drawGrid(context, view, palette);
+  context.lineWidth = 1;
+  if (!world.bounds && robot.type === "arm") drawReach(context, view, robot, palette);
+  drawWorld(context, view, document, palette);
+}
+
 /** A grid of faint dots. @param {Context} context @param {View} view @param {Palette} palette */
-export function drawScale(context, view, palette) {
-  const step = view.grid;
+function drawGrid(context, view, palette) {
+  const step = gridOf(view);
   const [left, bottom] = view.toPlane(0, view.height);
   const [right, top] = view.toPlane(view.width, 0);
   context.fillStyle = palette.line;
@@ -19,15 +36,8 @@ export function drawScale(context, view, palette) {
   }
 }
 
-/** @param {Context} context @param {View} view @param {Box} bounds @param {Palette} palette */
-export function drawBounds(context, view, { min, max }, palette) {
-  context.strokeStyle = palette["obstacle-edge"];
-  context.lineWidth = 1.5;
-  context.strokeRect(view.x(min[0]), view.y(max[1]), (max[0] - min[0]) * view.scaleX, (max[1] - min[1]) * view.scaleY);
-}
-
 /** The circle that contains an arm in every configuration. @param {Context} context @param {View} view @param {{ base: ArrayLike<number>, links: number[], radius?: number }} arm @param {Palette} palette */
-export function drawReach(context, view, { base, links, radius = 0 }, palette) {
+function drawReach(context, view, { base, links, radius = 0 }, palette) {
   const reach = links.reduce((sum, link) => sum + link, radius);
   context.strokeStyle = palette.line;
   context.setLineDash([2, 5]);

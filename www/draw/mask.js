@@ -29,7 +29,7 @@ export function paint(mask, side, width, height, palette) {
   if (!context) return canvas;
   const image = context.createImageData(canvas.width, canvas.height);
   const inner = bytesOf(palette.obstacle);
-  const edge = bytesOf(palette["obstacle-edge"]);
+  const edge = bytesOf(palette.obstacleEdge);
   // Also in a small image the inside of an obstacle has its colour.
   const cell = Math.max(1.4, Math.min(width, height) / side);
   const pixels = image.data;

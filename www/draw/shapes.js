@@ -1,43 +1,11 @@
-/** Obstacles, parts of robots and marks, in CSS pixels. */
-import { addCross, addLine, disc, strokeWithHalo } from "./marks.js";
+/** Ghosts, parts in collision, start, goal and other marks, in CSS pixels. */
+import { isThin, partPath } from "planarium/draw";
+import { addCross, addLine, strokeWithHalo } from "./marks.js";
 
-/** @import { View } from "./view.js" */
+/** @import { View } from "planarium/draw" */
 /** @import { Obstacle, Part } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
 /** @typedef {CanvasRenderingContext2D} Context */
-
-/** A part thinner than this on the screen is drawn as a line, CSS pixels. */
-const THIN = 1.6;
-
-/** @param {Context} context @param {View} view @param {Obstacle} obstacle */
-export function obstaclePath(context, view, obstacle) {
-  if (obstacle.type === "disc") {
-    context.beginPath();
-    context.arc(...view.place(obstacle.center), obstacle.radius * view.scaleX, 0, 2 * Math.PI);
-  } else {
-    tracePolygon(context, obstacle.vertices.map((vertex) => view.place(vertex)));
-  }
-}
-
-/** @param {Context} context @param {number[][]} vertices  CSS pixels */
-function tracePolygon(context, vertices) {
-  context.beginPath();
-  for (const [x, y] of vertices) context.lineTo(x, y);
-  context.closePath();
-}
-
-/** @param {Context} context @param {View} view @param {Obstacle[]} obstacles @param {Palette} palette */
-export function drawObstacles(context, view, obstacles, palette) {
-  context.fillStyle = palette.obstacle;
-  context.strokeStyle = palette["obstacle-edge"];
-  context.lineWidth = 1;
-  context.lineJoin = "round";
-  for (const obstacle of obstacles) {
-    obstaclePath(context, view, obstacle);
-    context.fill();
-    context.stroke();
-  }
-}
 
 /** Whether a point is inside a polygon. @param {[number, number][]} vertices @param {number} x @param {number} y */
 export function contains(vertices, x, y) {
@@ -56,32 +24,6 @@ export function obstacleMiddle(obstacle) {
   return [middle(obstacle.vertices.map(([x]) => x)), middle(obstacle.vertices.map(([, y]) => y))];
 }
 
-/** @param {View} view @param {Part} part */
-export function isThin(view, part) { return part.type !== "polygon" && part.radius * view.scaleX < THIN; }
-
-/** The outline of a part; of a thin one its middle line. @param {Context} context @param {View} view @param {Part} part */
-export function partPath(context, view, part) {
-  if (part.type === "polygon") {
-    obstaclePath(context, view, part);
-    return;
-  }
-  const radius = part.radius * view.scaleX;
-  context.beginPath();
-  if (part.type === "disc") {
-    context.arc(...view.place(part.center), Math.max(radius, 4), 0, 2 * Math.PI);
-    return;
-  }
-  const [ax, ay, bx, by] = [...view.place(part.a), ...view.place(part.b)];
-  if (isThin(view, part)) {
-    addLine(context, ax, ay, bx, by);
-    return;
-  }
-  const angle = Math.atan2(by - ay, bx - ax);
-  context.arc(ax, ay, radius, angle + Math.PI / 2, angle - Math.PI / 2);
-  context.arc(bx, by, radius, angle - Math.PI / 2, angle + Math.PI / 2);
-  context.closePath();
-}
-
 /** A configuration as an outline. @param {Context} context @param {View} view @param {Part[]} parts @param {{ colour: string, fill: number, stroke: number, dash: number[], width: number }} style */
 export function drawGhost(context, view, parts, { colour, fill, stroke, dash, width }) {
   context.save();
@@ -97,30 +39,6 @@ export function drawGhost(context, view, parts, { colour, fill, stroke, dash, wi
     }
     context.globalAlpha = stroke;
     context.stroke();
-  }
-  context.restore();
-}
-
-/** The robot itself. @param {Context} context @param {View} view @param {Part[]} parts @param {Palette} palette */
-export function drawRobot(context, view, parts, palette) {
-  const isLine = parts[0]?.type === "capsule" && isThin(view, parts[0]);
-  context.save();
-  context.lineCap = context.lineJoin = "round";
-  for (const [width, colour] of /** @type {[number, string][]} */ (isLine ? [[7, palette.stage], [3.4, palette.robot]] : [[1.2, palette["robot-edge"]]])) {
-    context.lineWidth = width;
-    context.strokeStyle = colour;
-    context.fillStyle = palette.robot;
-    for (const part of parts) {
-      partPath(context, view, part);
-      if (!isLine) context.fill();
-      context.stroke();
-    }
-  }
-  context.fillStyle = isLine ? palette.robot : palette["robot-edge"];
-  for (const part of parts) {
-    if (part.type !== "capsule") continue;
-    const radius = isLine ? 3.6 : Math.max(1.6, 0.34 * part.radius * view.scaleX);
-    for (const end of [part.a, part.b]) disc(context, ...view.place(end), radius);
   }
   context.restore();
 }
@@ -171,7 +89,9 @@ export function drawStart(context, x, y, palette) {
 export function drawGoal(context, x, y, palette) {
   drawEnd(context, palette.goal, palette, (isInner) => {
     const radius = isInner ? 3 : 8.2;
-    tracePolygon(context, [[x, y - radius], [x + radius, y], [x, y + radius], [x - radius, y]]);
+    context.beginPath();
+    for (const [dx, dy] of [[0, -1], [1, 0], [0, 1], [-1, 0]]) context.lineTo(x + radius * dx, y + radius * dy);
+    context.closePath();
   });
 }
 

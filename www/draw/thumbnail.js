@@ -1,6 +1,6 @@
 /** A small picture of a scenario: its obstacles, start and goal. */
-import { drawGhost, drawObstacles, drawTarget } from "./shapes.js";
-import { View } from "./view.js";
+import { View, drawObstacles } from "planarium/draw";
+import { drawGhost, drawTarget } from "./shapes.js";
 
 /** @import { Look, Scenario } from "../domain/types.js" */
 
@@ -12,9 +12,9 @@ export function drawThumbnail(scenario, side, { palette, ratio }) {
   const canvas = new OffscreenCanvas(pixels, pixels);
   const context = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (canvas.getContext("2d")));
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
-  const view = new View(scenario.extent(), side, side, MARGIN, false);
+  const view = new View(scenario.extent(), side, side, MARGIN);
   const { world, queries } = scenario.document();
-  drawObstacles(context, view, world.obstacles, { ...palette, "obstacle-edge": palette.obstacle });
+  drawObstacles(context, view, world.obstacles, { ...palette, obstacleEdge: palette.obstacle });
   const target = queries[0]?.target;
   if (target) drawTarget(context, ...view.place(target.point), target.orientation, palette);
   for (const end of /** @type {const} */ (["goal", "start"])) {

@@ -1,10 +1,11 @@
 /** A robot in collision: its parts and what they touch, red, hatched and with their names. */
+import { obstaclePath } from "planarium/draw";
 import { obstacleName, partName } from "../domain/names.js";
-import { contains, drawLabel, drawTouchingParts, fillWith, obstacleMiddle, obstaclePath } from "./shapes.js";
+import { contains, drawLabel, drawTouchingParts, fillWith, obstacleMiddle } from "./shapes.js";
 
 /** @import { Check, Obstacle, Part, Scenario, ScenarioDocument } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
-/** @import { View } from "./view.js" */
+/** @import { View } from "planarium/draw" */
 /** @typedef {{ context: CanvasRenderingContext2D, view: View, palette: Palette, onPart: CanvasPattern | null, onObstacle: CanvasPattern | null }} Brush   with hatches for parts and for obstacles */
 /** @typedef {ScenarioDocument["world"]} World */
 

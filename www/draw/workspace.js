@@ -1,23 +1,17 @@
 /** The world of a scenario, and handles to drag. */
-import { drawBase, drawBounds, drawReach, drawScale } from "./ground.js";
+import { View } from "planarium/draw";
+import { drawBase, drawGround } from "./ground.js";
 import { addLine, disc, ring, strokeWithHalo } from "./marks.js";
-import { drawObstacles } from "./shapes.js";
-import { View } from "./view.js";
 
 /** @import { Scenario, ScenarioDocument } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
 /** @import { Brush } from "./figure.js" */
 
-const MARGIN = { left: 14, right: 14, top: 14, bottom: 14 };
-
-/** Grid, bounds, the reach of an arm, obstacles and its base. @param {Brush} brush @param {Scenario} scenario @param {ScenarioDocument} document @returns {View} */
-export function drawWorld({ context, palette, width, height }, scenario, { world, robot }) {
-  const view = new View(scenario.extent(), width, height, MARGIN, false);
-  drawScale(context, view, palette);
-  if (world.bounds) drawBounds(context, view, world.bounds, palette);
-  else if (robot.type === "arm") drawReach(context, view, robot, palette);
-  drawObstacles(context, view, world.obstacles, palette);
-  if (robot.type === "arm") drawBase(context, view, robot.base, palette);
+/** The ground of a workspace, and the base of an arm. @param {Brush} brush @param {Scenario} scenario @param {ScenarioDocument} document @returns {View} */
+export function drawWorkspace({ context, palette, width, height }, scenario, document) {
+  const view = new View(scenario.extent(), width, height);
+  drawGround(context, view, document, palette);
+  if (document.robot.type === "arm") drawBase(context, view, document.robot.base, palette);
   return view;
 }
 

@@ -3,8 +3,9 @@
  * the newest query counts.
  */
 import { Scenario } from "planarium";
+import { wrap } from "planarium/draw";
 import { Observable } from "../app/observable.js";
-import { coordinatesOf, fitted, wrap } from "../domain/coordinates.js";
+import { coordinatesOf, fitted } from "../domain/coordinates.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { Remote } from "../app/worker-client.js" */

@@ -2,10 +2,10 @@
  * The configuration space of an arm of two joints: the list as dots, and straight motions from the target to its neighbours. The
  * naive metric cuts both circles at 0, and its motions never cross that cut, which is drawn.
  */
+import { difference } from "planarium/draw";
 import { AngleSquare } from "../draw/angle-square.js";
 import { dotsImage } from "../draw/dots.js";
 import { disc, drawDot, drawLine, ring } from "../draw/marks.js";
-import { way } from "../draw/trace.js";
 
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { NeighbourSession } from "./session.js" */
@@ -75,7 +75,7 @@ export class Square extends AngleSquare {
   drawMotion(context, i, isNaive) {
     const { session: { q }, session } = this;
     const row = session.row(i);
-    this.strokeMotion(context, q, [0, 1].map((axis) => (isNaive ? positive(row[axis]) - positive(q[axis]) : way(q[axis], row[axis], true))));
+    this.strokeMotion(context, q, [0, 1].map((axis) => (isNaive ? positive(row[axis]) - positive(q[axis]) : difference(q[axis], row[axis], true))));
   }
 }
 

@@ -1,9 +1,10 @@
 /** The robot in its world: the list faint, the neighbours by rank, and the target. */
+import { drawRobot, partPath } from "planarium/draw";
 import { dotsImage } from "../draw/dots.js";
-import { drawHandle, drawWorld } from "../draw/workspace.js";
+import { NO_VIEW } from "../draw/figure.js";
+import { drawHandle, drawWorkspace } from "../draw/workspace.js";
 import { addLine, disc, ring } from "../draw/marks.js";
-import { drawGhost, drawLabel, drawRobot, partPath } from "../draw/shapes.js";
-import { NO_VIEW } from "../draw/view.js";
+import { drawGhost, drawLabel } from "../draw/shapes.js";
 
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { NeighbourSession } from "./session.js" */
@@ -35,7 +36,7 @@ export class Workspace {
   ground(brush) {
     const { document, scenario, footprints, list: { tips } } = this.session;
     const { context, palette, width, height, ratio } = brush;
-    const view = this.view = drawWorld(brush, scenario, document);
+    const view = this.view = drawWorkspace(brush, scenario, document);
     context.save();
     context.strokeStyle = palette.growth;
     context.lineWidth = 1;

@@ -1,6 +1,7 @@
 /** An arm: its document, the core's scenario of it, its configuration and what the core computes of it. */
 import { Scenario } from "planarium";
-import { coordinatesOf, fitted, wrap } from "../domain/coordinates.js";
+import { wrap } from "planarium/draw";
+import { coordinatesOf, fitted } from "../domain/coordinates.js";
 import { ellipseOf, tipOf } from "./jacobian.js";
 
 /** @import { Coordinate } from "../domain/types.js" */

@@ -1,7 +1,7 @@
 /** Handles to drag: the tip, a link, the target, a configuration in the square, a joint on its axis. */
+import { wrap } from "planarium/draw";
 import { distanceToSegment } from "../draw/trace.js";
 import { watchArrows, watchDrag } from "../draw/drag.js";
-import { wrap } from "../domain/coordinates.js";
 
 /** @import { Grip, Place } from "../draw/drag.js" */
 /** @import { Figure } from "../draw/figure.js" */

@@ -2,7 +2,7 @@
  * The straight motion between two configurations, each joint the short or the long way round: the curve of the tip, and where the
  * arm first collides, which the core proves piece by piece.
  */
-import { way } from "../draw/trace.js";
+import { difference } from "planarium/draw";
 
 /** @import { Arm } from "./arm.js" */
 /** @typedef {"short" | "long"} Direction   of a joint */
@@ -48,7 +48,7 @@ export class Motion {
 
 /** @param {number} from @param {number} to @param {boolean} isCircle @param {Direction} direction */
 function turnOf(from, to, isCircle, direction) {
-  const short = way(from, to, isCircle);
+  const short = difference(from, to, isCircle);
   if (!isCircle || direction === "short" || short === 0) return short;
   return short > 0 ? short - TURN : short + TURN;
 }

@@ -56,7 +56,7 @@ export class ParallelAxes {
     const { joints } = this.session.arm;
     const isNarrow = width / joints.length < 64;
     context.font = "12px system-ui, sans-serif";
-    context.strokeStyle = palette["obstacle-edge"];
+    context.strokeStyle = palette.obstacleEdge;
     context.fillStyle = palette.quiet;
     context.lineWidth = 1.4;
     joints.forEach((joint, i) => {

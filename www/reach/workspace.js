@@ -1,9 +1,10 @@
 /** The workspace: the world, the arm with its manipulability ellipse, the motion from A to B, and a run of inverse kinematics. */
+import { drawRobot, isThin } from "planarium/draw";
+import { NO_VIEW } from "../draw/figure.js";
 import { addLine, disc, drawLine, strokeWithHalo } from "../draw/marks.js";
-import { drawGhost, drawGoal, drawHit, drawLabel, drawRobot, drawStart, isThin } from "../draw/shapes.js";
+import { drawGhost, drawGoal, drawHit, drawLabel, drawStart } from "../draw/shapes.js";
 import { drawTouching } from "../draw/touching.js";
-import { NO_VIEW } from "../draw/view.js";
-import { drawCross, drawHandle, drawWorld } from "../draw/workspace.js";
+import { drawCross, drawHandle, drawWorkspace } from "../draw/workspace.js";
 
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { IkPanel } from "./ik-panel.js" */
@@ -26,7 +27,7 @@ export class Workspace {
   /** @param {Brush} brush */
   ground(brush) {
     const { arm } = this.session;
-    this.view = drawWorld(brush, arm.scenario, arm.document);
+    this.view = drawWorkspace(brush, arm.scenario, arm.document);
   }
 
   /** @param {Brush} brush */

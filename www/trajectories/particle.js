@@ -1,9 +1,9 @@
 /** A single particle: its circular arc, and the spiral of the other model. */
 import { particlePoints } from "planarium";
+import { View } from "planarium/draw";
 import { make } from "../app/dom.js";
 import { Figure } from "../draw/figure.js";
 import { disc, ring } from "../draw/marks.js";
-import { View } from "../draw/view.js";
 import { num, tuple } from "../widgets/format.js";
 import { Slider } from "../widgets/slider.js";
 

@@ -2,8 +2,9 @@
  * The plane with its trajectories. Accepted ones are drawn once, when they are received. On top the newest glow for a moment, the
  * last rejected one is dashed, with a cross where it meets the earlier one, and the particles move if the animation is on.
  */
+import { View } from "planarium/draw";
+import { NO_VIEW } from "../draw/figure.js";
 import { cross } from "../draw/marks.js";
-import { NO_VIEW, View } from "../draw/view.js";
 
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { Experiment } from "./experiment.js" */

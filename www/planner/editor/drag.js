@@ -2,6 +2,7 @@
 import { simple } from "./commands.js";
 import { drawGesture, moveGesture, pointAt, pointFrom } from "./gestures.js";
 import { REACH, hitAt } from "./handles.js";
+import { gridOf } from "../../draw/ground.js";
 
 /** @import { CSpace } from "../stage/cspace-pane.js" */
 /** @import { Pointer } from "../../domain/types.js" */
@@ -71,7 +72,7 @@ export class Hand {
     if (!found || !view) return null;
     const [x, y] = view.toPlane(Math.min(view.width, Math.max(0, px)), Math.min(view.height, Math.max(0, py)));
     return {
-      pane: found.pane, x, y, scale: { unit: this.editor.unit, grid: view.grid / 5, pixels: view.scaleX },
+      pane: found.pane, x, y, scale: { unit: this.editor.unit, grid: gridOf(view) / 5, pixels: view.scaleX },
       square: found.kind === "cspace" ? /** @type {CSpace} */ (found.pane) : null,
     };
   }

@@ -2,7 +2,8 @@
  * Gestures: functions from the position of the pointer to a document. Shift snaps points to fifths of the grid, joints and directions to
  * 15 degrees, and rectangles to squares.
  */
-import { contained, coordinatesOf, wrap } from "../../domain/coordinates.js";
+import { wrap } from "planarium/draw";
+import { contained, coordinatesOf } from "../../domain/coordinates.js";
 import { isTip, followTip } from "./end-effector.js";
 import { moved, obstacleOf, rectangle, rounded, targetOf, withObstacle, withPose, withTarget, withVertex } from "./objects.js";
 

@@ -4,7 +4,7 @@ import { contains } from "../../draw/shapes.js";
 import { obstacleOf, same, targetOf, objectsOf } from "./objects.js";
 
 /** @import { Pane } from "../stage/pane.js" */
-/** @import { View } from "../../draw/view.js" */
+/** @import { View } from "planarium/draw" */
 /** @import { Obstacle, Part } from "../../domain/types.js" */
 /** @import { Shown } from "../lane.js" */
 /** @import { Point, EditorObject } from "./objects.js" */

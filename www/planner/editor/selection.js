@@ -1,15 +1,16 @@
 /** Draws the editor's overlay: the selection and its handles, a polygon being drawn, and refused or colliding objects. */
+import { obstaclePath } from "planarium/draw";
 import { handlesOf } from "./handles.js";
 import { touchingSentence } from "../../domain/names.js";
 import { isTip, tipOf } from "./end-effector.js";
 import { obstacleOf, poseOf, targetOf } from "./objects.js";
-import { drawGhost, drawHit, drawLabel, drawTouchingParts, obstaclePath } from "../../draw/shapes.js";
+import { drawGhost, drawHit, drawLabel, drawTouchingParts } from "../../draw/shapes.js";
 import { Workspace } from "../stage/workspace-pane.js";
 
 /** @import { Lane } from "../lane.js" */
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { Palette } from "../../app/palette.js" */
-/** @import { View } from "../../draw/view.js" */
+/** @import { View } from "planarium/draw" */
 /** @import { Overlay } from "./editor.js" */
 /** @import { Scenario } from "../../domain/types.js" */
 

@@ -2,8 +2,9 @@
  * Turns a pointer that holds the robot into a configuration: a point of the configuration space; a link, which turns its joint; the tip,
  * which the arm follows; a disc, a body or its heading.
  */
+import { wrap } from "planarium/draw";
 import { distanceToSegment } from "../../draw/trace.js";
-import { contained, coordinatesOf, wrap } from "../../domain/coordinates.js";
+import { contained, coordinatesOf } from "../../domain/coordinates.js";
 
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { CSpace } from "../stage/cspace-pane.js" */

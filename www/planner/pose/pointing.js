@@ -10,7 +10,7 @@ import { PAST } from "../run-log/run-log.js";
 
 /** @import { CSpace } from "../stage/cspace-pane.js" */
 /** @import { Place } from "../stage/stage.js" */
-/** @import { View } from "../../draw/view.js" */
+/** @import { View } from "planarium/draw" */
 /** @import { Hover, Lane } from "../lane.js" */
 /** @import { Run } from "../run-log/run-log.js" */
 /** @import { Scenario } from "../../domain/types.js" */

@@ -2,7 +2,7 @@
  * The adjacency of a run's graph at any iteration: the neighbours of a vertex, and in a tree its parent and the cost from its root. It
  * takes O(1) for each new edge.
  */
-import { way } from "../../draw/trace.js";
+import { difference } from "planarium/draw";
 
 /** @import { Run } from "./run-log.js" */
 
@@ -58,6 +58,6 @@ export class Adjacency {
     const { metric = "" } = run.settings;
     const [a, b] = [run.vertices.row(from), run.vertices.row(to)];
     if (metric !== "euclidean" && metric !== "naive") return run.scenario.distance(a, b);
-    return Math.hypot(...run.circles.map((circle, j) => way(a[j], b[j], circle)));
+    return Math.hypot(...run.circles.map((circle, j) => difference(a[j], b[j], circle)));
   }
 }

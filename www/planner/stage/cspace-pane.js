@@ -2,12 +2,12 @@
  * The configuration space of an arm or a body: a square of two of its coordinates. With two coordinates the obstacles are the
  * configurations in collision; with more, those of a slice. A motion that leaves the square on one side enters on the other.
  */
+import { View } from "planarium/draw";
 import { coordinatesOf } from "../../domain/coordinates.js";
 import { MARGIN, drawAxes } from "../../draw/angles.js";
 import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
 import { folded, unrolled } from "../../draw/trace.js";
-import { View } from "../../draw/view.js";
 
 /** @import { Lane, Shown } from "../lane.js" */
 /** @import { LayerName } from "../../draw/layer.js" */
@@ -101,7 +101,7 @@ export class CSpace extends Pane {
     const { width, height } = this.frame();
     const { ratio } = this.layers.ground;
     const { palette, axes } = this;
-    const look = `${this.world.count},${width},${height},${ratio},${palette?.obstacle},${palette?.["obstacle-edge"]}`;
+    const look = `${this.world.count},${width},${height},${ratio},${palette?.obstacle},${palette?.obstacleEdge}`;
     if (pose) return { key: `${look} ${Array.from(pose, (value, j) => (axes.includes(j) ? `axis ${axes.indexOf(j)}` : value)).join()}`, sides: rough ? [SLICE.rough] : [SLICE.rough, SLICE.fine] };
     const fine = Math.round(Math.min(CELLS.most, Math.max(CELLS.least, (width * ratio) / CELLS.pixels)));
     return { key: look, sides: rough ? [CELLS.rough] : [CELLS.rough, fine] };
@@ -180,7 +180,7 @@ export class CSpace extends Pane {
     if (!palette) return;
     const { x, y, width, height } = this.frame();
     if (cells?.image) context.drawImage(cells.image, x, y, width, height);
-    context.strokeStyle = palette["obstacle-edge"];
+    context.strokeStyle = palette.obstacleEdge;
     context.lineWidth = 1;
     context.strokeRect(x, y, width, height);
     this.drawTicks(context);
@@ -192,7 +192,7 @@ export class CSpace extends Pane {
     const { palette, view } = this;
     if (!palette || !view) return;
     context.fillStyle = palette.quiet;
-    context.strokeStyle = palette["obstacle-edge"];
+    context.strokeStyle = palette.obstacleEdge;
     drawAxes(context, view, this.frame(), this.named, this.bold);
   }
 

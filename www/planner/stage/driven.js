@@ -7,7 +7,7 @@ import { Workspace } from "./workspace-pane.js";
 /** @import { Lane } from "../lane.js" */
 /** @import { Pane } from "./pane.js" */
 /** @import { Palette } from "../../app/palette.js" */
-/** @import { View } from "../../draw/view.js" */
+/** @import { View } from "planarium/draw" */
 /** @import { Obstacle, Part, ScenarioDocument } from "../../domain/types.js" */
 
 /** Ghosts of a rollout. */

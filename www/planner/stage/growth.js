@@ -3,11 +3,11 @@
  * jump it starts from the nearest snapshot. Each layer is drawn in the order of the log, one mark at a time, so that the
  * picture of an iteration is the same to the pixel however it was reached.
  */
+import { difference } from "planarium/draw";
 import { EVENT, PAST } from "../run-log/run-log.js";
 import { Snapshots } from "./snapshots.js";
 import { cross, disc, ring } from "../../draw/marks.js";
 import { strokeLine } from "../../draw/pen.js";
-import { way } from "../../draw/trace.js";
 
 /** @import { Pane } from "./pane.js" */
 /** @import { Run } from "../run-log/run-log.js" */
@@ -322,7 +322,7 @@ function shortened(ends, n, parts, circles) {
   for (let m = 0; m < parts.length; m++) {
     for (let j = 0; j < n; j++) {
       const from = ends[2 * n * m + j];
-      ends[2 * n * m + n + j] = from + way(from, ends[2 * n * m + n + j], circles[j]) * parts[m];
+      ends[2 * n * m + n + j] = from + difference(from, ends[2 * n * m + n + j], circles[j]) * parts[m];
     }
   }
   return ends;

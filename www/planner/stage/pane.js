@@ -20,7 +20,7 @@ import { Strobe } from "./strobe.js";
 /** @import { LayerName } from "../../draw/layer.js" */
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { Look } from "../../domain/types.js" */
-/** @import { View } from "../../draw/view.js" */
+/** @import { View } from "planarium/draw" */
 /** @typedef {{ points: Float64Array, firsts: Uint32Array }} Lines  line i: pixels x, y in turn, points firsts[i] up to firsts[i + 1]; NaN lifts the pen */
 
 export class Pane {

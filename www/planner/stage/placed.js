@@ -2,16 +2,17 @@
  * Bodies and cars: orientation marks, wheels, goal regions, dragging and turning by hand, and motions that are arcs. Loaded with
  * the first of them.
  */
+import { obstaclePath, wrap } from "planarium/draw";
 import { distanceToSegment } from "../../draw/trace.js";
-import { contained, coordinatesOf, wrap } from "../../domain/coordinates.js";
-import { contains, obstaclePath } from "../../draw/shapes.js";
+import { contained, coordinatesOf } from "../../domain/coordinates.js";
+import { contains } from "../../draw/shapes.js";
 
 /** @import { Hover, Shown } from "../lane.js" */
 /** @import { Run } from "../run-log/run-log.js" */
 /** @import { Configuration, Part, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { Pane } from "./pane.js" */
-/** @import { View } from "../../draw/view.js" */
+/** @import { View } from "planarium/draw" */
 /** @import { Workspace } from "./workspace-pane.js" */
 /** @typedef {number[] | Float64Array} Motion   speed, steering angle, seconds */
 /** @typedef {Extract<ScenarioDocument["robot"], { type: "rigid_body" | "car" }>} PlacedRobot */

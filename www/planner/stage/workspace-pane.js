@@ -1,36 +1,22 @@
 /** The workspace: obstacles, the robot, and the positions of its end effector at every vertex and along every edge. */
-import { drawBase, drawBounds, drawReach, drawScale } from "../../draw/ground.js";
+import { View, drawRobot, motionCurves } from "planarium/draw";
+import { drawBase, drawGround } from "../../draw/ground.js";
 import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
-import { drawGhost, drawObstacles, drawRobot, drawTarget } from "../../draw/shapes.js";
+import { drawGhost, drawTarget } from "../../draw/shapes.js";
 import { drawTouched, drawTouching } from "../../draw/touching.js";
-import { Tracer } from "../../draw/trace.js";
-import { View } from "../../draw/view.js";
 
 /** @import { Hover, Lane } from "../lane.js" */
 /** @import { PathPlayback } from "../../domain/path-playback.js" */
-/** @import { LayerName } from "../../draw/layer.js" */
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { Brush } from "../../draw/touching.js" */
 /** @import { Check, Configuration, Part, ScenarioDocument } from "../../domain/types.js" */
 
-const MARGIN = { left: 14, right: 14, top: 14, bottom: 14 };
-
 export class Workspace extends Pane {
-  /** @param {Record<LayerName, HTMLCanvasElement | OffscreenCanvas>} canvases */
-  constructor(canvases) {
-    super(canvases);
-    /** @type {Tracer | null} */
-    this.tracer = null;
-  }
-
   /** @param {Lane} lane @param {number} width @param {number} height @override */
   makeView(lane, width, height) {
-    return new View(lane.scenario.extent(), width, height, MARGIN, false);
+    return new View(lane.scenario.extent(), width, height);
   }
-
-  /** @param {Lane} lane @override */
-  survey(lane) { this.tracer = new Tracer(lane.scenario); }
 
   /** @param {Float64Array} rows @override */
   pixels(rows) {
@@ -39,7 +25,7 @@ export class Workspace extends Pane {
 
   /** @param {Float64Array} ends @param {boolean[]} [circles] @override */
   lines(ends, circles) {
-    const { points, firsts } = /** @type {Tracer} */ (this.tracer).curves(ends, circles);
+    const { points, firsts } = motionCurves(/** @type {Lane} */ (this.lane).scenario, ends, circles);
     return { points: this.place(points), firsts };
   }
 
@@ -58,12 +44,8 @@ export class Workspace extends Pane {
     const { shown } = lane;
     const { view, palette } = this;
     if (!view || !palette) return;
-    const { world, robot } = shown.document;
-    drawScale(context, view, palette);
-    context.lineWidth = 1;
-    if (world.bounds) drawBounds(context, view, world.bounds, palette);
-    else if (robot.type === "arm") drawReach(context, view, robot, palette);
-    drawObstacles(context, view, world.obstacles, palette);
+    const { robot } = shown.document;
+    drawGround(context, view, shown.document, palette);
     const { start, goal, goals, scenario } = shown;
     const thin = "radius" in robot && (robot.radius ?? 0) * view.scaleX < 1.6;
     const width = thin ? 2 : 1.5;
@@ -104,7 +86,7 @@ export class Workspace extends Pane {
     const { scenario, hand, check } = lane.shown;
     const parts = scenario.footprint(pose);
     this.drawTouching(context, lane, parts, hand && check ? check.touching : [], () => drawRobot(context, view, parts, palette));
-    lane.shown.placed?.drawMarks(context, view, pose, lane.steering, palette["robot-edge"], palette.robot);
+    lane.shown.placed?.drawMarks(context, view, pose, lane.steering, palette.robotEdge, palette.robot);
   }
 
   /** The robot at the configuration under the pointer, in thin lines. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette @override */

@@ -29,7 +29,7 @@ const STATES = {
   },
   "a lesson, with everything unfolded": async (page) => {
     await page.evaluate(() => { for (const details of document.querySelectorAll("details")) details.open = true; });
-    await unfold(page, "take");
+    await unfold(page, "export");
     await page.click("#lessons button");
     await page.waitForSelector("#lesson:not([hidden])");
     await atRest(page);
@@ -63,7 +63,7 @@ for (const [state, enter] of Object.entries(STATES)) {
 }
 
 test("every control is at least 24 pixels high and wide, those of the transport 44 for a finger", () => onPausedPage(async (page) => {
-  for (const id of ["race", "view", "lessons", "take"]) await unfold(page, id);
+  for (const id of ["race", "view", "lessons", "export"]) await unfold(page, id);
   await page.click("#more summary");
   await assertTargets(page);
   const transport = await page.locator("#transport button").evaluateAll((buttons) => buttons.map((button) => button.getBoundingClientRect().height));

@@ -36,7 +36,7 @@ test("a page that was open once opens without a network with all its rooms, and 
   await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
   assert.equal((await finish(page)).fingerprint, there.fingerprint);
   await chooseScene(page, "rings");
-  for (const fold of ["editor", "lessons", "take", "curves"]) await unfold(page, fold);
+  for (const fold of ["editor", "lessons", "export", "curves"]) await unfold(page, fold);
   assert.equal(await page.isHidden("#notice"), true);
   for (const room of ["reach", "neighbours", "trajectories"]) {
     await page.goto(`${url}${room}.html`);

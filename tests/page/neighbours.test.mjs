@@ -274,8 +274,8 @@ test("times, visits and recall, as table, chart and file", () => onNeighbours(as
   assert.ok(Number(at("visited", "forest", 2000)?.value) >= 400);
   assert.equal(await page.locator(".chart path.line").count(), 3);
   assert.match(await page.getAttribute(".chart", "aria-label") ?? "", /Query time with [\d,]+ configurations: /);
-  await page.click("#take-fold > summary");
-  const lines = (await download(page, "#take-timings")).text.trim().split("\r\n");
+  await page.click("#export-fold > summary");
+  const lines = (await download(page, "#export-timings")).text.trim().split("\r\n");
   assert.equal(lines[0], "n,index,build_seconds,query_seconds,visited,recall");
   assert.equal(lines.length - 1, cells.filter(({ of, has }) => of === "query" && has).length);
   await put(page, "k-number", 11);
@@ -315,12 +315,12 @@ test("a link that does not work is said not to, and the page opens all the same"
 });
 
 test("picture, drawing and table hold what is shown", () => onNeighbours(async (page) => {
-  await page.click("#take-fold > summary");
-  assert.equal((await download(page, "#take-png")).bytes.subarray(1, 4).toString(), "PNG");
-  assert.ok(allOf(readXml((await download(page, "#take-svg")).text), "path").length > 20);
+  await page.click("#export-fold > summary");
+  assert.equal((await download(page, "#export-png")).bytes.subarray(1, 4).toString(), "PNG");
+  assert.ok(allOf(readXml((await download(page, "#export-svg")).text), "path").length > 20);
   const state = await stateOf(page);
   const { indices, distances } = foundBy(state);
-  const lines = (await download(page, "#take-csv")).text.trim().split("\r\n");
+  const lines = (await download(page, "#export-csv")).text.trim().split("\r\n");
   assert.equal(lines[0], "rank,number,distance,\"joint 1\",\"joint 2\"");
   assert.deepEqual(lines.slice(1).map((line) => line.split(",").slice(0, 3).map(Number)), [...indices].map((one, i) => [i + 1, one, distances[i]]));
 }));
@@ -334,7 +334,7 @@ const STATES = {
     await select(page, "index", "forest");
     await page.click("#measure");
     await page.waitForSelector("#timing[data-timing=done]");
-    await page.click("#take-fold > summary");
+    await page.click("#export-fold > summary");
   },
   "bad news": async (page) => {
     await pickFile(page, "mine.json", "{");

@@ -115,13 +115,13 @@ test("a link that does not work is said not to, and the page opens all the same"
 test("the stage as PNG and SVG, the scenario as JSON", () => onReach(async (page) => {
   await page.waitForSelector("#stage[data-cells=true]");
   await page.click("#mode-between");
-  await page.click("#take-fold > summary");
-  assert.equal((await download(page, "#take-png")).bytes.subarray(1, 4).toString(), "PNG");
-  const svg = (await download(page, "#take-svg")).text;
+  await page.click("#export-fold > summary");
+  assert.equal((await download(page, "#export-png")).bytes.subarray(1, 4).toString(), "PNG");
+  const svg = (await download(page, "#export-svg")).text;
   assert.match(svg, /^<svg[\s\S]+<\/svg>\s*$/);
   assert.match(svg, /data:image\/png/);
   assert.ok(allOf(readXml(svg), "path").length > 20);
-  Scenario.parse((await download(page, "#take-scenario")).text).free();
+  Scenario.parse((await download(page, "#export-scenario")).text).free();
 }));
 
 /** @type {Record<string, (page: Page) => Promise<void>>} */
@@ -140,7 +140,7 @@ const STATES = {
   },
   "with stops": async (page) => {
     await choose(page, "limits");
-    await page.click("#take-fold > summary");
+    await page.click("#export-fold > summary");
   },
 };
 

@@ -1,12 +1,12 @@
 /** Runs whose planners are stepped in the test's own thread, as the worker steps those of the page. */
 import { phases, planners } from "planarium";
-import { Run } from "../../www/planner/run-log/run-log.js";
+import { RunLog } from "../../www/planner/run-log/run-log.js";
 import { load } from "./library.mjs";
 import { Stepper } from "../../www/planner/worker/stepper.js";
 
 /** @import { Scenario, Settings } from "../../www/domain/types.js" */
 
-export class LocalRun extends Run {
+export class LocalRun extends RunLog {
   /** @param {import("planarium").Scenario} scenario @param {string} algorithm @param {Settings} settings */
   constructor(scenario, algorithm, settings) {
     const own = /** @type {Scenario} */ (/** @type {unknown} */ (scenario));

@@ -200,8 +200,8 @@ test("charts, picture, drawing and table hold what the seed decides", () => onSo
   assert.ok(label.includes(`${mean(tries.slice(0, 20)).toFixed(1)} tries on average over the first 20, ${mean(tries.slice(-20)).toFixed(1)} over the last`), label);
   assert.match(await page.getAttribute("svg.chart.time", "aria-label") ?? "", /1000 accepted, [\d.]+ microseconds on average over the first 20/);
   for (const id of ["tries", "time"]) assert.equal(await page.locator(`svg.chart.${id} path.average`).count(), 1);
-  await page.click("#take-fold > summary");
-  const take = (/** @type {string} */ id) => download(page, `#take-${id}`);
+  await page.click("#export-fold > summary");
+  const take = (/** @type {string} */ id) => download(page, `#export-${id}`);
   const png = await take("png");
   assert.equal(png.name, "trajectories-seed0-1000.png");
   assert.deepEqual([...png.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);

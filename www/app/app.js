@@ -9,7 +9,7 @@ import { Announcer } from "./announcer.js";
 import { byId, write } from "./dom.js";
 import { Notice } from "./notice.js";
 import { watchTheme } from "./theme.js";
-import { faultOf } from "./fault.js";
+import { errorInfo } from "./error-info.js";
 import { loadCore, makeWorker } from "./resources.js";
 import { readPalette } from "./palette.js";
 import { isProjected } from "./projector.js";
@@ -148,7 +148,7 @@ export class App {
 
   /** Shows an error; after a panic of the core, starts the core again. @param {unknown} error @param {string} [title] */
   fail(error, title = "Something went wrong.") {
-    if (faultOf(error).code !== "internal") {
+    if (errorInfo(error).code !== "internal") {
       this.notice.show(title, error);
       return;
     }

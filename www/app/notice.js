@@ -1,5 +1,5 @@
 /** The notice of the page: an error with its code and pointer, or a question. */
-import { faultOf } from "./fault.js";
+import { errorInfo } from "./error-info.js";
 import { byId, make } from "./dom.js";
 
 export class Notice {
@@ -43,7 +43,7 @@ export class Notice {
    */
   show(title, error) {
     this.hide();
-    const { message, code, pointer } = faultOf(error);
+    const { message, code, pointer } = errorInfo(error);
     this.element.dataset.code = code;
     this.element.dataset.pointer = pointer;
     const close = make("button", { type: "button", className: "quiet", onclick: () => this.hide() }, "Dismiss");

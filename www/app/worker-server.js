@@ -1,6 +1,6 @@
 /** The worker's end: it runs messages `{ id, room, command, args }` and replies to each with `{ id, value }` or `{ id, fault }`. */
 import * as library from "planarium";
-import { faultOf } from "./fault.js";
+import { errorInfo } from "./error-info.js";
 
 /**
  * The commands of a room. Typed arrays and images in a result are transferred; a command returns copies of those that it stores.
@@ -24,7 +24,7 @@ export function serve(rooms) {
       const value = command === "start" ? null : await commands[command](...args);
       port.postMessage({ id, value }, [...buffersOf(value)]);
     } catch (error) {
-      const fault = faultOf(error);
+      const fault = errorInfo(error);
       if (fault.code === "internal") {
         await library.default();
         reset?.();

@@ -6,7 +6,7 @@ import { sizeOf } from "./coordinates.js";
 import { firstIndex } from "./search.js";
 
 /** @import { Placed } from "../planner/stage/placed.js" */
-/** @import { Run } from "../planner/run-log/run-log.js" */
+/** @import { RunLog } from "../planner/run-log/run-log.js" */
 /** @import { Check, ResultDocument, Scenario } from "./types.js" */
 /** @typedef {{ placed: Placed, motions: number[][] }} Course   speed, steering angle and seconds between waypoints */
 /** @typedef {{ at: number, pose: Float64Array, check: Check }} Flaw   the first collision: 0 to 1 along the path, the configuration and its check */
@@ -147,7 +147,7 @@ export class PathPlayback {
 /**
  * The playback of a run: its path once solved, or of a tree that failed the path to the vertex nearest to the goal.
  * @param {Scenario} scenario
- * @param {Run} run
+ * @param {RunLog} run
  * @param {Placed | null} [placed]   of a body or a car
  * @returns {PathPlayback | null}
  */

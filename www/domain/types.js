@@ -58,7 +58,7 @@
  * @typedef {ReturnType<typeof import("../planner/state.js").report>} State   of the page, in a frame
  * @typedef {State["lanes"][number]} LaneState
  *
- * @typedef {{ message: string, code: string, pointer: string }} Fault   stable code and JSON pointer, or empty
+ * @typedef {{ message: string, code: string, pointer: string }} ErrorInfo   stable code and JSON pointer, or empty
  *
  * @typedef {object} Slider   for an option of a scene's generator
  * @property {string} option

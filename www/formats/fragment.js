@@ -1,9 +1,9 @@
 /** Plain data as the fragment of an address: a version digit and base64url of raw deflate (RFC 1951, RFC 4648) of JSON. */
-import { Fault, must } from "./rules.js";
+import { ErrorInfo, must } from "./rules.js";
 
 /** @typedef {{ characters: number, bytes: number }} Limits   the fragment's characters without `#`, and the bytes of its JSON */
 
-/** @param {unknown} value  plain data @param {Limits} limits @returns {Promise<string>}  without `#` @throws {Fault} it is too long */
+/** @param {unknown} value  plain data @param {Limits} limits @returns {Promise<string>}  without `#` @throws {ErrorInfo} it is too long */
 export async function encodeFragment(value, { characters, bytes }) {
   const json = new TextEncoder().encode(JSON.stringify(value));
   must(json.length <= bytes, "it is too long");
@@ -29,7 +29,7 @@ export async function decodeFragment(fragment, { characters, bytes }, check) {
     check(value);
     return { value, fault: "" };
   } catch (error) {
-    return { value: null, fault: error instanceof Fault ? error.message : "This link does not work: it is damaged." };
+    return { value: null, fault: error instanceof ErrorInfo ? error.message : "This link does not work: it is damaged." };
   }
 }
 

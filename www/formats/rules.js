@@ -6,11 +6,11 @@
 /** @template [T=any] @typedef {{ (value: unknown, at: string): void, type?: T }} Rule  throws a fault that names `at`; `type` exists only for the compiler */
 /** The type of what a rule allows. @template {Rule} R @typedef {NonNullable<R["type"]>} Allowed */
 
-export class Fault extends Error {}
+export class ErrorInfo extends Error {}
 
 /** @param {unknown} holds @param {string} fault @returns {asserts holds} */
 export function must(holds, fault) {
-  if (!holds) throw new Fault(`This link does not work: ${fault}.`);
+  if (!holds) throw new ErrorInfo(`This link does not work: ${fault}.`);
 }
 
 /** @template [T=any] @param {(value: unknown) => unknown} holds @returns {Rule<T>} */

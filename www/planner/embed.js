@@ -7,7 +7,7 @@
  * and gets `{ planarium: "answer", id, value }` or `{ planarium: "answer", id, fault: { message, code, pointer } }`. Once ready
  * and with each change, the frame posts `{ planarium: "state", state }` to its parent, ten times a second at most.
  */
-import { faultOf } from "../app/fault.js";
+import { errorInfo } from "../app/error-info.js";
 import { paced } from "../app/paced.js";
 import { SCENES } from "./scenes/scenes.js";
 
@@ -55,8 +55,8 @@ export function watchParent(page) {
     try {
       window.parent.postMessage({ planarium: "answer", id, value: (await execute(data)) ?? null }, target);
     } catch (error) {
-      window.parent.postMessage({ planarium: "answer", id, fault: faultOf(error) }, target);
-      if (faultOf(error).code === "internal") page.app.fail(error);
+      window.parent.postMessage({ planarium: "answer", id, fault: errorInfo(error) }, target);
+      if (errorInfo(error).code === "internal") page.app.fail(error);
     }
   });
 

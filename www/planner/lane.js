@@ -1,6 +1,6 @@
 /** A lane of the session: a planner with its plan, its run and the playback of its path. A race has several. */
 import { playbackOf } from "../domain/path-playback.js";
-import { PAST, Run } from "./run-log/run-log.js";
+import { PAST, RunLog } from "./run-log/run-log.js";
 
 /** @import { Standing } from "./race/standings.js" */
 /** @import { Marked } from "./stage/marked.js" */
@@ -55,7 +55,7 @@ export class Lane {
   constructor(shown, plan) {
     this.shown = shown;
     this.plan = plan;
-    /** @type {Run | null} */
+    /** @type {RunLog | null} */
     this.run = null;
     /** The playback of the path, once the run has ended. @type {PathPlayback | null} */
     this.end = null;
@@ -78,7 +78,7 @@ export class Lane {
   start(query, library) {
     this.free();
     const { algorithm, settings } = this.planOf(query);
-    this.run = new Run(this.scenario, algorithm, settings, library);
+    this.run = new RunLog(this.scenario, algorithm, settings, library);
   }
 
   /** Its standing in a race. @returns {Standing} */

@@ -21,7 +21,7 @@ import * as library from "planarium";
 import { App } from "../app/app.js";
 import { byId, write } from "../app/dom.js";
 import { isArray, watchFiles } from "../app/drop.js";
-import { Part } from "../app/feature.js";
+import { LazyFeature } from "../app/lazy-feature.js";
 import { watchKeys } from "../app/keys.js";
 import { Projector } from "../app/projector.js";
 import { Gallery, SIDE } from "../widgets/gallery.js";
@@ -81,17 +81,17 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
   watchPrint(page);
   const projector = new Projector(() => app.setTheme());
 
-  const options = new Part(notice, async () => (await import("./scenes/options.js")).showSceneOptions(page, generators)).inFold("make-fold");
+  const options = new LazyFeature(notice, async () => (await import("./scenes/options.js")).showSceneOptions(page, generators)).inFold("make-fold");
   page.onOpen((_, entry) => { if (entry?.sliders) options.use(); });
-  const race = new Part(notice, async () => new (await import("./race/race.js")).Race(page, sheets)).inFold("race-fold");
+  const race = new LazyFeature(notice, async () => new (await import("./race/race.js")).Race(page, sheets)).inFold("race-fold");
   page.loadRace = () => race.get();
-  new Part(notice, async () => (await import("./view.js")).watchView(page)).inFold("view-fold");
-  new Part(notice, async () => (await import("./curves.js")).watchCurves(page)).inFold("curves-fold");
-  new Part(notice, async () => new (await import("./editor/controls.js")).EditorControls(page)).inFold("editor-fold").byButton("edit", (editor) => editor.begin());
-  const drive = new Part(notice, async () => new (await import("./driving/controls.js")).DriveControls(page));
-  const lessons = new Part(notice, async () => new (await import("./lessons/lessons.js")).Lessons(page)).inFold("lessons-fold");
-  new Part(notice, async () => (await import("./export/export.js")).showTake(page)).inFold("take-fold");
-  const link = new Part(notice, async () => new (await import("./link/link.js")).Link(page, SCENES, generators, projector)).byButton("link", ({ share }) => share.copy());
+  new LazyFeature(notice, async () => (await import("./view.js")).watchView(page)).inFold("view-fold");
+  new LazyFeature(notice, async () => (await import("./curves.js")).watchCurves(page)).inFold("curves-fold");
+  new LazyFeature(notice, async () => new (await import("./editor/controls.js")).EditorControls(page)).inFold("editor-fold").byButton("edit", (editor) => editor.begin());
+  const drive = new LazyFeature(notice, async () => new (await import("./driving/controls.js")).DriveControls(page));
+  const lessons = new LazyFeature(notice, async () => new (await import("./lessons/lessons.js")).Lessons(page)).inFold("lessons-fold");
+  new LazyFeature(notice, async () => (await import("./export/export.js")).showExport(page)).inFold("export-fold");
+  const link = new LazyFeature(notice, async () => new (await import("./link/link.js")).Link(page, SCENES, generators, projector)).byButton("link", ({ share }) => share.copy());
   if (window.parent !== window) (await import("./embed.js")).watchParent(page);
   addEventListener("hashchange", () => { if (location.hash) void app.track(openAddress()); });
 

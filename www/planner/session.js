@@ -2,7 +2,7 @@
  * The session: the scenario on the stage, the planners that grow on it, the time that is shown, and the robot, which follows a path or
  * is posed by hand. A frame draws for a bounded time.
  */
-import { faultOf } from "../app/fault.js";
+import { errorInfo } from "../app/error-info.js";
 import { once } from "../app/once.js";
 import { pacer } from "../app/paced.js";
 import { Stage } from "./stage/stage.js";
@@ -268,7 +268,7 @@ export class Session {
 
   /** Stops the run and reports why; errors that are not the planner's are the app's. @param {unknown} error */
   fail(error) {
-    const { code } = faultOf(error);
+    const { code } = errorInfo(error);
     if (code === "" || code === "internal") {
       this.app.fail(error);
       return;

@@ -1,5 +1,5 @@
 /** The state of the page in a frame: numbers, texts and flags, with no handle of the core. */
-import { faultOf } from "../app/fault.js";
+import { errorInfo } from "../app/error-info.js";
 import { unitOf } from "../domain/names.js";
 import { EVENT, PAST } from "./run-log/run-log.js";
 import { poseSentence, sentenceOf, summary } from "./story.js";
@@ -34,7 +34,7 @@ export function report(session) {
     summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),
     isEditing: Boolean(editor?.on),
     isEdited: editor?.isChanged ?? false,
-    refusal: refusal && { ...faultOf(refusal.error), lane: refusal.lane },
+    refusal: refusal && { ...errorInfo(refusal.error), lane: refusal.lane },
   };
 }
 

@@ -7,7 +7,7 @@ import { PAST } from "./run-log/run-log.js";
 /** @typedef {{ algorithm: string, isProven: boolean, sentence: string }} Story   a scene's sentence about its own planner, and whether that proves its edges */
 /** @import { PathPlayback } from "../domain/path-playback.js" */
 /** @import { Lane } from "./lane.js" */
-/** @import { Run } from "./run-log/run-log.js" */
+/** @import { RunLog } from "./run-log/run-log.js" */
 /** @import { Session } from "./session.js" */
 /** @import { Check, Scenario } from "../domain/types.js" */
 
@@ -35,7 +35,7 @@ export function sentenceOf({ shown, lanes, clock, stage, editor, driving, story,
 /**
  * A run in progress: first the task and the elements of the graph, then the scene's own sentence, if its own planner runs, or else
  * the planner's activity.
- * @param {Run} run
+ * @param {RunLog} run
  * @param {Story} scene
  */
 export function going(run, scene) {
@@ -59,12 +59,12 @@ export function going(run, scene) {
   }
 }
 
-/** How an extension chooses its control. @param {Run} run */
+/** How an extension chooses its control. @param {RunLog} run */
 function controls({ settings: { blossom = 1 } }) {
   return blossom === 1 ? "one random control is tried" : `${blossom} random controls are tried; the one that ends closest to the sample is kept`;
 }
 
-/** A run that has ended. @param {Run} run @param {PathPlayback | null} playback */
+/** A run that has ended. @param {RunLog} run @param {PathPlayback | null} playback */
 export function ending(run, playback) {
   const iterations = `${grouped(run.made)} iteration${run.made === 1 ? "" : "s"}`;
   const { robot } = run.scenario;
@@ -87,7 +87,7 @@ export function ending(run, playback) {
   return `${miss}, not proven${playback.flaw ? `: ${collision(run, playback.flaw.check)}` : "."}`;
 }
 
-/** @param {Run} run @param {Check} check */
+/** @param {RunLog} run @param {Check} check */
 function collision({ scenario }, check) {
   return `${touchingSentence(scenario, check).replaceAll(" touches ", " hits ")} on the way. To fix it, set \u201cCollision checking\u201d to proven.`;
 }
@@ -113,7 +113,7 @@ function arrival(touches) {
   return `You reached the goal, with ${touches === 1 ? "one collision" : `${touches} collisions`} on the way.`;
 }
 
-/** The figure in words, for screen readers. @param {string} title @param {Run | null} run */
+/** The figure in words, for screen readers. @param {string} title @param {RunLog | null} run */
 export function summary(title, run) {
   if (!run) return `${title}. No planner has run.`;
   const kind = run.kind === "trees" ? "Two trees" : `A ${run.kind}`;

@@ -28,7 +28,7 @@ export function showDownloads(app, figures, names, others) {
     { id: "svg", title: "Vector graphic", format: "SVG", meaning: "The figures as shown, sharp at any size.", content: () => svgOf(figures, names.title()) },
     ...others,
   ];
-  byId("take", HTMLElement).append(...all.map((download) => {
+  byId("export", HTMLElement).append(...all.map((download) => {
     const { title, format, content, name = names.name } = download;
     const saveFile = async () => save(await content(), `${name()}.${format.toLowerCase()}`);
     return downloadRow(download, () => void app.track(saveFile(), failureOf(title))).element;

@@ -28,7 +28,7 @@ export class DriveControls {
     this.page = page;
     this.driving = page.session.driving = new Driving(page.session);
     this.stage = byId("stage", HTMLElement);
-    this.theatre = /** @type {HTMLElement} */ (this.stage.parentElement);
+    this.column = /** @type {HTMLElement} */ (this.stage.parentElement);
     this.label = this.stage.getAttribute("aria-label") ?? "";
     this.message = "";
     this.on = false;
@@ -133,7 +133,7 @@ export class DriveControls {
       byId("editor-fold", HTMLDetailsElement).open = false;
       page.run(() => this.driving.turn(true, page.calm, moment()));
       this.stage.focus({ preventScroll: true });
-      this.theatre.scrollIntoView({ block: "start", behavior: page.calm ? "auto" : "smooth" });
+      this.column.scrollIntoView({ block: "start", behavior: page.calm ? "auto" : "smooth" });
     }, "This scene cannot be driven.");
   }
 
@@ -167,7 +167,7 @@ export class DriveControls {
     if (isNew) {
       this.on = on;
       this.bar.hidden = !on;
-      this.theatre.classList.toggle("driving", on);
+      this.column.classList.toggle("driving", on);
       this.stage.setAttribute("aria-label", on ? LABEL : this.label);
       this.message = "";
     }

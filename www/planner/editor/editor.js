@@ -2,7 +2,7 @@
  * The editor: the selection, and a history of scenario documents. The core parses every change before it is shown; a refused change is
  * drawn with its reason, and the last valid document stays. Planning waits at iteration 0 until Play.
  */
-import { faultOf } from "../../app/fault.js";
+import { errorInfo } from "../../app/error-info.js";
 import { drawOverlay } from "./selection.js";
 import { copies, middle, nudged, places, simple } from "./commands.js";
 import { coordinatesOf, sizeOf } from "../../domain/coordinates.js";
@@ -12,7 +12,7 @@ import { touchingSentence } from "../../domain/names.js";
 import { isTip, followTip, otherGoal, tipOf } from "./end-effector.js";
 import { fieldsOf, obstacleOf, place, poseOf, rounded, same, targetOf, objectsOf, withField, withObstacle, withVertex } from "./objects.js";
 
-/** @import { Check, EditTool, Fault, Obstacle, Scenario, ScenarioDocument } from "../../domain/types.js" */
+/** @import { Check, EditTool, ErrorInfo, Obstacle, Scenario, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { Lane, Shown } from "../lane.js" */
 /** @import { Session } from "../session.js" */
@@ -55,7 +55,7 @@ export class Editor {
     this.selected = null;
     /** Vertex or joint. @type {number | null} */
     this.part = null;
-    /** @type {Fault | null} */
+    /** @type {ErrorInfo | null} */
     this.refusal = null;
     /** @type {Obstacle | null} */
     this.refused = null;
@@ -228,7 +228,7 @@ export class Editor {
       this.refusal = null;
       return scenario;
     } catch (error) {
-      const fault = faultOf(error);
+      const fault = errorInfo(error);
       if (fault.code === "" || fault.code === "internal") throw error;
       this.refusal = fault;
       return null;
@@ -347,7 +347,7 @@ export class Editor {
   get touching() {
     const { overlay, scenario, target } = this.shown;
     const { refusal } = this.session;
-    if (target && refusal) return sentence(faultOf(refusal.error).message);
+    if (target && refusal) return sentence(errorInfo(refusal.error).message);
     return (overlay?.touching ?? []).map(({ end, check }) => `The ${end} is in collision: ${touchingSentence(scenario, check)}.`).join(" ");
   }
 

@@ -21,22 +21,22 @@ const noRun = ({ lanes }) => (lanes.some(({ status }) => status === "none") ? "N
 const always = () => "";
 
 /** @param {Page} page */
-export function showTake(page) {
+export function showExport(page) {
   const { session } = page;
-  const host = byId("take", HTMLElement);
+  const host = byId("export", HTMLElement);
   /** @type {Offer[]} */
   const offers = [];
   /** Number of the latest image; an older one is cancelled. */
   let turn = 0;
 
-  const scale = select("take-scale", "Size", [["1", "1\u00d7"], ["2", "2\u00d7"], ["4", "4\u00d7"]], "2");
-  const frames = select("take-frames", "Frames", [["24", "24 frames"], ["48", "48 frames"], ["96", "96 frames"]], "48");
-  const width = select("take-width", "Width", [["480", "480 px"], ["800", "800 px"]], "800");
-  const lane = select("take-lane", "Planner", [], "");
+  const scale = select("export-scale", "Size", [["1", "1\u00d7"], ["2", "2\u00d7"], ["4", "4\u00d7"]], "2");
+  const frames = select("export-frames", "Frames", [["24", "24 frames"], ["48", "48 frames"], ["96", "96 frames"]], "48");
+  const width = select("export-width", "Width", [["480", "480 px"], ["800", "800 px"]], "800");
+  const lane = select("export-lane", "Planner", [], "");
   const laneRow = make("label", { className: "row", hidden: true }, make("span", { className: "name" }, "Planner"), lane);
   const bar = make("progress", { max: 1, value: 0, ariaLabel: "Progress" });
-  const progress = make("div", { className: "row", id: "take-progress", hidden: true }, bar, button("take-cancel", "Cancel", () => { turn++; }));
-  const result = make("p", { className: "hint", id: "take-told", role: "status" });
+  const progress = make("div", { className: "row", id: "export-progress", hidden: true }, bar, button("export-cancel", "Cancel", () => { turn++; }));
+  const result = make("p", { className: "hint", id: "export-told", role: "status" });
 
   host.append(
     offer("png", "Image", "PNG", "The stage as shown.", always, () => draw("png"), scale),
@@ -90,7 +90,7 @@ export function showTake(page) {
     }
     for (const one of offers) {
       const reason = one.lack(state);
-      one.button.disabled = reason !== "" || (!progress.hidden && /take-(png|svg|gif)/.test(one.button.id));
+      one.button.disabled = reason !== "" || (!progress.hidden && /export-(png|svg|gif)/.test(one.button.id));
       write(one.hint, reason || one.meaning);
     }
   }

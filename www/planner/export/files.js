@@ -4,7 +4,7 @@ import { letter } from "../race/standings.js";
 
 /** @import { Cell } from "../../formats/csv.js" */
 /** @import { Plan } from "../../domain/types.js" */
-/** @import { Run } from "../run-log/run-log.js" */
+/** @import { RunLog } from "../run-log/run-log.js" */
 
 /** Columns of a row of history, in the order of the package. */
 const COLUMNS = ["vertices", "edges", "events", "phase", "configuration_checks", "motion_checks", "clearance_evaluations", "cost"];
@@ -17,7 +17,7 @@ export function nameOf(scene, plans, time) {
   return [scene, ...planner, time].join("-").replace(/[^\w.-]+/g, "-");
 }
 
-/** A row for each iteration of each run, from the state before the first on; in a race each row begins with the planner. @param {Run[]} runs */
+/** A row for each iteration of each run, from the state before the first on; in a race each row begins with the planner. @param {RunLog[]} runs */
 export function countersCsv(runs) {
   const isRace = runs.length > 1;
   /** @type {Cell[][]} */

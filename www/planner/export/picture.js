@@ -12,7 +12,7 @@ import { Frontier } from "../run-log/frontier.js";
 /** @import { Look } from "../../domain/types.js" */
 /** @import { Layout } from "./layout.js" */
 /** @import { Lane, Shown } from "../lane.js" */
-/** @import { Run } from "../run-log/run-log.js" */
+/** @import { RunLog } from "../run-log/run-log.js" */
 /** @import { Session } from "../session.js" */
 /** @typedef {{ layout: Layout["sheets"][number], pane: Pane, layers: OffscreenCanvas[], lane: Lane }} Drawn */
 
@@ -97,7 +97,7 @@ export class Picture {
 /** A copy of a lane that does not follow the stage. @param {Lane} lane @param {Shown} shown @param {boolean} whole @returns {Lane} */
 function standIn(lane, shown, whole) {
   const { run, end } = lane;
-  /** @type {(Run & { shown: number }) | null} */
+  /** @type {(RunLog & { shown: number }) | null} */
   const its = run && Object.create(run, { shown: { value: run.shown, writable: true } });
   if (run && its) Object.defineProperty(its, "frontier", { value: new Frontier(its, run.adjacency) });
   return Object.create(lane, {

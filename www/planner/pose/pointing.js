@@ -12,7 +12,7 @@ import { PAST } from "../run-log/run-log.js";
 /** @import { Place } from "../stage/stage.js" */
 /** @import { View } from "planarium/draw" */
 /** @import { Hover, Lane } from "../lane.js" */
-/** @import { Run } from "../run-log/run-log.js" */
+/** @import { RunLog } from "../run-log/run-log.js" */
 /** @import { Scenario } from "../../domain/types.js" */
 
 export class Pointing {
@@ -53,7 +53,7 @@ export class Pointing {
     return { lane, vertex, pose, check: isSame ? before.check : scenario.check(pose), edge, motions: run && edge >= 0 ? run.motionsOf(edge) : undefined };
   }
 
-  /** The curved edge under the pointer. @param {Run} run @param {{ place: Place, x: number, y: number }} at */
+  /** The curved edge under the pointer. @param {RunLog} run @param {{ place: Place, x: number, y: number }} at */
   passing(run, { place: { pane }, x, y }) {
     if (run.traces.count === 0 || !pane.view) return null;
     // A new layout or a new run needs a new index.

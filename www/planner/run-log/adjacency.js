@@ -4,10 +4,10 @@
  */
 import { difference } from "planarium/draw";
 
-/** @import { Run } from "./run-log.js" */
+/** @import { RunLog } from "./run-log.js" */
 
 export class Adjacency {
-  /** @param {Run} run */
+  /** @param {RunLog} run */
   constructor(run) {
     this.run = run;
     /** Edges added so far. */

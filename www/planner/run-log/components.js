@@ -1,8 +1,8 @@
 import { PAST } from "./run-log.js";
 
-/** @import { Run } from "./run-log.js" */
+/** @import { RunLog } from "./run-log.js" */
 
-/** The connected components of a roadmap at the iteration shown, by union-find (Tarjan 1975). @param {Run} run */
+/** The connected components of a roadmap at the iteration shown, by union-find (Tarjan 1975). @param {RunLog} run */
 export function componentsOf(run) {
   const { past, edges, roots } = run;
   const count = past[PAST.vertices];

@@ -1,7 +1,7 @@
 /** The history of runs, in a limited number of points. */
 import { PAST } from "./run-log.js";
 
-/** @import { Run } from "./run-log.js" */
+/** @import { RunLog } from "./run-log.js" */
 
 /** Points of a curve at most, for up to four runs. */
 const POINTS = 300;
@@ -9,7 +9,7 @@ const POINTS = 300;
 /**
  * For each run rows of time, vertices and cost, which is Infinity without a path. The times, from 0 to `head`, are the same for all runs
  * and include those of the first paths.
- * @param {Run[]} runs
+ * @param {RunLog[]} runs
  * @param {number} column  of the history, -1 for iterations
  * @param {number} head    the latest time
  * @returns {Float64Array[]}

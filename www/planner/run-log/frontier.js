@@ -5,13 +5,13 @@
 import { EVENT, PAST } from "./run-log.js";
 
 /** @import { Adjacency } from "./adjacency.js" */
-/** @import { Run } from "./run-log.js" */
+/** @import { RunLog } from "./run-log.js" */
 
 const WAITING = 1;
 const EXPANDED = 2;
 
 export class Frontier {
-  /** @param {Run} run @param {Adjacency} adjacency */
+  /** @param {RunLog} run @param {Adjacency} adjacency */
   constructor(run, adjacency) {
     this.run = run;
     this.adjacency = adjacency;

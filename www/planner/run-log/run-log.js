@@ -22,7 +22,7 @@ export const PAST = { vertices: 0, edges: 1, events: 2, phase: 3, checks: 4, mot
 /** The root of a vertex: none in a roadmap, or that of the start or the goal. */
 export const SIDE = { none: 0, start: 1, goal: 2 };
 
-export class Run {
+export class RunLog {
   /**
    * @param {Scenario} scenario
    * @param {string} algorithm

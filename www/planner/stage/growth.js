@@ -10,7 +10,7 @@ import { cross, disc, ring } from "../../draw/marks.js";
 import { strokeLine } from "../../draw/pen.js";
 
 /** @import { Pane } from "./pane.js" */
-/** @import { Run } from "../run-log/run-log.js" */
+/** @import { RunLog } from "../run-log/run-log.js" */
 
 /** Rows drawn between two readings of the clock. */
 const BATCH = { edges: 16, vertices: 64, events: 64 };
@@ -84,7 +84,7 @@ export class Growth {
     return false;
   }
 
-  /** Empties the layers if other vertices are removed now. @param {Run} run @param {Counts} target @returns {boolean} whether it did */
+  /** Empties the layers if other vertices are removed now. @param {RunLog} run @param {Counts} target @returns {boolean} whether it did */
   shed(run, target) {
     const removed = run.removedBy(target.events);
     if (removed === this.removed) return false;
@@ -111,7 +111,7 @@ export class Growth {
     }
   }
 
-  /** @param {Run} run @param {number} target @param {number} now */
+  /** @param {RunLog} run @param {number} target @param {number} now */
   drawEdges(run, target, now) {
     const first = this.drawn.edges;
     const end = Math.min(target, first + BATCH.edges);
@@ -137,7 +137,7 @@ export class Growth {
     for (let e = glowing; e < end; e++) pane.glow.add("edge", now, points.slice(2 * firsts[e - first], 2 * firsts[e - first + 1]));
   }
 
-  /** Edges as lines in pixels; curved edges as several segments. @param {Run} run @param {number} first @param {number} end @returns {import("./pane.js").Lines} */
+  /** Edges as lines in pixels; curved edges as several segments. @param {RunLog} run @param {number} first @param {number} end @returns {import("./pane.js").Lines} */
   linesOf(run, first, end) {
     const n = run.dimension;
     if (run.traces.count === 0) {
@@ -160,7 +160,7 @@ export class Growth {
     return { points, firsts: Uint32Array.from(starts, (at) => firsts[at]) };
   }
 
-  /** @param {Run} run @param {number} target @param {number} now */
+  /** @param {RunLog} run @param {number} target @param {number} now */
   drawVertices(run, target, now) {
     const first = this.drawn.vertices;
     const end = Math.min(target, first + BATCH.vertices);
@@ -184,7 +184,7 @@ export class Growth {
   /**
    * Vertices expanded by the search are dots, guards are rings, rejected samples are crosses, rejected motions are dashed lines
    * up to the collision. Rejected ones flash, and stay if the view shows them.
-   * @param {Run} run @param {number} target @param {number} now
+   * @param {RunLog} run @param {number} target @param {number} now
    */
   drawEvents(run, target, now) {
     const first = this.drawn.events;
@@ -271,7 +271,7 @@ export class Growth {
     context.restore();
   }
 
-  /** The configurations of events: their vertex, or the configuration of the event itself. @param {Run} run @param {number} first @param {number} end */
+  /** The configurations of events: their vertex, or the configuration of the event itself. @param {RunLog} run @param {number} first @param {number} end */
   placesOf(run, first, end) {
     const n = run.dimension;
     const { data, width } = run.events;
@@ -287,7 +287,7 @@ export class Growth {
     return rows;
   }
 
-  /** Lines of rejected motions, from their vertex to the collision, by the number of the event. @param {Run} run @param {number} first @param {number} end @param {number} least  older events are left out */
+  /** Lines of rejected motions, from their vertex to the collision, by the number of the event. @param {RunLog} run @param {number} first @param {number} end @param {number} least  older events are left out */
   refusedLines(run, first, end, least) {
     const n = run.dimension;
     const { data, width } = run.events;
@@ -310,7 +310,7 @@ export class Growth {
   }
 }
 
-/** The counts of a run at the iteration shown. @param {Run | null} run @returns {Counts} */
+/** The counts of a run at the iteration shown. @param {RunLog | null} run @returns {Counts} */
 export function countsOf(run) {
   if (!run) return { vertices: 0, edges: 0, events: 0 };
   const { past } = run;

@@ -15,7 +15,7 @@ import { drawGoal, drawHit, drawStart } from "../../draw/shapes.js";
 import { Strobe } from "./strobe.js";
 
 /** @import { Hover, Lane } from "../lane.js" */
-/** @import { Run } from "../run-log/run-log.js" */
+/** @import { RunLog } from "../run-log/run-log.js" */
 /** @import { PathPlayback } from "../../domain/path-playback.js" */
 /** @import { LayerName } from "../../draw/layer.js" */
 /** @import { Palette } from "../../app/palette.js" */
@@ -164,7 +164,7 @@ export class Pane {
     lane.shown.overlay?.draw(this, context, lane);
   }
 
-  /** In a roadmap without a path: the connected components of start and goal. @param {CanvasRenderingContext2D} context @param {Run} run @param {Palette} palette */
+  /** In a roadmap without a path: the connected components of start and goal. @param {CanvasRenderingContext2D} context @param {RunLog} run @param {Palette} palette */
   drawPieces(context, { pieces }, palette) {
     const { places } = this;
     if (!pieces || !places) return;

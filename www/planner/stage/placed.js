@@ -8,7 +8,7 @@ import { contained, coordinatesOf } from "../../domain/coordinates.js";
 import { contains } from "../../draw/shapes.js";
 
 /** @import { Hover, Shown } from "../lane.js" */
-/** @import { Run } from "../run-log/run-log.js" */
+/** @import { RunLog } from "../run-log/run-log.js" */
 /** @import { Configuration, Part, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { Pane } from "./pane.js" */
@@ -43,7 +43,7 @@ export class Placed {
     this.reach = Math.max(...vertices.map(([x, y]) => Math.hypot(x, y)));
     /** Offset of the pointer when it took hold; a rotation if it is one number. @type {number | [number, number] | null} */
     this.held = null;
-    /** The last swept area. @type {{ edge: number, run: Run, parts: Part[][] } | null} */
+    /** The last swept area. @type {{ edge: number, run: RunLog, parts: Part[][] } | null} */
     this.swept = null;
   }
 

@@ -4,13 +4,13 @@
  */
 
 /** @import { Pane } from "./pane.js" */
-/** @import { Run } from "../run-log/run-log.js" */
+/** @import { RunLog } from "../run-log/run-log.js" */
 
 /** Reach of a pointer, CSS pixels. */
 export const NEAR = 12;
 
 export class VertexIndex {
-  /** @param {Pane} pane @param {Run} run */
+  /** @param {Pane} pane @param {RunLog} run */
   constructor(pane, run) {
     this.pane = pane;
     this.run = run;

@@ -5,7 +5,7 @@ import { once } from "./once.js";
 /** @import { Notice } from "./notice.js" */
 
 /** @template T */
-export class Part {
+export class LazyFeature {
   /** @param {Notice} notice @param {() => Promise<T>} load */
   constructor(notice, load) {
     this.notice = notice;

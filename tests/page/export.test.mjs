@@ -17,7 +17,7 @@ useBrowser();
 const fixture = (name) => readFileSync(join(root, "tests", "page", "fixtures", `${name}.npy`));
 
 /** Takes one thing away. @param {Page} page @param {string} id */
-const take = (page, id) => download(page, `#take-${id}`);
+const take = (page, id) => download(page, `#export-${id}`);
 
 /** Makes pictures as a browser decodes them: `names` of variables in the page. @param {Page} page @param {Record<string, { bytes: Buffer, type: string }>} files */
 async function decode(page, files) {
@@ -78,10 +78,10 @@ function sizeOfPng(bytes) {
 for (const ratio of [1, 2]) {
   test(`a picture has the stage's pixels, ${ratio} a CSS pixel, and each size its own`, () => onPausedPage(async (page) => {
     await click(page, "#step-100");
-    await unfold(page, "take");
+    await unfold(page, "export");
     const box = await page.locator("#stage").evaluate((stage) => stage.getBoundingClientRect().toJSON());
     for (const scale of ratio === 1 ? [1, 2, 4] : [2]) {
-      await page.selectOption("#take-scale", String(scale));
+      await page.selectOption("#export-scale", String(scale));
       const { name, bytes } = await take(page, "png");
       assert.equal(name, "stones-prm-seed0-100.png");
       assert.deepEqual(sizeOfPng(bytes), [Math.round(box.width * scale), Math.round(box.height * scale)]);
@@ -98,8 +98,8 @@ for (const ratio of [1, 2]) {
 
 test("an SVG is well formed, looks like the picture, and asks for nothing from elsewhere", () => onPausedPage(async (page) => {
   await finish(page);
-  await unfold(page, "take");
-  await page.selectOption("#take-scale", "1");
+  await unfold(page, "export");
+  await page.selectOption("#export-scale", "1");
   const png = await take(page, "png");
   const { bytes: svg, text } = await take(page, "svg");
   assert.ok(text.split("<path").length > 500, "its lines are paths");
@@ -116,11 +116,11 @@ test("an SVG is well formed, looks like the picture, and asks for nothing from e
 
 test("a moving picture has its frames and ends with what the stage shows, which stands still", () => onPausedPage(async (page) => {
   await click(page, "#step-100");
-  await unfold(page, "take");
-  await page.selectOption("#take-scale", "1");
+  await unfold(page, "export");
+  await page.selectOption("#export-scale", "1");
   const png = await take(page, "png");
-  await page.selectOption("#take-frames", "24");
-  await page.selectOption("#take-width", "480");
+  await page.selectOption("#export-frames", "24");
+  await page.selectOption("#export-width", "480");
   const before = [await growthHash(page, "workspace"), await growthHash(page, "cspace"), JSON.stringify(await counters(page)), await page.inputValue("#time")];
   await page.evaluate(() => {
     /** @type {Set<string>} */
@@ -176,23 +176,23 @@ test("a moving picture has its frames and ends with what the stage shows, which 
  * @param {import("playwright-core").Page} page @param {string} id
  */
 const clickWhileMade = (page, id) => page.evaluate((button) => new Promise((resolve) => {
-  const progress = /** @type {HTMLElement} */ (document.getElementById("take-progress"));
+  const progress = /** @type {HTMLElement} */ (document.getElementById("export-progress"));
   new MutationObserver((_, observer) => {
     if (progress.hidden) return;
     observer.disconnect();
     document.getElementById(button)?.click();
     resolve(undefined);
   }).observe(progress, { attributeFilter: ["hidden"] });
-  document.getElementById("take-gif")?.click();
+  document.getElementById("export-gif")?.click();
 }), id);
 
 test("a moving picture can be cancelled, and is not gone on with when another run begins", () => onPausedPage(async (page) => {
   await finish(page);
-  await unfold(page, "take");
-  await page.selectOption("#take-frames", "96");
-  await clickWhileMade(page, "take-cancel");
-  await page.waitForFunction(() => document.getElementById("take-told")?.textContent === "Cancelled.");
-  assert.equal(await page.isVisible("#take-progress"), false);
+  await unfold(page, "export");
+  await page.selectOption("#export-frames", "96");
+  await clickWhileMade(page, "export-cancel");
+  await page.waitForFunction(() => document.getElementById("export-told")?.textContent === "Cancelled.");
+  assert.equal(await page.isVisible("#export-progress"), false);
   await clickWhileMade(page, "reset");
   await page.waitForSelector("#notice[data-code=run-replaced]");
   assert.equal((await click(page, "#step-10")).iterations, 10);
@@ -202,7 +202,7 @@ test("a moving picture can be cancelled, and is not gone on with when another ru
 test("a scene that was taken away and is opened again plans the same", () => onPausedPage(async (page) => {
   await page.selectOption("#planner", "rrt-connect");
   const { fingerprint } = await finish(page);
-  await unfold(page, "take");
+  await unfold(page, "export");
   const { name, text } = await take(page, "scenario");
   assert.equal(name, "stones.json");
   await pickFile(page, name, text);
@@ -212,11 +212,11 @@ test("a scene that was taken away and is opened again plans the same", () => onP
 }));
 
 test("what is not to be had says why; counters, result, path and vertices are the numbers of the run", () => onPausedPage(async (page) => {
-  await unfold(page, "take");
-  const off = () => Promise.all(["gif", "path", "png"].map((id) => page.isDisabled(`#take-${id}`)));
+  await unfold(page, "export");
+  const off = () => Promise.all(["gif", "path", "png"].map((id) => page.isDisabled(`#export-${id}`)));
   assert.deepEqual(await off(), [true, true, false]);
-  assert.match(await page.innerText("#take-gif-hint"), /Nothing has happened/);
-  assert.match(await page.innerText("#take-path-hint"), /No path/);
+  assert.match(await page.innerText("#export-gif-hint"), /Nothing has happened/);
+  assert.match(await page.innerText("#export-path-hint"), /No path/);
   const run = await finish(page);
   assert.deepEqual(await off(), [false, false, false]);
   const csv = (await take(page, "counters")).text.trimEnd().split("\r\n").map((row) => row.split(","));
@@ -248,11 +248,11 @@ test("of a race each planner is told of, in one table, and by choice in a file o
   await page.waitForSelector("#lane-B");
   await page.click("#finish");
   await page.waitForFunction(() => [...document.querySelectorAll("#standings tbody tr")].length === 2 && document.getElementById("counters")?.dataset.settled === "true");
-  await unfold(page, "take");
+  await unfold(page, "export");
   const rows = (await take(page, "counters")).text.trimEnd().split("\r\n").map((row) => row.split(","));
   assert.deepEqual(rows[0].slice(0, 2), ["planner", "iteration"]);
   assert.equal(new Set(rows.slice(1).map(([planner]) => planner)).size, 2);
-  await page.selectOption("#take-lane", "1");
+  await page.selectOption("#export-lane", "1");
   const { planner } = JSON.parse((await take(page, "result")).text);
   assert.ok(rows.some(([name]) => name === `"B ${planner}"`), planner);
   const { name, bytes } = await take(page, "png");
@@ -355,7 +355,7 @@ test("whatever is wrong is refused in a sentence with a code, and the stage stay
 test("what is copied to embed the stage opens it there", () => onPausedPage(async (page, url) => {
   await page.selectOption("#planner", "rrt");
   await click(page, "#step-100");
-  await unfold(page, "take");
+  await unfold(page, "export");
   await page.locator("#embed-fold > summary").click();
   for (const [kind, sign] of [["page", /^<iframe src="([^"]+)"/], ["slides", /data-src="([^"]+)"/], ["notebook", /IFrame\("([^"]+)"/]]) {
     await page.selectOption("#embed-kind", String(kind));
@@ -371,13 +371,13 @@ test("what is copied to embed the stage opens it there", () => onPausedPage(asyn
 
 test("on a phone all of it is at hand, and the picture is as tall as the stage", () => onPausedPage(async (page) => {
   await click(page, "#step-100");
-  await unfold(page, "take");
+  await unfold(page, "export");
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
-  for (const button of await page.locator("#take button:visible, #take select:visible").all()) {
+  for (const button of await page.locator("#export button:visible, #export select:visible").all()) {
     const box = await button.boundingBox();
     assert.ok(box && box.height >= 24 && box.x >= 0 && box.x + box.width <= 390, await button.innerText());
   }
-  await page.selectOption("#take-scale", "2");
+  await page.selectOption("#export-scale", "2");
   const [width, height] = sizeOfPng((await take(page, "png")).bytes);
   assert.ok(height > 1.5 * width, `${width} x ${height}: one sheet below the other`);
   await pickFile(page, "poses.npy", writeNpy(new Float64Array(4), [2, 2]));
@@ -387,7 +387,7 @@ test("on a phone all of it is at hand, and the picture is as tall as the stage",
 
 /** How many obstacles the scene on the stage has: read from what would be taken away. @param {Page} page */
 async function obstacles(page) {
-  if (await page.locator("#take-scenario").count() === 0) await unfold(page, "take");
+  if (await page.locator("#export-scenario").count() === 0) await unfold(page, "export");
   return JSON.parse((await take(page, "scenario")).text).world.obstacles.length;
 }
 

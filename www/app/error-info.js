@@ -1,7 +1,7 @@
-/** @import { Fault } from "../domain/types.js" */
+/** @import { ErrorInfo } from "../domain/types.js" */
 
-/** The message, code and pointer of anything thrown, as plain data. @param {unknown} error @returns {Fault} */
-export function faultOf(error) {
+/** The message, code and pointer of anything thrown, as plain data. @param {unknown} error @returns {ErrorInfo} */
+export function errorInfo(error) {
   if (!(error instanceof Error)) return { message: String(error), code: "", pointer: "" };
   const code = "code" in error && typeof error.code === "string" ? error.code : "";
   const pointer = "pointer" in error && typeof error.pointer === "string" ? error.pointer : "";

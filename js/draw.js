@@ -169,7 +169,7 @@ export function drawRobot(context, view, parts, colours) {
 
 /**
  * Draws the edges of a planner from edge `first` on, as curves of the end effector. To draw only what is new, pass the result as `first`
- * in the next frame.
+ * in the next frame. Edges of vertices that were removed (an event of `planner.eventsSince`) are drawn, too.
  * @param {Context} context @param {View} view @param {Scenario} scenario @param {Planner} planner
  * @param {number} [first]  0 (default) to `planner.edgeCount`
  * @param {Partial<Colours>} [colours]

@@ -125,13 +125,13 @@ export const { ${names.join(", ")} } = guarded(glue);
 }
 
 /** Checks the JavaScript layer against the generated glue and writes its declarations. */
-export async function makeTypes() {
+async function makeTypes() {
   rmSync(types, { recursive: true, force: true });
   await run(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "-p", "js"]);
   cpSync(join(glue, "core.d.ts"), join(types, "core.d.ts"));
 }
 
-export async function assemblePackage() {
+async function assemblePackage() {
   requireFile(join(root, "schema", "scenario.schema.json"));
   const out = mkdtempSync(join(dist, "package-"));
   const sources = readdirSync(join(root, "js")).filter((name) => name.endsWith(".js")).map((name) => join(root, "js", name));

@@ -96,7 +96,7 @@ test("copies of a layer stay few, and the nearest one before a time is put back"
   const pasted = [];
   const layer = { canvas: { width: 500, height: 500 }, paste: (/** @type {object | null} */ copy) => pasted.push(copy) };
   const before = globalThis.OffscreenCanvas;
-  globalThis.OffscreenCanvas = /** @type {never} */ (class { getContext() { return null; } });
+  globalThis.OffscreenCanvas = /** @type {never} */ (class { getContext() { return { drawImage() {} }; } });
   try {
     const keeps = new Snapshots(/** @type {never} */ (layer));
     for (let count = 100; count <= 100_000; count += 100) if (keeps.isDue(count)) keeps.copy(count);

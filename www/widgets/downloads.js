@@ -40,8 +40,8 @@ export function failureOf(title) { return `The ${title.toLowerCase()} could not 
 
 /** A row of the panel; one choice stands beside the button, several below it. @param {Omit<Download, "content">} download @param {() => void} onSave @param {...HTMLElement} choices */
 export function downloadRow({ id, title, format, meaning }, onSave, ...choices) {
-  const hint = make("span", { className: "hint", id: `take-${id}-hint` }, meaning);
-  const saveButton = button(`take-${id}`, format, onSave);
+  const hint = make("span", { className: "hint", id: `export-${id}-hint` }, meaning);
+  const saveButton = button(`export-${id}`, format, onSave);
   saveButton.ariaLabel = `${title}, ${format}`;
   saveButton.setAttribute("aria-describedby", hint.id);
   const [beside, below] = choices.length === 1 ? [choices, []] : [[], choices];

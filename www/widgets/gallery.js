@@ -20,10 +20,14 @@ export class Gallery {
       this.element.append(make("label", { className: "card" }, input, canvas, make("span", {}, entry.title)));
     }
     this.count = make("span", { className: "hint" });
-    this.more = button("all-scenes", "", () => this.show(!this.element.classList.contains("all")));
+    this.more = button("all-scenes", "", () => {
+      this.show(!this.element.classList.contains("all"));
+      this.measure();
+    });
     this.size = make("p", { className: "gallery-size" }, this.count, this.more);
     this.element.after(this.size);
     this.show(false);
+    // It also measures at first, with the layout of the first frame.
     new ResizeObserver(() => this.measure()).observe(this.element);
   }
 

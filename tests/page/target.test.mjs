@@ -150,7 +150,7 @@ test("a pose in collision is red and says what touches; the goal, reached by han
   assert.equal(await pixelsOf(page, "workspace", "top", "collision"), 0);
   await pose([0.7, 0]);
   await page.waitForSelector("#touching[data-free=false]");
-  assert.match(await page.innerText("#touching"), /link 1 touches obstacle 0/i);
+  assert.match(await page.innerText("#touching"), /link 2 touches obstacle 0/i);
   assert.ok(await pixelsOf(page, "workspace", "top", "collision") > 100);
   await click(page, "#your-turn");
   assert.equal(await pixelsOf(page, "workspace", "top", "collision"), 0);

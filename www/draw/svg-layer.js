@@ -26,6 +26,9 @@ export class Figure extends SvgContext {
   /** Without effect: there are no device pixels. @override */
   setTransform() {}
 
+  /** Without effect: it is fitted while it is empty. */
+  reset() {}
+
   /** None: stripes take the place of a pattern. */
   createPattern() { return null; }
 

@@ -64,9 +64,7 @@ export class CSpace extends Pane {
     const { document } = shown;
     if (this.world.document !== document.world) this.world = { document: document.world, count: this.world.count + 1 };
     // Pictures of the previous scenario are dropped.
-    if (!this.cells || (this.cells.name === document.name && scenario.dimension > 2 === this.cells.key.includes(" "))) return;
-    this.cells.image?.close();
-    this.cells = null;
+    if (this.cells?.name !== document.name || scenario.dimension > 2 !== this.cells.key.includes(" ")) this.cells = null;
   }
 
   /** Requests a picture of the obstacles: all of two coordinates; of more, a slice through the current configuration if the view shows it. @param {Lane} lane @override */
@@ -115,7 +113,6 @@ export class CSpace extends Pane {
 
   /** Redraws the ground with a new picture of the obstacles. @param {CSpace["cells"]} cells */
   repaint(cells) {
-    this.cells?.image?.close();
     this.cells = cells;
     this.layers.ground.clear();
     this.drawGround(this.layers.ground.context, /** @type {Lane} */ (this.lane));

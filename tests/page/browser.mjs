@@ -324,10 +324,12 @@ export async function pictureOf(page, selector) {
     const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, canvas.width, canvas.height));
     let hash = 0x811c9dc5;
     let ink = 0;
-    for (const pixel of new Uint32Array(data.buffer)) {
-      hash = Math.imul(hash ^ pixel, 0x01000193);
-      if (pixel > 0) ink++;
-    }
+    // An empty canvas may have any size.
+    new Uint32Array(data.buffer).forEach((pixel, i) => {
+      if (pixel === 0) return;
+      hash = Math.imul(Math.imul(hash ^ i, 0x01000193) ^ pixel, 0x01000193);
+      ink++;
+    });
     return `${canvas.dataset.layer} ${hash >>> 0} ${ink}`;
   }));
 }

@@ -242,6 +242,8 @@ test("a disc has one figure, which fits any width", () => onPausedPage(async (pa
 
 for (const deviceScaleFactor of [1, 3]) {
   test(`canvases are as sharp as the screen, with ${deviceScaleFactor} device pixels to a CSS pixel`, () => onPausedPage(async (page) => {
+    // A canvas is fitted when something is drawn on it; in a solved run every one has something.
+    await finish(page);
     await page.waitForFunction(() => {
       const canvases = /** @type {HTMLCanvasElement[]} */ ([...document.querySelectorAll("canvas[data-layer]")]);
       return canvases.length === 10 && canvases.every((canvas) => {

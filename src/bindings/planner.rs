@@ -156,7 +156,7 @@ tables! { Planner(self, row)
     /// The vertices from vertex `row` (0 to `vertexCount`) on: configurations, in rows of `dimension` numbers. A copy.
     verticesSince: Vec<f64> = self.read(|run| run.vertex_count()) => self.read(|run| run.vertices_since(row));
     /// The edges from edge `row` (0 to `edgeCount`) on, in rows of two vertex numbers: parent and child in trees; if a car drives
-    /// forwards only (`steering: "dubins"`), in the direction of the drive. A copy.
+    /// forwards only (`steering` is `dubins`), in the direction of the drive. A copy.
     edgesSince: Vec<u32> = self.read(|run| run.edge_count()) => self.read(|run| run.edges_since(row));
     /// The motions of a car along the edges from edge `row` (0 to `edgeCount`) on, in rows of edge, speed, steering angle, seconds; an
     /// edge of several motions has as many rows, in the order in which it is driven. Empty for other robots. A copy.

@@ -10,8 +10,6 @@ export const LAYERS = /** @type {const} */ (["ground", "edges", "vertices", "mar
 /** @typedef {typeof LAYERS[number]} LayerName */
 
 export class Layer {
-  #context;
-
   /** @param {OffscreenCanvas | HTMLCanvasElement} canvas  an element is drawn on through an offscreen canvas from then on */
   constructor(canvas) {
     // A browser that rasterizes in software copies every canvas element in each frame, but offscreen canvases only when they changed.
@@ -19,57 +17,36 @@ export class Layer {
     const context = this.canvas.getContext("2d");
     if (!context) throw new Error("This browser gives no 2d canvas.");
     // The page draws with what both kinds of context can do, and names one of them.
-    this.#context = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (context));
+    this.context = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (context));
     this.width = 0;
     this.height = 0;
     this.ratio = 1;
-    /** Whether nothing was drawn since the layer was emptied. */
-    this.isEmpty = true;
-    /** Whether the canvas is to be fitted before something is drawn. */
-    this.isStale = false;
-    /** The clip of everything drawn, if any. @type {((context: CanvasRenderingContext2D) => void) | null} */
+    /** What keeps the drawing inside of the picture, if anything. @type {((context: CanvasRenderingContext2D) => void) | null} */
     this.clip = null;
   }
 
-  /** The context to draw with; the layer counts as drawn on. */
-  get context() {
-    if (this.isStale) this.update();
-    this.isEmpty = false;
-    return this.#context;
-  }
-
-  /** Sets the size and empties the layer. @param {number} width @param {number} height @param {number} ratio  device pixels per CSS pixel */
+  /** Fits the backing store; empties the layer. @param {number} width @param {number} height @param {number} ratio  device pixels a CSS pixel */
   fit(width, height, ratio) {
-    Object.assign(this, { width, height, ratio, clip: null, isStale: true });
-    // An empty canvas takes its memory, and the time of a commit, when something is drawn on it.
-    if (!this.isEmpty) this.update();
-  }
-
-  /** Fits the canvas. */
-  update() {
-    const { canvas, ratio } = this;
-    const context = this.#context;
-    const size = { width: Math.max(1, Math.round(this.width * ratio)), height: Math.max(1, Math.round(this.height * ratio)) };
+    this.width = width;
+    this.height = height;
+    this.ratio = ratio;
+    const size = { width: Math.max(1, Math.round(width * ratio)), height: Math.max(1, Math.round(height * ratio)) };
     // A canvas of the same size keeps its memory.
-    if (canvas.width === size.width && canvas.height === size.height) context.reset();
-    else Object.assign(canvas, size);
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    this.isStale = false;
-    this.isEmpty = true;
-    if (this.clip) this.enclose(this.clip);
+    if (this.canvas.width === size.width && this.canvas.height === size.height) this.context.reset();
+    else Object.assign(this.canvas, size);
+    this.context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.clip = null;
   }
 
-  /** Clips everything drawn from now on. @param {(context: CanvasRenderingContext2D) => void} clip */
+  /** From now on nothing is drawn outside of a border. @param {(context: CanvasRenderingContext2D) => void} clip */
   enclose(clip) {
     this.clip = clip;
-    if (this.isStale) return;
-    this.#context.save();
-    clip(this.#context);
+    this.context.save();
+    clip(this.context);
   }
 
-  /** Replaces the content by a copy of this layer, pixel by pixel, or by nothing. @param {OffscreenCanvas | null} copy */
+  /** Puts a copy of this layer in place of what it holds, pixel by pixel, or nothing. @param {OffscreenCanvas | null} copy */
   paste(copy) {
-    if (!copy && this.isEmpty) return;
     const { context, clip, canvas } = this;
     if (clip) context.restore();
     context.save();
@@ -78,10 +55,9 @@ export class Layer {
     if (copy) context.drawImage(copy, 0, 0);
     context.restore();
     if (clip) this.enclose(clip);
-    this.isEmpty = !copy;
   }
 
   clear() {
-    if (!this.isEmpty) this.context.clearRect(0, 0, this.width, this.height);
+    this.context.clearRect(0, 0, this.width, this.height);
   }
 }

@@ -1,7 +1,7 @@
 /** Figures as one PNG or SVG, side by side, each under its caption. */
 import { SvgContext } from "../formats/svg.js";
 import { hatch } from "./hatch.js";
-import { Figure as SvgLayer, stripes } from "./svg-layer.js";
+import { IMAGES, SvgLayer, stripes, svgFile } from "./svg-layer.js";
 
 /** @import { Figure } from "./figure.js" */
 /** @typedef {CanvasRenderingContext2D} Context */
@@ -9,10 +9,15 @@ import { Figure as SvgLayer, stripes } from "./svg-layer.js";
 /** Space around and between the figures, and for a caption, CSS pixels. */
 const GAP = 16;
 const CAPTION = 22;
-/** Pixels of a PNG at most: some browsers allow no more. */
+/** Pixels of an image at most: browsers limit the size of canvases. */
 const MOST_PIXELS = 48e6;
-/** Pixels of an image within an SVG, a CSS pixel. */
-const IMAGES = 2;
+
+/** @param {number} width @param {number} height @param {number} ratio @param {string} advice @throws {Error} `too-large` */
+export function requireSize(width, height, ratio, advice) {
+  if (width * height * ratio * ratio <= MOST_PIXELS) return;
+  const message = `An image of ${Math.round(width * ratio)} x ${Math.round(height * ratio)} pixels is too large; ${advice}.`;
+  throw Object.assign(new Error(message), { code: "too-large" });
+}
 
 /** The places of the figures that are shown. @param {Figure[]} figures */
 function layoutOf(figures) {
@@ -39,9 +44,7 @@ function writeCaption(context, { figure, x, y }) {
 /** @param {Figure[]} figures @param {number} ratio  pixels a CSS pixel @returns {Promise<Blob>} @throws {Error} it would be too large */
 export async function pngOf(figures, ratio) {
   const { places, width, height, ground } = layoutOf(figures);
-  if (width * height * ratio * ratio > MOST_PIXELS) {
-    throw Object.assign(new Error(`An image of ${Math.round(width * ratio)} x ${Math.round(height * ratio)} pixels is too large; make the window smaller.`), { code: "too-large" });
-  }
+  requireSize(width, height, ratio, "make the window smaller");
   const canvas = new OffscreenCanvas(Math.round(width * ratio), Math.round(height * ratio));
   const context = /** @type {Context | null} */ (/** @type {unknown} */ (canvas.getContext("2d")));
   if (!context) throw new Error("This browser has no 2d canvas.");
@@ -68,6 +71,5 @@ export async function svgOf(figures, title) {
     figure.drawWith(/** @type {Context} */ (/** @type {unknown} */ (layer)), IMAGES, stripes);
     return layer.element(`s${i}`, Math.round(x), Math.round(y));
   }));
-  const text = whole.toString({ background: ground, title });
-  return new Blob([text.replace("</svg>", () => `${elements.join("")}</svg>`)], { type: "image/svg+xml" });
+  return svgFile(whole, elements, { background: ground, title });
 }

@@ -7,10 +7,13 @@ import { bytesOf } from "./mask.js";
 
 /** @import { Stripes } from "../formats/svg.js" */
 
+/** Pixels of an image within an SVG, per CSS pixel. */
+export const IMAGES = 2;
+
 /** The address of an image until its bytes are known. */
 const LATER = "image:";
 
-export class Figure extends SvgContext {
+export class SvgLayer extends SvgContext {
   /** @param {number} width @param {number} height  CSS pixels */
   constructor(width, height) {
     super(width, height);
@@ -47,6 +50,11 @@ export class Figure extends SvgContext {
       .replaceAll(/color-mix\([^"]*\)/g, (colour) => `rgb(${bytesOf(colour).join(", ")})`)
       .replace("<svg ", `<svg x="${x}" y="${y}" `);
   }
+}
+
+/** A drawing with further elements on top, as a file. @param {SvgContext} drawing @param {string[]} elements @param {{ background: string, title: string }} style */
+export function svgFile(drawing, elements, style) {
+  return new Blob([drawing.toString(style).replace("</svg>", () => `${elements.join("")}</svg>`)], { type: "image/svg+xml" });
 }
 
 /** A colour as stripes. @param {string} colour @returns {Stripes} */

@@ -1,7 +1,8 @@
 /** Images of the stage, made in slices so that planning, playing and cancelling continue meanwhile. */
 import { GifWriter, paletteOf } from "../../formats/gif.js";
 import { SvgContext } from "../../formats/svg.js";
-import { Figure, stripes } from "../../draw/svg-layer.js";
+import { requireSize } from "../../draw/export.js";
+import { IMAGES, SvgLayer, stripes, svgFile } from "../../draw/svg-layer.js";
 import { Picture, writeCaption } from "./picture.js";
 
 /** @import { Session } from "../session.js" */
@@ -18,15 +19,11 @@ import { Picture, writeCaption } from "./picture.js";
  * @property {number} frames   of a GIF, at least 2
  */
 
-/** Pixels of an image at most; browsers limit the size of canvases. */
-const MOST_PIXELS = 48e6;
 /** Milliseconds that an animation lasts, and that its last frame lasts longer. */
 const DURATION = 6000;
 const PAUSE = 2000;
 /** Milliseconds of a slice. */
 const SLICE = 12;
-/** Pixels a CSS pixel of images in an SVG. */
-const IMAGES = 2;
 
 /** @param {string} code @param {string} message */
 function fault(code, message) { return Object.assign(new Error(message), { code }); }
@@ -42,9 +39,7 @@ function fault(code, message) { return Object.assign(new Error(message), { code 
 export async function makeImage(session, request, onProgress) {
   const { kind, layout: { width, height } } = request;
   const ratio = kind === "gif" ? request.width / width : request.ratio;
-  if (width * height * ratio * ratio > MOST_PIXELS) {
-    throw fault("too-large", `A picture of ${Math.round(width * ratio)} x ${Math.round(height * ratio)} pixels is too large; choose a smaller size.`);
-  }
+  requireSize(width, height, ratio, "choose a smaller size");
   const { plannings } = session;
   const slices = { png: pngOf, svg: svgOf, gif: gifOf }[kind](session, request);
   for (;;) {
@@ -73,12 +68,7 @@ function* pngOf(session, { layout: { width, height, sheets }, ratio }) {
 
 /** @param {Session} session @param {ImageRequest} request @returns {Slices} */
 function* svgOf(session, { layout: { width, height, sheets }, title }) {
-  const figures = /** @type {Figure[]} */ ([]);
-  const picture = new Picture(session, sheets, IMAGES, (wide, high) => {
-    const figure = new Figure(wide, high);
-    figures.push(figure);
-    return /** @type {OffscreenCanvas} */ (/** @type {unknown} */ (figure));
-  });
+  const picture = new Picture(session, sheets, IMAGES, (wide, high) => /** @type {OffscreenCanvas} */ (/** @type {unknown} */ (new SvgLayer(wide, high))));
   const { palette, drawn } = picture;
   for (const { pane } of drawn) {
     Object.assign(pane, { hatchOnPart: stripes(palette.stage), hatchOnObstacle: stripes(palette.collision) });
@@ -90,10 +80,9 @@ function* svgOf(session, { layout: { width, height, sheets }, title }) {
   }
   return async () => {
     const layers = await Promise.all(drawn.flatMap(({ layout: { x, y }, layers: own }, s) => own.map((layer, l) => {
-      return /** @type {Figure} */ (/** @type {unknown} */ (layer)).element(`s${s}${l}`, Math.round(x), Math.round(y));
+      return /** @type {SvgLayer} */ (/** @type {unknown} */ (layer)).element(`s${s}${l}`, Math.round(x), Math.round(y));
     })));
-    const text = whole.toString({ background: palette.stage, title });
-    return new Blob([text.replace("</svg>", () => `${layers.join("")}</svg>`)], { type: "image/svg+xml" });
+    return svgFile(whole, layers, { background: palette.stage, title });
   };
 }
 

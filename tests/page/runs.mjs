@@ -10,7 +10,7 @@ export class LocalRun extends RunLog {
   /** @param {import("planarium").Scenario} scenario @param {string} algorithm @param {Settings} settings */
   constructor(scenario, algorithm, settings) {
     const own = /** @type {Scenario} */ (/** @type {unknown} */ (scenario));
-    super(own, algorithm, settings, { phases, planners });
+    super(own, algorithm, settings, { phases, planners: planners() });
     this.stepper = new Stepper(own, algorithm, settings);
   }
 

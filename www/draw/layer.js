@@ -10,6 +10,8 @@ export const LAYERS = /** @type {const} */ (["ground", "edges", "vertices", "mar
 /** @typedef {typeof LAYERS[number]} LayerName */
 
 export class Layer {
+  #context;
+
   /** @param {OffscreenCanvas | HTMLCanvasElement} canvas  an element is drawn on through an offscreen canvas from then on */
   constructor(canvas) {
     // A browser that rasterizes in software copies every canvas element in each frame, but offscreen canvases only when they changed.
@@ -17,36 +19,54 @@ export class Layer {
     const context = this.canvas.getContext("2d");
     if (!context) throw new Error("This browser gives no 2d canvas.");
     // The page draws with what both kinds of context can do, and names one of them.
-    this.context = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (context));
+    this.#context = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (context));
     this.width = 0;
     this.height = 0;
     this.ratio = 1;
-    /** What keeps the drawing inside of the picture, if anything. @type {((context: CanvasRenderingContext2D) => void) | null} */
+    /** The clip of everything drawn, if any. @type {((context: CanvasRenderingContext2D) => void) | null} */
     this.clip = null;
+    /** Whether the canvas has a size, and memory: the first picture need not wait for layers that are empty in it. */
+    this.isReady = false;
   }
 
-  /** Fits the backing store; empties the layer. @param {number} width @param {number} height @param {number} ratio  device pixels a CSS pixel */
+  /** The context to draw with. */
+  get context() {
+    this.prepare();
+    return this.#context;
+  }
+
+  /** Sets the size and empties the layer. @param {number} width @param {number} height @param {number} ratio  device pixels per CSS pixel */
   fit(width, height, ratio) {
-    this.width = width;
-    this.height = height;
-    this.ratio = ratio;
-    const size = { width: Math.max(1, Math.round(width * ratio)), height: Math.max(1, Math.round(height * ratio)) };
-    // A canvas of the same size keeps its memory.
-    if (this.canvas.width === size.width && this.canvas.height === size.height) this.context.reset();
-    else Object.assign(this.canvas, size);
-    this.context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    this.clip = null;
+    Object.assign(this, { width, height, ratio, clip: null });
+    if (this.isReady) this.resize();
   }
 
-  /** From now on nothing is drawn outside of a border. @param {(context: CanvasRenderingContext2D) => void} clip */
+  /** Sizes the canvas, unless that is done. */
+  prepare() { if (!this.isReady) this.resize(); }
+
+  /** Sizes the canvas. */
+  resize() {
+    const { canvas, ratio } = this;
+    const size = { width: Math.max(1, Math.round(this.width * ratio)), height: Math.max(1, Math.round(this.height * ratio)) };
+    // A canvas of the same size keeps its memory.
+    if (canvas.width === size.width && canvas.height === size.height) this.#context.reset();
+    else Object.assign(canvas, size);
+    this.#context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.isReady = true;
+    if (this.clip) this.enclose(this.clip);
+  }
+
+  /** Clips everything drawn from now on. @param {(context: CanvasRenderingContext2D) => void} clip */
   enclose(clip) {
     this.clip = clip;
-    this.context.save();
-    clip(this.context);
+    if (!this.isReady) return;
+    this.#context.save();
+    clip(this.#context);
   }
 
-  /** Puts a copy of this layer in place of what it holds, pixel by pixel, or nothing. @param {OffscreenCanvas | null} copy */
+  /** Replaces the content by a copy of this layer, pixel by pixel, or by nothing. @param {OffscreenCanvas | null} copy */
   paste(copy) {
+    if (!copy && !this.isReady) return;
     const { context, clip, canvas } = this;
     if (clip) context.restore();
     context.save();
@@ -57,7 +77,5 @@ export class Layer {
     if (clip) this.enclose(clip);
   }
 
-  clear() {
-    this.context.clearRect(0, 0, this.width, this.height);
-  }
+  clear() { if (this.isReady) this.#context.clearRect(0, 0, this.width, this.height); }
 }

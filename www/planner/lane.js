@@ -2,6 +2,7 @@
 import { playbackOf } from "../domain/path-playback.js";
 import { PAST, RunLog } from "./run-log/run-log.js";
 
+/** @import { Catalogue } from "./run-log/run-log.js" */
 /** @import { Standing } from "./race/standings.js" */
 /** @import { Marked } from "./stage/marked.js" */
 /** @import { Overlay } from "./editor/editor.js" */
@@ -74,11 +75,11 @@ export class Lane {
     return { algorithm, settings: query === undefined ? settings : { ...settings, query } };
   }
 
-  /** Begins a run. @param {string | undefined} query @param {Pick<typeof import("planarium"), "phases" | "planners">} library @throws {Error} the core refuses the plan */
-  start(query, library) {
+  /** Begins a run. @param {string | undefined} query @param {Catalogue} catalogue @throws {Error} the core refuses the plan */
+  start(query, catalogue) {
     this.free();
     const { algorithm, settings } = this.planOf(query);
-    this.run = new RunLog(this.scenario, algorithm, settings, library);
+    this.run = new RunLog(this.scenario, algorithm, settings, catalogue);
   }
 
   /** Its standing in a race. @returns {Standing} */

@@ -40,7 +40,7 @@ import { Transport } from "./timeline/transport.js";
 
 /** @import { PlannerWorker } from "./worker/worker.js" */
 
-/** Milliseconds after which the thumbnails are drawn, once the stage is. */
+/** Milliseconds after the first picture at which the other layers get their memory and the thumbnails are drawn. */
 const THUMBNAILS = 250;
 /** Milliseconds after them at which the modules for other scenes are loaded. */
 const MODULES = 3000;
@@ -53,13 +53,12 @@ const { notice } = app;
 const counters = new Counters();
 
 const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ worker) => {
-  const generators = library.generators();
   const session = new Session(app, library, worker);
   const turn = byId("your-turn", HTMLButtonElement);
   const stage = byId("stage", HTMLElement);
   const readout = byId("readout", HTMLOutputElement);
   const hint = matchMedia("(hover: hover)").matches ? "Point at a vertex to see its details." : "";
-  const panel = new Panel(library.planners(), () => library.randomSeed() % SEEDS, () => page.plan(), () => page.setQuery());
+  const panel = new Panel(session.catalogue.planners, () => library.randomSeed() % SEEDS, () => page.plan(), () => page.setQuery());
   const page = new Page(app, session, panel);
   const sheets = new Sheets(page);
   const pose = new Pose((at) => page.act(({ byHand }) => byHand.hold(Float64Array.from(at))));
@@ -81,7 +80,7 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
   watchPrint(page);
   const projector = new Projector(() => app.setTheme());
 
-  const options = new LazyFeature(notice, async () => (await import("./scenes/options.js")).showSceneOptions(page, generators)).inFold("make-fold");
+  const options = new LazyFeature(notice, async () => (await import("./scenes/options.js")).showSceneOptions(page, library.generators())).inFold("make-fold");
   page.onOpen((_, entry) => { if (entry?.sliders) options.use(); });
   const race = new LazyFeature(notice, async () => new (await import("./race/race.js")).Race(page, sheets)).inFold("race-fold");
   page.loadRace = () => race.get();
@@ -91,7 +90,7 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
   const drive = new LazyFeature(notice, async () => new (await import("./driving/controls.js")).DriveControls(page));
   const lessons = new LazyFeature(notice, async () => new (await import("./lessons/lessons.js")).Lessons(page)).inFold("lessons-fold");
   new LazyFeature(notice, async () => (await import("./export/export.js")).showExport(page)).inFold("export-fold");
-  const link = new LazyFeature(notice, async () => new (await import("./link/link.js")).Link(page, SCENES, generators, projector)).byButton("link", ({ share }) => share.copy());
+  const link = new LazyFeature(notice, async () => new (await import("./link/link.js")).Link(page, SCENES, library.generators(), projector)).byButton("link", ({ share }) => share.copy());
   if (window.parent !== window) (await import("./embed.js")).watchParent(page);
   addEventListener("hashchange", () => { if (location.hash) void app.track(openAddress()); });
 
@@ -133,7 +132,10 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
   if (location.hash) await openAddress();
   else await page.openScene(SCENES[0]);
   app.onTheme(() => void app.track(drawThumbnails()));
-  setTimeout(() => void app.track(drawThumbnails()), THUMBNAILS);
+  setTimeout(() => {
+    session.stage.prepare();
+    void app.track(drawThumbnails());
+  }, THUMBNAILS);
 
   /** Opens the experiment or the step of a lesson in the address. */
   async function openAddress() { await (await (location.hash.startsWith("#lesson=") ? lessons : link).get()).open(location.hash); }

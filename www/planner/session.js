@@ -43,6 +43,7 @@ export class Session {
     this.app = app;
     this.library = library;
     this.planners = planners;
+    this.catalogue = { phases: library.phases, planners: library.planners() };
     /** Called with the state of each frame. @type {(state: State) => void} */
     this.onState = () => {};
     /** Called when the state last reported is out of date. */
@@ -192,7 +193,7 @@ export class Session {
     for (const lane of this.lanes.splice(plans.length)) lane.free();
     let at = 0;
     try {
-      for (; at < this.lanes.length; at++) this.lanes[at].start(this.query, this.library);
+      for (; at < this.lanes.length; at++) this.lanes[at].start(this.query, this.catalogue);
       clock.playing = play;
     } catch (error) {
       for (const lane of this.lanes) lane.free();
@@ -206,6 +207,7 @@ export class Session {
       this.stage.invalidate();
     }
     this.stage.restart(this.lanes);
+    if (!this.refusal) this.timeline.begin();
     this.wake();
   }
 

@@ -103,8 +103,9 @@ export class Sheets {
 
   /** Passes the sizes of the sheets to the stage. */
   measure() {
-    for (const [id, { sheet }] of this.figures) {
-      const box = sheet.getBoundingClientRect();
+    // All boxes are read before a style is written, so that the document is laid out once.
+    const boxes = Array.from(this.figures, ([id, { sheet }]) => ({ id, sheet, box: sheet.getBoundingClientRect() }));
+    for (const { id, sheet, box } of boxes) {
       // A change below one device pixel does not count.
       const [width, height] = [box.width, box.height].map((side) => Math.round(side * devicePixelRatio) / devicePixelRatio);
       if (width < 1 || height < 1) continue;

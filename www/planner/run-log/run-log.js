@@ -11,7 +11,9 @@ import { Rows } from "./rows.js";
 import { grownSince } from "../worker/stepper.js";
 
 /** @import { Growth } from "../worker/stepper.js" */
-/** @import { ResultDocument, Scenario, Settings, Stats, Status } from "../../domain/types.js" */
+/** @import { PlannerInfo, ResultDocument, Scenario, Settings, Stats, Status } from "../../domain/types.js" */
+
+/** @typedef {{ phases: readonly string[], planners: PlannerInfo[] }} Catalogue   of the package */
 
 /** Kinds of event, by the numbers of the package. */
 export const EVENT = { rejected: 0, refused: 1, expanded: 2, solved: 3, discarded: 4, guard: 5, removed: 6 };
@@ -27,7 +29,7 @@ export class RunLog {
    * @param {Scenario} scenario
    * @param {string} algorithm
    * @param {Settings} settings  the query's name, the seed and the planner's parameters
-   * @param {Pick<typeof import("planarium"), "phases" | "planners">} library
+   * @param {Catalogue} catalogue
    * @throws {Error} with `code` and `pointer`: a start in collision, a parameter out of range
    */
   constructor(scenario, algorithm, settings, { phases, planners }) {
@@ -67,7 +69,7 @@ export class RunLog {
     this.firsts = [];
     this.adjacency = new Adjacency(this);
     this.frontier = new Frontier(this, this.adjacency);
-    const info = planners().find(({ id }) => id === algorithm);
+    const info = planners.find(({ id }) => id === algorithm);
     /** The kind of graph. @type {"roadmap" | "tree" | "trees"} */
     this.kind = info?.grows ?? "roadmap";
     /** Whether edges are motions under controls; refused ones are then not straight. */

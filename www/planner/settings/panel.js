@@ -33,7 +33,6 @@ export class Panel {
     });
     this.query.addEventListener("change", onQuery);
     this.planner.disabled = false;
-    this.offer();
   }
 
   /** Whether a planner or a parameter is for the robot. @param {object} info */
@@ -45,11 +44,10 @@ export class Panel {
   /** Whether a planner is for the robot. @param {string} algorithm */
   serves(algorithm) { return this.infos.some((info) => info.id === algorithm && this.fits(info)); }
 
-  /** Offers the planners for a robot. @param {string} [robot] */
-  offer(robot = this.robot) {
+  /** Offers the planners for a robot. @param {string} robot */
+  offer(robot) {
     this.robot = robot;
     offerPlanners(this.planner, this.infos.filter((info) => this.fits(info)));
-    this.build();
   }
 
   /** Selects a planner and some of its parameters. @param {string} algorithm @param {Settings} settings @param {Settings} [scene]  those of the scene itself */

@@ -73,6 +73,11 @@ export class Stage {
     for (const id of this.places.keys()) this.stale.add(id);
   }
 
+  /** Sizes the layers on which nothing was drawn yet, so that a run does not wait for them. */
+  prepare() {
+    for (const { layers } of this.panes) for (const layer of Object.values(layers)) layer.prepare();
+  }
+
   /** A new run on the same ground. @param {Lane[]} lanes */
   restart(lanes) {
     for (const { pane, lane } of this.places.values()) {

@@ -104,6 +104,12 @@ export class Timeline {
   /** Whether the worker plans for the current runs. */
   get isAsking() { return this.pending === this.session.plannings; }
 
+  /** Has the worker begin the current runs, with the first step of those that play. */
+  begin() {
+    const { session, clock } = this;
+    void session.app.track(this.request(clock.playing ? clock.unit : NONE, !clock.playing));
+  }
+
   /** Has the worker plan up to a time, unless it is busy or the log reaches it. @param {number} wanted  may be Infinity */
   plan(wanted) {
     if (!this.isAsking && this.reached() < wanted) void this.session.app.track(this.request(wanted, !this.clock.playing));

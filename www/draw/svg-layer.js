@@ -23,7 +23,7 @@ export class Figure extends SvgContext {
   /** It is its own canvas. */
   getContext() { return this; }
 
-  /** Without effect: there are no device pixels. @override */
+  /** Without effect: there are no device pixels. */
   setTransform() {}
 
   /** Without effect: it is fitted while it is empty. */

@@ -22,15 +22,3 @@ export function toCsv(columns, rows) {
 
 /** A table as a file. @param {readonly string[]} columns @param {readonly (readonly Cell[])[]} rows */
 export function csvFile(columns, rows) { return new Blob([toCsv(columns, rows)], { type: "text/csv" }); }
-
-/**
- * The history of a run, with the iteration, counted from 1, in the first column.
- * @param {ArrayLike<number>} history  rows of one number a column, one after the other; not finite where there is none yet
- * @param {readonly string[]} columns  without the iteration
- * @returns {string}
- */
-export function historyCsv(history, columns) {
-  const width = columns.length;
-  const rows = Array.from({ length: history.length / width }, (_, i) => [i + 1, ...columns.map((_name, j) => history[i * width + j])]);
-  return toCsv(["iteration", ...columns], rows);
-}

@@ -1,14 +1,13 @@
 /** Files to open, scenarios or NumPy arrays: picked, or dropped anywhere on the page. */
 import { byId } from "./dom.js";
 
+/** @import { App } from "./app.js" */
+
 /** Size of a file at most, bytes. */
 const MOST = 10 * 1024 * 1024;
 
-/**
- * @param {(name: string, bytes: Uint8Array<ArrayBuffer>) => void} onFile
- * @param {(name: string, error: Error) => void} onError   the file could not be read
- */
-export function watchFiles(onFile, onError) {
+/** @param {App} app @param {(name: string, bytes: Uint8Array<ArrayBuffer>) => void} onFile */
+export function watchFiles(app, onFile) {
   const input = byId("file", HTMLInputElement);
   const button = byId("open", HTMLButtonElement);
   const veil = byId("veil", HTMLElement);
@@ -41,7 +40,7 @@ export function watchFiles(onFile, onError) {
       }
       onFile(file.name, new Uint8Array(await file.arrayBuffer()));
     } catch (error) {
-      onError(file.name, error instanceof Error ? error : new Error(String(error)));
+      app.fail(error, `${file.name} could not be read.`);
     }
   }
 }

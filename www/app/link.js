@@ -43,8 +43,7 @@ export class ShareButton {
     this.field = make("input", { type: "text", readOnly: true, ariaLabel: "Link", hidden: true });
     this.message = make("div", { id: "link-told", className: "told", role: "status" }, this.words, this.field);
     byId("tools", HTMLElement).append(this.message);
-    /** @type {ReturnType<typeof setTimeout> | undefined} */
-    this.timer = undefined;
+    this.timer = 0;
     this.message.addEventListener("keydown", ({ key }) => {
       if (key !== "Escape") return;
       this.show("");
@@ -78,7 +77,7 @@ export class ShareButton {
     this.field.hidden = link === "";
     this.field.value = link;
     if (link) this.field.select();
-    else if (text) this.timer = setTimeout(() => this.show(""), READING);
+    else if (text) this.timer = window.setTimeout(() => this.show(""), READING);
   }
 }
 

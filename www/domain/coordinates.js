@@ -17,7 +17,7 @@ export function coordinatesOf({ scenario, document: { robot } }) {
   return robot.type === "disc" ? plane : [...plane, { name: "theta", low: -Math.PI, high: Math.PI, unit: "rad", isCircle: true }];
 }
 
-/** Moves a configuration into the ranges of its coordinates, in place. @param {Float64Array} pose @param {Coordinate[]} coordinates */
+/** Moves a configuration into the ranges of its coordinates, in place. @template {Float64Array} T @param {T} pose @param {Coordinate[]} coordinates */
 export function contained(pose, coordinates) {
   coordinates.forEach(({ low, high, isCircle }, i) => {
     pose[i] = isCircle ? wrap(pose[i]) : Math.min(high, Math.max(low, pose[i]));

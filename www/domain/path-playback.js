@@ -34,9 +34,7 @@ export class PathPlayback {
     this.raw = raw;
     this.course = course;
     const n = scenario.dimension;
-    /** @type {Float64Array[]} */
-    this.waypoints = [];
-    for (let i = 0; i < path.length; i += n) this.waypoints.push(path.slice(i, i + n));
+    this.waypoints = Array.from({ length: path.length / n }, (_, i) => path.slice(i * n, (i + 1) * n));
     /** Distance from the start to each waypoint. */
     this.reached = [0];
     for (let i = 1; i < this.waypoints.length; i++) {
@@ -102,20 +100,14 @@ export class PathPlayback {
   /** The steering angle at the robot's position. */
   get steering() { return this.course?.motions[this.stretch(this.at * this.length)]?.[1] ?? 0; }
 
-  /**
-   * Configurations along the path, for drawing: equally spaced ones and all waypoints.
-   * @param {number} count
-   * @returns {{ rows: Float64Array, parts: Float64Array }}
-   */
+  /** Configurations along the path, for drawing: equally spaced ones and all waypoints. @param {number} count */
   sample(count) {
-    const parts = [];
-    for (let i = 0; i <= count; i++) parts.push(i / count);
-    if (this.length > 0) for (const reached of this.reached) parts.push(reached / this.length);
-    parts.sort((a, b) => a - b);
+    const waypoints = this.length > 0 ? this.reached.map((reached) => reached / this.length) : [];
+    const parts = Float64Array.from([...Array.from({ length: count + 1 }, (_, i) => i / count), ...waypoints]).sort();
     const n = this.scenario.dimension;
     const rows = new Float64Array(parts.length * n);
     parts.forEach((part, i) => rows.set(this.configuration(part), i * n));
-    return { rows, parts: Float64Array.from(parts) };
+    return { rows, parts };
   }
 
   /** Advances the robot. @param {number} seconds */

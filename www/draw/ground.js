@@ -1,11 +1,19 @@
 /** The ground of the workspace: a grid, the world, the reach of an arm, its base. */
-import { drawWorld } from "planarium/draw";
+import { View, drawWorld } from "planarium/draw";
 import { disc, ring } from "./marks.js";
 
-/** @import { ScenarioDocument } from "../domain/types.js" */
+/** @import { Scenario, ScenarioDocument } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
-/** @import { View } from "planarium/draw" */
+/** @import { Brush } from "./figure.js" */
 /** @typedef {CanvasRenderingContext2D} Context */
+
+/** The ground of a figure. @param {Brush} brush @param {Scenario} scenario @param {ScenarioDocument} document @returns {View} */
+export function drawWorkspace({ context, palette, width, height }, scenario, document) {
+  const view = new View(scenario.extent(), width, height);
+  drawGround(context, view, document, palette);
+  if (document.robot.type === "arm") drawBase(context, view, document.robot.base, palette);
+  return view;
+}
 
 /** A round spacing for a grid, metres: the least of 1, 2, 5 times a power of ten that is at least 46 pixels. @param {View} view */
 export function gridOf({ scaleX }) {

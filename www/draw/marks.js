@@ -53,6 +53,24 @@ export function drawDot(context, x, y, colour, palette) {
   context.stroke();
 }
 
+/** A ring to drag. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {string} colour @param {Palette} palette */
+export function drawHandle(context, x, y, colour, palette) {
+  context.fillStyle = palette.stage;
+  disc(context, x, y, 8);
+  context.strokeStyle = context.fillStyle = colour;
+  context.lineWidth = 2.4;
+  ring(context, x, y, 6.6);
+  disc(context, x, y, 2.4);
+}
+
+/** An upright cross with a halo. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {string} colour @param {Palette} palette @param {number} size */
+export function drawCross(context, x, y, colour, palette, size) {
+  strokeWithHalo(context, [5.5, 2.2], colour, palette, () => {
+    addLine(context, x - size, y, x + size, y);
+    addLine(context, x, y - size, x, y + size);
+  });
+}
+
 /**
  * Strokes a path twice, wide in the colour of the stage and then narrow, so that it can be seen on anything.
  * @param {CanvasRenderingContext2D} context @param {[wide: number, narrow: number]} widths @param {string} colour @param {Palette} palette @param {() => void} trace  adds to the path

@@ -24,8 +24,7 @@ export class Square extends AngleSquare {
 
   /** @param {Brush} brush */
   ground(brush) {
-    const { isPlanar, coordinates, list: { rows } } = this.session;
-    if (!isPlanar) return;
+    const { coordinates, list: { rows } } = this.session;
     this.drawGround(brush, coordinates, () => {
       const { x, y, width, height } = this.inner;
       const places = new Float64Array(rows.length);
@@ -40,7 +39,6 @@ export class Square extends AngleSquare {
   /** @param {Brush} brush */
   top({ context, palette }) {
     const { session, view, inner } = this;
-    if (!session.isPlanar) return;
     const { found: { indices }, missed, isNaive, q } = session;
     const colourOf = (/** @type {number} */ i) => (session.exact.has(i) ? palette.start : palette.rejected);
     this.repeat(context, () => {

@@ -6,7 +6,7 @@ import { ROBOTS } from "./robots.js";
 /** @import { NeighboursOptions } from "planarium" */
 /** @import { NeighbourSession } from "./session.js" */
 /** @import { Rule } from "../formats/rules.js" */
-/** @import { IndexId } from "./types.js" */
+/** @import { IndexId } from "./measurement.js" */
 
 export const stateRule = withDefaults({
   robot: oneOf(ROBOTS.map(({ id }) => id)), draw: record({ n: whole(100_000, 100), seed: whole(999), free: flag }),
@@ -25,12 +25,9 @@ export async function openState(session, { robot, draw, q, k, index, given }) {
   const entry = ROBOTS.find(({ id }) => id === robot) ?? ROBOTS[0];
   // The core checks the options before anything changes.
   const scenario = Scenario.parse(entry.document);
-  try {
-    scenario.neighbours({ index }).free();
-    scenario.neighbours(/** @type {NeighboursOptions} */ ({ ...given, index: "forest" })).free();
-  } finally {
-    scenario.free();
-  }
+  scenario.neighbours({ index }).free();
+  scenario.neighbours(/** @type {NeighboursOptions} */ ({ ...given, index: "forest" })).free();
+  scenario.free();
   Object.assign(session, { sampling: { ...session.sampling, ...draw }, index, given });
   await session.open(entry, { q, k });
 }

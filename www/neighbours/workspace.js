@@ -2,13 +2,13 @@
 import { drawRobot, partPath } from "planarium/draw";
 import { dotsImage } from "../draw/dots.js";
 import { NO_VIEW } from "../draw/figure.js";
-import { drawHandle, drawWorkspace } from "../draw/workspace.js";
-import { addLine, disc, ring } from "../draw/marks.js";
+import { drawWorkspace } from "../draw/ground.js";
+import { addLine, disc, drawHandle, ring } from "../draw/marks.js";
 import { drawGhost, drawLabel } from "../draw/shapes.js";
 
+/** @import { Point } from "../domain/types.js" */
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { NeighbourSession } from "./session.js" */
-/** @import { Point } from "./types.js" */
 
 /** Neighbours that are numbered, at most. */
 const RANKED = 12;

@@ -75,7 +75,7 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
     r: () => page.act(() => session.reset()),
     n: () => panel.reseed(),
   });
-  watchFiles((name, bytes) => void app.track(openFile(name, bytes), `${name} could not be opened.`), (name, error) => app.fail(error, `${name} could not be read.`));
+  watchFiles(app, (name, bytes) => void app.track(openFile(name, bytes), `${name} could not be opened.`));
   watchAnnouncements(page);
   showPseudocode(page);
   watchPrint(page);

@@ -8,6 +8,7 @@ import { withSeed } from "../widgets/field.js";
 import { planners, reachMethods } from "planarium";
 import { Chart } from "../widgets/chart.js";
 import { byId, grouped, make } from "../app/dom.js";
+import { pacer } from "../app/paced.js";
 import { encodeLink } from "../planner/link/codec.js";
 import { button, press } from "../widgets/elements.js";
 import { small } from "../widgets/format.js";
@@ -35,13 +36,11 @@ export class IkPanel {
     this.run = null;
     /** The configuration at which the run starts. */
     this.start = session.arm.q;
-    /** Whether a run has begun, or was refused, since the mode was chosen. */
-    this.isBegun = false;
     /** The settings that differ from the defaults. @type {Settings} */
     this.given = {};
     /** The index of the solution that the arm shows, or -1. */
     this.chosen = -1;
-    this.charted = -Infinity;
+    this.isChartDue = pacer(CHART_PAUSE);
     this.select = byId("method", HTMLSelectElement);
     this.select.append(...this.methods.map(({ id, title }) => make("option", { value: id }, title)));
     this.select.value = "damped-least-squares";
@@ -70,10 +69,8 @@ export class IkPanel {
       if (this.transport.isPlaying) this.transport.pause();
       this.run?.free();
       this.run = null;
-      this.isBegun = false;
-    } else if (change === "arm" || change === "pose" || !this.isBegun) {
+    } else if (change !== "iterate" && change !== "rest") {
       // The user moved the arm, or changed it: the run starts there.
-      this.isBegun = true;
       this.start = this.session.arm.q;
       this.begin();
     }
@@ -149,11 +146,7 @@ export class IkPanel {
     if (run && !transport.isPlaying) host.dataset.fingerprint = run.run.fingerprint();
     else delete host.dataset.fingerprint;
     this.listSolutions();
-    const now = performance.now();
-    if (!transport.isPlaying || now - this.charted > CHART_PAUSE) {
-      this.charted = now;
-      this.drawChart();
-    }
+    if (this.isChartDue(!transport.isPlaying)) this.drawChart();
     session.update("rest");
   }
 
@@ -163,10 +156,10 @@ export class IkPanel {
     const titles = solutions.map(({ isFree }, i) => `${i + 1}${isFree ? "" : " \u2715"}`);
     // Buttons are rebuilt only if they differ, so that the focus stays.
     if (titles.join() !== [...this.list.children].map(({ textContent }) => textContent).join()) {
-      this.list.replaceChildren(...solutions.map(({ isFree, q }, i) => Object.assign(button("", titles[i], () => {
+      this.list.replaceChildren(...solutions.map(({ isFree, q }, i) => button("", titles[i], () => {
         this.transport.pause();
         this.choosePose(i, q);
-      }), { ariaLabel: `Solution ${i + 1}${isFree ? "" : ", in collision"}` })));
+      }, { ariaLabel: `Solution ${i + 1}${isFree ? "" : ", in collision"}` })));
     }
     [...this.list.children].forEach((element, i) => press(element, i === this.chosen));
     this.list.hidden = solutions.length === 0;

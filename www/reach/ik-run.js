@@ -2,9 +2,8 @@
 import { withOptions } from "../domain/option-names.js";
 
 /** @import { ReachVerdict } from "planarium" */
-/** @import { Settings } from "../domain/types.js" */
+/** @import { Point, Settings } from "../domain/types.js" */
 /** @import { Arm } from "./arm.js" */
-/** @import { Point } from "./types.js" */
 
 /** Solutions drawn and listed, at most. */
 const MOST_SHOWN = 24;

@@ -16,15 +16,15 @@ import { Figure } from "../draw/figure.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { button, press } from "../widgets/elements.js";
 import { num, tuple } from "../widgets/format.js";
-import { SceneGallery } from "../widgets/scene-gallery.js";
-import { ArmPanel } from "./arm-panel.js";
+import { sceneGallery } from "../widgets/scene-gallery.js";
+import { showArmPanel } from "./arm-panel.js";
 import { watchHandles } from "./handles.js";
 import { IkPanel } from "./ik-panel.js";
 import { isNearlySingular } from "./jacobian.js";
-import { MotionPanel } from "./motion-panel.js";
+import { showMotionPanel } from "./motion-panel.js";
 import { ParallelAxes } from "./parallel-axes.js";
-import { SCENES } from "./scenes.js";
-import { ArmSession, documentOf } from "./session.js";
+import { SCENES, documentOf } from "./scenes.js";
+import { ArmSession } from "./session.js";
 import { Square } from "./square.js";
 import { openState, stateOf, stateRule } from "./state.js";
 import { collisionText, descriptionOf, linksText, sentenceOf } from "./words.js";
@@ -32,8 +32,7 @@ import { Workspace } from "./workspace.js";
 
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Commands } from "./commands.js" */
-/** @import { Change } from "./session.js" */
-/** @import { Mode } from "./types.js" */
+/** @import { Change, Mode } from "./session.js" */
 /** @import { State } from "./state.js" */
 
 /** Cells a side of the configuration space: at once, and finely. */
@@ -56,28 +55,24 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
     axes: new Figure(app, stage, { id: "axes", kind: "axes", caption: "Configuration", note: "one axis per joint" }, new ParallelAxes(session, ik)),
   };
   const all = Object.values(figures);
-  new ArmPanel(session, () => {
+  showArmPanel(session, () => {
     if (session.mode === "solve") ik.begin();
     else session.moveTip(session.arm.tip);
   });
-  new MotionPanel(session, stage);
+  showMotionPanel(session, stage);
   watchHandles(session, stage, figures, (target) => {
     session.target = target;
     ik.begin();
   });
   byId("modes", HTMLElement).append(...MODES.map(([mode, title]) => button(`mode-${mode}`, title, () => session.setMode(mode))));
-  const gallery = new SceneGallery(app, SCENES, documentOf, (entry) => {
+  const gallery = sceneGallery(app, SCENES, documentOf, (entry) => {
     app.notice.hide();
     session.openScene(entry);
   });
-  watchFiles((name, bytes) => {
-    try {
-      session.openDocument(new TextDecoder().decode(bytes));
-      app.notice.hide();
-    } catch (error) {
-      app.fail(error, `${name} could not be opened.`);
-    }
-  }, (name, error) => app.fail(error, `${name} could not be read.`));
+  watchFiles(app, (name, bytes) => app.guard(() => {
+    session.openDocument(new TextDecoder().decode(bytes));
+    app.notice.hide();
+  }, `${name} could not be opened.`));
   showDownloads(app, all, { name: () => `${session.arm.document.name}-reach`, title: () => session.arm.document.title ?? session.arm.document.name }, [
     { id: "scenario", title: "Scenario", format: "JSON", meaning: "Arm and obstacles, with the queries A to B and the target.", content: () => json(session.document()) },
   ]);

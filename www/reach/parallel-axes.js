@@ -2,7 +2,9 @@
  * A configuration in parallel coordinates (Inselberg 1985): an upright axis for each joint, and a line through their values. Red
  * stretches of an axis are where that joint, turned alone, would collide.
  */
+import { View } from "planarium/draw";
 import { ticks } from "../draw/angles.js";
+import { NO_VIEW } from "../draw/figure.js";
 import { drawDot, drawLine } from "../draw/marks.js";
 import { fillWith } from "../draw/shapes.js";
 import { folded } from "../draw/trace.js";
@@ -23,44 +25,39 @@ export class ParallelAxes {
   constructor(session, ik) {
     this.session = session;
     this.ik = ik;
-    this.width = 0;
-    this.height = 0;
-  }
-
-  /** @param {number} joint */
-  x(joint) {
-    const { dimension } = this.session.arm;
-    return MARGIN.left + (this.width - MARGIN.left - MARGIN.right) * (dimension === 1 ? 0.5 : joint / (dimension - 1));
+    /** Across the number of the joint, up the part of its range. */
+    this.view = NO_VIEW;
   }
 
   /** @param {number} joint @param {number} value */
   y(joint, value) {
     const { low, high, isCircle } = this.session.arm.joints[joint];
-    const part = ((isCircle ? folded(value) : value) - low) / (high - low);
-    return this.height - MARGIN.bottom - part * (this.height - MARGIN.top - MARGIN.bottom);
+    return this.view.y(((isCircle ? folded(value) : value) - low) / (high - low));
   }
 
   /** The value of a joint at a height. @param {number} joint @param {number} y */
   valueAt(joint, y) {
     const { low, high } = this.session.arm.joints[joint];
-    const part = (this.height - MARGIN.bottom - y) / (this.height - MARGIN.top - MARGIN.bottom);
-    return Math.min(high, Math.max(low, low + part * (high - low)));
+    return Math.min(high, Math.max(low, low + this.view.toPlane(0, y)[1] * (high - low)));
   }
 
   /** The joint whose axis is near, or -1. @param {number} x @param {number} near  CSS pixels */
-  jointAt(x, near) { return this.session.arm.joints.findIndex((_, i) => Math.abs(this.x(i) - x) <= Math.min(near, (this.x(1) - this.x(0)) / 2 || near)); }
+  jointAt(x, near) {
+    const { view, session } = this;
+    return session.arm.joints.findIndex((_, i) => Math.abs(view.x(i) - x) <= Math.min(near, view.scaleX / 2));
+  }
 
   /** @param {Brush} brush */
   ground({ context, palette, width, height }) {
-    Object.assign(this, { width, height });
     const { joints } = this.session.arm;
+    this.view = new View({ min: [0, 0], max: [joints.length - 1, 1] }, width, height, MARGIN, true);
     const isNarrow = width / joints.length < 64;
     context.font = "12px system-ui, sans-serif";
     context.strokeStyle = palette.obstacleEdge;
     context.fillStyle = palette.quiet;
     context.lineWidth = 1.4;
     joints.forEach((joint, i) => {
-      const x = this.x(i);
+      const x = this.view.x(i);
       const [top, bottom] = [this.y(i, joint.high), this.y(i, joint.low)];
       drawLine(context, x, top, x, bottom);
       // A limit is a bar; an axis that wraps ends in arrowheads.
@@ -96,7 +93,7 @@ export class ParallelAxes {
     if (mode === "solve") this.drawRun(brush);
     this.drawPose(context, arm.q, palette.stage, 5);
     this.drawPose(context, arm.q, colour, 2.6);
-    arm.q.forEach((value, i) => drawDot(context, this.x(i), this.y(i, value), colour, palette));
+    arm.q.forEach((value, i) => drawDot(context, this.view.x(i), this.y(i, value), colour, palette));
   }
 
   /** @param {Brush} brush */
@@ -105,18 +102,14 @@ export class ParallelAxes {
     const pattern = hatch(palette.collision);
     arm.joints.forEach(({ low, high }, joint) => {
       const valueAt = (/** @type {number} */ test) => low + ((high - low) * test) / TESTS;
-      let from = -1;
-      for (let i = 0; i <= TESTS; i++) {
-        const collides = i < TESTS && !arm.isFree(arm.q.with(joint, valueAt(i + 0.5)));
-        if (collides && from < 0) from = i;
-        if (collides || from < 0) continue;
-        const [bottom, top] = [this.y(joint, valueAt(from)), this.y(joint, valueAt(i))];
-        context.beginPath();
-        context.rect(this.x(joint) - HALF, top, 2 * HALF, bottom - top);
-        fillWith(context, palette.collision, 0.35);
-        fillWith(context, pattern);
-        from = -1;
+      context.beginPath();
+      for (let i = 0; i < TESTS; i++) {
+        if (arm.isFree(arm.q.with(joint, valueAt(i + 0.5)))) continue;
+        const [bottom, top] = [this.y(joint, valueAt(i)), this.y(joint, valueAt(i + 1))];
+        context.rect(this.view.x(joint) - HALF, top, 2 * HALF, bottom - top);
       }
+      fillWith(context, palette.collision, 0.35);
+      fillWith(context, pattern);
     });
   }
 
@@ -140,7 +133,7 @@ export class ParallelAxes {
     context.lineJoin = "round";
     context.setLineDash(dash);
     context.beginPath();
-    for (let i = 0; i < q.length; i++) context.lineTo(this.x(i), this.y(i, q[i]));
+    for (let i = 0; i < q.length; i++) context.lineTo(this.view.x(i), this.y(i, q[i]));
     context.stroke();
     context.setLineDash([]);
   }

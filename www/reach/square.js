@@ -16,12 +16,11 @@ export class Square extends AngleSquare {
   }
 
   /** @param {Brush} brush */
-  ground(brush) { if (this.session.arm.dimension === 2) this.drawGround(brush, this.session.arm.joints); }
+  ground(brush) { this.drawGround(brush, this.session.arm.joints); }
 
   /** @param {Brush} brush */
   top(brush) {
     const { arm, mode } = this.session;
-    if (arm.dimension !== 2) return;
     const { context, palette } = brush;
     const isFree = arm.check.free;
     this.repeat(context, (isCopy) => {

@@ -1,12 +1,12 @@
 /** The state that a link stores; numbers are stored in full, so that a run is the same to the last bit. */
 import { flag, json, list, name, number, oneOf, record, rule, settings, whole, withDefaults } from "../formats/rules.js";
-import { SCENES } from "./scenes.js";
-import { documentOf } from "./session.js";
+import { SCENES, documentOf } from "./scenes.js";
 
-/** @import { ArmSession } from "./session.js" */
-/** @import { IkPanel } from "./ik-panel.js" */
+/** @import { Point, ScenarioDocument } from "../domain/types.js" */
 /** @import { Rule } from "../formats/rules.js" */
-/** @import { ArmRobot, Mode, Point, ScenarioDocument } from "./types.js" */
+/** @import { ArmRobot } from "./arm.js" */
+/** @import { IkPanel } from "./ik-panel.js" */
+/** @import { ArmSession, Mode } from "./session.js" */
 
 /** Iterations at most, as in the core. */
 const MOST_STEPS = 200_000;

@@ -1,15 +1,15 @@
 /** The workspace: the world, the arm with its manipulability ellipse, the motion from A to B, and a run of inverse kinematics. */
 import { drawRobot, isThin } from "planarium/draw";
 import { NO_VIEW } from "../draw/figure.js";
-import { addLine, disc, drawLine, strokeWithHalo } from "../draw/marks.js";
+import { drawWorkspace } from "../draw/ground.js";
+import { addLine, disc, drawCross, drawHandle, drawLine, strokeWithHalo } from "../draw/marks.js";
 import { drawGhost, drawGoal, drawHit, drawLabel, drawStart } from "../draw/shapes.js";
 import { drawTouching } from "../draw/touching.js";
-import { drawCross, drawHandle, drawWorkspace } from "../draw/workspace.js";
 
+/** @import { Point } from "../domain/types.js" */
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { IkPanel } from "./ik-panel.js" */
 /** @import { ArmSession } from "./session.js" */
-/** @import { Point } from "./types.js" */
 
 /** Scale of the ellipse: at full size it would hide the arm. */
 const ELLIPSE = 0.3;

@@ -18,7 +18,7 @@ import { showDownloads } from "../widgets/downloads.js";
 import { button, press } from "../widgets/elements.js";
 import { Options } from "../widgets/options.js";
 import { Transport } from "../widgets/transport.js";
-import { Charts } from "./charts.js";
+import { makeCharts } from "./charts.js";
 import { Experiment, WINDOW, movingAverage, recentMean } from "./experiment.js";
 import { FIRST, Particle } from "./particle.js";
 import { Plane } from "./plane.js";
@@ -48,7 +48,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
   const experiment = new Experiment(worker);
   const plane = new Plane(experiment);
   const figure = new Figure(app, stage, { id: "plane", kind: "workspace", caption: "Trajectories" }, plane);
-  const charts = new Charts(experiment);
+  const drawCharts = makeCharts(experiment);
   const particle = new Particle(app, byId("single", HTMLElement));
   const table = /** @type {ParameterInfo[]} */ ([...withSeed([], "experiment"), ...trajectoryOptions()]);
   let options = form({});
@@ -66,9 +66,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     animationStart = performance.now();
     press(animate, plane.moment !== null);
     figure.redrawTop();
-  });
-  animate.className = "quiet";
-  press(animate, false);
+  }, { className: "quiet", ariaPressed: "false" });
   transport.bar.append(animate);
   const newSeed = byId("new-seed", HTMLButtonElement);
   newSeed.disabled = false;
@@ -91,7 +89,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     // New trajectories are drawn on top of the others, unless all are redrawn.
     const { palette, layers: { ground } } = figure;
     if (!figure.dirty.has("ground")) plane.append({ context: ground.context, palette });
-    charts.draw(performance.now(), !transport.isPlaying && app.pending === 0);
+    drawCharts(!transport.isPlaying && app.pending === 0);
     show();
     performance.measure("trajectories-frame", { start: frameStart });
   });
@@ -100,7 +98,6 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     { id: "csv", title: "Table", format: "CSV", meaning: `A row for each trajectory: its parameters, tries, time, and the mean time of the last ${WINDOW}.`, content: tableOf },
   ]);
   app.rebuild = restart;
-  app.onTheme(() => { charts.key = ""; });
   await app.track(useLink(app, stateRule, {
     save: () => ({ given: options.given, tried: experiment.result?.iterations ?? 0, one: particle.movement }),
     open, contents: "the settings, the seed and the number of tries",

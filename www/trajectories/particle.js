@@ -86,6 +86,4 @@ export class Particle {
     context.lineWidth = 2;
     ring(context, ...at(arc, 0), 5);
   }
-
-  top() {}
 }

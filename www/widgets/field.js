@@ -25,12 +25,11 @@ export class Field {
     this.control.setAttribute("aria-describedby", `${id}-meaning ${id}-reason`);
     /** The last valid value. */
     this.current = this.value;
-    /** @type {ReturnType<typeof setTimeout> | undefined} */
-    this.timer = undefined;
+    this.timer = 0;
     this.control.addEventListener("change", () => this.commit());
     this.control.addEventListener("input", () => {
       clearTimeout(this.timer);
-      if (this.validate()) this.timer = setTimeout(() => this.commit(), TYPING);
+      if (this.validate()) this.timer = window.setTimeout(() => this.commit(), TYPING);
     });
     const name = make("span", { className: "name" }, info.title || info.name);
     if (info.unit) name.append(make("span", { className: "unit" }, ` ${info.unit}`));
@@ -72,24 +71,17 @@ export class Field {
 
   /** Whether the value is valid; an invalid one shows the reason. */
   validate() {
-    this.automatic.hidden = this.value !== undefined;
-    const reason = this.fault();
+    const { info, value, control: { validity: { badInput } } } = this;
+    this.automatic.hidden = value !== undefined;
+    let reason = "";
+    if (badInput || value !== undefined) reason = reasonAgainst(info, badInput ? NaN : value);
+    else if (info.default !== null && info.kind !== "choice") reason = `Enter ${info.kind === "integer" ? "a whole number" : "a number"}.`;
     this.refuse(reason);
     return reason === "";
   }
-
-  /** Why the value is invalid, or empty. @returns {string} */
-  fault() {
-    const { control, info } = this;
-    if (info.kind === "choice" || info.kind === "boolean") return "";
-    const text = control.value.trim();
-    const { badInput } = control.validity;
-    if (text === "" && !badInput) return info.default === null ? "" : `Enter ${info.kind === "integer" ? "a whole number" : "a number"}.`;
-    return reasonAgainst(info, badInput ? NaN : Number(text));
-  }
 }
 
-/** Why a value is invalid, or empty. @param {ParameterInfo} info @param {unknown} value @returns {string} */
+/** Why a value is invalid, or empty. @param {Pick<ParameterInfo, "kind" | "min" | "max" | "choices">} info @param {unknown} value @returns {string} */
 export function reasonAgainst({ kind, min, max, choices }, value) {
   if (kind === "boolean") return typeof value === "boolean" ? "" : `${value} is neither true nor false.`;
   if (kind === "choice") return choices?.includes(String(value)) ? "" : `${value} is not an option.`;

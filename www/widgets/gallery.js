@@ -2,13 +2,12 @@
 import { byId, make } from "../app/dom.js";
 import { button } from "./elements.js";
 
-/** @import { SceneEntry } from "../domain/types.js" */
-
 /** Side of a thumbnail, CSS pixels. */
 export const SIDE = 84;
 
+/** @template {{ id: string, title: string }} E */
 export class Gallery {
-  /** @param {SceneEntry[]} scenes @param {(entry: SceneEntry) => void} onChoose */
+  /** @param {E[]} scenes @param {(entry: E) => void} onChoose */
   constructor(scenes, onChoose) {
     this.element = byId("scenes", HTMLElement);
     /** @type {Map<string, { input: HTMLInputElement, canvas: HTMLCanvasElement }>} */
